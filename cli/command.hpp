@@ -1,0 +1,22 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace mpmvv {
+
+/// Each command adds itself to the program: its options, and a callback that does the work and sets `exit_code`.
+void add_run(CLI::App& app, int& exit_code);
+void add_solution(CLI::App& app, int& exit_code);
+void add_study(CLI::App& app, int& exit_code);
+void add_gate(CLI::App& app, int& exit_code);
+void add_propose(CLI::App& app, int& exit_code);
+void add_report(CLI::App& app, int& exit_code);
+void add_claims(CLI::App& app, int& exit_code);
+void add_list(CLI::App& app, int& exit_code);
+void add_db(CLI::App& app, int& exit_code);
+
+/// One JSON object, indented, to standard output. NaN and infinity become null.
+void print_json(const nlohmann::json& object);
+
+}  // namespace mpmvv

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <thread>
+
+#include "cli/command.hpp"
+#include "studies/boundaries.hpp"
+#include "studies/error.hpp"
+#include "studies/run_case.hpp"
+#include "studies/settings.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+nlohmann::json scheme_json(const Scheme& s) {
+  nlohmann::json json{{"basis", s.basis},
+                      {"integrator", s.integrator},
+                      {"velocity_update", s.velocity_update},
+                      {"mass", s.mass},
+                      {"boundary", s.boundary},
+                      {"wall_acceleration", s.wall_acceleration},
+                      {"deformation", s.deformation},
+                      {"body_force", s.body_force},
+                      {"fill", s.fill}};
+  if (s.start != "none") json["start"] = s.start;
+  if (s.smoothing_length > 0) json["smoothing_length"] = s.smoothing_length;
+  return json;
+}
+
+nlohmann::json record_json(const Record& r) {
+  const Errors& e = r.error;
+  return {{"problem", r.the_case.problem.name},
+          {"parameters", r.the_case.problem.parameters},
+          {"scheme", scheme_json(r.the_case.scheme)},
+          {"cells", r.the_case.resolution.cells},
+          {"ppc", r.the_case.resolution.ppc},
+          {"particles", r.particles},
+          {"steps", r.steps},
+          {"dt", r.the_case.resolution.dt},
+          {"cfl", r.cfl},
+          {"end_time", r.the_case.problem.end_time},
+          {"status", to_string(r.status)},
+          {"reason", r.reason},
+          {"error",
+           {{"l1", e.l1},
+            {"l2", e.l2},
+            {"linf", e.linf},
+            {"l1_all_steps", e.l1_all_steps},
+            {"l2_all_steps", e.l2_all_steps},
+            {"linf_all_steps", e.linf_all_steps}}},
+          {"energy",
+           {{"kinetic", r.energy.kinetic}, {"strain", r.energy.strain}, {"initial_total", r.energy.initial_total}}},
+          {"wall_seconds", r.wall_seconds},
+          {"ns_per_particle_step", r.ns_per_particle_step}};
+}
+
+std::string or_dash(double value) { return std::isnan(value) ? "-" : fmt::format("{:.6e}", value); }
+
+void print_record(const Record& r) {
+  const Scheme& s = r.the_case.scheme;
+  fmt::print("{}  basis {}  integrator {}  boundary {}\n", r.the_case.problem.name, s.basis, s.integrator, s.boundary);
+  fmt::print("cells {}  ppc {}  particles {}  steps {}  dt {:.6g} s  cfl {:.4g}  end time {:.6g} s\n",
+             r.the_case.resolution.cells, r.the_case.resolution.ppc, r.particles, r.steps, r.the_case.resolution.dt,
+             r.cfl, r.the_case.problem.end_time);
+  fmt::print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
+  fmt::print("error at the end     l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1), or_dash(r.error.l2), or_dash(r.error.linf));
+  if (r.the_case.measure.every_step)
+    fmt::print("error over all steps l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1_all_steps),
+               or_dash(r.error.l2_all_steps), or_dash(r.error.linf_all_steps));
+  fmt::print("energy kinetic {}  strain {}  initial total {} J\n", or_dash(r.energy.kinetic), or_dash(r.energy.strain),
+             or_dash(r.energy.initial_total));
+  fmt::print("{:.3g} s, {:.2f} ns per particle and step\n", r.wall_seconds, r.ns_per_particle_step);
+}
+
+/// `--param k=v` as a setting.
+Setting parameter_setting(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw UsageError(fmt::format("--param {} (name=value, as in --param amplitude=0.02)", text));
+  return {"param." + text.substr(0, equals), text.substr(equals + 1), "--param"};
+}
+
+struct RunOptions {
+  std::map<std::string, std::string> given;  ///< by setting key
+  std::vector<std::string> parameters;
+  bool every_step = false, json = false;
+  int threads = 1;
+};
+
+int run(const RunOptions& options) {
+  std::vector<Setting> settings;
+  for (const auto& [key, value] : options.given) {
+    if (value.empty()) continue;
+    std::string option = "--" + key;
+    std::replace(option.begin(), option.end(), '_', '-');
+    settings.push_back({key, value, option});
+  }
+  for (const std::string& parameter : options.parameters) settings.push_back(parameter_setting(parameter));
+  if (options.every_step) settings.push_back({"every_step", "true", "--every-step"});
+  const Record record = run_case(make_case(settings), options.threads);
+  if (options.json)
+    print_json(record_json(record));
+  else
+    print_record(record);
+  return record.status == Status::failed ? 1 : 0;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Run one case and print its record");
+  for (const SettingKey& key : setting_keys()) {
+    std::string name = "--" + key.key;
+    std::replace(name.begin(), name.end(), '_', '-');
+    if (key.key == "every_step")
+      command->add_flag(name, options->every_step, key.meaning);
+    else
+      command->add_option(name, options->given[key.key], key.meaning);
+  }
+  command->add_option("--param", options->parameters, "physical value of the problem, name=value (repeatable)");
+  command->add_option("--threads", options->threads, "threads of the step")->check(CLI::Range(1, 256));
+  command->add_flag("--json", options->json, "print the record as one JSON object");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,30 @@
+# One interface target carries the language level and the warnings; every target of the project links it.
+include(CheckCXXSourceRuns)
+
+set(MPMVV_ARCH "auto" CACHE STRING "value of -march, or 'auto': x86-64-v3 where the processor has it")
+set(MPMVV_SANITIZE "" CACHE STRING "sanitizers to build with, as in -fsanitize=")
+
+set(mpmvv_arch_flag "")
+if(MPMVV_ARCH STREQUAL "auto")
+  set(CMAKE_REQUIRED_FLAGS "-march=x86-64-v3")
+  check_cxx_source_runs("int main() { return !(__builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\")); }"
+                        MPMVV_HAS_X86_64_V3)
+  unset(CMAKE_REQUIRED_FLAGS)
+  if(MPMVV_HAS_X86_64_V3)
+    set(mpmvv_arch_flag -march=x86-64-v3)
+  endif()
+elseif(MPMVV_ARCH)
+  set(mpmvv_arch_flag -march=${MPMVV_ARCH})
+endif()
+
+add_library(mpmvv_flags INTERFACE)
+target_include_directories(mpmvv_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_features(mpmvv_flags INTERFACE cxx_std_20)
+# NaN and infinity keep their meaning: neither of these two flags assumes that they do not occur.
+target_compile_options(mpmvv_flags INTERFACE
+  ${mpmvv_arch_flag} -ffp-contract=fast -fno-math-errno -fno-trapping-math
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+if(MPMVV_SANITIZE)
+  target_compile_options(mpmvv_flags INTERFACE -fsanitize=${MPMVV_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(mpmvv_flags INTERFACE -fsanitize=${MPMVV_SANITIZE})
+endif()

@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "goldens/golden.hpp"
+#include "goldens/verdict.hpp"
+#include "studies/result.hpp"
+
+namespace mpmvv {
+
+/// One golden, judged.
+struct GateResult {
+  std::string study;
+  std::string name;  ///< subject of the golden
+  Verdict verdict = Verdict::inconclusive;
+  std::string expected, measured;
+  std::string reason;  ///< empty for `pass`
+};
+
+/// All goldens, judged, in their order.
+struct GateReport {
+  std::vector<GateResult> results;
+
+  int count(Verdict v) const;
+  int exit_code() const;  ///< 1 with any failure, else 3 with anything inconclusive, else 0
+};
+
+/// Holds the goldens against the stored studies; only those of the studies named in `only`, unless it is empty.
+/// UsageError when there is nothing to judge or a name in `only` has no golden.
+GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<StudyResult>& studies,
+                    const std::vector<std::string>& only = {});
+
+}  // namespace mpmvv

@@ -1,0 +1,212 @@
+#include "goldens/golden.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "studies/error.hpp"
+#include "studies/toml_file.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+constexpr double round_off = 1e-9;  ///< so that 2 - 1.85 is not wider than 0.15
+
+[[noreturn]] void reject(const std::string& wrong, const std::string& where, const std::string& right) {
+  throw UsageError(fmt::format("{} in {} ({})", wrong, where, right));
+}
+
+double positive(const TomlTable& table, const std::string& key) {
+  const double value = table.number(key);
+  if (!(value > 0)) reject(fmt::format("'{}' is {}", key, value), table.where(key), "a number above 0");
+  return value;
+}
+
+std::string word(const TomlTable& table, const std::string& key) {
+  const std::string text = table.text(key);
+  if (text.find_first_not_of(" \t\n") == std::string::npos) {
+    reject(fmt::format("'{}' is blank", key), table.where(key), "a text");
+  }
+  return text;
+}
+
+std::string norm(const TomlTable& table) {
+  constexpr std::array known = {"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "y"};
+  const std::string text = table.text("norm");
+  if (std::ranges::find(known, text) == known.end()) {
+    reject(fmt::format("unknown norm '{}'", text), table.where("norm"),
+           fmt::format("known: {}", fmt::join(known, ", ")));
+  }
+  return text;
+}
+
+/// A band wider than the house's needs a reason that a reviewer can read.
+void justify(const TomlTable& table, double width, double allowed, const std::string& rule) {
+  if (table.has("why")) word(table, "why");
+  if (width > allowed + round_off && !table.has("why")) {
+    reject(fmt::format("a band of {:.6g} without 'why'", width), table.where(),
+           fmt::format("{}, unless why = \"...\" justifies a wider one", rule));
+  }
+}
+
+double relative_band(const TomlTable& table, double allowed, const std::string& of_what) {
+  const double band = positive(table, "band");
+  justify(table, band, allowed, fmt::format("{} within {:g} %", of_what, 100 * allowed));
+  return band;
+}
+
+OrderGolden read_order(const TomlTable& table) {
+  table.allow_only({"series", "norm", "expected", "lower", "upper", "why"});
+  const OrderGolden golden{word(table, "series"), norm(table), table.number("expected"), table.number("lower"),
+                           table.number("upper")};
+  if (!(golden.lower < golden.upper && golden.lower <= golden.expected && golden.expected <= golden.upper)) {
+    reject(fmt::format("expected {} with lower {} and upper {}", golden.expected, golden.lower, golden.upper),
+           table.where(), "lower <= expected <= upper, lower < upper");
+  }
+  justify(table, std::max(golden.upper - golden.expected, golden.expected - golden.lower), order_band,
+          fmt::format("orders within {:g}", order_band));
+  return golden;
+}
+
+ErrorGolden read_error(const TomlTable& table) {
+  table.allow_only({"series", "norm", "at", "expected", "band", "why"});
+  return {word(table, "series"), norm(table), positive(table, "at"), positive(table, "expected"),
+          relative_band(table, error_band, "errors")};
+}
+
+LimitGolden read_limit(const TomlTable& table) {
+  table.allow_only({"series", "expected", "band", "why"});
+  return {word(table, "series"), positive(table, "expected"), relative_band(table, limit_band, "limits")};
+}
+
+ValueGolden read_value(const TomlTable& table) {
+  table.allow_only({"name", "at_most", "at_least", "expected", "band", "why"});
+  ValueGolden golden{word(table, "name")};
+  if (table.has("at_most") + table.has("at_least") + table.has("expected") != 1) {
+    reject(fmt::format("value '{}' without one clear bound", golden.name), table.where(),
+           "at_most, or at_least, or expected with band");
+  }
+  if (table.has("expected")) {
+    const double expected = table.number("expected");
+    const double reach = std::abs(expected) * relative_band(table, error_band, "check values");
+    if (reach == 0) reject("'expected' is 0 with a relative band", table.where("expected"), "at_most or at_least");
+    golden.lower = expected - reach;
+    golden.upper = expected + reach;
+    return golden;
+  }
+  if (table.has("band")) reject("'band' without 'expected'", table.where("band"), "expected with band");
+  if (table.has("at_most")) golden.upper = table.number("at_most");
+  if (table.has("at_least")) golden.lower = table.number("at_least");
+  return golden;
+}
+
+StatusGolden read_status(const TomlTable& table) {
+  table.allow_only({"series", "at", "expected", "why"});
+  const std::string expected = table.text("expected");
+  if (expected != "ok" && expected != "unstable") {
+    reject(fmt::format("unknown status '{}'", expected), table.where("expected"), "known: ok, unstable");
+  }
+  return {word(table, "series"), positive(table, "at"), expected == "ok" ? Status::ok : Status::unstable};
+}
+
+std::vector<Golden> goldens_of(const TomlTable& document) {
+  document.allow_only({"study", "reviewed", "order", "error", "limit", "value", "status"});
+  const std::string study = word(document, "study");
+  if (document.has("reviewed")) word(document, "reviewed");
+
+  std::vector<Golden> goldens;
+  const auto add = [&](const char* kind, auto read) {
+    for (const TomlTable& table : document.tables(kind)) goldens.push_back({study, table.where(), read(table)});
+  };
+  add("order", read_order);
+  add("error", read_error);
+  add("limit", read_limit);
+  add("value", read_value);
+  add("status", read_status);
+  if (goldens.empty()) {
+    reject("no expectation", document.where(), "at least one [[order]], [[error]], [[limit]], [[value]] or [[status]]");
+  }
+  return goldens;
+}
+
+void refuse_duplicates(const std::vector<Golden>& goldens) {
+  std::map<std::pair<std::string, std::string>, std::string> first;
+  for (const Golden& golden : goldens) {
+    const auto [entry, is_new] = first.try_emplace({golden.study, subject(golden)}, golden.where);
+    if (!is_new) {
+      reject(fmt::format("a second golden for the {} of study '{}'", subject(golden), golden.study), golden.where,
+             fmt::format("one each; the first is in {}", entry->second));
+    }
+  }
+}
+
+struct SubjectOf {
+  std::string operator()(const OrderGolden& g) const { return fmt::format("order of '{}' in {}", g.series, g.norm); }
+  std::string operator()(const ErrorGolden& g) const {
+    return fmt::format("error of '{}' in {} at {}", g.series, g.norm, g.at);
+  }
+  std::string operator()(const LimitGolden& g) const { return fmt::format("limit of '{}'", g.series); }
+  std::string operator()(const ValueGolden& g) const { return fmt::format("value '{}'", g.name); }
+  std::string operator()(const StatusGolden& g) const { return fmt::format("status of '{}' at {}", g.series, g.at); }
+};
+
+struct ExpectedTextOf {
+  std::string operator()(const OrderGolden& g) const {
+    return fmt::format("{:.6g} in [{:.6g}, {:.6g}]", g.expected, g.lower, g.upper);
+  }
+  std::string operator()(const ErrorGolden& g) const {
+    return fmt::format("{:.6g} ± {:g} %", g.expected, 100 * g.band);
+  }
+  std::string operator()(const LimitGolden& g) const {
+    return fmt::format("{:.6g} ± {:g} %", g.expected, 100 * g.band);
+  }
+  std::string operator()(const ValueGolden& g) const {
+    if (std::isinf(g.lower)) return fmt::format("at most {:.6g}", g.upper);
+    if (std::isinf(g.upper)) return fmt::format("at least {:.6g}", g.lower);
+    return fmt::format("in [{:.6g}, {:.6g}]", g.lower, g.upper);
+  }
+  std::string operator()(const StatusGolden& g) const { return to_string(g.expected); }
+};
+
+}  // namespace
+
+std::string subject(const Golden& golden) {
+  return std::visit(SubjectOf{}, golden.expectation);
+}
+
+std::string expected_text(const Golden& golden) {
+  return std::visit(ExpectedTextOf{}, golden.expectation);
+}
+
+std::vector<Golden> parse_goldens(const std::string& text, const std::string& file) {
+  std::vector<Golden> goldens = goldens_of(TomlTable::parse(text, file));
+  refuse_duplicates(goldens);
+  return goldens;
+}
+
+std::vector<Golden> read_goldens(const std::filesystem::path& directory) {
+  if (!std::filesystem::is_directory(directory)) {
+    throw UsageError(fmt::format("no directory '{}' (one with goldens, *.toml)", directory.string()));
+  }
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (entry.path().extension() == ".toml") files.insert(entry.path());
+  }
+  if (files.empty()) throw UsageError(fmt::format("no golden in '{}' (at least one *.toml)", directory.string()));
+
+  std::vector<Golden> goldens;
+  for (const std::filesystem::path& file : files) {
+    std::ranges::move(goldens_of(TomlTable::read(file)), std::back_inserter(goldens));
+  }
+  refuse_duplicates(goldens);
+  return goldens;
+}
+
+}  // namespace mpmvv

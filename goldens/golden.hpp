@@ -1,0 +1,69 @@
+#pragma once
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "studies/record.hpp"
+
+namespace mpmvv {
+
+/// The bands of DESIGN.md: a golden with a wider one must say why.
+inline constexpr double order_band = 0.15;  ///< absolute, either side
+inline constexpr double error_band = 0.10;  ///< relative; for check values too
+inline constexpr double limit_band = 0.05;  ///< relative
+
+/// The fitted order of a series in a norm.
+struct OrderGolden {
+  std::string series, norm;
+  double expected = 0, lower = 0, upper = 0;
+};
+
+/// The error of a series in a norm at one swept value.
+struct ErrorGolden {
+  std::string series, norm;
+  double at = 0, expected = 0, band = 0;
+};
+
+/// The stability limit of a series.
+struct LimitGolden {
+  std::string series;
+  double expected = 0, band = 0;
+};
+
+/// A named number of a check. `at_most` and `at_least` leave the other side open.
+struct ValueGolden {
+  std::string name;
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+};
+
+/// Whether the run at one swept value is stable.
+struct StatusGolden {
+  std::string series;
+  double at = 0;
+  Status expected = Status::ok;
+};
+
+/// One reviewed expectation of a study.
+struct Golden {
+  std::string study;
+  std::string where;  ///< FILE:LINE
+  std::variant<OrderGolden, ErrorGolden, LimitGolden, ValueGolden, StatusGolden> expectation;
+};
+
+/// What is judged, in words: "order of 'linear' in l2". Goldens of one study differ in it.
+std::string subject(const Golden& golden);
+
+/// What must hold, in words: "2 in [1.85, 2.15]".
+std::string expected_text(const Golden& golden);
+
+/// All goldens of a directory's *.toml files, by file name. UsageError when there is none, when two judge the same
+/// thing, and on every mistake in a file (with FILE:LINE).
+std::vector<Golden> read_goldens(const std::filesystem::path& directory);
+
+/// The goldens of one file's text; `file` stands for it in messages.
+std::vector<Golden> parse_goldens(const std::string& text, const std::string& file);
+
+}  // namespace mpmvv

@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "goldens/gate.hpp"
+
+namespace mpmvv {
+
+/// The gate as JUnit XML for CI tools: a suite per study, a case per golden; inconclusive ones count as skipped.
+std::string junit_xml(const GateReport& report);
+
+}  // namespace mpmvv

@@ -1,0 +1,159 @@
+#include "goldens/propose.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "goldens/golden.hpp"
+#include "studies/error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+constexpr double taken_for_round_off = 1e-9;  ///< check values below it get a bound and no band
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      out += fmt::format("\\u{:04X}", static_cast<int>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+/// The file as it grows: tables for the reader of goldens, remarks for people.
+class Draft {
+ public:
+  void refusal(const std::string& text) {
+    remark(text);
+    line("");
+  }
+  void remark(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    text_ += "# " + text + '\n';
+  }
+  void line(const std::string& text) { text_ += text + '\n'; }
+  void table(const std::string& kind, const std::string& body) {
+    line(fmt::format("[[{}]]\n{}\n", kind, body));
+    ++tables_;
+  }
+  bool has_tables() const { return tables_ > 0; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  int tables_ = 0;
+};
+
+void propose_order(Draft& draft, const Series& series, const ObservedOrder& fit) {
+  if (!std::isfinite(fit.order) || fit.points < 3) {
+    draft.refusal(fmt::format("No order of {} in {}: {} usable points in [{:g}, {:g}], at least 3 are needed.",
+                              quoted(series.name), fit.norm, fit.points, fit.from, fit.to));
+    return;
+  }
+  const std::string interval = std::isnan(fit.half_width) ? "" : fmt::format(" ± {:.3f}", fit.half_width);
+  draft.remark(fmt::format("Measured {:.4f}{} over [{:g}, {:g}], {} points, {}.", fit.order, interval, fit.from, fit.to,
+                           fit.points, fit.asymptotic ? "asymptotic" : "not asymptotic"));
+  const double expected = std::round(fit.order * 1000) / 1000;
+  draft.table("order",
+              fmt::format("series = {}\nnorm = \"{}\"\nexpected = {:.3f}\nlower = {:.3f}\nupper = {:.3f}",
+                          quoted(series.name), fit.norm, expected, expected - order_band, expected + order_band));
+}
+
+bool finer(const std::string& sweep, double a, double b) {
+  return sweep == "cells" || sweep == "ppc" ? a > b : a < b;
+}
+
+const Point* finest_stable(const std::string& sweep, const Series& series, const std::string& norm) {
+  const Point* finest = nullptr;
+  for (const Point& point : series.points) {
+    const auto error = point.y.find(norm);
+    if (point.status != Status::ok || error == point.y.end()) continue;
+    if (!std::isfinite(error->second) || error->second <= 0) continue;
+    if (!finest || finer(sweep, point.x, finest->x)) finest = &point;
+  }
+  return finest;
+}
+
+void propose_error(Draft& draft, const std::string& sweep, const Series& series, const std::string& norm) {
+  const Point* point = finest_stable(sweep, series, norm);
+  if (!point) {
+    draft.refusal(
+        fmt::format("No error of {} in {}: no stable point with an error above 0.", quoted(series.name), norm));
+    return;
+  }
+  draft.remark(fmt::format("The finest stable level in {}.", sweep));
+  draft.table("error", fmt::format("series = {}\nnorm = \"{}\"\nat = {}\nexpected = {:.4g}\nband = {}",
+                                   quoted(series.name), norm, point->x, point->y.at(norm), error_band));
+}
+
+void propose_limit(Draft& draft, const Series& series, const StabilityLimit& limit) {
+  if (!limit.found || !limit.monotone) {
+    draft.refusal(fmt::format("No limit of {} in {}: {}.", quoted(series.name), limit.key,
+                              limit.found ? "stability is not monotone" : "not found"));
+    return;
+  }
+  draft.remark(fmt::format("Stable at {} = {:.6g}, unstable at {:.6g}.", limit.key, limit.stable, limit.unstable));
+  draft.table("limit",
+              fmt::format("series = {}\nexpected = {:.4g}\nband = {}", quoted(series.name), limit.value(), limit_band));
+}
+
+/// A power of ten, at least one decade away from a number that is nearly zero.
+double round_off_bound(double size) {
+  return size == 0 ? 1e-15 : std::pow(10, std::ceil(std::log10(size)) + 1);
+}
+
+void propose_value(Draft& draft, const Value& value) {
+  const double size = std::abs(value.value);
+  if (!std::isfinite(size)) {
+    draft.refusal(fmt::format("No value {}: it was not measured.", quoted(value.name)));
+    return;
+  }
+  draft.remark(fmt::format("Measured {:.6g}: {}", value.value, value.meaning));
+  if (size >= taken_for_round_off) {
+    draft.table("value",
+                fmt::format("name = {}\nexpected = {:.4g}\nband = {}", quoted(value.name), value.value, error_band));
+  } else if (value.value >= 0) {
+    draft.table("value", fmt::format("name = {}\nat_most = {:g}", quoted(value.name), round_off_bound(size)));
+  } else {
+    draft.table("value", fmt::format("name = {}\nat_least = {:g}", quoted(value.name), -round_off_bound(size)));
+  }
+}
+
+void propose_series(Draft& draft, const std::string& sweep, const Series& series) {
+  for (const ObservedOrder& fit : series.orders) propose_order(draft, series, fit);
+  for (const ObservedOrder& fit : series.orders) propose_error(draft, sweep, series, fit.norm);
+  if (series.limit) propose_limit(draft, series, *series.limit);
+}
+
+}  // namespace
+
+std::string propose_goldens(const StudyResult& study, const Provenance& provenance) {
+  if (provenance.dirty) {
+    throw UsageError(
+        fmt::format("the results of study '{}' come from a dirty tree at commit {} (commit, build and run "
+                    "the study again)",
+                    study.name, provenance.commit));
+  }
+  Draft draft;
+  draft.remark(
+      fmt::format("Proposed from commit {}, digest {}, {}.", provenance.commit, provenance.digest, provenance.time));
+  draft.remark("To review: hold each number against its claim, delete what proves nothing, give a wider band its why,");
+  draft.remark("then add reviewed = \"DATE: who and on what grounds\".");
+  draft.line(fmt::format("study = {}\n", quoted(study.name)));
+  for (const Series& series : study.series) propose_series(draft, study.sweep, series);
+  for (const Value& value : study.values) propose_value(draft, value);
+  if (!draft.has_tables()) {
+    throw UsageError(fmt::format("nothing to propose for study '{}' (orders, limits or check values)", study.name));
+  }
+  return draft.text();
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,74 @@
+#include "mms/bar.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace mpmvv::mms {
+
+using std::numbers::pi;
+
+namespace {
+
+Vec<1> of(double value) { return Vec<1>(value); }
+
+/// S (47) and (49) with sin 2πX and cos 2πX kept.
+class BarAtPoints final : public PointwiseSolution<1> {
+ public:
+  BarAtPoints(double A, double C, const std::vector<Vec<1>>& X) : A_(A), C_(C), sin_(X.size()), cos_(X.size()) {
+    for (std::size_t k = 0; k < X.size(); ++k) {
+      sin_[k] = std::sin(2 * pi * X[k][0]);
+      cos_[k] = std::cos(2 * pi * X[k][0]);
+    }
+  }
+
+  void displacement(double t, std::span<const std::uint32_t> ids, Vec<1>* u) const override {
+    const double A_cos_t = A_ * std::cos(C_ * pi * t);
+    for (const auto id : ids) *u++ = of(A_cos_t * sin_[id]);
+  }
+
+  void body_force(double t, std::span<const std::uint32_t> ids, Vec<1>* b) const override {
+    const double A_cos_t = A_ * std::cos(C_ * pi * t);
+    for (const auto id : ids) {
+      const double F = 1 + 2 * pi * A_cos_t * cos_[id];
+      *b++ = of(C_ * C_ * pi * pi * A_cos_t * sin_[id] * (2 / (F * F) + 1));
+    }
+  }
+
+ private:
+  double A_, C_;
+  std::vector<double> sin_, cos_;
+};
+
+}  // namespace
+
+Bar::Bar(double amplitude, const Elasticity& material)
+    : A_(amplitude), E_(material.youngs_modulus), C_(std::sqrt(material.youngs_modulus / material.density)) {}
+
+Vec<1> Bar::u(const Vec<1>& X, double t) const { return of(A_ * std::sin(2 * pi * X[0]) * std::cos(C_ * pi * t)); }
+
+Vec<1> Bar::v(const Vec<1>& X, double t) const {
+  return of(-A_ * C_ * pi * std::sin(2 * pi * X[0]) * std::sin(C_ * pi * t));
+}
+
+Vec<1> Bar::a(const Vec<1>& X, double t) const { return -C_ * C_ * pi * pi * u(X, t); }
+
+Mat<1> Bar::F(const Vec<1>& X, double t) const {
+  return of(1 + 2 * A_ * pi * std::cos(2 * pi * X[0]) * std::cos(C_ * pi * t));
+}
+
+Mat<1> Bar::P(const Vec<1>& X, double t) const {
+  const double stretch = F(X, t)(0, 0);
+  return of(E_ / 2 * (stretch - 1 / stretch));
+}
+
+Vec<1> Bar::b(const Vec<1>& X, double t) const {
+  const double stretch = F(X, t)(0, 0);
+  return C_ * C_ * pi * pi * (2 / (stretch * stretch) + 1) * u(X, t);
+}
+
+std::unique_ptr<PointwiseSolution<1>> Bar::at_points(std::vector<Vec<1>> X) const {
+  return std::make_unique<BarAtPoints>(A_, C_, X);
+}
+
+}  // namespace mpmvv::mms

@@ -1,0 +1,53 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace mpmvv::mms {
+
+template <int D>
+using Vec = Eigen::Matrix<double, D, 1>;
+
+template <int D>
+using Mat = Eigen::Matrix<double, D, D>;
+
+/// A solution evaluated at fixed reference points, with everything that does not change in time computed once.
+/// `ids` name points by their place in the list given to `ManufacturedSolution::at_points`.
+template <int D>
+class PointwiseSolution {
+ public:
+  virtual ~PointwiseSolution() = default;
+  virtual void displacement(double t, std::span<const std::uint32_t> ids, Vec<D>* u) const = 0;
+  virtual void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const = 0;
+};
+
+/// An exact solution of Div P + ρ₀ b = ρ₀ a, W (52), in reference coordinates X and time t. SI units.
+/// P is the first Piola-Kirchhoff stress, P_iJ, with Div P = ∂P_iJ/∂X_J.
+template <int D>
+class ManufacturedSolution {
+ public:
+  virtual ~ManufacturedSolution() = default;
+
+  virtual Vec<D> u(const Vec<D>& X, double t) const = 0;  ///< displacement
+  virtual Vec<D> v(const Vec<D>& X, double t) const = 0;  ///< velocity
+  virtual Vec<D> a(const Vec<D>& X, double t) const = 0;  ///< acceleration
+  virtual Mat<D> F(const Vec<D>& X, double t) const = 0;  ///< deformation gradient, I + ∂u/∂X
+  virtual Mat<D> P(const Vec<D>& X, double t) const = 0;  ///< first Piola-Kirchhoff stress
+  virtual Vec<D> b(const Vec<D>& X, double t) const = 0;  ///< body force per mass
+
+  virtual double displacement_scale() const = 0;  ///< the largest |u|, up to a factor of order one
+
+  /// The same at many fixed points; solutions with separable parts override it to compute those once.
+  virtual std::unique_ptr<PointwiseSolution<D>> at_points(std::vector<Vec<D>> X) const;
+
+  /// X with X + u(X, t) = x, W (A.1), by Newton's method; throws std::domain_error when it does not converge.
+  Vec<D> reference_point(const Vec<D>& x, double t) const;
+};
+
+extern template class ManufacturedSolution<1>;
+extern template class ManufacturedSolution<2>;
+extern template class ManufacturedSolution<3>;
+
+}  // namespace mpmvv::mms

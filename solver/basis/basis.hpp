@@ -1,0 +1,38 @@
+#pragma once
+#include <concepts>
+#include <string_view>
+
+namespace mpmvv::solver {
+
+/// Which width a basis takes of each particle.
+enum class ParticleWidth {
+  none,       ///< none: the basis is a function of the position alone
+  reference,  ///< l_p⁰, kept
+  current     ///< l_p⁰ diag F, W (63)
+};
+
+/// A point on one axis, in units of the cell width h.
+struct AxisPoint {
+  double xi;     ///< distance from the domain's lower face
+  int cells;     ///< cells of the domain along this axis
+  double width;  ///< width of the particle, for bases that take one
+};
+
+/// What a basis must offer. It is one-dimensional; the solver forms tensor products, S (18).
+///   word          its name in study files and on the command line
+///   support       number of nodes that reach a point
+///   extra_inside  degrees of freedom in the domain beyond one per cell
+///   ghost         layers of nodes beyond each face; a particle may stray `ghost - 1` cells out of the domain
+///   width         which particle width it takes
+///   evaluate      weights N and gradients dN (per cell width) of the `support` nodes; returns the first node's index
+template <class B>
+concept Basis = requires(const B basis, AxisPoint point, double* N, double* dN) {
+  { B::word } -> std::convertible_to<std::string_view>;
+  { B::support } -> std::convertible_to<int>;
+  { B::extra_inside } -> std::convertible_to<int>;
+  { B::ghost } -> std::convertible_to<int>;
+  { B::width } -> std::convertible_to<ParticleWidth>;
+  { basis.evaluate(point, N, dN) } -> std::same_as<int>;
+};
+
+}  // namespace mpmvv::solver

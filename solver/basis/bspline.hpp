@@ -1,0 +1,61 @@
+#pragma once
+#include <cmath>
+
+#include "solver/basis/basis.hpp"
+
+namespace mpmvv::solver {
+
+/// The quadratic pieces on one knot span, t in [0, 1] from its left knot: S (21) about the middle node.
+inline void quadratic_pieces(double t, double* N, double* dN) {
+  N[0] = 0.5 * (1 - t) * (1 - t);
+  N[1] = 0.75 - (t - 0.5) * (t - 0.5);
+  N[2] = 0.5 * t * t;
+  dN[0] = t - 1;
+  dN[1] = 1 - 2 * t;
+  dN[2] = t;
+}
+
+/// The cubic pieces on one knot span, t in [0, 1] from its left knot.
+inline void cubic_pieces(double t, double* N, double* dN) {
+  const double s = 1 - t;
+  N[0] = s * s * s / 6;
+  N[1] = (4 - 6 * t * t + 3 * t * t * t) / 6;
+  N[2] = (4 - 6 * s * s + 3 * s * s * s) / 6;
+  N[3] = t * t * t / 6;
+  dN[0] = -0.5 * s * s;
+  dN[1] = t * (1.5 * t - 2);
+  dN[2] = s * (2 - 1.5 * s);
+  dN[3] = 0.5 * t * t;
+}
+
+/// Quadratic B-splines centred on the nodes, S (19) to (21); ghost nodes keep the partition of unity at a face.
+struct BSpline2 {
+  static constexpr std::string_view word = "bspline2";
+  static constexpr int support = 3;
+  static constexpr int extra_inside = 1;
+  static constexpr int ghost = 2;
+  static constexpr ParticleWidth width = ParticleWidth::none;
+
+  int evaluate(const AxisPoint& at, double* N, double* dN) const {
+    const double left_knot = std::floor(at.xi - 0.5);
+    quadratic_pieces(at.xi - 0.5 - left_knot, N, dN);
+    return static_cast<int>(left_knot);
+  }
+};
+
+/// Cubic B-splines centred on the nodes.
+struct BSpline3 {
+  static constexpr std::string_view word = "bspline3";
+  static constexpr int support = 4;
+  static constexpr int extra_inside = 1;
+  static constexpr int ghost = 2;
+  static constexpr ParticleWidth width = ParticleWidth::none;
+
+  int evaluate(const AxisPoint& at, double* N, double* dN) const {
+    const double left_knot = std::floor(at.xi);
+    cubic_pieces(at.xi - left_knot, N, dN);
+    return static_cast<int>(left_knot) - 1;
+  }
+};
+
+}  // namespace mpmvv::solver

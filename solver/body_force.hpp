@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "solver/types.hpp"
+
+namespace mpmvv::solver {
+
+/// The acceleration b due to body forces, as the caller of the solver supplies it. Called once per block of particles,
+/// possibly from several threads at once.
+template <int D>
+class BodyForce {
+ public:
+  virtual ~BodyForce() = default;
+
+  /// b of the particles with these ids (order of creation) at time t.
+  virtual void on_particles(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const = 0;
+
+  /// b at the current position x, for forces taken on the grid.
+  virtual Vec<D> at_position(const Vec<D>& x, double t) const = 0;
+};
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,42 @@
+#pragma once
+#include <concepts>
+#include <string_view>
+
+#include "solver/grid.hpp"
+
+namespace mpmvv::solver {
+
+/// One face of the domain.
+struct Face {
+  int axis;
+  bool upper;
+};
+
+/// The nodes at and beyond a face: its plane, and per ghost layer the plane and its mirror image inside.
+template <int D>
+struct FaceNodes {
+  const Grid<D>& grid;
+  Face face;
+
+  int layers() const { return grid.ghost(); }
+  int plane() const { return face.upper ? grid.inside(face.axis) - 1 : 0; }
+  int ghost(int layer) const { return face.upper ? plane() + layer : -layer; }
+  int image(int layer) const { return face.upper ? plane() - layer : layer; }
+};
+
+/// What a boundary treatment must offer, on one face.
+///   word       its name
+///   holds      true when it overwrites velocities, so that S (30) has a meaning
+///   fold       adds up what belongs together in a field (mass, momentum, force) just mapped from the particles
+///   constrain  makes a field of vectors (velocity, acceleration) obey the face
+template <class B>
+concept Boundary = requires(const B boundary, Grid<2>& grid, Face face, std::vector<double>& scalars,
+                            std::vector<Vec<2>>& vectors) {
+  { B::word } -> std::convertible_to<std::string_view>;
+  { B::holds } -> std::convertible_to<bool>;
+  boundary.fold(grid, face, scalars);
+  boundary.fold(grid, face, vectors);
+  boundary.constrain(grid, face, vectors);
+};
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,22 @@
+#pragma once
+#include "solver/boundary/boundary.hpp"
+
+namespace mpmvv::solver {
+
+/// Every component zero on the boundary nodes and on the ghost nodes alike, S §3.4.
+struct Dirichlet {
+  static constexpr std::string_view word = "dirichlet";
+  static constexpr bool holds = true;
+
+  template <int D, class T>
+  void fold(Grid<D>&, Face, std::vector<T>&) const {}
+
+  template <int D>
+  void constrain(Grid<D>& grid, Face face, std::vector<Vec<D>>& field) const {
+    const FaceNodes<D> nodes{grid, face};
+    for (int layer = 0; layer <= nodes.layers(); ++layer)
+      grid.for_plane(face.axis, nodes.ghost(layer), nodes.ghost(layer), [&](int n, int) { field[n].setZero(); });
+  }
+};
+
+}  // namespace mpmvv::solver

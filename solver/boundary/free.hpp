@@ -1,0 +1,17 @@
+#pragma once
+#include "solver/boundary/boundary.hpp"
+
+namespace mpmvv::solver {
+
+/// No treatment: the zero-traction surface of the body.
+struct Free {
+  static constexpr std::string_view word = "free";
+  static constexpr bool holds = false;
+
+  template <int D, class T>
+  void fold(Grid<D>&, Face, std::vector<T>&) const {}
+  template <int D>
+  void constrain(Grid<D>&, Face, std::vector<Vec<D>>&) const {}
+};
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,39 @@
+#pragma once
+#include <type_traits>
+
+#include "solver/boundary/boundary.hpp"
+
+namespace mpmvv::solver {
+
+/// The body continued by its mirror image. Ghost nodes are folded onto their images (mass, tangential momentum and
+/// force as they are, normal ones reversed); afterwards the ghosts carry the mirrored field.
+struct Mirror {
+  static constexpr std::string_view word = "mirror";
+  static constexpr bool holds = false;
+
+  template <int D, class T>
+  void fold(Grid<D>& grid, Face face, std::vector<T>& field) const {
+    const FaceNodes<D> nodes{grid, face};
+    for (int layer = 1; layer <= nodes.layers(); ++layer)
+      grid.for_plane(face.axis, nodes.ghost(layer), nodes.image(layer), [&](int ghost, int image) {
+        field[image] += mirrored(field[ghost], face.axis);
+        field[ghost] = mirrored(field[image], face.axis);
+      });
+    if constexpr (!std::is_same_v<T, double>)
+      grid.for_plane(face.axis, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][face.axis] = 0; });
+  }
+
+  /// Nothing to do: a field made from folded data is mirrored already.
+  template <int D>
+  void constrain(Grid<D>&, Face, std::vector<Vec<D>>&) const {}
+
+ private:
+  static double mirrored(double value, int) { return value; }
+  template <class V>
+  static V mirrored(V value, int normal) {
+    value[normal] = -value[normal];
+    return value;
+  }
+};
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,32 @@
+#pragma once
+#include "solver/boundary/boundary.hpp"
+
+namespace mpmvv::solver {
+
+/// Nodes one period apart are one node: their mapped data is added up on the lower one, and every image gets the
+/// sum. Both faces of the axis are periodic; the work is done once, on the lower.
+struct Periodic {
+  static constexpr std::string_view word = "periodic";
+  static constexpr bool holds = false;
+
+  template <int D, class T>
+  void fold(Grid<D>& grid, Face face, std::vector<T>& field) const {
+    if (face.upper) return;
+    const int period = grid.cells()[face.axis];
+    for_images(grid, face.axis, period, [&field](int image, int node) { field[node] += field[image]; });
+    for_images(grid, face.axis, period, [&field](int image, int node) { field[image] = field[node]; });
+  }
+
+  /// Nothing to do: a field made from folded data is periodic already.
+  template <int D>
+  void constrain(Grid<D>&, Face, std::vector<Vec<D>>&) const {}
+
+ private:
+  template <int D, class Visit>
+  static void for_images(Grid<D>& grid, int axis, int period, const Visit& visit) {
+    for (int i = -grid.ghost(); i < grid.nodes(axis) - grid.ghost(); ++i)
+      if (i < 0 || i >= period) grid.for_plane(axis, i, (i % period + period) % period, visit);
+  }
+};
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,26 @@
+#pragma once
+#include "solver/boundary/boundary.hpp"
+
+namespace mpmvv::solver {
+
+/// Normal component zero on the plane and, on a ghost node, the negative of its mirror image's; tangential
+/// components as computed, S §3.4.2.
+struct Symmetry {
+  static constexpr std::string_view word = "symmetry";
+  static constexpr bool holds = true;
+
+  template <int D, class T>
+  void fold(Grid<D>&, Face, std::vector<T>&) const {}
+
+  template <int D>
+  void constrain(Grid<D>& grid, Face face, std::vector<Vec<D>>& field) const {
+    const FaceNodes<D> nodes{grid, face};
+    const int normal = face.axis;
+    grid.for_plane(normal, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][normal] = 0; });
+    for (int layer = 1; layer <= nodes.layers(); ++layer)
+      grid.for_plane(normal, nodes.ghost(layer), nodes.image(layer),
+                     [&](int ghost, int image) { field[ghost][normal] = -field[image][normal]; });
+  }
+};
+
+}  // namespace mpmvv::solver

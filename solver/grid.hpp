@@ -1,0 +1,91 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "solver/types.hpp"
+
+namespace mpmvv::solver {
+
+/// The background grid: a Cartesian lattice of cells of width h over the domain, and per direction one line of
+/// degrees of freedom ("nodes"): `inside` of them belong to the domain, `ghost` more lie beyond each face.
+/// Node-centred bases have cells + 1 inside; an open-knot spline of degree q has cells + q and no ghosts.
+template <int D>
+class Grid {
+ public:
+  Grid(const Vec<D>& lower, double h, const Index<D>& cells, int extra_inside, int ghost)
+      : lower_(lower), h_(h), cells_(cells), ghost_(ghost) {
+    std::size_t count = 1;
+    for (int d = 0; d < D; ++d) {
+      inside_[d] = cells[d] + extra_inside;
+      stride_[d] = static_cast<int>(count);
+      count *= static_cast<std::size_t>(inside_[d] + 2 * ghost);
+    }
+    m.resize(count);
+    p.resize(count);
+    f.resize(count);
+    v.resize(count);
+    a.resize(count);
+    clear();
+  }
+
+  const Vec<D>& lower() const { return lower_; }
+  double h() const { return h_; }
+  const Index<D>& cells() const { return cells_; }
+  int ghost() const { return ghost_; }
+  int inside(int axis) const { return inside_[axis]; }
+  int stride(int axis) const { return stride_[axis]; }
+  int nodes(int axis) const { return inside_[axis] + 2 * ghost_; }
+  std::size_t size() const { return m.size(); }
+
+  /// Storage index of the node `i`, whose ghosts have negative indices or indices from inside(axis) on.
+  int node(const Index<D>& i) const {
+    int n = 0;
+    for (int d = 0; d < D; ++d) n += (i[d] + ghost_) * stride_[d];
+    return n;
+  }
+
+  /// Position of a node of a node-centred basis.
+  Vec<D> position(std::size_t n) const {
+    Vec<D> x;
+    for (int d = 0; d < D; ++d) {
+      const int i = static_cast<int>(n) / stride_[d] % nodes(d) - ghost_;
+      x[d] = lower_[d] + h_ * i;
+    }
+    return x;
+  }
+
+  /// Calls visit(n, n + shift * stride) for every node n whose index along `axis` is i: the plane i and its partner.
+  template <class Visit>
+  void for_plane(int axis, int i, int partner, const Visit& visit) {
+    const int step = stride_[axis];
+    const int planes = nodes(axis);
+    const int total = static_cast<int>(size());
+    const int offset = (partner - i) * step;
+    for (int outer = (i + ghost_) * step; outer < total; outer += planes * step)
+      for (int n = outer; n < outer + step; ++n) visit(n, n + offset);
+  }
+
+  void clear() {
+    std::fill(m.begin(), m.end(), 0.0);
+    std::fill(f.begin(), f.end(), Vec<D>::Zero());
+    clear_momentum();
+  }
+  void clear_momentum() { std::fill(p.begin(), p.end(), Vec<D>::Zero()); }
+
+  std::vector<double> m;       ///< mass
+  std::vector<Vec<D>> p;       ///< momentum
+  std::vector<Vec<D>> f;       ///< force
+  std::vector<Vec<D>> v;       ///< velocity
+  std::vector<Vec<D>> a;       ///< acceleration
+
+ private:
+  Vec<D> lower_;
+  double h_;
+  Index<D> cells_;
+  Index<D> inside_{};
+  Index<D> stride_{};
+  int ghost_;
+};
+
+}  // namespace mpmvv::solver

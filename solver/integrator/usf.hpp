@@ -1,0 +1,26 @@
+#pragma once
+#include "solver/mpm.hpp"
+
+namespace mpmvv::solver {
+
+/// Update stress first: W (8) to (18) in that order; deformation and stress from the mapped velocity, then the forces.
+template <int D>
+void usf(Mpm<D>& s, double dt) {
+  auto& particles = s.particles();
+  auto& grid = s.grid();
+
+  grid.clear();
+  s.sweep(node_loop(MapMass<D>{particles, grid}, MapMomentum<D>{particles, grid}));
+  s.fold(grid.m);
+  s.fold(grid.p);
+  s.set_grid_velocity();
+
+  s.sweep_with_forces(node_loop(UpdateDeformation<D>{particles, grid, dt}));
+  s.set_grid_acceleration();
+  s.advance_grid_velocity(dt);
+
+  s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}, UpdatePosition<D>{particles, grid, dt}),
+          s.check_deformation(), s.settle());
+}
+
+}  // namespace mpmvv::solver

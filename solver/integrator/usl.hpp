@@ -1,0 +1,26 @@
+#pragma once
+#include "solver/mpm.hpp"
+
+namespace mpmvv::solver {
+
+/// Update stress last: S (1) to (10), W (8), (9), (14) to (19). With particle velocities half a step behind it is the
+/// staggered central difference, S (11) to (15), W (40) to (50).
+template <int D>
+void usl(Mpm<D>& s, double dt) {
+  auto& particles = s.particles();
+  auto& grid = s.grid();
+
+  grid.clear();
+  s.sweep_with_forces(node_loop(), MapMass<D>{particles, grid}, MapMomentum<D>{particles, grid});
+  s.fold(grid.m);
+  s.fold(grid.p);
+  s.set_grid_velocity();
+  s.set_grid_acceleration();
+  s.advance_grid_velocity(dt);
+
+  s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}, UpdatePosition<D>{particles, grid, dt},
+                    UpdateDeformation<D>{particles, grid, dt}),
+          s.check_deformation(), s.settle());
+}
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,26 @@
+#pragma once
+#include "solver/mpm.hpp"
+
+namespace mpmvv::solver {
+
+/// Update velocity first: the central difference with (47) replaced by W (51), the grid velocity mapped anew from the
+/// updated particle velocities.
+template <int D>
+void uvf(Mpm<D>& s, double dt) {
+  auto& particles = s.particles();
+  auto& grid = s.grid();
+
+  grid.clear();
+  s.sweep_with_forces(node_loop(), MapMass<D>{particles, grid});
+  s.fold(grid.m);
+  s.set_grid_acceleration();
+
+  s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}), node_loop(MapMomentum<D>{particles, grid}));
+  s.fold(grid.p);
+  s.set_grid_velocity();
+
+  s.sweep(node_loop(UpdatePosition<D>{particles, grid, dt}, UpdateDeformation<D>{particles, grid, dt}),
+          s.check_deformation(), s.settle());
+}
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,35 @@
+#pragma once
+#include <Eigen/LU>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+#include "solver/types.hpp"
+
+namespace mpmvv::solver {
+
+/// Neo-Hookean solid, S (46), W (55): σ = λ ln J / J I + μ/J (F Fᵀ - I); in 1D with λ = 0 it is S (50).
+/// In 1D and 2D the missing directions are held (uniaxial strain, plane strain).
+struct NeoHookeanLog {
+  static constexpr std::string_view word = "neo-hookean-log";
+
+  double lambda = 0;  ///< first Lamé constant, Pa
+  double mu = 0;      ///< shear modulus, Pa
+
+  /// Kirchhoff stress τ = J σ = λ ln J I + μ (F Fᵀ - I) of `count` deformation gradients. No logarithm when λ = 0.
+  template <int D>
+  void kirchhoff(const Mat<D>* F, Mat<D>* tau, std::size_t count) const {
+    for (std::size_t k = 0; k < count; ++k) tau[k] = mu * (F[k] * F[k].transpose() - Mat<D>::Identity());
+    if (lambda == 0) return;
+    for (std::size_t k = 0; k < count; ++k) tau[k].diagonal().array() += lambda * std::log(F[k].determinant());
+  }
+
+  /// Strain energy per reference volume, λ/2 (ln J)² - μ ln J + μ/2 (tr F Fᵀ - D).
+  template <int D>
+  double energy(const Mat<D>& F) const {
+    const double log_J = std::log(F.determinant());
+    return 0.5 * lambda * log_J * log_J - mu * log_J + 0.5 * mu * (F.squaredNorm() - D);
+  }
+};
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,125 @@
+#pragma once
+#include <array>
+#include <atomic>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/body_force.hpp"
+#include "solver/grid.hpp"
+#include "solver/operations.hpp"
+#include "solver/particles.hpp"
+#include "solver/slabs.hpp"
+#include "solver/team.hpp"
+#include "solver/words.hpp"
+
+namespace mpmvv::solver {
+
+/// Where the body force is evaluated.
+enum class BodyForceOn {
+  particles,  ///< S (16)
+  grid        ///< f_i = m_i b(x_i)
+};
+
+/// Everything a run is made from. Faces are ordered xmin, xmax, ymin, ...
+template <int D>
+struct Scene {
+  Vec<D> lower = Vec<D>::Zero();
+  double h = 1;
+  Index<D> cells{};
+  Particles<D> particles;
+  AnyBasis basis;
+  AnyMaterial material;
+  std::array<AnyBoundary, 2 * D> boundary;
+  const BodyForce<D>* body_force = nullptr;  ///< none when null; must outlive the run
+  BodyForceOn body_force_on = BodyForceOn::particles;
+  bool difference_acceleration = false;  ///< wall acceleration by S (30) instead of zero
+  bool half_start = false;               ///< the first grid acceleration halved, W §4
+  std::string_view integrator = "usl";
+  int threads = 1;
+  /// A node takes part when its mass exceeds this fraction of a full cell's (the mean particle mass density times
+  /// h^D). Results do not depend on it between 1e-14 and 1e-10 (a test shows it).
+  double mass_cutoff = 1e-12;
+};
+
+/// The Material Point Method: owns particles and grid, advances them step by step. Members below "for integrators"
+/// are the phases that an integrator's page puts in order.
+template <int D>
+class Mpm {
+ public:
+  /// Throws std::invalid_argument on an unknown integrator word.
+  explicit Mpm(Scene<D> scene);
+
+  /// Advances by dt. False when the run has blown up: `fault` then says why and the state is of no use.
+  bool step(double dt);
+
+  const Particles<D>& particles() const { return particles_; }
+  const Grid<D>& grid() const { return grid_; }
+  const std::array<bool, D>& periodic() const { return periodic_; }
+  double time() const { return time_; }
+  std::string fault() const;
+  double kinetic_energy() const;  ///< Σ m_p v_p²/2
+  double strain_energy() const;   ///< Σ V⁰_p W(F_p)
+
+  // For integrators.
+  Particles<D>& particles() { return particles_; }
+  Grid<D>& grid() { return grid_; }
+
+  /// One sweep over all particles with these stages.
+  template <class... Stages>
+  void sweep(const Stages&... stages) {
+    std::visit(
+        [&](const auto& basis) { note(solver::sweep(basis, particles_, grid_, slabs_, team_, stages...)); },
+        scene_.basis);
+  }
+
+  /// One sweep of `before` and then of stress and forces: f_i, and whatever else `map` scatters with it.
+  template <class Before, class... Map>
+  void sweep_with_forces(const Before& before, const Map&... map);
+
+  /// Adds up what the boundaries identify, after a scatter.
+  template <class T>
+  void fold(std::vector<T>& field);
+
+  void set_grid_velocity();                ///< v_i = p_i / m_i, constrained          S (2), W (9)
+  void set_grid_acceleration();            ///< a_i = f_i / m_i, constrained if zero  S (5), W (15)
+  void advance_grid_velocity(double dt);   ///< v_i += a_i Δt, constrained            S (6), W (16), S (30)
+  Settle<D> settle() { return {particles_, slabs_, periodic_, must_sort_}; }
+  CheckDeformation<D> check_deformation() { return {particles_}; }
+
+ private:
+  bool takes_part(std::size_t n) const { return grid_.m[n] > least_mass_; }
+  void constrain(std::vector<Vec<D>>& field);
+  void set_wall_acceleration(double dt);
+  void add_grid_body_force();
+  void note(Fault fault) {
+    if (fault_ == Fault::none) fault_ = fault;
+  }
+  template <class Visit>
+  void for_faces(const Visit& visit);
+
+  Scene<D> scene_;
+  Particles<D> particles_;
+  Grid<D> grid_;
+  Slabs<D> slabs_;
+  Team team_;
+  void (*advance_)(Mpm&, double);
+  std::array<bool, D> periodic_{};
+  double least_mass_ = 0;
+  double time_ = 0;
+  bool first_step_ = true;
+  std::atomic<bool> must_sort_{false};
+  Fault fault_ = Fault::none;
+};
+
+/// Words of the integrators, in the order of the table.
+std::vector<std::string_view> integrator_words();
+/// Whether particle velocities live half a step before the positions.
+bool is_staggered(std::string_view integrator);
+
+extern template class Mpm<1>;
+extern template class Mpm<2>;
+extern template class Mpm<3>;
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,5 @@
+#include "solver/mpm_impl.hpp"
+
+namespace mpmvv::solver {
+template class Mpm<3>;
+}

@@ -1,0 +1,159 @@
+#pragma once
+#include <stdexcept>
+
+#include "solver/integrator/integrators.hpp"
+#include "solver/mpm.hpp"
+
+namespace mpmvv::solver {
+
+namespace detail {
+
+template <int D>
+Grid<D> make_grid(const Scene<D>& scene) {
+  return std::visit(
+      [&scene]<class B>(const B&) { return Grid<D>(scene.lower, scene.h, scene.cells, B::extra_inside, B::ghost); },
+      scene.basis);
+}
+
+template <int D>
+auto find_integrator(std::string_view word) {
+  for (const Integrator<D>& integrator : integrators<D>)
+    if (integrator.word == word) return integrator.advance;
+  throw std::invalid_argument("unknown integrator '" + std::string(word) + "'");
+}
+
+}  // namespace detail
+
+template <int D>
+Mpm<D>::Mpm(Scene<D> scene)
+    : scene_(std::move(scene)),
+      particles_(std::move(scene_.particles)),
+      grid_(detail::make_grid(scene_)),
+      slabs_(grid_),
+      team_(scene_.threads),
+      advance_(detail::find_integrator<D>(scene_.integrator)) {
+  for (int d = 0; d < D; ++d)
+    periodic_[static_cast<std::size_t>(d)] =
+        std::holds_alternative<Periodic>(scene_.boundary[static_cast<std::size_t>(2 * d)]);
+  double mass = 0, volume = 0;
+  for (std::size_t p = 0; p < particles_.size(); ++p) mass += particles_.m[p], volume += particles_.V0[p];
+  least_mass_ = scene_.mass_cutoff * mass / volume * std::pow(grid_.h(), D);
+  slabs_.sort(particles_, grid_);
+}
+
+template <int D>
+bool Mpm<D>::step(double dt) {
+  advance_(*this, dt);
+  first_step_ = false;
+  time_ += dt;
+  if (must_sort_.exchange(false)) slabs_.sort(particles_, grid_);
+  return fault_ == Fault::none;
+}
+
+template <int D>
+std::string Mpm<D>::fault() const {
+  switch (fault_) {
+    case Fault::none: return "";
+    case Fault::outside: return "a particle left the domain";
+    case Fault::inverted: return "det F <= 0 on a particle";
+    case Fault::outgrown: return "a particle is wider than a cell";
+  }
+  return "";
+}
+
+template <int D>
+double Mpm<D>::kinetic_energy() const {
+  double energy = 0;
+  for (std::size_t p = 0; p < particles_.size(); ++p) energy += 0.5 * particles_.m[p] * particles_.v[p].squaredNorm();
+  return energy;
+}
+
+template <int D>
+double Mpm<D>::strain_energy() const {
+  return std::visit(
+      [this](const auto& material) {
+        double energy = 0;
+        for (std::size_t p = 0; p < particles_.size(); ++p)
+          energy += particles_.V0[p] * material.template energy<D>(particles_.F[p]);
+        return energy;
+      },
+      scene_.material);
+}
+
+template <int D>
+template <class Before, class... Map>
+void Mpm<D>::sweep_with_forces(const Before& before, const Map&... map) {
+  const EvaluateStress<D> stress{particles_, scene_.material};
+  const MapInternalForce<D> internal{particles_, grid_};
+  if (scene_.body_force && scene_.body_force_on == BodyForceOn::particles)
+    sweep(before, stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
+          node_loop(map..., internal, MapBodyForce<D>{particles_, grid_}));
+  else
+    sweep(before, stress, node_loop(map..., internal));
+  fold(grid_.f);
+}
+
+template <int D>
+template <class Visit>
+void Mpm<D>::for_faces(const Visit& visit) {
+  for (int d = 0; d < D; ++d)
+    for (const bool upper : {false, true})
+      std::visit([&](const auto& boundary) { visit(boundary, Face{d, upper}); },
+                 scene_.boundary[static_cast<std::size_t>(2 * d + (upper ? 1 : 0))]);
+}
+
+template <int D>
+template <class T>
+void Mpm<D>::fold(std::vector<T>& field) {
+  for_faces([&](const auto& boundary, Face face) { boundary.fold(grid_, face, field); });
+}
+
+template <int D>
+void Mpm<D>::constrain(std::vector<Vec<D>>& field) {
+  for_faces([&](const auto& boundary, Face face) { boundary.constrain(grid_, face, field); });
+}
+
+template <int D>
+void Mpm<D>::set_grid_velocity() {
+  for (std::size_t n = 0; n < grid_.size(); ++n)
+    grid_.v[n] = takes_part(n) ? Vec<D>(grid_.p[n] / grid_.m[n]) : Vec<D>::Zero();
+  constrain(grid_.v);
+}
+
+template <int D>
+void Mpm<D>::set_grid_acceleration() {
+  if (scene_.body_force && scene_.body_force_on == BodyForceOn::grid) add_grid_body_force();
+  const double factor = scene_.half_start && first_step_ ? 0.5 : 1.0;
+  for (std::size_t n = 0; n < grid_.size(); ++n)
+    grid_.a[n] = takes_part(n) ? Vec<D>(grid_.f[n] * (factor / grid_.m[n])) : Vec<D>::Zero();
+  if (!scene_.difference_acceleration) constrain(grid_.a);
+}
+
+template <int D>
+void Mpm<D>::add_grid_body_force() {
+  for (std::size_t n = 0; n < grid_.size(); ++n)
+    if (takes_part(n)) grid_.f[n] += grid_.m[n] * scene_.body_force->at_position(grid_.position(n), time_);
+}
+
+template <int D>
+void Mpm<D>::advance_grid_velocity(double dt) {
+  for (std::size_t n = 0; n < grid_.size(); ++n) grid_.v[n] += dt * grid_.a[n];
+  constrain(grid_.v);
+  if (scene_.difference_acceleration) set_wall_acceleration(dt);
+}
+
+template <int D>
+void Mpm<D>::set_wall_acceleration(double dt) {
+  const auto difference = [&](int n, int) {  // a_i = (v_i^{k+1} - v_i^k)/Δt, v^k as mapped                     S (30)
+    const auto i = static_cast<std::size_t>(n);
+    if (takes_part(i)) grid_.a[i] = (grid_.v[i] - grid_.p[i] / grid_.m[i]) / dt;
+  };
+  for_faces([&](const auto& boundary, Face face) {
+    if (!boundary.holds) return;
+    const FaceNodes<D> nodes{grid_, face};
+    for (int layer = 0; layer <= nodes.layers(); ++layer)
+      grid_.for_plane(face.axis, nodes.ghost(layer), nodes.ghost(layer), difference);
+  });
+}
+
+}  // namespace mpmvv::solver

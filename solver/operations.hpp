@@ -1,0 +1,167 @@
+#pragma once
+#include <array>
+#include <atomic>
+#include <variant>
+
+#include "solver/body_force.hpp"
+#include "solver/sweep.hpp"
+#include "solver/words.hpp"
+
+/// What a sweep can do. Scatter operations map particles to nodes, gather operations nodes to particles, stages act on
+/// a block of particles at once.
+namespace mpmvv::solver {
+
+/// m_i = Σ_p N_ip m_p                                          S (1), W (8)
+template <int D>
+struct MapMass {
+  const Particles<D>& particles;
+  Grid<D>& grid;
+  double mass = 0;
+
+  void begin(std::size_t p, const auto&, int) { mass = particles.m[p]; }
+  void node(int n, double N, const Vec<D>&) { grid.m[n] += N * mass; }
+  void end(std::size_t) {}
+};
+
+/// p_i = Σ_p N_ip m_p v_p                                      S (2), W (9)
+template <int D>
+struct MapMomentum {
+  const Particles<D>& particles;
+  Grid<D>& grid;
+  Vec<D> momentum = Vec<D>::Zero();
+
+  void begin(std::size_t p, const auto&, int) { momentum = particles.m[p] * particles.v[p]; }
+  void node(int n, double N, const Vec<D>&) { grid.p[n] += N * momentum; }
+  void end(std::size_t) {}
+};
+
+/// f_i = -Σ_p V_p σ_p ∇N_ip = -Σ_p V⁰_p τ_p ∇N_ip              S (4), W (14)
+template <int D>
+struct MapInternalForce {
+  const Particles<D>& particles;
+  Grid<D>& grid;
+  Mat<D> tau_V0 = Mat<D>::Zero();
+
+  void begin(std::size_t p, const auto& block, int k) { tau_V0 = particles.V0[p] * block.tau[k]; }
+  void node(int n, double, const Vec<D>& dN) { grid.f[n] -= tau_V0 * dN; }
+  void end(std::size_t) {}
+};
+
+/// f_i += Σ_p N_ip m_p b_p                                     S (16)
+template <int D>
+struct MapBodyForce {
+  const Particles<D>& particles;
+  Grid<D>& grid;
+  Vec<D> force = Vec<D>::Zero();
+
+  void begin(std::size_t p, const auto& block, int k) { force = particles.m[p] * block.b[k]; }
+  void node(int n, double N, const Vec<D>&) { grid.f[n] += N * force; }
+  void end(std::size_t) {}
+};
+
+/// v_p += Σ_i N_ip a_i Δt                                      S (9), W (18)
+template <int D>
+struct UpdateVelocity {
+  Particles<D>& particles;
+  const Grid<D>& grid;
+  double dt;
+  Vec<D> acceleration = Vec<D>::Zero();
+
+  void begin(std::size_t, const auto&, int) { acceleration.setZero(); }
+  void node(int n, double N, const Vec<D>&) { acceleration += N * grid.a[n]; }
+  void end(std::size_t p) { particles.v[p] += dt * acceleration; }
+};
+
+/// x_p += Σ_i N_ip v_i Δt                                      S (10), W (17)
+template <int D>
+struct UpdatePosition {
+  Particles<D>& particles;
+  const Grid<D>& grid;
+  double dt;
+  Vec<D> velocity = Vec<D>::Zero();
+
+  void begin(std::size_t, const auto&, int) { velocity.setZero(); }
+  void node(int n, double N, const Vec<D>&) { velocity += N * grid.v[n]; }
+  void end(std::size_t p) { particles.x[p] += dt * velocity; }
+};
+
+/// F_p = (I + Δt Σ_i v_i ⊗ ∇N_ip) F_p                          S (7), (8), W (10), (11)
+template <int D>
+struct UpdateDeformation {
+  Particles<D>& particles;
+  const Grid<D>& grid;
+  double dt;
+  Mat<D> L = Mat<D>::Zero();
+
+  void begin(std::size_t, const auto&, int) { L.setZero(); }
+  void node(int n, double, const Vec<D>& dN) { L += grid.v[n] * dN.transpose(); }
+  void end(std::size_t p) { particles.F[p] += dt * (L * particles.F[p]); }
+};
+
+/// τ_p = τ(F_p)                                                S (3), W (12)
+template <int D>
+struct EvaluateStress {
+  const Particles<D>& particles;
+  const AnyMaterial& material;
+
+  template <int K>
+  void operator()(Block<D, K>& block, const Grid<D>&) const {
+    std::visit([&](const auto& m) { m.kirchhoff(&particles.F[block.begin], block.tau, static_cast<std::size_t>(block.count)); },
+               material);
+  }
+};
+
+/// b_p = b(X_p, t)
+template <int D>
+struct EvaluateBodyForce {
+  const Particles<D>& particles;
+  const BodyForce<D>& body_force;
+  double t;
+
+  template <int K>
+  void operator()(Block<D, K>& block, const Grid<D>&) const {
+    body_force.on_particles(t, {&particles.id[block.begin], static_cast<std::size_t>(block.count)}, block.b);
+  }
+};
+
+/// The end of a step: the width of bases that follow the deformation, W (63), the wrap of periodic axes, and whether
+/// a particle has strayed so far from its slab that the particles must be sorted.
+template <int D>
+struct Settle {
+  Particles<D>& particles;
+  const Slabs<D>& slabs;
+  const std::array<bool, D>& periodic;
+  std::atomic<bool>& must_sort;
+
+  template <int K>
+  void operator()(Block<D, K>& block, const Grid<D>& grid) const {
+    for (std::size_t p = block.begin; p < block.begin + static_cast<std::size_t>(block.count); ++p) {
+      for (int d = 0; d < D; ++d)
+        if (periodic[static_cast<std::size_t>(d)]) wrap(particles.x[p][d], grid.lower()[d], grid.h() * grid.cells()[d]);
+      if (!particles.l0.empty()) particles.l[p] = particles.l0[p].cwiseProduct(particles.F[p].diagonal());
+      if (!slabs.holds(block.slab, (particles.x[p][D - 1] - grid.lower()[D - 1]) / grid.h())) must_sort = true;
+    }
+  }
+
+ private:
+  static void wrap(double& x, double lower, double period) {
+    if (x < lower) x += period;
+    if (x >= lower + period) x -= period;
+  }
+};
+
+/// Finds inverted particles: det F <= 0, or not a number.
+template <int D>
+struct CheckDeformation {
+  const Particles<D>& particles;
+
+  template <int K>
+  Fault operator()(Block<D, K>& block, const Grid<D>&) const {
+    bool sound = true;
+    for (int k = 0; k < block.count; ++k)
+      sound &= particles.F[block.begin + static_cast<std::size_t>(k)].determinant() > 0;
+    return sound ? Fault::none : Fault::inverted;
+  }
+};
+
+}  // namespace mpmvv::solver

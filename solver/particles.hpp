@@ -1,0 +1,43 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "solver/types.hpp"
+
+namespace mpmvv::solver {
+
+/// The material points, one array per field. Fields that the scheme does not need stay empty.
+template <int D>
+struct Particles {
+  std::vector<std::uint32_t> id;  ///< position in the order of creation; survives sorting
+  std::vector<Vec<D>> x;          ///< position
+  std::vector<Vec<D>> v;          ///< velocity
+  std::vector<Mat<D>> F;          ///< deformation gradient
+  std::vector<double> m;          ///< mass
+  std::vector<double> V0;         ///< reference volume
+  std::vector<Vec<D>> l;          ///< width in units of h, for bases that take one
+  std::vector<Vec<D>> l0;         ///< reference width in units of h, where the width follows the deformation
+
+  std::size_t size() const { return x.size(); }
+
+  /// Makes room in every field but the widths.
+  void resize(std::size_t n) {
+    id.resize(n), x.resize(n), v.resize(n), F.resize(n), m.resize(n), V0.resize(n);
+    std::iota(id.begin(), id.end(), 0U);
+  }
+
+  /// Reorders every field that is in use: new k = old order[k].
+  void permute(const std::vector<std::uint32_t>& order) {
+    const auto reorder = [&order](auto& field) {
+      if (field.empty()) return;
+      auto sorted = field;
+      for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = field[order[k]];
+      field.swap(sorted);
+    };
+    reorder(id), reorder(x), reorder(v), reorder(F), reorder(m), reorder(V0), reorder(l), reorder(l0);
+  }
+};
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,83 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "solver/grid.hpp"
+#include "solver/particles.hpp"
+
+namespace mpmvv::solver {
+
+/// The domain cut into slabs across its last axis, at least `thickness` cells each, and the particles sorted so that
+/// each slab's are contiguous. A particle may stray one cell out of its slab before it must be sorted again; even
+/// so two slabs with one between them share no node (a stencil reaches two cells). Depends on the grid alone.
+template <int D>
+class Slabs {
+ public:
+  static constexpr int thickness = 8;
+  static constexpr int most = 32;
+
+  explicit Slabs(const Grid<D>& grid) {
+    const int cells = grid.cells()[D - 1];
+    const int count = std::clamp(cells / thickness, 1, most);
+    for (int s = 0; s <= count; ++s) bounds_.push_back(static_cast<int>(std::int64_t{s} * cells / count));
+    first_.assign(bounds_.size(), 0);
+  }
+
+  int count() const { return static_cast<int>(bounds_.size()) - 1; }
+
+  std::pair<std::size_t, std::size_t> particles(int slab) const {
+    return {first_[static_cast<std::size_t>(slab)], first_[static_cast<std::size_t>(slab) + 1]};
+  }
+
+  /// Whether a particle of this slab, at distance xi (in cells) along the last axis, is still near enough to it.
+  /// The outermost slabs have no outer bound.
+  bool holds(int slab, double xi) const {
+    return (slab == 0 || xi >= bounds_[static_cast<std::size_t>(slab)] - 1) &&
+           (slab + 1 == count() || xi <= bounds_[static_cast<std::size_t>(slab) + 1] + 1);
+  }
+
+  /// The slab with the cell at this distance; strays and NaN fall to the outermost ones.
+  int of(double xi) const {
+    const auto above = std::upper_bound(bounds_.begin() + 1, bounds_.end() - 1, xi);
+    return static_cast<int>(above - bounds_.begin()) - 1;
+  }
+
+  /// Sorts the particles by cell (the last axis slowest, so by slab), keeping the order of those in one cell.
+  void sort(Particles<D>& particles, const Grid<D>& grid) {
+    const std::size_t n = particles.size();
+    std::vector<std::int64_t> cell(n);
+    for (std::size_t p = 0; p < n; ++p) cell[p] = cell_of(particles.x[p], grid);
+    std::vector<std::uint32_t> order(n);
+    std::iota(order.begin(), order.end(), 0U);
+    const auto by_cell = [&cell](std::uint32_t a, std::uint32_t b) { return cell[a] < cell[b]; };
+    if (!std::is_sorted(cell.begin(), cell.end())) {
+      std::stable_sort(order.begin(), order.end(), by_cell);
+      particles.permute(order);
+    }
+    std::size_t p = 0;
+    for (int s = 0; s < count(); ++s) {
+      first_[static_cast<std::size_t>(s)] = p;
+      while (p < n && of((particles.x[p][D - 1] - grid.lower()[D - 1]) / grid.h()) == s) ++p;
+    }
+    first_.back() = n;
+  }
+
+ private:
+  static std::int64_t cell_of(const Vec<D>& x, const Grid<D>& grid) {
+    std::int64_t cell = 0;
+    for (int d = D - 1; d >= 0; --d) {
+      const double xi = (x[d] - grid.lower()[d]) / grid.h();
+      const double inside = xi > 0 ? std::min(std::floor(xi), grid.cells()[d] - 1.0) : 0.0;  // 0 for NaN, too
+      cell = cell * grid.cells()[d] + static_cast<std::int64_t>(inside);
+    }
+    return cell;
+  }
+
+  std::vector<int> bounds_;         ///< cell where each slab begins, and the end
+  std::vector<std::size_t> first_;  ///< first particle of each slab, and the end
+};
+
+}  // namespace mpmvv::solver

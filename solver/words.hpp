@@ -1,0 +1,62 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "solver/basis/gimp.hpp"
+#include "solver/basis/linear.hpp"
+#include "solver/basis/open_bspline.hpp"
+#include "solver/boundary/dirichlet.hpp"
+#include "solver/boundary/free.hpp"
+#include "solver/boundary/mirror.hpp"
+#include "solver/boundary/periodic.hpp"
+#include "solver/boundary/symmetry.hpp"
+#include "solver/material/neo_hookean_log.hpp"
+
+/// The one place where names become types: add a line here for a new basis, boundary or material.
+namespace mpmvv::solver {
+
+using AnyBasis = std::variant<Linear,        //
+                              BSpline2,      //
+                              BSpline3,      //
+                              BSpline2Open,  //
+                              BSpline3Open,  //
+                              UGimp,         //
+                              Gimp,          //
+                              CpGimp>;
+
+using AnyBoundary = std::variant<Periodic,   //
+                                 Dirichlet,  //
+                                 Symmetry,   //
+                                 Mirror,     //
+                                 Free>;
+
+using AnyMaterial = std::variant<NeoHookeanLog>;
+
+/// The words of the alternatives of a variant, in its order.
+template <class... Types>
+constexpr std::array<std::string_view, sizeof...(Types)> words_of(const std::variant<Types...>*) {
+  return {Types::word...};
+}
+
+template <class Any>
+constexpr auto words() {
+  return words_of(static_cast<const Any*>(nullptr));
+}
+
+/// The alternative with this word, default-constructed; false when there is none.
+template <class Any, std::size_t k = 0>
+bool from_word(std::string_view word, Any& any) {
+  if constexpr (k < std::variant_size_v<Any>) {
+    using Type = std::variant_alternative_t<k, Any>;
+    if (Type::word != word) return from_word<Any, k + 1>(word, any);
+    any.template emplace<Type>();
+    return true;
+  }
+  return false;
+}
+
+}  // namespace mpmvv::solver

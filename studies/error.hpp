@@ -1,0 +1,12 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+
+namespace mpmvv {
+
+/// Bad input: one line that says what is wrong, where, and what would be right. The program exits with 2.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace mpmvv

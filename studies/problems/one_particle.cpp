@@ -1,0 +1,32 @@
+#include "studies/problems/parameters.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+Setup<1> one_particle_setup(const Parameters& p) {
+  const double velocity = p.at("velocity");
+  return {.density = p.at("density"),
+          .material = neo_hookean_log(p.at("youngs_modulus"), 0),
+          .start_velocity = [velocity](const solver::Vec<1>&) { return solver::Vec<1>(velocity); }};
+}
+
+}  // namespace
+
+/// One particle in one cell, held on the left, free on the right, no body force: W §3. The velocity is not printed;
+/// the default stretches the particle by about a tenth.
+Problem one_particle_problem() {
+  return {.name = "one-particle",
+          .source = "Wallstedt and Guilkey 2008, section 3",
+          .length = 1,
+          .parameters = {youngs_modulus_parameter(1e4), density_parameter(1),
+                         Parameter{"velocity", 5, "m/s", [](double) { return true; }, "any"}},
+          .wave_speed_formula = "C = sqrt(E/rho)",
+          .wave_speed = bar_wave_speed,
+          .end_time_formula = "2/C",
+          .end_time = [](const Parameters& p) { return 2 / bar_wave_speed(p); },
+          .boundary = "xmin=dirichlet,xmax=free",
+          .setup = &one_particle_setup};
+}
+
+}  // namespace mpmvv

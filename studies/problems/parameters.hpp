@@ -1,0 +1,27 @@
+#pragma once
+#include "mms/elasticity.hpp"
+#include "studies/problem.hpp"
+
+namespace mpmvv {
+
+// Parameters that several problems share, with the ranges in which they make sense.
+inline Parameter amplitude_parameter(double value) {
+  return {"amplitude", value, "m", [](double a) { return a > -1 && a < 1; }, "between -1 and 1"};
+}
+inline Parameter youngs_modulus_parameter(double value) {
+  return {"youngs_modulus", value, "Pa", [](double e) { return e > 0; }, "> 0"};
+}
+inline Parameter density_parameter(double value) {
+  return {"density", value, "kg/m3", [](double rho) { return rho > 0; }, "> 0"};
+}
+
+/// sqrt(E/ρ₀), the wave speed of the S and W problems.
+inline double bar_wave_speed(const Parameters& p) { return std::sqrt(p.at("youngs_modulus") / p.at("density")); }
+
+/// The solver's material from the elastic constants of the parameters.
+inline solver::NeoHookeanLog neo_hookean_log(double youngs_modulus, double poissons_ratio) {
+  return {youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio)),
+          youngs_modulus / (2 * (1 + poissons_ratio))};
+}
+
+}  // namespace mpmvv

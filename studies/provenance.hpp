@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+namespace mpmvv {
+
+/// Where a result comes from. Everything but `cpu` and `time` is fixed by the build.
+struct Provenance {
+  std::string digest;    ///< of the sources that decide a result, the compiler and its flags
+  std::string commit;    ///< git commit of the build, "unknown" outside a checkout
+  bool dirty = false;    ///< built from a tree with changes that are not committed
+  std::string compiler;  ///< "GNU 12.2.0"
+  std::string flags;
+  std::string build_type;
+  std::string cpu;   ///< model name of the processor
+  std::string time;  ///< ISO 8601, UTC
+};
+
+/// Of the running program, now.
+Provenance current_provenance();
+
+}  // namespace mpmvv

@@ -1,0 +1,42 @@
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "studies/case.hpp"
+
+namespace mpmvv {
+
+inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+/// `unstable` is a result of the method (blown up); `failed` is not (the run could not be carried out).
+enum class Status { ok, unstable, failed };
+
+std::string to_string(Status s);
+Status status_from(const std::string& word);  ///< throws UsageError on an unknown word
+
+/// Norms of the displacement error δ_p over the particles, W (64), (65): mean, root mean square, maximum.
+struct Errors {
+  double l1 = not_measured, l2 = not_measured, linf = not_measured;
+  double l1_all_steps = not_measured, l2_all_steps = not_measured, linf_all_steps = not_measured;
+};
+
+struct Energy {
+  double kinetic = not_measured, strain = not_measured, initial_total = not_measured;
+};
+
+/// What came out of one case.
+struct Record {
+  Case the_case;
+  std::int64_t particles = 0;
+  std::int64_t steps = 0;  ///< steps really taken
+  double cfl = not_measured;
+  Status status = Status::ok;
+  std::string reason;  ///< why it is `unstable` or `failed`; empty for `ok`
+  Errors error;
+  Energy energy;
+  double wall_seconds = not_measured;
+  double ns_per_particle_step = not_measured;  ///< step loop alone
+};
+
+}  // namespace mpmvv

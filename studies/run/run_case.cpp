@@ -1,0 +1,158 @@
+#include "studies/run_case.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <exception>
+
+#include "studies/norms.hpp"
+#include "studies/run/scene.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// x moved by whole periods to the smallest distance from 0.
+double nearest_image(double x, double period) { return x - period * std::round(x / period); }
+
+/// δ_p = |(x_p - X_p) - u(X_p, t)| of every particle, W (64); across periodic faces by the nearest image.
+template <int D>
+ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
+  constexpr std::size_t chunk = 256;
+  const auto& particles = mpm.particles();
+  const double period = mpm.grid().h() * mpm.grid().cells()[0];
+  ErrorNorms norms;
+  solver::Vec<D> u[chunk];
+  for (std::size_t begin = 0; begin < particles.size(); begin += chunk) {
+    const std::size_t n = std::min(chunk, particles.size() - begin);
+    stage.points->displacement(mpm.time(), {&particles.id[begin], n}, u);
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t p = begin + k;
+      solver::Vec<D> delta = (particles.x[p] - stage.X[particles.id[p]]) - u[k];
+      for (int d = 0; d < D; ++d)
+        if (mpm.periodic()[static_cast<std::size_t>(d)]) delta[d] = nearest_image(delta[d], period);
+      norms.add(delta.norm());
+    }
+  }
+  return norms;
+}
+
+/// Decides whether a run has blown up. A run is looked at every `interval` steps and at its end.
+template <int D>
+class Watch {
+ public:
+  static constexpr std::int64_t interval = 32;
+
+  Watch(const Case& c, const Stage<D>& stage, double initial_energy)
+      : most_energy_(c.measure.blowup_energy * initial_energy),
+        most_error_(stage.setup.solution ? c.measure.blowup_error * stage.setup.solution->displacement_scale() : 0) {}
+
+  /// Why the run counts as unstable; empty while it does not.
+  std::string judge(const solver::Mpm<D>& mpm, const Stage<D>& stage) const {
+    const double energy = mpm.kinetic_energy() + mpm.strain_energy();
+    if (!(energy <= most_energy_)) return fmt::format("energy {:.3g} beyond {:.3g}", energy, most_energy_);
+    if (!stage.points) return "";
+    const double error = displacement_errors(mpm, stage).linf();
+    if (!(error <= most_error_)) return fmt::format("displacement error {:.3g} beyond {:.3g}", error, most_error_);
+    return "";
+  }
+
+ private:
+  double most_energy_, most_error_;
+};
+
+void note_errors_over_steps(Errors& errors, const ErrorNorms& now) {
+  const auto larger = [](double so_far, double value) { return value <= so_far ? so_far : value; };  // takes NaN over
+  errors.l1_all_steps = larger(errors.l1_all_steps, now.l1());
+  errors.l2_all_steps = larger(errors.l2_all_steps, now.l2());
+  errors.linf_all_steps = larger(errors.linf_all_steps, now.linf());
+}
+
+/// Steps to the end or until the run blows up; returns the seconds spent in the steps alone.
+template <int D>
+double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, Record& record) {
+  const Watch<D> watch(c, stage, record.energy.initial_total);
+  const bool every_step = c.measure.every_step && stage.points;
+  if (every_step) record.error.l1_all_steps = record.error.l2_all_steps = record.error.linf_all_steps = 0;
+  double step_seconds = 0;
+  while (record.steps < c.resolution.steps) {
+    const auto start = Clock::now();
+    const bool sound = mpm.step(c.resolution.dt);
+    step_seconds += seconds_since(start);
+    ++record.steps;
+    if (!sound) record.reason = mpm.fault();
+    const bool due = record.steps % Watch<D>::interval == 0 || record.steps == c.resolution.steps;
+    if (sound && due) record.reason = watch.judge(mpm, stage);
+    if (!record.reason.empty()) {
+      record.status = Status::unstable;
+      record.reason += fmt::format(" at step {} of {}", record.steps, c.resolution.steps);
+      break;
+    }
+    if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, stage));
+  }
+  return step_seconds;
+}
+
+template <int D>
+void run(const Case& c, const Problem& problem, int threads, Record& record) {
+  const auto start = Clock::now();
+  Stage<D> stage = make_stage<D>(c, problem, threads);
+  solver::Mpm<D> mpm(std::move(stage.scene));
+  record.particles = static_cast<std::int64_t>(mpm.particles().size());
+  record.energy.initial_total = mpm.kinetic_energy() + mpm.strain_energy();
+
+  const double step_seconds = advance(mpm, stage, c, record);
+  if (record.status == Status::ok) {
+    record.energy.kinetic = mpm.kinetic_energy();
+    record.energy.strain = mpm.strain_energy();
+    if (stage.points) {
+      const ErrorNorms norms = displacement_errors(mpm, stage);
+      record.error.l1 = norms.l1();
+      record.error.l2 = norms.l2();
+      record.error.linf = norms.linf();
+    }
+  } else {
+    record.error = {};
+  }
+  record.ns_per_particle_step = 1e9 * step_seconds / static_cast<double>(record.particles * record.steps);
+  record.wall_seconds = seconds_since(start);
+}
+
+}  // namespace
+
+Record run_case(const Case& c, int threads) {
+  const Problem& problem = find_problem(c.problem.name, "the case");
+  Record record;
+  record.the_case = c;
+  record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells / problem.length;
+  try {
+    switch (problem.dimension()) {
+      case 1: run<1>(c, problem, threads, record); break;
+      case 2: run<2>(c, problem, threads, record); break;
+      default: run<3>(c, problem, threads, record);
+    }
+  } catch (const std::exception& e) {
+    record.status = Status::failed;
+    record.reason = e.what();
+  }
+  return record;
+}
+
+double work_estimate(const Case& c) {
+  const int dimension = find_problem(c.problem.name, "the case").dimension();
+  return std::pow(c.resolution.cells * c.resolution.ppc, dimension) * static_cast<double>(c.resolution.steps);
+}
+
+double memory_estimate(const Case& c) {
+  const int D = find_problem(c.problem.name, "the case").dimension();
+  // Positions (with the reference ones), velocities, F, widths, mass, volume, identity, and twice a field while sorting.
+  const double per_particle = 8.0 * (5 * D + 2 * D * D + 4) + 64;
+  const double per_node = 8.0 * (4 * D + 1);
+  return per_particle * std::pow(c.resolution.cells * c.resolution.ppc, D) + per_node * std::pow(c.resolution.cells + 5, D);
+}
+
+}  // namespace mpmvv

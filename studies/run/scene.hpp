@@ -1,0 +1,48 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "solver/mpm.hpp"
+#include "studies/case.hpp"
+#include "studies/problem.hpp"
+
+namespace mpmvv {
+
+/// The manufactured solution's body force as the solver takes it.
+template <int D>
+class SolutionBodyForce final : public solver::BodyForce<D> {
+ public:
+  SolutionBodyForce(const mms::ManufacturedSolution<D>& solution, const mms::PointwiseSolution<D>& points)
+      : solution_(solution), points_(points) {}
+
+  void on_particles(double t, std::span<const std::uint32_t> ids, solver::Vec<D>* b) const override {
+    points_.body_force(t, ids, b);
+  }
+  solver::Vec<D> at_position(const solver::Vec<D>& x, double t) const override {
+    return solution_.b(solution_.reference_point(x, t), t);
+  }
+
+ private:
+  const mms::ManufacturedSolution<D>& solution_;
+  const mms::PointwiseSolution<D>& points_;
+};
+
+/// A case ready to run: the problem's solution sampled at the particles, and the scene made from it.
+template <int D>
+struct Stage {
+  Setup<D> setup;
+  std::vector<solver::Vec<D>> X;  ///< reference positions by particle id
+  std::unique_ptr<mms::PointwiseSolution<D>> points;
+  std::unique_ptr<SolutionBodyForce<D>> body_force;
+  solver::Scene<D> scene;
+};
+
+/// Places ppc^D particles per cell on the lattice of cell-centred sub-cells, in their state at t = 0.
+template <int D>
+Stage<D> make_stage(const Case& c, const Problem& problem, int threads);
+
+extern template Stage<1> make_stage<1>(const Case&, const Problem&, int);
+extern template Stage<2> make_stage<2>(const Case&, const Problem&, int);
+extern template Stage<3> make_stage<3>(const Case&, const Problem&, int);
+
+}  // namespace mpmvv

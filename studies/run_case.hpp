@@ -1,0 +1,18 @@
+#pragma once
+#include <cstddef>
+
+#include "studies/record.hpp"
+
+namespace mpmvv {
+
+/// Runs one case to its end, or until it blows up. Never throws for a case made by make_case: what goes wrong on
+/// the way (memory, say) is a record with status `failed`. Records do not depend on `threads` but for the cost.
+Record run_case(const Case& c, int threads);
+
+/// Number of particles times steps, to run long cases first.
+double work_estimate(const Case& c);
+
+/// Upper estimate of the memory that a run of this case takes, in bytes.
+double memory_estimate(const Case& c);
+
+}  // namespace mpmvv

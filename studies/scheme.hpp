@@ -1,0 +1,24 @@
+#pragma once
+#include <compare>
+#include <string>
+
+namespace mpmvv {
+
+/// How a problem is solved: the words of DESIGN.md, each checked where it enters (studies/settings.hpp).
+struct Scheme {
+  std::string basis = "linear";
+  double smoothing_length = 0;  ///< in cells; only for `ugimp`, 0 elsewhere
+  std::string integrator = "usl";
+  std::string start = "half";  ///< first step of `cd` and `uvf`; other integrators have no start
+  std::string velocity_update = "flip";
+  std::string mass = "lumped";
+  std::string boundary = "dirichlet";
+  std::string wall_acceleration = "zero";
+  std::string deformation = "linear";
+  std::string body_force = "particles";
+  std::string fill = "lattice";
+
+  auto operator<=>(const Scheme&) const = default;
+};
+
+}  // namespace mpmvv

@@ -1,0 +1,32 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "studies/result.hpp"
+
+namespace mpmvv {
+
+/// How a limit is searched: a geometric scan of [from, to], both ends included, then bisection of one bracket.
+struct LimitSearch {
+  std::string key;  ///< what is varied: `cfl`, `smoothing_length`
+  double from = 0, to = 0;
+  double scan_ratio = 1.1;   ///< > 1; neighbouring scan values differ by this factor at most
+  double tolerance = 0.01;   ///< the search ends when |unstable - stable| <= tolerance * stable
+  bool stable_below = true;  ///< cfl: stable below the limit; smoothing_length: stable above it
+};
+
+/// Probes a batch of values; one verdict per value, in order. The search hands over the scan as one batch so that
+/// the caller can spread it over the cores.
+using ProbeBatch = std::function<std::vector<Probe>(const std::vector<double>&)>;
+
+/// Scans, then bisects between the first unstable value met from the stable end and its stable neighbour. Every probe
+/// is kept, in increasing value; a stable one beyond an unstable one makes the limit non-monotone.
+///
+/// Not found when nothing is unstable (`stable` is then the farthest value tried, `unstable` NaN) or when the stable
+/// end itself is unstable (`unstable` is that end, `stable` NaN). The verdict is yes or no, so this bisects by itself:
+/// Boost.Math's root finders want values and return NaN where they are infinite. Throws UsageError on a search that
+/// cannot be carried out.
+StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe);
+
+}  // namespace mpmvv

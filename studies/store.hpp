@@ -1,0 +1,63 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "studies/provenance.hpp"
+#include "studies/record.hpp"
+#include "studies/result.hpp"
+
+namespace mpmvv {
+
+/// The results store: one SQLite file. Two processes may write it at once. Every message is a UsageError with
+/// the file's name: not a store, another application's, a newer schema, read-only, disk full, absent.
+///
+/// A record's key is (canonical text of the case, digest). NaN is kept as NULL.
+class Store {
+ public:
+  enum class Mode { create_or_write, write, read };
+
+  Store(const std::filesystem::path& file, Mode mode);
+  ~Store();
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) noexcept;
+
+  /// The record of this case made by this digest, if it is there.
+  std::optional<Record> find(const Case& c, const std::string& digest) const;
+
+  /// Keeps one finished record at once (one transaction): a killed run loses no finished result. Keeping the same
+  /// key again (two processes) is no error; the first one stays.
+  void keep(const Record& r, const Provenance& p);
+
+  /// Replaces what the store holds of this study for this digest, in one transaction. Points that are runs
+  /// are linked by their case; `cases[s][k]` is the case of series s, point k (empty for checks).
+  void keep_study(const StudyResult& s, const std::vector<std::vector<Case>>& cases, const Provenance& p);
+
+  /// Studies of this digest by name, in name order. Empty when there is none.
+  std::vector<StudyResult> studies(const std::string& digest) const;
+
+  /// Provenance of the study's last keeping; nullopt when absent.
+  std::optional<Provenance> study_provenance(const std::string& study, const std::string& digest) const;
+
+  /// For `db info`: label and text per line (schema, studies, records by status, digests, size).
+  std::vector<std::pair<std::string, std::string>> info() const;
+
+  /// For `db check`: integrity_check and foreign_key_check; what is wrong, empty when sound.
+  std::vector<std::string> check() const;
+
+  /// Copies every record and study of another store that this one lacks; the number of records copied.
+  std::int64_t merge(const std::filesystem::path& other);
+
+  /// All records as CSV (17 digits, NaN empty), with digest and commit.
+  std::string export_csv() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mpmvv

@@ -1,0 +1,228 @@
+#include "goldens/gate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "studies/error.hpp"
+
+namespace mpmvv {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const Golden order_two{"s", "s.toml:1", OrderGolden{"a", "l2", 2, 1.85, 2.15}};
+const Golden error_at_64{"s", "s.toml:2", ErrorGolden{"a", "l2", 64, 1e-4, 0.1}};
+const Golden limit_of_a{"s", "s.toml:3", LimitGolden{"a", 0.8, 0.05}};
+const Golden small_value{"s", "s.toml:4", ValueGolden{.name = "gap", .upper = 1e-14}};
+const Golden stable_at_64{"s", "s.toml:5", StatusGolden{"a", 64, Status::ok}};
+
+StabilityLimit bracket(double stable, double unstable) {
+  StabilityLimit limit;
+  limit.stable = stable;
+  limit.unstable = unstable;
+  limit.found = true;
+  return limit;
+}
+
+/// A study that passes all goldens above.
+StudyResult healthy() {
+  Series a;
+  a.name = "a";
+  a.points = {{32, Status::ok, "", {{"l2", 4e-4}}}, {64, Status::ok, "", {{"l2", 1e-4}}}};
+  a.orders.resize(1);
+  a.orders[0].norm = "l2";
+  a.orders[0].from = 16;
+  a.orders[0].to = 64;
+  a.orders[0].points = 3;
+  a.orders[0].order = 2;
+  a.limit = bracket(0.798, 0.804);
+  StudyResult study;
+  study.name = "s";
+  study.series = {a};
+  study.values = {{"gap", 2e-16, ""}};
+  return study;
+}
+
+GateResult judge(const Golden& golden, const std::function<void(StudyResult&)>& change) {
+  StudyResult study = healthy();
+  change(study);
+  return run_gate({golden}, {study}).results.at(0);
+}
+
+GateResult judge_order(double order, int points = 5) {
+  return judge(order_two, [&](StudyResult& s) {
+    s.series[0].orders[0].order = order;
+    s.series[0].orders[0].points = points;
+  });
+}
+
+GateResult judge_error(double error) {
+  return judge(error_at_64, [&](StudyResult& s) { s.series[0].points[1].y["l2"] = error; });
+}
+
+GateResult judge_limit(const StabilityLimit& limit) {
+  return judge(limit_of_a, [&](StudyResult& s) { s.series[0].limit = limit; });
+}
+
+TEST(Gate, AHealthyStudyPassesEverything) {
+  const GateReport report = run_gate({order_two, error_at_64, limit_of_a, small_value, stable_at_64}, {healthy()});
+  for (const GateResult& result : report.results) {
+    EXPECT_EQ(result.verdict, Verdict::pass) << result.name << ": " << result.reason;
+    EXPECT_EQ(result.reason, "");
+  }
+  EXPECT_EQ(report.exit_code(), 0);
+  EXPECT_EQ(report.results[0].name, "order of 'a' in l2");
+  EXPECT_EQ(report.results[0].expected, "2 in [1.85, 2.15]");
+  EXPECT_EQ(report.results[0].measured, "2 (3 points)");
+}
+
+TEST(Gate, OrdersFailOnEitherSideOfTheBand) {
+  EXPECT_EQ(judge_order(1.85).verdict, Verdict::pass);
+  EXPECT_EQ(judge_order(1.84).verdict, Verdict::fail);
+  EXPECT_EQ(judge_order(2.16).verdict, Verdict::fail);
+  EXPECT_EQ(judge_order(40).verdict, Verdict::fail);
+  EXPECT_EQ(judge_order(-2).verdict, Verdict::fail);
+}
+
+TEST(Gate, OrdersWithoutEvidenceAreInconclusive) {
+  EXPECT_EQ(judge_order(not_measured).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge_order(2, 2).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge_order(9, 2).verdict, Verdict::inconclusive);
+}
+
+TEST(Gate, PointsLostFromTheWindowAreShown) {
+  const GateResult result = judge(order_two, [](StudyResult& s) { s.series[0].points[0].status = Status::unstable; });
+  EXPECT_EQ(result.measured, "2 (3 points, 1 unstable or failed)");
+}
+
+TEST(Gate, ErrorsFailWhenWorseAndWhenBetter) {
+  EXPECT_EQ(judge_error(1.09e-4).verdict, Verdict::pass);
+  EXPECT_EQ(judge_error(0.91e-4).verdict, Verdict::pass);
+  EXPECT_EQ(judge_error(1.11e-4).verdict, Verdict::fail);
+  EXPECT_EQ(judge_error(INFINITY).verdict, Verdict::fail);
+  const GateResult better = judge_error(0.89e-4);
+  EXPECT_EQ(better.verdict, Verdict::fail);
+  EXPECT_EQ(better.reason, "better than the golden: propose a new one");
+  EXPECT_EQ(judge_error(not_measured).verdict, Verdict::inconclusive);
+}
+
+TEST(Gate, AnUnstableOrFailedPointFailsAnErrorGolden) {
+  for (const Status status : {Status::unstable, Status::failed}) {
+    const GateResult result = judge(error_at_64, [&](StudyResult& s) {
+      s.series[0].points[1].status = status;
+      s.series[0].points[1].reason = "energy";
+    });
+    EXPECT_EQ(result.verdict, Verdict::fail);
+    EXPECT_THAT(result.measured, HasSubstr("energy"));
+    EXPECT_NE(result.reason, "");
+  }
+}
+
+TEST(Gate, SweptValuesMatchUpToRoundOff) {
+  EXPECT_EQ(judge(error_at_64, [](StudyResult& s) { s.series[0].points[1].x *= 1 + 1e-15; }).verdict, Verdict::pass);
+  EXPECT_EQ(judge(error_at_64, [](StudyResult& s) { s.series[0].points[1].x = 65; }).verdict, Verdict::inconclusive);
+}
+
+TEST(Gate, ALimitIsJudgedByItsBracket) {
+  EXPECT_EQ(judge_limit(bracket(0.753, 0.759)).verdict, Verdict::fail);
+  EXPECT_EQ(judge_limit(bracket(0.70, 0.707)).verdict, Verdict::fail);
+  EXPECT_EQ(judge_limit(bracket(0.85, 0.858)).verdict, Verdict::fail);
+  EXPECT_EQ(judge_limit(bracket(0.75, 0.765)).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge_limit(bracket(0.755, 0.77)).verdict, Verdict::pass);
+  EXPECT_EQ(judge_limit(bracket(0.707, 0.70)).verdict, Verdict::fail);
+  EXPECT_EQ(judge_limit(bracket(0.804, 0.798)).verdict, Verdict::pass);
+}
+
+TEST(Gate, ANonMonotoneLimitIsInconclusiveUnlessItsBracketIsOutside) {
+  StabilityLimit inside = bracket(0.798, 0.804);
+  inside.monotone = false;
+  EXPECT_EQ(judge_limit(inside).verdict, Verdict::inconclusive);
+  StabilityLimit outside = bracket(0.5, 0.505);
+  outside.monotone = false;
+  EXPECT_EQ(judge_limit(outside).verdict, Verdict::fail);
+}
+
+TEST(Gate, ALimitThatWasNotFoundFailsOnlyWhenTheScanCoversTheBand) {
+  StabilityLimit limit;
+  EXPECT_EQ(judge_limit(limit).verdict, Verdict::inconclusive);
+  limit.probes = {{0.1, true, ""}, {0.5, true, ""}};
+  EXPECT_EQ(judge_limit(limit).verdict, Verdict::inconclusive);
+  limit.probes = {{0.1, true, ""}, {1.5, true, ""}};
+  const GateResult result = judge_limit(limit);
+  EXPECT_EQ(result.verdict, Verdict::fail);
+  EXPECT_EQ(result.measured, "all stable from 0.1 to 1.5");
+  limit.probes[0].stable = false;
+  limit.monotone = false;
+  EXPECT_EQ(judge_limit(limit).verdict, Verdict::inconclusive);
+}
+
+TEST(Gate, ValuesAreHeldAgainstTheirBounds) {
+  const auto judge_value = [](const ValueGolden& golden, double value) {
+    return judge({"s", "", golden}, [&](StudyResult& s) { s.values[0].value = value; }).verdict;
+  };
+  const ValueGolden at_most{.name = "gap", .upper = 1}, at_least{.name = "gap", .lower = 1}, both{"gap", 1, 2};
+  EXPECT_EQ(judge_value(at_most, -7), Verdict::pass);
+  EXPECT_EQ(judge_value(at_most, 1.1), Verdict::fail);
+  EXPECT_EQ(judge_value(at_least, 7), Verdict::pass);
+  EXPECT_EQ(judge_value(at_least, 0.9), Verdict::fail);
+  EXPECT_EQ(judge_value(both, 1.5), Verdict::pass);
+  EXPECT_EQ(judge_value(both, 2.1), Verdict::fail);
+  EXPECT_EQ(judge_value(both, not_measured), Verdict::inconclusive);
+}
+
+TEST(Gate, AStatusMustBeTheExpectedOne) {
+  const auto judge_status = [](Status expected, Status measured) {
+    return judge({"s", "", StatusGolden{"a", 64, expected}},
+                 [&](StudyResult& s) { s.series[0].points[1].status = measured; })
+        .verdict;
+  };
+  EXPECT_EQ(judge_status(Status::unstable, Status::unstable), Verdict::pass);
+  EXPECT_EQ(judge_status(Status::unstable, Status::ok), Verdict::fail);
+  EXPECT_EQ(judge_status(Status::unstable, Status::failed), Verdict::fail);
+  EXPECT_EQ(judge_status(Status::ok, Status::unstable), Verdict::fail);
+}
+
+TEST(Gate, WhatTheStoreLacksIsInconclusiveAndNamed) {
+  const auto expect_missing = [](const GateResult& result, const std::string& what) {
+    EXPECT_EQ(result.verdict, Verdict::inconclusive);
+    EXPECT_THAT(result.reason, AllOf(testing::StartsWith("missing: "), HasSubstr(what)));
+  };
+  expect_missing(run_gate({order_two}, {}).results.at(0), "no study 's'");
+  expect_missing(judge(order_two, [](StudyResult& s) { s.series.clear(); }), "no series 'a'");
+  expect_missing(judge(order_two, [](StudyResult& s) { s.series[0].orders.clear(); }), "no order of 'a' in l2");
+  expect_missing(judge(error_at_64, [](StudyResult& s) { s.series[0].points.pop_back(); }), "no point of 'a' at 64");
+  expect_missing(judge(error_at_64, [](StudyResult& s) { s.series[0].points[1].y.clear(); }), "no l2 of 'a'");
+  expect_missing(judge(stable_at_64, [](StudyResult& s) { s.series[0].points.clear(); }), "no point of 'a' at 64");
+  expect_missing(judge(limit_of_a, [](StudyResult& s) { s.series[0].limit.reset(); }), "no limit of 'a'");
+  expect_missing(judge(small_value, [](StudyResult& s) { s.values.clear(); }), "no value 'gap'");
+}
+
+TEST(Gate, AFailureOutranksWhatIsInconclusive) {
+  StudyResult study = healthy();
+  study.values.clear();
+  EXPECT_EQ(run_gate({order_two, small_value}, {study}).exit_code(), 3);
+  study.series[0].orders[0].order = 1;
+  const GateReport report = run_gate({order_two, small_value}, {study});
+  EXPECT_EQ(report.exit_code(), 1);
+  EXPECT_EQ(report.count(Verdict::fail), 1);
+  EXPECT_EQ(report.count(Verdict::inconclusive), 1);
+}
+
+TEST(Gate, OnlyTheNamedStudiesAreJudged) {
+  const Golden other{"t", "t.toml:1", ValueGolden{.name = "x", .upper = 1}};
+  const GateReport report = run_gate({order_two, other}, {healthy()}, {"s"});
+  ASSERT_EQ(report.results.size(), 1U);
+  EXPECT_EQ(report.results[0].study, "s");
+  EXPECT_THROW(run_gate({order_two, other}, {healthy()}, {"s", "u"}), UsageError);
+}
+
+TEST(Gate, AGateThatChecksNothingIsAnError) {
+  EXPECT_THROW(run_gate({}, {healthy()}), UsageError);
+}
+
+}  // namespace
+}  // namespace mpmvv

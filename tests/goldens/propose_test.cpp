@@ -1,0 +1,150 @@
+#include "goldens/propose.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "goldens/gate.hpp"
+#include "studies/error.hpp"
+
+namespace mpmvv {
+namespace {
+
+using testing::HasSubstr;
+
+const Provenance clean{"d1", "abc", false, "GNU 12.2.0", "-O3", "Release", "cpu", "2026-11-21T00:00:00Z"};
+
+ObservedOrder fitted(const std::string& norm, int points, double order) {
+  ObservedOrder fit;
+  fit.norm = norm;
+  fit.from = 16;
+  fit.to = 64;
+  fit.points = points;
+  fit.order = order;
+  return fit;
+}
+
+StabilityLimit bracket(double stable, double unstable) {
+  StabilityLimit limit;
+  limit.key = "cfl";
+  limit.stable = stable;
+  limit.unstable = unstable;
+  limit.found = true;
+  return limit;
+}
+
+StudyResult study_with(const Series& series, const std::string& sweep = "cells") {
+  StudyResult study;
+  study.name = "s-fig10";
+  study.sweep = sweep;
+  study.series = {series};
+  return study;
+}
+
+Series convergent() {
+  Series series;
+  series.name = "quadratic \"open\", \\ tab\t";
+  series.points = {{16, Status::ok, "", {{"l2", 1.6e-3}}},
+                   {32, Status::ok, "", {{"l2", 4.0001e-4}}},
+                   {64, Status::ok, "", {{"l2", 1.00049e-4}}},
+                   {128, Status::unstable, "energy", {{"l2", 7}}},
+                   {256, Status::ok, "", {{"l2", not_measured}}}};
+  series.orders = {fitted("l2", 3, 1.99951)};
+  return series;
+}
+
+std::vector<Golden> proposed(const StudyResult& study) {
+  return parse_goldens(propose_goldens(study, clean), "new.toml");
+}
+
+TEST(Propose, OrdersAndErrorsRoundTripWithTheBandsOfTheHouse) {
+  const auto goldens = proposed(study_with(convergent()));
+  ASSERT_EQ(goldens.size(), 2U);
+  EXPECT_EQ(goldens[0].study, "s-fig10");
+  const auto& order = std::get<OrderGolden>(goldens[0].expectation);
+  EXPECT_EQ(order.series, convergent().name);
+  EXPECT_EQ(order.expected, 2);
+  EXPECT_EQ(order.lower, 1.85);
+  EXPECT_EQ(order.upper, 2.15);
+  const auto& error = std::get<ErrorGolden>(goldens[1].expectation);
+  EXPECT_EQ(error.at, 64) << "the finest level that is stable and measured";
+  EXPECT_EQ(error.norm, "l2");
+  EXPECT_NEAR(error.expected, 1.00049e-4, 1e-7);
+  EXPECT_EQ(error.band, 0.1);
+}
+
+TEST(Propose, TheFinestLevelOfATimeStepSweepIsItsSmallest) {
+  const auto goldens = proposed(study_with(convergent(), "cfl"));
+  EXPECT_EQ(std::get<ErrorGolden>(goldens[1].expectation).at, 16);
+}
+
+TEST(Propose, LimitsAndCheckValuesRoundTrip) {
+  Series series;
+  series.name = "l = h";
+  series.limit = bracket(1.19, 1.2);
+  StudyResult study = study_with(series);
+  study.values = {{"slope", -1.5, ""}, {"gap", 3e-16, "largest gap"}, {"zero", 0, ""}, {"below", -2e-12, ""}};
+  const auto goldens = proposed(study);
+  ASSERT_EQ(goldens.size(), 5U);
+  EXPECT_EQ(std::get<LimitGolden>(goldens[0].expectation).expected, 1.195);
+  EXPECT_EQ(std::get<LimitGolden>(goldens[0].expectation).band, 0.05);
+  EXPECT_DOUBLE_EQ(std::get<ValueGolden>(goldens[1].expectation).lower, -1.65);
+  EXPECT_EQ(std::get<ValueGolden>(goldens[2].expectation).upper, 1e-14);
+  EXPECT_EQ(std::get<ValueGolden>(goldens[3].expectation).upper, 1e-15);
+  EXPECT_EQ(std::get<ValueGolden>(goldens[4].expectation).lower, -1e-10);
+}
+
+TEST(Propose, WhatWasMeasuredPassesItsOwnProposal) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> exponent(-17, 3), order(-1, 4);
+  for (int trial = 0; trial < 300; ++trial) {
+    Series series = convergent();
+    series.orders[0].order = order(generator);
+    series.points[2].y["l2"] = std::pow(10, exponent(generator));
+    const double limit = std::pow(10, exponent(generator));
+    series.limit = bracket(limit, 1.01 * limit);
+    StudyResult study = study_with(series);
+    study.values = {{"a", std::pow(10, exponent(generator)), ""}, {"b", -std::pow(10, exponent(generator)), ""}};
+    const GateReport report = run_gate(proposed(study), {study});
+    EXPECT_EQ(report.results.size(), 5U);
+    EXPECT_EQ(report.exit_code(), 0) << propose_goldens(study, clean);
+  }
+}
+
+TEST(Propose, WhatCannotBeProposedIsARemark) {
+  Series series = convergent();
+  series.orders.push_back(fitted("linf", 2, 2));
+  series.limit = bracket(1, 1.01);
+  series.limit->monotone = false;
+  StudyResult study = study_with(series);
+  study.values = {{"gap", not_measured, ""}};
+  EXPECT_EQ(proposed(study).size(), 2U);
+  const std::string text = propose_goldens(study, clean);
+  EXPECT_THAT(text, HasSubstr("in linf: 2 usable points"));
+  EXPECT_THAT(text, HasSubstr("# No error of"));
+  EXPECT_THAT(text, HasSubstr("stability is not monotone"));
+  EXPECT_THAT(text, HasSubstr("# No value \"gap\""));
+}
+
+TEST(Propose, TextOfPeopleCannotBreakTheFile) {
+  StudyResult study = study_with(convergent());
+  study.values = {{"gap\n[[order]]", 1, "two\nlines"}};
+  const auto goldens = proposed(study);
+  ASSERT_EQ(goldens.size(), 3U);
+  EXPECT_EQ(std::get<ValueGolden>(goldens[2].expectation).name, "gap\n[[order]]");
+}
+
+TEST(Propose, ADirtyTreeIsRefused) {
+  Provenance dirty = clean;
+  dirty.dirty = true;
+  EXPECT_THROW(propose_goldens(study_with(convergent()), dirty), UsageError);
+}
+
+TEST(Propose, NothingToProposeIsAnError) {
+  EXPECT_THROW(propose_goldens(study_with({}), clean), UsageError);
+}
+
+}  // namespace
+}  // namespace mpmvv
