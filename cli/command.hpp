@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "studies/settings.hpp"
+
 namespace mpmvv {
 
 /// Each command adds itself to the program: its options, and a callback that does the work and sets `exit_code`.
@@ -15,6 +17,9 @@ void add_report(CLI::App& app, int& exit_code);
 void add_claims(CLI::App& app, int& exit_code);
 void add_list(CLI::App& app, int& exit_code);
 void add_db(CLI::App& app, int& exit_code);
+
+/// `--param k=v` as a setting; UsageError when it has not that form.
+Setting parameter_setting(const std::string& text);
 
 /// One JSON object, indented, to standard output. NaN and infinity become null.
 void print_json(const nlohmann::json& object);

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <thread>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
 
 #include "cli/command.hpp"
-#include "studies/boundaries.hpp"
 #include "studies/error.hpp"
 #include "studies/run_case.hpp"
 #include "studies/settings.hpp"
@@ -73,14 +73,6 @@ void print_record(const Record& r) {
   fmt::print("{:.3g} s, {:.2f} ns per particle and step\n", r.wall_seconds, r.ns_per_particle_step);
 }
 
-/// `--param k=v` as a setting.
-Setting parameter_setting(const std::string& text) {
-  const auto equals = text.find('=');
-  if (equals == std::string::npos || equals == 0)
-    throw UsageError(fmt::format("--param {} (name=value, as in --param amplitude=0.02)", text));
-  return {"param." + text.substr(0, equals), text.substr(equals + 1), "--param"};
-}
-
 struct RunOptions {
   std::map<std::string, std::string> given;  ///< by setting key
   std::vector<std::string> parameters;
@@ -107,6 +99,13 @@ int run(const RunOptions& options) {
 }
 
 }  // namespace
+
+Setting parameter_setting(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw UsageError(fmt::format("--param {} (name=value, as in --param amplitude=0.02)", text));
+  return {"param." + text.substr(0, equals), text.substr(equals + 1), "--param"};
+}
 
 void add_run(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<RunOptions>();

@@ -16,7 +16,8 @@ namespace mpmvv {
 /// The results store: one SQLite file. Two processes may write it at once. Every message is a UsageError with
 /// the file's name: not a store, another application's, a newer schema, read-only, disk full, absent.
 ///
-/// A record's key is (canonical text of the case, digest). NaN is kept as NULL.
+/// A record's key is (canonical text of the case, digest). NaN and infinity are kept as NULL and come back as NaN.
+/// One store object serves one thread at a time.
 class Store {
  public:
   enum class Mode { create_or_write, write, read };
@@ -34,7 +35,8 @@ class Store {
   void keep(const Record& r, const Provenance& p);
 
   /// Replaces what the store holds of this study for this digest, in one transaction. Points that are runs
-  /// are linked by their case; `cases[s][k]` is the case of series s, point k (empty for checks).
+  /// are linked by their case; `cases[s][k]` is the case of series s, point k (empty for checks). Their records must
+  /// have been kept; the points come back with all that was measured in the run, and with what they have beyond it.
   void keep_study(const StudyResult& s, const std::vector<std::vector<Case>>& cases, const Provenance& p);
 
   /// Studies of this digest by name, in name order. Empty when there is none.

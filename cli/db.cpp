@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "studies/error.hpp"
+#include "studies/store.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+struct DbOptions {
+  std::string db, other, out;
+  bool json = false;
+};
+
+int info(const DbOptions& options) {
+  const auto lines = Store(options.db, Store::Mode::read).info();
+  nlohmann::json json;
+  for (const auto& [label, text] : lines) {
+    json[label] = text;
+    if (!options.json) fmt::print("{:<24} {}\n", label, text);
+  }
+  if (options.json) print_json(json);
+  return 0;
+}
+
+int check(const DbOptions& options) {
+  const auto complaints = Store(options.db, Store::Mode::read).check();
+  for (const std::string& complaint : complaints) fmt::print("{}\n", complaint);
+  if (complaints.empty()) fmt::print("{} is sound\n", options.db);
+  return complaints.empty() ? 0 : 1;
+}
+
+int merge(const DbOptions& options) {
+  Store store(options.db, Store::Mode::create_or_write);
+  fmt::print("{} records copied from {} to {}\n", store.merge(options.other), options.other, options.db);
+  return 0;
+}
+
+int export_records(const DbOptions& options) {
+  const std::string csv = Store(options.db, Store::Mode::read).export_csv();
+  if (options.out.empty()) {
+    fmt::print("{}", csv);
+    return 0;
+  }
+  std::ofstream out(options.out);
+  out << csv << std::flush;
+  if (!out) throw UsageError(fmt::format("cannot write {} (a file in an existing directory that may be written)", options.out));
+  return 0;
+}
+
+}  // namespace
+
+void add_db(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<DbOptions>();
+  CLI::App* db = app.add_subcommand("db", "Upkeep of a results store");
+  db->require_subcommand(1);
+  const auto add = [&](const char* name, const char* meaning, int (*work)(const DbOptions&)) {
+    CLI::App* command = db->add_subcommand(name, meaning);
+    command->add_option("--db", options->db, "results store")->required();
+    command->callback([options, work, &exit_code] { exit_code = work(*options); });
+    return command;
+  };
+  add("info", "Print what the store holds", &info)->add_flag("--json", options->json, "print one JSON object");
+  add("check", "Check the store's integrity", &check);
+  add("merge", "Copy what another store has and this one lacks", &merge)->add_option("other", options->other, "the other store")->required();
+  add("export", "Write all records as CSV", &export_records)->add_option("--out", options->out, "file (default: standard output)");
+}
+
+}  // namespace mpmvv

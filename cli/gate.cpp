@@ -1,0 +1,107 @@
+#include "goldens/gate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/results.hpp"
+#include "goldens/junit.hpp"
+#include "goldens/propose.hpp"
+#include "studies/error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+struct GateOptions {
+  std::string db, goldens = "goldens", junit;
+  std::vector<std::string> only;
+  bool json = false;
+};
+
+void write_file(const std::string& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text << std::flush;
+  if (!out) throw UsageError(fmt::format("cannot write {} (a file in an existing directory that may be written)", file));
+}
+
+nlohmann::json gate_json(const GateReport& report) {
+  nlohmann::json results = nlohmann::json::array();
+  for (const GateResult& r : report.results)
+    results.push_back({{"study", r.study}, {"name", r.name}, {"verdict", to_string(r.verdict)}, {"expected", r.expected},
+                       {"measured", r.measured}, {"reason", r.reason}});
+  return {{"pass", report.count(Verdict::pass)},
+          {"fail", report.count(Verdict::fail)},
+          {"inconclusive", report.count(Verdict::inconclusive)},
+          {"results", results}};
+}
+
+/// Failures first, then what is inconclusive, then the rest in the order of the goldens.
+void print_gate(const GateReport& report) {
+  for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
+    for (const GateResult& r : report.results) {
+      if (r.verdict != verdict) continue;
+      fmt::print("{:<12} {:<10} {}: expected {}, measured {}{}\n", to_string(r.verdict), r.study, r.name, r.expected,
+                 r.measured, r.reason.empty() ? "" : " (" + r.reason + ")");
+    }
+  fmt::print("gate: {} pass, {} fail, {} inconclusive\n", report.count(Verdict::pass), report.count(Verdict::fail),
+             report.count(Verdict::inconclusive));
+}
+
+int gate(const GateOptions& options) {
+  const auto goldens = read_goldens(options.goldens);
+  const GateReport report = run_gate(goldens, own_results(options.db), options.only);
+  if (!options.junit.empty()) write_file(options.junit, junit_xml(report));
+  if (options.json)
+    print_json(gate_json(report));
+  else
+    print_gate(report);
+  return report.exit_code();
+}
+
+struct ProposeOptions {
+  std::string db, study, out;
+};
+
+int propose(const ProposeOptions& options) {
+  const auto results = own_results(options.db);
+  const auto study = std::find_if(results.begin(), results.end(), [&](const auto& s) { return s.name == options.study; });
+  if (study == results.end())
+    throw UsageError(fmt::format("no results of study '{}' in {} (run `mpmvv study` on it first)", options.study, options.db));
+  const auto provenance = Store(options.db, Store::Mode::read).study_provenance(study->name, current_provenance().digest);
+  const std::string text = propose_goldens(*study, *provenance);
+  if (options.out.empty()) {
+    fmt::print("{}", text);
+    return 0;
+  }
+  if (std::ifstream(options.out)) throw UsageError(fmt::format("{} exists (name a new file, review, then move it)", options.out));
+  write_file(options.out, text);
+  return 0;
+}
+
+}  // namespace
+
+void add_gate(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<GateOptions>();
+  CLI::App* command = app.add_subcommand("gate", "Hold the store's results against the goldens");
+  command->add_option("--db", options->db, "results store")->required();
+  command->add_option("--goldens", options->goldens, "directory of goldens (default: goldens)");
+  command->add_option("--only", options->only, "judge only this study's goldens (repeatable)");
+  command->add_option("--junit", options->junit, "write JUnit XML to this file, too");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options, &exit_code] { exit_code = gate(*options); });
+}
+
+void add_propose(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ProposeOptions>();
+  CLI::App* command = app.add_subcommand("propose", "Write goldens for review from the store's results of a clean tree");
+  command->add_option("--db", options->db, "results store")->required();
+  command->add_option("--study", options->study, "name of the study")->required();
+  command->add_option("--out", options->out, "a file that does not exist yet (default: standard output)");
+  command->callback([options, &exit_code] { exit_code = propose(*options); });
+}
+
+}  // namespace mpmvv

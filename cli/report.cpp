@@ -1,0 +1,53 @@
+#include "reports/report.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/results.hpp"
+#include "goldens/gate.hpp"
+#include "studies/claim.hpp"
+#include "studies/error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+struct ReportOptions {
+  std::string db, out, goldens = "goldens";
+};
+
+int report(const ReportOptions& options) {
+  ReportInput input;
+  input.provenance = current_provenance();
+  input.studies = own_results(options.db);
+  if (input.studies.empty())
+    throw UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
+  if (std::filesystem::is_directory(options.goldens))
+    for (const GateResult& r : run_gate(read_goldens(options.goldens), input.studies).results)
+      input.gate.push_back({r.study + ": " + r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
+  for (const Claim& claim : judge_claims(input.studies))
+    input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
+  const bool terminal = isatty(STDERR_FILENO);
+  const ReportSummary summary = write_report(input, options.out, [terminal](const std::string& what) {
+    if (terminal) fmt::print(stderr, "{}\n", what);
+  });
+  fmt::print("{}/index.html: {} figures ({} drawn), {} tables ({} written)\n", options.out, summary.figures,
+             summary.figures_drawn, summary.tables, summary.tables_written);
+  return 0;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand("report", "Write the HTML report, its figures and tables");
+  command->add_option("--db", options->db, "results store")->required();
+  command->add_option("--out", options->out, "directory of the report")->required();
+  command->add_option("--goldens", options->goldens, "directory of goldens, judged in the report (default: goldens)");
+  command->callback([options, &exit_code] { exit_code = report(*options); });
+}
+
+}  // namespace mpmvv

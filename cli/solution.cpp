@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "cli/command.hpp"
+#include "studies/error.hpp"
+#include "studies/problem.hpp"
+#include "studies/settings.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+struct SolutionOptions {
+  std::string problem, at, time;
+  std::vector<std::string> parameters;
+  bool json = false;
+};
+
+std::vector<double> coordinates(const std::string& text, int dimension) {
+  std::vector<double> X;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) X.push_back(parse_number({"coordinate", part, "--at"}));
+  if (static_cast<int>(X.size()) != dimension)
+    throw UsageError(fmt::format("--at {} has {} coordinates (the problem has {})", text, X.size(), dimension));
+  return X;
+}
+
+Parameters parameters_of(const Problem& problem, const std::vector<std::string>& texts) {
+  std::vector<Setting> settings{{"problem", problem.name, "--problem"}, {"cells", "4", ""}, {"ppc", "2", ""}, {"cfl", "0.1", ""}};
+  for (const std::string& text : texts) settings.push_back(parameter_setting(text));
+  if (problem.name == "one-particle") settings[1].value = settings[2].value = "1";
+  return make_case(settings).problem.parameters;
+}
+
+template <int D>
+nlohmann::json evaluate(const Problem& problem, const Parameters& parameters, const std::vector<double>& at, double t) {
+  const Setup<D> setup = std::get<SetupFunction<D>>(problem.setup)(parameters);
+  if (!setup.solution) throw UsageError(fmt::format("problem '{}' has no exact solution", problem.name));
+  const auto& solution = *setup.solution;
+  const mms::Vec<D> X = Eigen::Map<const mms::Vec<D>>(at.data());
+  if (((X - setup.lower).array() < 0).any() || ((X - setup.lower).array() > problem.length).any())
+    throw UsageError(fmt::format("--at {} is outside the body (each coordinate within {} of its lower corner)",
+                                 fmt::join(at, ","), problem.length));
+  const auto vector = [](const mms::Vec<D>& v) { return std::vector<double>(v.data(), v.data() + D); };
+  const auto rows = [](const mms::Mat<D>& m) {
+    std::vector<std::vector<double>> all(D);
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) all[static_cast<std::size_t>(i)].push_back(m(i, j));
+    return all;
+  };
+  return {{"problem", problem.name}, {"parameters", parameters},
+          {"at", at},                {"time", t},
+          {"u", vector(solution.u(X, t))}, {"v", vector(solution.v(X, t))},
+          {"a", vector(solution.a(X, t))}, {"b", vector(solution.b(X, t))},
+          {"F", rows(solution.F(X, t))},   {"P", rows(solution.P(X, t))}};
+}
+
+int solution(const SolutionOptions& options) {
+  const Problem& problem = find_problem(options.problem, "--problem");
+  const Parameters parameters = parameters_of(problem, options.parameters);
+  const auto at = coordinates(options.at, problem.dimension());
+  const double t = parse_number({"time", options.time, "--time"});
+  const nlohmann::json json = problem.dimension() == 1   ? evaluate<1>(problem, parameters, at, t)
+                              : problem.dimension() == 2 ? evaluate<2>(problem, parameters, at, t)
+                                                         : evaluate<3>(problem, parameters, at, t);
+  if (options.json) {
+    print_json(json);
+    return 0;
+  }
+  for (const char* name : {"u", "v", "a", "b", "F", "P"}) fmt::print("{} = {}\n", name, json[name].dump());
+  return 0;
+}
+
+}  // namespace
+
+void add_solution(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<SolutionOptions>();
+  CLI::App* command = app.add_subcommand("solution", "Print u, v, a, F, P and b of a solution at a reference point");
+  command->add_option("--problem", options->problem, "which solution")->required();
+  command->add_option("--at", options->at, "reference point X[,Y[,Z]] in m")->required();
+  command->add_option("--time", options->time, "in s")->required();
+  command->add_option("--param", options->parameters, "physical value of the problem, name=value (repeatable)");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options, &exit_code] { exit_code = solution(*options); });
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <thread>
+
+#include "cli/command.hpp"
+#include "studies/error.hpp"
+#include "studies/study_runner.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+struct StudyOptions {
+  std::vector<std::string> files;
+  std::string db;
+  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+};
+
+/// A line that rewrites itself on a terminal; nothing elsewhere.
+std::function<void(const Progress&)> progress_line() {
+  if (!isatty(STDERR_FILENO)) return {};
+  return [](const Progress& p) {
+    fmt::print(stderr, "\r\033[K[{}/{}] {}", p.done, p.total, p.label);
+    if (p.done == p.total) fmt::print(stderr, "\r\033[K");
+    std::fflush(stderr);
+  };
+}
+
+std::string number_or_status(const Point& point, const std::string& quantity) {
+  if (point.status != Status::ok) return to_string(point.status);
+  const auto y = point.y.find(quantity);
+  return y == point.y.end() ? "-" : fmt::format("{:.4e}", y->second);
+}
+
+/// Quantities to print: those that are fitted or drawn.
+std::vector<std::string> quantities_of(const StudyResult& study) {
+  std::vector<std::string> quantities;
+  const auto add = [&quantities](const std::string& q) {
+    if (std::find(quantities.begin(), quantities.end(), q) == quantities.end()) quantities.push_back(q);
+  };
+  for (const Figure& figure : study.figures) add(figure.quantity);
+  for (const Series& series : study.series)
+    for (const ObservedOrder& order : series.orders) add(order.norm);
+  return quantities;
+}
+
+/// The errors of all series by swept value; curves of a check are left to the report.
+void print_errors(const StudyResult& study, const std::string& quantity) {
+  constexpr std::size_t longest_table = 40;
+  if (study.series.empty() || study.series[0].points.empty() || study.series[0].points.size() > longest_table) return;
+  fmt::print("  {} by {}\n", quantity, study.sweep);
+  for (const Series& series : study.series) {
+    fmt::print("    {}\n", series.name);
+    for (const Point& point : series.points) fmt::print("      {:>10.6g}  {}\n", point.x, number_or_status(point, quantity));
+  }
+}
+
+void print_order(const Series& series, const ObservedOrder& order) {
+  const std::string interval = std::isnan(order.half_width) ? "" : fmt::format(" ± {:.2f}", order.half_width);
+  fmt::print("  order {:.2f}{} of '{}' in {} over [{:g}, {:g}], {}\n", order.order, interval, series.name, order.norm,
+             order.from, order.to, order.asymptotic ? "asymptotic" : "not asymptotic");
+  if (order.floor)
+    fmt::print("    floor {} ({})\n", order.floor->accepted ? fmt::format("{:.3e}", order.floor->floor) : "none",
+               order.floor->reason);
+}
+
+void print_limit(const Series& series) {
+  if (!series.limit) return;
+  const StabilityLimit& limit = *series.limit;
+  if (!limit.found)
+    fmt::print("  no {} limit of '{}' in the range searched\n", limit.key, series.name);
+  else
+    fmt::print("  {} limit of '{}' between {:.4g} (stable) and {:.4g} (unstable), {} probes{}\n", limit.key, series.name,
+               limit.stable, limit.unstable, limit.probes.size(), limit.monotone ? "" : ", NOT MONOTONE");
+}
+
+void print_study(const StudyResult& study) {
+  fmt::print("{}: {}\n", study.name, study.title);
+  for (const std::string& quantity : quantities_of(study)) print_errors(study, quantity);
+  for (const Series& series : study.series) {
+    for (const ObservedOrder& order : series.orders) print_order(series, order);
+    print_limit(series);
+  }
+  for (const Value& value : study.values) fmt::print("  {} = {:.6g}  {}\n", value.name, value.value, value.meaning);
+  for (const ClaimPart& part : study.parts)
+    fmt::print("  {} {}: {}\n    {}\n", part.claim, to_string(part.verdict), part.statement, part.evidence);
+}
+
+int study(const StudyOptions& options) {
+  std::vector<StudyPlan> plans;
+  for (const std::string& file : options.files) {
+    plans.push_back(read_study(file));
+    for (std::size_t k = 0; k + 1 < plans.size(); ++k)
+      if (plans[k].name == plans.back().name)
+        throw UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
+  }
+  Store store(options.db, Store::Mode::create_or_write);
+  RunnerCounts counts;
+  const auto outcomes = run_studies(plans, store, {options.jobs, progress_line()}, counts);
+  std::size_t failed = 0;
+  for (const StudyOutcome& outcome : outcomes) {
+    print_study(outcome.result);
+    failed += outcome.failed;
+  }
+  fmt::print("{} cases run, {} taken from {}, {} failed\n", counts.ran, counts.reused, options.db, failed);
+  return failed == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand("study", "Run what study files describe and the store does not hold yet");
+  command->add_option("files", options->files, "study files (TOML)")->required();
+  command->add_option("--db", options->db, "results store (SQLite)")->required();
+  command->add_option("--jobs", options->jobs, "cases at once (default: all cores)")->check(CLI::Range(1, 1024));
+  command->callback([options, &exit_code] { exit_code = study(*options); });
+}
+
+}  // namespace mpmvv

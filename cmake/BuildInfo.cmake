@@ -1,0 +1,62 @@
+# Run by `cmake -P` with SOURCE_DIR, BINARY_DIR, HEADER, COMPILER, BUILD_TYPE and FLAGS: writes HEADER.
+
+# Flags that decide the code: no warnings, no folder names.
+string(REPLACE "${BINARY_DIR}" "<build>" FLAGS "${FLAGS}")
+string(REPLACE "${SOURCE_DIR}" "<source>" FLAGS "${FLAGS}")
+string(REGEX REPLACE "(^| )-W[^ ]*" "" FLAGS "${FLAGS}")
+string(REGEX REPLACE " +" " " FLAGS "${FLAGS}")
+string(STRIP "${FLAGS}" FLAGS)
+
+# The sources that decide a result: solutions, solver, problems, checks, and what carries a case out and measures it.
+set(patterns studies/norms*.hpp studies/run/run_case*.?pp studies/run/scene*.?pp studies/run/boundaries*.?pp)
+foreach(folder mms solver studies/problems studies/checks)
+  list(APPEND patterns ${folder}/*.hpp ${folder}/*.cpp)
+endforeach()
+list(TRANSFORM patterns PREPEND "${SOURCE_DIR}/")
+file(GLOB_RECURSE sources RELATIVE "${SOURCE_DIR}" ${patterns})
+list(SORT sources)
+
+set(summary "compiler ${COMPILER}\nbuild type ${BUILD_TYPE}\nflags ${FLAGS}\n")
+foreach(source IN LISTS sources)
+  file(SHA256 "${SOURCE_DIR}/${source}" hash)
+  string(APPEND summary "${hash} ${source}\n")
+endforeach()
+string(SHA256 DIGEST "${summary}")
+
+# Asks git about SOURCE_DIR; `succeeded` is false outside a checkout, without a commit and without git.
+function(git succeeded output)
+  execute_process(COMMAND git --no-optional-locks ${ARGN} WORKING_DIRECTORY "${SOURCE_DIR}"
+    RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+  string(COMPARE EQUAL "${code}" "0" success)
+  set(${succeeded} ${success} PARENT_SCOPE)
+  set(${output} "${text}" PARENT_SCOPE)
+endfunction()
+
+set(COMMIT unknown)
+set(DIRTY false)
+git(in_checkout prefix rev-parse --show-prefix)
+if(in_checkout AND prefix STREQUAL "")  # a copy of the tree inside another project's checkout has no commit of its own
+  git(has_commit commit rev-parse --verify --quiet HEAD)
+  if(has_commit)
+    set(COMMIT ${commit})
+  endif()
+  git(known changes status --porcelain)
+  if(changes)
+    set(DIRTY true)
+  endif()
+endif()
+
+file(CONFIGURE OUTPUT "${HEADER}" @ONLY CONTENT [[
+#pragma once
+
+namespace mpmvv::build_info {
+
+inline constexpr char digest[] = "@DIGEST@";
+inline constexpr char commit[] = "@COMMIT@";
+inline constexpr bool dirty = @DIRTY@;
+inline constexpr char compiler[] = "@COMPILER@";
+inline constexpr char flags[] = R"flags(@FLAGS@)flags";
+inline constexpr char build_type[] = "@BUILD_TYPE@";
+
+}  // namespace mpmvv::build_info
+]])

@@ -1,0 +1,40 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "studies/result.hpp"
+
+namespace mpmvv {
+
+/// What a check measured: named numbers, and curves (series of points with the quantity `y`).
+struct CheckResult {
+  std::vector<Value> values;
+  std::vector<Series> series;
+
+  void add(const std::string& name, double value, const std::string& meaning) { values.push_back({name, value, meaning}); }
+  void add_curve(const std::string& name, const std::vector<double>& x, const std::vector<double>& y);
+};
+
+/// A claim that is a property rather than convergence: one function, one file in studies/checks/, one line here.
+struct Check {
+  std::string name;
+  std::string abscissa;  ///< what the curves' x is; "h" where it is a step size
+  CheckResult (*run)();
+};
+
+const std::vector<Check>& checks();
+
+/// UsageError with the known names otherwise.
+const Check& find_check(const std::string& name, const std::string& where);
+
+CheckResult check_bases();
+CheckResult check_open_bases();
+CheckResult check_gimp_kinks();
+CheckResult check_jump_errors();
+CheckResult check_force_quadrature();
+CheckResult check_density_extent();
+CheckResult check_ghost_mass();
+CheckResult check_one_particle();
+CheckResult check_derived_solutions();
+
+}  // namespace mpmvv

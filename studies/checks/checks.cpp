@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "studies/check.hpp"
+#include "studies/error.hpp"
+
+namespace mpmvv {
+
+const std::vector<Check>& checks() {
+  static const std::vector<Check> all{
+      {"bases", "x", &check_bases},
+      {"open-bases", "x", &check_open_bases},
+      {"gimp-kinks", "x", &check_gimp_kinks},
+      {"jump-errors", "x", &check_jump_errors},
+      {"force-quadrature", "h", &check_force_quadrature},
+      {"density-extent", "x", &check_density_extent},
+      {"ghost-mass", "step", &check_ghost_mass},
+      {"one-particle", "step", &check_one_particle},
+      {"derived-solutions", "x", &check_derived_solutions},
+  };
+  return all;
+}
+
+const Check& find_check(const std::string& name, const std::string& where) {
+  std::vector<std::string> known;
+  for (const Check& check : checks()) {
+    if (check.name == name) return check;
+    known.push_back(check.name);
+  }
+  throw UsageError(fmt::format("unknown check '{}' in {} (known: {})", name, where, fmt::join(known, ", ")));
+}
+
+void CheckResult::add_curve(const std::string& name, const std::vector<double>& x, const std::vector<double>& y) {
+  Series curve{name, {}, {}, {}};
+  for (std::size_t k = 0; k < x.size(); ++k) curve.points.push_back({x[k], Status::ok, "", {{"y", y[k]}}});
+  series.push_back(curve);
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include "solver/words.hpp"
+#include "studies/check.hpp"
+#include "studies/checks/basis_function.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+constexpr int tilings = 400;
+
+/// Σ_p ∇N(x_p) V_p over one random tiling of the node's support by particles of mean width dx (widths drawn
+/// from dx/2 to 3dx/2, a random start): the internal force of a constant unit stress, S (42), exactly 0. h = 1.
+double force(const BasisFunction<solver::UGimp>& gimp, double l, double dx, Random& random) {
+  const double end = 1 + l / 2 + 2 * dx;
+  double sum = 0;
+  for (double left = -end - random.uniform(0, dx); left < end;) {
+    const double width = dx * random.uniform(0.5, 1.5);
+    sum += gimp.gradient(left + width / 2) * width;
+    left += width;
+  }
+  return sum;
+}
+
+}  // namespace
+
+/// S-fig6: root mean square of that force over random tilings against dx, for two smoothing lengths.
+CheckResult check_force_quadrature() {
+  CheckResult result;
+  for (const auto& [l, name] : {std::pair{0.1, "l = h/10"}, std::pair{0.002, "l = h/500"}}) {
+    const BasisFunction<solver::UGimp> gimp(solver::UGimp{l});
+    Random random(20086);
+    std::vector<double> widths, errors;
+    for (double dx = l / 16; dx < 0.8; dx *= std::sqrt(2.0)) {
+      double sum = 0;
+      for (int k = 0; k < tilings; ++k) {
+        const double f = force(gimp, l, dx, random);
+        sum += f * f;
+      }
+      widths.push_back(dx);
+      errors.push_back(std::sqrt(sum / tilings));
+    }
+    result.add_curve(name, widths, errors);
+  }
+  return result;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <cmath>
+
+#include "studies/check.hpp"
+#include "studies/run/scene.hpp"
+#include "studies/settings.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+/// W §3 in one cell of width h: position, velocity, deformation gradient.
+struct OneParticle {
+  double x, v, F;
+};
+
+struct Constants {
+  double E, h, V0, m, sign;  ///< sign -1 as W (14) has it, +1 as W (27) is printed
+};
+
+/// W (34) to (36)
+OneParticle usf_step(const OneParticle& s, const Constants& c, double dt) {
+  const double F = (1 + s.v / c.h * dt) * s.F;
+  const double kick = c.sign * c.E / (2 * c.h) * (F * F - 1) * (c.V0 / c.m) * dt;
+  return {s.x + s.v * (s.x / c.h) * dt + kick * dt, s.v + kick, F};
+}
+
+/// W (37) to (39)
+OneParticle usl_step(const OneParticle& s, const Constants& c, double dt) {
+  const double force = c.sign * c.E / 2 * (s.F * s.F - 1) * c.V0;
+  const double kick = force / (c.h * c.m) * dt;
+  return {s.x + s.v * (s.x / c.h) * dt + kick * dt, s.v + kick, (1 + (s.v / c.h + force / (c.m * s.x * c.h) * dt) * dt) * s.F};
+}
+
+struct Comparison {
+  double difference = 0, largest_stretch = 0, printed_stretch = 0;
+  std::vector<double> steps, solver_F, recursion_F, printed_F;
+};
+
+/// The solver beside the recursion over two periods of the linear oscillator's order.
+Comparison compare(const std::string& integrator, OneParticle (*advance)(const OneParticle&, const Constants&, double)) {
+  const std::vector<Setting> settings{{"problem", "one-particle", ""}, {"basis", "linear", ""}, {"integrator", integrator, ""},
+                                      {"cells", "1", ""}, {"ppc", "1", ""}, {"cfl", "0.02", ""}};
+  const Case c = make_case(settings);
+  auto stage = make_stage<1>(c, find_problem("one-particle", ""), 1);
+  const auto& start = stage.scene.particles;
+  const Constants constants{c.problem.parameters.at("youngs_modulus"), stage.scene.h, start.V0[0], start.m[0], -1};
+  Constants printed = constants;
+  printed.sign = 1;
+  OneParticle recursion{start.x[0][0], start.v[0][0], start.F[0](0, 0)};
+  OneParticle wrong = recursion;
+  solver::Mpm<1> mpm(std::move(stage.scene));
+  Comparison result;
+  for (std::int64_t k = 0; k < c.resolution.steps; ++k) {
+    mpm.step(c.resolution.dt);
+    recursion = advance(recursion, constants, c.resolution.dt);
+    if (wrong.F < 10) wrong = advance(wrong, printed, c.resolution.dt);
+    const auto& p = mpm.particles();
+    const double scale_v = std::abs(c.problem.parameters.at("velocity"));
+    result.difference = std::max({result.difference, std::abs(p.x[0][0] - recursion.x), std::abs(p.v[0][0] - recursion.v) / scale_v,
+                                  std::abs(p.F[0](0, 0) - recursion.F)});
+    result.largest_stretch = std::max(result.largest_stretch, recursion.F);
+    result.printed_stretch = std::max(result.printed_stretch, wrong.F);
+    result.steps.push_back(static_cast<double>(k + 1));
+    result.solver_F.push_back(p.F[0](0, 0));
+    result.recursion_F.push_back(recursion.F);
+    result.printed_F.push_back(wrong.F < 2 ? wrong.F : not_measured);
+  }
+  return result;
+}
+
+}  // namespace
+
+/// W-one: the solver against the recursions of W §3 with the sign of W (14).
+CheckResult check_one_particle() {
+  CheckResult result;
+  for (const auto& [name, advance] : {std::pair{"usf", &usf_step}, std::pair{"usl", &usl_step}}) {
+    const Comparison c = compare(name, advance);
+    const std::string prefix = name;
+    result.add(prefix + "_difference", c.difference, prefix + ": largest difference of x/h, v/v0 and F to the recursion");
+    result.add(prefix + "_stretch", c.largest_stretch, prefix + ": largest F of the recursion with the sign of W (14)");
+    result.add(prefix + "_printed_stretch", c.printed_stretch, prefix + ": largest F of the recursion as printed (stopped at 10)");
+    result.add_curve(prefix + ", solver", c.steps, c.solver_F);
+    result.add_curve(prefix + ", recursion", c.steps, c.recursion_F);
+    result.add_curve(prefix + ", recursion as printed", c.steps, c.printed_F);
+  }
+  return result;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,81 @@
+#include "studies/run/case_pool.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "studies/run/parallel.hpp"
+#include "studies/run_case.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+/// Four fifths of the memory that is free now.
+double usable_memory() {
+  return 0.8 * static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+std::string label(const Case& c) {
+  return fmt::format("{} {} {} {} cells={} ppc={}", c.problem.name, c.scheme.basis, c.scheme.integrator,
+                     c.scheme.boundary, c.resolution.cells, c.resolution.ppc);
+}
+
+}  // namespace
+
+CasePool::CasePool(Store& store, const RunnerOptions& options)
+    : store_(store), options_(options), provenance_(current_provenance()), memory_limit_(usable_memory()) {}
+
+std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
+  std::vector<Case> missing;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const Case& c : cases)
+      if (!known(c)) missing.push_back(c);
+    std::sort(missing.begin(), missing.end());
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+    progress_.total += missing.size();
+  }
+  run_all(std::move(missing));
+  const std::lock_guard lock(mutex_);
+  std::vector<Record> records;
+  for (const Case& c : cases) records.push_back(records_.at(c));
+  return records;
+}
+
+bool CasePool::known(const Case& c) {
+  if (records_.contains(c)) return true;
+  const auto stored = store_.find(c, provenance_.digest);
+  if (!stored) return false;
+  records_.emplace(c, *stored);
+  ++counts_.reused;
+  return true;
+}
+
+void CasePool::run_all(std::vector<Case> missing) {
+  std::stable_sort(missing.begin(), missing.end(),
+                   [](const Case& a, const Case& b) { return work_estimate(a) > work_estimate(b); });
+  for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run_one(missing[k]); });
+}
+
+void CasePool::run_one(const Case& c) {
+  const double memory = memory_estimate(c);
+  {
+    std::unique_lock lock(mutex_);
+    memory_freed_.wait(lock, [&] { return memory_used_ == 0 || memory_used_ + memory <= memory_limit_; });
+    memory_used_ += memory;
+  }
+  const Record record = run_case(c, 1);
+  const std::lock_guard lock(mutex_);
+  memory_used_ -= memory;
+  memory_freed_.notify_all();
+  store_.keep(record, provenance_);
+  records_.emplace(c, record);
+  ++counts_.ran;
+  ++progress_.done;
+  progress_.label = label(c);
+  if (options_.progress) options_.progress(progress_);
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,41 @@
+#pragma once
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <vector>
+
+#include "studies/provenance.hpp"
+#include "studies/record.hpp"
+#include "studies/store.hpp"
+#include "studies/study_runner.hpp"
+
+namespace mpmvv {
+
+/// Gets records of cases: from memory, from the store, or by running them, each one once. Cases run in parallel, the
+/// long ones first, as far as the memory of the machine allows.
+class CasePool {
+ public:
+  CasePool(Store& store, const RunnerOptions& options);
+
+  /// Records in the order of the cases. Several threads may call it.
+  std::vector<Record> get(const std::vector<Case>& cases);
+
+  RunnerCounts counts() const { return counts_; }
+
+ private:
+  bool known(const Case& c);
+  void run_all(std::vector<Case> missing);
+  void run_one(const Case& c);
+
+  Store& store_;
+  RunnerOptions options_;
+  Provenance provenance_;
+  RunnerCounts counts_;
+  Progress progress_;
+  std::map<Case, Record> records_;
+  std::mutex mutex_;  ///< of everything above
+  std::condition_variable memory_freed_;
+  double memory_limit_, memory_used_ = 0;
+};
+
+}  // namespace mpmvv

@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "studies/run/samples.hpp"
+#include "studies/study.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+using Kind = Criterion::Kind;
+
+/// Numbers measured for a criterion, each with a label; `missing` when something cannot be judged.
+struct Measured {
+  std::vector<std::pair<std::string, double>> numbers;
+  std::string missing;
+
+  void add(const std::string& label, double value) { numbers.emplace_back(label, value); }
+};
+
+const Series* find_series(const StudyResult& result, const std::string& name) {
+  for (const Series& series : result.series)
+    if (series.name == name) return &series;
+  return nullptr;
+}
+
+bool inside(const Criterion& c, double x) { return x >= c.from * (1 - 1e-9) && x <= c.to * (1 + 1e-9); }
+
+/// The norm at a point; an unstable point counts as an infinite error.
+double error_at(const Point& point, const std::string& norm) {
+  if (point.status == Status::unstable) return std::numeric_limits<double>::infinity();
+  const auto y = point.y.find(norm);
+  return y == point.y.end() ? not_measured : y->second;
+}
+
+double error_at(const Series& series, double x, const std::string& norm) {
+  for (const Point& point : series.points)
+    if (std::abs(point.x - x) <= 1e-9 * std::abs(x)) return error_at(point, norm);
+  return not_measured;
+}
+
+void measure_order(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
+  const ObservedOrder fit = fit_order(samples_of(series, c.norm, result.sweep), c.from, c.to);
+  const auto in_window = std::count_if(series.points.begin(), series.points.end(), [&](const Point& p) { return inside(c, p.x); });
+  if (fit.points < in_window) out.missing = fmt::format("'{}': {} of {} points are no use", series.name, in_window - fit.points, in_window);
+  const std::string interval = std::isnan(fit.half_width) ? "" : fmt::format(" (±{:.2f})", fit.half_width);
+  out.add(fmt::format("order of '{}' in {} over [{}, {}]{}", series.name, c.norm, c.from, c.to, interval), fit.order);
+}
+
+void measure_errors(const Criterion& c, const Series& series, Measured& out) {
+  for (const Point& point : series.points)
+    if (inside(c, point.x)) out.add(fmt::format("{} of '{}' at {}", c.norm, series.name, point.x), error_at(point, c.norm));
+}
+
+void measure_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
+  for (const Point& point : series.points)
+    if (inside(c, point.x))
+      out.add(fmt::format("{} of '{}' over '{}' at {}", c.norm, series.name, over.name, point.x),
+              error_at(point, c.norm) / error_at(over, point.x, c.norm));
+}
+
+void measure_spread(const Criterion& c, const Series& series, Measured& out) {
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const Point& point : series.points) {
+    if (!inside(c, point.x)) continue;
+    const double error = error_at(point, c.norm);
+    if (std::isnan(error)) out.missing = fmt::format("'{}' has no {} at {}", series.name, c.norm, point.x);
+    least = std::min(least, error), largest = std::max(largest, error);
+  }
+  out.add(fmt::format("largest over smallest {} of '{}' over [{}, {}]", c.norm, series.name, c.from, c.to), largest / least);
+}
+
+void measure_status(const Criterion& c, const Series& series, Measured& out) {
+  double ok = 0, all = 0;
+  for (const Point& point : series.points)
+    if (inside(c, point.x)) ok += point.status == Status::ok ? 1 : 0, ++all;
+  out.add(fmt::format("stable share of '{}' over [{}, {}]", series.name, c.from, c.to), ok / all);
+}
+
+double limit_of(const Series& series, Measured& out) {
+  if (!series.limit || !series.limit->found) {
+    out.missing = fmt::format("'{}' has no limit in the range searched", series.name);
+    return not_measured;
+  }
+  return series.limit->value();
+}
+
+void measure_limit(const Series& series, Measured& out) {
+  const double value = limit_of(series, out);
+  if (!out.missing.empty()) return;
+  const StabilityLimit& limit = *series.limit;
+  out.add(fmt::format("{} limit of '{}' between {:.4g} and {:.4g}{}", limit.key, series.name, limit.stable, limit.unstable,
+                      limit.monotone ? "" : ", not monotone"), value);
+}
+
+void measure_value(const Criterion& c, const StudyResult& result, Measured& out) {
+  for (const Value& value : result.values)
+    if (value.name == c.name) return out.add(value.meaning, value.value);
+  out.missing = fmt::format("the check has no value '{}'", c.name);
+}
+
+Measured measure(const Criterion& c, const StudyResult& result) {
+  Measured out;
+  if (c.kind == Kind::value) {
+    measure_value(c, result, out);
+    return out;
+  }
+  const Series* over = c.over.empty() ? nullptr : find_series(result, c.over);
+  for (const std::string& name : c.series) {
+    const Series* series = find_series(result, name);
+    if (!series || (!c.over.empty() && !over)) {
+      out.missing = fmt::format("there is no series '{}'", series ? c.over : name);
+      return out;
+    }
+    switch (c.kind) {
+      case Kind::order: measure_order(c, result, *series, out); break;
+      case Kind::error: measure_errors(c, *series, out); break;
+      case Kind::error_ratio: measure_ratios(c, *series, *over, out); break;
+      case Kind::spread: measure_spread(c, *series, out); break;
+      case Kind::status: measure_status(c, *series, out); break;
+      case Kind::limit: measure_limit(*series, out); break;
+      case Kind::limit_ratio: {
+        const double own = limit_of(*series, out), other = limit_of(*over, out);
+        out.add(fmt::format("limit of '{}' over '{}'", name, c.over), own / other);
+        break;
+      }
+      case Kind::value:
+      case Kind::shown: break;
+    }
+  }
+  return out;
+}
+
+std::string bounds_text(const Criterion& c) {
+  if (c.at_least && c.at_most) return fmt::format("asked: {} to {}", *c.at_least, *c.at_most);
+  return c.at_least ? fmt::format("asked: at least {}", *c.at_least) : fmt::format("asked: at most {}", *c.at_most);
+}
+
+bool holds(const Criterion& c, double value) {
+  return (!c.at_least || value >= *c.at_least) && (!c.at_most || value <= *c.at_most);
+}
+
+}  // namespace
+
+ClaimPart judge(const Criterion& criterion, const StudyResult& result) {
+  ClaimPart part{criterion.claim, criterion.statement, PartVerdict::shown, "", ""};
+  if (criterion.kind == Kind::shown) {
+    part.evidence = "shown in the figure";
+    return part;
+  }
+  const Measured measured = measure(criterion, result);
+  std::vector<std::string> texts;
+  bool all_hold = true, all_known = measured.missing.empty() && !measured.numbers.empty();
+  for (const auto& [label, value] : measured.numbers) {
+    texts.push_back(fmt::format("{} = {:.4g}", label, value));
+    all_hold = all_hold && holds(criterion, value);
+    all_known = all_known && !std::isnan(value);
+  }
+  if (!measured.missing.empty()) texts.push_back(measured.missing);
+  part.evidence = fmt::format("{} ({})", fmt::join(texts, "; "), bounds_text(criterion));
+  part.verdict = !all_known ? PartVerdict::inconclusive : all_hold ? PartVerdict::holds : PartVerdict::fails;
+  if (part.verdict == PartVerdict::fails) part.reason = criterion.reason;
+  return part;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,269 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "studies/check.hpp"
+#include "studies/error.hpp"
+#include "studies/study.hpp"
+#include "studies/toml_file.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+const std::vector<std::string>& norm_words() {
+  static const std::vector<std::string> words{"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "y"};
+  return words;
+}
+
+void require_word(const std::string& what, const std::string& word, const std::vector<std::string>& known,
+                  const std::string& where) {
+  if (std::find(known.begin(), known.end(), word) == known.end())
+    throw UsageError(fmt::format("unknown {} '{}' in {} (known: {})", what, word, where, fmt::join(known, ", ")));
+}
+
+std::string norm_of(const TomlTable& table, const char* key) {
+  const std::string norm = table.text(key);
+  require_word(key, norm, norm_words(), table.where(key));
+  return norm;
+}
+
+/// The settings of a table; `param = { amplitude = 0.02 }` becomes `param.amplitude`.
+std::vector<Setting> settings_of(const TomlTable& table, std::initializer_list<const char*> others = {}) {
+  std::vector<Setting> settings;
+  for (const std::string& key : table.keys()) {
+    if (std::find(others.begin(), others.end(), key) != others.end()) continue;
+    if (key == "param") {
+      const TomlTable parameters = table.table(key).value();
+      for (const std::string& name : parameters.keys())
+        settings.push_back({"param." + name, parameters.scalar_text(name), parameters.where(name)});
+    } else {
+      require_known_key(key, table.where(key));
+      settings.push_back({key, table.scalar_text(key), table.where(key)});
+    }
+  }
+  return settings;
+}
+
+void read_sweep(const TomlTable& root, StudyPlan& plan) {
+  const auto sweep = root.table("sweep");
+  if (!sweep) return;
+  const auto keys = sweep->keys();
+  if (keys.size() != 1)
+    throw UsageError(fmt::format("sweep in {} has {} keys (one key with its values)", sweep->where(), keys.size()));
+  plan.sweep = keys[0];
+  require_known_key(plan.sweep, sweep->where(plan.sweep));
+  if (!words_of_key(plan.sweep).empty())
+    throw UsageError(fmt::format("sweep over '{}' in {}, which takes words (a key that takes numbers)", plan.sweep,
+                                 sweep->where(plan.sweep)));
+  plan.values = sweep->numbers(plan.sweep);
+  if (plan.values.empty())
+    throw UsageError(fmt::format("empty sweep over '{}' in {} (at least one value)", plan.sweep, sweep->where(plan.sweep)));
+  auto sorted = plan.values;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+    throw UsageError(fmt::format("a value twice in the sweep over '{}' in {}", plan.sweep, sweep->where(plan.sweep)));
+}
+
+void read_series(const TomlTable& root, StudyPlan& plan) {
+  std::vector<Setting> fixed;
+  if (const auto table = root.table("fixed")) fixed = settings_of(*table);
+  for (const TomlTable& table : root.tables("series")) {
+    SeriesPlan series{table.text("name"), fixed, table.where()};
+    if (plan.has_series(series.name))
+      throw UsageError(fmt::format("series '{}' twice in {} (names must differ)", series.name, table.where("name")));
+    for (const Setting& setting : settings_of(table, {"name"})) series.settings.push_back(setting);
+    plan.series.push_back(series);
+  }
+}
+
+void read_limit(const TomlTable& root, StudyPlan& plan) {
+  const auto table = root.table("limit");
+  if (!table) return;
+  table->allow_only({"key", "from", "to", "scan_ratio", "tolerance", "stable"});
+  LimitSearch search;
+  search.key = table->text("key");
+  require_word("limit key", search.key, {"cfl", "smoothing_length"}, table->where("key"));
+  search.from = table->number("from");
+  search.to = table->number("to");
+  search.scan_ratio = table->number("scan_ratio", search.scan_ratio);
+  search.tolerance = table->number("tolerance", search.tolerance);
+  const std::string stable = table->text("stable", "below");
+  require_word("stable side", stable, {"below", "above"}, table->where("stable"));
+  search.stable_below = stable == "below";
+  if (!(search.from > 0 && search.to > search.from && search.scan_ratio > 1 && search.tolerance > 0 && search.tolerance < 1))
+    throw UsageError(fmt::format("limit search in {} (0 < from < to, scan_ratio > 1, 0 < tolerance < 1)", table->where()));
+  plan.limit = search;
+}
+
+/// Names of series that a table lists under `key`; each must exist (checks make theirs when they run).
+std::vector<std::string> series_names(const TomlTable& table, const char* key, const StudyPlan& plan) {
+  const auto names = table.texts(key);
+  std::vector<std::string> known;
+  for (const SeriesPlan& series : plan.series) known.push_back(series.name);
+  if (plan.check.empty())
+    for (const std::string& name : names) require_word("series", name, known, table.where(key));
+  return names;
+}
+
+void read_window(const TomlTable& table, double& from, double& to) {
+  const auto window = table.numbers("window");
+  if (window.size() != 2 || !(window[0] <= window[1]))
+    throw UsageError(fmt::format("window in {} (two swept values, the smaller first)", table.where("window")));
+  from = window[0];
+  to = window[1];
+}
+
+void read_fits(const TomlTable& root, StudyPlan& plan) {
+  for (const TomlTable& table : root.tables("fit")) {
+    table.allow_only({"norm", "window", "floor", "series"});
+    FitPlan fit{norm_of(table, "norm"), 0, 0, table.flag("floor", false), series_names(table, "series", plan)};
+    read_window(table, fit.from, fit.to);
+    plan.fits.push_back(fit);
+  }
+}
+
+void read_figures(const TomlTable& root, StudyPlan& plan) {
+  for (const TomlTable& table : root.tables("figure")) {
+    table.allow_only({"name", "caption", "xlabel", "ylabel", "xscale", "yscale", "quantity", "series", "slopes", "x_range",
+                      "y_range"});
+    Figure figure;
+    figure.name = table.text("name", plan.name);
+    if (figure.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos)
+      throw UsageError(fmt::format("figure name '{}' in {} (lower-case letters, digits and '-')", figure.name, table.where("name")));
+    for (const Figure& other : plan.figures)
+      if (other.name == figure.name)
+        throw UsageError(fmt::format("figure '{}' twice in {} (names must differ)", figure.name, table.where("name")));
+    figure.caption = table.text("caption");
+    figure.xlabel = table.text("xlabel");
+    figure.ylabel = table.text("ylabel");
+    for (const auto& [key, log] : {std::pair{"xscale", &figure.log_x}, std::pair{"yscale", &figure.log_y}}) {
+      const std::string scale = table.text(key, "log");
+      require_word(key, scale, {"log", "linear"}, table.where(key));
+      *log = scale == "log";
+    }
+    figure.quantity = table.text("quantity", plan.check.empty() ? "l2" : "y");
+    figure.series = series_names(table, "series", plan);
+    if (table.has("slopes")) figure.slopes = table.numbers("slopes");
+    const auto range = [&table](const char* key, std::optional<double>& low, std::optional<double>& high) {
+      if (!table.has(key)) return;
+      const auto ends = table.numbers(key);
+      if (ends.size() != 2 || !(ends[0] < ends[1]))
+        throw UsageError(fmt::format("{} in {} (two numbers, the smaller first)", key, table.where(key)));
+      low = ends[0], high = ends[1];
+    };
+    range("x_range", figure.x_min, figure.x_max);
+    range("y_range", figure.y_min, figure.y_max);
+    plan.figures.push_back(figure);
+  }
+}
+
+Criterion::Kind criterion_kind(const TomlTable& table) {
+  static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{
+      {"order", Criterion::Kind::order},   {"error", Criterion::Kind::error},
+      {"error-ratio", Criterion::Kind::error_ratio}, {"spread", Criterion::Kind::spread},
+      {"status", Criterion::Kind::status}, {"limit", Criterion::Kind::limit},
+      {"limit-ratio", Criterion::Kind::limit_ratio}, {"value", Criterion::Kind::value},
+      {"shown", Criterion::Kind::shown}};
+  std::vector<std::string> words;
+  const std::string word = table.text("measure");
+  for (const auto& [name, kind] : kinds) {
+    if (name == word) return kind;
+    words.push_back(name);
+  }
+  throw UsageError(fmt::format("unknown measure '{}' in {} (known: {})", word, table.where("measure"), fmt::join(words, ", ")));
+}
+
+Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
+  using Kind = Criterion::Kind;
+  table.allow_only({"claim", "statement", "measure", "series", "over", "name", "norm", "window", "at_least", "at_most", "reason"});
+  Criterion c;
+  c.claim = table.text("claim");
+  require_word("claim of this study", c.claim, plan.claims, table.where("claim"));
+  c.statement = table.text("statement");
+  c.kind = criterion_kind(table);
+  c.reason = table.text("reason", "");
+  if (c.kind == Kind::shown) return c;
+  if (table.has("at_least")) c.at_least = table.number("at_least");
+  if (table.has("at_most")) c.at_most = table.number("at_most");
+  if (!c.at_least && !c.at_most)
+    throw UsageError(fmt::format("criterion in {} asks nothing (at_least, at_most or both)", table.where()));
+  if (c.kind == Kind::value) {
+    c.name = table.text("name");
+    return c;
+  }
+  c.series = series_names(table, "series", plan);
+  if (c.series.empty()) throw UsageError(fmt::format("criterion in {} names no series", table.where()));
+  if (c.kind == Kind::error_ratio || c.kind == Kind::limit_ratio) {
+    c.over = table.text("over");
+    if (plan.check.empty() && !plan.has_series(c.over))
+      throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
+  }
+  if (c.kind == Kind::limit || c.kind == Kind::limit_ratio) {
+    if (!plan.limit) throw UsageError(fmt::format("criterion on a limit in {}, but the study searches none", table.where()));
+    return c;
+  }
+  if (c.kind != Kind::status) c.norm = norm_of(table, "norm");
+  read_window(table, c.from, c.to);
+  return c;
+}
+
+/// Makes every case of the study once, so that a mistake shows before the first run.
+void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
+  for (const SeriesPlan& series : plan.series) try {
+      for (const double value : plan.values) case_at(series, plan.sweep, value);
+      if (plan.limit) case_at(series, plan.limit->key, plan.limit->to);
+    } catch (const UsageError& e) {
+      const std::string message = e.what();
+      const bool has_place = message.find(file.string()) != std::string::npos;
+      throw UsageError(has_place ? message : fmt::format("{} in series '{}' of {}", message, series.name, series.where));
+    }
+}
+
+}  // namespace
+
+bool StudyPlan::has_series(const std::string& wanted) const {
+  return std::any_of(series.begin(), series.end(), [&](const SeriesPlan& s) { return s.name == wanted; });
+}
+
+Case case_at(const SeriesPlan& series, const std::string& key, double value) {
+  auto settings = series.settings;
+  settings.push_back({key, fmt::format("{}", value), series.where});
+  return make_case(settings);
+}
+
+StudyPlan read_study(const std::filesystem::path& file) {
+  const TomlTable root = TomlTable::read(file);
+  root.allow_only({"title", "claims", "check", "fixed", "series", "sweep", "limit", "fit", "figure", "criterion"});
+  StudyPlan plan;
+  plan.name = file.stem().string();
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  plan.text = text.str();
+  plan.title = root.text("title");
+  plan.claims = root.texts("claims");
+  plan.check = root.text("check", "");
+  if (!plan.check.empty()) {
+    find_check(plan.check, root.where("check"));
+    for (const char* key : {"fixed", "series", "sweep", "limit"})
+      if (root.has(key)) throw UsageError(fmt::format("'{}' in {} beside a check (a check brings its own)", key, root.where(key)));
+  }
+  read_series(root, plan);
+  read_sweep(root, plan);
+  read_limit(root, plan);
+  if (plan.check.empty() && plan.series.empty())
+    throw UsageError(fmt::format("{} describes nothing to run (series with a sweep or a limit, or a check)", file.string()));
+  if (plan.check.empty() && plan.sweep.empty() && !plan.limit)
+    throw UsageError(fmt::format("{} has series but neither sweep nor limit", file.string()));
+  read_fits(root, plan);
+  read_figures(root, plan);
+  for (const TomlTable& table : root.tables("criterion")) plan.criteria.push_back(read_criterion(table, plan));
+  try_cases(plan, file);
+  return plan;
+}
+
+}  // namespace mpmvv

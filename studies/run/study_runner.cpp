@@ -1,0 +1,131 @@
+#include "studies/study_runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "studies/check.hpp"
+#include "studies/error.hpp"
+#include "studies/observed_order.hpp"
+#include "studies/run/case_pool.hpp"
+#include "studies/run/parallel.hpp"
+#include "studies/run/samples.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+Point point_of(double x, const Record& r) {
+  Point point{x, r.status, r.reason, {}};
+  const auto add = [&point](const char* name, double value) {
+    if (!std::isnan(value)) point.y[name] = value;
+  };
+  add("l1", r.error.l1);
+  add("l2", r.error.l2);
+  add("linf", r.error.linf);
+  add("l1_all_steps", r.error.l1_all_steps);
+  add("l2_all_steps", r.error.l2_all_steps);
+  add("linf_all_steps", r.error.linf_all_steps);
+  add("wall_seconds", r.wall_seconds);
+  add("ns_per_particle_step", r.ns_per_particle_step);
+  return point;
+}
+
+std::vector<Case> sweep_cases(const StudyPlan& plan, const SeriesPlan& series) {
+  std::vector<Case> cases;
+  for (const double value : plan.values) cases.push_back(case_at(series, plan.sweep, value));
+  return cases;
+}
+
+Probe probe_of(double value, const Record& r) {
+  if (r.status == Status::failed)
+    throw std::runtime_error(fmt::format("a probe at {} failed: {}", value, r.reason));
+  return {value, r.status == Status::ok, r.reason};
+}
+
+StabilityLimit search_limit(const LimitSearch& search, const SeriesPlan& series, CasePool& pool) {
+  return find_limit(search, [&](const std::vector<double>& values) {
+    std::vector<Case> cases;
+    for (const double value : values) cases.push_back(case_at(series, search.key, value));
+    const auto records = pool.get(cases);
+    std::vector<Probe> probes;
+    for (std::size_t k = 0; k < values.size(); ++k) probes.push_back(probe_of(values[k], records[k]));
+    return probes;
+  });
+}
+
+void fit(const StudyPlan& plan, StudyResult& result) {
+  for (Series& series : result.series)
+    for (const FitPlan& wanted : plan.fits) {
+      const auto& names = wanted.series;
+      if (!names.empty() && std::find(names.begin(), names.end(), series.name) == names.end()) continue;
+      const auto samples = samples_of(series, wanted.norm, result.sweep);
+      ObservedOrder order = fit_order(samples, wanted.from, wanted.to);
+      order.norm = wanted.norm;
+      if (wanted.floor) order.floor = fit_floor(samples, wanted.from, wanted.to);
+      series.orders.push_back(order);
+    }
+}
+
+/// What a check measured: from the store when this digest has run the same file, else anew.
+CheckResult check_result(const StudyPlan& plan, const std::vector<StudyResult>& stored) {
+  for (const StudyResult& s : stored)
+    if (s.name == plan.name && s.text == plan.text) {
+      CheckResult result{s.values, s.series};
+      for (Series& series : result.series) series.orders.clear();
+      return result;
+    }
+  return find_check(plan.check, plan.name).run();
+}
+
+}  // namespace
+
+std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, Store& store, const RunnerOptions& options,
+                                      RunnerCounts& counts) {
+  const Provenance provenance = current_provenance();
+  const auto stored = store.studies(provenance.digest);
+  CasePool pool(store, options);
+  std::vector<Case> all;
+  for (const StudyPlan& plan : plans)
+    for (const SeriesPlan& series : plan.series)
+      for (const Case& c : sweep_cases(plan, series)) all.push_back(c);
+  pool.get(all);
+
+  std::vector<StudyOutcome> outcomes;
+  for (const StudyPlan& plan : plans) {
+    StudyOutcome outcome;
+    StudyResult& result = outcome.result;
+    result = {plan.name, plan.title, plan.kind(), plan.sweep, plan.text, plan.claims, {}, {}, plan.figures, {}};
+    std::vector<std::vector<Case>> cases;
+    if (!plan.check.empty()) {
+      const CheckResult checked = check_result(plan, stored);
+      result.sweep = find_check(plan.check, plan.name).abscissa;
+      result.values = checked.values;
+      result.series = checked.series;
+      cases.resize(result.series.size());
+    }
+    for (const SeriesPlan& series : plan.series) {
+      cases.push_back(sweep_cases(plan, series));
+      const auto records = pool.get(cases.back());
+      Series points{series.name, {}, {}, {}};
+      for (std::size_t k = 0; k < records.size(); ++k) {
+        points.points.push_back(point_of(plan.values[k], records[k]));
+        outcome.failed += records[k].status == Status::failed ? 1 : 0;
+      }
+      result.series.push_back(points);
+    }
+    if (plan.limit)
+      for_each_parallel(plan.series.size(), options.jobs, [&](std::size_t k) {
+        result.series[k].limit = search_limit(*plan.limit, plan.series[k], pool);
+      });
+    fit(plan, result);
+    for (const Criterion& criterion : plan.criteria) result.parts.push_back(judge(criterion, result));
+    store.keep_study(result, cases, provenance);
+    outcomes.push_back(outcome);
+  }
+  counts = pool.counts();
+  return outcomes;
+}
+
+}  // namespace mpmvv

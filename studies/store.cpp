@@ -1,0 +1,144 @@
+#include "studies/store.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "studies/error.hpp"
+#include "studies/store/run_rows.hpp"
+#include "studies/store/schema.hpp"
+#include "studies/store/study_rows.hpp"
+
+namespace mpmvv {
+
+using Kind = db::Transaction::Kind;
+
+struct Store::Impl {
+  mutable db::Database database;  ///< a reading transaction changes nothing
+};
+
+namespace {
+
+/// A field of a CSV file, RFC 4180.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::vector<std::string> csv_fields(const db::Values& values) {
+  std::vector<std::string> fields;
+  for (const db::Value& value : values) fields.push_back(csv_field(value.to_string()));
+  return fields;
+}
+
+}  // namespace
+
+Store::Store(const std::filesystem::path& file, Mode mode)
+    : impl_(std::make_unique<Impl>(Impl{db::open_store(file, mode)})) {}
+Store::~Store() = default;
+Store::Store(Store&&) noexcept = default;
+Store& Store::operator=(Store&&) noexcept = default;
+
+std::optional<Record> Store::find(const Case& c, const std::string& digest) const {
+  return db::find_run(impl_->database, c, digest);
+}
+
+void Store::keep(const Record& r, const Provenance& p) {
+  db::Transaction transaction(impl_->database, Kind::write);
+  db::insert_run(impl_->database, r, p);
+  transaction.commit();
+}
+
+void Store::keep_study(const StudyResult& s, const std::vector<std::vector<Case>>& cases, const Provenance& p) {
+  db::StoredStudy study{.result = s, .cases = {}, .provenance = p};
+  for (const std::vector<Case>& of_series : cases) {
+    std::vector<std::string>& texts = study.cases.emplace_back();
+    for (const Case& c : of_series) texts.push_back(canonical_text(c));
+  }
+  db::Transaction transaction(impl_->database, Kind::write);
+  db::insert_study(impl_->database, study);
+  transaction.commit();
+}
+
+std::vector<StudyResult> Store::studies(const std::string& digest) const {
+  db::Transaction one_state(impl_->database, Kind::read);
+  std::vector<StudyResult> results;
+  for (db::StoredStudy& study : db::load_studies(impl_->database, digest)) results.push_back(std::move(study.result));
+  return results;
+}
+
+std::optional<Provenance> Store::study_provenance(const std::string& study, const std::string& digest) const {
+  std::optional<Provenance> found;
+  impl_->database.each(
+      "SELECT * FROM studies JOIN provenance ON provenance.id = studies.provenance "
+      "WHERE studies.name = ? AND studies.digest = ?",
+      {study, digest}, [&](const db::Row& row) { found = db::read_provenance(row); });
+  return found;
+}
+
+std::vector<std::pair<std::string, std::string>> Store::info() const {
+  const db::Database& database = impl_->database;
+  db::Transaction one_state(impl_->database, Kind::read);
+  const auto number = [&](const char* query) { return database.scalar(query).to_string(); };
+  std::vector<std::pair<std::string, std::string>> lines{
+      {"file", database.file().string()},
+      {"schema", number("PRAGMA user_version")},
+      {"size", number("SELECT page_count * page_size FROM pragma_page_count, pragma_page_size") + " bytes"},
+      {"studies", number("SELECT count(*) FROM studies")},
+      {"records", number("SELECT count(*) FROM runs")}};
+  for (const Status status : {Status::ok, Status::unstable, Status::failed})
+    lines.emplace_back(
+        "records " + to_string(status),
+        database.scalar("SELECT count(*) FROM runs WHERE status = ?", {to_string(status)}).to_string());
+  database.each(
+      "SELECT provenance.digest, git_commit, dirty, count(*) AS records, max(kept_at) AS last FROM runs "
+      "JOIN provenance ON provenance.id = runs.provenance GROUP BY provenance.id ORDER BY last DESC",
+      {}, [&](const db::Row& row) {
+        lines.emplace_back("digest " + row["digest"].text(),
+                           fmt::format("commit {}{}, {} records, last {}", row["git_commit"].text(),
+                                       row["dirty"].flag() ? " (dirty)" : "", row["records"].integer(),
+                                       row["last"].text()));
+      });
+  return lines;
+}
+
+std::vector<std::string> Store::check() const {
+  std::vector<std::string> faults;
+  try {
+    impl_->database.each("PRAGMA integrity_check", {}, [&](const db::Row& row) {
+      if (const std::string& text = row.values().front().text(); text != "ok") faults.push_back(text);
+    });
+    impl_->database.each("PRAGMA foreign_key_check", {}, [&](const db::Row& row) {
+      faults.push_back(fmt::format("row {} of table {} refers to a missing row of table {}", row["rowid"].to_string(),
+                                   row["table"].text(), row["parent"].text()));
+    });
+  } catch (const UsageError& e) {
+    faults.emplace_back(e.what());
+  }
+  return faults;
+}
+
+std::int64_t Store::merge(const std::filesystem::path& other) {
+  db::Database from = db::open_store(other, Mode::read);
+  db::Transaction one_state(from, Kind::read);
+  db::Transaction transaction(impl_->database, Kind::write);
+  const std::int64_t copied = db::copy_runs(from, impl_->database);
+  db::copy_studies(from, impl_->database);
+  transaction.commit();
+  return copied;
+}
+
+std::string Store::export_csv() const {
+  std::string csv;
+  impl_->database.each(
+      "SELECT runs.*, git_commit, dirty, compiler, flags, build_type, cpu FROM runs JOIN provenance "
+      "ON provenance.id = runs.provenance ORDER BY runs.id",
+      {}, [&](const db::Row& row) {
+        if (csv.empty()) csv = fmt::format("{}\n", fmt::join(row.names(), ","));
+        csv += fmt::format("{}\n", fmt::join(csv_fields(row.values()), ","));
+      });
+  return csv;
+}
+
+}  // namespace mpmvv

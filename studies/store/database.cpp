@@ -1,0 +1,206 @@
+#include "studies/store/database.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+
+#include "studies/error.hpp"
+
+namespace mpmvv::db {
+
+namespace {
+
+constexpr int busy_timeout_ms = 10'000;
+
+using Statement = std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)>;
+
+int bind(sqlite3_stmt* statement, int index, const Value& value) {
+  return std::visit(
+      [&](const auto& held) {
+        using Held = std::decay_t<decltype(held)>;
+        if constexpr (std::is_same_v<Held, std::monostate>)
+          return sqlite3_bind_null(statement, index);
+        else if constexpr (std::is_same_v<Held, std::int64_t>)
+          return sqlite3_bind_int64(statement, index, held);
+        else if constexpr (std::is_same_v<Held, double>)
+          return sqlite3_bind_double(statement, index, held);
+        else
+          return sqlite3_bind_text64(statement, index, held.data(), held.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
+      },
+      value.held());
+}
+
+Value column(sqlite3_stmt* statement, int index) {
+  switch (sqlite3_column_type(statement, index)) {
+    case SQLITE_INTEGER:
+      return std::int64_t{sqlite3_column_int64(statement, index)};
+    case SQLITE_FLOAT:
+      return sqlite3_column_double(statement, index);
+    case SQLITE_NULL:
+      return {};
+    default: {
+      const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement, index));
+      return std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(statement, index)));
+    }
+  }
+}
+
+std::vector<std::string> column_names(sqlite3_stmt* statement) {
+  std::vector<std::string> names;
+  for (int i = 0; i < sqlite3_column_count(statement); ++i) names.emplace_back(sqlite3_column_name(statement, i));
+  return names;
+}
+
+/// Prepares and binds; null on an error, which the connection then tells.
+Statement prepare(sqlite3* connection, const std::string& text, const Values& values) {
+  sqlite3_stmt* raw = nullptr;
+  sqlite3_prepare_v2(connection, text.c_str(), -1, &raw, nullptr);
+  Statement statement(raw, &sqlite3_finalize);
+  for (std::size_t i = 0; statement && i < values.size(); ++i)
+    if (bind(raw, static_cast<int>(i) + 1, values[i]) != SQLITE_OK) statement.reset();
+  return statement;
+}
+
+}  // namespace
+
+Value::Value(double number) {
+  if (std::isfinite(number)) held_ = number;
+}
+
+double Value::real() const {
+  if (null()) return std::numeric_limits<double>::quiet_NaN();
+  if (const auto* whole = std::get_if<std::int64_t>(&held_)) return static_cast<double>(*whole);
+  return std::get<double>(held_);
+}
+
+std::string Value::to_string() const {
+  if (null()) return {};
+  if (const auto* number = std::get_if<double>(&held_)) return fmt::format("{:.17g}", *number);
+  if (const auto* whole = std::get_if<std::int64_t>(&held_)) return fmt::format("{}", *whole);
+  return text();
+}
+
+const Value& Row::operator[](std::string_view name) const {
+  const auto it = std::find(names_->begin(), names_->end(), name);
+  if (it == names_->end()) throw std::logic_error(fmt::format("no column '{}' in the answer", name));
+  return values_[static_cast<std::size_t>(it - names_->begin())];
+}
+
+void Database::Closer::operator()(sqlite3* connection) const { sqlite3_close_v2(connection); }
+
+Database::Database(std::filesystem::path file, Access access) : file_(std::move(file)) {
+  // SQLite opens a file that may not be written for reading. To read it asks for writing as well: it may have to undo
+  // what a killed process has left half-done; `query_only` keeps everything else out.
+  const int flags = SQLITE_OPEN_READWRITE | (access == Access::create ? SQLITE_OPEN_CREATE : 0);
+  sqlite3* raw = nullptr;
+  const int code = sqlite3_open_v2(std::filesystem::absolute(file_).c_str(), &raw, flags, nullptr);
+  connection_.reset(raw);
+  require(code);
+  sqlite3_extended_result_codes(raw, 1);
+  sqlite3_busy_timeout(raw, busy_timeout_ms);
+  // FULL: with a rollback journal NORMAL can corrupt the file when the power fails, and saves no time measurably.
+  execute("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL");
+  if (access == Access::read) execute("PRAGMA query_only = ON");
+}
+
+bool Database::writable() const { return sqlite3_db_readonly(connection_.get(), "main") == 0; }
+
+bool Database::in_transaction() const { return sqlite3_get_autocommit(connection_.get()) == 0; }
+
+void Database::execute(const std::string& statements) {
+  require(sqlite3_exec(connection_.get(), statements.c_str(), nullptr, nullptr, nullptr));
+}
+
+std::int64_t Database::change(const std::string& statement, const Values& values) {
+  each(statement, values, [](const Row&) {});
+  return sqlite3_changes64(connection_.get());
+}
+
+std::int64_t Database::insert(const std::string& table, const Columns& columns, const std::string& conflict) {
+  std::string names, marks;
+  Values values;
+  for (const auto& [name, value] : columns) {
+    names += (names.empty() ? "" : ", ") + name;
+    marks += marks.empty() ? "?" : ", ?";
+    values.push_back(value);
+  }
+  return change(fmt::format("INSERT INTO {} ({}) VALUES ({}) {}", table, names, marks, conflict), values);
+}
+
+std::int64_t Database::last_row_id() const { return sqlite3_last_insert_rowid(connection_.get()); }
+
+void Database::each(const std::string& query, const Values& values,
+                    const std::function<void(const Row&)>& visit) const {
+  const Statement statement = prepare(connection_.get(), query, values);
+  if (!statement) fail(sqlite3_extended_errcode(connection_.get()));
+  const std::vector<std::string> names = column_names(statement.get());
+  int code = SQLITE_ROW;
+  while ((code = sqlite3_step(statement.get())) == SQLITE_ROW) {
+    Values row;
+    for (int i = 0; i < static_cast<int>(names.size()); ++i) row.push_back(column(statement.get(), i));
+    visit(Row(names, std::move(row)));
+  }
+  if (code != SQLITE_DONE) fail(code);
+}
+
+Value Database::scalar(const std::string& query, const Values& values) const {
+  std::optional<Value> first;
+  each(query, values, [&](const Row& row) {
+    if (!first) first = row.values().front();
+  });
+  return first.value();
+}
+
+void Database::require(int code) const {
+  if (code != SQLITE_OK) fail(code);
+}
+
+void Database::fail(int code) const {
+  const std::string name = fmt::format("results store '{}'", file_.string());
+  const std::string cause = sqlite3_errmsg(connection_.get());
+  if (code == SQLITE_READONLY_ROLLBACK)
+    throw UsageError(fmt::format("{} holds a write that was interrupted (open it once where it can be written)", name));
+  switch (code & 0xff) {
+    case SQLITE_NOTADB:
+      throw UsageError(fmt::format("'{}' is not a results store: no SQLite file (name another file)", file_.string()));
+    case SQLITE_CORRUPT:
+      throw UsageError(fmt::format("{} is damaged: {} (restore a copy, or start a new one)", name, cause));
+    case SQLITE_FULL:
+      throw UsageError(fmt::format("no space left to write {} (free some; what it held before is intact)", name));
+    case SQLITE_BUSY:
+      throw UsageError(fmt::format("{} is locked by another process for over {} s (wait for it to end)", name,
+                                   busy_timeout_ms / 1000));
+    case SQLITE_READONLY:
+      throw UsageError(fmt::format("{} is read-only (make it writable or name another file)", name));
+    case SQLITE_CANTOPEN:
+      throw UsageError(fmt::format("{} cannot be opened (it and its folder must be readable, to write also writable)",
+                                   name));
+    case SQLITE_IOERR:
+      throw UsageError(fmt::format("{}: {}: {} (check the disk and its quota)", name, cause,
+                                   std::strerror(sqlite3_system_errno(connection_.get()))));
+    default:
+      throw UsageError(fmt::format("{}: {} (see `mpmvv db check`)", name, cause));
+  }
+}
+
+Transaction::Transaction(Database& database, Kind kind) : database_(database) {
+  database_.execute(kind == Kind::write ? "BEGIN IMMEDIATE" : "BEGIN");
+}
+
+Transaction::~Transaction() {
+  if (!database_.in_transaction()) return;
+  try {
+    database_.execute("ROLLBACK");
+  } catch (const UsageError&) {  // the next opening rolls back
+  }
+}
+
+void Transaction::commit() { database_.execute("COMMIT"); }
+
+}  // namespace mpmvv::db

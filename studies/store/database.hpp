@@ -1,0 +1,121 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+struct sqlite3;
+
+namespace mpmvv::db {
+
+/// What a column of a row holds. NaN and infinity are NULL, NULL read as a number is NaN.
+class Value {
+ public:
+  Value() = default;
+  Value(bool flag) : held_(std::int64_t{flag}) {}
+  Value(int number) : held_(std::int64_t{number}) {}
+  Value(std::int64_t number) : held_(number) {}
+  Value(std::size_t number) : held_(static_cast<std::int64_t>(number)) {}
+  Value(double number);
+  Value(std::optional<double> number) : Value(number ? Value(*number) : Value()) {}
+  Value(std::string text) : held_(std::move(text)) {}
+  Value(const char* text) : held_(std::string(text)) {}
+
+  bool null() const { return std::holds_alternative<std::monostate>(held_); }
+  std::int64_t integer() const { return std::get<std::int64_t>(held_); }
+  bool flag() const { return integer() != 0; }
+  const std::string& text() const { return std::get<std::string>(held_); }
+  double real() const;
+  std::optional<double> optional_real() const { return null() ? std::nullopt : std::optional(real()); }
+
+  /// For machines: 17 digits, NULL empty.
+  std::string to_string() const;
+
+  using Held = std::variant<std::monostate, std::int64_t, double, std::string>;
+  const Held& held() const { return held_; }
+
+ private:
+  Held held_;
+};
+
+using Values = std::vector<Value>;
+using Columns = std::vector<std::pair<std::string, Value>>;
+
+/// One row of an answer.
+class Row {
+ public:
+  Row(const std::vector<std::string>& names, Values values) : names_(&names), values_(std::move(values)) {}
+
+  const Value& operator[](std::string_view name) const;
+  const std::vector<std::string>& names() const { return *names_; }
+  const Values& values() const { return values_; }
+
+ private:
+  const std::vector<std::string>* names_;
+  Values values_;
+};
+
+/// One connection to an SQLite file, foreign keys on. What goes wrong is a UsageError with the file's name.
+class Database {
+ public:
+  enum class Access { create, write, read };
+
+  Database(std::filesystem::path file, Access access);
+
+  const std::filesystem::path& file() const { return file_; }
+  bool writable() const;
+  bool in_transaction() const;
+
+  /// Statements without parameters and answers, divided by semicolons.
+  void execute(const std::string& statements);
+
+  /// One statement; the number of rows that it changed.
+  std::int64_t change(const std::string& statement, const Values& values);
+
+  /// Inserts one row, with `conflict` ("ON CONFLICT ...") at the end of the statement; the number of rows changed.
+  std::int64_t insert(const std::string& table, const Columns& columns, const std::string& conflict = {});
+
+  std::int64_t last_row_id() const;
+
+  /// Visits the rows of an answer.
+  void each(const std::string& query, const Values& values, const std::function<void(const Row&)>& visit) const;
+
+  /// First column of the first row, which must be there.
+  Value scalar(const std::string& query, const Values& values = {}) const;
+
+ private:
+  struct Closer {
+    void operator()(sqlite3* connection) const;
+  };
+
+  void require(int code) const;
+  [[noreturn]] void fail(int code) const;
+
+  std::filesystem::path file_;
+  std::unique_ptr<sqlite3, Closer> connection_;
+};
+
+/// All or nothing: what is not committed is rolled back. `write` takes the write lock at once (BEGIN IMMEDIATE), so a
+/// transaction never fails half-way because another process writes; `read` sees one state of the store.
+class Transaction {
+ public:
+  enum class Kind { read, write };
+
+  Transaction(Database& database, Kind kind);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+  void commit();
+
+ private:
+  Database& database_;
+};
+
+}  // namespace mpmvv::db

@@ -1,0 +1,146 @@
+#include <stdexcept>
+
+#include "studies/store/run_rows.hpp"
+#include "studies/store/study_rows.hpp"
+
+namespace mpmvv::db {
+
+namespace {
+
+/// The row that an item belongs to, and the column that says so.
+struct Parent {
+  const char* column;
+  std::int64_t id;
+};
+
+std::int64_t insert_item(Database& database, const char* table, Parent parent, std::size_t ordinal, Columns columns) {
+  columns.insert(columns.end(), {{parent.column, parent.id}, {"ordinal", ordinal}});
+  database.insert(table, columns);
+  return database.last_row_id();
+}
+
+template <class Item, class ColumnsOf>
+void insert_items(Database& database, const char* table, Parent parent, const std::vector<Item>& items,
+                  ColumnsOf columns_of) {
+  for (std::size_t k = 0; k < items.size(); ++k) insert_item(database, table, parent, k, columns_of(items[k]));
+}
+
+void insert_point(Database& database, std::int64_t series, std::size_t ordinal, const Point& point,
+                  const std::string& case_text, const std::string& digest) {
+  Value run;
+  std::map<std::string, double> from_run;
+  if (!case_text.empty()) {
+    database.each("SELECT * FROM runs WHERE case_text = ? AND digest = ?", {case_text, digest}, [&](const Row& row) {
+      run = row["id"];
+      from_run = run_quantities(row);
+    });
+    if (run.null()) throw std::logic_error("a study's run must be kept before the study: " + case_text);
+  }
+  const std::int64_t id =
+      insert_item(database, "points", {"series", series}, ordinal,
+                  {{"x", point.x}, {"status", to_string(point.status)}, {"reason", point.reason}, {"run", run}});
+  for (const auto& [quantity, value] : point.y)
+    if (const auto it = from_run.find(quantity); it == from_run.end() || it->second != value)
+      database.insert("point_values", {{"point", id}, {"quantity", quantity}, {"value", value}});
+}
+
+void insert_order(Database& database, std::int64_t series, std::size_t ordinal, const ObservedOrder& order) {
+  Columns columns{{"norm", order.norm},
+                  {"window_from", order.from},
+                  {"window_to", order.to},
+                  {"points", order.points},
+                  {"fitted_order", order.order},
+                  {"half_width", order.half_width},
+                  {"constant", order.constant},
+                  {"r_squared", order.r_squared},
+                  {"asymptotic", order.asymptotic},
+                  {"asymptotic_from", order.asymptotic_from},
+                  {"asymptotic_to", order.asymptotic_to}};
+  if (order.floor)
+    columns.insert(columns.end(), {{"floor_constant", order.floor->constant},
+                                   {"floor_order", order.floor->order},
+                                   {"floor_value", order.floor->floor},
+                                   {"floor_residual", order.floor->residual},
+                                   {"floor_accepted", order.floor->accepted},
+                                   {"floor_reason", order.floor->reason}});
+  const std::int64_t id = insert_item(database, "fits", {"series", series}, ordinal, columns);
+  insert_items(database, "segments", {"fit", id}, order.segments, [](const SegmentOrder& s) {
+    return Columns{{"x_from", s.from}, {"x_to", s.to}, {"segment_order", s.order}};
+  });
+}
+
+void insert_limit(Database& database, std::int64_t series, const StabilityLimit& limit) {
+  database.insert("limits", {{"series", series},
+                             {"swept_key", limit.key},
+                             {"stable", limit.stable},
+                             {"unstable", limit.unstable},
+                             {"monotone", limit.monotone},
+                             {"found", limit.found}});
+  insert_items(database, "probes", {"series", series}, limit.probes, [](const Probe& p) {
+    return Columns{{"value", p.value}, {"stable", p.stable}, {"reason", p.reason}};
+  });
+}
+
+void insert_series(Database& database, std::int64_t study, std::size_t ordinal, const Series& series,
+                   const std::vector<std::string>& cases, const std::string& digest) {
+  const std::int64_t id = insert_item(database, "series", {"study", study}, ordinal, {{"name", series.name}});
+  for (std::size_t k = 0; k < series.points.size(); ++k)
+    insert_point(database, id, k, series.points[k], k < cases.size() ? cases[k] : "", digest);
+  for (std::size_t k = 0; k < series.orders.size(); ++k) insert_order(database, id, k, series.orders[k]);
+  if (series.limit) insert_limit(database, id, *series.limit);
+}
+
+void insert_figure(Database& database, std::int64_t study, std::size_t ordinal, const Figure& figure) {
+  const std::int64_t id = insert_item(database, "figures", {"study", study}, ordinal,
+                                      {{"name", figure.name},
+                                       {"caption", figure.caption},
+                                       {"xlabel", figure.xlabel},
+                                       {"ylabel", figure.ylabel},
+                                       {"log_x", figure.log_x},
+                                       {"log_y", figure.log_y},
+                                       {"quantity", figure.quantity},
+                                       {"x_min", figure.x_min},
+                                       {"x_max", figure.x_max},
+                                       {"y_min", figure.y_min},
+                                       {"y_max", figure.y_max}});
+  insert_items(database, "figure_series", {"figure", id}, figure.series,
+               [](const std::string& name) { return Columns{{"name", name}}; });
+  insert_items(database, "figure_slopes", {"figure", id}, figure.slopes,
+               [](double slope) { return Columns{{"slope", slope}}; });
+}
+
+}  // namespace
+
+void insert_study(Database& database, const StoredStudy& study) {
+  const StudyResult& s = study.result;
+  const Provenance& p = study.provenance;
+  database.change("DELETE FROM studies WHERE name = ? AND digest = ?", {s.name, p.digest});
+  database.insert("studies", {{"name", s.name},
+                              {"digest", p.digest},
+                              {"provenance", provenance_id(database, p)},
+                              {"kept_at", p.time},
+                              {"title", s.title},
+                              {"kind", s.kind},
+                              {"sweep", s.sweep},
+                              {"text", s.text}});
+  const std::int64_t id = database.last_row_id();
+  const Parent parent{"study", id};
+  insert_items(database, "study_claims", parent, s.claims,
+               [](const std::string& claim) { return Columns{{"claim", claim}}; });
+  insert_items(database, "claim_parts", parent, s.parts, [](const ClaimPart& part) {
+    return Columns{{"claim", part.claim},
+                   {"statement", part.statement},
+                   {"verdict", to_string(part.verdict)},
+                   {"evidence", part.evidence},
+                   {"reason", part.reason}};
+  });
+  insert_items(database, "check_values", parent, s.values, [](const mpmvv::Value& v) {
+    return Columns{{"name", v.name}, {"value", v.value}, {"meaning", v.meaning}};
+  });
+  const std::vector<std::string> no_runs;
+  for (std::size_t k = 0; k < s.series.size(); ++k)
+    insert_series(database, id, k, s.series[k], k < study.cases.size() ? study.cases[k] : no_runs, p.digest);
+  for (std::size_t k = 0; k < s.figures.size(); ++k) insert_figure(database, id, k, s.figures[k]);
+}
+
+}  // namespace mpmvv::db

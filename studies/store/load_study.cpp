@@ -1,0 +1,172 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "studies/store/run_rows.hpp"
+#include "studies/store/study_rows.hpp"
+
+namespace mpmvv::db {
+
+namespace {
+
+/// The rows of a table that belong to one of another, in their order, each made into an item.
+template <class Make>
+auto load_items(const Database& database, const char* table, const char* parent, const Value& id, Make make) {
+  std::vector<decltype(make(std::declval<const Row&>()))> items;
+  database.each(fmt::format("SELECT * FROM {} WHERE {} = ? ORDER BY ordinal", table, parent), {id},
+                [&](const Row& row) { items.push_back(make(row)); });
+  return items;
+}
+
+ObservedOrder load_order(const Database& database, const Row& row) {
+  ObservedOrder order{.norm = row["norm"].text(),
+                      .from = row["window_from"].real(),
+                      .to = row["window_to"].real(),
+                      .points = static_cast<int>(row["points"].integer()),
+                      .order = row["fitted_order"].real(),
+                      .half_width = row["half_width"].real(),
+                      .constant = row["constant"].real(),
+                      .r_squared = row["r_squared"].real(),
+                      .asymptotic = row["asymptotic"].flag(),
+                      .asymptotic_from = row["asymptotic_from"].real(),
+                      .asymptotic_to = row["asymptotic_to"].real(),
+                      .segments = load_items(database, "segments", "fit", row["id"],
+                                             [](const Row& s) {
+                                               return SegmentOrder{.from = s["x_from"].real(),
+                                                                   .to = s["x_to"].real(),
+                                                                   .order = s["segment_order"].real()};
+                                             }),
+                      .floor = std::nullopt};
+  if (!row["floor_accepted"].null())
+    order.floor = FloorFit{.constant = row["floor_constant"].real(),
+                           .order = row["floor_order"].real(),
+                           .floor = row["floor_value"].real(),
+                           .residual = row["floor_residual"].real(),
+                           .accepted = row["floor_accepted"].flag(),
+                           .reason = row["floor_reason"].text()};
+  return order;
+}
+
+StabilityLimit load_limit(const Database& database, const Row& row) {
+  return {.key = row["swept_key"].text(),
+          .stable = row["stable"].real(),
+          .unstable = row["unstable"].real(),
+          .monotone = row["monotone"].flag(),
+          .found = row["found"].flag(),
+          .probes = load_items(database, "probes", "series", row["series"], [](const Row& p) {
+            return Probe{.value = p["value"].real(), .stable = p["stable"].flag(), .reason = p["reason"].text()};
+          })};
+}
+
+/// A point and the text of its case.
+std::pair<Point, std::string> load_point(const Database& database, const Row& row) {
+  Point point{.x = row["x"].real(),
+              .status = status_from(row["point_status"].text()),
+              .reason = row["point_reason"].text(),
+              .y = {}};
+  std::string case_text;
+  if (!row["run"].null()) {
+    point.y = run_quantities(row);
+    case_text = row["case_text"].text();
+  }
+  database.each("SELECT quantity, value FROM point_values WHERE point = ?", {row["point"]},
+                [&](const Row& own) { point.y[own["quantity"].text()] = own["value"].real(); });
+  return {point, case_text};
+}
+
+/// A series and the texts of its cases.
+std::pair<Series, std::vector<std::string>> load_series(const Database& database, const Row& row) {
+  Series series{.name = row["name"].text(), .points = {}, .orders = {}, .limit = std::nullopt};
+  std::vector<std::string> cases;
+  const Value& id = row["id"];
+  database.each(
+      "SELECT points.id AS point, points.status AS point_status, points.reason AS point_reason, x, run, runs.* "
+      "FROM points LEFT JOIN runs ON runs.id = points.run WHERE series = ? ORDER BY ordinal",
+      {id}, [&](const Row& point_row) {
+        auto [point, case_text] = load_point(database, point_row);
+        series.points.push_back(std::move(point));
+        cases.push_back(std::move(case_text));
+      });
+  series.orders = load_items(database, "fits", "series", id, [&](const Row& r) { return load_order(database, r); });
+  database.each("SELECT * FROM limits WHERE series = ?", {id},
+                [&](const Row& r) { series.limit = load_limit(database, r); });
+  return {series, cases};
+}
+
+Figure load_figure(const Database& database, const Row& row) {
+  return {.name = row["name"].text(),
+          .caption = row["caption"].text(),
+          .xlabel = row["xlabel"].text(),
+          .ylabel = row["ylabel"].text(),
+          .log_x = row["log_x"].flag(),
+          .log_y = row["log_y"].flag(),
+          .quantity = row["quantity"].text(),
+          .series = load_items(database, "figure_series", "figure", row["id"],
+                               [](const Row& s) { return s["name"].text(); }),
+          .slopes = load_items(database, "figure_slopes", "figure", row["id"],
+                               [](const Row& s) { return s["slope"].real(); }),
+          .x_min = row["x_min"].optional_real(),
+          .x_max = row["x_max"].optional_real(),
+          .y_min = row["y_min"].optional_real(),
+          .y_max = row["y_max"].optional_real()};
+}
+
+StoredStudy load_study(const Database& database, const Row& row) {
+  const Value& id = row["study"];
+  StoredStudy study{.result = {.name = row["name"].text(),
+                               .title = row["title"].text(),
+                               .kind = row["kind"].text(),
+                               .sweep = row["sweep"].text(),
+                               .text = row["text"].text(),
+                               .claims = load_items(database, "study_claims", "study", id,
+                                                    [](const Row& r) { return r["claim"].text(); }),
+                               .series = {},
+                               .values = load_items(database, "check_values", "study", id,
+                                                    [](const Row& r) {
+                                                      return mpmvv::Value{.name = r["name"].text(),
+                                                                          .value = r["value"].real(),
+                                                                          .meaning = r["meaning"].text()};
+                                                    }),
+                               .figures = load_items(database, "figures", "study", id,
+                                                     [&](const Row& r) { return load_figure(database, r); }),
+                               .parts = load_items(database, "claim_parts", "study", id,
+                                                   [](const Row& r) {
+                                                     return ClaimPart{
+                                                         .claim = r["claim"].text(),
+                                                         .statement = r["statement"].text(),
+                                                         .verdict = part_verdict_from(r["verdict"].text()),
+                                                         .evidence = r["evidence"].text(),
+                                                         .reason = r["reason"].text()};
+                                                   })},
+                    .cases = {},
+                    .provenance = read_provenance(row)};
+  database.each("SELECT * FROM series WHERE study = ? ORDER BY ordinal", {id}, [&](const Row& series_row) {
+    auto [series, cases] = load_series(database, series_row);
+    study.result.series.push_back(std::move(series));
+    study.cases.push_back(std::move(cases));
+  });
+  return study;
+}
+
+}  // namespace
+
+std::vector<StoredStudy> load_studies(const Database& database, const std::string& digest) {
+  std::vector<StoredStudy> studies;
+  database.each(
+      "SELECT studies.id AS study, studies.*, provenance.* FROM studies JOIN provenance ON "
+      "provenance.id = studies.provenance WHERE studies.digest = ? ORDER BY name",
+      {digest}, [&](const Row& row) { studies.push_back(load_study(database, row)); });
+  return studies;
+}
+
+void copy_studies(const Database& from, Database& to) {
+  std::set<std::pair<std::string, std::string>> present;
+  to.each("SELECT name, digest FROM studies", {},
+          [&](const Row& row) { present.emplace(row["name"].text(), row["digest"].text()); });
+  from.each("SELECT DISTINCT digest FROM studies", {}, [&](const Row& row) {
+    for (const StoredStudy& study : load_studies(from, row["digest"].text()))
+      if (!present.contains({study.result.name, study.provenance.digest})) insert_study(to, study);
+  });
+}
+
+}  // namespace mpmvv::db

@@ -1,0 +1,22 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "studies/store.hpp"
+#include "studies/store/database.hpp"
+
+namespace mpmvv::db {
+
+inline constexpr std::int64_t application_id = 0x4D504D56;  ///< "MPMV" in the file's header
+
+/// The statements that lead from one schema to the next: the first makes schema 1 in an empty file, and so on. A
+/// released one is never changed; a new schema is a new entry.
+std::span<const char* const> migrations();
+
+/// Opens a store and brings it to the newest schema, in one transaction. UsageError on anything that is no store of
+/// ours, which stays as it is.
+Database open_store(const std::filesystem::path& file, Store::Mode mode,
+                    std::span<const char* const> steps = migrations());
+
+}  // namespace mpmvv::db

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "studies/provenance.hpp"
+#include "studies/result.hpp"
+#include "studies/store/database.hpp"
+
+namespace mpmvv::db {
+
+/// A study as its rows hold it.
+struct StoredStudy {
+  StudyResult result;
+  std::vector<std::vector<std::string>> cases;  ///< by series and point: text of the case, empty where there is no run
+  Provenance provenance;
+};
+
+/// Inserts a study, in the place of the one with this name and digest. A point that is a run takes its quantities from
+/// the run, which must be there; only those in which the point differs are kept as its own.
+void insert_study(Database& database, const StoredStudy& study);
+
+/// Studies of this digest, in name order.
+std::vector<StoredStudy> load_studies(const Database& database, const std::string& digest);
+
+/// Copies the studies that `to` lacks; their runs must be there.
+void copy_studies(const Database& from, Database& to);
+
+}  // namespace mpmvv::db

@@ -1,0 +1,83 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/case.hpp"
+#include "studies/result.hpp"
+#include "studies/settings.hpp"
+#include "studies/stability_limit.hpp"
+
+namespace mpmvv {
+
+/// One line of a study's plot: a name and the settings in which it differs from the study's fixed ones.
+struct SeriesPlan {
+  std::string name;
+  std::vector<Setting> settings;  ///< the fixed ones, overwritten by its own
+  std::string where;
+};
+
+/// What to fit: which norm, over which declared window of swept values, with or without a floor, for which series.
+struct FitPlan {
+  std::string norm;
+  double from = 0, to = 0;
+  bool floor = false;
+  std::vector<std::string> series;  ///< empty: all
+};
+
+/// What a claim asks of the results, as a number with bounds. Committed before the claim's first full run.
+struct Criterion {
+  enum class Kind {
+    order,        ///< fitted order of `series` in `norm` over [from, to]
+    error,        ///< `norm` of `series` at every swept value in [from, to]
+    error_ratio,  ///< the same divided by that of `over`
+    spread,       ///< largest over smallest `norm` of `series` at the swept values in [from, to]
+    status,       ///< fraction of `series`' points in [from, to] with status ok
+    limit,        ///< stability limit of `series`
+    limit_ratio,  ///< the same divided by that of `over`
+    value,        ///< value `name` of a check
+    shown         ///< nothing is asked: the figure is the evidence
+  };
+  std::string claim;
+  std::string statement;
+  Kind kind = Kind::shown;
+  std::vector<std::string> series;
+  std::string over;  ///< series to divide by
+  std::string name;  ///< of a check's value
+  std::string norm;
+  double from = 0, to = 0;
+  std::optional<double> at_least, at_most;
+  std::string reason;  ///< why it fails, written after the evidence was checked
+};
+
+/// A study as its file describes it.
+struct StudyPlan {
+  std::string name;  ///< stem of the file
+  std::string title;
+  std::string text;  ///< the file, whole
+  std::vector<std::string> claims;
+  std::string check;  ///< for checks: which one; then there are no series
+  std::vector<SeriesPlan> series;
+  std::string sweep;           ///< swept key; empty without a sweep
+  std::vector<double> values;  ///< swept values
+  std::optional<LimitSearch> limit;
+  std::vector<FitPlan> fits;
+  std::vector<Figure> figures;
+  std::vector<Criterion> criteria;
+
+  std::string kind() const { return !check.empty() ? "check" : limit ? "limit" : "convergence"; }
+  bool has_series(const std::string& name) const;
+};
+
+/// Reads and checks a study file: every mistake is a UsageError with file and line, also one in a case that only
+/// a combination of series and swept value makes wrong.
+StudyPlan read_study(const std::filesystem::path& file);
+
+/// The case of a series at a value of the swept (or searched) key.
+Case case_at(const SeriesPlan& series, const std::string& key, double value);
+
+/// Judges one criterion by the results.
+ClaimPart judge(const Criterion& criterion, const StudyResult& result);
+
+}  // namespace mpmvv
