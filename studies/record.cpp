@@ -20,17 +20,24 @@ constexpr std::array verdict_words{"holds", "fails", "shown", "inconclusive"};
 template <class Enum, std::size_t N>
 Enum from_word(const std::array<const char*, N>& words, const std::string& word, const char* what) {
   const auto it = std::find(words.begin(), words.end(), word);
-  if (it == words.end()) throw UsageError(fmt::format("unknown {} '{}' (known: {})", what, word, fmt::join(words, ", ")));
+  if (it == words.end())
+    throw UsageError(fmt::format("unknown {} '{}' (known: {})", what, word, fmt::join(words, ", ")));
   return static_cast<Enum>(it - words.begin());
 }
 
 }  // namespace
 
-std::string to_string(Status s) { return status_words.at(static_cast<std::size_t>(s)); }
+std::string to_string(Status s) {
+  return status_words.at(static_cast<std::size_t>(s));
+}
 
-Status status_from(const std::string& word) { return from_word<Status>(status_words, word, "status"); }
+Status status_from(const std::string& word) {
+  return from_word<Status>(status_words, word, "status");
+}
 
-std::string to_string(PartVerdict v) { return verdict_words.at(static_cast<std::size_t>(v)); }
+std::string to_string(PartVerdict v) {
+  return verdict_words.at(static_cast<std::size_t>(v));
+}
 
 PartVerdict part_verdict_from(const std::string& word) {
   return from_word<PartVerdict>(verdict_words, word, "verdict of a claim's part");

@@ -88,17 +88,16 @@ std::vector<std::pair<std::string, std::string>> Store::info() const {
       {"studies", number("SELECT count(*) FROM studies")},
       {"records", number("SELECT count(*) FROM runs")}};
   for (const Status status : {Status::ok, Status::unstable, Status::failed})
-    lines.emplace_back(
-        "records " + to_string(status),
-        database.scalar("SELECT count(*) FROM runs WHERE status = ?", {to_string(status)}).to_string());
+    lines.emplace_back("records " + to_string(status),
+                       database.scalar("SELECT count(*) FROM runs WHERE status = ?", {to_string(status)}).to_string());
   database.each(
       "SELECT provenance.digest, git_commit, dirty, count(*) AS records, max(kept_at) AS last FROM runs "
       "JOIN provenance ON provenance.id = runs.provenance GROUP BY provenance.id ORDER BY last DESC",
       {}, [&](const db::Row& row) {
-        lines.emplace_back("digest " + row["digest"].text(),
-                           fmt::format("commit {}{}, {} records, last {}", row["git_commit"].text(),
-                                       row["dirty"].flag() ? " (dirty)" : "", row["records"].integer(),
-                                       row["last"].text()));
+        lines.emplace_back(
+            "digest " + row["digest"].text(),
+            fmt::format("commit {}{}, {} records, last {}", row["git_commit"].text(),
+                        row["dirty"].flag() ? " (dirty)" : "", row["records"].integer(), row["last"].text()));
       });
   return lines;
 }
@@ -121,6 +120,7 @@ std::vector<std::string> Store::check() const {
 
 std::int64_t Store::merge(const std::filesystem::path& other) {
   db::Database from = db::open_store(other, Mode::read);
+  if (std::filesystem::equivalent(other, impl_->database.file())) return 0;
   db::Transaction one_state(from, Kind::read);
   db::Transaction transaction(impl_->database, Kind::write);
   const std::int64_t copied = db::copy_runs(from, impl_->database);

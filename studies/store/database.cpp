@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
@@ -92,7 +91,9 @@ const Value& Row::operator[](std::string_view name) const {
   return values_[static_cast<std::size_t>(it - names_->begin())];
 }
 
-void Database::Closer::operator()(sqlite3* connection) const { sqlite3_close_v2(connection); }
+void Database::Closer::operator()(sqlite3* connection) const {
+  sqlite3_close_v2(connection);
+}
 
 Database::Database(std::filesystem::path file, Access access) : file_(std::move(file)) {
   // SQLite opens a file that may not be written for reading. To read it asks for writing as well: it may have to undo
@@ -104,14 +105,18 @@ Database::Database(std::filesystem::path file, Access access) : file_(std::move(
   require(code);
   sqlite3_extended_result_codes(raw, 1);
   sqlite3_busy_timeout(raw, busy_timeout_ms);
-  // FULL: with a rollback journal NORMAL can corrupt the file when the power fails, and saves no time measurably.
+  // FULL: with a rollback journal NORMAL can corrupt the file when the power fails, to save one of four syncs.
   execute("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL");
   if (access == Access::read) execute("PRAGMA query_only = ON");
 }
 
-bool Database::writable() const { return sqlite3_db_readonly(connection_.get(), "main") == 0; }
+bool Database::writable() const {
+  return sqlite3_db_readonly(connection_.get(), "main") == 0;
+}
 
-bool Database::in_transaction() const { return sqlite3_get_autocommit(connection_.get()) == 0; }
+bool Database::in_transaction() const {
+  return sqlite3_get_autocommit(connection_.get()) == 0;
+}
 
 void Database::execute(const std::string& statements) {
   require(sqlite3_exec(connection_.get(), statements.c_str(), nullptr, nullptr, nullptr));
@@ -133,7 +138,9 @@ std::int64_t Database::insert(const std::string& table, const Columns& columns, 
   return change(fmt::format("INSERT INTO {} ({}) VALUES ({}) {}", table, names, marks, conflict), values);
 }
 
-std::int64_t Database::last_row_id() const { return sqlite3_last_insert_rowid(connection_.get()); }
+std::int64_t Database::last_row_id() const {
+  return sqlite3_last_insert_rowid(connection_.get());
+}
 
 void Database::each(const std::string& query, const Values& values,
                     const std::function<void(const Row&)>& visit) const {
@@ -177,13 +184,11 @@ void Database::fail(int code) const {
       throw UsageError(fmt::format("{} is locked by another process for over {} s (wait for it to end)", name,
                                    busy_timeout_ms / 1000));
     case SQLITE_READONLY:
-      throw UsageError(fmt::format("{} is read-only (make it writable or name another file)", name));
+      throw UsageError(fmt::format("{} is read-only (make it and its folder writable, or name another file)", name));
     case SQLITE_CANTOPEN:
-      throw UsageError(fmt::format("{} cannot be opened (it and its folder must be readable, to write also writable)",
-                                   name));
+      throw UsageError(fmt::format("{} cannot be opened (check the permissions of it and its folder)", name));
     case SQLITE_IOERR:
-      throw UsageError(fmt::format("{}: {}: {} (check the disk and its quota)", name, cause,
-                                   std::strerror(sqlite3_system_errno(connection_.get()))));
+      throw UsageError(fmt::format("{}: {} (check the disk and its quota)", name, cause));
     default:
       throw UsageError(fmt::format("{}: {} (see `mpmvv db check`)", name, cause));
   }
@@ -201,6 +206,8 @@ Transaction::~Transaction() {
   }
 }
 
-void Transaction::commit() { database_.execute("COMMIT"); }
+void Transaction::commit() {
+  database_.execute("COMMIT");
+}
 
 }  // namespace mpmvv::db

@@ -103,10 +103,12 @@ void insert_figure(Database& database, std::int64_t study, std::size_t ordinal, 
                                        {"x_max", figure.x_max},
                                        {"y_min", figure.y_min},
                                        {"y_max", figure.y_max}});
-  insert_items(database, "figure_series", {"figure", id}, figure.series,
-               [](const std::string& name) { return Columns{{"name", name}}; });
-  insert_items(database, "figure_slopes", {"figure", id}, figure.slopes,
-               [](double slope) { return Columns{{"slope", slope}}; });
+  insert_items(database, "figure_series", {"figure", id}, figure.series, [](const std::string& name) {
+    return Columns{{"name", name}};
+  });
+  insert_items(database, "figure_slopes", {"figure", id}, figure.slopes, [](double slope) {
+    return Columns{{"slope", slope}};
+  });
 }
 
 }  // namespace
@@ -125,8 +127,9 @@ void insert_study(Database& database, const StoredStudy& study) {
                               {"text", s.text}});
   const std::int64_t id = database.last_row_id();
   const Parent parent{"study", id};
-  insert_items(database, "study_claims", parent, s.claims,
-               [](const std::string& claim) { return Columns{{"claim", claim}}; });
+  insert_items(database, "study_claims", parent, s.claims, [](const std::string& claim) {
+    return Columns{{"claim", claim}};
+  });
   insert_items(database, "claim_parts", parent, s.parts, [](const ClaimPart& part) {
     return Columns{{"claim", part.claim},
                    {"statement", part.statement},

@@ -101,8 +101,8 @@ Figure load_figure(const Database& database, const Row& row) {
           .log_x = row["log_x"].flag(),
           .log_y = row["log_y"].flag(),
           .quantity = row["quantity"].text(),
-          .series = load_items(database, "figure_series", "figure", row["id"],
-                               [](const Row& s) { return s["name"].text(); }),
+          .series =
+              load_items(database, "figure_series", "figure", row["id"], [](const Row& s) { return s["name"].text(); }),
           .slopes = load_items(database, "figure_slopes", "figure", row["id"],
                                [](const Row& s) { return s["slope"].real(); }),
           .x_min = row["x_min"].optional_real(),
@@ -131,12 +131,11 @@ StoredStudy load_study(const Database& database, const Row& row) {
                                                      [&](const Row& r) { return load_figure(database, r); }),
                                .parts = load_items(database, "claim_parts", "study", id,
                                                    [](const Row& r) {
-                                                     return ClaimPart{
-                                                         .claim = r["claim"].text(),
-                                                         .statement = r["statement"].text(),
-                                                         .verdict = part_verdict_from(r["verdict"].text()),
-                                                         .evidence = r["evidence"].text(),
-                                                         .reason = r["reason"].text()};
+                                                     return ClaimPart{.claim = r["claim"].text(),
+                                                                      .statement = r["statement"].text(),
+                                                                      .verdict = part_verdict_from(r["verdict"].text()),
+                                                                      .evidence = r["evidence"].text(),
+                                                                      .reason = r["reason"].text()};
                                                    })},
                     .cases = {},
                     .provenance = read_provenance(row)};

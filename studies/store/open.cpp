@@ -50,9 +50,10 @@ void require_place(const fs::path& file, bool create) {
 std::int64_t read_schema(const Database& database, std::int64_t newest) {
   const std::int64_t schema = database.scalar("PRAGMA user_version").integer();
   if (schema > newest)
-    throw UsageError(fmt::format("results store '{}' has schema {}, made by a newer mpmvv; this one knows {} (use the "
-                                 "newer program or name another file)",
-                                 database.file().string(), schema, newest));
+    throw UsageError(
+        fmt::format("results store '{}' has schema {}, made by a newer mpmvv; this one knows {} (use the "
+                    "newer program or name another file)",
+                    database.file().string(), schema, newest));
   return schema;
 }
 
@@ -65,9 +66,10 @@ Database open_for_reading(const fs::path& file, std::span<const char* const> ste
   const std::int64_t schema = read_schema(database, std::ssize(steps));
   if (schema == 0) fail_empty(file);
   if (schema < std::ssize(steps))
-    throw UsageError(fmt::format("results store '{}' has the older schema {}, this mpmvv reads {} (`mpmvv study` "
-                                 "brings it up to date)",
-                                 file.string(), schema, steps.size()));
+    throw UsageError(
+        fmt::format("results store '{}' has the older schema {}, this mpmvv reads {} (`mpmvv study` "
+                    "brings it up to date)",
+                    file.string(), schema, steps.size()));
   return database;
 }
 
@@ -77,8 +79,8 @@ bool apply_missing(Database& database, bool create, std::span<const char* const>
   const std::int64_t schema = read_schema(database, std::ssize(steps));
   if (schema == 0 && !create) fail_empty(database.file());
   if (schema == 0 && !fs::exists(database.file()))
-    throw UsageError(fmt::format("results store '{}' was removed while it was opened (try again)",
-                                 database.file().string()));
+    throw UsageError(
+        fmt::format("results store '{}' was removed while it was opened (try again)", database.file().string()));
   if (schema == 0) database.execute(fmt::format("PRAGMA application_id = {}", application_id));
   for (const char* step : steps.subspan(static_cast<std::size_t>(schema))) database.execute(step);
   database.execute(fmt::format("PRAGMA user_version = {}", steps.size()));
@@ -102,8 +104,8 @@ Database open_for_writing(const fs::path& file, bool create, std::span<const cha
   const bool fresh = !fs::exists(file);
   Database database(file, create ? Database::Access::create : Database::Access::write);
   if (!database.writable())
-    throw UsageError(
-        fmt::format("results store '{}' is read-only (make it writable or name another file)", file.string()));
+    throw UsageError(fmt::format(
+        "results store '{}' is read-only (make it and its folder writable, or name another file)", file.string()));
   migrate(database, create, fresh, steps);
   return database;
 }

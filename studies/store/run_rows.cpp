@@ -112,9 +112,9 @@ std::optional<Record> find_run(const Database& database, const Case& c, const st
 
 std::map<std::string, double> run_quantities(const Row& row) {
   std::map<std::string, double> quantities;
-  for (const char* name : {"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "wall_seconds",
-                           "ns_per_particle_step", "kinetic", "strain", "initial_total", "particles", "steps", "dt",
-                           "cfl"})
+  for (const char* name :
+       {"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "wall_seconds", "ns_per_particle_step",
+        "kinetic", "strain", "initial_total", "particles", "steps", "dt", "cfl"})
     if (const Value& value = row[name]; !value.null()) quantities[name] = value.real();
   return quantities;
 }

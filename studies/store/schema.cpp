@@ -214,6 +214,8 @@ constexpr std::array all_migrations{schema_1};
 
 }  // namespace
 
-std::span<const char* const> migrations() { return all_migrations; }
+std::span<const char* const> migrations() {
+  return all_migrations;
+}
 
 }  // namespace mpmvv::db

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <set>
@@ -57,7 +58,7 @@ TEST(CanonicalText, EveryMemberMakesADifference) {
   EXPECT_TRUE(differs([](Case& c) { c.problem.parameters["amplitude"] = std::nextafter(0.05, 1); }));
   EXPECT_TRUE(differs([](Case& c) { c.problem.parameters["more"] = 0; }));
   EXPECT_TRUE(differs([](Case& c) { c.problem.end_time = 2; }));
-  for (std::string Scheme::* word :
+  for (std::string Scheme::*word :
        {&Scheme::basis, &Scheme::integrator, &Scheme::start, &Scheme::velocity_update, &Scheme::mass, &Scheme::boundary,
         &Scheme::wall_acceleration, &Scheme::deformation, &Scheme::body_force, &Scheme::fill})
     EXPECT_TRUE(differs([&](Case& c) { c.scheme.*word = "x"; }));

@@ -36,7 +36,8 @@ class BuildInfo : public testing::Test {
 
   /// The header as the build in this folder makes it.
   std::string header(const std::string& build = "build", const std::string& flags = "-O3 -Wall") const {
-    run(fmt::format("cmake '-DSOURCE_DIR={0}' '-DBINARY_DIR={1}' '-DHEADER={1}/info.hpp' '-DCOMPILER=GNU 12.2.0' "
+    run(
+        fmt::format("cmake '-DSOURCE_DIR={0}' '-DBINARY_DIR={1}' '-DHEADER={1}/info.hpp' '-DCOMPILER=GNU 12.2.0' "
                     "-DBUILD_TYPE=Release '-DFLAGS={2}' -P '{3}/cmake/BuildInfo.cmake'",
                     source_.string(), (root_ / build).string(), flags, MPMVV_SOURCE_DIR));
     std::ifstream file(root_ / build / "info.hpp");

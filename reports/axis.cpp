@@ -1,0 +1,118 @@
+#include "reports/axis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mpmvv {
+
+namespace {
+
+constexpr double few_tics = 12;
+constexpr double least_gap = 0.055;
+
+double unscaled(const Axis& axis, double scaled) {
+  return axis.log ? std::pow(10.0, scaled) : scaled;
+}
+double scaled(const Axis& axis, double value) {
+  return axis.log ? std::log10(value) : value;
+}
+
+/// The ends that hold the values, in decades on a logarithmic axis.
+std::pair<double, double> ends(const AxisWish& wish, std::span<const double> values) {
+  double low = INFINITY, high = -INFINITY;
+  for (const double v : values) {
+    if (!std::isfinite(v) || (wish.log && v <= 0)) continue;
+    low = std::min(low, wish.log ? std::log10(v) : v);
+    high = std::max(high, wish.log ? std::log10(v) : v);
+  }
+  if (low > high) return {0, 1};
+  if (high - low > 1e-9 * std::max(std::abs(low), std::abs(high))) return {low, high};
+  const double half = wish.log || low == 0 ? 0.5 : 0.1 * std::abs(low);
+  return {low - half, high + half};
+}
+
+/// "10^{-3}", "2·10^{-3}": for the plotting program's enhanced texts.
+std::string power_text(double v) {
+  const std::string digits = fmt::format("{:.3e}", v);
+  const auto e = digits.find('e');
+  const std::string mantissa = fmt::format("{:g}", std::stod(digits.substr(0, e)));
+  const std::string power = fmt::format("10^{{{}}}", std::stoi(digits.substr(e + 1)));
+  return mantissa == "1" ? power : mantissa + "·" + power;
+}
+
+std::string tic_text(double v) {
+  const double size = std::abs(v);
+  return v == 0 ? "0" : size >= 0.001 && size < 1e5 ? fmt::format("{:.4g}", v) : power_text(v);
+}
+
+/// Decades; on a short axis their halves or all their multiples too. False, and none, when fewer than two get a text.
+bool decade_tics(Axis& axis) {
+  const double span = std::log10(axis.to / axis.from);
+  const int first = static_cast<int>(std::floor(std::log10(axis.from)));
+  const int last = static_cast<int>(std::floor(std::log10(axis.to)));
+  const int step = 1 + (last - first) / 10;
+  const bool plain = axis.from > 0.005 && axis.to < 2000;
+  int texts = 0;
+  for (int d = first; d <= last; ++d)
+    for (int m = 1; m < 10; ++m) {
+      const double at = m * std::pow(10.0, d);
+      if (!axis.holds(at) || (m > 1 && step > 1)) continue;
+      const bool has_text = span < (plain ? 0.95 : 0.5) ? true
+                            : span < 2                  ? m == 1 || m == 2 || m == 5
+                                                        : m == 1 && d % step == 0;
+      axis.tics.push_back({at, !has_text ? "" : plain ? fmt::format("{:g}", at) : power_text(at)});
+      texts += has_text ? 1 : 0;
+    }
+  if (texts < 2) axis.tics.clear();
+  return texts >= 2;
+}
+
+void even_tics(Axis& axis) {
+  const double rough = (axis.to - axis.from) / 6;
+  const double unit = std::pow(10.0, std::floor(std::log10(rough)));
+  const double step = unit * (rough < 1.5 * unit ? 1 : rough < 3 * unit ? 2 : rough < 7 * unit ? 5 : 10);
+  for (double k = std::ceil(axis.from / step); k * step <= axis.to; ++k)
+    axis.tics.push_back({k * step, tic_text(k * step)});
+}
+
+/// One tic per distinct value; false, and none, when they are too many or too close.
+bool value_tics(Axis& axis, std::span<const double> values) {
+  std::vector<double> distinct;
+  std::ranges::copy_if(values, std::back_inserter(distinct), [&](double v) { return axis.holds(v); });
+  std::ranges::sort(distinct);
+  distinct.erase(std::ranges::unique(distinct).begin(), distinct.end());
+  if (distinct.size() < 2 || static_cast<double>(distinct.size()) > few_tics) return false;
+  for (std::size_t i = 1; i < distinct.size(); ++i)
+    if (axis.fraction(distinct[i]) - axis.fraction(distinct[i - 1]) < least_gap) return false;
+  for (const double v : distinct) axis.tics.push_back({v, tic_text(v)});
+  return true;
+}
+
+}  // namespace
+
+double Axis::fraction(double value) const {
+  return (scaled(*this, value) - scaled(*this, from)) / (scaled(*this, to) - scaled(*this, from));
+}
+
+double Axis::value(double fraction) const {
+  return unscaled(*this, scaled(*this, from) + fraction * (scaled(*this, to) - scaled(*this, from)));
+}
+
+Axis make_axis(const AxisWish& wish, std::span<const double> values) {
+  const auto [low, high] = ends(wish, values);
+  const auto usable = [&](const std::optional<double>& end) { return end && (*end > 0 || !wish.log); };
+  Axis axis;
+  axis.label = wish.label;
+  axis.log = wish.log;
+  axis.from = usable(wish.from) ? *wish.from : unscaled(axis, low - wish.below * (high - low));
+  axis.to = usable(wish.to) ? *wish.to : unscaled(axis, high + wish.above * (high - low));
+  if (!(axis.from < axis.to)) axis.to = axis.log ? axis.from * 10 : axis.from + 1;
+  if (wish.tics_at_values && value_tics(axis, values)) return axis;
+  if (wish.log && decade_tics(axis)) return axis;
+  even_tics(axis);
+  return axis;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,76 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "reports/axis.hpp"
+#include "studies/result.hpp"
+
+namespace mpmvv {
+
+/// What a dot stands for: inside or outside a fit's window, blown up (drawn at the upper edge), or nothing to draw.
+enum class Mark { inside, outside, unstable, absent };
+
+struct Dot {
+  double x = 0;
+  double value = 0;  ///< as measured; NaN where it was not
+  double drawn = 0;  ///< where the mark stands on the y axis
+  Mark mark = Mark::inside;
+};
+
+struct Curve {
+  std::string name;        ///< in the data file
+  std::string key;         ///< in the key
+  int style = 0;           ///< chooses colour and marker
+  bool joined = true;      ///< a line from dot to dot
+  bool marked = true;      ///< a marker on each dot
+  bool emphasised = true;  ///< the line itself is the result, not a guide to the eye
+  std::vector<Dot> dots;
+};
+
+inline constexpr int plain_style = -1;
+
+struct Place {
+  double x = 0, y = 0;
+};
+
+/// A line that is not data.
+struct Rule {
+  enum class Kind { fit, reference, triangle, floor, limit };
+  Kind kind = Kind::fit;
+  int style = 0;        ///< as the curve's; plain_style: black
+  std::string meaning;  ///< in the data file
+  std::vector<Place> path;
+};
+
+struct Label {
+  enum class Side { centre, left, right };  ///< which side of the text stands at the place
+  Place at;
+  std::string text;
+  Side side = Side::centre;
+};
+
+/// A figure, ready to be drawn: in the axes' own units, free of any plotting program.
+struct Chart {
+  std::string name;
+  std::string caption;
+  double width = 720, height = 430;  ///< of the axes and their labels, in pixels of 1/96 inch
+  std::size_t right_margin = 2;      ///< in characters
+  Axis x, y;
+  std::vector<Curve> curves;
+  std::vector<Rule> rules;
+  std::vector<Label> labels;
+  std::vector<std::string> notes;  ///< how to read it, and what could not be drawn
+};
+
+/// One figure of a study: its points, fits, floors, limits and reference slopes.
+/// Throws UsageError when the figure names a series that the study lacks.
+Chart error_chart(const StudyResult& study, const Figure& figure);
+
+/// Every probe of every limit of a study, stable or not, one row per series.
+Chart stability_map(const StudyResult& study, const Figure& figure);
+
+/// All figures of a study. One of kind `limit` gets a stability map at least: a figure without values is drawn as
+/// one, and where there is none it is added under the name STUDY-map.
+std::vector<Chart> charts_of(const StudyResult& study);
+
+}  // namespace mpmvv

@@ -1,0 +1,108 @@
+#include "reports/csv.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
+#include <vector>
+
+#include "reports/text.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+/// Lines of fields under a heading.
+class Csv {
+ public:
+  explicit Csv(const std::vector<std::string>& columns) { add(columns); }
+
+  void add(const std::vector<std::string>& fields) {
+    std::vector<std::string> quoted;
+    for (const auto& f : fields) quoted.push_back(csv_field(f));
+    text_ += fmt::format("{}\n", fmt::join(quoted, ","));
+    ++lines_;
+  }
+
+  bool has_rows() const { return lines_ > 1; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  int lines_ = 0;
+};
+
+Csv points_csv(const StudyResult& study) {
+  std::set<std::string> quantities;
+  for (const auto& series : study.series)
+    for (const auto& point : series.points)
+      for (const auto& [name, value] : point.y) quantities.insert(name);
+  std::vector<std::string> head{"series", "x", "status"};
+  head.insert(head.end(), quantities.begin(), quantities.end());
+  head.push_back("reason");
+  Csv csv(head);
+  for (const auto& series : study.series)
+    for (const auto& point : series.points) {
+      std::vector<std::string> row{series.name, exact(point.x), to_string(point.status)};
+      for (const auto& q : quantities) row.push_back(point.y.contains(q) ? exact(point.y.at(q)) : "");
+      row.push_back(point.reason);
+      csv.add(row);
+    }
+  return csv;
+}
+
+Csv fits_csv(const StudyResult& study) {
+  Csv csv({"series", "norm", "from", "to", "points", "order", "half_width", "constant", "r_squared", "asymptotic",
+           "asymptotic_from", "asymptotic_to", "floor_accepted", "floor", "floor_order", "floor_constant",
+           "floor_residual", "floor_reason"});
+  for (const auto& series : study.series)
+    for (const auto& o : series.orders) {
+      const FloorFit floor = o.floor.value_or(FloorFit{});
+      csv.add({series.name, o.norm, exact(o.from), exact(o.to), fmt::format("{}", o.points), exact(o.order),
+               exact(o.half_width), exact(o.constant), exact(o.r_squared), fmt::format("{}", o.asymptotic),
+               exact(o.asymptotic_from), exact(o.asymptotic_to), o.floor ? fmt::format("{}", floor.accepted) : "",
+               exact(floor.floor), exact(floor.order), exact(floor.constant), exact(floor.residual), floor.reason});
+    }
+  return csv;
+}
+
+Csv limits_csv(const StudyResult& study) {
+  Csv csv({"series", "key", "stable", "unstable", "found", "monotone"});
+  for (const auto& series : study.series)
+    if (series.limit)
+      csv.add({series.name, series.limit->key, exact(series.limit->stable), exact(series.limit->unstable),
+               fmt::format("{}", series.limit->found), fmt::format("{}", series.limit->monotone)});
+  return csv;
+}
+
+Csv probes_csv(const StudyResult& study) {
+  Csv csv({"series", "key", "value", "stable", "reason"});
+  for (const auto& series : study.series) {
+    if (!series.limit) continue;
+    for (const auto& p : series.limit->probes)
+      csv.add({series.name, series.limit->key, exact(p.value), fmt::format("{}", p.stable), p.reason});
+  }
+  return csv;
+}
+
+Csv values_csv(const StudyResult& study) {
+  Csv csv({"name", "value", "meaning"});
+  for (const auto& v : study.values) csv.add({v.name, exact(v.value), v.meaning});
+  return csv;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> csv_tables(const StudyResult& study) {
+  std::map<std::string, std::string> files{{study.name + ".csv", points_csv(study).text()}};
+  const auto add = [&](const std::string& what, const Csv& csv) {
+    if (csv.has_rows()) files[study.name + "-" + what + ".csv"] = csv.text();
+  };
+  add("fits", fits_csv(study));
+  add("limits", limits_csv(study));
+  add("probes", probes_csv(study));
+  add("values", values_csv(study));
+  return files;
+}
+
+}  // namespace mpmvv

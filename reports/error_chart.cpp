@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "reports/chart.hpp"
+#include "reports/reference_slope.hpp"
+#include "reports/text.hpp"
+#include "studies/error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+constexpr std::size_t most_markers = 40;  ///< beyond, a curve is a line without markers
+
+std::vector<const Series*> chosen_series(const StudyResult& study, const Figure& figure) {
+  std::vector<const Series*> chosen;
+  for (const auto& s : study.series)
+    if (figure.series.empty()) chosen.push_back(&s);
+  for (const auto& name : figure.series) {
+    const auto it = std::ranges::find(study.series, name, &Series::name);
+    if (it == study.series.end()) {
+      std::vector<std::string> known;
+      for (const auto& s : study.series) known.push_back(s.name);
+      throw UsageError(
+          fmt::format("figure '{}' of study '{}' names the series '{}', which the study lacks (it has: {})",
+                      figure.name, study.name, name, fmt::join(known, ", ")));
+    }
+    chosen.push_back(&*it);
+  }
+  return chosen;
+}
+
+std::vector<const ObservedOrder*> orders_of(const Series& series, const std::string& norm) {
+  std::vector<const ObservedOrder*> result;
+  for (const auto& o : series.orders)
+    if (o.norm == norm) result.push_back(&o);
+  return result;
+}
+
+bool in_window(const ObservedOrder& o, double x) {
+  const double slack = 1e-9 * std::abs(x);
+  return x >= o.from - slack && x <= o.to + slack;
+}
+
+/// Builds the chart of one figure; each step is one kind of thing on it.
+class ErrorChart {
+ public:
+  ErrorChart(const StudyResult& study, const Figure& figure)
+      : study_(study), figure_(figure), series_(chosen_series(study, figure)) {
+    chart_.name = figure.name;
+    chart_.caption = figure.caption;
+  }
+
+  Chart make() {
+    for (std::size_t i = 0; i < series_.size(); ++i) add_curve(*series_[i], static_cast<int>(i));
+    set_axes();
+    place_unstable();
+    note_clipped();
+    for (std::size_t i = 0; i < series_.size(); ++i) add_rules(*series_[i], static_cast<int>(i));
+    if (figure_.log_x && figure_.log_y && has_values_)
+      for (const double p : figure_.slopes) add_reference_slope(chart_, p, study_.sweep);
+    add_notes();
+    return std::move(chart_);
+  }
+
+ private:
+  bool is_number_on(bool log, double v) const { return std::isfinite(v) && (!log || v > 0); }
+  double step_size(double x) const { return study_.sweep == "cells" ? 1 / x : x; }
+
+  std::string key_of(const Series& s) const {
+    std::string key = s.name, separator = "   ";
+    for (const auto* o : orders_of(s, figure_.quantity))
+      if (!std::isnan(o->order)) {
+        key += separator + order_text(o->order, o->half_width);
+        separator = ", ";
+      }
+    if (marks_limit(s))
+      key += fmt::format("{}stable {} {}", separator, s.limit->stable < s.limit->unstable ? "to" : "from",
+                         brief(s.limit->value()));
+    return key;
+  }
+
+  bool marks_limit(const Series& s) const { return s.limit && s.limit->found && s.limit->key == study_.sweep; }
+
+  void note_missing(const std::string& series, double x, const std::string& why) {
+    missing_.push_back(fmt::format("{} at {} ({})", series, brief(x), why));
+  }
+
+  Dot dot_of(const Series& s, const Point& p) {
+    const auto y = p.y.find(figure_.quantity);
+    const double value = y == p.y.end() ? NAN : y->second;
+    Dot dot{p.x, value, value, Mark::inside};
+    const auto orders = orders_of(s, figure_.quantity);
+    if (!orders.empty() && std::ranges::none_of(orders, [&](const auto* o) { return in_window(*o, p.x); }))
+      dot.mark = Mark::outside;
+    if (p.status == Status::unstable) {
+      dot.mark = Mark::unstable;
+    } else if (p.status == Status::failed || !is_number_on(figure_.log_y, value)) {
+      dot.mark = Mark::absent;
+      const std::string why = p.status == Status::failed ? "failed" : std::isnan(value) ? "not measured" : brief(value);
+      note_missing(s.name, p.x, why);
+    }
+    return dot;
+  }
+
+  void add_curve(const Series& s, int style) {
+    Curve curve{s.name, key_of(s), style, true, s.points.size() <= most_markers, s.orders.empty(), {}};
+    for (const auto& p : s.points) {
+      if (is_number_on(figure_.log_x, p.x))
+        curve.dots.push_back(dot_of(s, p));
+      else
+        note_missing(s.name, p.x, "no place on this axis");
+    }
+    chart_.curves.push_back(std::move(curve));
+  }
+
+  void set_axes() {
+    std::vector<double> xs, ys;
+    for (const auto& curve : chart_.curves)
+      for (const auto& dot : curve.dots) {
+        if (dot.mark != Mark::absent) xs.push_back(dot.x);
+        if (dot.mark == Mark::inside || dot.mark == Mark::outside) ys.push_back(dot.value);
+      }
+    for (const auto* s : series_) {
+      if (marks_limit(*s)) xs.push_back(s->limit->value());
+      for (const auto* o : orders_of(*s, figure_.quantity))
+        if (o->floor && o->floor->accepted) ys.push_back(o->floor->floor);
+    }
+    has_values_ = !ys.empty();
+    const bool has_markers = std::ranges::any_of(chart_.curves, &Curve::marked);
+    const double side = has_markers ? 0.06 : 0;
+    chart_.x = make_axis({figure_.xlabel.empty() ? study_.sweep : figure_.xlabel, figure_.log_x, figure_.x_min,
+                          figure_.x_max, side, side, figure_.log_x},
+                         xs);
+    chart_.y = make_axis({figure_.ylabel.empty() ? figure_.quantity : figure_.ylabel, figure_.log_y, figure_.y_min,
+                          figure_.y_max, figure_.slopes.empty() ? 0.06 : 0.14, 0.08},
+                         ys);
+  }
+
+  /// Crosses hang from the upper edge; where several series are unstable at one x, one below the other.
+  void place_unstable() {
+    std::map<double, int> at_x;
+    for (auto& curve : chart_.curves)
+      for (auto& dot : curve.dots)
+        if (dot.mark == Mark::unstable) dot.drawn = chart_.y.value(1 - 0.022 - 0.03 * at_x[dot.x]++);
+  }
+
+  void note_clipped() {
+    for (const auto& curve : chart_.curves)
+      for (const auto& dot : curve.dots)
+        if (curve.marked && dot.mark != Mark::absent && !(chart_.x.holds(dot.x) && chart_.y.holds(dot.drawn)))
+          note_missing(curve.name, dot.x, fmt::format("{} is off the axes", brief(dot.value)));
+  }
+
+  void add_rules(const Series& s, int style) {
+    for (const auto* o : orders_of(s, figure_.quantity)) {
+      add_fit(s, *o, style);
+      if (o->floor && o->floor->accepted && is_number_on(figure_.log_y, o->floor->floor))
+        chart_.rules.push_back({Rule::Kind::floor,
+                                style,
+                                fmt::format("{}: floor E0 of the fit with a floor", s.name),
+                                {{chart_.x.from, o->floor->floor}, {chart_.x.to, o->floor->floor}}});
+    }
+    if (!marks_limit(s)) return;
+    for (const double end : {s.limit->stable, s.limit->unstable})
+      chart_.rules.push_back({Rule::Kind::limit,
+                              style,
+                              fmt::format("{}: stability limit", s.name),
+                              {{end, chart_.y.from}, {end, chart_.y.to}}});
+  }
+
+  /// The power law from the first to the last point of its window.
+  void add_fit(const Series& s, const ObservedOrder& o, int style) {
+    double from = INFINITY, to = -INFINITY;
+    for (const auto& p : s.points)
+      if (p.status == Status::ok && in_window(o, p.x)) from = std::min(from, p.x), to = std::max(to, p.x);
+    if (!(from > 0 && from < to) || !std::isfinite(o.order) || !std::isfinite(o.constant)) return;
+    Rule rule{Rule::Kind::fit, style, fmt::format("{}: fit of {}, order {}", s.name, o.norm, exact(o.order)), {}};
+    const int pieces = figure_.log_x && figure_.log_y ? 1 : 32;
+    for (int k = 0; k <= pieces; ++k) {
+      const double x = from * std::pow(to / from, static_cast<double>(k) / pieces);
+      rule.path.push_back({x, o.constant * std::pow(step_size(x), o.order)});
+    }
+    chart_.rules.push_back(std::move(rule));
+  }
+
+  void add_notes() {
+    const auto rules = [&](Rule::Kind kind) {
+      return std::ranges::find(chart_.rules, kind, &Rule::kind) != chart_.rules.end();
+    };
+    const auto marks = [&](Mark mark) {
+      return std::ranges::any_of(
+          chart_.curves, [&](const Curve& c) { return std::ranges::find(c.dots, mark, &Dot::mark) != c.dots.end(); });
+    };
+    std::string aid;
+    if (rules(Rule::Kind::fit))
+      aid += "Solid lines: fitted power laws over their windows, order ± 95 % half width in the key. ";
+    if (marks(Mark::outside)) aid += "Hollow points lie outside the window. ";
+    if (rules(Rule::Kind::reference)) aid += "Dashed: reference slopes. ";
+    if (rules(Rule::Kind::floor)) aid += "Dotted: floor of the fit with a floor. ";
+    if (rules(Rule::Kind::limit)) aid += "Vertical lines: bracket of the stability limit. ";
+    if (marks(Mark::unstable)) aid += "Crosses at the upper edge: unstable. ";
+    if (!aid.empty()) chart_.notes.push_back(aid.substr(0, aid.size() - 1));
+    if (missing_.empty()) return;
+    constexpr std::size_t most = 6;
+    const std::size_t shown = std::min(most, missing_.size());
+    chart_.notes.push_back(
+        fmt::format("Without a point: {}{}.",
+                    fmt::join(missing_.begin(), missing_.begin() + static_cast<std::ptrdiff_t>(shown), "; "),
+                    missing_.size() > shown ? fmt::format("; and {} more", missing_.size() - shown) : ""));
+  }
+
+  const StudyResult& study_;
+  const Figure& figure_;
+  std::vector<const Series*> series_;
+  std::vector<std::string> missing_;
+  bool has_values_ = false;
+  Chart chart_;
+};
+
+}  // namespace
+
+Chart error_chart(const StudyResult& study, const Figure& figure) {
+  return ErrorChart(study, figure).make();
+}
+
+}  // namespace mpmvv

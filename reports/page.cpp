@@ -1,0 +1,173 @@
+#include "reports/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <initializer_list>
+#include <kainjow/mustache.hpp>
+#include <map>
+#include <string_view>
+
+#include "page_template.hpp"
+#include "reports/svg.hpp"
+#include "reports/table.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+using kainjow::mustache::data;
+
+data text_list(const std::vector<std::string>& texts) {
+  data list{data::type::list};
+  for (const auto& t : texts) list << data(t);
+  return list;
+}
+
+template <typename Range, typename Entry>
+data list_of(const Range& range, Entry entry) {
+  data list{data::type::list};
+  for (const auto& item : range) list << entry(item);
+  return list;
+}
+
+data object(std::initializer_list<std::pair<const char*, data>> members) {
+  data result;
+  for (const auto& [name, value] : members) result.set(name, value);
+  return result;
+}
+
+std::string anchor(const std::string& name) {
+  std::string result = name;
+  std::ranges::replace_if(
+      result, [](unsigned char c) { return std::isalnum(c) == 0; }, '-');
+  return result;
+}
+
+/// "2 pass, 1 fail": the words in this order, unknown ones after them.
+std::string counts(const std::vector<std::string>& words, std::initializer_list<std::string> order) {
+  std::map<std::string, int> count;
+  for (const auto& w : words) ++count[w];
+  std::string text;
+  const auto add = [&](const std::string& w) {
+    if (const int n = count.contains(w) ? count.at(w) : 0; n > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, w);
+    count.erase(w);
+  };
+  for (const auto& w : order) add(w);
+  while (!count.empty()) add(std::string(count.begin()->first));
+  return text.empty() ? "none" : text;
+}
+
+template <typename Lines>
+std::vector<std::string> verdicts(const Lines& lines) {
+  std::vector<std::string> words;
+  for (const auto& line : lines) words.push_back(line.verdict);
+  return words;
+}
+
+std::string overall(const std::vector<std::string>& gate) {
+  const auto has = [&](const char* word) { return std::ranges::find(gate, word) != gate.end(); };
+  return gate.empty() ? "not judged" : has("fail") ? "fail" : has("inconclusive") ? "inconclusive" : "pass";
+}
+
+data table_data(const Table& table) {
+  const auto row = [](const std::vector<std::string>& cells) { return object({{"cells", text_list(cells)}}); };
+  const auto group = [&](const Table::Group& g) {
+    return object({{"group_title", g.title}, {"titled", !g.title.empty()}, {"rows", list_of(g.rows, row)}});
+  };
+  return object({{"table_caption", table.caption},
+                 {"columns", text_list(table.columns)},
+                 {"width", fmt::format("{}", table.columns.size())},
+                 {"groups", list_of(table.groups, group)}});
+}
+
+data picture_data(const Picture& p) {
+  return object({{"figure", p.name},
+                 {"figure_anchor", anchor(p.name)},
+                 {"caption", p.caption},
+                 {"notes", text_list(p.notes)},
+                 {"svg", inline_svg(p.svg, anchor(p.name))}});
+}
+
+data part_data(const ClaimPart& part) {
+  return object({{"claim", part.claim},
+                 {"claim_anchor", anchor(part.claim)},
+                 {"statement", part.statement},
+                 {"verdict", to_string(part.verdict)},
+                 {"evidence", part.evidence},
+                 {"reason", part.reason}});
+}
+
+data claim_link(const std::string& id) {
+  return object({{"id", id}, {"claim_anchor", anchor(id)}});
+}
+
+data section_data(const Section& section) {
+  const auto& study = *section.study;
+  std::vector<Table> tables{points_table(study), fits_table(study), limits_table(study), values_table(study)};
+  std::erase_if(tables, [](const Table& t) { return t.empty(); });
+  return object({{"study", study.name},
+                 {"study_anchor", anchor(study.name)},
+                 {"title", study.title},
+                 {"kind", study.kind},
+                 {"study_claims", list_of(study.claims, claim_link)},
+                 {"parts", list_of(study.parts, part_data)},
+                 {"has_parts", !study.parts.empty()},
+                 {"pictures", list_of(section.pictures, picture_data)},
+                 {"tables", list_of(tables, table_data)},
+                 {"table_files", text_list(section.tables)},
+                 {"study_file", study.text}});
+}
+
+data gate_data(const GateLine& g) {
+  return object({{"name", g.name},
+                 {"verdict", g.verdict},
+                 {"expected", g.expected},
+                 {"measured", g.measured},
+                 {"reason", g.reason}});
+}
+
+data claim_data(const ClaimLine& claim, const std::vector<Section>& sections) {
+  data studies{data::type::list};
+  for (const auto& s : sections)
+    if (std::ranges::find(s.study->claims, claim.id) != s.study->claims.end())
+      studies << object({{"study", s.study->name}, {"study_anchor", anchor(s.study->name)}});
+  return object({{"id", claim.id},
+                 {"claim_anchor", anchor(claim.id)},
+                 {"verdict", claim.verdict},
+                 {"evidence", claim.evidence},
+                 {"claim_studies", studies}});
+}
+
+data provenance_data(const Provenance& p) {
+  return object({{"digest", p.digest},
+                 {"commit", p.commit},
+                 {"dirty", p.dirty},
+                 {"compiler", p.compiler},
+                 {"flags", p.flags},
+                 {"build_type", p.build_type},
+                 {"cpu", p.cpu},
+                 {"time", p.time}});
+}
+
+}  // namespace
+
+std::string render_page(const ReportInput& input, const std::vector<Section>& sections) {
+  kainjow::mustache::mustache page{std::string(page_template)};
+  const auto gate = verdicts(input.gate);
+  return page.render(
+      object({{"overall", overall(gate)},
+              {"gate_counts", counts(gate, {"pass", "fail", "inconclusive"})},
+              {"claim_counts", counts(verdicts(input.claims), {"confirmed", "refuted", "partly", "shown", "open"})},
+              {"provenance", provenance_data(input.provenance)},
+              {"gate", list_of(input.gate, gate_data)},
+              {"has_gate", !input.gate.empty()},
+              {"claims", list_of(input.claims, [&](const ClaimLine& c) { return claim_data(c, sections); })},
+              {"has_claims", !input.claims.empty()},
+              {"sections", list_of(sections, section_data)}}));
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "reports/report.hpp"
+
+namespace mpmvv {
+
+/// A figure on the page.
+struct Picture {
+  std::string name;
+  std::string caption;
+  std::vector<std::string> notes;
+  std::string svg;  ///< the file's content
+};
+
+/// One study's part of the page.
+struct Section {
+  const StudyResult* study = nullptr;
+  std::vector<Picture> pictures;
+  std::vector<std::string> tables;  ///< names of its files in tables/
+};
+
+/// The whole page, from the template page.mustache. Every text is escaped.
+std::string render_page(const ReportInput& input, const std::vector<Section>& sections);
+
+}  // namespace mpmvv

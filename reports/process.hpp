@@ -1,0 +1,25 @@
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mpmvv {
+
+/// How a child process ended.
+struct ProcessEnd {
+  int start_error = 0;     ///< errno when it could not be started, else 0
+  bool timed_out = false;  ///< it was killed at the time limit
+  int exit_code = 0;       ///< 128 + signal when a signal ended it
+  std::string output;      ///< its standard output and standard error
+
+  bool good() const { return start_error == 0 && !timed_out && exit_code == 0; }
+};
+
+/// Runs a program found on PATH in a folder, with standard input empty and some environment variables set, and waits
+/// for it until the time limit. At the limit its whole process group is killed.
+ProcessEnd run_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
+                       const std::map<std::string, std::string>& environment, std::chrono::milliseconds limit);
+
+}  // namespace mpmvv

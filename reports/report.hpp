@@ -1,0 +1,47 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "studies/provenance.hpp"
+#include "studies/result.hpp"
+
+namespace mpmvv {
+
+/// One expectation of the goldens, judged.
+struct GateLine {
+  std::string name;
+  std::string verdict;  ///< `pass`, `fail`, `inconclusive`
+  std::string expected;
+  std::string measured;
+  std::string reason;  ///< may be empty
+};
+
+/// One claim of CLAIMS.md, judged.
+struct ClaimLine {
+  std::string id;
+  std::string verdict;  ///< `confirmed`, `refuted`, `partly`, `shown`, `open`
+  std::string evidence;
+};
+
+struct ReportInput {
+  std::vector<StudyResult> studies;
+  std::vector<GateLine> gate;
+  std::vector<ClaimLine> claims;
+  Provenance provenance;
+};
+
+/// What a call wrote: files whose content is already right are left alone.
+struct ReportSummary {
+  int figures = 0, figures_drawn = 0;
+  int tables = 0, tables_written = 0;
+};
+
+/// Writes OUT/index.html (one page, nothing outside it), OUT/figures/NAME.{gp,dat,svg,pdf} and OUT/tables/STUDY*.csv,
+/// STUDY.tex. Throws UsageError when a file cannot be written, two figures share a name, or gnuplot is missing or
+/// fails.
+ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
+                           const std::function<void(const std::string&)>& progress);
+
+}  // namespace mpmvv

@@ -1,0 +1,158 @@
+#include "reports/table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "reports/text.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+constexpr std::size_t longest_series = 40;
+
+/// What was measured anywhere in the study.
+std::set<std::string> measured_quantities(const StudyResult& study) {
+  std::set<std::string> names;
+  for (const auto& series : study.series)
+    for (const auto& point : series.points)
+      for (const auto& [name, value] : point.y)
+        if (!std::isnan(value)) names.insert(name);
+  return names;
+}
+
+std::set<std::string> fitted_norms(const StudyResult& study) {
+  std::set<std::string> norms;
+  for (const auto& series : study.series)
+    for (const auto& order : series.orders) norms.insert(order.norm);
+  return norms;
+}
+
+/// Order of the segment that ends at x.
+std::string segment_order(const Series& series, const std::string& norm, double x) {
+  for (const auto& order : series.orders) {
+    if (order.norm != norm) continue;
+    const auto segment = std::ranges::find(order.segments, x, &SegmentOrder::to);
+    if (segment != order.segments.end()) return order_text(segment->order, not_measured);
+  }
+  return "–";
+}
+
+std::string aligned(double v) {
+  return std::isnan(v) ? "–" : fmt::format("{:.3e}", v);
+}
+
+std::string yes(bool b) {
+  return b ? "yes" : "no";
+}
+
+std::string floor_text(const FloorFit& floor) {
+  if (!floor.accepted) return "refused: " + floor.reason;
+  return fmt::format("E0 = {}, order {}: {}", brief(floor.floor), order_text(floor.order, not_measured), floor.reason);
+}
+
+}  // namespace
+
+Table points_table(const StudyResult& study) {
+  const auto quantities = measured_quantities(study);
+  const auto norms = fitted_norms(study);
+  Table table{"Results at each point", {study.sweep, "status"}, {}};
+  for (const auto& q : quantities) {
+    table.columns.push_back(q);
+    if (norms.contains(q)) table.columns.push_back("order");
+  }
+  for (const auto& series : study.series) {
+    if (series.points.empty() || series.points.size() > longest_series) continue;
+    Table::Group group{series.name, {}};
+    for (const auto& point : series.points) {
+      const std::string why = point.reason.empty() ? "" : ": " + point.reason;
+      std::vector<std::string> row{brief(point.x), to_string(point.status) + why};
+      for (const auto& q : quantities) {
+        const auto y = point.y.find(q);
+        row.push_back(y == point.y.end() ? "–" : aligned(y->second));
+        if (norms.contains(q)) row.push_back(segment_order(series, q, point.x));
+      }
+      group.rows.push_back(std::move(row));
+    }
+    table.groups.push_back(std::move(group));
+  }
+  return table;
+}
+
+Table fits_table(const StudyResult& study) {
+  Table table{"Fitted orders",
+              {"norm", "window", "points", "order", "C", "R²", "asymptotic", "asymptotic range found", "floor"},
+              {}};
+  for (const auto& series : study.series) {
+    Table::Group group{series.name, {}};
+    for (const auto& o : series.orders) {
+      const bool found = std::isfinite(o.asymptotic_from);
+      group.rows.push_back({o.norm, fmt::format("{} to {}", brief(o.from), brief(o.to)), fmt::format("{}", o.points),
+                            order_text(o.order, o.half_width), brief(o.constant), fmt::format("{:.5f}", o.r_squared),
+                            yes(o.asymptotic),
+                            found ? fmt::format("{} to {}", brief(o.asymptotic_from), brief(o.asymptotic_to)) : "none",
+                            o.floor ? floor_text(*o.floor) : "–"});
+    }
+    if (!group.rows.empty()) table.groups.push_back(std::move(group));
+  }
+  return table;
+}
+
+Table limits_table(const StudyResult& study) {
+  Table table{"Stability limits", {"series", "key", "limit", "stable at", "unstable at", "monotone", "probes"}, {}};
+  Table::Group group;
+  for (const auto& series : study.series) {
+    if (!series.limit) continue;
+    const auto& l = *series.limit;
+    group.rows.push_back({series.name, l.key, l.found ? brief(l.value()) : "not found", brief(l.stable),
+                          brief(l.unstable), yes(l.monotone), fmt::format("{}", l.probes.size())});
+  }
+  if (!group.rows.empty()) table.groups.push_back(std::move(group));
+  return table;
+}
+
+Table values_table(const StudyResult& study) {
+  Table table{"Measured values", {"name", "value", "meaning"}, {}};
+  Table::Group group;
+  for (const auto& v : study.values) group.rows.push_back({v.name, brief(v.value), v.meaning});
+  if (!group.rows.empty()) table.groups.push_back(std::move(group));
+  return table;
+}
+
+namespace {
+
+std::string latex_row(const std::vector<std::string>& cells) {
+  std::vector<std::string> escaped;
+  for (const auto& cell : cells) escaped.push_back(latex_text(cell));
+  return fmt::format("{} \\\\\n", fmt::join(escaped, " & "));
+}
+
+std::string latex_table(const Table& table) {
+  std::string text = fmt::format("\n% {}\n\\begin{{tabular}}{{{}}}\n\\toprule\n", latex_text(table.caption),
+                                 std::string(table.columns.size(), 'l'));
+  text += latex_row(table.columns);
+  for (const auto& group : table.groups) {
+    text += "\\midrule\n";
+    if (!group.title.empty())
+      text +=
+          fmt::format("\\multicolumn{{{}}}{{l}}{{\\emph{{{}}}}} \\\\\n", table.columns.size(), latex_text(group.title));
+    for (const auto& row : group.rows) text += latex_row(row);
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n\\par\\medskip\n";
+}
+
+}  // namespace
+
+std::string latex_tables(const StudyResult& study) {
+  std::string text =
+      fmt::format("% {}: {}\n% needs \\usepackage{{booktabs}}\n", latex_text(study.name), latex_text(study.title));
+  for (const auto& table : {points_table(study), fits_table(study), limits_table(study), values_table(study)})
+    if (!table.empty()) text += latex_table(table);
+  return text;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "studies/result.hpp"
+
+namespace mpmvv {
+
+/// A table for people: texts in columns, rows in titled groups.
+struct Table {
+  struct Group {
+    std::string title;
+    std::vector<std::vector<std::string>> rows;
+  };
+  std::string caption;
+  std::vector<std::string> columns;
+  std::vector<Group> groups;
+
+  bool empty() const { return groups.empty(); }
+};
+
+Table points_table(const StudyResult& study);  ///< with the order of each segment; no series too long to be read
+Table fits_table(const StudyResult& study);
+Table limits_table(const StudyResult& study);
+Table values_table(const StudyResult& study);
+
+/// All of them as booktabs tables, for \input into a document.
+std::string latex_tables(const StudyResult& study);
+
+}  // namespace mpmvv

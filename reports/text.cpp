@@ -1,0 +1,157 @@
+#include "reports/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+namespace mpmvv {
+
+std::string exact(double v) {
+  return std::isnan(v) ? "" : fmt::format("{:.17g}", v);
+}
+
+std::string brief(double v) {
+  return std::isnan(v) ? "–" : fmt::format("{:.4g}", v);
+}
+
+std::string order_text(double order, double half_width) {
+  if (std::isnan(order)) return "–";
+  if (std::isnan(half_width)) return fmt::format("{:.2f}", order);
+  const int decimals = half_width > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(half_width))), 2, 4) : 2;
+  return fmt::format("{0:.{2}f} ± {1:.{2}f}", order, half_width, decimals);
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  return '"' + replace_all(text, "\"", "\"\"") + '"';
+}
+
+namespace {
+
+const std::map<std::string_view, std::string_view>& latex_characters() {
+  static const std::map<std::string_view, std::string_view> table{{"\\", "\\textbackslash{}"},
+                                                                  {"{", "\\{"},
+                                                                  {"}", "\\}"},
+                                                                  {"$", "\\$"},
+                                                                  {"&", "\\&"},
+                                                                  {"#", "\\#"},
+                                                                  {"%", "\\%"},
+                                                                  {"_", "\\_"},
+                                                                  {"^", "\\textasciicircum{}"},
+                                                                  {"~", "\\textasciitilde{}"},
+                                                                  {"<", "$<$"},
+                                                                  {">", "$>$"},
+                                                                  {"|", "$|$"},
+                                                                  {"\"", "''"},
+                                                                  {"\n", " "},
+                                                                  {"\r", " "},
+                                                                  {"\t", " "},
+                                                                  {"α", "$\\alpha$"},
+                                                                  {"β", "$\\beta$"},
+                                                                  {"γ", "$\\gamma$"},
+                                                                  {"δ", "$\\delta$"},
+                                                                  {"Δ", "$\\Delta$"},
+                                                                  {"ε", "$\\varepsilon$"},
+                                                                  {"λ", "$\\lambda$"},
+                                                                  {"μ", "$\\mu$"},
+                                                                  {"µ", "$\\mu$"},
+                                                                  {"ν", "$\\nu$"},
+                                                                  {"π", "$\\pi$"},
+                                                                  {"ρ", "$\\rho$"},
+                                                                  {"σ", "$\\sigma$"},
+                                                                  {"Σ", "$\\Sigma$"},
+                                                                  {"τ", "$\\tau$"},
+                                                                  {"φ", "$\\varphi$"},
+                                                                  {"Φ", "$\\Phi$"},
+                                                                  {"Ψ", "$\\Psi$"},
+                                                                  {"ω", "$\\omega$"},
+                                                                  {"∇", "$\\nabla$"},
+                                                                  {"∞", "$\\infty$"},
+                                                                  {"±", "$\\pm$"},
+                                                                  {"×", "$\\times$"},
+                                                                  {"·", "$\\cdot$"},
+                                                                  {"−", "$-$"},
+                                                                  {"≤", "$\\le$"},
+                                                                  {"≥", "$\\ge$"},
+                                                                  {"≈", "$\\approx$"},
+                                                                  {"≠", "$\\ne$"},
+                                                                  {"→", "$\\to$"},
+                                                                  {"√", "$\\surd$"},
+                                                                  {"°", "$^\\circ$"},
+                                                                  {"½", "$\\frac12$"},
+                                                                  {"¼", "$\\frac14$"},
+                                                                  {"⁰", "$^0$"},
+                                                                  {"¹", "$^1$"},
+                                                                  {"²", "$^2$"},
+                                                                  {"³", "$^3$"},
+                                                                  {"⁴", "$^4$"},
+                                                                  {"⁻", "$^-$"},
+                                                                  {"₀", "$_0$"},
+                                                                  {"₁", "$_1$"},
+                                                                  {"₂", "$_2$"},
+                                                                  {"ₚ", "$_p$"},
+                                                                  {"–", "--"},
+                                                                  {"—", "---"},
+                                                                  {"…", "\\ldots{}"},
+                                                                  {"‘", "`"},
+                                                                  {"’", "'"},
+                                                                  {"“", "``"},
+                                                                  {"”", "''"}};
+  return table;
+}
+
+/// Bytes of the UTF-8 character that starts with this one; 1 for a byte that starts none.
+std::size_t utf8_length(unsigned char lead) {
+  return lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 1;
+}
+
+unsigned code_point(std::string_view character) {
+  static constexpr unsigned lead_bits[] = {0, 0xFF, 0x1F, 0x0F, 0x07};
+  unsigned code = static_cast<unsigned char>(character[0]) & lead_bits[character.size()];
+  for (const char c : character.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3Fu);
+  return code;
+}
+
+/// ASCII, and the Latin-1 letters that every text font has.
+bool latex_prints(std::string_view character) {
+  const unsigned code = code_point(character);
+  if (character.size() == 1) return code >= 0x20 && code < 0x7F;
+  return code >= 0xC0 && code <= 0xFF && std::string_view("×÷ÐðÞþ").find(character) == std::string_view::npos;
+}
+
+}  // namespace
+
+std::string latex_text(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto character = std::string_view(text).substr(i, utf8_length(static_cast<unsigned char>(text[i])));
+    const auto known = latex_characters().find(character);
+    if (known != latex_characters().end())
+      result += known->second;
+    else if (latex_prints(character))
+      result += character;
+    else
+      result += fmt::format("[U+{:04X}]", code_point(character));
+    i += character.size();
+  }
+  return result;
+}
+
+bool is_file_stem(const std::string& text) {
+  const auto allowed = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '+' || c == '-';
+  };
+  return !text.empty() && text.front() != '.' && text.front() != '-' && std::ranges::all_of(text, allowed);
+}
+
+std::string replace_all(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+
+namespace mpmvv {
+
+/// For machines: 17 significant digits, nothing for NaN.
+std::string exact(double v);
+
+/// For people: four significant digits, a dash for NaN.
+std::string brief(double v);
+
+/// "2.01 ± 0.04"; without ± when the half width is NaN; a dash when the order is.
+std::string order_text(double order, double half_width);
+
+/// One field of a CSV line, quoted where it has to be.
+std::string csv_field(const std::string& text);
+
+/// Text that LaTeX prints as it stands. Greek letters and the usual mathematical signs become mathematics; a character
+/// that plain pdflatex cannot set becomes its code point.
+std::string latex_text(const std::string& text);
+
+/// A file name's stem: letters, digits, `.`, `_`, `+` and `-`, not led by a dot.
+bool is_file_stem(const std::string& text);
+
+/// The text with every occurrence of `from` replaced.
+std::string replace_all(std::string text, const std::string& from, const std::string& to);
+
+}  // namespace mpmvv

@@ -1,0 +1,130 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.hpp"
+
+namespace mpmvv {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* bar = "run --problem bar --basis bspline2 --integrator cd --boundary periodic --cells 32 --ppc 4 --cfl 0.2 ";
+
+TEST(RunCommand, RecordHasWhatTheContractNames) {
+  const Folder folder;
+  const Answer answer = call(folder, std::string(bar) + "--json");
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  const auto record = answer.json();
+  for (const char* key : {"problem", "scheme", "cells", "ppc", "particles", "steps", "dt", "cfl", "end_time", "status", "error",
+                          "energy", "wall_seconds", "ns_per_particle_step"})
+    EXPECT_TRUE(record.contains(key)) << key;
+  EXPECT_EQ(record["status"], "ok");
+  EXPECT_EQ(record["particles"], 128);
+  EXPECT_EQ(record["scheme"]["basis"], "bspline2");
+  EXPECT_EQ(record["scheme"]["start"], "half");
+  EXPECT_TRUE(record["error"]["linf_all_steps"].is_null());
+  EXPECT_NEAR(record["dt"].get<double>() * record["steps"].get<int>(), 0.01, 1e-15);
+  EXPECT_LT(record["error"]["l1"], record["error"]["l2"]);
+  EXPECT_LT(record["error"]["l2"], record["error"]["linf"]);
+  EXPECT_LT(record["error"]["linf"], 1e-3);
+}
+
+TEST(RunCommand, EveryStepBoundsTheEnd) {
+  const Folder folder;
+  const auto error = call(folder, std::string(bar) + "--every-step --json").json()["error"];
+  EXPECT_GE(error["linf_all_steps"], error["linf"]);
+}
+
+TEST(RunCommand, ThreadsDoNotChangeOneBit) {
+  const Folder folder;
+  const auto one = call(folder, std::string(bar) + "--threads 1 --json").json();
+  const auto two = call(folder, std::string(bar) + "--threads 2 --json").json();
+  EXPECT_EQ(one["error"], two["error"]);
+  EXPECT_EQ(one["energy"], two["energy"]);
+}
+
+TEST(RunCommand, ABlownUpRunIsAResult) {
+  const Folder folder;
+  const Answer answer = call(folder, "run --problem bar --basis linear --integrator usl --cells 32 --ppc 4 --cfl 3 --json");
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  const auto record = answer.json();
+  EXPECT_EQ(record["status"], "unstable");
+  EXPECT_TRUE(record["error"]["linf"].is_null());
+  EXPECT_THAT(record["reason"].get<std::string>(), HasSubstr("at step"));
+}
+
+TEST(RunCommand, StepsKeepTheTimeStepOfTheWholeRun) {
+  const Folder folder;
+  const auto whole = call(folder, std::string(bar) + "--json").json();
+  const auto part = call(folder, std::string(bar) + "--steps 3 --json").json();
+  EXPECT_EQ(part["steps"], 3);
+  EXPECT_EQ(part["dt"], whole["dt"]);
+  EXPECT_DOUBLE_EQ(part["end_time"], 3 * whole["dt"].get<double>());
+}
+
+struct BadInput {
+  const char* arguments;
+  const char* message;
+};
+
+class BadRun : public testing::TestWithParam<BadInput> {};
+
+TEST_P(BadRun, OneLineAndExitTwo) {
+  const Folder folder;
+  const Answer answer = call(folder, GetParam().arguments);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.out, "");
+  EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+  EXPECT_THAT(answer.err, HasSubstr(GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , BadRun,
+    testing::Values(
+        BadInput{"run --problem beam --cells 8 --ppc 2 --cfl 0.1", "unknown problem 'beam' in --problem (known: bar"},
+        BadInput{"run --problem bar --basis bspline4 --cells 8 --ppc 2 --cfl 0.1", "unknown basis 'bspline4' in --basis (known: linear"},
+        BadInput{"run --problem bar --cells 8 --ppc 0 --cfl 0.1", "ppc = 0 in --ppc (a whole number from 1"},
+        BadInput{"run --problem bar --cells -8 --ppc 2 --cfl 0.1", "cells = -8 in --cells"},
+        BadInput{"run --problem bar --cells 8.5 --ppc 2 --cfl 0.1", "cells = 8.5 in --cells"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl nan", "cfl = 'nan' in --cfl (a finite number)"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl -0.1", "cfl = -0.1 in --cfl (a number > 0)"},
+        BadInput{"run --problem bar --cells 8 --ppc 2", "neither cfl nor dt"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --dt 1e-5", "both cfl and dt"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --dt 3e-6", "does not divide the end time"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --param amplitud=0.1", "unknown parameter 'amplitud'"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --param amplitude=0.5", "allowed: between"},
+        BadInput{"run --problem bar --basis bspline2-open --boundary periodic --cells 8 --ppc 2 --cfl 0.1", "has no ghost nodes"},
+        BadInput{"run --problem bar --boundary xmin=dirichlet --cells 8 --ppc 2 --cfl 0.1", "does not name face 'xmax'"},
+        BadInput{"run --problem bar --boundary xmin=periodic,xmax=free --cells 8 --ppc 2 --cfl 0.1", "one face only"},
+        BadInput{"run --problem bar --boundary free --wall-acceleration difference --cells 8 --ppc 2 --cfl 0.1", "holds no node"},
+        BadInput{"run --problem bar --basis ugimp --cells 8 --ppc 2 --cfl 0.1", "without smoothing_length"},
+        BadInput{"run --problem bar --integrator usl --start half --cells 8 --ppc 2 --cfl 0.1", "no meaning for integrator 'usl'"},
+        BadInput{"run --problem bar --colour red", "--colour"}, BadInput{"", "subcommand"},
+        BadInput{"solution --problem bar --at 1.5 --time 0", "outside the body"},
+        BadInput{"solution --problem bar --at 0.5,0.5 --time 0", "has 2 coordinates"},
+        BadInput{"solution --problem one-particle --at 0.5 --time 0", "no exact solution"},
+        BadInput{"list colours", "nothing to list under 'colours'"},
+        BadInput{"claims --db /nowhere/at/all.db", "/nowhere/at/all.db"},
+        BadInput{"study /nowhere.toml --db /tmp/never.db", "/nowhere.toml"}));
+
+TEST(SolutionCommand, GivesTheFieldsOfTheBar) {
+  const Folder folder;
+  const auto s = call(folder, "solution --problem bar --at 0.2 --time 0.001 --json").json();
+  const double pi = std::acos(-1.0), u = 0.05 * std::sin(0.4 * pi) * std::cos(0.1 * pi);
+  const double F = 1 + 0.1 * pi * std::cos(0.4 * pi) * std::cos(0.1 * pi);
+  EXPECT_NEAR(s["u"][0], u, 1e-15);
+  EXPECT_NEAR(s["F"][0][0], F, 1e-15);
+  EXPECT_NEAR(s["P"][0][0], 5000 * (F - 1 / F), 1e-10);
+  EXPECT_NEAR(s["b"][0], 1e4 * pi * pi * u * (2 / (F * F) + 1), 1e-9);
+}
+
+TEST(ListCommand, NamesProblemsAndWords) {
+  const Folder folder;
+  const auto all = call(folder, "list --json").json();
+  EXPECT_THAT(all["bases"].get<std::vector<std::string>>(),
+              testing::IsSupersetOf({"linear", "bspline2", "bspline3", "bspline2-open", "bspline3-open", "ugimp", "gimp", "cpgimp"}));
+  EXPECT_EQ(all["problems"][0]["name"], "bar");
+}
+
+}  // namespace
+}  // namespace mpmvv

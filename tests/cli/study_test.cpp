@@ -1,0 +1,208 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <thread>
+
+#include "tests/cli/program.hpp"
+
+namespace mpmvv {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* small_study = R"(title = "Small"
+claims = ["S-fig10"]
+[fixed]
+problem = "bar"
+integrator = "cd"
+boundary = "periodic"
+ppc = 4
+cfl = 0.3
+[[series]]
+name = "linear"
+basis = "linear"
+[[series]]
+name = "bspline2"
+basis = "bspline2"
+[sweep]
+cells = [8, 16, 32, 64]
+[[fit]]
+norm = "l2"
+window = [8, 64]
+[[figure]]
+caption = "A small figure"
+xlabel = "cells"
+ylabel = "error"
+[[criterion]]
+claim = "S-fig10"
+statement = "second order"
+measure = "order"
+series = ["bspline2"]
+norm = "l2"
+window = [8, 64]
+at_least = 1.5
+)";
+
+/// The export without its cost columns and provenance: what must not depend on how it was run.
+std::string physical(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line, result;
+  std::getline(lines, line);
+  std::vector<std::string> names;
+  std::istringstream header(line);
+  for (std::string name; std::getline(header, name, ',');) names.push_back(name);
+  std::vector<std::string> rows;
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    std::string row;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      std::string field;
+      std::getline(fields, field, ',');
+      if (names[k] == "l1" || names[k] == "l2" || names[k] == "linf" || names[k] == "status" || names[k] == "case_text") row += field + ",";
+    }
+    rows.push_back(row);
+  }
+  std::sort(rows.begin(), rows.end());
+  for (const std::string& row : rows) result += row + "\n";
+  return result;
+}
+
+TEST(StudyCommand, RunsOnceAndReusesAfterwards) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
+  const Answer first = call(folder, "study " + file + " --db " + db);
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr("8 cases run, 0 taken"));
+  EXPECT_THAT(first.out, HasSubstr("S-fig10 holds"));
+  EXPECT_EQ(first.err, "") << "progress is quiet when not a terminal";
+  const Answer second = call(folder, "study " + file + " --db " + db);
+  EXPECT_THAT(second.out, HasSubstr("0 cases run, 8 taken"));
+  const auto claims = call(folder, "claims --db " + db + " --json").json()["claims"];
+  const auto found = std::find_if(claims.begin(), claims.end(), [](const auto& c) { return c["id"] == "S-fig10"; });
+  EXPECT_EQ((*found)["verdict"], "confirmed");
+}
+
+TEST(StudyCommand, JobsDoNotChangeOneBit) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study);
+  for (const char* jobs : {"1", "2"})
+    ASSERT_EQ(call(folder, "study " + file + " --jobs " + jobs + " --db " + (folder / (std::string(jobs) + ".db"))).code, 0);
+  const std::string one = physical(call(folder, "db export --db " + (folder / "1.db")).out);
+  const std::string two = physical(call(folder, "db export --db " + (folder / "2.db")).out);
+  EXPECT_GT(one.size(), 400U);
+  EXPECT_EQ(one, two);
+}
+
+TEST(StudyCommand, AKilledRunLosesNoFinishedCase) {
+  const Folder folder;
+  std::string slow = small_study;
+  slow.replace(slow.find("[8, 16, 32, 64]"), 15, "[8, 16, 32, 64, 128, 256, 512, 1024]");
+  const std::string file = folder.write("slow.toml", slow), db = folder / "r.db";
+  const pid_t child = fork();
+  if (child == 0) {
+    freopen("/dev/null", "w", stdout);
+    execl(MPMVV_PROGRAM, MPMVV_PROGRAM, "study", file.c_str(), "--jobs", "1", "--db", db.c_str(), nullptr);
+    _exit(127);
+  }
+  const auto finished = [&] {
+    const Answer exported = call(folder, "db export --db " + db);
+    return exported.code == 0 ? std::count(exported.out.begin(), exported.out.end(), '\n') - 1 : 0;
+  };
+  for (int k = 0; k < 600 && finished() < 3; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  const auto kept = finished();
+  ASSERT_GE(kept, 3);
+  EXPECT_EQ(call(folder, "db check --db " + db).code, 0);
+  const Answer again = call(folder, "study " + file + " --db " + db);
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_THAT(again.out, HasSubstr(std::to_string(16 - kept) + " cases run, " + std::to_string(kept) + " taken"));
+}
+
+struct BadFile {
+  const char* from;  ///< text of the small study to replace
+  const char* to;
+  const char* message;
+};
+
+class BadStudy : public testing::TestWithParam<BadFile> {};
+
+TEST_P(BadStudy, NamesFileAndLineAndWritesNothing) {
+  const Folder folder;
+  std::string text = small_study;
+  text.replace(text.find(GetParam().from), std::string(GetParam().from).size(), GetParam().to);
+  const std::string file = folder.write("bad.toml", text), db = folder / "r.db";
+  const Answer answer = call(folder, "study " + file + " --db " + db);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+  EXPECT_THAT(answer.err, HasSubstr("bad.toml:"));
+  EXPECT_THAT(answer.err, HasSubstr(GetParam().message));
+  EXPECT_FALSE(std::filesystem::exists(db));
+}
+
+INSTANTIATE_TEST_SUITE_P(, BadStudy,
+                         testing::Values(BadFile{"ppc = 4", "pcp = 4", "unknown key 'pcp'"},
+                                         BadFile{"\"bspline2\"\n[sweep]", "\"bspline7\"\n[sweep]", "unknown basis 'bspline7'"},
+                                         BadFile{"[8, 16, 32, 64]\n[[fit", "[]\n[[fit", "empty sweep"},
+                                         BadFile{"[8, 16, 32, 64]\n[[fit", "[8, -16]\n[[fit", "cells = -16"},
+                                         BadFile{"[8, 16, 32, 64]\n[[fit", "[8, nan]\n[[fit", "nan"},
+                                         BadFile{"ppc = 4", "ppc = 0", "ppc = 0"},
+                                         BadFile{"cfl = 0.3", "cfl = \"fast\"", "cfl = 'fast'"},
+                                         BadFile{"name = \"bspline2\"", "name = \"linear\"", "series 'linear' twice"},
+                                         BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure", "norm = \"l3\"\nwindow = [8, 64]\n[[figure", "unknown norm 'l3'"},
+                                         BadFile{"window = [8, 64]\n[[figure", "window = [64, 8]\n[[figure", "window"},
+                                         BadFile{"measure = \"order\"", "measure = \"ordre\"", "unknown measure 'ordre'"},
+                                         BadFile{"claim = \"S-fig10\"", "claim = \"S-fig99\"", "unknown claim"},
+                                         BadFile{"at_least = 1.5", "", "asks nothing"},
+                                         BadFile{"title = \"Small\"", "title = 'Small", "bad.toml"}));
+
+TEST(StudyCommand, RefusesStoresThatAreNone) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study);
+  const std::string foreign = folder.write("foreign.db", "this is no database, but long enough to look like a file of its own");
+  const Answer answer = call(folder, "study " + file + " --db " + foreign);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+  EXPECT_EQ(read_text(foreign), "this is no database, but long enough to look like a file of its own");
+  EXPECT_EQ(call(folder, "gate --db " + (folder / "absent.db")).code, 2);
+  EXPECT_EQ(call(folder, "study " + file + " --db " + (folder / "no/such/folder.db")).code, 2);
+}
+
+TEST(GateCommand, ExitCodesOfTheContract) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
+  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  std::filesystem::create_directories(folder / "goldens");
+  const std::string gate = "gate --db " + db + " --goldens " + (folder / "goldens") + " ";
+  EXPECT_EQ(call(folder, gate).code, 2) << "a gate without goldens must not pass";
+  const auto golden = [&](const char* series, double expected) {
+    folder.write("goldens/small.toml", "study = \"small\"\n[[order]]\nseries = \"" + std::string(series) + "\"\nnorm = \"l2\"\nexpected = " +
+                                           std::to_string(expected) + "\nlower = " + std::to_string(expected - 0.15) + "\nupper = " + std::to_string(expected + 0.15) + "\n");
+  };
+  const auto claims = call(folder, "claims --db " + db + " --json").json()["claims"];
+  const auto found = std::find_if(claims.begin(), claims.end(), [](const auto& c) { return c["id"] == "S-fig10"; });
+  const std::string evidence = (*found)["evidence"];
+  const double order = std::stod(evidence.substr(evidence.find(") = ") + 4));
+  golden("bspline2", order);
+  EXPECT_EQ(call(folder, gate + "--junit " + (folder / "gate.xml")).code, 0);
+  EXPECT_THAT(read_text(folder / "gate.xml"), HasSubstr("<testsuites"));
+  golden("bspline2", order + 1);
+  EXPECT_EQ(call(folder, gate).code, 1);
+  golden("bspline9", order);
+  EXPECT_EQ(call(folder, gate).code, 3);
+}
+
+TEST(ReportCommand, WritesOnePageAndItsFigures) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
+  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  const Answer report = call(folder, "report --db " + db + " --out " + (folder / "report") + " --goldens " + (folder / "none"));
+  ASSERT_EQ(report.code, 0) << report.err;
+  for (const char* name : {"index.html", "figures/small.svg", "figures/small.pdf", "figures/small.gp", "figures/small.dat", "tables/small.tex"})
+    EXPECT_TRUE(std::filesystem::exists(folder / (std::string("report/") + name))) << name;
+  EXPECT_THAT(call(folder, "report --db " + db + " --out " + (folder / "report") + " --goldens " + (folder / "none")).out, HasSubstr("(0 drawn)"));
+}
+
+}  // namespace
+}  // namespace mpmvv

@@ -1,0 +1,68 @@
+#include "reports/axis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace mpmvv {
+namespace {
+
+std::vector<std::string> texts(const Axis& axis) {
+  std::vector<std::string> result;
+  for (const auto& tic : axis.tics)
+    if (!tic.text.empty()) result.push_back(tic.text);
+  return result;
+}
+
+TEST(Axis, HoldsAllValuesWithItsMargins) {
+  const std::vector<double> values{1e-6, 3e-2, NAN, 0, -1};
+  const Axis axis = make_axis({"e", true, {}, {}, 0.1, 0.2, false}, values);
+  EXPECT_NEAR(axis.fraction(1e-6), 0.1 / 1.3, 1e-12);
+  EXPECT_NEAR(axis.fraction(3e-2), 1.1 / 1.3, 1e-12);
+  EXPECT_NEAR(axis.value(axis.fraction(1e-4)), 1e-4, 1e-16);
+}
+
+TEST(Axis, NamesDecadesByPowers) {
+  const Axis axis = make_axis({"e", true, 1e-5, 1e-1, 0, 0, false}, {});
+  EXPECT_EQ(texts(axis), (std::vector<std::string>{"10^{-5}", "10^{-4}", "10^{-3}", "10^{-2}", "10^{-1}"}));
+}
+
+TEST(Axis, PutsTicsAtFewValues) {
+  const std::vector<double> cells{8, 16, 32, 64, 8};
+  EXPECT_EQ(texts(make_axis({"N", true, {}, {}, 0.1, 0.1, true}, cells)),
+            (std::vector<std::string>{"8", "16", "32", "64"}));
+}
+
+TEST(Axis, DoesNotPutTicsAtCrowdedValues) {
+  const std::vector<double> crowded{1, 1.01, 100};
+  EXPECT_EQ(texts(make_axis({"x", true, {}, {}, 0, 0, true}, crowded)), (std::vector<std::string>{"1", "10", "100"}));
+}
+
+TEST(Axis, ShortLogarithmicAxisStillHasTics) {
+  const std::vector<double> values{0.953, 1.042};
+  EXPECT_GE(texts(make_axis({"x", true, {}, {}, 0, 0, false}, values)).size(), 3u);
+}
+
+TEST(Axis, LinearTicsAreRound) {
+  const std::vector<double> values{-1, 1};
+  EXPECT_EQ(texts(make_axis({"x", false, {}, {}, 0, 0, false}, values)),
+            (std::vector<std::string>{"-1", "-0.5", "0", "0.5", "1"}));
+}
+
+TEST(Axis, OneValueAndNoValueGiveAnInterval) {
+  const std::vector<double> one{0.25};
+  const Axis axis = make_axis({"x", false, {}, {}, 0, 0, false}, one);
+  EXPECT_LT(axis.from, 0.25);
+  EXPECT_GT(axis.to, 0.25);
+  const Axis empty = make_axis({"x", true, {}, {}, 0, 0, false}, {});
+  EXPECT_LT(empty.from, empty.to);
+}
+
+TEST(Axis, NonPositiveEndOfALogarithmicAxisIsIgnored) {
+  const std::vector<double> values{1, 10};
+  EXPECT_GT(make_axis({"x", true, 0.0, {}, 0, 0, false}, values).from, 0);
+}
+
+}  // namespace
+}  // namespace mpmvv

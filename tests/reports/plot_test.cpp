@@ -1,0 +1,174 @@
+#include "reports/plot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "studies/error.hpp"
+#include "tests/reports/synthetic.hpp"
+#include "tests/reports/temp_folder.hpp"
+
+namespace mpmvv {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::vector<Plot> plots(const StudyResult& study) {
+  std::vector<Plot> result;
+  for (const auto& chart : charts_of(study)) result.push_back(plot_of(chart));
+  return result;
+}
+
+std::string message(const std::vector<Plot>& drawn, const fs::path& folder,
+                    std::chrono::milliseconds limit = std::chrono::seconds(60)) {
+  try {
+    draw(drawn, folder, limit);
+  } catch (const UsageError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+/// A folder with a program `gnuplot` that is this shell script.
+void pretend_gnuplot(const fs::path& folder, const std::string& script) {
+  fs::create_directories(folder);
+  std::ofstream(folder / "gnuplot") << "#!/bin/sh\n" << script << "\n";
+  fs::permissions(folder / "gnuplot", fs::perms::owner_all);
+}
+
+TEST(Plot, DrawsSvgAndPdf) {
+  const TempFolder folder;
+  EXPECT_EQ(draw(plots(synthetic::convergence()), folder.path()), 1);
+  EXPECT_THAT(content(folder / "s-fig10.svg"), AllOf(HasSubstr("</svg>"), HasSubstr("2.01 ± 0.03")));
+  EXPECT_THAT(content(folder / "s-fig10.pdf"), testing::StartsWith("%PDF"));
+  EXPECT_FALSE(fs::exists(folder / "s-fig10.gp.part"));
+}
+
+TEST(Plot, DataHasSeventeenDigits) {
+  auto study = synthetic::convergence();
+  study.series[1].points[3].y["l2"] = 1.0 / 3;
+  EXPECT_THAT(plots(study)[0].data, HasSubstr("64 0.33333333333333331 0.33333333333333331 1\n"));
+}
+
+TEST(Plot, RedrawsOnlyWhatChanged) {
+  const TempFolder folder;
+  auto study = synthetic::convergence();
+  study.figures.push_back(study.figures[0]);
+  study.figures[1].name = "second";
+  study.figures[1].quantity = "linf";
+  EXPECT_EQ(draw(plots(study), folder.path()), 2);
+  const auto drawn_at = fs::last_write_time(folder / "second.svg");
+  EXPECT_EQ(draw(plots(study), folder.path()), 0);
+  study.series[1].points[3].y["l2"] *= 1.0000001;
+  EXPECT_EQ(draw(plots(study), folder.path()), 1);
+  EXPECT_EQ(fs::last_write_time(folder / "second.svg"), drawn_at);
+  fs::remove(folder / "second.pdf");
+  EXPECT_EQ(draw(plots(study), folder.path()), 1);
+  EXPECT_TRUE(fs::exists(folder / "second.pdf"));
+}
+
+TEST(Plot, NothingToDrawNeedsNoGnuplot) {
+  const TempFolder folder;
+  draw(plots(synthetic::check()), folder.path());
+  const PathVariable path(folder.path().string());
+  EXPECT_EQ(draw(plots(synthetic::check()), folder.path()), 0);
+}
+
+TEST(Plot, PicturesAreReproducible) {
+  const TempFolder folder;
+  fs::create_directories(folder / "a");
+  fs::create_directories(folder / "b");
+  draw(plots(synthetic::limits()), folder / "a");
+  draw(plots(synthetic::limits()), folder / "b");
+  for (const char* file : {"bar-cfl-map.svg", "bar-cfl-map.pdf"})
+    EXPECT_EQ(content(folder / "a" / file), content(folder / "b" / file)) << file;
+}
+
+TEST(Plot, MissingGnuplotIsNamed) {
+  const TempFolder folder;
+  const PathVariable path(folder.path().string());
+  EXPECT_EQ(message(plots(synthetic::check()), folder.path()),
+            "cannot draw figure 's-fig4': gnuplot is not on the PATH; install it with: apt-get install gnuplot-nox");
+}
+
+TEST(Plot, BadScriptIsReportedWithGnuplotsLastLineAndTriedAgain) {
+  const TempFolder folder;
+  const auto drawn = plots(synthetic::check());
+  const std::vector<Plot> bad{drawn[0], {"broken", "set nonsense\n", ""}};
+  EXPECT_THAT(message(bad, folder.path()),
+              AllOf(HasSubstr("cannot draw figure 'broken'"), HasSubstr("ended with code 1"), HasSubstr("line 1")));
+  EXPECT_FALSE(fs::exists(folder / "broken.gp"));
+  EXPECT_THAT(message(bad, folder.path()), HasSubstr("broken"));
+}
+
+TEST(Plot, GnuplotThatDrawsNothingIsReported) {
+  const TempFolder folder;
+  pretend_gnuplot(folder / "bin", "echo 'unknown terminal' >&2; exit 0");
+  const PathVariable path((folder / "bin").string() + ":/bin:/usr/bin");
+  EXPECT_THAT(message(plots(synthetic::check()), folder.path()),
+              AllOf(HasSubstr("figure 's-fig4'"), HasSubstr("left a picture out"), HasSubstr("unknown terminal")));
+}
+
+TEST(Plot, GnuplotThatHangsIsStopped) {
+  const TempFolder folder;
+  pretend_gnuplot(folder / "bin", "sleep 60");
+  const PathVariable path((folder / "bin").string() + ":/bin:/usr/bin");
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_THAT(message(plots(synthetic::check()), folder.path(), std::chrono::milliseconds(200)),
+              HasSubstr("still running after 0.2 s"));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(Plot, GnuplotThatDiesIsReported) {
+  const TempFolder folder;
+  pretend_gnuplot(folder / "bin", "kill -9 $$");
+  const PathVariable path((folder / "bin").string() + ":/bin:/usr/bin");
+  EXPECT_THAT(message(plots(synthetic::check()), folder.path()), HasSubstr("ended with code 137"));
+}
+
+TEST(Plot, OldPicturesDoNotSurviveAFailure) {
+  const TempFolder folder;
+  auto study = synthetic::check();
+  draw(plots(study), folder.path());
+  study.figures[0].xlabel = "another";
+  {
+    const PathVariable path(folder.path().string());
+    EXPECT_THAT(message(plots(study), folder.path()), HasSubstr("gnuplot is not on the PATH"));
+  }
+  EXPECT_EQ(draw(plots(study), folder.path()), 1);
+}
+
+TEST(Plot, TextIsDrawnAsItIsWritten) {
+  const TempFolder folder;
+  auto study = synthetic::check();
+  study.series[0].name = "it's `date` \"q\" a_b^{2} <i>\\n\n@x";
+  study.figures[0].xlabel = "l_p^0 & 'h'";
+  draw(plots(study), folder.path());
+  const auto svg = content(folder / "s-fig4.svg");
+  EXPECT_THAT(svg, HasSubstr("a_b^{2}"));
+  EXPECT_THAT(svg, HasSubstr("`date`"));
+  EXPECT_THAT(svg, HasSubstr("&lt;i"));
+  EXPECT_THAT(svg, HasSubstr("l_p^0"));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("<i>")));
+}
+
+TEST(Plot, StudyWithoutAnyPointIsStillDrawn) {
+  const TempFolder folder;
+  auto study = synthetic::check();
+  for (auto& s : study.series) s.points.clear();
+  EXPECT_EQ(draw(plots(study), folder.path()), 1);
+  EXPECT_THAT(content(folder / "s-fig4.svg"), HasSubstr("nothing to draw"));
+}
+
+TEST(Plot, StudyWithoutAnyValueIsStillDrawn) {
+  const TempFolder folder;
+  auto study = synthetic::convergence();
+  study.figures[0].quantity = "unknown";
+  for (auto& s : study.series)
+    for (auto& p : s.points) p.status = Status::ok;
+  EXPECT_EQ(draw(plots(study), folder.path()), 1);
+}
+
+}  // namespace
+}  // namespace mpmvv

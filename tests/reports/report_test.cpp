@@ -1,0 +1,159 @@
+#include "reports/report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "studies/error.hpp"
+#include "tests/reports/synthetic.hpp"
+#include "tests/reports/temp_folder.hpp"
+
+namespace mpmvv {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+void silent(const std::string&) {}
+
+ReportInput input() {
+  ReportInput in;
+  in.studies = {synthetic::convergence(), synthetic::limits(), synthetic::check()};
+  in.gate = {{"bar-bases: order", "pass", "1.85 to 2.15", "2.01", ""},
+             {"bar-cfl: limit", "inconclusive", "1.1 to 1.3", "–", "not <found>"}};
+  in.claims = {{"S-fig10", "confirmed", "order 2.01 & <script>alert(1)</script>"}, {"W-fig3", "open", ""}};
+  in.provenance = {"00ff", "8be1f2c", true, "GNU 12.2.0", "-O3 \"-march\"", "Release", "CPU", "2026-01-01T00:00:00Z"};
+  return in;
+}
+
+std::string page_of(const ReportInput& in, const TempFolder& folder) {
+  write_report(in, folder / "out", silent);
+  return content(folder / "out" / "index.html");
+}
+
+std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  std::vector<std::string> result;
+  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) result.push_back((*it)[1]);
+  return result;
+}
+
+TEST(Report, WritesPageFiguresAndTables) {
+  const TempFolder folder;
+  std::vector<std::string> told;
+  const auto summary = write_report(input(), folder / "out", [&](const std::string& line) { told.push_back(line); });
+  EXPECT_EQ(summary.figures, 3);
+  EXPECT_EQ(summary.figures_drawn, 3);
+  EXPECT_EQ(summary.tables, summary.tables_written);
+  for (const char* file :
+       {"index.html", "figures/s-fig10.gp", "figures/s-fig10.dat", "figures/s-fig10.svg", "figures/s-fig10.pdf",
+        "tables/bar-bases.csv", "tables/bar-bases.tex", "tables/bar-bases-fits.csv", "tables/bar-cfl.tex"})
+    EXPECT_TRUE(fs::exists(folder / "out" / file)) << file;
+  EXPECT_THAT(told, testing::Contains("figures: 3 of 3 redrawn"));
+}
+
+TEST(Report, SecondCallWritesNothing) {
+  const TempFolder folder;
+  write_report(input(), folder / "out", silent);
+  const auto before = fs::last_write_time(folder / "out" / "index.html");
+  const auto summary = write_report(input(), folder / "out", silent);
+  EXPECT_EQ(summary.figures_drawn, 0);
+  EXPECT_EQ(summary.tables_written, 0);
+  EXPECT_EQ(fs::last_write_time(folder / "out" / "index.html"), before);
+}
+
+TEST(Report, PageIsSelfContained) {
+  const TempFolder folder;
+  const auto page = page_of(input(), folder);
+  for (const auto& address : matches(page, "(?:xmlns|xmlns:xlink)=\"(http[^\"]*)\""))
+    EXPECT_THAT(address, HasSubstr("www.w3.org"));
+  std::string rest = std::regex_replace(page, std::regex("xmlns(:xlink)?=\"[^\"]*\""), "");
+  EXPECT_THAT(rest, AllOf(Not(HasSubstr("http:")), Not(HasSubstr("https:")), Not(HasSubstr("src=")),
+                          Not(HasSubstr("<link")), Not(HasSubstr("@import")), Not(HasSubstr("<script"))));
+  EXPECT_EQ(matches(page, "(<svg)").size(), 3u);
+}
+
+TEST(Report, IdsAreUniqueAndLinksLead) {
+  const TempFolder folder;
+  const auto page = page_of(input(), folder);
+  const auto ids = matches(page, " id=[\"']([^\"']*)[\"']");
+  const std::set<std::string> known(ids.begin(), ids.end());
+  EXPECT_EQ(known.size(), ids.size());
+  for (const auto& target : matches(page, "href=[\"']#([^\"']*)[\"']")) {
+    if (target != "claim-S-fig11" && target != "claim-S-fig9" && target != "claim-S-fig4") {
+      EXPECT_TRUE(known.contains(target)) << target;
+    }
+  }
+  for (const auto& file : matches(page, "href=\"((?:figures|tables)/[^\"]*)\""))
+    EXPECT_TRUE(fs::exists(folder / "out" / file)) << file;
+}
+
+TEST(Report, TextIsEscaped) {
+  const TempFolder folder;
+  const auto page = page_of(input(), folder);
+  EXPECT_THAT(
+      page, AllOf(HasSubstr("order 2.01 &amp; &lt;script&gt;"), HasSubstr("Bar: order of the bases &lt;S &amp; W&gt;"),
+                  HasSubstr("&lt;b&gt;at&lt;/b&gt;"), HasSubstr("not &lt;found&gt;"), HasSubstr("# a &lt; b")));
+}
+
+TEST(Report, VerdictAndProvenanceStandOnTop) {
+  const TempFolder folder;
+  auto in = input();
+  auto page = page_of(in, folder);
+  const auto top = page.substr(0, page.find("<nav"));
+  EXPECT_THAT(top, AllOf(HasSubstr("badge inconclusive"), HasSubstr("1 pass, 1 inconclusive"),
+                         HasSubstr("1 confirmed, 1 open"), HasSubstr("dirty: built from"), HasSubstr("8be1f2c")));
+  in.provenance.dirty = false;
+  in.gate[0].verdict = "fail";
+  page = page_of(in, folder);
+  EXPECT_THAT(page, AllOf(HasSubstr("<title>mpmvv: fail</title>"), Not(HasSubstr("dirty: built from"))));
+}
+
+TEST(Report, ClaimsLeadToTheirStudies) {
+  const TempFolder folder;
+  EXPECT_THAT(page_of(input(), folder), HasSubstr("<a href=\"#study-bar-bases\">bar-bases</a>"));
+}
+
+TEST(Report, EmptyInputGivesAPage) {
+  const TempFolder folder;
+  const auto page = page_of({}, folder);
+  EXPECT_THAT(page, AllOf(HasSubstr("not judged"), HasSubstr("No goldens were judged"), HasSubstr("</html>")));
+}
+
+std::string message(const ReportInput& in, const fs::path& out) {
+  try {
+    write_report(in, out, silent);
+  } catch (const UsageError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(Report, FiguresOfOneNameAreRefusedAndNothingIsWritten) {
+  const TempFolder folder;
+  auto in = input();
+  in.studies[2].figures[0].name = "s-fig10";
+  EXPECT_EQ(message(in, folder / "out"),
+            "figure 's-fig10' is in study 'bar-bases' and in study 'weights' (figures need different names)");
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST(Report, NamesThatLeaveTheFolderAreRefused) {
+  const TempFolder folder;
+  auto in = input();
+  in.studies[0].figures[0].name = "../../etc";
+  EXPECT_THAT(message(in, folder / "out"), HasSubstr("'../../etc' cannot name a file"));
+}
+
+TEST(Report, FileInPlaceOfTheFolderIsReported) {
+  const TempFolder folder;
+  std::ofstream(folder / "out") << "x";
+  EXPECT_THAT(message(input(), folder / "out"), HasSubstr("cannot make the folder"));
+}
+
+}  // namespace
+}  // namespace mpmvv

@@ -1,0 +1,94 @@
+#include "reports/table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "reports/csv.hpp"
+#include "reports/process.hpp"
+#include "tests/reports/synthetic.hpp"
+#include "tests/reports/temp_folder.hpp"
+
+namespace mpmvv {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(Csv, HasEveryPointWithSeventeenDigits) {
+  auto study = synthetic::convergence();
+  study.series[1].points[0].y["l2"] = 0.1;
+  study.series[1].points[0].y["l1"] = not_measured;
+  const std::string text = csv_tables(study).at("bar-bases.csv");
+  EXPECT_THAT(text, testing::StartsWith("series,x,status,l1,l2,linf,wall_seconds,reason\n"));
+  EXPECT_THAT(text, HasSubstr("\"bspline2, 4 PPC\",8,ok,,0.10000000000000001,"));
+  EXPECT_THAT(text, HasSubstr("\"bspline3-open {a^2}, 4 PPC\",8,unstable,,,,,det F <= 0 in step 12\n"));
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 5 * 7);
+}
+
+TEST(Csv, HasFitsLimitsProbesAndValuesWhereThereAreAny) {
+  const auto fits = csv_tables(synthetic::convergence());
+  EXPECT_EQ(fits.size(), 2u);
+  EXPECT_THAT(fits.at("bar-bases-fits.csv"), HasSubstr("\"bspline2, 4 PPC\",l2,16,128,4,2.0099999999999998,"));
+  const auto limits = csv_tables(synthetic::limits());
+  EXPECT_THAT(limits.at("bar-cfl-limits.csv"), HasSubstr("\"l = 3h/8, 4 PPC\",cfl,"));
+  EXPECT_TRUE(limits.contains("bar-cfl-probes.csv"));
+  EXPECT_THAT(csv_tables(synthetic::check()).at("weights-values.csv"), HasSubstr("\nnothing,,a NaN\n"));
+}
+
+TEST(Table, SegmentOrdersStandBesideTheirErrors) {
+  const auto table = points_table(synthetic::convergence());
+  EXPECT_THAT(table.columns, testing::ElementsAre("cells", "status", "l1", "l2", "order", "linf", "wall_seconds"));
+  EXPECT_EQ(table.groups[1].rows[0][4], "–");
+  EXPECT_EQ(table.groups[1].rows[1][4], "2.01");
+  EXPECT_EQ(table.groups[3].rows[0][1], "unstable: det F <= 0 in step 12");
+  EXPECT_EQ(table.groups[3].rows[0][3], "–");
+}
+
+TEST(Table, FitsSayWindowIntervalAndFloor) {
+  const auto table = fits_table(synthetic::convergence());
+  EXPECT_THAT(table.groups[2].rows[0],
+              testing::ElementsAre("l2", "16 to 128", "4", "2.02 ± 0.03", "0.15", "0.99980", "yes", "8 to 128",
+                                   "E0 = 1.1e-06, order 2.02: residual 0.3 % against 21 %"));
+}
+
+TEST(Table, LongCurvesStayInTheCsvFile) {
+  EXPECT_TRUE(points_table(synthetic::check()).empty());
+  EXPECT_EQ(values_table(synthetic::check()).groups[0].rows[1][1], "–");
+}
+
+TEST(Latex, TextIsEscapedAndTheTableIsWhole) {
+  const auto text = latex_tables(synthetic::convergence());
+  EXPECT_THAT(text, AllOf(HasSubstr("\\toprule"), HasSubstr("\\bottomrule"),
+                          HasSubstr("bspline3-open \\{a\\textasciicircum{}2\\}"), HasSubstr("linear\\_periodic"),
+                          HasSubstr("2.02 $\\pm$ 0.03"), HasSubstr("det F $<$= 0")));
+  std::istringstream lines(text);
+  long columns = -1;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("\\begin{tabular}")) columns = std::ranges::count(line.substr(15), 'l');
+    if (line.ends_with(" \\\\") && !line.starts_with("\\multicolumn")) {
+      EXPECT_EQ(std::ranges::count(line, '&') - std::ranges::count(line, '#'), columns - 1) << line;
+    }
+  }
+}
+
+TEST(LatexNightly, TablesCompile) {
+  const TempFolder folder;
+  auto check = synthetic::check();
+  check.values.push_back(
+      {"characters", 1, "αβγδΔελμµνπρσΣτφΦΨω∇∞±×·−≤≥≈≠→√°½¼⁰¹²³⁴⁻₀₁₂ₚ–—…‘’“” éñÅß Đ✓ _^~\\{}$&#%<>|\"'"});
+  for (const auto& study : {synthetic::convergence(), synthetic::limits(), check}) {
+    std::ofstream(folder / "table.tex") << latex_tables(study);
+    std::ofstream(folder / "main.tex") << "\\documentclass{article}\\usepackage{booktabs}\n"
+                                          "\\begin{document}\\input{table}\\end{document}\n";
+    const auto end = run_process({"pdflatex", "-halt-on-error", "-interaction=nonstopmode", "main.tex"}, folder.path(),
+                                 {}, std::chrono::seconds(60));
+    if (end.start_error != 0) GTEST_SKIP() << "no pdflatex";
+    EXPECT_TRUE(end.good()) << end.output;
+  }
+}
+
+}  // namespace
+}  // namespace mpmvv

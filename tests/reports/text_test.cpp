@@ -1,0 +1,47 @@
+#include "reports/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace mpmvv {
+namespace {
+
+TEST(Text, ExactNumbersReadBackAsThemselves) {
+  for (const double v : {0.1, 1.0 / 3, 6.02214076e23, 5e-324, -2.2250738585072014e-308})
+    EXPECT_EQ(std::strtod(exact(v).c_str(), nullptr), v);
+  EXPECT_EQ(exact(NAN), "");
+}
+
+TEST(Text, OrderHasAnIntervalOnlyWhenThereIsOne) {
+  EXPECT_EQ(order_text(2.012, 0.04), "2.01 ± 0.04");
+  EXPECT_EQ(order_text(2.012, NAN), "2.01");
+  EXPECT_EQ(order_text(NAN, NAN), "–");
+  EXPECT_EQ(order_text(2.00012, 0.0004), "2.0001 ± 0.0004") << "never ± 0.00";
+  EXPECT_EQ(order_text(-0.3, 12.7), "-0.30 ± 12.70");
+}
+
+TEST(Text, CsvFieldsAreQuotedWhereTheyHaveToBe) {
+  EXPECT_EQ(csv_field("bspline2"), "bspline2");
+  EXPECT_EQ(csv_field("bspline2, 4 PPC"), "\"bspline2, 4 PPC\"");
+  EXPECT_EQ(csv_field("the \"half\" start"), "\"the \"\"half\"\" start\"");
+}
+
+TEST(Text, LatexSpecialCharactersAreEscaped) {
+  EXPECT_EQ(latex_text("a_b & 10% of #1 {x} $y$ ~ ^ \\"),
+            "a\\_b \\& 10\\% of \\#1 \\{x\\} \\$y\\$ \\textasciitilde{} \\textasciicircum{} \\textbackslash{}");
+  EXPECT_EQ(latex_text("Δt < h²"), "$\\Delta$t $<$ h$^2$");
+  EXPECT_EQ(latex_text("Léon"), "Léon");
+  EXPECT_EQ(latex_text("✓"), "[U+2713]");
+  EXPECT_EQ(latex_text("a\nb"), "a b");
+}
+
+TEST(Text, FileStemsStayInTheirFolder) {
+  EXPECT_TRUE(is_file_stem("s-fig10"));
+  EXPECT_TRUE(is_file_stem("usl+_2.a"));
+  for (const char* bad : {"", ".hidden", "..", "a/b", "a b", "-d", "a'b"}) EXPECT_FALSE(is_file_stem(bad)) << bad;
+}
+
+}  // namespace
+}  // namespace mpmvv

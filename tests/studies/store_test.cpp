@@ -1,0 +1,189 @@
+#include "studies/store.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "tests/studies/store_samples.hpp"
+
+namespace mpmvv {
+namespace {
+
+using namespace store_samples;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
+using testing::SizeIs;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Structured bindings name every member: a new one does not compile until it is compared too.
+std::string describe(const Record& r) {
+  const auto& [c, particles, steps, cfl, status, reason, error, energy, wall_seconds, ns] = r;
+  const auto& [l1, l2, linf, l1_all, l2_all, linf_all] = error;
+  const auto& [kinetic, strain, initial_total] = energy;
+  return fmt::format("{} {} {} {} {} '{}' {} {} {} {} {} {} {} {} {} {} {}", canonical_text(c), particles, steps, cfl,
+                     to_string(status), reason, l1, l2, linf, l1_all, l2_all, linf_all, kinetic, strain, initial_total,
+                     wall_seconds, ns);
+}
+
+TEST_F(StoreTest, ARecordComesBackWhole) {
+  Store store(file_, Store::Mode::create_or_write);
+  Record r = record(8);
+  r.error = {
+      .l1 = 1, .l2 = 0.1, .linf = 1.0 / 3, .l1_all_steps = 4e-6, .l2_all_steps = 5e300, .linf_all_steps = 6e-320};
+  r.status = Status::unstable;
+  r.reason = "det F <= 0 at step 7, 'particle' \"3\"\nα";
+  store.keep(r, provenance());
+  const std::optional<Record> found = store.find(r.the_case, "d1");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(describe(*found), describe(r));
+}
+
+TEST_F(StoreTest, NaNAndInfinityComeBackAsNaN) {
+  Store store(file_, Store::Mode::create_or_write);
+  Record r = record(8);
+  r.error.linf = infinity;
+  r.cfl = not_measured;
+  store.keep(r, provenance());
+  const Record found = store.find(r.the_case, "d1").value();
+  r.error.linf = not_measured;
+  EXPECT_EQ(describe(found), describe(r));
+}
+
+TEST_F(StoreTest, TheKeyIsTheWholeCaseAndTheDigest) {
+  Store store(file_, Store::Mode::create_or_write);
+  store.keep(record(8), provenance());
+  EXPECT_TRUE(store.find(bar(8), "d1"));
+  EXPECT_FALSE(store.find(bar(8), "d2"));
+  EXPECT_FALSE(store.find(bar(9), "d1"));
+  Case more_measured = bar(8);
+  more_measured.measure.every_step = true;
+  EXPECT_FALSE(store.find(more_measured, "d1"));
+}
+
+TEST_F(StoreTest, TheFirstRecordOfAKeyStays) {
+  Store store(file_, Store::Mode::create_or_write);
+  Record second = record(8);
+  second.wall_seconds = 99;
+  store.keep(record(8), provenance());
+  store.keep(second, provenance());
+  EXPECT_EQ(store.find(bar(8), "d1")->wall_seconds, 1e-3);
+}
+
+TEST_F(StoreTest, AFailedRecordGivesWayToOneThatWasCarriedOut) {
+  Store store(file_, Store::Mode::create_or_write);
+  Record failed = record(8);
+  failed.status = Status::failed;
+  failed.reason = "out of memory";
+  store.keep(failed, provenance());
+  EXPECT_EQ(store.find(bar(8), "d1")->status, Status::failed);
+  store.keep(record(8), provenance());
+  EXPECT_EQ(describe(store.find(bar(8), "d1").value()), describe(record(8)));
+  store.keep(failed, provenance());
+  EXPECT_EQ(store.find(bar(8), "d1")->status, Status::ok);
+}
+
+TEST_F(StoreTest, RecordsOutliveTheStoreObject) {
+  Store(file_, Store::Mode::create_or_write).keep(record(8), provenance());
+  EXPECT_TRUE(Store(file_, Store::Mode::read).find(bar(8), "d1"));
+  EXPECT_TRUE(Store(file_, Store::Mode::write).find(bar(8), "d1"));
+  EXPECT_TRUE(Store(file_, Store::Mode::create_or_write).find(bar(8), "d1"));
+}
+
+TEST_F(StoreTest, InfoCountsWhatIsThere) {
+  Store store(file_, Store::Mode::create_or_write);
+  Record unstable = record(9);
+  unstable.status = Status::unstable;
+  store.keep(record(8), provenance("d1"));
+  store.keep(unstable, provenance("d2"));
+  store.keep_study(study("s"), {}, provenance("d1"));
+  const auto info = store.info();
+  EXPECT_THAT(info, Contains(Pair("schema", "1")));
+  EXPECT_THAT(info, Contains(Pair("studies", "1")));
+  EXPECT_THAT(info, Contains(Pair("records", "2")));
+  EXPECT_THAT(info, Contains(Pair("records ok", "1")));
+  EXPECT_THAT(info, Contains(Pair("records unstable", "1")));
+  EXPECT_THAT(info, Contains(Pair("records failed", "0")));
+  EXPECT_THAT(info, Contains(Pair("size", fmt::format("{} bytes", std::filesystem::file_size(file_)))));
+  EXPECT_THAT(info, Contains(Pair("digest d2", "commit c0ffee (dirty), 1 records, last 2024-05-06T07:08:09Z")));
+}
+
+TEST_F(StoreTest, CsvHasEveryRecordWith17DigitsAndNaNEmpty) {
+  Store store(file_, Store::Mode::create_or_write);
+  store.keep(record(8), provenance());
+  store.keep(record(16), provenance());
+  std::istringstream csv(store.export_csv());
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(csv, line);) lines.push_back(line);
+  ASSERT_THAT(lines, SizeIs(3));
+  EXPECT_THAT(lines[0], HasSubstr("id,case_text,digest,"));
+  EXPECT_THAT(lines[0], HasSubstr("l1,l2,linf,l1_all_steps,l2_all_steps,linf_all_steps,kinetic"));
+  EXPECT_THAT(lines[0], HasSubstr("git_commit,dirty,compiler,flags,build_type,cpu"));
+  EXPECT_THAT(lines[1], HasSubstr("\"" + canonical_text(bar(8)) + "\",d1,"));
+  EXPECT_THAT(lines[1], HasSubstr(",0.012500000000000001,0.025000000000000001,0.037499999999999999,,,,"));
+  EXPECT_THAT(lines[2], HasSubstr("c0ffee,1,GNU 12.2.0,-O3,Release,\"A \"\"fast\"\", one\""));
+}
+
+TEST_F(StoreTest, CheckIsEmptyForASoundStore) {
+  Store store(file_, Store::Mode::create_or_write);
+  store.keep(record(8), provenance());
+  EXPECT_THAT(store.check(), IsEmpty());
+}
+
+TEST_F(StoreTest, CheckFindsDamage) {
+  {
+    Store store(file_, Store::Mode::create_or_write);
+    for (int cells = 1; cells <= 30; ++cells) store.keep(record(cells), provenance());
+  }
+  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(file_));
+  std::fstream stream(file_, std::ios::binary | std::ios::in | std::ios::out);
+  stream.seekp(size - 4 * 4096);
+  stream << std::string(4096, 'x');
+  stream.close();
+  EXPECT_FALSE(Store(file_, Store::Mode::read).check().empty());
+}
+
+TEST_F(StoreTest, MergeCopiesWhatIsMissing) {
+  const auto other = folder_ / "other.db";
+  Store here(file_, Store::Mode::create_or_write);
+  Record ours = record(8), theirs = record(8);
+  ours.wall_seconds = 1;
+  theirs.wall_seconds = 2;
+  here.keep(ours, provenance());
+  here.keep_study(study("both", "ours"), {}, provenance());
+  {
+    Store there(other, Store::Mode::create_or_write);
+    there.keep(theirs, provenance());
+    there.keep(record(16), provenance());
+    there.keep(record(8), provenance("d2"));
+    there.keep_study(study("both", "theirs"), {}, provenance());
+    there.keep_study(study("new", "", {series("a", {point(8), point(16)})}), {{bar(8), bar(16)}}, provenance());
+  }
+  EXPECT_EQ(here.merge(other), 2);
+  EXPECT_EQ(here.find(bar(8), "d1")->wall_seconds, 1);
+  EXPECT_EQ(describe(here.find(bar(16), "d1").value()), describe(record(16)));
+  EXPECT_EQ(describe(here.find(bar(8), "d2").value()), describe(record(8)));
+  const std::vector<StudyResult> studies = here.studies("d1");
+  ASSERT_THAT(studies, SizeIs(2));
+  EXPECT_EQ(studies[0].title, "ours");
+  EXPECT_EQ(studies[1].series[0].points[1].y.at("l2"), 0.2 / 16);
+  EXPECT_EQ(here.merge(other), 0);
+  EXPECT_EQ(here.merge(file_), 0);
+  EXPECT_THAT(here.check(), IsEmpty());
+}
+
+TEST_F(StoreTest, MergeOfSomethingElseChangesNothing) {
+  Store here(file_, Store::Mode::create_or_write);
+  here.keep(record(8), provenance());
+  const std::string before = bytes_of(file_);
+  std::ofstream(folder_ / "notes.txt") << "not a store";
+  EXPECT_THAT(complaint([&] { here.merge(folder_ / "notes.txt"); }), HasSubstr("notes.txt' is not a results store"));
+  EXPECT_THAT(complaint([&] { here.merge(folder_ / "absent.db"); }), HasSubstr("no results store"));
+  EXPECT_EQ(bytes_of(file_), before);
+}
+
+}  // namespace
+}  // namespace mpmvv
