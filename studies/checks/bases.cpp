@@ -38,7 +38,7 @@ double box(double x) { return std::abs(x) < 0.5 ? 1 : 0; }
 template <class A, class B>
 double largest_difference(const A& a, const B& b) {
   double worst = 0;
-  for (const double x : linspace(-2.5, 2.5, 4999)) worst = std::max(worst, std::abs(a(x) - b(x)));
+  for (const double x : linspace(-2.5, 2.5, 5000)) worst = std::max(worst, std::abs(a(x) - b(x)));
   return worst;
 }
 

@@ -37,10 +37,10 @@ struct Comparison {
   std::vector<double> steps, solver_F, recursion_F, printed_F;
 };
 
-/// The solver beside the recursion over two periods of the linear oscillator's order.
+/// The solver beside the recursion over some three oscillations (20 h/C).
 Comparison compare(const std::string& integrator, OneParticle (*advance)(const OneParticle&, const Constants&, double)) {
   const std::vector<Setting> settings{{"problem", "one-particle", ""}, {"basis", "linear", ""}, {"integrator", integrator, ""},
-                                      {"cells", "1", ""}, {"ppc", "1", ""}, {"cfl", "0.02", ""}};
+                                      {"cells", "1", ""}, {"ppc", "1", ""}, {"cfl", "0.02", ""}, {"end_time", "0.2", ""}};
   const Case c = make_case(settings);
   auto stage = make_stage<1>(c, find_problem("one-particle", ""), 1);
   const auto& start = stage.scene.particles;

@@ -43,12 +43,23 @@ double error_at(const Series& series, double x, const std::string& norm) {
   return not_measured;
 }
 
+/// The order over the points that are stable. An unstable one has not converged: with it no lower bound is kept, and an
+/// upper bound is kept as far as the others keep it. A failed or unmeasured one leaves the order unknown.
 void measure_order(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
   const ObservedOrder fit = fit_order(samples_of(series, c.norm, result.sweep), c.from, c.to);
-  const auto in_window = std::count_if(series.points.begin(), series.points.end(), [&](const Point& p) { return inside(c, p.x); });
-  if (fit.points < in_window) out.missing = fmt::format("'{}': {} of {} points are no use", series.name, in_window - fit.points, in_window);
+  int in_window = 0;
+  std::vector<double> unstable;
+  for (const Point& point : series.points) {
+    if (!inside(c, point.x)) continue;
+    ++in_window;
+    if (point.status == Status::unstable) unstable.push_back(point.x);
+  }
+  const auto usable = in_window - static_cast<int>(unstable.size());
+  if (fit.points < usable) out.missing = fmt::format("'{}': {} of {} points are no use", series.name, usable - fit.points, in_window);
   const std::string interval = std::isnan(fit.half_width) ? "" : fmt::format(" (±{:.2f})", fit.half_width);
-  out.add(fmt::format("order of '{}' in {} over [{}, {}]{}", series.name, c.norm, c.from, c.to, interval), fit.order);
+  const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
+  out.add(fmt::format("order of '{}' in {} over [{}, {}]{}{}", series.name, c.norm, c.from, c.to, interval, without), fit.order);
+  if (!unstable.empty() && c.at_least) out.add(fmt::format("order of '{}' at {}", series.name, unstable[0]), -std::numeric_limits<double>::infinity());
 }
 
 void measure_errors(const Criterion& c, const Series& series, Measured& out) {

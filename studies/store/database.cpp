@@ -198,16 +198,16 @@ Transaction::Transaction(Database& database, Kind kind) : database_(database) {
   database_.execute(kind == Kind::write ? "BEGIN IMMEDIATE" : "BEGIN");
 }
 
-Transaction::~Transaction() {
+void Transaction::commit() {
+  database_.execute("COMMIT");
+}
+
+void Transaction::roll_back() noexcept {
   if (!database_.in_transaction()) return;
   try {
     database_.execute("ROLLBACK");
   } catch (const UsageError&) {  // the next opening rolls back
   }
-}
-
-void Transaction::commit() {
-  database_.execute("COMMIT");
 }
 
 }  // namespace mpmvv::db

@@ -108,11 +108,12 @@ class Transaction {
   enum class Kind { read, write };
 
   Transaction(Database& database, Kind kind);
-  ~Transaction();
+  ~Transaction() { roll_back(); }
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
 
   void commit();
+  void roll_back() noexcept;
 
  private:
   Database& database_;

@@ -94,6 +94,7 @@ void migrate(Database& database, bool create, bool fresh, std::span<const char* 
   try {
     if (apply_missing(database, create, steps)) transaction.commit();
   } catch (const UsageError&) {
+    transaction.roll_back();
     const fs::path& file = database.file();
     if (std::error_code ignored; fresh && fs::file_size(file, ignored) == 0) fs::remove(file, ignored);
     throw;

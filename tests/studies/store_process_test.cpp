@@ -1,4 +1,3 @@
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sched.h>
 #include <sys/mount.h>
@@ -7,7 +6,6 @@
 
 #include <csignal>
 #include <functional>
-#include <set>
 #include <thread>
 
 #include "studies/store/run_rows.hpp"

@@ -1,0 +1,89 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "studies/study.hpp"
+
+namespace mpmvv {
+namespace {
+
+using testing::HasSubstr;
+
+/// e = h² on 8 to 64 cells, and a series twice as large that is unstable at 64.
+StudyResult two_series() {
+  StudyResult result;
+  result.sweep = "cells";
+  result.series = {Series{"good", {}, {}, {}}, Series{"bad", {}, {}, {}}};
+  for (const double n : {8.0, 16.0, 32.0, 64.0}) {
+    result.series[0].points.push_back({n, Status::ok, "", {{"l2", 1 / (n * n)}}});
+    if (n < 64)
+      result.series[1].points.push_back({n, Status::ok, "", {{"l2", 2 / (n * n)}}});
+    else
+      result.series[1].points.push_back({n, Status::unstable, "blown up", {}});
+  }
+  result.values = {{"round_off", 3e-16, "largest difference"}};
+  StabilityLimit limit;
+  limit.key = "cfl", limit.stable = 0.99, limit.unstable = 1.01, limit.found = true;
+  result.series[0].limit = limit;
+  return result;
+}
+
+Criterion criterion(Criterion::Kind kind, const std::string& series, std::optional<double> at_least,
+                    std::optional<double> at_most) {
+  Criterion c;
+  c.claim = "S-fig10", c.kind = kind, c.series = {series}, c.norm = "l2", c.from = 8, c.to = 64;
+  c.at_least = at_least, c.at_most = at_most;
+  c.reason = "why not";
+  return c;
+}
+
+using Kind = Criterion::Kind;
+
+TEST(Criterion, OrderInsideAndOutsideItsBounds) {
+  EXPECT_EQ(judge(criterion(Kind::order, "good", 1.9, 2.1), two_series()).verdict, PartVerdict::holds);
+  const ClaimPart part = judge(criterion(Kind::order, "good", 2.1, {}), two_series());
+  EXPECT_EQ(part.verdict, PartVerdict::fails);
+  EXPECT_EQ(part.reason, "why not");
+  EXPECT_THAT(part.evidence, HasSubstr("= 2 "));
+}
+
+TEST(Criterion, AnUnstablePointBreaksALowerBoundOfTheOrderOnly) {
+  EXPECT_EQ(judge(criterion(Kind::order, "bad", 1.5, 2.5), two_series()).verdict, PartVerdict::fails);
+  const ClaimPart part = judge(criterion(Kind::order, "bad", {}, 2.5), two_series());
+  EXPECT_EQ(part.verdict, PartVerdict::holds);
+  EXPECT_THAT(part.evidence, HasSubstr("unstable at 64"));
+}
+
+TEST(Criterion, AFailedRunLeavesItOpen) {
+  StudyResult result = two_series();
+  result.series[0].points[1] = {16, Status::failed, "no memory", {}};
+  EXPECT_EQ(judge(criterion(Kind::order, "good", 1.9, 2.1), result).verdict, PartVerdict::inconclusive);
+  EXPECT_EQ(judge(criterion(Kind::error, "good", {}, 1), result).verdict, PartVerdict::inconclusive);
+}
+
+TEST(Criterion, AnUnstableErrorIsInfinite) {
+  EXPECT_EQ(judge(criterion(Kind::error, "bad", {}, 1), two_series()).verdict, PartVerdict::fails);
+  Criterion ratio = criterion(Kind::error_ratio, "bad", 1.99, {});
+  ratio.over = "good";
+  EXPECT_EQ(judge(ratio, two_series()).verdict, PartVerdict::holds);
+  ratio.at_most = 2.01;
+  EXPECT_EQ(judge(ratio, two_series()).verdict, PartVerdict::fails);
+}
+
+TEST(Criterion, SpreadStatusLimitValue) {
+  EXPECT_EQ(judge(criterion(Kind::spread, "good", 63.9, 64.1), two_series()).verdict, PartVerdict::holds);
+  EXPECT_EQ(judge(criterion(Kind::status, "bad", 0.74, 0.76), two_series()).verdict, PartVerdict::holds);
+  EXPECT_EQ(judge(criterion(Kind::limit, "good", 0.95, 1.05), two_series()).verdict, PartVerdict::holds);
+  EXPECT_EQ(judge(criterion(Kind::limit, "bad", 0.95, 1.05), two_series()).verdict, PartVerdict::inconclusive);
+  Criterion value = criterion(Kind::value, "", {}, 1e-14);
+  value.name = "round_off";
+  EXPECT_EQ(judge(value, two_series()).verdict, PartVerdict::holds);
+  value.name = "unknown";
+  EXPECT_EQ(judge(value, two_series()).verdict, PartVerdict::inconclusive);
+}
+
+TEST(Criterion, AnUnknownSeriesIsInconclusive) {
+  EXPECT_EQ(judge(criterion(Kind::order, "ugly", 1, 2), two_series()).verdict, PartVerdict::inconclusive);
+}
+
+}  // namespace
+}  // namespace mpmvv
