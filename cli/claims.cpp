@@ -15,11 +15,16 @@ int claims(const std::string& db, bool json) {
   if (json) {
     nlohmann::json all = nlohmann::json::array();
     for (const Claim& c : judged)
-      all.push_back({{"id", c.id}, {"statement", c.statement}, {"verdict", c.verdict}, {"evidence", c.evidence}, {"studies", c.studies}});
+      all.push_back({{"id", c.id},
+                     {"statement", c.statement},
+                     {"verdict", c.verdict},
+                     {"evidence", c.evidence},
+                     {"studies", c.studies}});
     print_json({{"claims", all}});
     return 0;
   }
-  for (const Claim& c : judged) fmt::print("{:<10} {:<10} {}\n", c.id, c.verdict, c.verdict == "open" ? c.statement : c.evidence);
+  for (const Claim& c : judged)
+    fmt::print("{:<10} {:<10} {}\n", c.id, c.verdict, c.verdict == "open" ? c.statement : c.evidence);
   return 0;
 }
 

@@ -48,7 +48,8 @@ int export_records(const DbOptions& options) {
   }
   std::ofstream out(options.out);
   out << csv << std::flush;
-  if (!out) throw UsageError(fmt::format("cannot write {} (a file in an existing directory that may be written)", options.out));
+  if (!out)
+    throw UsageError(fmt::format("cannot write {} (a file in an existing directory that may be written)", options.out));
   return 0;
 }
 
@@ -66,8 +67,11 @@ void add_db(CLI::App& app, int& exit_code) {
   };
   add("info", "Print what the store holds", &info)->add_flag("--json", options->json, "print one JSON object");
   add("check", "Check the store's integrity", &check);
-  add("merge", "Copy what another store has and this one lacks", &merge)->add_option("other", options->other, "the other store")->required();
-  add("export", "Write all records as CSV", &export_records)->add_option("--out", options->out, "file (default: standard output)");
+  add("merge", "Copy what another store has and this one lacks", &merge)
+      ->add_option("other", options->other, "the other store")
+      ->required();
+  add("export", "Write all records as CSV", &export_records)
+      ->add_option("--out", options->out, "file (default: standard output)");
 }
 
 }  // namespace mpmvv

@@ -25,14 +25,19 @@ struct GateOptions {
 void write_file(const std::string& file, const std::string& text) {
   std::ofstream out(file);
   out << text << std::flush;
-  if (!out) throw UsageError(fmt::format("cannot write {} (a file in an existing directory that may be written)", file));
+  if (!out)
+    throw UsageError(fmt::format("cannot write {} (a file in an existing directory that may be written)", file));
 }
 
 nlohmann::json gate_json(const GateReport& report) {
   nlohmann::json results = nlohmann::json::array();
   for (const GateResult& r : report.results)
-    results.push_back({{"study", r.study}, {"name", r.name}, {"verdict", to_string(r.verdict)}, {"expected", r.expected},
-                       {"measured", r.measured}, {"reason", r.reason}});
+    results.push_back({{"study", r.study},
+                       {"name", r.name},
+                       {"verdict", to_string(r.verdict)},
+                       {"expected", r.expected},
+                       {"measured", r.measured},
+                       {"reason", r.reason}});
   return {{"pass", report.count(Verdict::pass)},
           {"fail", report.count(Verdict::fail)},
           {"inconclusive", report.count(Verdict::inconclusive)},
@@ -68,16 +73,20 @@ struct ProposeOptions {
 
 int propose(const ProposeOptions& options) {
   const auto results = own_results(options.db);
-  const auto study = std::find_if(results.begin(), results.end(), [&](const auto& s) { return s.name == options.study; });
+  const auto study =
+      std::find_if(results.begin(), results.end(), [&](const auto& s) { return s.name == options.study; });
   if (study == results.end())
-    throw UsageError(fmt::format("no results of study '{}' in {} (run `mpmvv study` on it first)", options.study, options.db));
-  const auto provenance = Store(options.db, Store::Mode::read).study_provenance(study->name, current_provenance().digest);
+    throw UsageError(
+        fmt::format("no results of study '{}' in {} (run `mpmvv study` on it first)", options.study, options.db));
+  const auto provenance =
+      Store(options.db, Store::Mode::read).study_provenance(study->name, current_provenance().digest);
   const std::string text = propose_goldens(*study, *provenance);
   if (options.out.empty()) {
     fmt::print("{}", text);
     return 0;
   }
-  if (std::ifstream(options.out)) throw UsageError(fmt::format("{} exists (name a new file, review, then move it)", options.out));
+  if (std::ifstream(options.out))
+    throw UsageError(fmt::format("{} exists (name a new file, review, then move it)", options.out));
   write_file(options.out, text);
   return 0;
 }
@@ -97,7 +106,8 @@ void add_gate(CLI::App& app, int& exit_code) {
 
 void add_propose(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ProposeOptions>();
-  CLI::App* command = app.add_subcommand("propose", "Write goldens for review from the store's results of a clean tree");
+  CLI::App* command =
+      app.add_subcommand("propose", "Write goldens for review from the store's results of a clean tree");
   command->add_option("--db", options->db, "results store")->required();
   command->add_option("--study", options->study, "name of the study")->required();
   command->add_option("--out", options->out, "a file that does not exist yet (default: standard output)");

@@ -14,12 +14,16 @@ namespace {
 
 /// The lists and the setting whose words they show.
 const std::vector<std::pair<std::string, std::string>>& word_lists() {
-  static const std::vector<std::pair<std::string, std::string>> lists{
-      {"bases", "basis"},           {"integrators", "integrator"},
-      {"starts", "start"},          {"velocity-updates", "velocity_update"},
-      {"masses", "mass"},           {"boundaries", "boundary"},
-      {"wall-accelerations", "wall_acceleration"}, {"deformations", "deformation"},
-      {"body-forces", "body_force"}, {"fills", "fill"}};
+  static const std::vector<std::pair<std::string, std::string>> lists{{"bases", "basis"},
+                                                                      {"integrators", "integrator"},
+                                                                      {"starts", "start"},
+                                                                      {"velocity-updates", "velocity_update"},
+                                                                      {"masses", "mass"},
+                                                                      {"boundaries", "boundary"},
+                                                                      {"wall-accelerations", "wall_acceleration"},
+                                                                      {"deformations", "deformation"},
+                                                                      {"body-forces", "body_force"},
+                                                                      {"fills", "fill"}};
   return lists;
 }
 
@@ -27,7 +31,10 @@ nlohmann::json problem_json(const Problem& p) {
   const Parameters defaults = complete_parameters(p, {});
   nlohmann::json parameters = nlohmann::json::array();
   for (const Parameter& parameter : p.parameters)
-    parameters.push_back({{"name", parameter.name}, {"default", parameter.value}, {"unit", parameter.unit}, {"allowed", parameter.range}});
+    parameters.push_back({{"name", parameter.name},
+                          {"default", parameter.value},
+                          {"unit", parameter.unit},
+                          {"allowed", parameter.range}});
   return {{"name", p.name},
           {"source", p.source},
           {"dimension", p.dimension()},
@@ -41,8 +48,9 @@ nlohmann::json problem_json(const Problem& p) {
 void print_problems() {
   for (const Problem& p : problems()) {
     const Parameters defaults = complete_parameters(p, {});
-    fmt::print("{}  ({}D, {})\n  L = {} m, wave speed {} = {:g} m/s, end time {} = {:g} s, boundary {}\n", p.name, p.dimension(),
-               p.source, p.length, p.wave_speed_formula, p.wave_speed(defaults), p.end_time_formula, p.end_time(defaults), p.boundary);
+    fmt::print("{}  ({}D, {})\n  L = {} m, wave speed {} = {:g} m/s, end time {} = {:g} s, boundary {}\n", p.name,
+               p.dimension(), p.source, p.length, p.wave_speed_formula, p.wave_speed(defaults), p.end_time_formula,
+               p.end_time(defaults), p.boundary);
     for (const Parameter& parameter : p.parameters)
       fmt::print("  {} = {:g} {}, allowed: {}\n", parameter.name, parameter.value, parameter.unit, parameter.range);
   }
@@ -71,7 +79,8 @@ int list(const std::string& what, bool json) {
     if (what.empty() || what == name) print_words(name, words_of_key(key));
   }
   if (what.empty() || what == "checks") print_words("checks", check_names());
-  if (all.empty()) throw UsageError(fmt::format("nothing to list under '{}' (known: {})", what, fmt::join(known, ", ")));
+  if (all.empty())
+    throw UsageError(fmt::format("nothing to list under '{}' (known: {})", what, fmt::join(known, ", ")));
   if (json) print_json(all);
   return 0;
 }
@@ -81,7 +90,8 @@ int list(const std::string& what, bool json) {
 void add_list(CLI::App& app, int& exit_code) {
   auto what = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("list", "Print what there is: problems with their values, and the words of every key");
+  CLI::App* command =
+      app.add_subcommand("list", "Print what there is: problems with their values, and the words of every key");
   command->add_option("what", *what, "problems, bases, integrators, ... (default: all)");
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([what, json, &exit_code] { exit_code = list(*what, *json); });

@@ -8,7 +8,9 @@
 
 namespace mpmvv {
 
-void print_json(const nlohmann::json& object) { fmt::print("{}\n", object.dump(2)); }
+void print_json(const nlohmann::json& object) {
+  fmt::print("{}\n", object.dump(2));
+}
 
 namespace {
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -55,7 +56,9 @@ nlohmann::json record_json(const Record& r) {
           {"ns_per_particle_step", r.ns_per_particle_step}};
 }
 
-std::string or_dash(double value) { return std::isnan(value) ? "-" : fmt::format("{:.6e}", value); }
+std::string or_dash(double value) {
+  return std::isnan(value) ? "-" : fmt::format("{:.6e}", value);
+}
 
 void print_record(const Record& r) {
   const Scheme& s = r.the_case.scheme;
@@ -64,7 +67,8 @@ void print_record(const Record& r) {
              r.the_case.resolution.cells, r.the_case.resolution.ppc, r.particles, r.steps, r.the_case.resolution.dt,
              r.cfl, r.the_case.problem.end_time);
   fmt::print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
-  fmt::print("error at the end     l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1), or_dash(r.error.l2), or_dash(r.error.linf));
+  fmt::print("error at the end     l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1), or_dash(r.error.l2),
+             or_dash(r.error.linf));
   if (r.the_case.measure.every_step)
     fmt::print("error over all steps l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1_all_steps),
                or_dash(r.error.l2_all_steps), or_dash(r.error.linf_all_steps));

@@ -27,7 +27,8 @@ std::vector<double> coordinates(const std::string& text, int dimension) {
 }
 
 Parameters parameters_of(const Problem& problem, const std::vector<std::string>& texts) {
-  std::vector<Setting> settings{{"problem", problem.name, "--problem"}, {"cells", "4", ""}, {"ppc", "2", ""}, {"cfl", "0.1", ""}};
+  std::vector<Setting> settings{
+      {"problem", problem.name, "--problem"}, {"cells", "4", ""}, {"ppc", "2", ""}, {"cfl", "0.1", ""}};
   for (const std::string& text : texts) settings.push_back(parameter_setting(text));
   if (problem.name == "one-particle") settings[1].value = settings[2].value = "1";
   return make_case(settings).problem.parameters;
@@ -49,11 +50,16 @@ nlohmann::json evaluate(const Problem& problem, const Parameters& parameters, co
       for (int j = 0; j < D; ++j) all[static_cast<std::size_t>(i)].push_back(m(i, j));
     return all;
   };
-  return {{"problem", problem.name}, {"parameters", parameters},
-          {"at", at},                {"time", t},
-          {"u", vector(solution.u(X, t))}, {"v", vector(solution.v(X, t))},
-          {"a", vector(solution.a(X, t))}, {"b", vector(solution.b(X, t))},
-          {"F", rows(solution.F(X, t))},   {"P", rows(solution.P(X, t))}};
+  return {{"problem", problem.name},
+          {"parameters", parameters},
+          {"at", at},
+          {"time", t},
+          {"u", vector(solution.u(X, t))},
+          {"v", vector(solution.v(X, t))},
+          {"a", vector(solution.a(X, t))},
+          {"b", vector(solution.b(X, t))},
+          {"F", rows(solution.F(X, t))},
+          {"P", rows(solution.P(X, t))}};
 }
 
 int solution(const SolutionOptions& options) {

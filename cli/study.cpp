@@ -55,7 +55,8 @@ void print_errors(const StudyResult& study, const std::string& quantity) {
   fmt::print("  {} by {}\n", quantity, study.sweep);
   for (const Series& series : study.series) {
     fmt::print("    {}\n", series.name);
-    for (const Point& point : series.points) fmt::print("      {:>10.6g}  {}\n", point.x, number_or_status(point, quantity));
+    for (const Point& point : series.points)
+      fmt::print("      {:>10.6g}  {}\n", point.x, number_or_status(point, quantity));
   }
 }
 
@@ -74,8 +75,8 @@ void print_limit(const Series& series) {
   if (!limit.found)
     fmt::print("  no {} limit of '{}' in the range searched\n", limit.key, series.name);
   else
-    fmt::print("  {} limit of '{}' between {:.4g} (stable) and {:.4g} (unstable), {} probes{}\n", limit.key, series.name,
-               limit.stable, limit.unstable, limit.probes.size(), limit.monotone ? "" : ", NOT MONOTONE");
+    fmt::print("  {} limit of '{}' between {:.4g} (stable) and {:.4g} (unstable), {} probes{}\n", limit.key,
+               series.name, limit.stable, limit.unstable, limit.probes.size(), limit.monotone ? "" : ", NOT MONOTONE");
 }
 
 void print_study(const StudyResult& study) {

@@ -1,4 +1,4 @@
-# mpmvv_provenance: the header mpmvv_build_info.hpp, brought up to date by every build and rewritten only when it differs.
+# mpmvv_provenance: the header mpmvv_build_info.hpp, brought up to date by every build, rewritten only when it differs.
 # Its flags are those that the solver is compiled with, as the generator sees them.
 set(mpmvv_build_info_dir ${PROJECT_BINARY_DIR}/generated)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" mpmvv_config)

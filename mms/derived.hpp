@@ -18,9 +18,7 @@ class Derived final : public ManufacturedSolution<D> {
   Derived(Displacement displacement, Energy energy, double density, double scale)
       : displacement_(displacement), energy_(energy), density_(density), scale_(scale) {}
 
-  Vec<D> u(const Vec<D>& X, double t) const override {
-    return derivative(X, t, 0, 0, D, D);
-  }
+  Vec<D> u(const Vec<D>& X, double t) const override { return derivative(X, t, 0, 0, D, D); }
   Vec<D> v(const Vec<D>& X, double t) const override { return derivative(X, t, 1, 0, D, D); }
   Vec<D> a(const Vec<D>& X, double t) const override { return derivative(X, t, 1, 1, D, D); }
 

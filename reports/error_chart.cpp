@@ -108,7 +108,8 @@ class ErrorChart {
   }
 
   void add_curve(const Series& s, int style) {
-    Curve curve{s.name, key_of(s), style, true, s.points.size() <= most_markers, s.orders.empty(), {}};
+    const bool joined = std::ranges::find(figure_.marks, s.name) == figure_.marks.end();
+    Curve curve{s.name, key_of(s), style, joined, s.points.size() <= most_markers, s.orders.empty(), {}};
     for (const auto& p : s.points) {
       if (is_number_on(figure_.log_x, p.x))
         curve.dots.push_back(dot_of(s, p));

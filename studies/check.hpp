@@ -11,7 +11,9 @@ struct CheckResult {
   std::vector<Value> values;
   std::vector<Series> series;
 
-  void add(const std::string& name, double value, const std::string& meaning) { values.push_back({name, value, meaning}); }
+  void add(const std::string& name, double value, const std::string& meaning) {
+    values.push_back({name, value, meaning});
+  }
   void add_curve(const std::string& name, const std::vector<double>& x, const std::vector<double>& y);
 };
 

@@ -10,8 +10,8 @@ namespace mpmvv {
 struct Claim {
   std::string id;
   std::string statement;
-  std::string verdict;   ///< `confirmed`, `refuted`, `partly`, `shown`, `open`
-  std::string evidence;  ///< per part: what was asked and measured
+  std::string verdict;               ///< `confirmed`, `refuted`, `partly`, `shown`, `open`
+  std::string evidence;              ///< per part: what was asked and measured
   std::vector<std::string> studies;  ///< where the evidence stands
 };
 

@@ -31,8 +31,9 @@ struct ObservedOrder {
   double half_width = not_measured;  ///< Student-t 95 % of the slope; NaN under four points
   double constant = not_measured;    ///< C of e = C h^p over the window
   double r_squared = not_measured;
-  bool asymptotic = false;                                  ///< segment orders inside the window agree (observed_order.hpp)
-  double asymptotic_from = not_measured, asymptotic_to = not_measured;  ///< widest asymptotic run of points found; only reported
+  bool asymptotic = false;  ///< segment orders inside the window agree (observed_order.hpp)
+  double asymptotic_from = not_measured,
+         asymptotic_to = not_measured;  ///< widest asymptotic run of points found; only reported
   std::vector<SegmentOrder> segments;
   std::optional<FloorFit> floor;  ///< when the study asks for it
 };
@@ -42,7 +43,8 @@ struct Point {
   double x = 0;  ///< swept value
   Status status = Status::ok;
   std::string reason;
-  std::map<std::string, double> y;  ///< by quantity: `l1`, `l2`, `linf`, `..._all_steps`, `wall_seconds`, ...; curves: `y`
+  std::map<std::string, double>
+      y;  ///< by quantity: `l1`, `l2`, `linf`, `..._all_steps`, `wall_seconds`, ...; curves: `y`
 };
 
 /// One probe of a limit search.
@@ -54,12 +56,12 @@ struct Probe {
 
 /// Stability limit by scan and bisection: the true limit lies between `stable` and `unstable`.
 struct StabilityLimit {
-  std::string key;                ///< what was varied: `cfl`, `smoothing_length`
-  double stable = not_measured;   ///< last stable value next to the limit
-  double unstable = not_measured; ///< first unstable value next to it
-  bool monotone = true;           ///< false: a stable probe lies beyond an unstable one
-  bool found = false;             ///< false: nothing unstable, or the stable end itself unstable
-  std::vector<Probe> probes;      ///< in increasing value
+  std::string key;                 ///< what was varied: `cfl`, `smoothing_length`
+  double stable = not_measured;    ///< last stable value next to the limit
+  double unstable = not_measured;  ///< first unstable value next to it
+  bool monotone = true;            ///< false: a stable probe lies beyond an unstable one
+  bool found = false;              ///< false: nothing unstable, or the stable end itself unstable
+  std::vector<Probe> probes;       ///< in increasing value
 
   double value() const { return (stable + unstable) / 2; }
 };
@@ -80,12 +82,13 @@ struct Value {
 
 /// One axis-pair of a report's figure, as the study file describes it.
 struct Figure {
-  std::string name;     ///< file name without ending, `s-fig10`
+  std::string name;  ///< file name without ending, `s-fig10`
   std::string caption;
   std::string xlabel, ylabel;
   bool log_x = true, log_y = true;
   std::string quantity = "l2";      ///< which `y` of the points
   std::vector<std::string> series;  ///< names; empty: all
+  std::vector<std::string> marks;   ///< series drawn as separate points, without a line
   std::vector<double> slopes;       ///< reference slopes to draw, in powers of h
   std::optional<double> x_min, x_max, y_min, y_max;
 };
@@ -106,7 +109,7 @@ struct ClaimPart {
 
 /// Everything the store keeps of one study, ready to be judged and drawn.
 struct StudyResult {
-  std::string name;   ///< stem of the study file
+  std::string name;  ///< stem of the study file
   std::string title;
   std::string kind;   ///< `convergence`, `limit`, `check`
   std::string sweep;  ///< swept key: `cells` (then h = 1/x), `cfl`, ...; for checks the name of the abscissa

@@ -44,9 +44,9 @@ std::optional<Record> Store::find(const Case& c, const std::string& digest) cons
   return db::find_run(impl_->database, c, digest);
 }
 
-void Store::keep(const Record& r, const Provenance& p) {
+void Store::keep(std::span<const Record> records, const Provenance& p) {
   db::Transaction transaction(impl_->database, Kind::write);
-  db::insert_run(impl_->database, r, p);
+  for (const Record& r : records) db::insert_run(impl_->database, r, p);
   transaction.commit();
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,9 +31,10 @@ class Store {
   /// The record of this case made by this digest, if it is there.
   std::optional<Record> find(const Case& c, const std::string& digest) const;
 
-  /// Keeps one finished record at once (one transaction): a killed run loses no finished result. Keeping the same
-  /// key again (two processes) is no error; the first one stays.
-  void keep(const Record& r, const Provenance& p);
+  /// Keeps finished records in one transaction: a killed run loses nothing that was kept. Keeping the same key again
+  /// (two processes) is no error; the first one stays, unless it has `failed`.
+  void keep(std::span<const Record> records, const Provenance& p);
+  void keep(const Record& r, const Provenance& p) { keep({&r, 1}, p); }
 
   /// Replaces what the store holds of this study for this digest, in one transaction. Points that are runs
   /// are linked by their case; `cases[s][k]` is the case of series s, point k (empty for checks). Their records must

@@ -33,7 +33,9 @@ double convolution_misfit(const F& f, const G& g, double l) {
   return worst;
 }
 
-double box(double x) { return std::abs(x) < 0.5 ? 1 : 0; }
+double box(double x) {
+  return std::abs(x) < 0.5 ? 1 : 0;
+}
 
 template <class A, class B>
 double largest_difference(const A& a, const B& b) {
@@ -55,9 +57,12 @@ CheckResult check_bases() {
   const auto linear = weight_of(Linear{});
   const auto quadratic = weight_of(BSpline2{});
   const auto cubic = weight_of(BSpline3{});
-  result.add("linear_convolution", convolution_misfit(box, linear, 1), "largest misfit of box*box and the linear basis");
-  result.add("quadratic_convolution", convolution_misfit(linear, quadratic, 1), "largest misfit of linear*box and bspline2");
-  result.add("cubic_convolution", convolution_misfit(quadratic, cubic, 1), "largest misfit of bspline2*box and bspline3");
+  result.add("linear_convolution", convolution_misfit(box, linear, 1),
+             "largest misfit of box*box and the linear basis");
+  result.add("quadratic_convolution", convolution_misfit(linear, quadratic, 1),
+             "largest misfit of linear*box and bspline2");
+  result.add("cubic_convolution", convolution_misfit(quadratic, cubic, 1),
+             "largest misfit of bspline2*box and bspline3");
   double worst = 0;
   for (const double l : {0.01, 0.1, 0.25, 0.5, 0.75, 1.0})
     worst = std::max(worst, convolution_misfit(linear, weight_of(UGimp{l}), l));
@@ -65,13 +70,17 @@ CheckResult check_bases() {
 
   const BasisFunction<UGimp> widest(UGimp{1});
   const BasisFunction<BSpline2> spline;
-  result.add("widest_weight", largest_difference(weight_of(UGimp{1}), quadratic), "largest difference of the weights of ugimp with l = h and of bspline2");
-  result.add("widest_gradient",
-             largest_difference([&](double x) { return widest.gradient(x); }, [&](double x) { return spline.gradient(x); }),
-             "largest difference of their gradients");
+  result.add("widest_weight", largest_difference(weight_of(UGimp{1}), quadratic),
+             "largest difference of the weights of ugimp with l = h and of bspline2");
+  result.add(
+      "widest_gradient",
+      largest_difference([&](double x) { return widest.gradient(x); }, [&](double x) { return spline.gradient(x); }),
+      "largest difference of their gradients");
   worst = 0;
-  for (double l = 0.1; l > 1e-9; l /= 10) worst = std::max(worst, largest_difference(weight_of(UGimp{l}), linear) / (l / 4));
-  result.add("narrowest_weight", worst, "difference of the weights of ugimp and of the linear basis over l/4, l from h/10 to 1e-9 h");
+  for (double l = 0.1; l > 1e-9; l /= 10)
+    worst = std::max(worst, largest_difference(weight_of(UGimp{l}), linear) / (l / 4));
+  result.add("narrowest_weight", worst,
+             "difference of the weights of ugimp and of the linear basis over l/4, l from h/10 to 1e-9 h");
   return result;
 }
 

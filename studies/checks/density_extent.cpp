@@ -14,8 +14,8 @@ using namespace solver;
 
 constexpr double ugimp_length = 0.5;
 
-/// The density of S §4.3 mapped to the grid and back, ρ(x) = Σ_i ρ_i N_i(x), ρ_i = m_i / Σ_p N_ip V_p, for a body of unit density
-/// on [begin, begin + 10] cells with `ppc` particles per cell; lengths in cells.
+/// The density of S §4.3 mapped to the grid and back, ρ(x) = Σ_i ρ_i N_i(x), ρ_i = m_i / Σ_p N_ip V_p, for a body of
+/// unit density on [begin, begin + 10] cells with `ppc` particles per cell; lengths in cells.
 template <class B>
 class Density {
  public:
@@ -66,8 +66,10 @@ void add_extents(CheckResult& result, const B& basis, const std::string& name, d
     nodes = std::max(nodes, density.node_extent());
     field = std::max(field, density.field_extent());
   }
-  result.add(name + "_nodes", nodes / reach, fmt::format("{}: farthest node with mass beyond the body over the printed {} h", name, reach));
-  result.add(name + "_field", field / reach, fmt::format("{}: farthest non-zero density beyond the body over the printed {} h", name, reach));
+  result.add(name + "_nodes", nodes / reach,
+             fmt::format("{}: farthest node with mass beyond the body over the printed {} h", name, reach));
+  result.add(name + "_field", field / reach,
+             fmt::format("{}: farthest non-zero density beyond the body over the printed {} h", name, reach));
   const Density<B> aligned(basis, 0, 4);
   const auto x = linspace(-3.5, 13.5, 850);
   std::vector<double> y;

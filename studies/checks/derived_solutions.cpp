@@ -1,8 +1,7 @@
-#include "mms/derived.hpp"
-
 #include <algorithm>
 
 #include "mms/bar.hpp"
+#include "mms/derived.hpp"
 #include "studies/check.hpp"
 #include "studies/checks/basis_function.hpp"
 

@@ -19,7 +19,8 @@ double ghost_mass(const solver::Mpm<1>& mpm, double full) {
   const auto& grid = mpm.grid();
   double worst = 0;
   for (int layer = 0; layer < grid.ghost(); ++layer)
-    worst = std::max({worst, grid.m[static_cast<std::size_t>(layer)], grid.m[grid.size() - 1 - static_cast<std::size_t>(layer)]});
+    worst = std::max(
+        {worst, grid.m[static_cast<std::size_t>(layer)], grid.m[grid.size() - 1 - static_cast<std::size_t>(layer)]});
   return worst / full;
 }
 
@@ -27,9 +28,14 @@ double ghost_mass(const solver::Mpm<1>& mpm, double full) {
 GhostMass measure(const std::string& basis) {
   GhostMass result;
   for (const char* amplitude : {"1e-300", "0.05"}) {
-    const std::vector<Setting> settings{{"problem", "bar", ""}, {"basis", basis, ""}, {"boundary", "dirichlet", ""},
-                                        {"integrator", "cd", ""}, {"cells", std::to_string(cells), ""}, {"ppc", std::to_string(ppc), ""},
-                                        {"cfl", "0.2", ""}, {"param.amplitude", amplitude, ""}};
+    const std::vector<Setting> settings{{"problem", "bar", ""},
+                                        {"basis", basis, ""},
+                                        {"boundary", "dirichlet", ""},
+                                        {"integrator", "cd", ""},
+                                        {"cells", std::to_string(cells), ""},
+                                        {"ppc", std::to_string(ppc), ""},
+                                        {"cfl", "0.2", ""},
+                                        {"param.amplitude", amplitude, ""}};
     const Case c = make_case(settings);
     auto stage = make_stage<1>(c, find_problem("bar", ""), 1);
     solver::Mpm<1> mpm(std::move(stage.scene));

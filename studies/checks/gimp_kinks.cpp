@@ -58,7 +58,8 @@ CheckResult check_gimp_kinks() {
   result.add("weight_kinks", kinks(weight), "kinks of the weight, l = h/2");
   result.add("gradient_kinks", kinks(gradient), "kinks of the gradient weight, l = h/2");
   const BasisFunction<UGimp> widest(UGimp{1});
-  result.add("gradient_kinks_widest", kinks([&widest](double x) { return widest.gradient(x); }), "kinks of the gradient weight, l = h");
+  result.add("gradient_kinks_widest", kinks([&widest](double x) { return widest.gradient(x); }),
+             "kinks of the gradient weight, l = h");
 
   const auto x = linspace(-1.5, 1.5, 600);
   std::vector<double> N, dN;

@@ -29,7 +29,8 @@ OneParticle usf_step(const OneParticle& s, const Constants& c, double dt) {
 OneParticle usl_step(const OneParticle& s, const Constants& c, double dt) {
   const double force = c.sign * c.E / 2 * (s.F * s.F - 1) * c.V0;
   const double kick = force / (c.h * c.m) * dt;
-  return {s.x + s.v * (s.x / c.h) * dt + kick * dt, s.v + kick, (1 + (s.v / c.h + force / (c.m * s.x * c.h) * dt) * dt) * s.F};
+  return {s.x + s.v * (s.x / c.h) * dt + kick * dt, s.v + kick,
+          (1 + (s.v / c.h + force / (c.m * s.x * c.h) * dt) * dt) * s.F};
 }
 
 struct Comparison {
@@ -38,9 +39,15 @@ struct Comparison {
 };
 
 /// The solver beside the recursion over some three oscillations (20 h/C).
-Comparison compare(const std::string& integrator, OneParticle (*advance)(const OneParticle&, const Constants&, double)) {
-  const std::vector<Setting> settings{{"problem", "one-particle", ""}, {"basis", "linear", ""}, {"integrator", integrator, ""},
-                                      {"cells", "1", ""}, {"ppc", "1", ""}, {"cfl", "0.02", ""}, {"end_time", "0.2", ""}};
+Comparison compare(const std::string& integrator,
+                   OneParticle (*advance)(const OneParticle&, const Constants&, double)) {
+  const std::vector<Setting> settings{{"problem", "one-particle", ""},
+                                      {"basis", "linear", ""},
+                                      {"integrator", integrator, ""},
+                                      {"cells", "1", ""},
+                                      {"ppc", "1", ""},
+                                      {"cfl", "0.02", ""},
+                                      {"end_time", "0.2", ""}};
   const Case c = make_case(settings);
   auto stage = make_stage<1>(c, find_problem("one-particle", ""), 1);
   const auto& start = stage.scene.particles;
@@ -57,8 +64,8 @@ Comparison compare(const std::string& integrator, OneParticle (*advance)(const O
     if (wrong.F < 10) wrong = advance(wrong, printed, c.resolution.dt);
     const auto& p = mpm.particles();
     const double scale_v = std::abs(c.problem.parameters.at("velocity"));
-    result.difference = std::max({result.difference, std::abs(p.x[0][0] - recursion.x), std::abs(p.v[0][0] - recursion.v) / scale_v,
-                                  std::abs(p.F[0](0, 0) - recursion.F)});
+    result.difference = std::max({result.difference, std::abs(p.x[0][0] - recursion.x),
+                                  std::abs(p.v[0][0] - recursion.v) / scale_v, std::abs(p.F[0](0, 0) - recursion.F)});
     result.largest_stretch = std::max(result.largest_stretch, recursion.F);
     result.printed_stretch = std::max(result.printed_stretch, wrong.F);
     result.steps.push_back(static_cast<double>(k + 1));
@@ -77,9 +84,11 @@ CheckResult check_one_particle() {
   for (const auto& [name, advance] : {std::pair{"usf", &usf_step}, std::pair{"usl", &usl_step}}) {
     const Comparison c = compare(name, advance);
     const std::string prefix = name;
-    result.add(prefix + "_difference", c.difference, prefix + ": largest difference of x/h, v/v0 and F to the recursion");
+    result.add(prefix + "_difference", c.difference,
+               prefix + ": largest difference of x/h, v/v0 and F to the recursion");
     result.add(prefix + "_stretch", c.largest_stretch, prefix + ": largest F of the recursion with the sign of W (14)");
-    result.add(prefix + "_printed_stretch", c.printed_stretch, prefix + ": largest F of the recursion as printed (stopped at 10)");
+    result.add(prefix + "_printed_stretch", c.printed_stretch,
+               prefix + ": largest F of the recursion as printed (stopped at 10)");
     result.add_curve(prefix + ", solver", c.steps, c.solver_F);
     result.add_curve(prefix + ", recursion", c.steps, c.recursion_F);
     result.add_curve(prefix + ", recursion as printed", c.steps, c.printed_F);

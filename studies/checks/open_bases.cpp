@@ -50,7 +50,8 @@ void add_violations(CheckResult& result, const std::string& name) {
   const std::string basis(B::word);
   result.add(name + "_unity", v.unity, fmt::format("{}: largest |sum N - 1|", basis));
   result.add(name + "_gradient_sum", v.gradient_sum, fmt::format("{}: largest |sum dN|", basis));
-  result.add(name + "_boundary", v.boundary, fmt::format("{}: largest |N - 1| of the first and last function on their face", basis));
+  result.add(name + "_boundary", v.boundary,
+             fmt::format("{}: largest |N - 1| of the first and last function on their face", basis));
   result.add(name + "_slope", v.slope, fmt::format("{}: largest error of value and slope of the field x", basis));
   result.add(name + "_functions", v.functions - cells, fmt::format("{}: functions beyond one per cell", basis));
 }

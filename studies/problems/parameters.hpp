@@ -16,7 +16,9 @@ inline Parameter density_parameter(double value) {
 }
 
 /// sqrt(E/ρ₀), the wave speed of the S and W problems.
-inline double bar_wave_speed(const Parameters& p) { return std::sqrt(p.at("youngs_modulus") / p.at("density")); }
+inline double bar_wave_speed(const Parameters& p) {
+  return std::sqrt(p.at("youngs_modulus") / p.at("density"));
+}
 
 /// The solver's material from the elastic constants of the parameters.
 inline solver::NeoHookeanLog neo_hookean_log(double youngs_modulus, double poissons_ratio) {

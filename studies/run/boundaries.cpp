@@ -47,7 +47,8 @@ std::vector<std::string> boundary_faces(const std::string& text, int dimension, 
     const auto equals = std::min(part.find('='), part.size());
     const auto face = std::find(names.begin(), names.end(), part.substr(0, equals));
     if (face == names.end())
-      throw UsageError(fmt::format("unknown face in boundary '{}' in {} (faces: {})", part, where, fmt::join(names, ", ")));
+      throw UsageError(
+          fmt::format("unknown face in boundary '{}' in {} (faces: {})", part, where, fmt::join(names, ", ")));
     std::string& word = words[static_cast<std::size_t>(face - names.begin())];
     if (!word.empty()) throw UsageError(fmt::format("face '{}' given twice in boundary of {}", *face, where));
     word = part.substr(std::min(equals + 1, part.size()));
@@ -55,7 +56,8 @@ std::vector<std::string> boundary_faces(const std::string& text, int dimension, 
   }
   for (std::size_t k = 0; k < words.size(); ++k)
     if (words[k].empty())
-      throw UsageError(fmt::format("boundary of {} does not name face '{}' (all of: {})", where, names[k], fmt::join(names, ", ")));
+      throw UsageError(
+          fmt::format("boundary of {} does not name face '{}' (all of: {})", where, names[k], fmt::join(names, ", ")));
   return words;
 }
 
@@ -75,19 +77,26 @@ void require_sense(const Case& c) {
   const auto has = [&faces](const char* word) { return std::find(faces.begin(), faces.end(), word) != faces.end(); };
 
   if (ghosts_of(s.basis) == 0 && (has("periodic") || has("mirror")))
-    throw UsageError(fmt::format("basis '{}' has no ghost nodes, so boundary '{}' has nothing to act on (use dirichlet, "
-                                 "symmetry or free, or a basis without '-open')", s.basis, s.boundary));
+    throw UsageError(
+        fmt::format("basis '{}' has no ghost nodes, so boundary '{}' has nothing to act on (use dirichlet, "
+                    "symmetry or free, or a basis without '-open')",
+                    s.basis, s.boundary));
   for (std::size_t k = 0; k < faces.size(); k += 2)
     if ((faces[k] == "periodic") != (faces[k + 1] == "periodic"))
-      throw UsageError(fmt::format("boundary '{}' is periodic on one face only (both faces of an axis, or neither)", s.boundary));
+      throw UsageError(
+          fmt::format("boundary '{}' is periodic on one face only (both faces of an axis, or neither)", s.boundary));
   if (s.wall_acceleration == "difference" && !has("dirichlet") && !has("symmetry"))
-    throw UsageError(fmt::format("wall_acceleration 'difference' with boundary '{}' that holds no node (use it with "
-                                 "dirichlet or symmetry)", s.boundary));
+    throw UsageError(
+        fmt::format("wall_acceleration 'difference' with boundary '{}' that holds no node (use it with "
+                    "dirichlet or symmetry)",
+                    s.boundary));
   if ((has("symmetry") || has("mirror")) && c.resolution.cells < 4)
-    throw UsageError(fmt::format("{} cells are too few for boundary '{}' (at least 4: ghosts and their images must differ)",
-                                 c.resolution.cells, s.boundary));
+    throw UsageError(
+        fmt::format("{} cells are too few for boundary '{}' (at least 4: ghosts and their images must differ)",
+                    c.resolution.cells, s.boundary));
   if ((s.basis == "gimp" || s.basis == "cpgimp") && c.resolution.ppc < 2)
-    throw UsageError(fmt::format("basis '{}' with ppc = 1 (at least 2: a particle's width must stay below the cell's)", s.basis));
+    throw UsageError(
+        fmt::format("basis '{}' with ppc = 1 (at least 2: a particle's width must stay below the cell's)", s.basis));
   if (c.problem.name == "one-particle" && (c.resolution.cells != 1 || c.resolution.ppc != 1))
     throw UsageError("problem 'one-particle' with other cells or ppc (cells = 1 and ppc = 1)");
   if (c.problem.name == "one-particle" && s.start == "exact")

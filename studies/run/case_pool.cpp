@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "studies/run/parallel.hpp"
 #include "studies/run_case.hpp"
@@ -30,7 +31,8 @@ CasePool::CasePool(Store& store, const RunnerOptions& options)
 std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
   std::vector<Case> missing;
   {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
+    kept_.wait(lock, [this] { return !keeping_; });
     for (const Case& c : cases)
       if (!known(c)) missing.push_back(c);
     std::sort(missing.begin(), missing.end());
@@ -38,7 +40,8 @@ std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
     progress_.total += missing.size();
   }
   run_all(std::move(missing));
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
+  kept_.wait(lock, [this] { return !keeping_; });
   std::vector<Record> records;
   for (const Case& c : cases) records.push_back(records_.at(c));
   return records;
@@ -67,15 +70,42 @@ void CasePool::run_one(const Case& c) {
     memory_used_ += memory;
   }
   const Record record = run_case(c, 1);
-  const std::lock_guard lock(mutex_);
-  memory_used_ -= memory;
-  memory_freed_.notify_all();
-  store_.keep(record, provenance_);
-  records_.emplace(c, record);
-  ++counts_.ran;
-  ++progress_.done;
-  progress_.label = label(c);
-  if (options_.progress) options_.progress(progress_);
+  {
+    const std::lock_guard lock(mutex_);
+    memory_used_ -= memory;
+    memory_freed_.notify_all();
+  }
+  keep(record);
+}
+
+/// One thread at a time writes to the store, all that has finished in one transaction; the others go on running.
+void CasePool::keep(const Record& record) {
+  std::unique_lock lock(mutex_);
+  finished_.push_back(record);
+  if (keeping_) return;
+  keeping_ = true;
+  while (!finished_.empty()) {
+    const std::vector<Record> batch = std::exchange(finished_, {});
+    lock.unlock();
+    try {
+      store_.keep(batch, provenance_);
+    } catch (...) {
+      lock.lock();
+      keeping_ = false;
+      kept_.notify_all();
+      throw;
+    }
+    lock.lock();
+    for (const Record& kept : batch) {
+      records_.emplace(kept.the_case, kept);
+      ++counts_.ran;
+      ++progress_.done;
+      progress_.label = label(kept.the_case);
+      if (options_.progress) options_.progress(progress_);
+    }
+  }
+  keeping_ = false;
+  kept_.notify_all();
 }
 
 }  // namespace mpmvv

@@ -26,6 +26,7 @@ class CasePool {
   bool known(const Case& c);
   void run_all(std::vector<Case> missing);
   void run_one(const Case& c);
+  void keep(const Record& record);
 
   Store& store_;
   RunnerOptions options_;
@@ -33,7 +34,10 @@ class CasePool {
   RunnerCounts counts_;
   Progress progress_;
   std::map<Case, Record> records_;
-  std::mutex mutex_;  ///< of everything above
+  std::vector<Record> finished_;  ///< not kept yet
+  bool keeping_ = false;          ///< a thread is at the store, outside the mutex
+  std::mutex mutex_;              ///< of everything above
+  std::condition_variable kept_;
   std::condition_variable memory_freed_;
   double memory_limit_, memory_used_ = 0;
 };

@@ -28,7 +28,9 @@ const Series* find_series(const StudyResult& result, const std::string& name) {
   return nullptr;
 }
 
-bool inside(const Criterion& c, double x) { return x >= c.from * (1 - 1e-9) && x <= c.to * (1 + 1e-9); }
+bool inside(const Criterion& c, double x) {
+  return x >= c.from * (1 - 1e-9) && x <= c.to * (1 + 1e-9);
+}
 
 /// The norm at a point; an unstable point counts as an infinite error.
 double error_at(const Point& point, const std::string& norm) {
@@ -55,16 +57,20 @@ void measure_order(const Criterion& c, const StudyResult& result, const Series& 
     if (point.status == Status::unstable) unstable.push_back(point.x);
   }
   const auto usable = in_window - static_cast<int>(unstable.size());
-  if (fit.points < usable) out.missing = fmt::format("'{}': {} of {} points are no use", series.name, usable - fit.points, in_window);
+  if (fit.points < usable)
+    out.missing = fmt::format("'{}': {} of {} points are no use", series.name, usable - fit.points, in_window);
   const std::string interval = std::isnan(fit.half_width) ? "" : fmt::format(" (±{:.2f})", fit.half_width);
   const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
-  out.add(fmt::format("order of '{}' in {} over [{}, {}]{}{}", series.name, c.norm, c.from, c.to, interval, without), fit.order);
-  if (!unstable.empty() && c.at_least) out.add(fmt::format("order of '{}' at {}", series.name, unstable[0]), -std::numeric_limits<double>::infinity());
+  out.add(fmt::format("order of '{}' in {} over [{}, {}]{}{}", series.name, c.norm, c.from, c.to, interval, without),
+          fit.order);
+  if (!unstable.empty() && c.at_least)
+    out.add(fmt::format("order of '{}' at {}", series.name, unstable[0]), -std::numeric_limits<double>::infinity());
 }
 
 void measure_errors(const Criterion& c, const Series& series, Measured& out) {
   for (const Point& point : series.points)
-    if (inside(c, point.x)) out.add(fmt::format("{} of '{}' at {}", c.norm, series.name, point.x), error_at(point, c.norm));
+    if (inside(c, point.x))
+      out.add(fmt::format("{} of '{}' at {}", c.norm, series.name, point.x), error_at(point, c.norm));
 }
 
 void measure_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
@@ -82,7 +88,8 @@ void measure_spread(const Criterion& c, const Series& series, Measured& out) {
     if (std::isnan(error)) out.missing = fmt::format("'{}' has no {} at {}", series.name, c.norm, point.x);
     least = std::min(least, error), largest = std::max(largest, error);
   }
-  out.add(fmt::format("largest over smallest {} of '{}' over [{}, {}]", c.norm, series.name, c.from, c.to), largest / least);
+  out.add(fmt::format("largest over smallest {} of '{}' over [{}, {}]", c.norm, series.name, c.from, c.to),
+          largest / least);
 }
 
 void measure_status(const Criterion& c, const Series& series, Measured& out) {
@@ -104,8 +111,9 @@ void measure_limit(const Series& series, Measured& out) {
   const double value = limit_of(series, out);
   if (!out.missing.empty()) return;
   const StabilityLimit& limit = *series.limit;
-  out.add(fmt::format("{} limit of '{}' between {:.4g} and {:.4g}{}", limit.key, series.name, limit.stable, limit.unstable,
-                      limit.monotone ? "" : ", not monotone"), value);
+  out.add(fmt::format("{} limit of '{}' between {:.4g} and {:.4g}{}", limit.key, series.name, limit.stable,
+                      limit.unstable, limit.monotone ? "" : ", not monotone"),
+          value);
 }
 
 void measure_value(const Criterion& c, const StudyResult& result, Measured& out) {
@@ -128,19 +136,32 @@ Measured measure(const Criterion& c, const StudyResult& result) {
       return out;
     }
     switch (c.kind) {
-      case Kind::order: measure_order(c, result, *series, out); break;
-      case Kind::error: measure_errors(c, *series, out); break;
-      case Kind::error_ratio: measure_ratios(c, *series, *over, out); break;
-      case Kind::spread: measure_spread(c, *series, out); break;
-      case Kind::status: measure_status(c, *series, out); break;
-      case Kind::limit: measure_limit(*series, out); break;
+      case Kind::order:
+        measure_order(c, result, *series, out);
+        break;
+      case Kind::error:
+        measure_errors(c, *series, out);
+        break;
+      case Kind::error_ratio:
+        measure_ratios(c, *series, *over, out);
+        break;
+      case Kind::spread:
+        measure_spread(c, *series, out);
+        break;
+      case Kind::status:
+        measure_status(c, *series, out);
+        break;
+      case Kind::limit:
+        measure_limit(*series, out);
+        break;
       case Kind::limit_ratio: {
         const double own = limit_of(*series, out), other = limit_of(*over, out);
         out.add(fmt::format("limit of '{}' over '{}'", name, c.over), own / other);
         break;
       }
       case Kind::value:
-      case Kind::shown: break;
+      case Kind::shown:
+        break;
     }
   }
   return out;

@@ -14,10 +14,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// x moved by whole periods to the smallest distance from 0.
-double nearest_image(double x, double period) { return x - period * std::round(x / period); }
+double nearest_image(double x, double period) {
+  return x - period * std::round(x / period);
+}
 
 /// δ_p = |(x_p - X_p) - u(X_p, t)| of every particle, W (64); across periodic faces by the nearest image.
 template <int D>
@@ -131,9 +135,14 @@ Record run_case(const Case& c, int threads) {
   record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells / problem.length;
   try {
     switch (problem.dimension()) {
-      case 1: run<1>(c, problem, threads, record); break;
-      case 2: run<2>(c, problem, threads, record); break;
-      default: run<3>(c, problem, threads, record);
+      case 1:
+        run<1>(c, problem, threads, record);
+        break;
+      case 2:
+        run<2>(c, problem, threads, record);
+        break;
+      default:
+        run<3>(c, problem, threads, record);
     }
   } catch (const std::exception& e) {
     record.status = Status::failed;
@@ -149,10 +158,12 @@ double work_estimate(const Case& c) {
 
 double memory_estimate(const Case& c) {
   const int D = find_problem(c.problem.name, "the case").dimension();
-  // Positions (with the reference ones), velocities, F, widths, mass, volume, identity, and twice a field while sorting.
+  // Positions (with the reference ones), velocities, F, widths, mass, volume, identity, and twice a field while
+  // sorting.
   const double per_particle = 8.0 * (5 * D + 2 * D * D + 4) + 64;
   const double per_node = 8.0 * (4 * D + 1);
-  return per_particle * std::pow(c.resolution.cells * c.resolution.ppc, D) + per_node * std::pow(c.resolution.cells + 5, D);
+  return per_particle * std::pow(c.resolution.cells * c.resolution.ppc, D) +
+         per_node * std::pow(c.resolution.cells + 5, D);
 }
 
 }  // namespace mpmvv

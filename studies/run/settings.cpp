@@ -27,7 +27,7 @@ std::vector<std::string> strings(const Words& words) {
 /// Key and member of Scheme that take one of a few words.
 struct WordKey {
   std::string key;
-  std::string Scheme::* member;
+  std::string Scheme::*member;
   std::vector<std::string> words;
 };
 
@@ -118,8 +118,8 @@ Scheme make_scheme(const Settings& settings, const Problem& problem) {
                                    it->second.where, scheme.basis));
     scheme.smoothing_length = positive(it->second);
     if (scheme.smoothing_length > 1)
-      throw UsageError(fmt::format("smoothing_length = {} in {} (in cells, > 0 and at most 1)", it->second.value,
-                                   it->second.where));
+      throw UsageError(
+          fmt::format("smoothing_length = {} in {} (in cells, > 0 and at most 1)", it->second.value, it->second.where));
   } else if (scheme.basis == "ugimp") {
     throw UsageError("basis 'ugimp' without smoothing_length (in cells, > 0 and at most 1)");
   }

@@ -16,7 +16,8 @@ namespace mpmvv {
 namespace {
 
 const std::vector<std::string>& norm_words() {
-  static const std::vector<std::string> words{"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "y"};
+  static const std::vector<std::string> words{"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps",
+                                              "y"};
   return words;
 }
 
@@ -62,7 +63,8 @@ void read_sweep(const TomlTable& root, StudyPlan& plan) {
                                  sweep->where(plan.sweep)));
   plan.values = sweep->numbers(plan.sweep);
   if (plan.values.empty())
-    throw UsageError(fmt::format("empty sweep over '{}' in {} (at least one value)", plan.sweep, sweep->where(plan.sweep)));
+    throw UsageError(
+        fmt::format("empty sweep over '{}' in {} (at least one value)", plan.sweep, sweep->where(plan.sweep)));
   auto sorted = plan.values;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
@@ -95,8 +97,10 @@ void read_limit(const TomlTable& root, StudyPlan& plan) {
   const std::string stable = table->text("stable", "below");
   require_word("stable side", stable, {"below", "above"}, table->where("stable"));
   search.stable_below = stable == "below";
-  if (!(search.from > 0 && search.to > search.from && search.scan_ratio > 1 && search.tolerance > 0 && search.tolerance < 1))
-    throw UsageError(fmt::format("limit search in {} (0 < from < to, scan_ratio > 1, 0 < tolerance < 1)", table->where()));
+  if (!(search.from > 0 && search.to > search.from && search.scan_ratio > 1 && search.tolerance > 0 &&
+        search.tolerance < 1))
+    throw UsageError(
+        fmt::format("limit search in {} (0 < from < to, scan_ratio > 1, 0 < tolerance < 1)", table->where()));
   plan.limit = search;
 }
 
@@ -129,12 +133,13 @@ void read_fits(const TomlTable& root, StudyPlan& plan) {
 
 void read_figures(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("figure")) {
-    table.allow_only({"name", "caption", "xlabel", "ylabel", "xscale", "yscale", "quantity", "series", "slopes", "x_range",
-                      "y_range"});
+    table.allow_only({"name", "caption", "xlabel", "ylabel", "xscale", "yscale", "quantity", "series", "marks",
+                      "slopes", "x_range", "y_range"});
     Figure figure;
     figure.name = table.text("name", plan.name);
     if (figure.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos)
-      throw UsageError(fmt::format("figure name '{}' in {} (lower-case letters, digits and '-')", figure.name, table.where("name")));
+      throw UsageError(
+          fmt::format("figure name '{}' in {} (lower-case letters, digits and '-')", figure.name, table.where("name")));
     for (const Figure& other : plan.figures)
       if (other.name == figure.name)
         throw UsageError(fmt::format("figure '{}' twice in {} (names must differ)", figure.name, table.where("name")));
@@ -148,6 +153,7 @@ void read_figures(const TomlTable& root, StudyPlan& plan) {
     }
     figure.quantity = table.text("quantity", plan.check.empty() ? "l2" : "y");
     figure.series = series_names(table, "series", plan);
+    figure.marks = series_names(table, "marks", plan);
     if (table.has("slopes")) figure.slopes = table.numbers("slopes");
     const auto range = [&table](const char* key, std::optional<double>& low, std::optional<double>& high) {
       if (!table.has(key)) return;
@@ -163,24 +169,29 @@ void read_figures(const TomlTable& root, StudyPlan& plan) {
 }
 
 Criterion::Kind criterion_kind(const TomlTable& table) {
-  static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{
-      {"order", Criterion::Kind::order},   {"error", Criterion::Kind::error},
-      {"error-ratio", Criterion::Kind::error_ratio}, {"spread", Criterion::Kind::spread},
-      {"status", Criterion::Kind::status}, {"limit", Criterion::Kind::limit},
-      {"limit-ratio", Criterion::Kind::limit_ratio}, {"value", Criterion::Kind::value},
-      {"shown", Criterion::Kind::shown}};
+  static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{{"order", Criterion::Kind::order},
+                                                                          {"error", Criterion::Kind::error},
+                                                                          {"error-ratio", Criterion::Kind::error_ratio},
+                                                                          {"spread", Criterion::Kind::spread},
+                                                                          {"status", Criterion::Kind::status},
+                                                                          {"limit", Criterion::Kind::limit},
+                                                                          {"limit-ratio", Criterion::Kind::limit_ratio},
+                                                                          {"value", Criterion::Kind::value},
+                                                                          {"shown", Criterion::Kind::shown}};
   std::vector<std::string> words;
   const std::string word = table.text("measure");
   for (const auto& [name, kind] : kinds) {
     if (name == word) return kind;
     words.push_back(name);
   }
-  throw UsageError(fmt::format("unknown measure '{}' in {} (known: {})", word, table.where("measure"), fmt::join(words, ", ")));
+  throw UsageError(
+      fmt::format("unknown measure '{}' in {} (known: {})", word, table.where("measure"), fmt::join(words, ", ")));
 }
 
 Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   using Kind = Criterion::Kind;
-  table.allow_only({"claim", "statement", "measure", "series", "over", "name", "norm", "window", "at_least", "at_most", "reason"});
+  table.allow_only(
+      {"claim", "statement", "measure", "series", "over", "name", "norm", "window", "at_least", "at_most", "reason"});
   Criterion c;
   c.claim = table.text("claim");
   require_word("claim of this study", c.claim, plan.claims, table.where("claim"));
@@ -204,7 +215,8 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
       throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
   }
   if (c.kind == Kind::limit || c.kind == Kind::limit_ratio) {
-    if (!plan.limit) throw UsageError(fmt::format("criterion on a limit in {}, but the study searches none", table.where()));
+    if (!plan.limit)
+      throw UsageError(fmt::format("criterion on a limit in {}, but the study searches none", table.where()));
     return c;
   }
   if (c.kind != Kind::status) c.norm = norm_of(table, "norm");
@@ -220,7 +232,8 @@ void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
     } catch (const UsageError& e) {
       const std::string message = e.what();
       const bool has_place = message.find(file.string()) != std::string::npos;
-      throw UsageError(has_place ? message : fmt::format("{} in series '{}' of {}", message, series.name, series.where));
+      throw UsageError(has_place ? message
+                                 : fmt::format("{} in series '{}' of {}", message, series.name, series.where));
     }
 }
 
@@ -250,13 +263,15 @@ StudyPlan read_study(const std::filesystem::path& file) {
   if (!plan.check.empty()) {
     find_check(plan.check, root.where("check"));
     for (const char* key : {"fixed", "series", "sweep", "limit"})
-      if (root.has(key)) throw UsageError(fmt::format("'{}' in {} beside a check (a check brings its own)", key, root.where(key)));
+      if (root.has(key))
+        throw UsageError(fmt::format("'{}' in {} beside a check (a check brings its own)", key, root.where(key)));
   }
   read_series(root, plan);
   read_sweep(root, plan);
   read_limit(root, plan);
   if (plan.check.empty() && plan.series.empty())
-    throw UsageError(fmt::format("{} describes nothing to run (series with a sweep or a limit, or a check)", file.string()));
+    throw UsageError(
+        fmt::format("{} describes nothing to run (series with a sweep or a limit, or a check)", file.string()));
   if (plan.check.empty() && plan.sweep.empty() && !plan.limit)
     throw UsageError(fmt::format("{} has series but neither sweep nor limit", file.string()));
   read_fits(root, plan);

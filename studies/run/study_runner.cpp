@@ -39,8 +39,7 @@ std::vector<Case> sweep_cases(const StudyPlan& plan, const SeriesPlan& series) {
 }
 
 Probe probe_of(double value, const Record& r) {
-  if (r.status == Status::failed)
-    throw std::runtime_error(fmt::format("a probe at {} failed: {}", value, r.reason));
+  if (r.status == Status::failed) throw std::runtime_error(fmt::format("a probe at {} failed: {}", value, r.reason));
   return {value, r.status == Status::ok, r.reason};
 }
 

@@ -106,6 +106,9 @@ void insert_figure(Database& database, std::int64_t study, std::size_t ordinal, 
   insert_items(database, "figure_series", {"figure", id}, figure.series, [](const std::string& name) {
     return Columns{{"name", name}};
   });
+  insert_items(database, "figure_marks", {"figure", id}, figure.marks, [](const std::string& name) {
+    return Columns{{"name", name}};
+  });
   insert_items(database, "figure_slopes", {"figure", id}, figure.slopes, [](double slope) {
     return Columns{{"slope", slope}};
   });

@@ -94,21 +94,23 @@ std::pair<Series, std::vector<std::string>> load_series(const Database& database
 }
 
 Figure load_figure(const Database& database, const Row& row) {
-  return {.name = row["name"].text(),
-          .caption = row["caption"].text(),
-          .xlabel = row["xlabel"].text(),
-          .ylabel = row["ylabel"].text(),
-          .log_x = row["log_x"].flag(),
-          .log_y = row["log_y"].flag(),
-          .quantity = row["quantity"].text(),
-          .series =
-              load_items(database, "figure_series", "figure", row["id"], [](const Row& s) { return s["name"].text(); }),
-          .slopes = load_items(database, "figure_slopes", "figure", row["id"],
-                               [](const Row& s) { return s["slope"].real(); }),
-          .x_min = row["x_min"].optional_real(),
-          .x_max = row["x_max"].optional_real(),
-          .y_min = row["y_min"].optional_real(),
-          .y_max = row["y_max"].optional_real()};
+  return {
+      .name = row["name"].text(),
+      .caption = row["caption"].text(),
+      .xlabel = row["xlabel"].text(),
+      .ylabel = row["ylabel"].text(),
+      .log_x = row["log_x"].flag(),
+      .log_y = row["log_y"].flag(),
+      .quantity = row["quantity"].text(),
+      .series =
+          load_items(database, "figure_series", "figure", row["id"], [](const Row& s) { return s["name"].text(); }),
+      .marks = load_items(database, "figure_marks", "figure", row["id"], [](const Row& s) { return s["name"].text(); }),
+      .slopes =
+          load_items(database, "figure_slopes", "figure", row["id"], [](const Row& s) { return s["slope"].real(); }),
+      .x_min = row["x_min"].optional_real(),
+      .x_max = row["x_max"].optional_real(),
+      .y_min = row["y_min"].optional_real(),
+      .y_max = row["y_max"].optional_real()};
 }
 
 StoredStudy load_study(const Database& database, const Row& row) {

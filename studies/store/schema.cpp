@@ -202,6 +202,13 @@ constexpr const char* schema_1 = R"sql(
     PRIMARY KEY (figure, ordinal)
   ) STRICT, WITHOUT ROWID;
 
+  CREATE TABLE figure_marks (
+    figure INTEGER NOT NULL REFERENCES figures ON DELETE CASCADE,
+    ordinal INTEGER NOT NULL,
+    name TEXT NOT NULL,
+    PRIMARY KEY (figure, ordinal)
+  ) STRICT, WITHOUT ROWID;
+
   CREATE TABLE figure_slopes (
     figure INTEGER NOT NULL REFERENCES figures ON DELETE CASCADE,
     ordinal INTEGER NOT NULL,

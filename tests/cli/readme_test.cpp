@@ -31,7 +31,10 @@ TEST(Readme, TheStudyRunsAsPrinted) {
   const Answer study = call(folder, "study " + file + " --db " + (folder / "my.db"));
   ASSERT_EQ(study.code, 0) << study.err;
   EXPECT_THAT(study.out, testing::HasSubstr("10 cases run"));
-  EXPECT_EQ(call(folder, "report --db " + (folder / "my.db") + " --out " + (folder / "report") + " --goldens " + (folder / "none")).code, 0);
+  EXPECT_EQ(call(folder, "report --db " + (folder / "my.db") + " --out " + (folder / "report") + " --goldens " +
+                             (folder / "none"))
+                .code,
+            0);
   EXPECT_TRUE(std::filesystem::exists(folder / "report/figures/my-study.svg"));
 }
 
@@ -40,7 +43,11 @@ TEST(ReadmeNightly, TheBasisIsOneFileAndOneLine) {
   const Folder folder;
   const std::string tree = folder / "tree";
   int code = 0;
-  shell("mkdir '" + tree + "' && cd '" MPMVV_SOURCE_DIR "' && cp -r CMakeLists.txt cmake mms solver studies goldens reports cli tests '" + tree + "'", code);
+  shell("mkdir '" + tree +
+            "' && cd '" MPMVV_SOURCE_DIR
+            "' && cp -r CMakeLists.txt cmake mms solver studies goldens reports cli tests '" +
+            tree + "'",
+        code);
   ASSERT_EQ(code, 0);
   std::ofstream(tree + "/solver/basis/bspline4.hpp") << block("basis");
   std::string words = read_text(tree + "/solver/words.hpp");
@@ -49,10 +56,13 @@ TEST(ReadmeNightly, TheBasisIsOneFileAndOneLine) {
   words.insert(words.find(before), block("line"));
   words.insert(words.find("#include \"solver/basis/gimp.hpp\""), "#include \"solver/basis/bspline4.hpp\"\n");
   std::ofstream(tree + "/solver/words.hpp") << words;
-  const std::string built = shell("cmake -S '" + tree + "' -B '" + tree + "/build' -G Ninja -DCMAKE_BUILD_TYPE=Release && cmake --build '" + tree +
-                                      "/build' --target mpmvv test_solver && '" + tree + "/build/mpmvv' list bases && '" + tree + "/build/test_solver' && '" +
-                                      tree + "/build/mpmvv' run --problem bar --basis bspline4 --boundary periodic --integrator cd --cells 32 --ppc 4 --cfl 0.2",
-                                  code);
+  const std::string built =
+      shell("cmake -S '" + tree + "' -B '" + tree + "/build' -G Ninja -DCMAKE_BUILD_TYPE=Release && cmake --build '" +
+                tree + "/build' --target mpmvv test_solver && '" + tree + "/build/mpmvv' list bases && '" + tree +
+                "/build/test_solver' && '" + tree +
+                "/build/mpmvv' run --problem bar --basis bspline4 --boundary periodic --integrator cd --cells 32 --ppc "
+                "4 --cfl 0.2",
+            code);
   EXPECT_EQ(code, 0) << built.substr(built.size() > 4000 ? built.size() - 4000 : 0);
   EXPECT_THAT(built, testing::HasSubstr("bspline4"));
   EXPECT_THAT(built, testing::HasSubstr("status ok"));

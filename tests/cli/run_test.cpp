@@ -8,15 +8,16 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* bar = "run --problem bar --basis bspline2 --integrator cd --boundary periodic --cells 32 --ppc 4 --cfl 0.2 ";
+constexpr const char* bar =
+    "run --problem bar --basis bspline2 --integrator cd --boundary periodic --cells 32 --ppc 4 --cfl 0.2 ";
 
 TEST(RunCommand, RecordHasWhatTheContractNames) {
   const Folder folder;
   const Answer answer = call(folder, std::string(bar) + "--json");
   ASSERT_EQ(answer.code, 0) << answer.err;
   const auto record = answer.json();
-  for (const char* key : {"problem", "scheme", "cells", "ppc", "particles", "steps", "dt", "cfl", "end_time", "status", "error",
-                          "energy", "wall_seconds", "ns_per_particle_step"})
+  for (const char* key : {"problem", "scheme", "cells", "ppc", "particles", "steps", "dt", "cfl", "end_time", "status",
+                          "error", "energy", "wall_seconds", "ns_per_particle_step"})
     EXPECT_TRUE(record.contains(key)) << key;
   EXPECT_EQ(record["status"], "ok");
   EXPECT_EQ(record["particles"], 128);
@@ -45,7 +46,8 @@ TEST(RunCommand, ThreadsDoNotChangeOneBit) {
 
 TEST(RunCommand, ABlownUpRunIsAResult) {
   const Folder folder;
-  const Answer answer = call(folder, "run --problem bar --basis linear --integrator usl --cells 32 --ppc 4 --cfl 3 --json");
+  const Answer answer =
+      call(folder, "run --problem bar --basis linear --integrator usl --cells 32 --ppc 4 --cfl 3 --json");
   EXPECT_EQ(answer.code, 0) << answer.err;
   const auto record = answer.json();
   EXPECT_EQ(record["status"], "unstable");
@@ -67,6 +69,10 @@ struct BadInput {
   const char* message;
 };
 
+void PrintTo(const BadInput& bad, std::ostream* out) {
+  *out << bad.arguments;
+}
+
 class BadRun : public testing::TestWithParam<BadInput> {};
 
 TEST_P(BadRun, OneLineAndExitTwo) {
@@ -82,7 +88,8 @@ INSTANTIATE_TEST_SUITE_P(
     , BadRun,
     testing::Values(
         BadInput{"run --problem beam --cells 8 --ppc 2 --cfl 0.1", "unknown problem 'beam' in --problem (known: bar"},
-        BadInput{"run --problem bar --basis bspline4 --cells 8 --ppc 2 --cfl 0.1", "unknown basis 'bspline4' in --basis (known: linear"},
+        BadInput{"run --problem bar --basis bspline4 --cells 8 --ppc 2 --cfl 0.1",
+                 "unknown basis 'bspline4' in --basis (known: linear"},
         BadInput{"run --problem bar --cells 8 --ppc 0 --cfl 0.1", "ppc = 0 in --ppc (a whole number from 1"},
         BadInput{"run --problem bar --cells -8 --ppc 2 --cfl 0.1", "cells = -8 in --cells"},
         BadInput{"run --problem bar --cells 8.5 --ppc 2 --cfl 0.1", "cells = 8.5 in --cells"},
@@ -93,12 +100,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"run --problem bar --cells 8 --ppc 2 --dt 3e-6", "does not divide the end time"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --param amplitud=0.1", "unknown parameter 'amplitud'"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --param amplitude=0.5", "allowed: between"},
-        BadInput{"run --problem bar --basis bspline2-open --boundary periodic --cells 8 --ppc 2 --cfl 0.1", "has no ghost nodes"},
-        BadInput{"run --problem bar --boundary xmin=dirichlet --cells 8 --ppc 2 --cfl 0.1", "does not name face 'xmax'"},
+        BadInput{"run --problem bar --basis bspline2-open --boundary periodic --cells 8 --ppc 2 --cfl 0.1",
+                 "has no ghost nodes"},
+        BadInput{"run --problem bar --boundary xmin=dirichlet --cells 8 --ppc 2 --cfl 0.1",
+                 "does not name face 'xmax'"},
         BadInput{"run --problem bar --boundary xmin=periodic,xmax=free --cells 8 --ppc 2 --cfl 0.1", "one face only"},
-        BadInput{"run --problem bar --boundary free --wall-acceleration difference --cells 8 --ppc 2 --cfl 0.1", "holds no node"},
+        BadInput{"run --problem bar --boundary free --wall-acceleration difference --cells 8 --ppc 2 --cfl 0.1",
+                 "holds no node"},
         BadInput{"run --problem bar --basis ugimp --cells 8 --ppc 2 --cfl 0.1", "without smoothing_length"},
-        BadInput{"run --problem bar --integrator usl --start half --cells 8 --ppc 2 --cfl 0.1", "no meaning for integrator 'usl'"},
+        BadInput{"run --problem bar --integrator usl --start half --cells 8 --ppc 2 --cfl 0.1",
+                 "no meaning for integrator 'usl'"},
         BadInput{"run --problem bar --colour red", "--colour"}, BadInput{"", "subcommand"},
         BadInput{"solution --problem bar --at 1.5 --time 0", "outside the body"},
         BadInput{"solution --problem bar --at 0.5,0.5 --time 0", "has 2 coordinates"},
@@ -122,7 +133,8 @@ TEST(ListCommand, NamesProblemsAndWords) {
   const Folder folder;
   const auto all = call(folder, "list --json").json();
   EXPECT_THAT(all["bases"].get<std::vector<std::string>>(),
-              testing::IsSupersetOf({"linear", "bspline2", "bspline3", "bspline2-open", "bspline3-open", "ugimp", "gimp", "cpgimp"}));
+              testing::IsSupersetOf(
+                  {"linear", "bspline2", "bspline3", "bspline2-open", "bspline3-open", "ugimp", "gimp", "cpgimp"}));
   EXPECT_EQ(all["problems"][0]["name"], "bar");
 }
 

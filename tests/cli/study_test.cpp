@@ -59,7 +59,8 @@ std::string physical(const std::string& csv) {
     for (std::size_t k = 0; k < names.size(); ++k) {
       std::string field;
       std::getline(fields, field, ',');
-      if (names[k] == "l1" || names[k] == "l2" || names[k] == "linf" || names[k] == "status" || names[k] == "case_text") row += field + ",";
+      if (names[k] == "l1" || names[k] == "l2" || names[k] == "linf" || names[k] == "status" || names[k] == "case_text")
+        row += field + ",";
     }
     rows.push_back(row);
   }
@@ -87,7 +88,8 @@ TEST(StudyCommand, JobsDoNotChangeOneBit) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study);
   for (const char* jobs : {"1", "2"})
-    ASSERT_EQ(call(folder, "study " + file + " --jobs " + jobs + " --db " + (folder / (std::string(jobs) + ".db"))).code, 0);
+    ASSERT_EQ(
+        call(folder, "study " + file + " --jobs " + jobs + " --db " + (folder / (std::string(jobs) + ".db"))).code, 0);
   const std::string one = physical(call(folder, "db export --db " + (folder / "1.db")).out);
   const std::string two = physical(call(folder, "db export --db " + (folder / "2.db")).out);
   EXPECT_GT(one.size(), 400U);
@@ -126,6 +128,10 @@ struct BadFile {
   const char* message;
 };
 
+void PrintTo(const BadFile& bad, std::ostream* out) {
+  *out << bad.message;
+}
+
 class BadStudy : public testing::TestWithParam<BadFile> {};
 
 TEST_P(BadStudy, NamesFileAndLineAndWritesNothing) {
@@ -141,26 +147,28 @@ TEST_P(BadStudy, NamesFileAndLineAndWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(db));
 }
 
-INSTANTIATE_TEST_SUITE_P(, BadStudy,
-                         testing::Values(BadFile{"ppc = 4", "pcp = 4", "unknown key 'pcp'"},
-                                         BadFile{"\"bspline2\"\n[sweep]", "\"bspline7\"\n[sweep]", "unknown basis 'bspline7'"},
-                                         BadFile{"[8, 16, 32, 64]\n[[fit", "[]\n[[fit", "empty sweep"},
-                                         BadFile{"[8, 16, 32, 64]\n[[fit", "[8, -16]\n[[fit", "cells = -16"},
-                                         BadFile{"[8, 16, 32, 64]\n[[fit", "[8, nan]\n[[fit", "nan"},
-                                         BadFile{"ppc = 4", "ppc = 0", "ppc = 0"},
-                                         BadFile{"cfl = 0.3", "cfl = \"fast\"", "cfl = 'fast'"},
-                                         BadFile{"name = \"bspline2\"", "name = \"linear\"", "series 'linear' twice"},
-                                         BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure", "norm = \"l3\"\nwindow = [8, 64]\n[[figure", "unknown norm 'l3'"},
-                                         BadFile{"window = [8, 64]\n[[figure", "window = [64, 8]\n[[figure", "window"},
-                                         BadFile{"measure = \"order\"", "measure = \"ordre\"", "unknown measure 'ordre'"},
-                                         BadFile{"claim = \"S-fig10\"", "claim = \"S-fig99\"", "unknown claim"},
-                                         BadFile{"at_least = 1.5", "", "asks nothing"},
-                                         BadFile{"title = \"Small\"", "title = 'Small", "bad.toml"}));
+INSTANTIATE_TEST_SUITE_P(
+    , BadStudy,
+    testing::Values(BadFile{"ppc = 4", "pcp = 4", "unknown key 'pcp'"},
+                    BadFile{"\"bspline2\"\n[sweep]", "\"bspline7\"\n[sweep]", "unknown basis 'bspline7'"},
+                    BadFile{"[8, 16, 32, 64]\n[[fit", "[]\n[[fit", "empty sweep"},
+                    BadFile{"[8, 16, 32, 64]\n[[fit", "[8, -16]\n[[fit", "cells = -16"},
+                    BadFile{"[8, 16, 32, 64]\n[[fit", "[8, nan]\n[[fit", "nan"},
+                    BadFile{"ppc = 4", "ppc = 0", "ppc = 0"}, BadFile{"cfl = 0.3", "cfl = \"fast\"", "cfl = 'fast'"},
+                    BadFile{"name = \"bspline2\"", "name = \"linear\"", "series 'linear' twice"},
+                    BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure", "norm = \"l3\"\nwindow = [8, 64]\n[[figure",
+                            "unknown norm 'l3'"},
+                    BadFile{"window = [8, 64]\n[[figure", "window = [64, 8]\n[[figure", "window"},
+                    BadFile{"measure = \"order\"", "measure = \"ordre\"", "unknown measure 'ordre'"},
+                    BadFile{"claim = \"S-fig10\"", "claim = \"S-fig99\"", "unknown claim"},
+                    BadFile{"at_least = 1.5", "", "asks nothing"},
+                    BadFile{"title = \"Small\"", "title = 'Small", "bad.toml"}));
 
 TEST(StudyCommand, RefusesStoresThatAreNone) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study);
-  const std::string foreign = folder.write("foreign.db", "this is no database, but long enough to look like a file of its own");
+  const std::string foreign =
+      folder.write("foreign.db", "this is no database, but long enough to look like a file of its own");
   const Answer answer = call(folder, "study " + file + " --db " + foreign);
   EXPECT_EQ(answer.code, 2);
   EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
@@ -177,8 +185,10 @@ TEST(GateCommand, ExitCodesOfTheContract) {
   const std::string gate = "gate --db " + db + " --goldens " + (folder / "goldens") + " ";
   EXPECT_EQ(call(folder, gate).code, 2) << "a gate without goldens must not pass";
   const auto golden = [&](const char* series, double expected) {
-    folder.write("goldens/small.toml", "study = \"small\"\n[[order]]\nseries = \"" + std::string(series) + "\"\nnorm = \"l2\"\nexpected = " +
-                                           std::to_string(expected) + "\nlower = " + std::to_string(expected - 0.15) + "\nupper = " + std::to_string(expected + 0.15) + "\n");
+    folder.write("goldens/small.toml", "study = \"small\"\n[[order]]\nseries = \"" + std::string(series) +
+                                           "\"\nnorm = \"l2\"\nexpected = " + std::to_string(expected) +
+                                           "\nlower = " + std::to_string(expected - 0.15) +
+                                           "\nupper = " + std::to_string(expected + 0.15) + "\n");
   };
   const auto claims = call(folder, "claims --db " + db + " --json").json()["claims"];
   const auto found = std::find_if(claims.begin(), claims.end(), [](const auto& c) { return c["id"] == "S-fig10"; });
@@ -197,11 +207,15 @@ TEST(ReportCommand, WritesOnePageAndItsFigures) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
   ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
-  const Answer report = call(folder, "report --db " + db + " --out " + (folder / "report") + " --goldens " + (folder / "none"));
+  const Answer report =
+      call(folder, "report --db " + db + " --out " + (folder / "report") + " --goldens " + (folder / "none"));
   ASSERT_EQ(report.code, 0) << report.err;
-  for (const char* name : {"index.html", "figures/small.svg", "figures/small.pdf", "figures/small.gp", "figures/small.dat", "tables/small.tex"})
+  for (const char* name : {"index.html", "figures/small.svg", "figures/small.pdf", "figures/small.gp",
+                           "figures/small.dat", "tables/small.tex"})
     EXPECT_TRUE(std::filesystem::exists(folder / (std::string("report/") + name))) << name;
-  EXPECT_THAT(call(folder, "report --db " + db + " --out " + (folder / "report") + " --goldens " + (folder / "none")).out, HasSubstr("(0 drawn)"));
+  EXPECT_THAT(
+      call(folder, "report --db " + db + " --out " + (folder / "report") + " --goldens " + (folder / "none")).out,
+      HasSubstr("(0 drawn)"));
 }
 
 }  // namespace

@@ -63,6 +63,7 @@ inline StudyResult convergence() {
                     true,
                     "l2",
                     {},
+                    {},
                     {1, 2},
                     {},
                     {},
@@ -114,7 +115,8 @@ inline StudyResult check() {
   }
   study.series[1].points[100].y["y"] = not_measured;
   study.values = {{"partition_of_unity", 2.2e-16, "largest |ΣN - 1|"}, {"nothing", not_measured, "a NaN"}};
-  study.figures = {{"s-fig4", "Weight and gradient.", "ξ", "N, dN/dx · h", false, false, "y", {}, {}, {}, {}, {}, {}}};
+  study.figures = {
+      {"s-fig4", "Weight and gradient.", "ξ", "N, dN/dx · h", false, false, "y", {}, {}, {}, {}, {}, {}, {}}};
   return study;
 }
 

@@ -44,7 +44,8 @@ TEST(Settings, AnErrorNamesTheLineOfTheSetting) {
     make_case(bar({{"cfl", "0.3"}, {"basis", "bspline4"}}));
     FAIL();
   } catch (const UsageError& e) {
-    EXPECT_NE(std::string(e.what()).find("unknown basis 'bspline4' in a.toml:9 (known: linear, "), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("unknown basis 'bspline4' in a.toml:9 (known: linear, "), std::string::npos)
+        << e.what();
   }
 }
 

@@ -75,9 +75,9 @@ struct Text {
   }
 
   static std::string of(const Figure& f) {
-    const auto& [name, caption, xlabel, ylabel, log_x, log_y, quantity, series, slopes, x0, x1, y0, y1] = f;
-    return fmt::format("figure {} {} {} {} {} {} {} {} {} {} {} {} {}", name, caption, xlabel, ylabel, log_x, log_y,
-                       quantity, of(series), of(slopes), of(x0), of(x1), of(y0), of(y1));
+    const auto& [name, caption, xlabel, ylabel, log_x, log_y, quantity, series, marks, slopes, x0, x1, y0, y1] = f;
+    return fmt::format("figure {} {} {} {} {} {} {} {} {} {} {} {} {} {}", name, caption, xlabel, ylabel, log_x, log_y,
+                       quantity, of(series), of(marks), of(slopes), of(x0), of(x1), of(y0), of(y1));
   }
 
   static std::string of(const ClaimPart& p) {
@@ -183,6 +183,7 @@ Figure full_figure() {
           .log_y = false,
           .quantity = "linf",
           .series = {"runs", "curve"},
+          .marks = {"curve"},
           .slopes = {1, 2.5},
           .x_min = 4,
           .x_max = std::nullopt,
