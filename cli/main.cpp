@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -14,13 +15,13 @@ void print_json(const nlohmann::json& object) {
 
 namespace {
 
-constexpr int usage_error = 2;
+constexpr int failure = 1, usage_error = 2;
 
-/// First line of a message: bad input gets one line on standard error.
-int complain(std::string message) {
+/// One line on standard error: the first of the message.
+int complain(std::string message, int code) {
   message.resize(std::min(message.find('\n'), message.size()));
   fmt::print(stderr, "mpmvv: {}\n", message);
-  return usage_error;
+  return code;
 }
 
 int run_program(int argc, char** argv) {
@@ -41,7 +42,7 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& e) {
-    return complain(e.what());
+    return complain(e.what(), usage_error);
   }
   return exit_code;
 }
@@ -52,7 +53,9 @@ int run_program(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return mpmvv::run_program(argc, argv);
+  } catch (const mpmvv::UsageError& e) {
+    return mpmvv::complain(e.what(), mpmvv::usage_error);
   } catch (const std::exception& e) {
-    return mpmvv::complain(e.what());
+    return mpmvv::complain(e.what(), mpmvv::failure);
   }
 }

@@ -37,7 +37,8 @@ struct Criterion {
     limit,        ///< stability limit of `series`
     limit_ratio,  ///< the same divided by that of `over`
     value,        ///< value `name` of a check
-    shown         ///< nothing is asked: the figure is the evidence
+    shown,        ///< nothing is asked: the figure is the evidence
+    awaited       ///< a part of the claim that no study can judge yet: it keeps the claim from being confirmed
   };
   std::string claim;
   std::string statement;

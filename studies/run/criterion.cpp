@@ -160,6 +160,7 @@ Measured measure(const Criterion& c, const StudyResult& result) {
         break;
       }
       case Kind::value:
+      case Kind::awaited:
       case Kind::shown:
         break;
     }
@@ -182,6 +183,11 @@ ClaimPart judge(const Criterion& criterion, const StudyResult& result) {
   ClaimPart part{criterion.claim, criterion.statement, PartVerdict::shown, "", ""};
   if (criterion.kind == Kind::shown) {
     part.evidence = "shown in the figure";
+    return part;
+  }
+  if (criterion.kind == Kind::awaited) {
+    part.verdict = PartVerdict::inconclusive;
+    part.evidence = "not run yet";
     return part;
   }
   const Measured measured = measure(criterion, result);

@@ -177,7 +177,8 @@ Criterion::Kind criterion_kind(const TomlTable& table) {
                                                                           {"limit", Criterion::Kind::limit},
                                                                           {"limit-ratio", Criterion::Kind::limit_ratio},
                                                                           {"value", Criterion::Kind::value},
-                                                                          {"shown", Criterion::Kind::shown}};
+                                                                          {"shown", Criterion::Kind::shown},
+                                                                          {"awaited", Criterion::Kind::awaited}};
   std::vector<std::string> words;
   const std::string word = table.text("measure");
   for (const auto& [name, kind] : kinds) {
@@ -198,7 +199,7 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   c.statement = table.text("statement");
   c.kind = criterion_kind(table);
   c.reason = table.text("reason", "");
-  if (c.kind == Kind::shown) return c;
+  if (c.kind == Kind::shown || c.kind == Kind::awaited) return c;
   if (table.has("at_least")) c.at_least = table.number("at_least");
   if (table.has("at_most")) c.at_most = table.number("at_most");
   if (!c.at_least && !c.at_most)

@@ -81,6 +81,10 @@ TEST(Criterion, SpreadStatusLimitValue) {
   EXPECT_EQ(judge(value, two_series()).verdict, PartVerdict::inconclusive);
 }
 
+TEST(Criterion, WhatIsAwaitedKeepsAClaimFromBeingConfirmed) {
+  EXPECT_EQ(judge(criterion(Kind::awaited, "", {}, {}), two_series()).verdict, PartVerdict::inconclusive);
+}
+
 TEST(Criterion, AnUnknownSeriesIsInconclusive) {
   EXPECT_EQ(judge(criterion(Kind::order, "ugly", 1, 2), two_series()).verdict, PartVerdict::inconclusive);
 }
