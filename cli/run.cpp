@@ -82,6 +82,7 @@ struct RunOptions {
   std::vector<std::string> parameters;
   bool every_step = false, json = false;
   int threads = 1;
+  std::string vtu;
 };
 
 int run(const RunOptions& options) {
@@ -94,7 +95,7 @@ int run(const RunOptions& options) {
   }
   for (const std::string& parameter : options.parameters) settings.push_back(parameter_setting(parameter));
   if (options.every_step) settings.push_back({"every_step", "true", "--every-step"});
-  const Record record = run_case(make_case(settings), options.threads);
+  const Record record = run_case(make_case(settings), options.threads, options.vtu);
   if (options.json)
     print_json(record_json(record));
   else
@@ -124,6 +125,7 @@ void add_run(CLI::App& app, int& exit_code) {
   }
   command->add_option("--param", options->parameters, "physical value of the problem, name=value (repeatable)");
   command->add_option("--threads", options->threads, "threads of the step")->check(CLI::Range(1, 256));
+  command->add_option("--vtu", options->vtu, "write eleven particle states for ParaView to this directory");
   command->add_flag("--json", options->json, "print the record as one JSON object");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

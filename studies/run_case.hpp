@@ -1,13 +1,14 @@
 #pragma once
-#include <cstddef>
+#include <filesystem>
 
 #include "studies/record.hpp"
 
 namespace mpmvv {
 
-/// Runs one case to its end, or until it blows up. Never throws for a case made by make_case: what goes wrong on
-/// the way (memory, say) is a record with status `failed`. Records do not depend on `threads` but for the cost.
-Record run_case(const Case& c, int threads);
+/// Runs one case to its end, or until it blows up. What goes wrong on the way (memory, say) is a record with status
+/// `failed`. Records do not depend on `threads` but for the cost. Particle states go to the directory `vtu`, unless
+/// it is empty; a UsageError when that cannot be written.
+Record run_case(const Case& c, int threads, const std::filesystem::path& vtu = {});
 
 /// Number of particles times steps, to run long cases first.
 double work_estimate(const Case& c);

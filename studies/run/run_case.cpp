@@ -4,9 +4,12 @@
 
 #include <chrono>
 #include <exception>
+#include <optional>
 
+#include "studies/error.hpp"
 #include "studies/norms.hpp"
 #include "studies/run/scene.hpp"
+#include "studies/run/vtu.hpp"
 
 namespace mpmvv {
 
@@ -76,12 +79,11 @@ void note_errors_over_steps(Errors& errors, const ErrorNorms& now) {
   errors.linf_all_steps = larger(errors.linf_all_steps, now.linf());
 }
 
-/// Steps to the end or until the run blows up; returns the seconds spent in the steps alone.
-template <int D>
-double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, Record& record) {
+/// Steps to the end or until the run blows up, and calls `observe` after every sound step; returns the seconds spent
+/// in the steps alone.
+template <int D, class Observe>
+double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, Record& record, const Observe& observe) {
   const Watch<D> watch(c, stage, record.energy.initial_total);
-  const bool every_step = c.measure.every_step && stage.points;
-  if (every_step) record.error.l1_all_steps = record.error.l2_all_steps = record.error.linf_all_steps = 0;
   double step_seconds = 0;
   while (record.steps < c.resolution.steps) {
     const auto start = Clock::now();
@@ -96,20 +98,26 @@ double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, Record
       record.reason += fmt::format(" at step {} of {}", record.steps, c.resolution.steps);
       break;
     }
-    if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, stage));
+    observe();
   }
   return step_seconds;
 }
 
 template <int D>
-void run(const Case& c, const Problem& problem, int threads, Record& record) {
+void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Record& record) {
   const auto start = Clock::now();
   Stage<D> stage = make_stage<D>(c, problem, threads);
   solver::Mpm<D> mpm(std::move(stage.scene));
   record.particles = static_cast<std::int64_t>(mpm.particles().size());
   record.energy.initial_total = mpm.kinetic_energy() + mpm.strain_energy();
 
-  const double step_seconds = advance(mpm, stage, c, record);
+  const bool every_step = c.measure.every_step && stage.points;
+  if (every_step) record.error.l1_all_steps = record.error.l2_all_steps = record.error.linf_all_steps = 0;
+  if (vtu) vtu->write(mpm, stage.X);
+  const double step_seconds = advance(mpm, stage, c, record, [&] {
+    if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, stage));
+    if (vtu && VtuSeries::due(record.steps, c.resolution.steps)) vtu->write(mpm, stage.X);
+  });
   if (record.status == Status::ok) {
     record.energy.kinetic = mpm.kinetic_energy();
     record.energy.strain = mpm.strain_energy();
@@ -128,22 +136,27 @@ void run(const Case& c, const Problem& problem, int threads, Record& record) {
 
 }  // namespace
 
-Record run_case(const Case& c, int threads) {
+Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
   const Problem& problem = find_problem(c.problem.name, "the case");
   Record record;
   record.the_case = c;
   record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells / problem.length;
+  std::optional<VtuSeries> frames;
+  if (!vtu.empty()) frames.emplace(vtu);
+  VtuSeries* const series = frames ? &*frames : nullptr;
   try {
     switch (problem.dimension()) {
       case 1:
-        run<1>(c, problem, threads, record);
+        run<1>(c, problem, threads, series, record);
         break;
       case 2:
-        run<2>(c, problem, threads, record);
+        run<2>(c, problem, threads, series, record);
         break;
       default:
-        run<3>(c, problem, threads, record);
+        run<3>(c, problem, threads, series, record);
     }
+  } catch (const UsageError&) {
+    throw;
   } catch (const std::exception& e) {
     record.status = Status::failed;
     record.reason = e.what();

@@ -64,6 +64,22 @@ TEST(RunCommand, StepsKeepTheTimeStepOfTheWholeRun) {
   EXPECT_DOUBLE_EQ(part["end_time"], 3 * whole["dt"].get<double>());
 }
 
+TEST(RunCommand, VtuStatesFollowTheBar) {
+  const Folder folder;
+  const std::string dir = folder / "vtu";
+  ASSERT_EQ(call(folder, std::string(bar) + "--vtu " + dir).code, 0);
+  const std::string first = read_text(dir + "/particles-0000.vtu"), last = read_text(dir + "/particles-0010.vtu");
+  EXPECT_FALSE(std::filesystem::exists(dir + "/particles-0011.vtu"));
+  EXPECT_THAT(read_text(dir + "/particles.pvd"), HasSubstr("timestep=\"0\" file=\"particles-0000.vtu\""));
+  // First particle: X = h/8, u = A sin 2πX, which has changed its sign after half a period.
+  const auto displacement = [](const std::string& text) {
+    return std::stod(text.substr(text.find('>', text.find("\"displacement\"")) + 1));
+  };
+  const double u = 0.05 * std::sin(2 * std::acos(-1.0) / 256);
+  EXPECT_NEAR(displacement(first), u, 1e-15);
+  EXPECT_NEAR(displacement(last), -u, 0.1 * u);
+}
+
 struct BadInput {
   const char* arguments;
   const char* message;
@@ -111,6 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"run --problem bar --integrator usl --start half --cells 8 --ppc 2 --cfl 0.1",
                  "no meaning for integrator 'usl'"},
         BadInput{"run --problem bar --colour red", "--colour"}, BadInput{"", "subcommand"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --vtu /dev/null/x", "--vtu"},
         BadInput{"solution --problem bar --at 1.5 --time 0", "outside the body"},
         BadInput{"solution --problem bar --at 0.5,0.5 --time 0", "has 2 coordinates"},
         BadInput{"solution --problem one-particle --at 0.5 --time 0", "no exact solution"},

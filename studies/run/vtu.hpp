@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "solver/mpm.hpp"
+
+namespace mpmvv {
+
+/// Particle states as VTK files for ParaView: DIR/particles-0000.vtu, ... and DIR/particles.pvd, which lists them with
+/// their times. Fields: displacement, velocity, deformation_gradient (row by row), mass. ASCII, 17 digits.
+class VtuSeries {
+ public:
+  static constexpr std::int64_t frames = 10;  ///< states after the first one
+
+  /// Makes the directory. UsageError when it cannot be written to.
+  explicit VtuSeries(std::filesystem::path dir);
+
+  /// Whether the state after `step` of `steps` steps is one of the frames.
+  static bool due(std::int64_t step, std::int64_t steps) {
+    return step * frames / steps != (step - 1) * frames / steps;
+  }
+
+  /// Writes the present state. `X` are the reference positions by particle id.
+  template <int D>
+  void write(const solver::Mpm<D>& mpm, const std::vector<solver::Vec<D>>& X);
+
+ private:
+  void write_file(const std::string& name, const std::string& text) const;
+
+  std::filesystem::path dir_;
+  std::string entries_;  ///< of the collection
+  int count_ = 0;
+};
+
+}  // namespace mpmvv
