@@ -18,11 +18,16 @@ struct SeriesPlan {
   std::string where;
 };
 
-/// What to fit: which norm, over which declared window of swept values, with or without a floor, for which series.
+/// A declared window of swept values.
+struct Window {
+  double from = 0, to = 0;
+};
+
+/// What to fit: which norm, over which window, for which series; and the window of a fit with a floor, if any.
 struct FitPlan {
   std::string norm;
-  double from = 0, to = 0;
-  bool floor = false;
+  Window window;
+  std::optional<Window> floor;
   std::vector<std::string> series;  ///< empty: all
 };
 
@@ -47,7 +52,7 @@ struct Criterion {
   std::string over;  ///< series to divide by
   std::string name;  ///< of a check's value
   std::string norm;
-  double from = 0, to = 0;
+  Window window;
   std::optional<double> at_least, at_most;
   std::string reason;  ///< why it fails, written after the evidence was checked
 };

@@ -29,7 +29,7 @@ const Series* find_series(const StudyResult& result, const std::string& name) {
 }
 
 bool inside(const Criterion& c, double x) {
-  return x >= c.from * (1 - 1e-9) && x <= c.to * (1 + 1e-9);
+  return x >= c.window.from * (1 - 1e-9) && x <= c.window.to * (1 + 1e-9);
 }
 
 /// The norm at a point; an unstable point counts as an infinite error.
@@ -48,7 +48,7 @@ double error_at(const Series& series, double x, const std::string& norm) {
 /// The order over the points that are stable. An unstable one has not converged: with it no lower bound is kept, and an
 /// upper bound is kept as far as the others keep it. A failed or unmeasured one leaves the order unknown.
 void measure_order(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
-  const ObservedOrder fit = fit_order(samples_of(series, c.norm, result.sweep), c.from, c.to);
+  const ObservedOrder fit = fit_order(samples_of(series, c.norm, result.sweep), c.window.from, c.window.to);
   int in_window = 0;
   std::vector<double> unstable;
   for (const Point& point : series.points) {
@@ -61,7 +61,8 @@ void measure_order(const Criterion& c, const StudyResult& result, const Series& 
     out.missing = fmt::format("'{}': {} of {} points are no use", series.name, usable - fit.points, in_window);
   const std::string interval = std::isnan(fit.half_width) ? "" : fmt::format(" (±{:.2f})", fit.half_width);
   const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
-  out.add(fmt::format("order of '{}' in {} over [{}, {}]{}{}", series.name, c.norm, c.from, c.to, interval, without),
+  out.add(fmt::format("order of '{}' in {} over [{}, {}]{}{}", series.name, c.norm, c.window.from, c.window.to,
+                      interval, without),
           fit.order);
   if (!unstable.empty() && c.at_least)
     out.add(fmt::format("order of '{}' at {}", series.name, unstable[0]), -std::numeric_limits<double>::infinity());
@@ -88,15 +89,16 @@ void measure_spread(const Criterion& c, const Series& series, Measured& out) {
     if (std::isnan(error)) out.missing = fmt::format("'{}' has no {} at {}", series.name, c.norm, point.x);
     least = std::min(least, error), largest = std::max(largest, error);
   }
-  out.add(fmt::format("largest over smallest {} of '{}' over [{}, {}]", c.norm, series.name, c.from, c.to),
-          largest / least);
+  out.add(
+      fmt::format("largest over smallest {} of '{}' over [{}, {}]", c.norm, series.name, c.window.from, c.window.to),
+      largest / least);
 }
 
 void measure_status(const Criterion& c, const Series& series, Measured& out) {
   double ok = 0, all = 0;
   for (const Point& point : series.points)
     if (inside(c, point.x)) ok += point.status == Status::ok ? 1 : 0, ++all;
-  out.add(fmt::format("stable share of '{}' over [{}, {}]", series.name, c.from, c.to), ok / all);
+  out.add(fmt::format("stable share of '{}' over [{}, {}]", series.name, c.window.from, c.window.to), ok / all);
 }
 
 double limit_of(const Series& series, Measured& out) {

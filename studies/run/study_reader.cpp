@@ -114,19 +114,18 @@ std::vector<std::string> series_names(const TomlTable& table, const char* key, c
   return names;
 }
 
-void read_window(const TomlTable& table, double& from, double& to) {
-  const auto window = table.numbers("window");
-  if (window.size() != 2 || !(window[0] <= window[1]))
-    throw UsageError(fmt::format("window in {} (two swept values, the smaller first)", table.where("window")));
-  from = window[0];
-  to = window[1];
+Window read_window(const TomlTable& table, const char* key) {
+  const auto ends = table.numbers(key);
+  if (ends.size() != 2 || !(ends[0] <= ends[1]))
+    throw UsageError(fmt::format("{} in {} (two swept values, the smaller first)", key, table.where(key)));
+  return {ends[0], ends[1]};
 }
 
 void read_fits(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("fit")) {
-    table.allow_only({"norm", "window", "floor", "series"});
-    FitPlan fit{norm_of(table, "norm"), 0, 0, table.flag("floor", false), series_names(table, "series", plan)};
-    read_window(table, fit.from, fit.to);
+    table.allow_only({"norm", "window", "floor_window", "series"});
+    FitPlan fit{norm_of(table, "norm"), read_window(table, "window"), {}, series_names(table, "series", plan)};
+    if (table.has("floor_window")) fit.floor = read_window(table, "floor_window");
     plan.fits.push_back(fit);
   }
 }
@@ -221,7 +220,7 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
     return c;
   }
   if (c.kind != Kind::status) c.norm = norm_of(table, "norm");
-  read_window(table, c.from, c.to);
+  c.window = read_window(table, "window");
   return c;
 }
 

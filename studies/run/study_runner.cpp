@@ -60,9 +60,9 @@ void fit(const StudyPlan& plan, StudyResult& result) {
       const auto& names = wanted.series;
       if (!names.empty() && std::find(names.begin(), names.end(), series.name) == names.end()) continue;
       const auto samples = samples_of(series, wanted.norm, result.sweep);
-      ObservedOrder order = fit_order(samples, wanted.from, wanted.to);
+      ObservedOrder order = fit_order(samples, wanted.window.from, wanted.window.to);
       order.norm = wanted.norm;
-      if (wanted.floor) order.floor = fit_floor(samples, wanted.from, wanted.to);
+      if (wanted.floor) order.floor = fit_floor(samples, wanted.floor->from, wanted.floor->to);
       series.orders.push_back(order);
     }
 }

@@ -30,7 +30,7 @@ StudyResult two_series() {
 Criterion criterion(Criterion::Kind kind, const std::string& series, std::optional<double> at_least,
                     std::optional<double> at_most) {
   Criterion c;
-  c.claim = "S-fig10", c.kind = kind, c.series = {series}, c.norm = "l2", c.from = 8, c.to = 64;
+  c.claim = "S-fig10", c.kind = kind, c.series = {series}, c.norm = "l2", c.window = {8, 64};
   c.at_least = at_least, c.at_most = at_most;
   c.reason = "why not";
   return c;
