@@ -26,6 +26,7 @@ target_compile_options(mpmvv_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
   -Wno-restrict)  # g++ 12 sees an overlap in "text" + std::string() that is not there (GCC bug 105651)
 if(MPMVV_SANITIZE)
-  target_compile_options(mpmvv_flags INTERFACE -fsanitize=${MPMVV_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_compile_options(mpmvv_flags INTERFACE -fsanitize=${MPMVV_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
+    -Wno-maybe-uninitialized)  # g++ warns of the sanitizers' own code
   target_link_options(mpmvv_flags INTERFACE -fsanitize=${MPMVV_SANITIZE})
 endif()

@@ -45,14 +45,11 @@ class Grid {
     return n;
   }
 
-  /// Position of a node of a node-centred basis.
-  Vec<D> position(std::size_t n) const {
-    Vec<D> x;
-    for (int d = 0; d < D; ++d) {
-      const int i = static_cast<int>(n) / stride_[d] % nodes(d) - ghost_;
-      x[d] = lower_[d] + h_ * i;
-    }
-    return x;
+  /// The node at a storage index: the inverse of `node`.
+  Index<D> index(std::size_t n) const {
+    Index<D> i;
+    for (int d = 0; d < D; ++d) i[d] = static_cast<int>(n) / stride_[d] % nodes(d) - ghost_;
+    return i;
   }
 
   /// Calls visit(n, n + shift * stride) for every node n whose index along `axis` is i: the plane i and its partner.
@@ -73,11 +70,11 @@ class Grid {
   }
   void clear_momentum() { std::fill(p.begin(), p.end(), Vec<D>::Zero()); }
 
-  std::vector<double> m;       ///< mass
-  std::vector<Vec<D>> p;       ///< momentum
-  std::vector<Vec<D>> f;       ///< force
-  std::vector<Vec<D>> v;       ///< velocity
-  std::vector<Vec<D>> a;       ///< acceleration
+  std::vector<double> m;  ///< mass
+  std::vector<Vec<D>> p;  ///< momentum
+  std::vector<Vec<D>> f;  ///< force
+  std::vector<Vec<D>> v;  ///< velocity
+  std::vector<Vec<D>> a;  ///< acceleration
 
  private:
   Vec<D> lower_;

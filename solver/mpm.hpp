@@ -69,9 +69,8 @@ class Mpm {
   /// One sweep over all particles with these stages.
   template <class... Stages>
   void sweep(const Stages&... stages) {
-    std::visit(
-        [&](const auto& basis) { note(solver::sweep(basis, particles_, grid_, slabs_, team_, stages...)); },
-        scene_.basis);
+    std::visit([&](const auto& basis) { note(solver::sweep(basis, particles_, grid_, slabs_, team_, stages...)); },
+               scene_.basis);
   }
 
   /// One sweep of `before` and then of stress and forces: f_i, and whatever else `map` scatters with it.
@@ -82,14 +81,22 @@ class Mpm {
   template <class T>
   void fold(std::vector<T>& field);
 
-  void set_grid_velocity();                ///< v_i = p_i / m_i, constrained          S (2), W (9)
-  void set_grid_acceleration();            ///< a_i = f_i / m_i, constrained if zero  S (5), W (15)
-  void advance_grid_velocity(double dt);   ///< v_i += a_i Δt, constrained            S (6), W (16), S (30)
-  Settle<D> settle() { return {particles_, slabs_, periodic_, must_sort_}; }
-  CheckDeformation<D> check_deformation() { return {particles_}; }
+  void set_grid_velocity();               ///< v_i = p_i / m_i, constrained          S (2), W (9)
+  void set_grid_acceleration();           ///< a_i = f_i / m_i, constrained if zero  S (5), W (15)
+  void advance_grid_velocity(double dt);  ///< v_i += a_i Δt, constrained            S (6), W (16), S (30)
+
+  /// The last sweep of a step: these node loops, then what must hold and be ready for the next step.
+  template <class... Ops>
+  void sweep_and_settle(const Ops&... ops) {
+    sweep(node_loop(ops...), CheckDeformation<D>{particles_}, UpdateWidth<D>{particles_},
+          WrapPosition<D>{particles_, periodic_}, WatchSlab<D>{particles_, slabs_, must_sort_});
+  }
 
  private:
   bool takes_part(std::size_t n) const { return grid_.m[n] > least_mass_; }
+  /// quotient = factor field / m_i where a node's mass exceeds `least_mass`, else zero.
+  void divide_by_mass(const std::vector<Vec<D>>& field, double factor, double least_mass,
+                      std::vector<Vec<D>>& quotient);
   void constrain(std::vector<Vec<D>>& field);
   void set_wall_acceleration(double dt);
   void add_grid_body_force();

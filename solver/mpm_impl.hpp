@@ -52,12 +52,9 @@ bool Mpm<D>::step(double dt) {
 
 template <int D>
 std::string Mpm<D>::fault() const {
-  switch (fault_) {
-    case Fault::none: return "";
-    case Fault::outside: return "a particle left the domain";
-    case Fault::inverted: return "det F <= 0 on a particle";
-    case Fault::outgrown: return "a particle is wider than a cell";
-  }
+  if (contains(fault_, Fault::outside)) return "a particle left the domain";
+  if (contains(fault_, Fault::outgrown)) return "a particle is wider than a cell";
+  if (contains(fault_, Fault::inverted)) return "det F <= 0 on a particle";
   return "";
 }
 
@@ -84,12 +81,11 @@ template <int D>
 template <class Before, class... Map>
 void Mpm<D>::sweep_with_forces(const Before& before, const Map&... map) {
   const EvaluateStress<D> stress{particles_, scene_.material};
-  const MapInternalForce<D> internal{particles_, grid_};
   if (scene_.body_force && scene_.body_force_on == BodyForceOn::particles)
     sweep(before, stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
-          node_loop(map..., internal, MapBodyForce<D>{particles_, grid_}));
+          node_loop(map..., MapForces<D>{particles_, grid_}));
   else
-    sweep(before, stress, node_loop(map..., internal));
+    sweep(before, stress, node_loop(map..., MapInternalForce<D>{particles_, grid_}));
   fold(grid_.f);
 }
 
@@ -98,8 +94,11 @@ template <class Visit>
 void Mpm<D>::for_faces(const Visit& visit) {
   for (int d = 0; d < D; ++d)
     for (const bool upper : {false, true})
-      std::visit([&](const auto& boundary) { visit(boundary, Face{d, upper}); },
-                 scene_.boundary[static_cast<std::size_t>(2 * d + (upper ? 1 : 0))]);
+      std::visit(
+          [&](const auto& boundary) {
+            visit(boundary, Face{d, upper});
+          },
+          scene_.boundary[static_cast<std::size_t>(2 * d + (upper ? 1 : 0))]);
 }
 
 template <int D>
@@ -114,25 +113,43 @@ void Mpm<D>::constrain(std::vector<Vec<D>>& field) {
 }
 
 template <int D>
+void Mpm<D>::divide_by_mass(const std::vector<Vec<D>>& field, double factor, double least_mass,
+                            std::vector<Vec<D>>& quotient) {
+  const double* m = grid_.m.data();
+  const Vec<D>* from = field.data();
+  Vec<D>* to = quotient.data();
+  for (std::size_t n = 0; n < grid_.size(); ++n) {
+    const double share = m[n] > least_mass ? factor / m[n] : 0.0;
+    to[n] = share * from[n];
+  }
+}
+
+template <int D>
 void Mpm<D>::set_grid_velocity() {
-  for (std::size_t n = 0; n < grid_.size(); ++n)
-    grid_.v[n] = takes_part(n) ? Vec<D>(grid_.p[n] / grid_.m[n]) : Vec<D>::Zero();
+  divide_by_mass(grid_.p, 1, 0, grid_.v);
   constrain(grid_.v);
 }
 
 template <int D>
 void Mpm<D>::set_grid_acceleration() {
   if (scene_.body_force && scene_.body_force_on == BodyForceOn::grid) add_grid_body_force();
-  const double factor = scene_.half_start && first_step_ ? 0.5 : 1.0;
-  for (std::size_t n = 0; n < grid_.size(); ++n)
-    grid_.a[n] = takes_part(n) ? Vec<D>(grid_.f[n] * (factor / grid_.m[n])) : Vec<D>::Zero();
+  divide_by_mass(grid_.f, scene_.half_start && first_step_ ? 0.5 : 1, least_mass_, grid_.a);
   if (!scene_.difference_acceleration) constrain(grid_.a);
 }
 
 template <int D>
 void Mpm<D>::add_grid_body_force() {
-  for (std::size_t n = 0; n < grid_.size(); ++n)
-    if (takes_part(n)) grid_.f[n] += grid_.m[n] * scene_.body_force->at_position(grid_.position(n), time_);
+  std::visit(
+      [this]<class B>(const B&) {
+        for (std::size_t n = 0; n < grid_.size(); ++n) {
+          if (!takes_part(n)) continue;
+          const Index<D> i = grid_.index(n);
+          Vec<D> x = grid_.lower();
+          for (int d = 0; d < D; ++d) x[d] += grid_.h() * B::position(i[d], grid_.cells()[d]);
+          grid_.f[n] += grid_.m[n] * scene_.body_force->at_position(x, time_);
+        }
+      },
+      scene_.basis);
 }
 
 template <int D>

@@ -47,15 +47,19 @@ struct MapInternalForce {
   void end(std::size_t) {}
 };
 
-/// f_i += Σ_p N_ip m_p b_p                                     S (16)
+/// f_i = Σ_p (N_ip m_p b_p - V⁰_p τ_p ∇N_ip)                   S (4), (16)
 template <int D>
-struct MapBodyForce {
+struct MapForces {
   const Particles<D>& particles;
   Grid<D>& grid;
-  Vec<D> force = Vec<D>::Zero();
+  Mat<D> tau_V0 = Mat<D>::Zero();
+  Vec<D> body_force = Vec<D>::Zero();
 
-  void begin(std::size_t p, const auto& block, int k) { force = particles.m[p] * block.b[k]; }
-  void node(int n, double N, const Vec<D>&) { grid.f[n] += N * force; }
+  void begin(std::size_t p, const auto& block, int k) {
+    tau_V0 = particles.V0[p] * block.tau[k];
+    body_force = particles.m[p] * block.b[k];
+  }
+  void node(int n, double N, const Vec<D>& dN) { grid.f[n] += N * body_force - tau_V0 * dN; }
   void end(std::size_t) {}
 };
 
@@ -106,8 +110,11 @@ struct EvaluateStress {
 
   template <int K>
   void operator()(Block<D, K>& block, const Grid<D>&) const {
-    std::visit([&](const auto& m) { m.kirchhoff(&particles.F[block.begin], block.tau, static_cast<std::size_t>(block.count)); },
-               material);
+    std::visit(
+        [&](const auto& m) {
+          m.kirchhoff(&particles.F[block.begin], block.tau, static_cast<std::size_t>(block.count));
+        },
+        material);
   }
 };
 
@@ -124,32 +131,6 @@ struct EvaluateBodyForce {
   }
 };
 
-/// The end of a step: the width of bases that follow the deformation, W (63), the wrap of periodic axes, and whether
-/// a particle has strayed so far from its slab that the particles must be sorted.
-template <int D>
-struct Settle {
-  Particles<D>& particles;
-  const Slabs<D>& slabs;
-  const std::array<bool, D>& periodic;
-  std::atomic<bool>& must_sort;
-
-  template <int K>
-  void operator()(Block<D, K>& block, const Grid<D>& grid) const {
-    for (std::size_t p = block.begin; p < block.begin + static_cast<std::size_t>(block.count); ++p) {
-      for (int d = 0; d < D; ++d)
-        if (periodic[static_cast<std::size_t>(d)]) wrap(particles.x[p][d], grid.lower()[d], grid.h() * grid.cells()[d]);
-      if (!particles.l0.empty()) particles.l[p] = particles.l0[p].cwiseProduct(particles.F[p].diagonal());
-      if (!slabs.holds(block.slab, (particles.x[p][D - 1] - grid.lower()[D - 1]) / grid.h())) must_sort = true;
-    }
-  }
-
- private:
-  static void wrap(double& x, double lower, double period) {
-    if (x < lower) x += period;
-    if (x >= lower + period) x -= period;
-  }
-};
-
 /// Finds inverted particles: det F <= 0, or not a number.
 template <int D>
 struct CheckDeformation {
@@ -157,10 +138,60 @@ struct CheckDeformation {
 
   template <int K>
   Fault operator()(Block<D, K>& block, const Grid<D>&) const {
-    bool sound = true;
-    for (int k = 0; k < block.count; ++k)
-      sound &= particles.F[block.begin + static_cast<std::size_t>(k)].determinant() > 0;
-    return sound ? Fault::none : Fault::inverted;
+    const Mat<D>* F = &particles.F[block.begin];
+    int inverted = 0;
+    for (int k = 0; k < block.count; ++k) inverted += F[k].determinant() > 0 ? 0 : 1;
+    return inverted > 0 ? Fault::inverted : Fault::none;
+  }
+};
+
+/// l_p = l_p⁰ diag F                                           W (63)
+template <int D>
+struct UpdateWidth {
+  Particles<D>& particles;
+
+  template <int K>
+  void operator()(Block<D, K>& block, const Grid<D>&) const {
+    if (particles.l0.empty()) return;
+    for (std::size_t p = block.begin; p < block.begin + static_cast<std::size_t>(block.count); ++p)
+      particles.l[p] = particles.l0[p].cwiseProduct(particles.F[p].diagonal());
+  }
+};
+
+/// Brings particles that left through a periodic face back in on the other side.
+template <int D>
+struct WrapPosition {
+  Particles<D>& particles;
+  const std::array<bool, D>& periodic;
+
+  template <int K>
+  void operator()(Block<D, K>& block, const Grid<D>& grid) const {
+    Vec<D>* x = &particles.x[block.begin];
+    for (int d = 0; d < D; ++d) {
+      if (!periodic[static_cast<std::size_t>(d)]) continue;
+      const double lower = grid.lower()[d], period = grid.h() * grid.cells()[d], upper = lower + period;
+      for (int k = 0; k < block.count; ++k) {
+        const double x_d = x[k][d];
+        x[k][d] = x_d < lower ? x_d + period : x_d >= upper ? x_d - period : x_d;
+      }
+    }
+  }
+};
+
+/// Notes whether a particle has strayed so far from its slab that the particles must be sorted.
+template <int D>
+struct WatchSlab {
+  const Particles<D>& particles;
+  const Slabs<D>& slabs;
+  std::atomic<bool>& must_sort;
+
+  template <int K>
+  void operator()(Block<D, K>& block, const Grid<D>& grid) const {
+    const Vec<D>* x = &particles.x[block.begin];
+    const auto [least, most] = slabs.reach(block.slab, grid);
+    int strays = 0;
+    for (int k = 0; k < block.count; ++k) strays += x[k][D - 1] >= least && x[k][D - 1] <= most ? 0 : 1;
+    if (strays > 0) must_sort = true;
   }
 };
 

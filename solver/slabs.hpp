@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -32,11 +33,13 @@ class Slabs {
     return {first_[static_cast<std::size_t>(slab)], first_[static_cast<std::size_t>(slab) + 1]};
   }
 
-  /// Whether a particle of this slab, at distance xi (in cells) along the last axis, is still near enough to it.
-  /// The outermost slabs have no outer bound.
-  bool holds(int slab, double xi) const {
-    return (slab == 0 || xi >= bounds_[static_cast<std::size_t>(slab)] - 1) &&
-           (slab + 1 == count() || xi <= bounds_[static_cast<std::size_t>(slab) + 1] + 1);
+  /// Between which positions along the last axis a particle of this slab is near enough to it. The outermost slabs
+  /// have no outer bound.
+  std::pair<double, double> reach(int slab, const Grid<D>& grid) const {
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    const auto position = [&grid](int cell) { return grid.lower()[D - 1] + grid.h() * cell; };
+    return {slab == 0 ? -unbounded : position(bounds_[static_cast<std::size_t>(slab)] - 1),
+            slab + 1 == count() ? unbounded : position(bounds_[static_cast<std::size_t>(slab) + 1] + 1)};
   }
 
   /// The slab with the cell at this distance; strays and NaN fall to the outermost ones.

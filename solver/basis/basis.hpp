@@ -24,6 +24,7 @@ struct AxisPoint {
 ///   extra_inside  degrees of freedom in the domain beyond one per cell
 ///   ghost         layers of nodes beyond each face; a particle may stray `ghost - 1` cells out of the domain
 ///   width         which particle width it takes
+///   position      where the i-th degree of freedom sits, in cells: with these Σ_i x_i ∇N_i = I
 ///   evaluate      weights N and gradients dN (per cell width) of the `support` nodes; returns the first node's index
 template <class B>
 concept Basis = requires(const B basis, AxisPoint point, double* N, double* dN) {
@@ -32,6 +33,7 @@ concept Basis = requires(const B basis, AxisPoint point, double* N, double* dN) 
   { B::extra_inside } -> std::convertible_to<int>;
   { B::ghost } -> std::convertible_to<int>;
   { B::width } -> std::convertible_to<ParticleWidth>;
+  { B::position(int{}, int{}) } -> std::same_as<double>;
   { basis.evaluate(point, N, dN) } -> std::same_as<int>;
 };
 

@@ -36,6 +36,8 @@ struct BSpline2 {
   static constexpr int ghost = 2;
   static constexpr ParticleWidth width = ParticleWidth::none;
 
+  static double position(int i, int) { return i; }
+
   int evaluate(const AxisPoint& at, double* N, double* dN) const {
     const double left_knot = std::floor(at.xi - 0.5);
     quadratic_pieces(at.xi - 0.5 - left_knot, N, dN);
@@ -50,6 +52,8 @@ struct BSpline3 {
   static constexpr int extra_inside = 1;
   static constexpr int ghost = 2;
   static constexpr ParticleWidth width = ParticleWidth::none;
+
+  static double position(int i, int) { return i; }
 
   int evaluate(const AxisPoint& at, double* N, double* dN) const {
     const double left_knot = std::floor(at.xi);

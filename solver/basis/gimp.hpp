@@ -34,6 +34,8 @@ struct UGimp {
 
   double smoothing_length = 1;  ///< in units of h
 
+  static double position(int i, int) { return i; }
+
   int evaluate(const AxisPoint& at, double* N, double* dN) const {
     return gimp_weights(at.xi, smoothing_length, N, dN);
   }
@@ -46,6 +48,8 @@ struct Gimp {
   static constexpr int extra_inside = 1;
   static constexpr int ghost = 2;
   static constexpr ParticleWidth width = ParticleWidth::reference;
+
+  static double position(int i, int) { return i; }
 
   int evaluate(const AxisPoint& at, double* N, double* dN) const { return gimp_weights(at.xi, at.width, N, dN); }
 };

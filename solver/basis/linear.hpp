@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "solver/basis/basis.hpp"
@@ -6,19 +7,24 @@
 namespace mpmvv::solver {
 
 /// Piecewise-linear hats, S (17). On a node the gradient is that of the cell to its right, but on the domain's
-/// last face that of the last cell, so that a particle on either face of a body reaches no ghost node.
+/// last face that of the last cell, so that a particle on either face of a body reaches no ghost node. Being one-sided
+/// there, the gradient needs a velocity on the far node even when no other particle gives it one: it is reached with a
+/// weight too small to matter otherwise.
 struct Linear {
   static constexpr std::string_view word = "linear";
   static constexpr int support = 2;
   static constexpr int extra_inside = 1;
   static constexpr int ghost = 2;
   static constexpr ParticleWidth width = ParticleWidth::none;
+  static constexpr double least_weight = 1e-60;
+
+  static double position(int i, int) { return i; }
 
   int evaluate(const AxisPoint& at, double* N, double* dN) const {
     const int cell = static_cast<int>(std::floor(at.xi)) - (at.xi == at.cells ? 1 : 0);
     const double t = at.xi - cell;
-    N[0] = 1 - t;
-    N[1] = t;
+    N[0] = std::max(1 - t, least_weight);
+    N[1] = std::max(t, least_weight);
     dN[0] = -1;
     dN[1] = 1;
     return cell;

@@ -41,6 +41,13 @@ struct OpenBSpline {
   static constexpr int ghost = 0;
   static constexpr ParticleWidth width = ParticleWidth::none;
 
+  /// The Greville abscissa: the mean of the function's inner knots.
+  static double position(int i, int cells) {
+    double sum = 0;
+    for (int k = i - degree + 1; k <= i; ++k) sum += std::clamp(k, 0, cells);
+    return sum / degree;
+  }
+
   int evaluate(const AxisPoint& at, double* N, double* dN) const {
     const int span = std::min(static_cast<int>(std::floor(at.xi)), at.cells - 1);
     if (span < degree - 1 || span > at.cells - degree) {

@@ -24,8 +24,9 @@ struct Periodic {
  private:
   template <int D, class Visit>
   static void for_images(Grid<D>& grid, int axis, int period, const Visit& visit) {
-    for (int i = -grid.ghost(); i < grid.nodes(axis) - grid.ghost(); ++i)
-      if (i < 0 || i >= period) grid.for_plane(axis, i, (i % period + period) % period, visit);
+    const auto visit_plane = [&](int i) { grid.for_plane(axis, i, (i % period + period) % period, visit); };
+    for (int i = -grid.ghost(); i < 0; ++i) visit_plane(i);
+    for (int i = period; i < grid.nodes(axis) - grid.ghost(); ++i) visit_plane(i);
   }
 };
 

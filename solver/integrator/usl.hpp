@@ -18,9 +18,8 @@ void usl(Mpm<D>& s, double dt) {
   s.set_grid_acceleration();
   s.advance_grid_velocity(dt);
 
-  s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}, UpdatePosition<D>{particles, grid, dt},
-                    UpdateDeformation<D>{particles, grid, dt}),
-          s.check_deformation(), s.settle());
+  s.sweep_and_settle(UpdateVelocity<D>{particles, grid, dt}, UpdatePosition<D>{particles, grid, dt},
+                     UpdateDeformation<D>{particles, grid, dt});
 }
 
 }  // namespace mpmvv::solver

@@ -19,8 +19,7 @@ void uvf(Mpm<D>& s, double dt) {
   s.fold(grid.p);
   s.set_grid_velocity();
 
-  s.sweep(node_loop(UpdatePosition<D>{particles, grid, dt}, UpdateDeformation<D>{particles, grid, dt}),
-          s.check_deformation(), s.settle());
+  s.sweep_and_settle(UpdatePosition<D>{particles, grid, dt}, UpdateDeformation<D>{particles, grid, dt});
 }
 
 }  // namespace mpmvv::solver

@@ -1,0 +1,101 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/basis/basis.hpp"
+#include "solver/grid.hpp"
+#include "solver/particles.hpp"
+
+namespace mpmvv::solver {
+
+/// Why a run has blown up. Bits, since several particles can fail in one sweep.
+enum class Fault : unsigned { none = 0, outside = 1, outgrown = 2, inverted = 4 };
+
+constexpr Fault operator|(Fault a, Fault b) {
+  return static_cast<Fault>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool contains(Fault faults, Fault one) {
+  return (static_cast<unsigned>(faults) & static_cast<unsigned>(one)) != 0;
+}
+
+template <int D>
+inline constexpr int block_size = 256 >> D;
+
+/// A few neighbouring particles, the nodes that each of them reaches, and what the stages of a sweep hand to each
+/// other. Weights and gradients are kept per axis; their tensor products, S (18), are formed on the way.
+template <int D, int K>
+struct Block {
+  int slab;
+  std::size_t begin;
+  int count;
+  int first[block_size<D>];        ///< storage index of the first node
+  double N[D][K][block_size<D>];   ///< weights
+  double dN[D][K][block_size<D>];  ///< gradients, per length
+  Mat<D> tau[block_size<D>];       ///< Kirchhoff stress, by EvaluateStress
+  Vec<D> b[block_size<D>];         ///< body acceleration, by EvaluateBodyForce
+
+  /// Calls visit(storage index, N_ip, ∇N_ip) for each of the K^D nodes of the block's particle k, in storage order.
+  template <class Visit>
+  void for_nodes(int k, const Grid<D>& grid, const Visit& visit) const {
+    const auto w = [this, k](int axis, int i) { return N[axis][i][k]; };
+    const auto g = [this, k](int axis, int i) { return dN[axis][i][k]; };
+    if constexpr (D == 1) {
+      for (int i = 0; i < K; ++i) visit(first[k] + i, w(0, i), Vec<1>(g(0, i)));
+    } else if constexpr (D == 2) {
+      for (int j = 0; j < K; ++j) {
+        const int row = first[k] + j * grid.stride(1);
+        for (int i = 0; i < K; ++i) visit(row + i, w(0, i) * w(1, j), Vec<2>(g(0, i) * w(1, j), w(0, i) * g(1, j)));
+      }
+    } else {
+      for (int l = 0; l < K; ++l)
+        for (int j = 0; j < K; ++j) {
+          const double ww = w(1, j) * w(2, l), gw = g(1, j) * w(2, l), wg = w(1, j) * g(2, l);
+          const int row = first[k] + j * grid.stride(1) + l * grid.stride(2);
+          for (int i = 0; i < K; ++i) visit(row + i, w(0, i) * ww, Vec<3>(g(0, i) * ww, w(0, i) * gw, w(0, i) * wg));
+        }
+    }
+  }
+};
+
+/// `value` moved into [least, most], a NaN to `least`; counts in `strays` those that had to be moved.
+inline double confined(double value, double least, double most, int& strays) {
+  const double inside = std::min(std::max(least, value), most);
+  strays += inside == value ? 0 : 1;
+  return inside;
+}
+
+/// Evaluates the stencils of a block at its particles' positions. A particle out of reach of the grid, or a NaN, is
+/// a fault; its stencil then lies somewhere inside storage, and the caller stops the run.
+template <int D, class B>
+Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
+                        Block<D, B::support>& block) {
+  const double inverse_h = 1 / grid.h();
+  const int count = block.count;
+  int outside = 0, outgrown = 0;
+  std::fill_n(block.first, count, grid.node({}));
+  for (int d = 0; d < D; ++d) {
+    const double lower = grid.lower()[d];
+    const int cells = grid.cells()[d], stride = grid.stride(d);
+    const double least = B::ghost == 0 ? 0 : 1 - B::ghost;
+    const double most = B::ghost == 0 ? cells : std::nextafter(cells - least, 0.0);
+    const Vec<D>* x = &particles.x[block.begin];
+    double width[block_size<D>] = {};
+    if constexpr (B::width != ParticleWidth::none) {
+      const Vec<D>* l = &particles.l[block.begin];
+      for (int k = 0; k < count; ++k) width[k] = confined(l[k][d], std::numeric_limits<double>::min(), 1, outgrown);
+    }
+    for (int k = 0; k < count; ++k) {
+      const double xi = confined((x[k][d] - lower) * inverse_h, least, most, outside);
+      double N[B::support], dN[B::support];
+      block.first[k] += stride * basis.evaluate({xi, cells, width[k]}, N, dN);
+      for (int i = 0; i < B::support; ++i) {
+        block.N[d][i][k] = N[i];
+        block.dN[d][i][k] = dN[i] * inverse_h;
+      }
+    }
+  }
+  return (outside > 0 ? Fault::outside : Fault::none) | (outgrown > 0 ? Fault::outgrown : Fault::none);
+}
+
+}  // namespace mpmvv::solver

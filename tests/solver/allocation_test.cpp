@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "tests/solver/scenes.hpp"
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+}
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++allocations;
+  return std::malloc(size);
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace mpmvv::solver {
+
+namespace {
+
+template <int D>
+class Gravity final : public BodyForce<D> {
+ public:
+  void on_particles(double, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
+    for (std::size_t k = 0; k < ids.size(); ++k) b[k] = Vec<D>::Constant(-9.81);
+  }
+  Vec<D> at_position(const Vec<D>&, double) const override { return Vec<D>::Constant(-9.81); }
+};
+
+template <int D>
+void expect_no_allocation(const AnyBoundary& boundary) {
+  const Gravity<D> gravity;
+  for (const auto basis : words<AnyBasis>())
+    for (const auto integrator : integrator_words())
+      for (const int threads : {1, 2}) {
+        Scene<D> scene = full_scene<D>(basis_named(basis), 17, 2, boundary);
+        set_wave(scene, 0.1);
+        scene.integrator = integrator;
+        scene.threads = threads;
+        scene.body_force = &gravity;
+        Mpm<D> mpm(scene);
+        const std::size_t before = allocations;
+        for (int k = 0; k < 10; ++k) mpm.step(0.01 * scene.h / 120);
+        EXPECT_EQ(allocations - before, 0U) << basis << " " << integrator;
+      }
+}
+
+TEST(Allocation, AStepWithoutSortingMakesNone) {
+  expect_no_allocation<1>(Dirichlet{});
+  expect_no_allocation<2>(Dirichlet{});
+}
+
+}  // namespace
+
+}  // namespace mpmvv::solver

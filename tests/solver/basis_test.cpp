@@ -1,0 +1,164 @@
+#include <cmath>
+
+#include "tests/solver/stencils.hpp"
+
+namespace mpmvv::solver {
+
+namespace {
+
+constexpr double h = 0.125;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Every property is asked of every basis of the solver; a new one is covered as soon as it is named.
+template <class B>
+class BasisProperties : public ::testing::Test {
+ protected:
+  /// Calls check(setting, grid, x) at many places of lines, squares and cubes of few and of many cells.
+  template <class Check>
+  static void everywhere(const Check& check, double least_width = 1e-6) {
+    for (const auto& setting : settings<B>(least_width)) {
+      for (const int cells : {1, 2, 3, 4, 9}) in_dimension<1>(setting, cells, check);
+      for (const int cells : {1, 3}) in_dimension<2>(setting, cells, check);
+      in_dimension<3>(setting, 2, check);
+    }
+  }
+
+ private:
+  template <int D, class Check>
+  static void in_dimension(const Setting<B>& setting, int cells, const Check& check) {
+    Index<D> count;
+    count.fill(cells);
+    const auto grid = grid_for<B, D>(Vec<D>::Constant(-0.25), h, count);
+    const auto xi = places(cells);
+    for (std::size_t k = 0; k < xi.size(); ++k) {
+      Vec<D> x;
+      for (std::size_t d = 0; d < D; ++d) x[static_cast<int>(d)] = -0.25 + h * xi[(k * (d + 1) + 5 * d) % xi.size()];
+      check(setting, grid, x);
+    }
+  }
+};
+
+using AllBases = TypesOf<AnyBasis>::type;
+TYPED_TEST_SUITE(BasisProperties, AllBases);
+
+TYPED_TEST(BasisProperties, WeightsSumToOne) {
+  this->everywhere([](const auto& setting, const auto& grid, const auto& x) {
+    double sum = 0;
+    for (const auto& node : reached(setting, grid, x)) sum += node.N;
+    EXPECT_NEAR(sum, 1, 1e-15);
+  });
+}
+
+TYPED_TEST(BasisProperties, WeightsAreNotNegative) {
+  this->everywhere([](const auto& setting, const auto& grid, const auto& x) {
+    for (const auto& node : reached(setting, grid, x)) EXPECT_GE(node.N, -1e-17);
+  });
+}
+
+TYPED_TEST(BasisProperties, GradientsSumToZero) {
+  this->everywhere([](const auto& setting, const auto& grid, const auto& x) {
+    auto sum = (0 * x).eval();
+    for (const auto& node : reached(setting, grid, x)) sum += node.dN;
+    EXPECT_LT(sum.norm(), 1e-14 / h);
+  });
+}
+
+TYPED_TEST(BasisProperties, ReproducesPositions) {  // Σ_i N_i x_i = x
+  this->everywhere([](const auto& setting, const auto& grid, const auto& x) {
+    auto sum = (0 * x).eval();
+    for (const auto& node : reached(setting, grid, x)) sum += node.N * node.x;
+    EXPECT_LT((sum - x).norm(), 1e-15) << x.transpose();
+  });
+}
+
+TYPED_TEST(BasisProperties, ReproducesUnitGradient) {  // Σ_i x_i ⊗ ∇N_i = I; catches a sign that Σ∇N = 0 cannot see
+  this->everywhere([]<int D>(const auto& setting, const Grid<D>& grid, const Vec<D>& x) {
+    Mat<D> sum = Mat<D>::Zero();
+    for (const auto& node : reached(setting, grid, x)) sum += node.x * node.dN.transpose();
+    EXPECT_LT((sum - Mat<D>::Identity()).norm(), 1e-13) << x.transpose();
+  });
+}
+
+/// Weights and gradients by node, zero where the particle does not reach.
+template <int D>
+struct Field {
+  double N = 0;
+  Vec<D> dN = Vec<D>::Zero();
+};
+template <int D, class B>
+std::map<Index<D>, Field<D>> by_node(const Setting<B>& setting, const Grid<D>& grid, const Vec<D>& x) {
+  std::map<Index<D>, Field<D>> nodes;
+  for (const auto& node : reached(setting, grid, x)) nodes[node.node] = {node.N, node.dN};
+  return nodes;
+}
+
+TYPED_TEST(BasisProperties, GradientIsTheDerivativeOfTheWeight) {
+  const double step = 1e-7;  // in cells
+  std::mt19937 random(3);
+  for (const auto& setting : settings<TypeParam>(0.05))
+    for (const int cells : {1, 2, 3, 9}) {
+      const auto grid = grid_for<TypeParam, 2>(Vec<2>::Zero(), h, {cells, cells});
+      std::uniform_real_distribution<double> inside(0.001, cells - 0.001);
+      for (int trial = 0; trial < 100; ++trial) {
+        const Vec<2> x = h * Vec<2>(inside(random), inside(random));
+        for (int d = 0; d < 2; ++d) {
+          const Vec<2> shift = step * h * Vec<2>::Unit(d);
+          auto right = by_node(setting, grid, Vec<2>(x + shift)), left = by_node(setting, grid, Vec<2>(x - shift));
+          for (const auto& node : reached(setting, grid, x))
+            EXPECT_NEAR((right[node.node].N - left[node.node].N) / (2 * step), h * node.dN[d], 2e-6);
+        }
+      }
+    }
+}
+
+TYPED_TEST(BasisProperties, ContinuousAcrossCellFaces) {
+  const double step = 1e-10;
+  constexpr bool smooth = !std::is_same_v<TypeParam, Linear>;
+  const int cells = 6;
+  const auto grid = grid_for<TypeParam, 1>(Vec<1>::Zero(), 1, {cells});
+  for (const auto& setting : settings<TypeParam>(0.01))
+    for (int half = 1; half < 2 * cells; ++half) {
+      auto left = by_node(setting, grid, Vec<1>(0.5 * half - step));
+      auto right = by_node(setting, grid, Vec<1>(0.5 * half + step));
+      for (int i = -TypeParam::ghost; i < cells + TypeParam::extra_inside + TypeParam::ghost; ++i) {
+        EXPECT_NEAR(left[{i}].N, right[{i}].N, 4 * step);
+        EXPECT_NEAR(left[{i}].dN[0], right[{i}].dN[0], smooth ? 500 * step : 2);
+      }
+    }
+}
+
+TYPED_TEST(BasisProperties, ReachesOnlyStorage) {
+  const double far = 0.5 * TypeParam::ghost + 3;
+  for (const auto& setting : settings<TypeParam>())
+    for (const int cells : {1, 2, 5}) {
+      const auto grid = grid_for<TypeParam, 2>(Vec<2>::Zero(), h, {cells, cells});
+      for (double xi = -far; xi <= cells + far; xi += 0.25) {
+        const double stray = TypeParam::ghost == 0 ? 0 : TypeParam::ghost - 1;
+        Fault fault;
+        reached(setting, grid, Vec<2>(h * xi, h * (cells - xi)), &fault);  // fails where a node is outside storage
+        const bool inside =
+            xi >= -stray && xi <= cells + stray && (stray == 0 || std::abs(2 * xi - cells) < cells + 2 * stray);
+        EXPECT_EQ(fault, inside ? Fault::none : Fault::outside) << xi;
+      }
+      for (const double x : {nan, infinity, -infinity, 1e300, -1e300}) {
+        Fault fault;
+        reached(setting, grid, Vec<2>(0.5 * h, x), &fault);
+        EXPECT_EQ(fault, Fault::outside) << x;
+      }
+    }
+}
+
+TYPED_TEST(BasisProperties, RefusesWidthsBeyondACell) {
+  if (TypeParam::width == ParticleWidth::none) return;
+  const auto grid = grid_for<TypeParam, 1>(Vec<1>::Zero(), h, {4});
+  for (const double width : {1.0000001, 0.0, -0.1, nan, infinity}) {
+    Fault fault;
+    reached(Setting<TypeParam>{TypeParam{}, width}, grid, Vec<1>(0.2), &fault);
+    EXPECT_EQ(fault, Fault::outgrown) << width;
+  }
+}
+
+}  // namespace
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,194 @@
+#include <random>
+
+#include "tests/solver/scenes.hpp"
+#include "tests/solver/stencils.hpp"
+
+namespace mpmvv::solver {
+
+namespace {
+
+/// A grid of 6 x 5 cells with two ghost layers, every field random.
+Grid<2> random_grid() {
+  Grid<2> grid(Vec<2>::Zero(), 1, {6, 5}, 1, 2);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> value(-1, 1);
+  for (auto& m : grid.m) m = 2 + value(random);
+  for (auto& p : grid.p) p = Vec<2>(value(random), value(random));
+  return grid;
+}
+
+constexpr std::array<Face, 4> faces{Face{0, false}, Face{0, true}, Face{1, false}, Face{1, true}};
+
+/// Calls visit(i, j, n) for every node.
+template <class Visit>
+void for_all(const Grid<2>& grid, const Visit& visit) {
+  for (int j = -2; j < grid.inside(1) + 2; ++j)
+    for (int i = -2; i < grid.inside(0) + 2; ++i) visit(i, j, static_cast<std::size_t>(grid.node({i, j})));
+}
+
+TEST(PeriodicBoundary, ImagesCarryTheSumOfOnePeriod) {
+  Grid<2> grid = random_grid();
+  const auto mapped = grid.m;
+  double total = 0;
+  for (const double m : mapped) total += m;
+  for (const Face face : faces) Periodic{}.fold(grid, face, grid.m);
+  double period = 0;
+  for_all(grid, [&](int i, int j, std::size_t n) {
+    if (i >= 0 && i < 6 && j >= 0 && j < 5) period += grid.m[n];
+    double expected = 0;
+    for_all(grid, [&](int k, int l, std::size_t image) {
+      if ((k - i) % 6 == 0 && (l - j) % 5 == 0) expected += mapped[image];
+    });
+    EXPECT_NEAR(grid.m[n], expected, 1e-14) << i << " " << j;
+  });
+  EXPECT_NEAR(period, total, 1e-12);
+}
+
+TEST(PeriodicBoundary, OneCellIsOneNode) {
+  Grid<1> grid(Vec<1>::Zero(), 1, {1}, 1, 2);
+  std::fill(grid.m.begin(), grid.m.end(), 1);
+  Periodic{}.fold(grid, {0, false}, grid.m);
+  for (const double m : grid.m) EXPECT_EQ(m, 6);
+}
+
+TEST(DirichletBoundary, HoldsEveryComponentOnTheFaceAndBeyond) {
+  Grid<2> grid = random_grid();
+  const auto before = grid.p;
+  Dirichlet{}.constrain(grid, {1, true}, grid.p);
+  for_all(grid, [&](int, int j, std::size_t n) { EXPECT_EQ(grid.p[n], j < 5 ? before[n] : Vec<2>::Zero().eval()); });
+}
+
+TEST(SymmetryBoundary, TurnsTheNormalComponentOnly) {
+  for (const Face face : faces) {
+    Grid<2> grid = random_grid();
+    const auto before = grid.p;
+    Symmetry{}.constrain(grid, face, grid.p);
+    const int plane = face.upper ? grid.cells()[static_cast<std::size_t>(face.axis)] : 0;
+    for_all(grid, [&](int i, int j, std::size_t n) {
+      const auto axis = static_cast<std::size_t>(face.axis);
+      Index<2> image{i, j};
+      const int beyond = (image[axis] - plane) * (face.upper ? 1 : -1);
+      image[axis] = 2 * plane - image[axis];
+      const double inside = beyond > 0 ? grid.p[static_cast<std::size_t>(grid.node(image))][face.axis] : 0;
+      EXPECT_EQ(grid.p[n][face.axis], beyond < 0 ? before[n][face.axis] : -inside);
+      EXPECT_EQ(grid.p[n][1 - face.axis], before[n][1 - face.axis]);
+    });
+  }
+}
+
+TEST(MirrorBoundary, FoldsCornersOnce) {
+  Grid<2> grid = random_grid();
+  const auto mass = grid.m;
+  const auto momentum = grid.p;
+  for (const Face face : {faces[0], faces[2]}) {
+    Mirror{}.fold(grid, face, grid.m);
+    Mirror{}.fold(grid, face, grid.p);
+  }
+  const auto at = [&grid](int i, int j) { return static_cast<std::size_t>(grid.node({i, j})); };
+  const auto flipped = [](Vec<2> v, double x, double y) { return Vec<2>(x * v[0], y * v[1]); };
+  for (int i : {1, 2})
+    for (int j : {1, 2}) {
+      EXPECT_NEAR(grid.m[at(i, j)], mass[at(i, j)] + mass[at(-i, j)] + mass[at(i, -j)] + mass[at(-i, -j)], 1e-14);
+      const Vec<2> sum = momentum[at(i, j)] + flipped(momentum[at(-i, j)], -1, 1) +
+                         flipped(momentum[at(i, -j)], 1, -1) + flipped(momentum[at(-i, -j)], -1, -1);
+      EXPECT_LT((grid.p[at(i, j)] - sum).norm(), 1e-14);
+      EXPECT_LT((grid.p[at(-i, -j)] + sum).norm(), 1e-14);
+      EXPECT_LT((grid.p[at(-i, j)] - flipped(sum, -1, 1)).norm(), 1e-14);
+    }
+  for (int i = -2; i < 4; ++i) {
+    EXPECT_EQ(grid.p[at(0, i)][0], 0);
+    EXPECT_EQ(grid.p[at(i, 0)][1], 0);
+  }
+}
+
+/// A body symmetric about the planes through the origin, alone in a wide domain; or its part beyond `planes` of them,
+/// ended there by `boundary`.
+template <int D>
+Scene<D> symmetric_body(const AnyBasis& basis, int planes, const AnyBoundary& boundary) {
+  Scene<D> scene;
+  scene.h = 0.125;
+  scene.basis = basis;
+  scene.material = NeoHookeanLog{3000, 4000};
+  scene.boundary.fill(Free{});
+  Vec<D> corner = Vec<D>::Constant(-0.5);
+  Index<D> count;
+  for (std::size_t d = 0; d < D; ++d) {
+    const bool cut = static_cast<int>(d) < planes;
+    scene.cells[d] = cut ? 8 : 16;
+    scene.lower[static_cast<int>(d)] = cut ? 0 : -1;
+    corner[static_cast<int>(d)] = cut ? 0 : -0.5;
+    count[d] = cut ? 8 : 16;
+    if (cut) scene.boundary[2 * d] = boundary;
+  }
+  scene.particles = particles_at<D>(lattice<D>(corner, scene.h / 2, count), std::pow(scene.h / 2, D));
+  set_widths(scene, 0.5);
+  for (std::size_t p = 0; p < scene.particles.size(); ++p) {
+    const Vec<D>& x = scene.particles.x[p];
+    for (int d = 0; d < D; ++d) scene.particles.v[p][d] = 6 * std::sin(3 * x[d]) * (1 + x.squaredNorm() - x[d] * x[d]);
+  }
+  return scene;
+}
+
+/// Runs both bodies and compares the particles that started at the same place.
+template <int D>
+void expect_the_same_motion(Scene<D> whole, Scene<D> part, std::string_view integrator) {
+  whole.integrator = part.integrator = integrator;
+  const auto start = part.particles.x;
+  const auto whole_start = whole.particles.x;
+  Mpm<D> a(std::move(whole)), b(std::move(part));
+  for (int k = 0; k < 60; ++k) ASSERT_TRUE(a.step(2e-4) && b.step(2e-4)) << a.fault() << b.fault();
+  EXPECT_GT(a.strain_energy(), 0.01);
+  std::size_t compared = 0;
+  for (std::size_t q = 0; q < b.particles().size(); ++q)
+    for (std::size_t p = 0; p < a.particles().size(); ++p) {
+      if (whole_start[a.particles().id[p]] != start[b.particles().id[q]]) continue;
+      ++compared;
+      EXPECT_LT((a.particles().x[p] - b.particles().x[q]).norm(), 1e-13);
+      EXPECT_LT((a.particles().v[p] - b.particles().v[q]).norm(), 1e-10);
+      EXPECT_LT((a.particles().F[p] - b.particles().F[q]).norm(), 1e-11);
+    }
+  EXPECT_EQ(compared, b.particles().size());
+}
+
+template <class B>
+class MirroredBody : public ::testing::Test {};
+using AllBases = TypesOf<AnyBasis>::type;
+TYPED_TEST_SUITE(MirroredBody, AllBases);
+
+TYPED_TEST(MirroredBody, MovesAsTheWholeBodyDoes) {
+  if (TypeParam::ghost == 0) return;  // an open-knot basis has no mirror
+  for (const auto integrator : integrator_words()) {
+    expect_the_same_motion(symmetric_body<1>(TypeParam{}, 0, Free{}), symmetric_body<1>(TypeParam{}, 1, Mirror{}),
+                           integrator);
+    for (const int planes : {1, 2})  // half of it, and a quarter with its corner
+      expect_the_same_motion(symmetric_body<2>(TypeParam{}, 0, Free{}),
+                             symmetric_body<2>(TypeParam{}, planes, Mirror{}), integrator);
+  }
+}
+
+TEST(SymmetryBoundary, IsAMirrorForTheLinearBasis) {  // whose particles reach no ghost
+  for (const auto integrator : integrator_words())
+    for (const int planes : {1, 2})
+      expect_the_same_motion(symmetric_body<2>(Linear{}, 0, Free{}), symmetric_body<2>(Linear{}, planes, Symmetry{}),
+                             integrator);
+}
+
+TEST(WallAcceleration, IsZeroOrTheDifferenceOfVelocities) {  // S (30)
+  for (const bool difference : {false, true}) {
+    Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2, Dirichlet{});
+    for (auto& v : scene.particles.v) v[0] = 2;
+    scene.difference_acceleration = difference;
+    Mpm<1> mpm(scene);
+    const double dt = 1e-4;
+    ASSERT_TRUE(mpm.step(dt));
+    for (const int node : {-1, 0, 8, 9}) {
+      const auto n = static_cast<std::size_t>(mpm.grid().node({node}));
+      EXPECT_NEAR(mpm.grid().a[n][0], difference ? -2 / dt : 0, 1e-8);
+      EXPECT_EQ(mpm.grid().v[n][0], 0);
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace mpmvv::solver

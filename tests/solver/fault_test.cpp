@@ -1,0 +1,108 @@
+#include <limits>
+
+#include "tests/solver/scenes.hpp"
+#include "tests/solver/stencils.hpp"
+
+namespace mpmvv::solver {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Steps until the run reports a fault, then a few more, which must not crash.
+template <int D>
+std::string fault_of(const Scene<D>& scene, double dt, int steps = 20) {
+  Mpm<D> mpm(scene);
+  for (int k = 0; k < steps; ++k) {
+    if (mpm.step(dt)) continue;
+    const std::string fault = mpm.fault();
+    for (int more = 0; more < 3; ++more) EXPECT_FALSE(mpm.step(dt));
+    EXPECT_EQ(mpm.fault(), fault);
+    return fault;
+  }
+  return "";
+}
+
+template <class B>
+class Faults : public ::testing::Test {
+ protected:
+  /// Calls check(scene) with sound scenes of every integrator, on one thread and on two.
+  template <class Check>
+  static void everywhere(const Check& check) {
+    const AnyBoundary boundary = B::ghost == 0 ? AnyBoundary{Dirichlet{}} : Periodic{};
+    for (const auto integrator : integrator_words())
+      for (const int threads : {1, 2}) {
+        const auto prepared = [&](auto scene) {
+          set_wave(scene, 1);
+          scene.integrator = integrator;
+          scene.threads = threads;
+          return scene;
+        };
+        check(prepared(full_scene<1>(B{}, 40, 2, boundary)));
+        check(prepared(full_scene<2>(B{}, 17, 2, boundary)));
+        if (integrator == "usl") check(prepared(full_scene<3>(B{}, 3, 2, boundary)));
+      }
+  }
+};
+using AllBases = TypesOf<AnyBasis>::type;
+TYPED_TEST_SUITE(Faults, AllBases);
+
+TYPED_TEST(Faults, SoundRunsHaveNone) {
+  this->everywhere([](const auto& scene) { EXPECT_EQ(fault_of(scene, 0.1 * scene.h / 120), ""); });
+}
+
+TYPED_TEST(Faults, NotANumberIsReported) {
+  this->everywhere([](auto scene) {
+    scene.particles.v[7][0] = nan;
+    EXPECT_NE(fault_of(scene, 0.1 * scene.h / 120, 3), "");
+    scene.particles.v[7][0] = 0;
+    scene.particles.x[5][0] = nan;
+    EXPECT_EQ(fault_of(scene, 0.1 * scene.h / 120, 1), "a particle left the domain");
+    scene.particles.x[5][0] = 0.4;
+    scene.particles.F[3](0, 0) = nan;
+    EXPECT_NE(fault_of(scene, 0.1 * scene.h / 120, 1), "");
+  });
+}
+
+TYPED_TEST(Faults, LeavingIsReported) {
+  this->everywhere([](auto scene) {
+    scene.boundary.fill(Free{});
+    for (auto& v : scene.particles.v) v.setConstant(100);
+    EXPECT_EQ(fault_of(scene, 0.2 * scene.h / 100), "a particle left the domain");
+    for (const double far : {-5.0, 7.0, 1e300, -1e300, std::numeric_limits<double>::infinity()}) {
+      scene.particles.x[2][0] = far;
+      EXPECT_EQ(fault_of(scene, 0.01 * scene.h / 100), "a particle left the domain") << far;
+    }
+  });
+}
+
+TYPED_TEST(Faults, InversionIsReported) {
+  this->everywhere([](auto scene) {
+    scene.particles.F[4] *= -1;
+    if (scene.particles.F[4].determinant() > 0) scene.particles.F[4].col(0) *= -1;
+    const std::string fault = fault_of(scene, 1e-7, 2);
+    EXPECT_TRUE(fault == "det F <= 0 on a particle" || fault == "a particle left the domain") << fault;
+  });
+}
+
+TYPED_TEST(Faults, TooLongAStepIsReported) {
+  this->everywhere([](auto scene) {
+    for (const double cfl : {10.0, 100.0, 3000.0}) EXPECT_NE(fault_of(scene, cfl * scene.h / 120, 400), "") << cfl;
+  });
+}
+
+TEST(Fault, OutgrownParticlesAreReported) {
+  Scene<1> scene = full_scene<1>(CpGimp{}, 8, 1);
+  set_wave(scene, 1);
+  EXPECT_EQ(fault_of(scene, 0.1 * scene.h / 120), "a particle is wider than a cell");
+}
+
+TEST(Fault, UnknownIntegratorIsRefused) {
+  Scene<1> scene = full_scene<1>(Linear{}, 8, 1);
+  scene.integrator = "rk5";
+  EXPECT_THROW(Mpm<1>{scene}, std::invalid_argument);
+}
+
+}  // namespace
+
+}  // namespace mpmvv::solver

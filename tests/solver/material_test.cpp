@@ -1,0 +1,138 @@
+#include <Eigen/Geometry>
+#include <random>
+
+#include "mms/derived.hpp"
+#include "tests/solver/stencils.hpp"
+
+namespace mpmvv::solver {
+
+namespace {
+
+/// Some deformation gradients with positive determinant, far from the identity.
+template <int D>
+std::vector<Mat<D>> deformations() {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> entry(-0.35, 0.35);
+  std::vector<Mat<D>> all;
+  while (all.size() < 20) {
+    Mat<D> F = Mat<D>::Identity();
+    for (int k = 0; k < D * D; ++k) F.data()[k] += entry(random);
+    if (F.determinant() > 0.2) all.push_back(F);
+  }
+  return all;
+}
+
+template <class M, int D>
+Mat<D> tau_of(const M& material, const Mat<D>& F) {
+  Mat<D> tau;
+  material.kirchhoff(&F, &tau, 1);
+  return tau;
+}
+
+/// Materials to try the properties with; a new material adds its own.
+template <class M>
+std::vector<M> samples();
+template <>
+std::vector<NeoHookeanLog> samples() {
+  return {{0, 5000}, {3000, 4000}, {1, 0}};
+}
+
+/// Every property is asked of every material of the solver, in every dimension.
+template <class M>
+class Material : public ::testing::Test {
+ protected:
+  template <class Check>
+  static void everywhere(const Check& check) {
+    for (const M& material : samples<M>()) {
+      for (const auto& F : deformations<1>()) check(material, F);
+      for (const auto& F : deformations<2>()) check(material, F);
+      for (const auto& F : deformations<3>()) check(material, F);
+    }
+  }
+};
+
+using AllMaterials = TypesOf<AnyMaterial>::type;
+TYPED_TEST_SUITE(Material, AllMaterials);
+
+TYPED_TEST(Material, StressIsTheDerivativeOfTheEnergy) {  // τ = ∂W/∂F Fᵀ
+  this->everywhere([]<int D>(const TypeParam& material, const Mat<D>& F) {
+    const double step = 1e-6;
+    Mat<D> P;
+    for (int k = 0; k < D * D; ++k) {
+      Mat<D> more = F, less = F;
+      more.data()[k] += step;
+      less.data()[k] -= step;
+      P.data()[k] = (material.template energy<D>(more) - material.template energy<D>(less)) / (2 * step);
+    }
+    const Mat<D> tau = tau_of(material, F);
+    EXPECT_LT((tau - P * F.transpose()).norm(), 1e-8 * (1 + tau.norm())) << F;
+    EXPECT_LT((tau - tau.transpose()).norm(), 1e-15 * (1 + tau.norm()));
+  });
+}
+
+TYPED_TEST(Material, TurnsWithTheBody) {  // τ(QF) = Q τ(F) Qᵀ, W(QF) = W(F)
+  for (const TypeParam& material : samples<TypeParam>()) {
+    const Mat<2> turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
+    for (const auto& F : deformations<2>()) {
+      EXPECT_LT((tau_of<TypeParam, 2>(material, turn * F) - turn * tau_of(material, F) * turn.transpose()).norm(),
+                1e-11);
+      EXPECT_NEAR(material.template energy<2>(turn * F), material.template energy<2>(F), 1e-11);
+    }
+    const Mat<3> spin = Eigen::AngleAxisd(1.1, Vec<3>(1, -2, 0.5).normalized()).toRotationMatrix();
+    for (const auto& F : deformations<3>()) {
+      EXPECT_LT((tau_of<TypeParam, 3>(material, spin * F) - spin * tau_of(material, F) * spin.transpose()).norm(),
+                1e-11);
+      EXPECT_NEAR(material.template energy<3>(spin * F), material.template energy<3>(F), 1e-11);
+    }
+  }
+}
+
+TYPED_TEST(Material, RestsUndeformed) {
+  for (const TypeParam& material : samples<TypeParam>()) {
+    EXPECT_EQ((tau_of<TypeParam, 3>(material, Mat<3>::Identity()).norm()), 0);
+    EXPECT_EQ(material.template energy<3>(Mat<3>::Identity()), 0);
+  }
+}
+
+TEST(NeoHookean, InOneDimensionIsThePrintedOne) {  // S (50): P = E/2 (F - 1/F), ν = 0, so μ = E/2
+  const double E = 1e4;
+  for (const double stretch : {0.4, 0.9, 1.0, 1.3, 2.5})
+    EXPECT_NEAR((tau_of<NeoHookeanLog, 1>({0, E / 2}, Mat<1>(stretch))(0, 0)),
+                E / 2 * (stretch - 1 / stretch) * stretch, 1e-11);
+}
+
+/// u = G X, whose deformation gradient is I + G everywhere.
+template <int D>
+struct UniformDisplacement {
+  Mat<D> G;
+  template <class T>
+  std::array<T, D> operator()(const std::array<T, D>& X, const T&) const {
+    std::array<T, D> u;
+    for (std::size_t i = 0; i < D; ++i) {
+      u[i] = T(0);
+      for (std::size_t J = 0; J < D; ++J) u[i] += G(static_cast<int>(i), static_cast<int>(J)) * X[J];
+    }
+    return u;
+  }
+};
+
+template <int D>
+void expect_the_stress_of_the_solutions() {  // made there from another energy, by automatic differentiation
+  const double lambda = 3000, mu = 4000;
+  for (const auto& F : deformations<D>()) {
+    const UniformDisplacement<D> displacement{F - Mat<D>::Identity()};
+    const mms::Derived<D, UniformDisplacement<D>, mms::NeoHookeanLogEnergy> solution(displacement, {lambda, mu}, 1, 1);
+    const Mat<D> tau = solution.P(Vec<D>::Constant(0.3), 0) * F.transpose();
+    EXPECT_LT((tau_of(NeoHookeanLog{lambda, mu}, F) - tau).norm(), 1e-12 * tau.norm());
+  }
+}
+
+TEST(NeoHookean, IsTheLawOfTheSolutions) {
+  expect_the_stress_of_the_solutions<1>();
+  expect_the_stress_of_the_solutions<2>();
+  expect_the_stress_of_the_solutions<3>();
+}
+
+}  // namespace
+
+}  // namespace mpmvv::solver

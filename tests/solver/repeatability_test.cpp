@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <random>
+
+#include "tests/solver/scenes.hpp"
+#include "tests/solver/stencils.hpp"
+
+namespace mpmvv::solver {
+
+namespace {
+
+/// The particles in the order of their creation.
+template <int D>
+Particles<D> in_order(Particles<D> particles) {
+  std::vector<std::uint32_t> order(particles.size());
+  for (std::size_t p = 0; p < order.size(); ++p) order[particles.id[p]] = static_cast<std::uint32_t>(p);
+  particles.permute(order);
+  return particles;
+}
+
+template <int D>
+Particles<D> run(const Scene<D>& scene, int steps, bool* sorted = nullptr) {
+  Mpm<D> mpm(scene);
+  for (int k = 0; k < steps; ++k) EXPECT_TRUE(mpm.step(0.2 * scene.h / 120)) << mpm.fault();
+  if (sorted) *sorted = !std::is_sorted(mpm.particles().id.begin(), mpm.particles().id.end());
+  return in_order(mpm.particles());
+}
+
+template <int D>
+void expect_identical(const Particles<D>& a, const Particles<D>& b) {
+  EXPECT_TRUE(a.x == b.x);
+  EXPECT_TRUE(a.v == b.v);
+  EXPECT_TRUE(a.F == b.F);
+}
+
+/// A wave that drifts through the slabs.
+template <int D>
+Scene<D> drifting(const AnyBasis& basis, const Index<D>& cells) {
+  Scene<D> scene = full_scene<D>(basis, cells[D - 1], 2);
+  scene.cells = cells;
+  Index<D> count = cells;
+  for (int& n : count) n *= 2;
+  scene.particles = particles_at<D>(lattice<D>(scene.lower, scene.h / 2, count), std::pow(scene.h / 2, D));
+  set_widths(scene, 0.5);
+  set_wave(scene, 5);
+  for (auto& v : scene.particles.v) v.array() += 90;
+  return scene;
+}
+
+template <class B>
+class Repeatability : public ::testing::Test {};
+using AllBases = TypesOf<AnyBasis>::type;
+TYPED_TEST_SUITE(Repeatability, AllBases);
+
+template <int D>
+void expect_the_same_for_any_threads(Scene<D> scene, std::string_view integrator, int steps) {
+  scene.integrator = integrator;
+  scene.threads = 1;
+  bool sorted;
+  const auto one = run(scene, steps, &sorted);
+  EXPECT_TRUE(sorted);
+  for (const int threads : {2, 3}) {
+    scene.threads = threads;
+    expect_identical(one, run(scene, steps));
+  }
+}
+
+TYPED_TEST(Repeatability, NumberOfThreadsDoesNotMatter) {
+  if (TypeParam::ghost == 0) return;  // nothing drifts between walls; see the next test
+  for (const auto integrator : integrator_words()) {
+    expect_the_same_for_any_threads(drifting<1>(TypeParam{}, {50}), integrator, 100);
+    expect_the_same_for_any_threads(drifting<2>(TypeParam{}, {4, 40}), integrator, 60);
+  }
+}
+
+TYPED_TEST(Repeatability, NumberOfThreadsDoesNotMatterBetweenWalls) {
+  Scene<2> scene = full_scene<2>(TypeParam{}, 33, 2, Dirichlet{});
+  set_wave(scene, 2);
+  const auto one = run(scene, 10);
+  scene.threads = 3;
+  expect_identical(one, run(scene, 10));
+}
+
+TYPED_TEST(Repeatability, OrderOfCreationDoesNotMatter) {
+  Scene<2> scene = full_scene<2>(TypeParam{}, 18, 2, TypeParam::ghost == 0 ? AnyBoundary{Dirichlet{}} : Periodic{});
+  set_wave(scene, 5);
+  const auto ordered = run(scene, 40);
+  std::vector<std::uint32_t> shuffle(scene.particles.size());
+  std::iota(shuffle.begin(), shuffle.end(), 0U);
+  std::shuffle(shuffle.begin(), shuffle.end(), std::mt19937(9));
+  scene.particles.permute(shuffle);
+  const auto shuffled = run(scene, 40);
+  for (std::size_t p = 0; p < ordered.size(); ++p) {
+    EXPECT_LT((ordered.x[p] - shuffled.x[p]).norm(), 1e-13);
+    EXPECT_LT((ordered.v[p] - shuffled.v[p]).norm(), 1e-11);
+    EXPECT_LT((ordered.F[p] - shuffled.F[p]).norm(), 1e-12);
+  }
+}
+
+/// A motion that meets every face squarely, as the manufactured ones do.
+template <class B>
+Scene<2> squarely(const AnyBoundary& boundary) {
+  Scene<2> scene = full_scene<2>(B{}, 10, 3, boundary);
+  for (std::size_t p = 0; p < scene.particles.size(); ++p)
+    for (int d = 0; d < 2; ++d) scene.particles.v[p][d] = 5 * std::sin(2 * M_PI * scene.particles.x[p][d]);
+  scene.mass_cutoff = 1e-14;
+  return scene;
+}
+
+TYPED_TEST(Repeatability, MassCutoffDoesNotMatter) {
+  for (const AnyBoundary& boundary : std::vector<AnyBoundary>{Dirichlet{}, Symmetry{}}) {
+    Scene<2> scene = squarely<TypeParam>(boundary);
+    const auto finest = run(scene, 60);
+    for (scene.mass_cutoff = 1e-13; scene.mass_cutoff < 2e-10; scene.mass_cutoff *= 10)
+      expect_identical(finest, run(scene, 60));
+  }
+}
+
+TYPED_TEST(Repeatability,
+           MassCutoffHardlyMattersAtAFreeFace) {  // particles push nodes beyond it as they first reach them
+  Scene<2> scene = squarely<TypeParam>(Free{});
+  const auto finest = run(scene, 60);
+  for (scene.mass_cutoff = 1e-13; scene.mass_cutoff < 2e-10; scene.mass_cutoff *= 10) {
+    const auto coarser = run(scene, 60);
+    for (std::size_t p = 0; p < finest.size(); ++p) EXPECT_LT((finest.x[p] - coarser.x[p]).norm(), 1e-7 * scene.h);
+  }
+}
+
+TEST(Slabs, SortKeepsTheOrderWithinACell) {
+  Scene<1> scene = full_scene<1>(Linear{}, 40, 3);
+  std::shuffle(scene.particles.x.begin(), scene.particles.x.end(), std::mt19937(2));
+  const Grid<1> grid(scene.lower, scene.h, scene.cells, 1, 2);
+  Slabs<1> slabs(grid);
+  slabs.sort(scene.particles, grid);
+  EXPECT_EQ(slabs.count(), 5);
+  EXPECT_EQ(slabs.particles(0).first, 0U);
+  EXPECT_EQ(slabs.particles(4).second, 120U);
+  const auto cell = [&](std::size_t p) { return std::floor(scene.particles.x[p][0] / scene.h); };
+  for (std::size_t p = 1; p < 120; ++p) {
+    EXPECT_LE(cell(p - 1), cell(p));
+    EXPECT_TRUE(cell(p - 1) < cell(p) || scene.particles.id[p - 1] < scene.particles.id[p]);
+  }
+  for (int s = 0; s < slabs.count(); ++s) {
+    const auto [begin, end] = slabs.particles(s);
+    const auto [least, most] = slabs.reach(s, grid);
+    EXPECT_EQ(end - begin, 24U);
+    for (std::size_t p = begin; p < end; ++p) {
+      EXPECT_GE(scene.particles.x[p][0], least + (s > 0 ? scene.h : 0));
+      EXPECT_LE(scene.particles.x[p][0], most);
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace mpmvv::solver

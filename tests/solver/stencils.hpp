@@ -1,0 +1,95 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <variant>
+#include <vector>
+
+#include "solver/block.hpp"
+#include "solver/words.hpp"
+
+/// Bases as the solver sees them: through the stencil of one particle on a grid.
+namespace mpmvv::solver {
+
+template <class Any>
+struct TypesOf;
+template <class... Types>
+struct TypesOf<std::variant<Types...>> {
+  using type = ::testing::Types<Types...>;
+};
+
+/// A basis with the width of the particle that is looked at.
+template <class B>
+struct Setting {
+  B basis;
+  double width;
+};
+
+/// The settings to try a basis with: its widths, or its smoothing lengths, where it has any.
+template <class B>
+std::vector<Setting<B>> settings(double least_width = 1e-6) {
+  std::vector<Setting<B>> all;
+  for (const double width : {least_width, 0.1, 0.25, 1.0 / 3, 0.5, 0.75, 0.999999, 1.0}) {
+    if constexpr (requires(B basis) { basis.smoothing_length; })
+      all.push_back({B{.smoothing_length = width}, 1});
+    else if (B::width != ParticleWidth::none)
+      all.push_back({B{}, width});
+  }
+  if (all.empty()) all.push_back({B{}, 1});
+  return all;
+}
+
+template <int D>
+struct Reached {
+  Index<D> node;
+  Vec<D> x;  ///< position of the degree of freedom
+  double N;
+  Vec<D> dN;
+};
+
+template <class B, int D>
+Grid<D> grid_for(const Vec<D>& lower, double h, const Index<D>& cells) {
+  return Grid<D>(lower, h, cells, B::extra_inside, B::ghost);
+}
+
+/// What a particle at x reaches; fails the test when that is outside the grid's storage.
+template <int D, class B>
+std::vector<Reached<D>> reached(const Setting<B>& setting, const Grid<D>& grid, const Vec<D>& x,
+                                Fault* fault = nullptr) {
+  Particles<D> particles;
+  particles.resize(1);
+  particles.x[0] = x;
+  particles.l = {Vec<D>::Constant(setting.width)};
+  Block<D, B::support> block;
+  block.begin = 0;
+  block.count = 1;
+  const Fault found = evaluate_stencils(setting.basis, particles, grid, block);
+  if (fault)
+    *fault = found;
+  else
+    EXPECT_EQ(found, Fault::none) << "at " << x.transpose();
+  std::vector<Reached<D>> all;
+  block.for_nodes(0, grid, [&](int n, double N, const Vec<D>& dN) {
+    ASSERT_GE(n, 0);
+    ASSERT_LT(n, static_cast<int>(grid.size()));
+    Reached<D> node{grid.index(static_cast<std::size_t>(n)), grid.lower(), N, dN};
+    for (int d = 0; d < D; ++d)
+      node.x[d] +=
+          grid.h() * B::position(node.node[static_cast<std::size_t>(d)], grid.cells()[static_cast<std::size_t>(d)]);
+    all.push_back(node);
+  });
+  return all;
+}
+
+/// Distances from the lower face, in cells, that cover a line of cells: nodes, middles, quarters, both faces, and
+/// random ones in between.
+inline std::vector<double> places(int cells) {
+  std::vector<double> xi;
+  for (int k = 0; k <= 4 * cells; ++k) xi.push_back(0.25 * k);
+  std::mt19937 random(7);
+  for (int k = 0; k < 8 * cells; ++k) xi.push_back(std::uniform_real_distribution<double>(0, cells)(random));
+  return xi;
+}
+
+}  // namespace mpmvv::solver
