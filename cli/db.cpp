@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
 #include <memory>
 
@@ -35,6 +36,11 @@ int check(const DbOptions& options) {
 }
 
 int merge(const DbOptions& options) {
+  if (!std::filesystem::exists(options.db) || !std::filesystem::exists(options.other) ||
+      !std::filesystem::equivalent(options.db, options.other))
+    Store(options.other, Store::Mode::read);  // a bad source is found before the target is made
+  else
+    throw UsageError(fmt::format("{} merged into itself (another store)", options.db));
   Store store(options.db, Store::Mode::create_or_write);
   fmt::print("{} records copied from {} to {}\n", store.merge(options.other), options.other, options.db);
   return 0;

@@ -23,7 +23,8 @@ const std::vector<std::pair<std::string, std::string>>& word_lists() {
                                                                       {"wall-accelerations", "wall_acceleration"},
                                                                       {"deformations", "deformation"},
                                                                       {"body-forces", "body_force"},
-                                                                      {"fills", "fill"}};
+                                                                      {"fills", "fill"},
+                                                                      {"materials", "material"}};
   return lists;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <exception>
 
@@ -15,13 +16,20 @@ void print_json(const nlohmann::json& object) {
 
 namespace {
 
-constexpr int failure = 1, usage_error = 2;
+constexpr int usage_error = 2;
 
-/// One line on standard error: the first of the message.
-int complain(std::string message, int code) {
-  message.resize(std::min(message.find('\n'), message.size()));
-  fmt::print(stderr, "mpmvv: {}\n", message);
-  return code;
+/// One line on standard error, whatever the message holds.
+int complain(const std::string& message) {
+  std::string line;
+  for (const char c : message) line += std::iscntrl(static_cast<unsigned char>(c)) ? ' ' : c;
+  fmt::print(stderr, "mpmvv: {}\n", line);
+  return usage_error;
+}
+
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  return fmt::format("unknown command '{}' (known: {})", argc > 1 ? argv[1] : "", fmt::join(known, ", "));
 }
 
 int run_program(int argc, char** argv) {
@@ -42,7 +50,7 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& e) {
-    return complain(e.what(), usage_error);
+    return complain(app.get_subcommands().empty() ? unknown_command(app, argc, argv) : e.what());
   }
   return exit_code;
 }
@@ -51,11 +59,12 @@ int run_program(int argc, char** argv) {
 }  // namespace mpmvv
 
 int main(int argc, char** argv) {
+  int exit_code = 0;
   try {
-    return mpmvv::run_program(argc, argv);
-  } catch (const mpmvv::UsageError& e) {
-    return mpmvv::complain(e.what(), mpmvv::usage_error);
+    exit_code = mpmvv::run_program(argc, argv);
+    if (std::fflush(stdout) != 0) throw mpmvv::UsageError("cannot write to standard output (a place with room)");
   } catch (const std::exception& e) {
-    return mpmvv::complain(e.what(), mpmvv::failure);
+    return mpmvv::complain(e.what());
   }
+  return exit_code;
 }

@@ -23,7 +23,8 @@ nlohmann::json scheme_json(const Scheme& s) {
                       {"wall_acceleration", s.wall_acceleration},
                       {"deformation", s.deformation},
                       {"body_force", s.body_force},
-                      {"fill", s.fill}};
+                      {"fill", s.fill},
+                      {"material", s.material}};
   if (s.start != "none") json["start"] = s.start;
   if (s.smoothing_length > 0) json["smoothing_length"] = s.smoothing_length;
   return json;
@@ -78,7 +79,7 @@ void print_record(const Record& r) {
 }
 
 struct RunOptions {
-  std::map<std::string, std::string> given;  ///< by setting key
+  std::map<std::string, CLI::Option*> given;  ///< by setting key
   std::vector<std::string> parameters;
   bool every_step = false, json = false;
   int threads = 1;
@@ -87,12 +88,8 @@ struct RunOptions {
 
 int run(const RunOptions& options) {
   std::vector<Setting> settings;
-  for (const auto& [key, value] : options.given) {
-    if (value.empty()) continue;
-    std::string option = "--" + key;
-    std::replace(option.begin(), option.end(), '_', '-');
-    settings.push_back({key, value, option});
-  }
+  for (const auto& [key, option] : options.given)
+    if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
   for (const std::string& parameter : options.parameters) settings.push_back(parameter_setting(parameter));
   if (options.every_step) settings.push_back({"every_step", "true", "--every-step"});
   const Record record = run_case(make_case(settings), options.threads, options.vtu);
@@ -121,7 +118,7 @@ void add_run(CLI::App& app, int& exit_code) {
     if (key.key == "every_step")
       command->add_flag(name, options->every_step, key.meaning);
     else
-      command->add_option(name, options->given[key.key], key.meaning);
+      options->given[key.key] = command->add_option(name, key.meaning)->expected(1);
   }
   command->add_option("--param", options->parameters, "physical value of the problem, name=value (repeatable)");
   command->add_option("--threads", options->threads, "threads of the step")->check(CLI::Range(1, 256));

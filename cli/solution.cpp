@@ -19,7 +19,7 @@ struct SolutionOptions {
 
 std::vector<double> coordinates(const std::string& text, int dimension) {
   std::vector<double> X;
-  std::istringstream parts(text);
+  std::istringstream parts(text.ends_with(',') ? text + ',' : text);  // so that a trailing comma is an empty part
   for (std::string part; std::getline(parts, part, ',');) X.push_back(parse_number({"coordinate", part, "--at"}));
   if (static_cast<int>(X.size()) != dimension)
     throw UsageError(fmt::format("--at {} has {} coordinates (the problem has {})", text, X.size(), dimension));

@@ -58,12 +58,22 @@ std::string order_text(const ObservedOrder& fit, const Series& series) {
   return fmt::format("{:.6g} ({} points{})", fit.order, fit.points, loss);
 }
 
+const ObservedOrder* find_order(const OrderGolden& golden, const Series& series) {
+  const auto& window = golden.window;
+  const auto found = std::ranges::find_if(series.orders, [&](const ObservedOrder& fit) {
+    return fit.norm == golden.norm &&
+           (window.empty() || (same_swept_value(fit.from, window[0]) && same_swept_value(fit.to, window[1])));
+  });
+  return found == series.orders.end() ? nullptr : &*found;
+}
+
 Judgement judge(const OrderGolden& golden, const Series& series) {
-  const ObservedOrder* fit = find(series.orders, golden.norm, &ObservedOrder::norm);
-  if (!fit) return missing(fmt::format("no order of '{}' in {}", golden.series, golden.norm));
+  const ObservedOrder* fit = find_order(golden, series);
+  if (!fit) return missing(fmt::format("no order of '{}' in {} over that window", golden.series, golden.norm));
   const std::string measured = order_text(*fit, series);
   if (std::isnan(fit->order)) return inconclusive(measured, "no order could be fitted");
   if (fit->points < 3) return inconclusive(measured, "fewer than 3 usable points in the window");
+  if (fit->points < golden.points) return fail(measured, fmt::format("fewer usable points than {}", golden.points));
   if (fit->order < golden.lower) return fail(measured, "order below the golden's band");
   if (fit->order > golden.upper) return fail(measured, "order above the golden's band");
   return pass(measured);

@@ -63,9 +63,19 @@ double relative_band(const TomlTable& table, double allowed, const std::string& 
 }
 
 OrderGolden read_order(const TomlTable& table) {
-  table.allow_only({"series", "norm", "expected", "lower", "upper", "why"});
-  const OrderGolden golden{word(table, "series"), norm(table), table.number("expected"), table.number("lower"),
-                           table.number("upper")};
+  table.allow_only({"series", "norm", "expected", "lower", "upper", "window", "points", "why"});
+  OrderGolden golden{word(table, "series"),
+                     norm(table),
+                     table.number("expected"),
+                     table.number("lower"),
+                     table.number("upper"),
+                     {},
+                     static_cast<int>(table.number("points", 0))};
+  if (table.has("window")) {
+    golden.window = table.numbers("window");
+    if (golden.window.size() != 2 || !(golden.window[0] < golden.window[1]))
+      reject("a window that is none", table.where("window"), "two swept values, the smaller first");
+  }
   if (!(golden.lower < golden.upper && golden.lower <= golden.expected && golden.expected <= golden.upper)) {
     reject(fmt::format("expected {} with lower {} and upper {}", golden.expected, golden.lower, golden.upper),
            table.where(), "lower <= expected <= upper, lower < upper");
@@ -148,7 +158,10 @@ void refuse_duplicates(const std::vector<Golden>& goldens) {
 }
 
 struct SubjectOf {
-  std::string operator()(const OrderGolden& g) const { return fmt::format("order of '{}' in {}", g.series, g.norm); }
+  std::string operator()(const OrderGolden& g) const {
+    const std::string over = g.window.empty() ? "" : fmt::format(" over [{:g}, {:g}]", g.window[0], g.window[1]);
+    return fmt::format("order of '{}' in {}{}", g.series, g.norm, over);
+  }
   std::string operator()(const ErrorGolden& g) const {
     return fmt::format("error of '{}' in {} at {}", g.series, g.norm, g.at);
   }

@@ -14,10 +14,13 @@ inline constexpr double order_band = 0.15;  ///< absolute, either side
 inline constexpr double error_band = 0.10;  ///< relative; for check values too
 inline constexpr double limit_band = 0.05;  ///< relative
 
-/// The fitted order of a series in a norm.
+/// The fitted order of a series in a norm. Where a window is given, the fit over that window is meant; where a number
+/// of points is given, a fit over fewer fails.
 struct OrderGolden {
   std::string series, norm;
   double expected = 0, lower = 0, upper = 0;
+  std::vector<double> window;  ///< two swept values, or empty
+  int points = 0;
 };
 
 /// The error of a series in a norm at one swept value.

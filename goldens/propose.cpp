@@ -62,9 +62,12 @@ void propose_order(Draft& draft, const Series& series, const ObservedOrder& fit)
   draft.remark(fmt::format("Measured {:.4f}{} over [{:g}, {:g}], {} points, {}.", fit.order, interval, fit.from, fit.to,
                            fit.points, fit.asymptotic ? "asymptotic" : "not asymptotic"));
   const double expected = std::round(fit.order * 1000) / 1000;
-  draft.table("order",
-              fmt::format("series = {}\nnorm = \"{}\"\nexpected = {:.3f}\nlower = {:.3f}\nupper = {:.3f}",
-                          quoted(series.name), fit.norm, expected, expected - order_band, expected + order_band));
+  draft.table(
+      "order",
+      fmt::format("series = {}\nnorm = \"{}\"\nwindow = [{}, {}]\npoints = {}\nexpected = {:.3f}\nlower = {:.3f}\n"
+                  "upper = {:.3f}",
+                  quoted(series.name), fit.norm, fit.from, fit.to, fit.points, expected, expected - order_band,
+                  expected + order_band));
 }
 
 bool finer(const std::string& sweep, double a, double b) {

@@ -23,7 +23,7 @@ class Bar final : public ManufacturedSolution<1> {
   Mat<1> P(const Vec<1>& X, double t) const override;
   Vec<1> b(const Vec<1>& X, double t) const override;
 
-  double displacement_scale() const override { return A_; }
+  double displacement_scale() const override { return std::abs(A_); }
   std::unique_ptr<PointwiseSolution<1>> at_points(std::vector<Vec<1>> X) const override;
 
  private:

@@ -29,7 +29,7 @@ std::string canonical_text(const Case& c) {
   const auto& [problem, scheme, resolution, measure] = c;
   const auto& [name, parameters, end_time] = problem;
   const auto& [basis, smoothing_length, integrator, start, velocity_update, mass, boundary, wall_acceleration,
-               deformation, body_force, fill] = scheme;
+               deformation, body_force, fill, material] = scheme;
   const auto& [cells, ppc, dt, steps] = resolution;
   const auto& [every_step, blowup_error, blowup_energy] = measure;
 
@@ -48,6 +48,7 @@ std::string canonical_text(const Case& c) {
       .add("deformation", deformation)
       .add("body_force", body_force)
       .add("fill", fill)
+      .add("material", material)
       .add("cells", cells)
       .add("ppc", ppc)
       .add("dt", dt)

@@ -17,6 +17,7 @@ struct Scheme {
   std::string deformation = "linear";
   std::string body_force = "particles";
   std::string fill = "lattice";
+  std::string material = "neo-hookean-log";
 
   auto operator<=>(const Scheme&) const = default;
 };

@@ -19,7 +19,9 @@ double scan_steps(const LimitSearch& search) {
   return std::max(1.0, std::ceil(std::log(search.to / search.from) / std::log(search.scan_ratio) - 1e-9));
 }
 
-void check(const LimitSearch& search) {
+}  // namespace
+
+void require_sound(const LimitSearch& search) {
   const auto reject = [&](const std::string& what) {
     throw UsageError(fmt::format("limit search of '{}': {}", search.key, what));
   };
@@ -35,6 +37,8 @@ void check(const LimitSearch& search) {
     reject(fmt::format("scan_ratio = {} makes more than {} steps from {} to {} (take a greater one)", search.scan_ratio,
                        most_scan_steps, search.from, search.to));
 }
+
+namespace {
 
 /// Equal ratios, at most `scan_ratio`, with the ends exactly as given.
 std::vector<double> scan_values(const LimitSearch& search) {
@@ -69,7 +73,7 @@ void bisect(StabilityLimit& limit, double tolerance, const ProbeBatch& probe) {
 }  // namespace
 
 StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe) {
-  check(search);
+  require_sound(search);
   StabilityLimit limit;
   limit.key = search.key;
   limit.probes = ask(probe, scan_values(search));

@@ -16,6 +16,9 @@ struct LimitSearch {
   bool stable_below = true;  ///< cfl: stable below the limit; smoothing_length: stable above it
 };
 
+/// UsageError that says which number of the search makes no sense, and what would.
+void require_sound(const LimitSearch& search);
+
 /// Probes a batch of values; one verdict per value, in order. The search hands over the scan as one batch so that
 /// the caller can spread it over the cores.
 using ProbeBatch = std::function<std::vector<Probe>(const std::vector<double>&)>;

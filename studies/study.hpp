@@ -67,7 +67,9 @@ struct StudyPlan {
   std::vector<SeriesPlan> series;
   std::string sweep;           ///< swept key; empty without a sweep
   std::vector<double> values;  ///< swept values
+  std::string sweep_where;     ///< for messages about a swept value
   std::optional<LimitSearch> limit;
+  std::string limit_where;
   std::vector<FitPlan> fits;
   std::vector<Figure> figures;
   std::vector<Criterion> criteria;
@@ -80,8 +82,8 @@ struct StudyPlan {
 /// a combination of series and swept value makes wrong.
 StudyPlan read_study(const std::filesystem::path& file);
 
-/// The case of a series at a value of the swept (or searched) key.
-Case case_at(const SeriesPlan& series, const std::string& key, double value);
+/// The case of a series at a value of the swept (or searched) key; `where` goes into messages about the value.
+Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where);
 
 /// Judges one criterion by the results.
 ClaimPart judge(const Criterion& criterion, const StudyResult& result);

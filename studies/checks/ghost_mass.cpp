@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "studies/check.hpp"
 #include "studies/run/scene.hpp"
@@ -24,10 +25,10 @@ double ghost_mass(const solver::Mpm<1>& mpm, double full) {
   return worst / full;
 }
 
-/// The bar of S §5.2 held at both ends, over half a period; amplitude 0 (almost) is the body at rest.
+/// The bar of S §5.2 held at both ends, over half a period; with amplitude 0 it stays at rest.
 GhostMass measure(const std::string& basis) {
   GhostMass result;
-  for (const char* amplitude : {"1e-300", "0.05"}) {
+  for (const char* amplitude : {"0", "0.05"}) {
     const std::vector<Setting> settings{{"problem", "bar", ""},
                                         {"basis", basis, ""},
                                         {"boundary", "dirichlet", ""},
@@ -40,9 +41,9 @@ GhostMass measure(const std::string& basis) {
     auto stage = make_stage<1>(c, find_problem("bar", ""), 1);
     solver::Mpm<1> mpm(std::move(stage.scene));
     for (std::int64_t k = 0; k < c.resolution.steps; ++k) {
-      mpm.step(c.resolution.dt);
+      if (!mpm.step(c.resolution.dt)) throw std::runtime_error("ghost-mass: " + mpm.fault());
       const double mass = ghost_mass(mpm, 1.0 / cells);
-      if (amplitude[0] == '1') {
+      if (c.problem.parameters.at("amplitude") == 0) {
         result.at_rest = std::max(result.at_rest, mass);
       } else {
         if (k == 0) result.deformed = mass;

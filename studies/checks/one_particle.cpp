@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "studies/check.hpp"
 #include "studies/run/scene.hpp"
@@ -59,7 +60,7 @@ Comparison compare(const std::string& integrator,
   solver::Mpm<1> mpm(std::move(stage.scene));
   Comparison result;
   for (std::int64_t k = 0; k < c.resolution.steps; ++k) {
-    mpm.step(c.resolution.dt);
+    if (!mpm.step(c.resolution.dt)) throw std::runtime_error("one-particle: " + mpm.fault());
     recursion = advance(recursion, constants, c.resolution.dt);
     if (wrong.F < 10) wrong = advance(wrong, printed, c.resolution.dt);
     const auto& p = mpm.particles();

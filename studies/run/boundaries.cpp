@@ -42,7 +42,7 @@ std::vector<std::string> boundary_faces(const std::string& text, int dimension, 
     return std::vector<std::string>(names.size(), text);
   }
   std::vector<std::string> words(names.size());
-  std::istringstream parts(text);
+  std::istringstream parts(text.ends_with(',') ? text + ',' : text);  // so that a trailing comma is an empty part
   for (std::string part; std::getline(parts, part, ',');) {
     const auto equals = std::min(part.find('='), part.size());
     const auto face = std::find(names.begin(), names.end(), part.substr(0, equals));
@@ -90,6 +90,10 @@ void require_sense(const Case& c) {
         fmt::format("wall_acceleration 'difference' with boundary '{}' that holds no node (use it with "
                     "dirichlet or symmetry)",
                     s.boundary));
+  if (s.wall_acceleration == "difference" && s.integrator == "uvf")
+    throw UsageError(
+        "wall_acceleration 'difference' with integrator 'uvf', which maps the velocity after the acceleration (use "
+        "zero, or usl, usf or cd)");
   if ((has("symmetry") || has("mirror")) && c.resolution.cells < 4)
     throw UsageError(
         fmt::format("{} cells are too few for boundary '{}' (at least 4: ghosts and their images must differ)",

@@ -26,7 +26,11 @@ std::string label(const Case& c) {
 }  // namespace
 
 CasePool::CasePool(Store& store, const RunnerOptions& options)
-    : store_(store), options_(options), provenance_(current_provenance()), memory_limit_(usable_memory()) {}
+    : store_(store),
+      options_(options),
+      provenance_(current_provenance()),
+      free_jobs_(options.jobs),
+      memory_limit_(usable_memory()) {}
 
 std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
   std::vector<Case> missing;
@@ -69,7 +73,9 @@ void CasePool::run_one(const Case& c) {
     memory_freed_.wait(lock, [&] { return memory_used_ == 0 || memory_used_ + memory <= memory_limit_; });
     memory_used_ += memory;
   }
+  free_jobs_.acquire();
   const Record record = run_case(c, 1);
+  free_jobs_.release();
   {
     const std::lock_guard lock(mutex_);
     memory_used_ -= memory;

@@ -2,6 +2,7 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <semaphore>
 #include <vector>
 
 #include "studies/provenance.hpp"
@@ -38,6 +39,7 @@ class CasePool {
   bool keeping_ = false;          ///< a thread is at the store, outside the mutex
   std::mutex mutex_;              ///< of everything above
   std::condition_variable kept_;
+  std::counting_semaphore<> free_jobs_;  ///< also where several threads search limits at once
   std::condition_variable memory_freed_;
   double memory_limit_, memory_used_ = 0;
 };

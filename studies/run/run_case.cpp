@@ -55,8 +55,10 @@ class Watch {
   static constexpr std::int64_t interval = 32;
 
   Watch(const Case& c, const Stage<D>& stage, double initial_energy)
-      : most_energy_(c.measure.blowup_energy * initial_energy),
-        most_error_(stage.setup.solution ? c.measure.blowup_error * stage.setup.solution->displacement_scale() : 0) {}
+      : most_energy_(c.measure.blowup_energy * initial_energy + round_off * stage.setup.density),
+        most_error_(stage.setup.solution
+                        ? c.measure.blowup_error * stage.setup.solution->displacement_scale() + round_off
+                        : 0) {}
 
   /// Why the run counts as unstable; empty while it does not.
   std::string judge(const solver::Mpm<D>& mpm, const Stage<D>& stage) const {
@@ -69,6 +71,7 @@ class Watch {
   }
 
  private:
+  static constexpr double round_off = 1e-12;  ///< what a body at rest may move (m) and gain (times density, J)
   double most_energy_, most_error_;
 };
 

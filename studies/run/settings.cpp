@@ -42,6 +42,7 @@ const std::vector<WordKey>& word_keys() {
       {"deformation", &Scheme::deformation, {"linear"}},
       {"body_force", &Scheme::body_force, {"particles", "grid"}},
       {"fill", &Scheme::fill, {"lattice"}},
+      {"material", &Scheme::material, strings(solver::words<solver::AnyMaterial>())},
   };
   return keys;
 }
@@ -176,6 +177,7 @@ const std::vector<SettingKey>& setting_keys() {
       {"deformation", "update of F"},
       {"body_force", "where the body force is evaluated"},
       {"fill", "how particles fill the body"},
+      {"material", "constitutive law"},
       {"cells", "cells per length L of the problem"},
       {"ppc", "particles per cell and direction"},
       {"cfl", "wave speed times time step over cell width"},

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "studies/check.hpp"
+#include "studies/claim.hpp"
 #include "studies/error.hpp"
 #include "studies/study.hpp"
 #include "studies/toml_file.hpp"
@@ -19,6 +20,12 @@ const std::vector<std::string>& norm_words() {
   static const std::vector<std::string> words{"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps",
                                               "y"};
   return words;
+}
+
+std::vector<std::string> claim_ids() {
+  std::vector<std::string> ids;
+  for (const ClaimText& claim : claim_list()) ids.emplace_back(claim.id);
+  return ids;
 }
 
 void require_word(const std::string& what, const std::string& word, const std::vector<std::string>& known,
@@ -61,6 +68,7 @@ void read_sweep(const TomlTable& root, StudyPlan& plan) {
   if (!words_of_key(plan.sweep).empty())
     throw UsageError(fmt::format("sweep over '{}' in {}, which takes words (a key that takes numbers)", plan.sweep,
                                  sweep->where(plan.sweep)));
+  plan.sweep_where = sweep->where(plan.sweep);
   plan.values = sweep->numbers(plan.sweep);
   if (plan.values.empty())
     throw UsageError(
@@ -97,10 +105,12 @@ void read_limit(const TomlTable& root, StudyPlan& plan) {
   const std::string stable = table->text("stable", "below");
   require_word("stable side", stable, {"below", "above"}, table->where("stable"));
   search.stable_below = stable == "below";
-  if (!(search.from > 0 && search.to > search.from && search.scan_ratio > 1 && search.tolerance > 0 &&
-        search.tolerance < 1))
-    throw UsageError(
-        fmt::format("limit search in {} (0 < from < to, scan_ratio > 1, 0 < tolerance < 1)", table->where()));
+  try {
+    require_sound(search);
+  } catch (const UsageError& e) {
+    throw UsageError(fmt::format("{} in {}", e.what(), table->where()));
+  }
+  plan.limit_where = table->where();
   plan.limit = search;
 }
 
@@ -121,10 +131,36 @@ Window read_window(const TomlTable& table, const char* key) {
   return {ends[0], ends[1]};
 }
 
+/// A window must hold enough swept values; the curves of a check are known only when it has run.
+void require_points(const StudyPlan& plan, const Window& window, int least, const std::string& where) {
+  if (!plan.check.empty()) return;
+  const auto count = std::count_if(plan.values.begin(), plan.values.end(), [&](double x) {
+    return x >= window.from * (1 - 1e-9) && x <= window.to * (1 + 1e-9);
+  });
+  if (count < least)
+    throw UsageError(fmt::format("window [{}, {}] in {} holds {} swept values (at least {})", window.from, window.to,
+                                 where, count, least));
+}
+
+/// `y` is what a check's curves have; errors over all steps are there when every series asks for them.
+void require_measured(const StudyPlan& plan, const std::string& norm, const std::string& where) {
+  if ((norm == "y") == plan.check.empty())
+    throw UsageError(fmt::format("norm '{}' in {} (y for the curves of a check, an error norm for runs)", norm, where));
+  if (!norm.ends_with("_all_steps")) return;
+  for (const SeriesPlan& series : plan.series) {
+    const auto asks = [](const Setting& s) { return s.key == "every_step" && s.value == "true"; };
+    if (std::none_of(series.settings.begin(), series.settings.end(), asks))
+      throw UsageError(
+          fmt::format("norm '{}' in {} without every_step = true in series '{}'", norm, where, series.name));
+  }
+}
+
 void read_fits(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("fit")) {
     table.allow_only({"norm", "window", "floor_window", "series"});
     FitPlan fit{norm_of(table, "norm"), read_window(table, "window"), {}, series_names(table, "series", plan)};
+    require_points(plan, fit.window, 3, table.where("window"));
+    require_measured(plan, fit.norm, table.where("norm"));
     if (table.has("floor_window")) fit.floor = read_window(table, "floor_window");
     plan.fits.push_back(fit);
   }
@@ -203,6 +239,9 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   if (table.has("at_most")) c.at_most = table.number("at_most");
   if (!c.at_least && !c.at_most)
     throw UsageError(fmt::format("criterion in {} asks nothing (at_least, at_most or both)", table.where()));
+  if (c.at_least && c.at_most && *c.at_least > *c.at_most)
+    throw UsageError(fmt::format("criterion in {} asks at least {} and at most {} (nothing can be both)", table.where(),
+                                 *c.at_least, *c.at_most));
   if (c.kind == Kind::value) {
     c.name = table.text("name");
     return c;
@@ -219,16 +258,21 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
       throw UsageError(fmt::format("criterion on a limit in {}, but the study searches none", table.where()));
     return c;
   }
-  if (c.kind != Kind::status) c.norm = norm_of(table, "norm");
+  if (c.kind != Kind::status) {
+    c.norm = norm_of(table, "norm");
+    require_measured(plan, c.norm, table.where("norm"));
+  }
   c.window = read_window(table, "window");
+  if (c.kind == Kind::order) require_points(plan, c.window, 3, table.where("window"));
+  if (c.kind != Kind::order) require_points(plan, c.window, 1, table.where("window"));
   return c;
 }
 
 /// Makes every case of the study once, so that a mistake shows before the first run.
 void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
   for (const SeriesPlan& series : plan.series) try {
-      for (const double value : plan.values) case_at(series, plan.sweep, value);
-      if (plan.limit) case_at(series, plan.limit->key, plan.limit->to);
+      for (const double value : plan.values) case_at(series, plan.sweep, value, plan.sweep_where);
+      if (plan.limit) case_at(series, plan.limit->key, plan.limit->to, plan.limit_where);
     } catch (const UsageError& e) {
       const std::string message = e.what();
       const bool has_place = message.find(file.string()) != std::string::npos;
@@ -243,9 +287,9 @@ bool StudyPlan::has_series(const std::string& wanted) const {
   return std::any_of(series.begin(), series.end(), [&](const SeriesPlan& s) { return s.name == wanted; });
 }
 
-Case case_at(const SeriesPlan& series, const std::string& key, double value) {
+Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where) {
   auto settings = series.settings;
-  settings.push_back({key, fmt::format("{}", value), series.where});
+  settings.push_back({key, fmt::format("{}", value), where});
   return make_case(settings);
 }
 
@@ -259,6 +303,7 @@ StudyPlan read_study(const std::filesystem::path& file) {
   plan.text = text.str();
   plan.title = root.text("title");
   plan.claims = root.texts("claims");
+  for (const std::string& claim : plan.claims) require_word("claim", claim, claim_ids(), root.where("claims"));
   plan.check = root.text("check", "");
   if (!plan.check.empty()) {
     find_check(plan.check, root.where("check"));

@@ -34,7 +34,7 @@ Point point_of(double x, const Record& r) {
 
 std::vector<Case> sweep_cases(const StudyPlan& plan, const SeriesPlan& series) {
   std::vector<Case> cases;
-  for (const double value : plan.values) cases.push_back(case_at(series, plan.sweep, value));
+  for (const double value : plan.values) cases.push_back(case_at(series, plan.sweep, value, plan.sweep_where));
   return cases;
 }
 
@@ -46,7 +46,7 @@ Probe probe_of(double value, const Record& r) {
 StabilityLimit search_limit(const LimitSearch& search, const SeriesPlan& series, CasePool& pool) {
   return find_limit(search, [&](const std::vector<double>& values) {
     std::vector<Case> cases;
-    for (const double value : values) cases.push_back(case_at(series, search.key, value));
+    for (const double value : values) cases.push_back(case_at(series, search.key, value, series.where));
     const auto records = pool.get(cases);
     std::vector<Probe> probes;
     for (std::size_t k = 0; k < values.size(); ++k) probes.push_back(probe_of(values[k], records[k]));
