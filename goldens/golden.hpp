@@ -19,7 +19,7 @@ inline constexpr double limit_band = 0.05;  ///< relative
 struct OrderGolden {
   std::string series, norm;
   double expected = 0, lower = 0, upper = 0;
-  std::vector<double> window;  ///< two swept values, or empty
+  std::vector<double> window = {};  ///< two swept values, or empty
   int points = 0;
 };
 

@@ -38,8 +38,8 @@ struct Scene {
   bool half_start = false;               ///< the first grid acceleration halved, W §4
   std::string_view integrator = "usl";
   int threads = 1;
-  /// A node takes part when its mass exceeds this fraction of a full cell's (the mean particle mass density times
-  /// h^D). Results do not depend on it between 1e-14 and 1e-10 (a test shows it).
+  /// A node is accelerated when its mass exceeds this fraction of a full cell's (the mean particle mass density times
+  /// h^D); every node with mass has a velocity. Results do not depend on it between 1e-14 and 1e-10 (a test shows it).
   double mass_cutoff = 1e-12;
 };
 
@@ -93,7 +93,7 @@ class Mpm {
   }
 
  private:
-  bool takes_part(std::size_t n) const { return grid_.m[n] > least_mass_; }
+  bool is_accelerated(std::size_t n) const { return grid_.m[n] > least_mass_; }
   /// quotient = factor field / m_i where a node's mass exceeds `least_mass`, else zero.
   void divide_by_mass(const std::vector<Vec<D>>& field, double factor, double least_mass,
                       std::vector<Vec<D>>& quotient);

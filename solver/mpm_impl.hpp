@@ -142,7 +142,7 @@ void Mpm<D>::add_grid_body_force() {
   std::visit(
       [this]<class B>(const B&) {
         for (std::size_t n = 0; n < grid_.size(); ++n) {
-          if (!takes_part(n)) continue;
+          if (!is_accelerated(n)) continue;
           const Index<D> i = grid_.index(n);
           Vec<D> x = grid_.lower();
           for (int d = 0; d < D; ++d) x[d] += grid_.h() * B::position(i[d], grid_.cells()[d]);
@@ -163,7 +163,7 @@ template <int D>
 void Mpm<D>::set_wall_acceleration(double dt) {
   const auto difference = [&](int n, int) {  // a_i = (v_i^{k+1} - v_i^k)/Δt, v^k as mapped                     S (30)
     const auto i = static_cast<std::size_t>(n);
-    if (takes_part(i)) grid_.a[i] = (grid_.v[i] - grid_.p[i] / grid_.m[i]) / dt;
+    if (is_accelerated(i)) grid_.a[i] = (grid_.v[i] - grid_.p[i] / grid_.m[i]) / dt;
   };
   for_faces([&](const auto& boundary, Face face) {
     if (!boundary.holds) return;

@@ -71,8 +71,12 @@ void block(benchmark::State& state, std::string_view basis) {
   measure(state, scene, 0.1 * scene.h / 120);
 }
 
-void block_2d(benchmark::State& state, std::string_view basis) { block<2>(state, basis); }
-void block_3d(benchmark::State& state, std::string_view basis) { block<3>(state, basis); }
+void block_2d(benchmark::State& state, std::string_view basis) {
+  block<2>(state, basis);
+}
+void block_3d(benchmark::State& state, std::string_view basis) {
+  block<3>(state, basis);
+}
 
 BENCHMARK_CAPTURE(bar, bspline2, "bspline2")->Arg(512)->Arg(64)->Arg(8);
 BENCHMARK_CAPTURE(bar, linear, "linear")->Arg(512);

@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(BadFile{"ppc = 4", "pcp = 4", "unknown key 'pcp'"},
                     BadFile{"\"bspline2\"\n[sweep]", "\"bspline7\"\n[sweep]", "unknown basis 'bspline7'"},
                     BadFile{"[8, 16, 32, 64]\n[[fit", "[]\n[[fit", "empty sweep"},
-                    BadFile{"[8, 16, 32, 64]\n[[fit", "[8, -16]\n[[fit", "cells = -16"},
+                    BadFile{"[8, 16, 32, 64]\n[[fit", "[8, 16, 32, 64, -16]\n[[fit", "cells = -16"},
                     BadFile{"[8, 16, 32, 64]\n[[fit", "[8, nan]\n[[fit", "nan"},
                     BadFile{"ppc = 4", "ppc = 0", "ppc = 0"}, BadFile{"cfl = 0.3", "cfl = \"fast\"", "cfl = 'fast'"},
                     BadFile{"name = \"bspline2\"", "name = \"linear\"", "series 'linear' twice"},

@@ -68,6 +68,16 @@ GateResult judge_limit(const StabilityLimit& limit) {
   return judge(limit_of_a, [&](StudyResult& s) { s.series[0].limit = limit; });
 }
 
+TEST(Gate, AnOrderIsThatOfItsWindowAndOfAllItsPoints) {
+  const auto golden = [](std::vector<double> window, int points) {
+    return Golden{"s", "s.toml:9", OrderGolden{"a", "l2", 2, 1.85, 2.15, std::move(window), points}};
+  };
+  const auto unchanged = [](StudyResult&) {};
+  EXPECT_EQ(judge(golden({16, 64}, 3), unchanged).verdict, Verdict::pass);
+  EXPECT_EQ(judge(golden({8, 64}, 3), unchanged).verdict, Verdict::inconclusive) << "another window";
+  EXPECT_EQ(judge(golden({16, 64}, 4), unchanged).verdict, Verdict::fail) << "a point was lost";
+}
+
 TEST(Gate, AHealthyStudyPassesEverything) {
   const GateReport report = run_gate({order_two, error_at_64, limit_of_a, small_value, stable_at_64}, {healthy()});
   for (const GateResult& result : report.results) {
