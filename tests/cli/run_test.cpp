@@ -58,7 +58,8 @@ TEST(RunCommand, ABlownUpRunIsAResult) {
 TEST(RunCommand, AmplitudesOfEitherSignAndNoneAreStable) {
   const Folder folder;
   for (const char* amplitude : {"0.05", "-0.05", "0"})
-    EXPECT_EQ(call(folder, std::string(bar) + "--json --param amplitude=" + amplitude).json()["status"], "ok") << amplitude;
+    EXPECT_EQ(call(folder, std::string(bar) + "--json --param amplitude=" + amplitude).json()["status"], "ok")
+        << amplitude;
 }
 
 /// Every integrator with every way to treat the acceleration of held nodes: close to each other, or refused.
@@ -66,9 +67,14 @@ TEST(RunCommand, WallAccelerationsOfEveryIntegratorAgree) {
   const Folder folder;
   for (const char* integrator : {"usl", "usf", "cd"}) {
     const auto error = [&](const char* acceleration) {
-      return call(folder, std::string("run --problem bar --basis bspline2-open --boundary dirichlet --cells 32 --ppc 4 --cfl 0.1 --json "
-                                      "--integrator ") + integrator + " --wall-acceleration " + acceleration)
-          .json()["error"]["l2"].get<double>();
+      return call(
+                 folder,
+                 std::string(
+                     "run --problem bar --basis bspline2-open --boundary dirichlet --cells 32 --ppc 4 --cfl 0.1 --json "
+                     "--integrator ") +
+                     integrator + " --wall-acceleration " + acceleration)
+          .json()["error"]["l2"]
+          .get<double>();
     };
     EXPECT_NEAR(error("difference") / error("zero"), 1, 0.1) << integrator;
   }
@@ -145,12 +151,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"run --problem bar --basis ugimp --cells 8 --ppc 2 --cfl 0.1", "without smoothing_length"},
         BadInput{"run --problem bar --integrator usl --start half --cells 8 --ppc 2 --cfl 0.1",
                  "no meaning for integrator 'usl'"},
-        BadInput{"run --problem bar --colour red", "--colour"}, BadInput{"", "unknown command"}, BadInput{"frobnicate", "unknown command 'frobnicate' (known: run"},
+        BadInput{"run --problem bar --colour red", "--colour"}, BadInput{"", "unknown command"},
+        BadInput{"frobnicate", "unknown command 'frobnicate' (known: run"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl ''", "cfl = '' in --cfl"},
         BadInput{"run --problem bar --boundary '' --cells 8 --ppc 2 --cfl 0.1", "unknown boundary ''"},
-        BadInput{"run --problem bar --boundary dirichlet --integrator uvf --wall-acceleration difference --cells 8 --ppc 2 "
-                 "--cfl 0.1",
-                 "maps the velocity after"},
+        BadInput{
+            "run --problem bar --boundary dirichlet --integrator uvf --wall-acceleration difference --cells 8 --ppc 2 "
+            "--cfl 0.1",
+            "maps the velocity after"},
         BadInput{"solution --problem bar --at 0.5, --time 0", "coordinate = ''"},
         BadInput{"list > /dev/full", "standard output"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --vtu /dev/null/x", "--vtu"},

@@ -162,11 +162,14 @@ INSTANTIATE_TEST_SUITE_P(
                     BadFile{"measure = \"order\"", "measure = \"ordre\"", "unknown measure 'ordre'"},
                     BadFile{"claim = \"S-fig10\"", "claim = \"S-fig99\"", "unknown claim"},
                     BadFile{"at_least = 1.5", "", "asks nothing"},
-                                         BadFile{"at_least = 1.5", "at_least = 3\nat_most = 1", "nothing can be both"},
-                                         BadFile{"claims = [\"S-fig10\"]", "claims = [\"S-foo\"]", "unknown claim 'S-foo'"},
-                                         BadFile{"window = [8, 64]\n[[figure", "window = [100, 200]\n[[figure", "holds 0 swept values"},
-                                         BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure", "norm = \"linf_all_steps\"\nwindow = [8, 64]\n[[figure", "without every_step"},
-                                         BadFile{"[sweep]\n", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nscan_ratio = 1.0000001\n[sweep]\n", "scan_ratio"},
+                    BadFile{"at_least = 1.5", "at_least = 3\nat_most = 1", "nothing can be both"},
+                    BadFile{"claims = [\"S-fig10\"]", "claims = [\"S-foo\"]", "unknown claim 'S-foo'"},
+                    BadFile{"window = [8, 64]\n[[figure", "window = [100, 200]\n[[figure", "holds 0 swept values"},
+                    BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure",
+                            "norm = \"linf_all_steps\"\nwindow = [8, 64]\n[[figure", "without every_step"},
+                    BadFile{"[sweep]\n",
+                            "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nscan_ratio = 1.0000001\n[sweep]\n",
+                            "scan_ratio"},
                     BadFile{"title = \"Small\"", "title = 'Small", "bad.toml"}));
 
 TEST(StudyCommand, RefusesStoresThatAreNone) {

@@ -25,7 +25,8 @@ TEST(CanonicalText, IsOneLineOfEveryChoiceInAFixedOrder) {
   EXPECT_EQ(canonical_text(bar()),
             "problem=bar param.amplitude=0.05 param.density=1 end_time=0.01 basis=bspline2 smoothing_length=0 "
             "integrator=cd start=half velocity_update=flip mass=lumped boundary=periodic wall_acceleration=zero "
-            "deformation=linear body_force=particles fill=lattice material=neo-hookean-log cells=64 ppc=4 dt=0.3333333333333333 steps=800 "
+            "deformation=linear body_force=particles fill=lattice material=neo-hookean-log cells=64 ppc=4 "
+            "dt=0.3333333333333333 steps=800 "
             "every_step=false blowup_error=1 blowup_energy=10");
 }
 
