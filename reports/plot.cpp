@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "reports/file.hpp"
@@ -83,6 +85,21 @@ std::string what_went_wrong(const ProcessEnd& end, std::chrono::milliseconds lim
 
 }  // namespace
 
+namespace {
+
+/// cairo 1.16 writes the time into a PDF and knows no SOURCE_DATE_EPOCH: one fixed time, digit for digit in place.
+void fix_creation_date(const fs::path& pdf) {
+  const std::string key = "/CreationDate (D:", date = "19700101000000";
+  std::fstream file(pdf, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto place = text.rfind(key);
+  if (place == std::string::npos) return;
+  file.seekp(static_cast<std::streamoff>(place + key.size()));
+  file << date;
+}
+
+}  // namespace
+
 int draw(const std::vector<Plot>& plots, const fs::path& folder, std::chrono::milliseconds limit) {
   std::vector<const Plot*> changed;
   std::vector<std::string> command{"gnuplot", "-d"};
@@ -94,12 +111,13 @@ int draw(const std::vector<Plot>& plots, const fs::path& folder, std::chrono::mi
   }
   if (changed.empty()) return 0;
 
-  const std::map<std::string, std::string> environment{{"SOURCE_DATE_EPOCH", "0"}, {"LC_ALL", "C.UTF-8"}};
+  const std::map<std::string, std::string> environment{{"LC_ALL", "C.UTF-8"}};
   const auto end = run_process(command, folder, environment, limit);
   auto culprit = std::ranges::find_if_not(changed, [&](const Plot* p) { return has_pictures(folder, *p); });
   if (culprit == changed.end() && !end.good()) --culprit;
   if (culprit != changed.end())
     throw UsageError(fmt::format("cannot draw figure '{}': {}", (*culprit)->name, what_went_wrong(end, limit)));
+  for (const auto* plot : changed) fix_creation_date(folder / (plot->name + ".pdf"));
   for (const auto* plot : changed) fs::rename(pending_script_file(folder, *plot), script_file(folder, *plot));
   return static_cast<int>(changed.size());
 }
