@@ -1,7 +1,9 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "solver/basis/basis.hpp"
 #include "solver/grid.hpp"
@@ -22,8 +24,46 @@ constexpr bool contains(Fault faults, Fault one) {
 template <int D>
 inline constexpr int block_size = 256 >> D;
 
+/// A value interpolated from the grid, and its gradient: column J is the derivative along x_J.
+template <int D>
+struct ValueAndGradient {
+  Packed<D> value;
+  PackedMat<D> gradient;
+};
+
+/// The nodes of one particle, K along each axis, with weights and gradients per axis. Copied out of the block, so that
+/// the compiler knows that no addition to a node changes them.
+template <int D, int K>
+struct Stencil {
+  double N[D][K], dN[D][K];
+  std::array<std::ptrdiff_t, D> stride;
+
+  Stencil(const auto& block, int k, const Grid<D>& grid) {
+    for (int d = 0; d < D; ++d) {
+      stride[static_cast<std::size_t>(d)] = grid.stride(d);
+      for (int i = 0; i < K; ++i) N[d][i] = block.N[d][i][k], dN[d][i] = block.dN[d][i][k];
+    }
+  }
+
+  /// Calls visit(offset, N, ∇N) for each row of nodes along the first axis: its first node's place behind the first of
+  /// all, and what the row's nodes share: the product of the weights of the other axes, and its derivatives.
+  template <class Visit>
+  void for_rows(const Visit& visit) const {
+    if constexpr (D == 1) {
+      visit(0, 1.0, std::array<double, 1>{});
+    } else if constexpr (D == 2) {
+      for (int j = 0; j < K; ++j) visit(j * stride[1], N[1][j], std::array<double, 2>{0, dN[1][j]});
+    } else {
+      for (int l = 0; l < K; ++l)
+        for (int j = 0; j < K; ++j)
+          visit(j * stride[1] + l * stride[2], N[1][j] * N[2][l],
+                std::array<double, 3>{0, dN[1][j] * N[2][l], N[1][j] * dN[2][l]});
+    }
+  }
+};
+
 /// A few neighbouring particles, the nodes that each of them reaches, and what the stages of a sweep hand to each
-/// other. Weights and gradients are kept per axis; their tensor products, S (18), are formed on the way.
+/// other. Weights and gradients are kept per axis; their tensor products, S (18), are formed row by row of nodes.
 template <int D, int K>
 struct Block {
   int slab;
@@ -32,29 +72,84 @@ struct Block {
   int first[block_size<D>];        ///< storage index of the first node
   double N[D][K][block_size<D>];   ///< weights
   double dN[D][K][block_size<D>];  ///< gradients, per length
-  Mat<D> tau[block_size<D>];       ///< Kirchhoff stress, by EvaluateStress
+  PackedMat<D> tau[block_size<D>];  ///< Kirchhoff stress, by EvaluateStress
   Vec<D> b[block_size<D>];         ///< body acceleration, by EvaluateBodyForce
 
-  /// Calls visit(storage index, N_ip, ∇N_ip) for each of the K^D nodes of the block's particle k, in storage order.
+  /// Calls visit(k, p) for each particle p = begin + k. Neighbours add to the same nodes, one having to wait for the
+  /// other; the block is therefore visited in four interleaved parts.
   template <class Visit>
-  void for_nodes(int k, const Grid<D>& grid, const Visit& visit) const {
-    const auto w = [this, k](int axis, int i) { return N[axis][i][k]; };
-    const auto g = [this, k](int axis, int i) { return dN[axis][i][k]; };
-    if constexpr (D == 1) {
-      for (int i = 0; i < K; ++i) visit(first[k] + i, w(0, i), Vec<1>(g(0, i)));
-    } else if constexpr (D == 2) {
-      for (int j = 0; j < K; ++j) {
-        const int row = first[k] + j * grid.stride(1);
-        for (int i = 0; i < K; ++i) visit(row + i, w(0, i) * w(1, j), Vec<2>(g(0, i) * w(1, j), w(0, i) * g(1, j)));
+  void for_particles(const Visit& visit) const {
+    const int stride = (count + 3) / 4;
+    for (int start = 0; start < stride; ++start)
+      for (int k = start; k < count; k += stride) visit(k, begin + static_cast<std::size_t>(k));
+  }
+
+  /// Σ_i N_ip φ_i
+  template <class V>
+  V gather(int k, const Grid<D>& grid, const std::vector<V>& field) const {
+    const Stencil<D, K> s(*this, k, grid);
+    const V* const from = field.data() + first[k];
+    V value = V::Zero();
+    s.for_rows([&](std::ptrdiff_t row, double N_row, const auto&) {
+      V sum = s.N[0][0] * from[row];
+      for (int i = 1; i < K; ++i) sum += s.N[0][i] * from[row + i];
+      value += N_row * sum;
+    });
+    return value;
+  }
+
+  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
+  ValueAndGradient<D> gather_with_gradient(int k, const Grid<D>& grid, const std::vector<Packed<D>>& field) const {
+    const Stencil<D, K> s(*this, k, grid);
+    const Packed<D>* const from = field.data() + first[k];
+    ValueAndGradient<D> result{Packed<D>::Zero(), PackedMat<D>::Zero()};
+    s.for_rows([&](std::ptrdiff_t row, double N_row, const std::array<double, D>& dN_row) {
+      Packed<D> sum = s.N[0][0] * from[row], slope = s.dN[0][0] * from[row];
+      for (int i = 1; i < K; ++i) {
+        sum += s.N[0][i] * from[row + i];
+        slope += s.dN[0][i] * from[row + i];
       }
-    } else {
-      for (int l = 0; l < K; ++l)
-        for (int j = 0; j < K; ++j) {
-          const double ww = w(1, j) * w(2, l), gw = g(1, j) * w(2, l), wg = w(1, j) * g(2, l);
-          const int row = first[k] + j * grid.stride(1) + l * grid.stride(2);
-          for (int i = 0; i < K; ++i) visit(row + i, w(0, i) * ww, Vec<3>(g(0, i) * ww, w(0, i) * gw, w(0, i) * wg));
-        }
-    }
+      result.value += N_row * sum;
+      result.gradient.col(0) += N_row * slope;
+      for (int d = 1; d < D; ++d) result.gradient.col(d) += dN_row[static_cast<std::size_t>(d)] * sum;
+    });
+    return result;
+  }
+
+  /// φ_i += N_ip value
+  template <class V>
+  void scatter(int k, const Grid<D>& grid, const V& value, std::vector<V>& field) const {
+    const Stencil<D, K> s(*this, k, grid);
+    V* const to = field.data() + first[k];
+    s.for_rows([&](std::ptrdiff_t row, double N_row, const auto&) {
+      const V share = N_row * value;
+      for (int i = 0; i < K; ++i) to[row + i] += s.N[0][i] * share;
+    });
+  }
+
+  /// φ_i += gradient ∇N_ip
+  void scatter_gradient(int k, const Grid<D>& grid, const PackedMat<D>& gradient,
+                        std::vector<Packed<D>>& field) const {
+    scatter_to(k, grid, gradient, field, [](double) { return Packed<D>(Packed<D>::Zero()); });
+  }
+
+  /// φ_i += N_ip value + gradient ∇N_ip
+  void scatter(int k, const Grid<D>& grid, const ValueAndGradient<D>& source, std::vector<Packed<D>>& field) const {
+    scatter_to(k, grid, source.gradient, field, [&](double N_row) { return Packed<D>(N_row * source.value); });
+  }
+
+ private:
+  template <class Share>
+  void scatter_to(int k, const Grid<D>& grid, const PackedMat<D>& gradient, std::vector<Packed<D>>& field,
+                  const Share& share_of) const {
+    const Stencil<D, K> s(*this, k, grid);
+    Packed<D>* const to = field.data() + first[k];
+    s.for_rows([&](std::ptrdiff_t row, double N_row, const std::array<double, D>& dN_row) {
+      Packed<D> share = share_of(N_row);
+      for (int d = 1; d < D; ++d) share += dN_row[static_cast<std::size_t>(d)] * gradient.col(d);
+      const Packed<D> slope = N_row * gradient.col(0);
+      for (int i = 0; i < K; ++i) to[row + i] += s.N[0][i] * share + s.dN[0][i] * slope;
+    });
   }
 };
 

@@ -21,11 +21,10 @@ class Grid {
       stride_[d] = static_cast<int>(count);
       count *= static_cast<std::size_t>(inside_[d] + 2 * ghost);
     }
-    m.resize(count);
     p.resize(count);
     f.resize(count);
-    v.resize(count);
-    a.resize(count);
+    v.resize(count, Packed<D>::Zero());
+    a.resize(count, Packed<D>::Zero());
     clear();
   }
 
@@ -36,7 +35,7 @@ class Grid {
   int inside(int axis) const { return inside_[axis]; }
   int stride(int axis) const { return stride_[axis]; }
   int nodes(int axis) const { return inside_[axis] + 2 * ghost_; }
-  std::size_t size() const { return m.size(); }
+  std::size_t size() const { return p.size(); }
 
   /// Storage index of the node `i`, whose ghosts have negative indices or indices from inside(axis) on.
   int node(const Index<D>& i) const {
@@ -64,17 +63,17 @@ class Grid {
   }
 
   void clear() {
-    std::fill(m.begin(), m.end(), 0.0);
-    std::fill(f.begin(), f.end(), Vec<D>::Zero());
+    std::fill(f.begin(), f.end(), Packed<D>::Zero());
     clear_momentum();
   }
-  void clear_momentum() { std::fill(p.begin(), p.end(), Vec<D>::Zero()); }
+  void clear_momentum() { std::fill(p.begin(), p.end(), Packed<D + 1>::Zero()); }
 
-  std::vector<double> m;  ///< mass
-  std::vector<Vec<D>> p;  ///< momentum
-  std::vector<Vec<D>> f;  ///< force
-  std::vector<Vec<D>> v;  ///< velocity
-  std::vector<Vec<D>> a;  ///< acceleration
+  double m(std::size_t n) const { return p[n][D]; }  ///< mass
+
+  std::vector<Packed<D + 1>> p;  ///< momentum, and in component D the mass: they are mapped together
+  std::vector<Packed<D>> f;      ///< force
+  std::vector<Packed<D>> v;      ///< velocity
+  std::vector<Packed<D>> a;      ///< acceleration
 
  private:
   Vec<D> lower_;

@@ -74,31 +74,32 @@ class Mpm {
                scene_.basis);
   }
 
-  /// One sweep of `before` and then of stress and forces: f_i, and whatever else `map` scatters with it.
-  template <class Before, class... Map>
-  void sweep_with_forces(const Before& before, const Map&... map);
+  /// One sweep of these stages and then of stress and forces: f_i.
+  template <class... Stages>
+  void sweep_with_forces(const Stages&... stages);
 
   /// Adds up what the boundaries identify, after a scatter.
-  template <class T>
-  void fold(std::vector<T>& field);
+  template <class V>
+  void fold(std::vector<V>& field);
 
   void set_grid_velocity();               ///< v_i = p_i / m_i, constrained          S (2), W (9)
   void set_grid_acceleration();           ///< a_i = f_i / m_i, constrained if zero  S (5), W (15)
   void advance_grid_velocity(double dt);  ///< v_i += a_i Δt, constrained            S (6), W (16), S (30)
 
-  /// The last sweep of a step: these node loops, then what must hold and be ready for the next step.
-  template <class... Ops>
-  void sweep_and_settle(const Ops&... ops) {
-    sweep(node_loop(ops...), CheckDeformation<D>{particles_}, UpdateWidth<D>{particles_},
+  /// The last sweep of a step: these stages, then what must hold and be ready for the next step.
+  template <class... Stages>
+  void sweep_and_settle(const Stages&... stages) {
+    sweep(stages..., CheckDeformation<D>{particles_}, UpdateWidth<D>{particles_},
           WrapPosition<D>{particles_, periodic_}, WatchSlab<D>{particles_, slabs_, must_sort_});
   }
 
  private:
-  bool is_accelerated(std::size_t n) const { return grid_.m[n] > least_mass_; }
+  bool is_accelerated(std::size_t n) const { return grid_.m(n) > least_mass_; }
   /// quotient = factor field / m_i where a node's mass exceeds `least_mass`, else zero.
-  void divide_by_mass(const std::vector<Vec<D>>& field, double factor, double least_mass,
-                      std::vector<Vec<D>>& quotient);
-  void constrain(std::vector<Vec<D>>& field);
+  template <class V>
+  void divide_by_mass(const std::vector<V>& field, double factor, double least_mass,
+                      std::vector<Packed<D>>& quotient);
+  void constrain(std::vector<Packed<D>>& field);
   void set_wall_acceleration(double dt);
   void add_grid_body_force();
   void note(Fault fault) {

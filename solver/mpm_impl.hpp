@@ -78,14 +78,14 @@ double Mpm<D>::strain_energy() const {
 }
 
 template <int D>
-template <class Before, class... Map>
-void Mpm<D>::sweep_with_forces(const Before& before, const Map&... map) {
+template <class... Stages>
+void Mpm<D>::sweep_with_forces(const Stages&... stages) {
   const EvaluateStress<D> stress{particles_, scene_.material};
   if (scene_.body_force && scene_.body_force_on == BodyForceOn::particles)
-    sweep(before, stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
-          node_loop(map..., MapForces<D>{particles_, grid_}));
+    sweep(stages..., stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
+          MapForces<D>{particles_, grid_});
   else
-    sweep(before, stress, node_loop(map..., MapInternalForce<D>{particles_, grid_}));
+    sweep(stages..., stress, MapInternalForce<D>{particles_, grid_});
   fold(grid_.f);
 }
 
@@ -102,25 +102,23 @@ void Mpm<D>::for_faces(const Visit& visit) {
 }
 
 template <int D>
-template <class T>
-void Mpm<D>::fold(std::vector<T>& field) {
+template <class V>
+void Mpm<D>::fold(std::vector<V>& field) {
   for_faces([&](const auto& boundary, Face face) { boundary.fold(grid_, face, field); });
 }
 
 template <int D>
-void Mpm<D>::constrain(std::vector<Vec<D>>& field) {
+void Mpm<D>::constrain(std::vector<Packed<D>>& field) {
   for_faces([&](const auto& boundary, Face face) { boundary.constrain(grid_, face, field); });
 }
 
 template <int D>
-void Mpm<D>::divide_by_mass(const std::vector<Vec<D>>& field, double factor, double least_mass,
-                            std::vector<Vec<D>>& quotient) {
-  const double* m = grid_.m.data();
-  const Vec<D>* from = field.data();
-  Vec<D>* to = quotient.data();
+template <class V>
+void Mpm<D>::divide_by_mass(const std::vector<V>& field, double factor, double least_mass,
+                            std::vector<Packed<D>>& quotient) {
   for (std::size_t n = 0; n < grid_.size(); ++n) {
-    const double share = m[n] > least_mass ? factor / m[n] : 0.0;
-    to[n] = share * from[n];
+    const double share = grid_.m(n) > least_mass ? factor / grid_.m(n) : 0.0;
+    quotient[n] = share * field[n].template head<Packed<D>::SizeAtCompileTime>();
   }
 }
 
@@ -146,7 +144,7 @@ void Mpm<D>::add_grid_body_force() {
           const Index<D> i = grid_.index(n);
           Vec<D> x = grid_.lower();
           for (int d = 0; d < D; ++d) x[d] += grid_.h() * B::position(i[d], grid_.cells()[d]);
-          grid_.f[n] += grid_.m[n] * scene_.body_force->at_position(x, time_);
+          grid_.f[n] += grid_.m(n) * packed<D>(scene_.body_force->at_position(x, time_));
         }
       },
       scene_.basis);
@@ -163,7 +161,7 @@ template <int D>
 void Mpm<D>::set_wall_acceleration(double dt) {
   const auto difference = [&](int n, int) {  // a_i = (v_i^{k+1} - v_i^k)/Δt, v^k as mapped                     S (30)
     const auto i = static_cast<std::size_t>(n);
-    if (is_accelerated(i)) grid_.a[i] = (grid_.v[i] - grid_.p[i] / grid_.m[i]) / dt;
+    if (is_accelerated(i)) grid_.a[i] = (grid_.v[i] - grid_.p[i].template head<Packed<D>::SizeAtCompileTime>() / grid_.m(i)) / dt;
   };
   for_faces([&](const auto& boundary, Face face) {
     if (!boundary.holds) return;

@@ -16,23 +16,25 @@ template <int D>
 struct MapMass {
   const Particles<D>& particles;
   Grid<D>& grid;
-  double mass = 0;
 
-  void begin(std::size_t p, const auto&, int) { mass = particles.m[p]; }
-  void node(int n, double N, const Vec<D>&) { grid.m[n] += N * mass; }
-  void end(std::size_t) {}
+  void operator()(const auto& block, const Grid<D>&) const {
+    block.for_particles([&](int k, std::size_t p) {
+      block.scatter(k, grid, packed<D>(Vec<D>::Zero(), particles.m[p]), grid.p);
+    });
+  }
 };
 
-/// p_i = Σ_p N_ip m_p v_p                                      S (2), W (9)
+/// p_i = Σ_p N_ip m_p v_p with m_i = Σ_p N_ip m_p             S (1), (2), W (8), (9)
 template <int D>
 struct MapMomentum {
   const Particles<D>& particles;
   Grid<D>& grid;
-  Vec<D> momentum = Vec<D>::Zero();
 
-  void begin(std::size_t p, const auto&, int) { momentum = particles.m[p] * particles.v[p]; }
-  void node(int n, double N, const Vec<D>&) { grid.p[n] += N * momentum; }
-  void end(std::size_t) {}
+  void operator()(const auto& block, const Grid<D>&) const {
+    block.for_particles([&](int k, std::size_t p) {
+      block.scatter(k, grid, packed<D>(particles.m[p] * particles.v[p], particles.m[p]), grid.p);
+    });
+  }
 };
 
 /// f_i = -Σ_p V_p σ_p ∇N_ip = -Σ_p V⁰_p τ_p ∇N_ip              S (4), W (14)
@@ -40,11 +42,12 @@ template <int D>
 struct MapInternalForce {
   const Particles<D>& particles;
   Grid<D>& grid;
-  Mat<D> tau_V0 = Mat<D>::Zero();
 
-  void begin(std::size_t p, const auto& block, int k) { tau_V0 = particles.V0[p] * block.tau[k]; }
-  void node(int n, double, const Vec<D>& dN) { grid.f[n] -= tau_V0 * dN; }
-  void end(std::size_t) {}
+  void operator()(const auto& block, const Grid<D>&) const {
+    block.for_particles([&](int k, std::size_t p) {
+      block.scatter_gradient(k, grid, -particles.V0[p] * block.tau[k], grid.f);
+    });
+  }
 };
 
 /// f_i = Σ_p (N_ip m_p b_p - V⁰_p τ_p ∇N_ip)                   S (4), (16)
@@ -52,54 +55,76 @@ template <int D>
 struct MapForces {
   const Particles<D>& particles;
   Grid<D>& grid;
-  Mat<D> tau_V0 = Mat<D>::Zero();
-  Vec<D> body_force = Vec<D>::Zero();
 
-  void begin(std::size_t p, const auto& block, int k) {
-    tau_V0 = particles.V0[p] * block.tau[k];
-    body_force = particles.m[p] * block.b[k];
+  void operator()(const auto& block, const Grid<D>&) const {
+    block.for_particles([&](int k, std::size_t p) {
+      block.scatter(k, grid, {packed<D>(particles.m[p] * block.b[k]), -particles.V0[p] * block.tau[k]}, grid.f);
+    });
   }
-  void node(int n, double N, const Vec<D>& dN) { grid.f[n] += N * body_force - tau_V0 * dN; }
-  void end(std::size_t) {}
 };
 
 /// v_p += Σ_i N_ip a_i Δt                                      S (9), W (18)
 template <int D>
 struct UpdateVelocity {
   Particles<D>& particles;
-  const Grid<D>& grid;
   double dt;
-  Vec<D> acceleration = Vec<D>::Zero();
 
-  void begin(std::size_t, const auto&, int) { acceleration.setZero(); }
-  void node(int n, double N, const Vec<D>&) { acceleration += N * grid.a[n]; }
-  void end(std::size_t p) { particles.v[p] += dt * acceleration; }
+  void operator()(const auto& block, const Grid<D>& grid) const {
+    block.for_particles(
+        [&](int k, std::size_t p) { particles.v[p] += dt * block.gather(k, grid, grid.a).template head<D>(); });
+  }
 };
 
 /// x_p += Σ_i N_ip v_i Δt                                      S (10), W (17)
 template <int D>
 struct UpdatePosition {
   Particles<D>& particles;
-  const Grid<D>& grid;
   double dt;
-  Vec<D> velocity = Vec<D>::Zero();
 
-  void begin(std::size_t, const auto&, int) { velocity.setZero(); }
-  void node(int n, double N, const Vec<D>&) { velocity += N * grid.v[n]; }
-  void end(std::size_t p) { particles.x[p] += dt * velocity; }
+  void operator()(const auto& block, const Grid<D>& grid) const {
+    block.for_particles(
+        [&](int k, std::size_t p) { particles.x[p] += dt * block.gather(k, grid, grid.v).template head<D>(); });
+  }
 };
+
+/// (I + Δt L) F
+template <int D>
+Mat<D> deformed(const Mat<D>& F, double dt, const PackedMat<D>& L) {
+  Mat<D> result;
+  for (int c = 0; c < D; ++c) {
+    Packed<D> column = packed<D>(F.col(c));
+    for (int d = 0; d < D; ++d) column += (dt * F(d, c)) * L.col(d);
+    result.col(c) = column.template head<D>();
+  }
+  return result;
+}
 
 /// F_p = (I + Δt Σ_i v_i ⊗ ∇N_ip) F_p                          S (7), (8), W (10), (11)
 template <int D>
 struct UpdateDeformation {
   Particles<D>& particles;
-  const Grid<D>& grid;
   double dt;
-  Mat<D> L = Mat<D>::Zero();
 
-  void begin(std::size_t, const auto&, int) { L.setZero(); }
-  void node(int n, double, const Vec<D>& dN) { L += grid.v[n] * dN.transpose(); }
-  void end(std::size_t p) { particles.F[p] += dt * (L * particles.F[p]); }
+  void operator()(const auto& block, const Grid<D>& grid) const {
+    block.for_particles([&](int k, std::size_t p) {
+      particles.F[p] = deformed<D>(particles.F[p], dt, block.gather_with_gradient(k, grid, grid.v).gradient);
+    });
+  }
+};
+
+/// Position and deformation by the same grid velocity, gathered once.
+template <int D>
+struct UpdatePositionAndDeformation {
+  Particles<D>& particles;
+  double dt;
+
+  void operator()(const auto& block, const Grid<D>& grid) const {
+    block.for_particles([&](int k, std::size_t p) {
+      const auto v = block.gather_with_gradient(k, grid, grid.v);
+      particles.x[p] += dt * v.value.template head<D>();
+      particles.F[p] = deformed<D>(particles.F[p], dt, v.gradient);
+    });
+  }
 };
 
 /// τ_p = τ(F_p)                                                S (3), W (12)

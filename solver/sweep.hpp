@@ -10,44 +10,6 @@
 
 namespace mpmvv::solver {
 
-/// Node-level operations fused into one loop over particles and nodes. Each has begin(particle, block, k),
-/// node(n, N, dN) and end(particle). Neighbours add to the same nodes, one having to wait for the other; the block is
-/// therefore visited in four interleaved parts.
-template <class... Ops>
-struct NodeLoop {
-  std::tuple<Ops...> ops;
-
-  template <int D, int K>
-  void operator()(Block<D, K>& block, const Grid<D>& grid) {
-    const int stride = (block.count + 3) / 4;
-    std::apply(
-        [&](Ops&... op) {
-          for (int start = 0; start < stride; ++start)
-            for (int k = start; k < block.count; k += stride) {
-              const std::size_t p = block.begin + static_cast<std::size_t>(k);
-              (op.begin(p, block, k), ...);
-              block.for_nodes(k, grid, [&](int n, double N, const Vec<D>& dN) { (op.node(n, N, dN), ...); });
-              (op.end(p), ...);
-            }
-        },
-        ops);
-  }
-};
-
-template <>
-struct NodeLoop<> {
-  template <int D, int K>
-  void operator()(Block<D, K>&, const Grid<D>&) const {}
-};
-
-template <class... Ops>
-NodeLoop<Ops...> node_loop(Ops... ops) {
-  if constexpr (sizeof...(Ops) == 0)
-    return {};
-  else
-    return {std::tuple<Ops...>{ops...}};
-}
-
 /// A stage either returns nothing or the faults that it found.
 template <int D, int K, class Stage>
 Fault run_stage(Stage& stage, Block<D, K>& block, const Grid<D>& grid) {

@@ -27,14 +27,14 @@ struct FaceNodes {
 /// What a boundary treatment must offer, on one face.
 ///   word       its name
 ///   holds      true when it overwrites velocities, so that S (30) has a meaning
-///   fold       adds up what belongs together in a field (mass, momentum, force) just mapped from the particles
+///   fold       adds up what belongs together in a field (momentum with mass, force) just mapped from the particles
 ///   constrain  makes a field of vectors (velocity, acceleration) obey the face
 template <class B>
-concept Boundary = requires(const B boundary, Grid<2>& grid, Face face, std::vector<double>& scalars,
-                            std::vector<Vec<2>>& vectors) {
+concept Boundary = requires(const B boundary, Grid<2>& grid, Face face, std::vector<Packed<3>>& momentum,
+                            std::vector<Packed<2>>& vectors) {
   { B::word } -> std::convertible_to<std::string_view>;
   { B::holds } -> std::convertible_to<bool>;
-  boundary.fold(grid, face, scalars);
+  boundary.fold(grid, face, momentum);
   boundary.fold(grid, face, vectors);
   boundary.constrain(grid, face, vectors);
 };

@@ -12,7 +12,7 @@ struct Dirichlet {
   void fold(Grid<D>&, Face, std::vector<T>&) const {}
 
   template <int D>
-  void constrain(Grid<D>& grid, Face face, std::vector<Vec<D>>& field) const {
+  void constrain(Grid<D>& grid, Face face, std::vector<Packed<D>>& field) const {
     const FaceNodes<D> nodes{grid, face};
     for (int layer = 0; layer <= nodes.layers(); ++layer)
       grid.for_plane(face.axis, nodes.ghost(layer), nodes.ghost(layer), [&](int n, int) { field[n].setZero(); });

@@ -11,7 +11,7 @@ struct Free {
   template <int D, class T>
   void fold(Grid<D>&, Face, std::vector<T>&) const {}
   template <int D>
-  void constrain(Grid<D>&, Face, std::vector<Vec<D>>&) const {}
+  void constrain(Grid<D>&, Face, std::vector<Packed<D>>&) const {}
 };
 
 }  // namespace mpmvv::solver

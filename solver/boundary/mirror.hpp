@@ -1,6 +1,4 @@
 #pragma once
-#include <type_traits>
-
 #include "solver/boundary/boundary.hpp"
 
 namespace mpmvv::solver {
@@ -19,16 +17,14 @@ struct Mirror {
         field[image] += mirrored(field[ghost], face.axis);
         field[ghost] = mirrored(field[image], face.axis);
       });
-    if constexpr (!std::is_same_v<T, double>)
-      grid.for_plane(face.axis, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][face.axis] = 0; });
+    grid.for_plane(face.axis, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][face.axis] = 0; });
   }
 
   /// Nothing to do: a field made from folded data is mirrored already.
   template <int D>
-  void constrain(Grid<D>&, Face, std::vector<Vec<D>>&) const {}
+  void constrain(Grid<D>&, Face, std::vector<Packed<D>>&) const {}
 
  private:
-  static double mirrored(double value, int) { return value; }
   template <class V>
   static V mirrored(V value, int normal) {
     value[normal] = -value[normal];

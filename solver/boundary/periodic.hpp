@@ -19,7 +19,7 @@ struct Periodic {
 
   /// Nothing to do: a field made from folded data is periodic already.
   template <int D>
-  void constrain(Grid<D>&, Face, std::vector<Vec<D>>&) const {}
+  void constrain(Grid<D>&, Face, std::vector<Packed<D>>&) const {}
 
  private:
   template <int D, class Visit>

@@ -13,7 +13,7 @@ struct Symmetry {
   void fold(Grid<D>&, Face, std::vector<T>&) const {}
 
   template <int D>
-  void constrain(Grid<D>& grid, Face face, std::vector<Vec<D>>& field) const {
+  void constrain(Grid<D>& grid, Face face, std::vector<Packed<D>>& field) const {
     const FaceNodes<D> nodes{grid, face};
     const int normal = face.axis;
     grid.for_plane(normal, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][normal] = 0; });

@@ -11,15 +11,16 @@ void uvf(Mpm<D>& s, double dt) {
   auto& grid = s.grid();
 
   grid.clear();
-  s.sweep_with_forces(node_loop(), MapMass<D>{particles, grid});
-  s.fold(grid.m);
+  s.sweep_with_forces(MapMass<D>{particles, grid});
+  s.fold(grid.p);
   s.set_grid_acceleration();
 
-  s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}), node_loop(MapMomentum<D>{particles, grid}));
+  grid.clear_momentum();
+  s.sweep(UpdateVelocity<D>{particles, dt}, MapMomentum<D>{particles, grid});
   s.fold(grid.p);
   s.set_grid_velocity();
 
-  s.sweep_and_settle(UpdatePosition<D>{particles, grid, dt}, UpdateDeformation<D>{particles, grid, dt});
+  s.sweep_and_settle(UpdatePositionAndDeformation<D>{particles, dt});
 }
 
 }  // namespace mpmvv::solver

@@ -16,12 +16,21 @@ struct NeoHookeanLog {
   double lambda = 0;  ///< first Lamé constant, Pa
   double mu = 0;      ///< shear modulus, Pa
 
-  /// Kirchhoff stress τ = J σ = λ ln J I + μ (F Fᵀ - I) of `count` deformation gradients. No logarithm when λ = 0.
+  /// Kirchhoff stress τ = J σ = μ F Fᵀ + (λ ln J - μ) I of `count` deformation gradients. No logarithm when λ = 0.
   template <int D>
-  void kirchhoff(const Mat<D>* F, Mat<D>* tau, std::size_t count) const {
-    for (std::size_t k = 0; k < count; ++k) tau[k] = mu * (F[k] * F[k].transpose() - Mat<D>::Identity());
-    if (lambda == 0) return;
-    for (std::size_t k = 0; k < count; ++k) tau[k].diagonal().array() += lambda * std::log(F[k].determinant());
+  void kirchhoff(const Mat<D>* F, PackedMat<D>* tau, std::size_t count) const {
+    constexpr std::size_t most = 64;
+    Eigen::Array<double, most, 1> spherical;
+    for (std::size_t begin = 0; begin < count; begin += most) {
+      const std::size_t n = std::min(most, count - begin);
+      if (lambda == 0) {
+        spherical.setConstant(-mu);
+      } else {
+        for (std::size_t k = 0; k < n; ++k) spherical[static_cast<int>(k)] = F[begin + k].determinant();
+        spherical = lambda * spherical.log() - mu;
+      }
+      for (std::size_t k = 0; k < n; ++k) left_cauchy_green(F[begin + k], spherical[static_cast<int>(k)], tau[begin + k]);
+    }
   }
 
   /// Strain energy per reference volume, λ/2 (ln J)² - μ ln J + μ/2 (tr F Fᵀ - D).
@@ -29,6 +38,19 @@ struct NeoHookeanLog {
   double energy(const Mat<D>& F) const {
     const double log_J = std::log(F.determinant());
     return 0.5 * lambda * log_J * log_J - mu * log_J + 0.5 * mu * (F.squaredNorm() - D);
+  }
+
+ private:
+  template <int D>
+  void left_cauchy_green(const Mat<D>& F, double spherical, PackedMat<D>& tau) const {
+    Packed<D> columns[D];
+    for (int c = 0; c < D; ++c) columns[c] = packed<D>(mu * F.col(c));
+    for (int c = 0; c < D; ++c) {
+      Packed<D> column = F(c, 0) * columns[0];
+      for (int d = 1; d < D; ++d) column += F(c, d) * columns[d];
+      tau.col(c) = column;
+      tau(c, c) += spherical;
+    }
   }
 };
 

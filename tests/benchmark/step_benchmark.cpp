@@ -8,7 +8,7 @@ namespace mpmvv::solver {
 
 namespace {
 
-constexpr int steps = 200;
+constexpr int steps = 100;
 
 class BarForce final : public BodyForce<1> {
  public:
@@ -66,7 +66,8 @@ void bar(benchmark::State& state, std::string_view basis) {
 /// A periodic block with a smooth velocity, no body force.
 template <int D>
 void block(benchmark::State& state, std::string_view basis) {
-  Scene<D> scene = full_scene<D>(basis_named(basis), static_cast<int>(state.range(0)), 2);
+  Scene<D> scene =
+      full_scene<D>(basis_named(basis), static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   set_wave(scene, 1);
   measure(state, scene, 0.1 * scene.h / 120);
 }
@@ -83,10 +84,14 @@ BENCHMARK_CAPTURE(bar, linear, "linear")->Arg(512);
 BENCHMARK_CAPTURE(bar, bspline3, "bspline3")->Arg(512);
 BENCHMARK_CAPTURE(bar, ugimp, "ugimp")->Arg(512);
 BENCHMARK_CAPTURE(bar, cpgimp, "cpgimp")->Arg(512);
-BENCHMARK_CAPTURE(block_2d, linear, "linear")->Arg(64);
-BENCHMARK_CAPTURE(block_2d, bspline2, "bspline2")->Arg(64);
-BENCHMARK_CAPTURE(block_3d, linear, "linear")->Arg(16);
-BENCHMARK_CAPTURE(block_3d, bspline2, "bspline2")->Arg(16);
+BENCHMARK_CAPTURE(block_2d, linear, "linear")->Args({64, 2});
+BENCHMARK_CAPTURE(block_2d, bspline2, "bspline2")->Args({64, 2});
+BENCHMARK_CAPTURE(block_2d, bspline2, "bspline2")->Args({32, 4});
+BENCHMARK_CAPTURE(block_2d, cpgimp, "cpgimp")->Args({64, 2});
+BENCHMARK_CAPTURE(block_3d, linear, "linear")->Args({16, 2});
+BENCHMARK_CAPTURE(block_3d, bspline2, "bspline2")->Args({24, 2});
+BENCHMARK_CAPTURE(block_3d, bspline2, "bspline2")->Args({12, 4});
+BENCHMARK_CAPTURE(block_3d, cpgimp, "cpgimp")->Args({12, 4});
 
 }  // namespace
 
