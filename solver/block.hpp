@@ -24,40 +24,75 @@ constexpr bool contains(Fault faults, Fault one) {
 template <int D>
 inline constexpr int block_size = 256 >> D;
 
-/// A value interpolated from the grid, and its gradient: column J is the derivative along x_J.
+/// A value on a particle and its derivatives: column J is the one along x_J.
 template <int D>
 struct ValueAndGradient {
-  Packed<D> value;
-  PackedMat<D> gradient;
+  Packed<D> value = Packed<D>::Zero();
+  PackedMat<D> gradient = PackedMat<D>::Zero();
 };
 
-/// The nodes of one particle, K along each axis, with weights and gradients per axis. Copied out of the block, so that
-/// the compiler knows that no addition to a node changes them.
+/// The nodes of one particle: K along each axis, with weights and gradients per axis, copied out of the block so that
+/// the compiler knows that no addition to a node changes them. Weights of nodes are tensor products, S (18), and sums
+/// with them are formed axis by axis: what the nodes of a line or a plane share is multiplied once.
 template <int D, int K>
 struct Stencil {
   double N[D][K], dN[D][K];
   std::array<std::ptrdiff_t, D> stride;
 
-  Stencil(const auto& block, int k, const Grid<D>& grid) {
-    for (int d = 0; d < D; ++d) {
-      stride[static_cast<std::size_t>(d)] = grid.stride(d);
-      for (int i = 0; i < K; ++i) N[d][i] = block.N[d][i][k], dN[d][i] = block.dN[d][i][k];
+  /// Σ_i N_ip φ_i over the axes up to `axis`
+  template <int axis = D - 1, class V>
+  V value(const V* nodes) const {
+    if constexpr (axis < 0) {
+      return *nodes;
+    } else {
+      V sum = N[axis][0] * value<axis - 1>(nodes);
+      for (int i = 1; i < K; ++i) sum += N[axis][i] * value<axis - 1>(nodes + i * stride[axis]);
+      return sum;
     }
   }
 
-  /// Calls visit(offset, N, ∇N) for each row of nodes along the first axis: its first node's place behind the first of
-  /// all, and what the row's nodes share: the product of the weights of the other axes, and its derivatives.
-  template <class Visit>
-  void for_rows(const Visit& visit) const {
-    if constexpr (D == 1) {
-      visit(0, 1.0, std::array<double, 1>{});
-    } else if constexpr (D == 2) {
-      for (int j = 0; j < K; ++j) visit(j * stride[1], N[1][j], std::array<double, 2>{0, dN[1][j]});
+  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip over the axes up to `axis`
+  template <int axis = D - 1>
+  ValueAndGradient<D> value_and_gradient(const Packed<D>* nodes) const {
+    ValueAndGradient<D> sum;
+    for (int i = 0; i < K; ++i) {
+      ValueAndGradient<D> part;
+      if constexpr (axis == 0)
+        part.value = nodes[i];
+      else
+        part = value_and_gradient<axis - 1>(nodes + i * stride[axis]);
+      sum.value += N[axis][i] * part.value;
+      sum.gradient.col(axis) += dN[axis][i] * part.value;
+      for (int d = 0; d < axis; ++d) sum.gradient.col(d) += N[axis][i] * part.gradient.col(d);
+    }
+    return sum;
+  }
+
+  /// φ_i += N_ip value
+  template <int axis = D - 1, class V>
+  void add(const V& value, V* nodes) const {
+    if constexpr (axis < 0) {
+      *nodes += value;
+    } else if constexpr (axis == 0) {
+      for (int i = 0; i < K; ++i) nodes[i] += N[0][i] * value;
     } else {
-      for (int l = 0; l < K; ++l)
-        for (int j = 0; j < K; ++j)
-          visit(j * stride[1] + l * stride[2], N[1][j] * N[2][l],
-                std::array<double, 3>{0, dN[1][j] * N[2][l], N[1][j] * dN[2][l]});
+      for (int i = 0; i < K; ++i) add<axis - 1>(V(N[axis][i] * value), nodes + i * stride[axis]);
+    }
+  }
+
+  /// φ_i += N_ip value + gradient ∇N_ip
+  template <int axis = D - 1>
+  void add(const ValueAndGradient<D>& source, Packed<D>* nodes) const {
+    for (int i = 0; i < K; ++i) {
+      if constexpr (axis == 0) {
+        nodes[i] += N[0][i] * source.value;
+        nodes[i] += dN[0][i] * source.gradient.col(0);
+      } else {
+        ValueAndGradient<D> part;
+        part.value = N[axis][i] * source.value + dN[axis][i] * source.gradient.col(axis);
+        for (int d = 0; d < axis; ++d) part.gradient.col(d) = N[axis][i] * source.gradient.col(d);
+        add<axis - 1>(part, nodes + i * stride[axis]);
+      }
     }
   }
 };
@@ -84,72 +119,30 @@ struct Block {
       for (int k = start; k < count; k += stride) visit(k, begin + static_cast<std::size_t>(k));
   }
 
-  /// Σ_i N_ip φ_i
+  Stencil<D, K> stencil(int k, const Grid<D>& grid) const {
+    Stencil<D, K> s;
+    for (int d = 0; d < D; ++d) {
+      s.stride[static_cast<std::size_t>(d)] = grid.stride(d);
+      for (int i = 0; i < K; ++i) s.N[d][i] = N[d][i][k], s.dN[d][i] = dN[d][i][k];
+    }
+    return s;
+  }
+
+  /// Σ_i N_ip φ_i of the block's particle k
   template <class V>
   V gather(int k, const Grid<D>& grid, const std::vector<V>& field) const {
-    const Stencil<D, K> s(*this, k, grid);
-    const V* const from = field.data() + first[k];
-    V value = V::Zero();
-    s.for_rows([&](std::ptrdiff_t row, double N_row, const auto&) {
-      V sum = s.N[0][0] * from[row];
-      for (int i = 1; i < K; ++i) sum += s.N[0][i] * from[row + i];
-      value += N_row * sum;
-    });
-    return value;
+    return stencil(k, grid).value(field.data() + first[k]);
   }
 
   /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
   ValueAndGradient<D> gather_with_gradient(int k, const Grid<D>& grid, const std::vector<Packed<D>>& field) const {
-    const Stencil<D, K> s(*this, k, grid);
-    const Packed<D>* const from = field.data() + first[k];
-    ValueAndGradient<D> result{Packed<D>::Zero(), PackedMat<D>::Zero()};
-    s.for_rows([&](std::ptrdiff_t row, double N_row, const std::array<double, D>& dN_row) {
-      Packed<D> sum = s.N[0][0] * from[row], slope = s.dN[0][0] * from[row];
-      for (int i = 1; i < K; ++i) {
-        sum += s.N[0][i] * from[row + i];
-        slope += s.dN[0][i] * from[row + i];
-      }
-      result.value += N_row * sum;
-      result.gradient.col(0) += N_row * slope;
-      for (int d = 1; d < D; ++d) result.gradient.col(d) += dN_row[static_cast<std::size_t>(d)] * sum;
-    });
-    return result;
+    return stencil(k, grid).value_and_gradient(field.data() + first[k]);
   }
 
-  /// φ_i += N_ip value
-  template <class V>
-  void scatter(int k, const Grid<D>& grid, const V& value, std::vector<V>& field) const {
-    const Stencil<D, K> s(*this, k, grid);
-    V* const to = field.data() + first[k];
-    s.for_rows([&](std::ptrdiff_t row, double N_row, const auto&) {
-      const V share = N_row * value;
-      for (int i = 0; i < K; ++i) to[row + i] += s.N[0][i] * share;
-    });
-  }
-
-  /// φ_i += gradient ∇N_ip
-  void scatter_gradient(int k, const Grid<D>& grid, const PackedMat<D>& gradient,
-                        std::vector<Packed<D>>& field) const {
-    scatter_to(k, grid, gradient, field, [](double) { return Packed<D>(Packed<D>::Zero()); });
-  }
-
-  /// φ_i += N_ip value + gradient ∇N_ip
-  void scatter(int k, const Grid<D>& grid, const ValueAndGradient<D>& source, std::vector<Packed<D>>& field) const {
-    scatter_to(k, grid, source.gradient, field, [&](double N_row) { return Packed<D>(N_row * source.value); });
-  }
-
- private:
-  template <class Share>
-  void scatter_to(int k, const Grid<D>& grid, const PackedMat<D>& gradient, std::vector<Packed<D>>& field,
-                  const Share& share_of) const {
-    const Stencil<D, K> s(*this, k, grid);
-    Packed<D>* const to = field.data() + first[k];
-    s.for_rows([&](std::ptrdiff_t row, double N_row, const std::array<double, D>& dN_row) {
-      Packed<D> share = share_of(N_row);
-      for (int d = 1; d < D; ++d) share += dN_row[static_cast<std::size_t>(d)] * gradient.col(d);
-      const Packed<D> slope = N_row * gradient.col(0);
-      for (int i = 0; i < K; ++i) to[row + i] += s.N[0][i] * share + s.dN[0][i] * slope;
-    });
+  /// φ_i += N_ip source, or φ_i += N_ip value + gradient ∇N_ip
+  template <class Source, class V>
+  void scatter(int k, const Grid<D>& grid, const Source& source, std::vector<V>& field) const {
+    stencil(k, grid).add(source, field.data() + first[k]);
   }
 };
 

@@ -45,7 +45,7 @@ struct MapInternalForce {
 
   void operator()(const auto& block, const Grid<D>&) const {
     block.for_particles([&](int k, std::size_t p) {
-      block.scatter_gradient(k, grid, -particles.V0[p] * block.tau[k], grid.f);
+      block.scatter(k, grid, ValueAndGradient<D>{Packed<D>::Zero(), -particles.V0[p] * block.tau[k]}, grid.f);
     });
   }
 };
@@ -58,7 +58,8 @@ struct MapForces {
 
   void operator()(const auto& block, const Grid<D>&) const {
     block.for_particles([&](int k, std::size_t p) {
-      block.scatter(k, grid, {packed<D>(particles.m[p] * block.b[k]), -particles.V0[p] * block.tau[k]}, grid.f);
+      const ValueAndGradient<D> force{packed<D>(particles.m[p] * block.b[k]), -particles.V0[p] * block.tau[k]};
+      block.scatter(k, grid, force, grid.f);
     });
   }
 };

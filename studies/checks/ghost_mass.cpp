@@ -21,7 +21,7 @@ double ghost_mass(const solver::Mpm<1>& mpm, double full) {
   double worst = 0;
   for (int layer = 0; layer < grid.ghost(); ++layer)
     worst = std::max(
-        {worst, grid.m[static_cast<std::size_t>(layer)], grid.m[grid.size() - 1 - static_cast<std::size_t>(layer)]});
+        {worst, grid.m(static_cast<std::size_t>(layer)), grid.m(grid.size() - 1 - static_cast<std::size_t>(layer))});
   return worst / full;
 }
 

@@ -12,8 +12,8 @@ Grid<2> random_grid() {
   Grid<2> grid(Vec<2>::Zero(), 1, {6, 5}, 1, 2);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> value(-1, 1);
-  for (auto& m : grid.m) m = 2 + value(random);
-  for (auto& p : grid.p) p = Vec<2>(value(random), value(random));
+  for (auto& p : grid.p) p = packed<2>(Vec<2>(value(random), value(random)), 2 + value(random));
+  for (auto& v : grid.v) v = Vec<2>(value(random), value(random));
   return grid;
 }
 
@@ -28,76 +28,74 @@ void for_all(const Grid<2>& grid, const Visit& visit) {
 
 TEST(PeriodicBoundary, ImagesCarryTheSumOfOnePeriod) {
   Grid<2> grid = random_grid();
-  const auto mapped = grid.m;
+  const auto mapped = grid.p;
   double total = 0;
-  for (const double m : mapped) total += m;
-  for (const Face face : faces) Periodic{}.fold(grid, face, grid.m);
+  for (const auto& p : mapped) total += p[2];
+  for (const Face face : faces) Periodic{}.fold(grid, face, grid.p);
   double period = 0;
   for_all(grid, [&](int i, int j, std::size_t n) {
-    if (i >= 0 && i < 6 && j >= 0 && j < 5) period += grid.m[n];
+    if (i >= 0 && i < 6 && j >= 0 && j < 5) period += grid.m(n);
     double expected = 0;
     for_all(grid, [&](int k, int l, std::size_t image) {
-      if ((k - i) % 6 == 0 && (l - j) % 5 == 0) expected += mapped[image];
+      if ((k - i) % 6 == 0 && (l - j) % 5 == 0) expected += mapped[image][2];
     });
-    EXPECT_NEAR(grid.m[n], expected, 1e-14) << i << " " << j;
+    EXPECT_NEAR(grid.m(n), expected, 1e-14) << i << " " << j;
   });
   EXPECT_NEAR(period, total, 1e-12);
 }
 
 TEST(PeriodicBoundary, OneCellIsOneNode) {
   Grid<1> grid(Vec<1>::Zero(), 1, {1}, 1, 2);
-  std::fill(grid.m.begin(), grid.m.end(), 1);
-  Periodic{}.fold(grid, {0, false}, grid.m);
-  for (const double m : grid.m) EXPECT_EQ(m, 6);
+  std::fill(grid.v.begin(), grid.v.end(), Packed<1>(1));
+  Periodic{}.fold(grid, {0, false}, grid.v);
+  for (const auto& v : grid.v) EXPECT_EQ(v[0], 6);
 }
 
 TEST(DirichletBoundary, HoldsEveryComponentOnTheFaceAndBeyond) {
   Grid<2> grid = random_grid();
-  const auto before = grid.p;
-  Dirichlet{}.constrain(grid, {1, true}, grid.p);
-  for_all(grid, [&](int, int j, std::size_t n) { EXPECT_EQ(grid.p[n], j < 5 ? before[n] : Vec<2>::Zero().eval()); });
+  const auto before = grid.v;
+  Dirichlet{}.constrain(grid, {1, true}, grid.v);
+  for_all(grid, [&](int, int j, std::size_t n) { EXPECT_EQ(grid.v[n], j < 5 ? before[n] : Vec<2>::Zero().eval()); });
 }
 
 TEST(SymmetryBoundary, TurnsTheNormalComponentOnly) {
   for (const Face face : faces) {
     Grid<2> grid = random_grid();
-    const auto before = grid.p;
-    Symmetry{}.constrain(grid, face, grid.p);
+    const auto before = grid.v;
+    Symmetry{}.constrain(grid, face, grid.v);
     const int plane = face.upper ? grid.cells()[static_cast<std::size_t>(face.axis)] : 0;
     for_all(grid, [&](int i, int j, std::size_t n) {
       const auto axis = static_cast<std::size_t>(face.axis);
       Index<2> image{i, j};
       const int beyond = (image[axis] - plane) * (face.upper ? 1 : -1);
       image[axis] = 2 * plane - image[axis];
-      const double inside = beyond > 0 ? grid.p[static_cast<std::size_t>(grid.node(image))][face.axis] : 0;
-      EXPECT_EQ(grid.p[n][face.axis], beyond < 0 ? before[n][face.axis] : -inside);
-      EXPECT_EQ(grid.p[n][1 - face.axis], before[n][1 - face.axis]);
+      const double inside = beyond > 0 ? grid.v[static_cast<std::size_t>(grid.node(image))][face.axis] : 0;
+      EXPECT_EQ(grid.v[n][face.axis], beyond < 0 ? before[n][face.axis] : -inside);
+      EXPECT_EQ(grid.v[n][1 - face.axis], before[n][1 - face.axis]);
     });
   }
 }
 
 TEST(MirrorBoundary, FoldsCornersOnce) {
   Grid<2> grid = random_grid();
-  const auto mass = grid.m;
-  const auto momentum = grid.p;
-  for (const Face face : {faces[0], faces[2]}) {
-    Mirror{}.fold(grid, face, grid.m);
-    Mirror{}.fold(grid, face, grid.p);
-  }
+  const auto mapped = grid.p;
+  const auto mass = [&mapped](std::size_t n) { return mapped[n][2]; };
+  const auto momentum = [&mapped](std::size_t n) { return Vec<2>(mapped[n].head<2>()); };
+  for (const Face face : {faces[0], faces[2]}) Mirror{}.fold(grid, face, grid.p);
   const auto at = [&grid](int i, int j) { return static_cast<std::size_t>(grid.node({i, j})); };
   const auto flipped = [](Vec<2> v, double x, double y) { return Vec<2>(x * v[0], y * v[1]); };
   for (int i : {1, 2})
     for (int j : {1, 2}) {
-      EXPECT_NEAR(grid.m[at(i, j)], mass[at(i, j)] + mass[at(-i, j)] + mass[at(i, -j)] + mass[at(-i, -j)], 1e-14);
-      const Vec<2> sum = momentum[at(i, j)] + flipped(momentum[at(-i, j)], -1, 1) +
-                         flipped(momentum[at(i, -j)], 1, -1) + flipped(momentum[at(-i, -j)], -1, -1);
-      EXPECT_LT((grid.p[at(i, j)] - sum).norm(), 1e-14);
-      EXPECT_LT((grid.p[at(-i, -j)] + sum).norm(), 1e-14);
-      EXPECT_LT((grid.p[at(-i, j)] - flipped(sum, -1, 1)).norm(), 1e-14);
+      EXPECT_NEAR(grid.m(at(i, j)), mass(at(i, j)) + mass(at(-i, j)) + mass(at(i, -j)) + mass(at(-i, -j)), 1e-14);
+      const Vec<2> sum = momentum(at(i, j)) + flipped(momentum(at(-i, j)), -1, 1) +
+                         flipped(momentum(at(i, -j)), 1, -1) + flipped(momentum(at(-i, -j)), -1, -1);
+      EXPECT_LT((grid.p[at(i, j)].head<2>() - sum).norm(), 1e-14);
+      EXPECT_LT((grid.p[at(-i, -j)].head<2>() + sum).norm(), 1e-14);
+      EXPECT_LT((grid.p[at(-i, j)].head<2>() - flipped(sum, -1, 1)).norm(), 1e-14);
     }
   for (int i = -2; i < 4; ++i) {
-    EXPECT_EQ(grid.p[at(0, i)][0], 0);
-    EXPECT_EQ(grid.p[at(i, 0)][1], 0);
+    EXPECT_EQ(grid.p[at(0, i)].head<2>()[0], 0);
+    EXPECT_EQ(grid.p[at(i, 0)].head<2>()[1], 0);
   }
 }
 

@@ -24,9 +24,9 @@ std::vector<Mat<D>> deformations() {
 
 template <class M, int D>
 Mat<D> tau_of(const M& material, const Mat<D>& F) {
-  Mat<D> tau;
+  PackedMat<D> tau;
   material.kirchhoff(&F, &tau, 1);
-  return tau;
+  return tau.template topRows<D>();
 }
 
 /// Materials to try the properties with; a new material adds its own.

@@ -70,15 +70,24 @@ std::vector<Reached<D>> reached(const Setting<B>& setting, const Grid<D>& grid, 
   else
     EXPECT_EQ(found, Fault::none) << "at " << x.transpose();
   std::vector<Reached<D>> all;
-  block.for_nodes(0, grid, [&](int n, double N, const Vec<D>& dN) {
-    ASSERT_GE(n, 0);
-    ASSERT_LT(n, static_cast<int>(grid.size()));
+  for (int total = static_cast<int>(std::pow(B::support, D)), k = 0; k < total; ++k) {
+    auto n = static_cast<std::ptrdiff_t>(block.first[0]);
+    double N = 1;
+    Vec<D> dN = Vec<D>::Ones();
+    for (int d = 0, rest = k; d < D; ++d, rest /= B::support) {
+      const int i = rest % B::support;
+      n += i * grid.stride(d);
+      N *= block.N[d][i][0];
+      for (int e = 0; e < D; ++e) dN[e] *= d == e ? block.dN[d][i][0] : block.N[d][i][0];
+    }
+    EXPECT_GE(n, 0);
+    EXPECT_LT(n, static_cast<std::ptrdiff_t>(grid.size()));
     Reached<D> node{grid.index(static_cast<std::size_t>(n)), grid.lower(), N, dN};
     for (int d = 0; d < D; ++d)
       node.x[d] +=
           grid.h() * B::position(node.node[static_cast<std::size_t>(d)], grid.cells()[static_cast<std::size_t>(d)]);
     all.push_back(node);
-  });
+  }
   return all;
 }
 
