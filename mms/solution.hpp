@@ -40,7 +40,7 @@ class ManufacturedSolution {
   virtual double displacement_scale() const = 0;  ///< the largest |u|, up to a factor of order one
 
   /// The same at many fixed points; solutions with separable parts override it to compute those once.
-  virtual std::unique_ptr<PointwiseSolution<D>> at_points(std::vector<Vec<D>> X) const;
+  virtual std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const;
 
   /// X with X + u(X, t) = x, W (A.1), by Newton's method; throws std::domain_error when it does not converge.
   Vec<D> reference_point(const Vec<D>& x, double t) const;
