@@ -1,8 +1,8 @@
 #include "mms/axis_aligned.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <unordered_map>
 
@@ -66,7 +66,8 @@ Vec<D> AxisAligned<D>::b(const Vec<D>& X, double t) const {
   return u(X, t).array() * bracket / rho_;
 }
 
-/// sin kπX_d and cos kπX_d of every distinct coordinate, and for each point its place in these tables.
+/// On a lattice many points share a coordinate. Per axis, whatever depends on one coordinate is kept for each distinct
+/// one: sin and cos for good, the parts of b for the time last asked for; per point only its places in these tables.
 template <int D>
 class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
  public:
@@ -76,7 +77,7 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
       for (std::size_t p = 0; p < X.size(); ++p) {
         const double X_d = X[p][static_cast<int>(d)];
         const auto [entry, is_new] = known.try_emplace(X_d, static_cast<std::uint32_t>(known.size()));
-        if (is_new) table_[d].push_back({std::sin(solution_.k_pi_ * X_d), std::cos(solution_.k_pi_ * X_d)});
+        if (is_new) waves_[d].push_back({std::sin(solution_.k_pi_ * X_d), std::cos(solution_.k_pi_ * X_d)});
         places_[p][d] = entry->second;
       }
     }
@@ -85,54 +86,67 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
   void displacement(double t, std::span<const std::uint32_t> ids, Vec<D>* u) const override {
     const Vec<D> A_T = solution_.A_ * solution_.T(t);
     for (const auto id : ids) {
-      for (int d = 0; d < D; ++d) (*u)[d] = A_T[d] * harmonic(id, d).sin;
+      for (std::size_t d = 0; d < D; ++d) u->data()[d] = A_T.data()[d] * waves_[d][places_[id][d]].sin;
       ++u;
     }
   }
 
   void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
-    const Vec<D> A_T = solution_.A_ * solution_.T(t);
-    for (; !ids.empty(); ids = ids.subspan(std::min<std::size_t>(ids.size(), lanes)), b += lanes)
-      few_body_forces(A_T, ids.first(std::min<std::size_t>(ids.size(), lanes)), b);
+    const auto parts = parts_at(t);
+    for (const auto id : ids) {
+      const Part* at[D];
+      double bracket = solution_.lambda_ + solution_.mu_;
+      for (std::size_t d = 0; d < D; ++d) {
+        at[d] = &parts->of_axis[d][places_[id][d]];
+        bracket -= at[d]->lambda_log_F;
+      }
+      for (std::size_t d = 0; d < D; ++d) b->data()[d] = at[d]->constant + at[d]->factor * bracket;
+      ++b;
+    }
   }
 
  private:
-  static constexpr int lanes = 32;  ///< points at a time, so that divisions and logarithms run side by side
-  using Lanes = Eigen::Array<double, lanes, 1>;
-  struct Harmonic {
+  struct Wave {
     double sin, cos;
   };
 
-  const Harmonic& harmonic(std::uint32_t id, int axis) const {
-    const auto d = static_cast<std::size_t>(axis);
-    return table_[d][places_[id][d]];
+  /// b_d = constant + factor (λ + μ - Σ λ ln F), each of them a function of one coordinate.
+  struct Part {
+    double constant;      ///< π² u_d (k² μ - E) / ρ₀
+    double factor;        ///< π² u_d k² F_d⁻² / ρ₀
+    double lambda_log_F;  ///< λ ln F_d
+  };
+  struct Parts {
+    double t;
+    std::array<std::vector<Part>, D> of_axis;
+  };
+
+  /// The parts of time t, made by the first call that asks for it.
+  std::shared_ptr<const Parts> parts_at(double t) const {
+    const std::lock_guard lock(mutex_);
+    if (!parts_ || parts_->t != t) parts_ = std::make_shared<const Parts>(make_parts(t));
+    return parts_;
   }
 
-  void few_body_forces(const Vec<D>& A_T, std::span<const std::uint32_t> ids, Vec<D>* b) const {
-    const int n = static_cast<int>(ids.size());
-    Lanes u[D], F[D], J = Lanes::Ones();
-    for (int d = 0; d < D; ++d) {
-      u[d].setZero(), F[d].setOnes();
-      for (int k = 0; k < n; ++k) {
-        const Harmonic& at = harmonic(ids[static_cast<std::size_t>(k)], d);
-        u[d][k] = A_T[d] * at.sin;
-        F[d][k] = 1 + solution_.k_pi_ * A_T[d] * at.cos;
+  Parts make_parts(double t) const {
+    const AxisAligned& s = solution_;
+    const Vec<D> A_T = s.A_ * s.T(t);
+    const double k2 = s.k_pi_ * s.k_pi_;
+    Parts parts{t, {}};
+    for (std::size_t d = 0; d < D; ++d)
+      for (const Wave& wave : waves_[d]) {
+        const double u = A_T.data()[d] * wave.sin, F = 1 + s.k_pi_ * A_T.data()[d] * wave.cos;
+        parts.of_axis[d].push_back({u * (k2 * s.mu_ - pi * pi * s.E_) / s.rho_, u * k2 / (F * F) / s.rho_,
+                                    s.lambda_ == 0 ? 0 : s.lambda_ * std::log(F)});
       }
-      J *= F[d];
-    }
-    Lanes numerator = Lanes::Constant(solution_.lambda_ + solution_.mu_);  // λ (1 - K) + μ
-    if (solution_.lambda_ != 0) numerator -= solution_.lambda_ * J.log();
-    const double k2 = solution_.k_pi_ * solution_.k_pi_;
-    for (int d = 0; d < D; ++d) {
-      const Lanes b_d =
-          u[d] * (k2 * (numerator / (F[d] * F[d]) + solution_.mu_) - pi * pi * solution_.E_) / solution_.rho_;
-      for (int k = 0; k < n; ++k) b[k][d] = b_d[k];
-    }
+    return parts;
   }
 
   const AxisAligned solution_;
-  std::array<std::vector<Harmonic>, D> table_;
+  std::array<std::vector<Wave>, D> waves_;
   std::vector<std::array<std::uint32_t, D>> places_;
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const Parts> parts_;
 };
 
 template <int D>

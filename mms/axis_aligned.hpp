@@ -27,7 +27,8 @@ class AxisAligned : public ManufacturedSolution<D> {
 
   double displacement_scale() const final { return std::abs(A_); }
 
-  /// Keeps sin kπX_d and cos kπX_d once per distinct coordinate, so on a lattice a few bytes per point.
+  /// Points that share coordinates share what depends on one: on a lattice a point costs a few bytes and additions, and
+  /// sine, logarithm and division happen once per distinct coordinate and time.
   std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const final;
 
  private:

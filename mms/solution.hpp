@@ -14,7 +14,8 @@ template <int D>
 using Mat = Eigen::Matrix<double, D, D>;
 
 /// A solution evaluated at fixed reference points, with everything that does not change in time computed once.
-/// `ids` name points by their place in the list given to `ManufacturedSolution::at_points`.
+/// `ids` name points by their place in the list given to `ManufacturedSolution::at_points`. Threads may call it at
+/// once.
 template <int D>
 class PointwiseSolution {
  public:

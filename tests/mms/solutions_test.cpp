@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <type_traits>
+#include <thread>
 
 #include "mms/bar.hpp"
 #include "mms/cube.hpp"
@@ -158,6 +158,29 @@ TYPED_TEST(Solution, PointwiseEqualsDirect) {
       EXPECT_EQ(b[count], Vec<D>::Constant(-7));
     }
   }
+}
+
+TYPED_TEST(Solution, PointwiseServesThreadsAtDifferentTimes) {
+  constexpr int D = TypeParam::dimension;
+  const TypeParam sample = samples<TypeParam>().front();
+  const auto closed = sample.closed();
+  const std::vector<Vec<D>> X{Vec<D>::Constant(0.2), Vec<D>::Constant(0.7)};
+  const auto points = closed.at_points(X);
+  const auto work = [&](double phase, double& worst) {
+    const std::vector<std::uint32_t> ids{1, 0};
+    Vec<D> b[2];
+    for (int k = 0; k < 2000; ++k) {
+      const double t = (phase + k % 7) * sample.period();
+      points->body_force(t, ids, b);
+      worst = std::max(worst, (b[0] - closed.b(X[1], t)).norm() / closed.b(X[1], t).norm());
+    }
+  };
+  double worst[2] = {0, 0};
+  std::thread other(work, 0.1, std::ref(worst[0]));
+  work(0.6, worst[1]);
+  other.join();
+  EXPECT_LT(worst[0], 1e-12);
+  EXPECT_LT(worst[1], 1e-12);
 }
 
 /// Normal displacement and shear vanish on the faces of square and cube, which so are symmetry planes and smooth walls.
