@@ -204,16 +204,13 @@ void read_figures(const TomlTable& root, StudyPlan& plan) {
 }
 
 Criterion::Kind criterion_kind(const TomlTable& table) {
-  static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{{"order", Criterion::Kind::order},
-                                                                          {"error", Criterion::Kind::error},
-                                                                          {"error-ratio", Criterion::Kind::error_ratio},
-                                                                          {"spread", Criterion::Kind::spread},
-                                                                          {"status", Criterion::Kind::status},
-                                                                          {"limit", Criterion::Kind::limit},
-                                                                          {"limit-ratio", Criterion::Kind::limit_ratio},
-                                                                          {"value", Criterion::Kind::value},
-                                                                          {"shown", Criterion::Kind::shown},
-                                                                          {"awaited", Criterion::Kind::awaited}};
+  static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{
+      {"order", Criterion::Kind::order},    {"order-difference", Criterion::Kind::order_difference},
+      {"error", Criterion::Kind::error},    {"error-ratio", Criterion::Kind::error_ratio},
+      {"spread", Criterion::Kind::spread},  {"status", Criterion::Kind::status},
+      {"limit", Criterion::Kind::limit},    {"limit-ratio", Criterion::Kind::limit_ratio},
+      {"value", Criterion::Kind::value},    {"shown", Criterion::Kind::shown},
+      {"awaited", Criterion::Kind::awaited}};
   std::vector<std::string> words;
   const std::string word = table.text("measure");
   for (const auto& [name, kind] : kinds) {
@@ -226,8 +223,8 @@ Criterion::Kind criterion_kind(const TomlTable& table) {
 
 Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   using Kind = Criterion::Kind;
-  table.allow_only(
-      {"claim", "statement", "measure", "series", "over", "name", "norm", "window", "at_least", "at_most", "reason"});
+  table.allow_only({"claim", "statement", "measure", "series", "over", "name", "norm", "over_norm", "window",
+                    "at_least", "at_most", "reason"});
   Criterion c;
   c.claim = table.text("claim");
   require_word("claim of this study", c.claim, plan.claims, table.where("claim"));
@@ -262,9 +259,13 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
     c.norm = norm_of(table, "norm");
     require_measured(plan, c.norm, table.where("norm"));
   }
+  if (c.kind == Kind::order_difference) {
+    c.over_norm = norm_of(table, "over_norm");
+    require_measured(plan, c.over_norm, table.where("over_norm"));
+  }
   c.window = read_window(table, "window");
-  if (c.kind == Kind::order) require_points(plan, c.window, 3, table.where("window"));
-  if (c.kind != Kind::order) require_points(plan, c.window, 1, table.where("window"));
+  const bool fits = c.kind == Kind::order || c.kind == Kind::order_difference;
+  require_points(plan, c.window, fits ? 3 : 1, table.where("window"));
   return c;
 }
 

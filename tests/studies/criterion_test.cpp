@@ -69,6 +69,22 @@ TEST(Criterion, AnUnstableErrorIsInfinite) {
   EXPECT_EQ(judge(ratio, two_series()).verdict, PartVerdict::fails);
 }
 
+TEST(Criterion, TwoUnstableRunsAreEqual) {
+  Criterion ratio = criterion(Kind::error_ratio, "bad", 1, 1);
+  ratio.over = "bad";
+  EXPECT_EQ(judge(ratio, two_series()).verdict, PartVerdict::holds);
+}
+
+TEST(Criterion, OrderDifferenceBetweenNorms) {
+  StudyResult result = two_series();
+  for (Point& point : result.series[0].points) point.y["linf"] = std::pow(point.x, -1.5);
+  Criterion difference = criterion(Kind::order_difference, "good", 0.4999, 0.5001);
+  difference.over_norm = "linf";
+  EXPECT_EQ(judge(difference, result).verdict, PartVerdict::holds);
+  difference.window = {8, 8};  // one point carries no order
+  EXPECT_EQ(judge(difference, result).verdict, PartVerdict::inconclusive);
+}
+
 TEST(Criterion, SpreadStatusLimitValue) {
   EXPECT_EQ(judge(criterion(Kind::spread, "good", 63.9, 64.1), two_series()).verdict, PartVerdict::holds);
   EXPECT_EQ(judge(criterion(Kind::status, "bad", 0.74, 0.76), two_series()).verdict, PartVerdict::holds);
