@@ -93,7 +93,12 @@ void require_sense(const Case& c) {
   if (s.wall_acceleration == "difference" && s.integrator == "uvf")
     throw UsageError(
         "wall_acceleration 'difference' with integrator 'uvf', which maps the velocity after the acceleration (use "
-        "zero, or usl, usf or cd)");
+        "zero, or another integrator)");
+  if (s.wall_acceleration == "difference" && s.integrator == "rk4")
+    throw UsageError(
+        "wall_acceleration 'difference' with integrator 'rk4', whose stages have rates and no step to take a "
+        "difference "
+        "over (use zero, or another integrator)");
   if ((has("symmetry") || has("mirror")) && c.resolution.cells < 4)
     throw UsageError(
         fmt::format("{} cells are too few for boundary '{}' (at least 4: ghosts and their images must differ)",

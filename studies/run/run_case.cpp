@@ -176,7 +176,8 @@ double memory_estimate(const Case& c) {
   const int D = find_problem(c.problem.name, "the case").dimension();
   // Positions (with the reference ones), velocities, F, widths, mass, volume, identity, and twice a field while
   // sorting.
-  const double per_particle = 8.0 * (5 * D + 2 * D * D + 4) + 64;
+  const double stages = solver::is_staged(c.scheme.integrator) ? 2 * (2 * D + D * D) : 0;
+  const double per_particle = 8.0 * (5 * D + 2 * D * D + 4 + stages) + 64;
   const double per_node = 8.0 * (4 * D + 1);
   return per_particle * std::pow(c.resolution.cells * c.resolution.ppc, D) +
          per_node * std::pow(c.resolution.cells + 5, D);
