@@ -8,9 +8,9 @@ namespace mpmvv::solver {
 ///   F' = (I + Δt/2 L(v)) F^n,   f = f(F'),   F^{n+1} = (I + Δt/2 L(v⁺)) F',
 ///   F^{n+1} = (I + Δt (L(v) + L(v⁺))/2 + Δt²/4 L(v⁺) L(v)) F^n:
 /// the mean of the updates of usf and usl, and a product of their halves that neither has; its sum over a run is of
-/// first order in Δt. In (v, F) the step is half drift, kick, half drift, hence symmetric for small motions: the energy
-/// errors of usf and usl, of first order and opposite sign, cancel. Positions follow S (10) as in all integrators,
-/// and the body force is that of t^n.
+/// first order in Δt. So is what positions, S (10), and the body force, of t^n, bring in as in usf and usl. Energy: usf
+/// keeps it, usl loses it to the part of a that the round trip S⁺S between particles and grid filters out, for
+/// v⁺ = v + Δt a where the new particle velocities map to v + Δt S⁺S a; usavg loses half of that.
 template <int D>
 void usavg(Mpm<D>& s, double dt) {
   auto& particles = s.particles();

@@ -3,7 +3,9 @@
 
 namespace mpmvv::solver {
 
-/// Update stress averaged with re-extrapolated momenta, N §2.3: `usavg` but for the velocity of the second half.
+/// Update stress averaged with re-extrapolated momenta, N §2.3: `usavg` but for the velocity of the second half. For
+/// small motions that is leapfrog in (v, F), half drift, kick, half drift: the energy errors of usf and usl+, of first
+/// order and opposite sign, cancel.
 template <int D>
 void usavg_plus(Mpm<D>& s, double dt) {
   auto& particles = s.particles();

@@ -8,6 +8,7 @@
 
 #include "studies/error.hpp"
 #include "studies/norms.hpp"
+#include "studies/run/nodal_error.hpp"
 #include "studies/run/scene.hpp"
 #include "studies/run/vtu.hpp"
 
@@ -129,6 +130,12 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
       record.error.l1 = norms.l1();
       record.error.l2 = norms.l2();
       record.error.linf = norms.linf();
+    }
+    if (c.measure.nodal_error) {
+      const ErrorNorms norms = acceleration_errors(mpm, *stage.setup.solution);
+      record.error.nodal_l1 = norms.l1();
+      record.error.nodal_l2 = norms.l2();
+      record.error.nodal_linf = norms.linf();
     }
   } else {
     record.error = {};

@@ -131,6 +131,50 @@ double order_in_time(std::string_view integrator, int steps) {
   return std::log2(distance(at_end(integrator, steps), limit) / distance(at_end(integrator, 2 * steps), limit));
 }
 
+/// Energy over its initial value, step by step, of a motion so small that it is harmonic: v' = -ω² h y, y' = v/h, y = F
+/// - 1.
+const double omega = std::sqrt(E / rho) / h;
+
+std::vector<double> energies(std::string_view integrator, double dt, int steps) {
+  Scene<1> scene = one_particle(integrator);
+  scene.particles.v[0][0] = 1e-4;
+  Mpm<1> mpm(scene);
+  const double start = mpm.kinetic_energy();
+  std::vector<double> ratios;
+  for (int k = 0; k < steps; ++k) {
+    EXPECT_TRUE(mpm.step(dt));
+    ratios.push_back((mpm.kinetic_energy() + mpm.strain_energy()) / start);
+  }
+  return ratios;
+}
+
+/// With its mapped velocity usf is the symplectic Euler method, usl+ its adjoint, and usavg+ their composition,
+/// leapfrog. The v⁺ of usl exceeds the mapped velocity by Δt (a_i - S⁺S a_i) = Δt v', since S⁺S = x/h = 1/2 here; so y
+/// gets -ω² Δt² y more per step and the energy decays as exp(-ω² Δt t). usavg does so by half, between usf and usl.
+TEST(OneParticle, UsavgLosesHalfTheEnergyThatUslLoses) {
+  const int steps = 8 * 400;  // eight oscillations
+  const double t = 8 * 2 * M_PI / omega, dt = t / steps;
+  const double decay = omega * omega * dt * t;
+  for (const auto& [integrator, share] :
+       {std::pair{"usf", 0.}, {"usl", 1.}, {"usavg", 0.5}, {"usl+", 0.}, {"usavg+", 0.}})
+    EXPECT_NEAR(-std::log(energies(integrator, dt, steps).back()), share * decay, 0.02 * decay) << integrator;
+}
+
+TEST(OneParticle, EnergyErrorsOfUsfAndUslPlusCancelInUsavgPlus) {
+  const int steps = 400;
+  const double dt = 2 * M_PI / omega / steps;
+  const auto usf = energies("usf", dt, steps), usl = energies("usl+", dt, steps), usavg = energies("usavg+", dt, steps);
+  double first_order = 0, sum = 0, averaged = 0;
+  for (std::size_t k = 0; k < usf.size(); ++k) {
+    first_order = std::max(first_order, std::abs(usf[k] - 1));
+    sum = std::max(sum, std::abs(usf[k] + usl[k] - 2));
+    averaged = std::max(averaged, std::abs(usavg[k] - 1));
+  }
+  EXPECT_NEAR(first_order, omega * dt / 2, 0.02 * omega * dt);  // the modified energy of symplectic Euler
+  EXPECT_LT(sum, 3 * omega * dt * first_order);
+  EXPECT_LT(averaged, 3 * omega * dt * first_order);
+}
+
 TEST(OneParticle, OrdersInTime) {
   for (const auto* integrator : {"usf", "usl", "usavg", "usl+", "usavg+"})
     EXPECT_NEAR(order_in_time(integrator, 512), 1, 0.05) << integrator;
