@@ -45,7 +45,10 @@ struct AdvanceStage {
 /// which is what every integrator here tends to as Δt -> 0: S (1) to (10) divided by Δt. Then
 ///   k_1 = g(t, y), k_2 = g(t + Δt/2, y + Δt/2 k_1), k_3 = g(t + Δt/2, y + Δt/2 k_2), k_4 = g(t + Δt, y + Δt k_3),
 ///   y += Δt (k_1 + 2 k_2 + 2 k_3 + k_4)/6.
-/// The rates are only as smooth as ∇N: the order is four while no particle crosses a knot of the basis.
+/// The rates are only as smooth as ∇N: the order is four while no particle crosses a knot of the basis. On a fixed grid
+/// all others are of first order towards this limit, cd too, since they keep the weights of t^n through the step and
+/// let x follow v_i + Δt a_i where the new particle velocities map to v_i + Δt (S⁺S a)_i. In cd these terms are of
+/// order h² Δt, so that it is of second order when the time step is refined with the grid.
 template <int D>
 void rk4(Mpm<D>& s, double dt) {
   struct Stage {
