@@ -50,7 +50,10 @@ nlohmann::json record_json(const Record& r) {
             {"linf", e.linf},
             {"l1_all_steps", e.l1_all_steps},
             {"l2_all_steps", e.l2_all_steps},
-            {"linf_all_steps", e.linf_all_steps}}},
+            {"linf_all_steps", e.linf_all_steps},
+            {"nodal_l1", e.nodal_l1},
+            {"nodal_l2", e.nodal_l2},
+            {"nodal_linf", e.nodal_linf}}},
           {"energy",
            {{"kinetic", r.energy.kinetic}, {"strain", r.energy.strain}, {"initial_total", r.energy.initial_total}}},
           {"wall_seconds", r.wall_seconds},
@@ -73,6 +76,9 @@ void print_record(const Record& r) {
   if (r.the_case.measure.every_step)
     fmt::print("error over all steps l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1_all_steps),
                or_dash(r.error.l2_all_steps), or_dash(r.error.linf_all_steps));
+  if (r.the_case.measure.nodal_error)
+    fmt::print("error of nodal a     l1 {}  l2 {}  linf {} m/s2\n", or_dash(r.error.nodal_l1),
+               or_dash(r.error.nodal_l2), or_dash(r.error.nodal_linf));
   fmt::print("energy kinetic {}  strain {}  initial total {} J\n", or_dash(r.energy.kinetic), or_dash(r.energy.strain),
              or_dash(r.energy.initial_total));
   fmt::print("{:.3g} s, {:.2f} ns per particle and step\n", r.wall_seconds, r.ns_per_particle_step);
@@ -81,7 +87,7 @@ void print_record(const Record& r) {
 struct RunOptions {
   std::map<std::string, CLI::Option*> given;  ///< by setting key
   std::vector<std::string> parameters;
-  bool every_step = false, json = false;
+  bool every_step = false, nodal_error = false, json = false;
   int threads = 1;
   std::string vtu;
 };
@@ -92,6 +98,7 @@ int run(const RunOptions& options) {
     if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
   for (const std::string& parameter : options.parameters) settings.push_back(parameter_setting(parameter));
   if (options.every_step) settings.push_back({"every_step", "true", "--every-step"});
+  if (options.nodal_error) settings.push_back({"nodal_error", "true", "--nodal-error"});
   const Record record = run_case(make_case(settings), options.threads, options.vtu);
   if (options.json)
     print_json(record_json(record));
@@ -117,6 +124,8 @@ void add_run(CLI::App& app, int& exit_code) {
     std::replace(name.begin(), name.end(), '_', '-');
     if (key.key == "every_step")
       command->add_flag(name, options->every_step, key.meaning);
+    else if (key.key == "nodal_error")
+      command->add_flag(name, options->nodal_error, key.meaning);
     else
       options->given[key.key] = command->add_option(name, key.meaning)->expected(1);
   }

@@ -19,6 +19,8 @@ Status status_from(const std::string& word);  ///< throws UsageError on an unkno
 struct Errors {
   double l1 = not_measured, l2 = not_measured, linf = not_measured;
   double l1_all_steps = not_measured, l2_all_steps = not_measured, linf_all_steps = not_measured;
+  /// Of the acceleration error δ_i over the nodes of the body at the end, W (A.2), in m/s².
+  double nodal_l1 = not_measured, nodal_l2 = not_measured, nodal_linf = not_measured;
 };
 
 struct Energy {

@@ -8,6 +8,7 @@
 
 #include "studies/error.hpp"
 #include "studies/norms.hpp"
+#include "studies/run/nodal_error.hpp"
 #include "studies/run/scene.hpp"
 #include "studies/run/vtu.hpp"
 
@@ -130,6 +131,12 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
       record.error.l2 = norms.l2();
       record.error.linf = norms.linf();
     }
+    if (c.measure.nodal_error) {
+      const ErrorNorms norms = acceleration_errors(mpm, *stage.setup.solution);
+      record.error.nodal_l1 = norms.l1();
+      record.error.nodal_l2 = norms.l2();
+      record.error.nodal_linf = norms.linf();
+    }
   } else {
     record.error = {};
   }
@@ -176,7 +183,8 @@ double memory_estimate(const Case& c) {
   const int D = find_problem(c.problem.name, "the case").dimension();
   // Positions (with the reference ones), velocities, F, widths, mass, volume, identity, and twice a field while
   // sorting.
-  const double per_particle = 8.0 * (5 * D + 2 * D * D + 4) + 64;
+  const double stages = solver::is_staged(c.scheme.integrator) ? 2 * (2 * D + D * D) : 0;
+  const double per_particle = 8.0 * (5 * D + 2 * D * D + 4 + stages) + 64;
   const double per_node = 8.0 * (4 * D + 1);
   return per_particle * std::pow(c.resolution.cells * c.resolution.ppc, D) +
          per_node * std::pow(c.resolution.cells + 5, D);

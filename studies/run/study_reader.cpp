@@ -17,8 +17,8 @@ namespace mpmvv {
 namespace {
 
 const std::vector<std::string>& norm_words() {
-  static const std::vector<std::string> words{"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps",
-                                              "y"};
+  static const std::vector<std::string> words{
+      "l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "nodal_l1", "nodal_l2", "nodal_linf", "y"};
   return words;
 }
 
@@ -142,16 +142,22 @@ void require_points(const StudyPlan& plan, const Window& window, int least, cons
                                  where, count, least));
 }
 
-/// `y` is what a check's curves have; errors over all steps are there when every series asks for them.
+/// The setting that a norm needs; empty for those at the end of a run, which are always measured.
+std::string setting_of(const std::string& norm) {
+  return norm.ends_with("_all_steps") ? "every_step" : norm.starts_with("nodal_") ? "nodal_error" : "";
+}
+
+/// `y` is what a check's curves have; errors over all steps and of nodes are there when every series asks for them.
 void require_measured(const StudyPlan& plan, const std::string& norm, const std::string& where) {
   if ((norm == "y") == plan.check.empty())
     throw UsageError(fmt::format("norm '{}' in {} (y for the curves of a check, an error norm for runs)", norm, where));
-  if (!norm.ends_with("_all_steps")) return;
+  const std::string setting = setting_of(norm);
+  if (setting.empty()) return;
   for (const SeriesPlan& series : plan.series) {
-    const auto asks = [](const Setting& s) { return s.key == "every_step" && s.value == "true"; };
+    const auto asks = [&setting](const Setting& s) { return s.key == setting && s.value == "true"; };
     if (std::none_of(series.settings.begin(), series.settings.end(), asks))
       throw UsageError(
-          fmt::format("norm '{}' in {} without every_step = true in series '{}'", norm, where, series.name));
+          fmt::format("norm '{}' in {} without {} = true in series '{}'", norm, where, setting, series.name));
   }
 }
 

@@ -30,6 +30,9 @@ Columns run_columns(const Record& r) {
           {"l1_all_steps", r.error.l1_all_steps},
           {"l2_all_steps", r.error.l2_all_steps},
           {"linf_all_steps", r.error.linf_all_steps},
+          {"nodal_l1", r.error.nodal_l1},
+          {"nodal_l2", r.error.nodal_l2},
+          {"nodal_linf", r.error.nodal_linf},
           {"kinetic", r.energy.kinetic},
           {"strain", r.energy.strain},
           {"initial_total", r.energy.initial_total},
@@ -100,7 +103,10 @@ std::optional<Record> find_run(const Database& database, const Case& c, const st
                                            .linf = row["linf"].real(),
                                            .l1_all_steps = row["l1_all_steps"].real(),
                                            .l2_all_steps = row["l2_all_steps"].real(),
-                                           .linf_all_steps = row["linf_all_steps"].real()},
+                                           .linf_all_steps = row["linf_all_steps"].real(),
+                                           .nodal_l1 = row["nodal_l1"].real(),
+                                           .nodal_l2 = row["nodal_l2"].real(),
+                                           .nodal_linf = row["nodal_linf"].real()},
                                  .energy = {.kinetic = row["kinetic"].real(),
                                             .strain = row["strain"].real(),
                                             .initial_total = row["initial_total"].real()},
@@ -112,9 +118,9 @@ std::optional<Record> find_run(const Database& database, const Case& c, const st
 
 std::map<std::string, double> run_quantities(const Row& row) {
   std::map<std::string, double> quantities;
-  for (const char* name :
-       {"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "wall_seconds", "ns_per_particle_step",
-        "kinetic", "strain", "initial_total", "particles", "steps", "dt", "cfl"})
+  for (const char* name : {"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "nodal_l1", "nodal_l2",
+                           "nodal_linf", "wall_seconds", "ns_per_particle_step", "kinetic", "strain", "initial_total",
+                           "particles", "steps", "dt", "cfl"})
     if (const Value& value = row[name]; !value.null()) quantities[name] = value.real();
   return quantities;
 }

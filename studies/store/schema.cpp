@@ -217,7 +217,14 @@ constexpr const char* schema_1 = R"sql(
   ) STRICT, WITHOUT ROWID;
 )sql";
 
-constexpr std::array all_migrations{schema_1};
+/// Errors of the nodes' accelerations.
+constexpr const char* schema_2 = R"sql(
+  ALTER TABLE runs ADD COLUMN nodal_l1 REAL;
+  ALTER TABLE runs ADD COLUMN nodal_l2 REAL;
+  ALTER TABLE runs ADD COLUMN nodal_linf REAL;
+)sql";
+
+constexpr std::array all_migrations{schema_1, schema_2};
 
 }  // namespace
 

@@ -24,6 +24,7 @@ TEST(RunCommand, RecordHasWhatTheContractNames) {
   EXPECT_EQ(record["scheme"]["basis"], "bspline2");
   EXPECT_EQ(record["scheme"]["start"], "half");
   EXPECT_TRUE(record["error"]["linf_all_steps"].is_null());
+  EXPECT_TRUE(record["error"]["nodal_l2"].is_null());
   EXPECT_NEAR(record["dt"].get<double>() * record["steps"].get<int>(), 0.01, 1e-15);
   EXPECT_LT(record["error"]["l1"], record["error"]["l2"]);
   EXPECT_LT(record["error"]["l2"], record["error"]["linf"]);
@@ -34,6 +35,14 @@ TEST(RunCommand, EveryStepBoundsTheEnd) {
   const Folder folder;
   const auto error = call(folder, std::string(bar) + "--every-step --json").json()["error"];
   EXPECT_GE(error["linf_all_steps"], error["linf"]);
+}
+
+TEST(RunCommand, NodalErrorIsShownWhenMeasured) {
+  const Folder folder;
+  const auto error = call(folder, std::string(bar) + "--nodal-error --json").json()["error"];
+  EXPECT_GT(error["nodal_l1"], 0);
+  EXPECT_LT(error["nodal_l1"], error["nodal_l2"]);
+  EXPECT_LT(error["nodal_l2"], error["nodal_linf"]);
 }
 
 TEST(RunCommand, ThreadsDoNotChangeOneBit) {
@@ -65,7 +74,7 @@ TEST(RunCommand, AmplitudesOfEitherSignAndNoneAreStable) {
 /// Every integrator with every way to treat the acceleration of held nodes: close to each other, or refused.
 TEST(RunCommand, WallAccelerationsOfEveryIntegratorAgree) {
   const Folder folder;
-  for (const char* integrator : {"usl", "usf", "cd"}) {
+  for (const char* integrator : {"usl", "usf", "cd", "usavg", "usl+", "usavg+"}) {
     const auto error = [&](const char* acceleration) {
       return call(
                  folder,

@@ -167,6 +167,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadFile{"window = [8, 64]\n[[figure", "window = [100, 200]\n[[figure", "holds 0 swept values"},
                     BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure",
                             "norm = \"linf_all_steps\"\nwindow = [8, 64]\n[[figure", "without every_step"},
+                    BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure",
+                            "norm = \"nodal_l2\"\nwindow = [8, 64]\n[[figure", "without nodal_error"},
                     BadFile{"[sweep]\n",
                             "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nscan_ratio = 1.0000001\n[sweep]\n",
                             "scan_ratio"},
