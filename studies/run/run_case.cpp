@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <optional>
+#include <vector>
 
 #include "studies/error.hpp"
 #include "studies/norms.hpp"
@@ -82,17 +84,19 @@ void note_errors_over_steps(Errors& errors, const ErrorNorms& now) {
   errors.linf_all_steps = larger(errors.linf_all_steps, now.linf());
 }
 
-/// Steps to the end or until the run blows up, and calls `observe` after every sound step; returns the seconds spent
-/// in the steps alone.
+/// Steps to the end or until the run blows up, and calls `observe` after every `stride` sound steps; returns the
+/// seconds spent in the steps alone.
 template <int D, class Observe>
-double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, Record& record, const Observe& observe) {
+double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, std::int64_t stride, Record& record,
+               const Observe& observe) {
   const Watch<D> watch(c, stage, record.energy.initial_total);
   double step_seconds = 0;
   while (record.steps < c.resolution.steps) {
+    const std::int64_t pause = std::min(record.steps + stride, c.resolution.steps);
+    bool sound = true;
     const auto start = Clock::now();
-    const bool sound = mpm.step(c.resolution.dt);
+    for (; sound && record.steps < pause; ++record.steps) sound = mpm.step(c.resolution.dt);
     step_seconds += seconds_since(start);
-    ++record.steps;
     if (!sound) record.reason = mpm.fault();
     const bool due = record.steps % Watch<D>::interval == 0 || record.steps == c.resolution.steps;
     if (sound && due) record.reason = watch.judge(mpm, stage);
@@ -117,7 +121,8 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
   const bool every_step = c.measure.every_step && stage.points;
   if (every_step) record.error.l1_all_steps = record.error.l2_all_steps = record.error.linf_all_steps = 0;
   if (vtu) vtu->write(mpm, stage.X);
-  const double step_seconds = advance(mpm, stage, c, record, [&] {
+  const std::int64_t stride = every_step || vtu ? 1 : Watch<D>::interval;
+  const double step_seconds = advance(mpm, stage, c, stride, record, [&] {
     if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, stage));
     if (vtu && VtuSeries::due(record.steps, c.resolution.steps)) vtu->write(mpm, stage.X);
   });
@@ -137,26 +142,21 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
   record.wall_seconds = seconds_since(start);
 }
 
-}  // namespace
-
-Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
-  const Problem& problem = find_problem(c.problem.name, "the case");
+/// One run of the case, whatever its dimension.
+Record run_once(const Case& c, const Problem& problem, int threads, VtuSeries* vtu) {
   Record record;
   record.the_case = c;
   record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells / problem.length;
-  std::optional<VtuSeries> frames;
-  if (!vtu.empty()) frames.emplace(vtu);
-  VtuSeries* const series = frames ? &*frames : nullptr;
   try {
     switch (problem.dimension()) {
       case 1:
-        run<1>(c, problem, threads, series, record);
+        run<1>(c, problem, threads, vtu, record);
         break;
       case 2:
-        run<2>(c, problem, threads, series, record);
+        run<2>(c, problem, threads, vtu, record);
         break;
       default:
-        run<3>(c, problem, threads, series, record);
+        run<3>(c, problem, threads, vtu, record);
     }
   } catch (const UsageError&) {
     throw;
@@ -164,6 +164,30 @@ Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
     record.status = Status::failed;
     record.reason = e.what();
   }
+  return record;
+}
+
+/// Repeats a sound run and takes the median cost of all.
+void measure_cost(const Problem& problem, Record& record) {
+  std::vector<double> costs{record.ns_per_particle_step};
+  for (int k = 1; k < record.the_case.measure.repeat; ++k)
+    costs.push_back(run_once(record.the_case, problem, 1, nullptr).ns_per_particle_step);
+  std::sort(costs.begin(), costs.end());
+  const double median = (costs[(costs.size() - 1) / 2] + costs[costs.size() / 2]) / 2;
+  record.ns_per_particle_step = median;
+  record.cost.step_seconds = 1e-9 * median * static_cast<double>(record.particles * record.steps);
+  record.cost.spread = (costs.back() - costs.front()) / median;
+}
+
+}  // namespace
+
+Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
+  const Problem& problem = find_problem(c.problem.name, "the case");
+  const bool costs = c.measure.repeat > 0;
+  std::optional<VtuSeries> frames;
+  if (!vtu.empty()) frames.emplace(vtu);
+  Record record = run_once(c, problem, costs ? 1 : threads, frames ? &*frames : nullptr);
+  if (costs && record.status == Status::ok) measure_cost(problem, record);
   return record;
 }
 

@@ -217,7 +217,17 @@ constexpr const char* schema_1 = R"sql(
   ) STRICT, WITHOUT ROWID;
 )sql";
 
-constexpr std::array all_migrations{schema_1};
+constexpr const char* schema_2 = R"sql(
+  -- Cost as evidence: median over exclusive repetitions, and their range over the median.
+  ALTER TABLE runs ADD COLUMN step_seconds REAL;
+  ALTER TABLE runs ADD COLUMN step_seconds_spread REAL;
+
+  -- How a figure is drawn.
+  ALTER TABLE figures ADD COLUMN kind TEXT NOT NULL DEFAULT 'curves'
+    CHECK (kind IN ('curves', 'work-precision', 'particles'));
+)sql";
+
+constexpr std::array all_migrations{schema_1, schema_2};
 
 }  // namespace
 
