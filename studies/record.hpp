@@ -25,7 +25,8 @@ struct Energy {
   double kinetic = not_measured, strain = not_measured, initial_total = not_measured;
 };
 
-/// Measured alone on the machine, on one thread: median over the repetitions, and their range over the median.
+/// Measured alone on the machine, on one thread, in its processor time: median over the repetitions, and their range
+/// over the median.
 struct Cost {
   double step_seconds = not_measured;  ///< step loop alone
   double spread = not_measured;

@@ -119,11 +119,15 @@ void measure_limit(const Series& series, Measured& out) {
           value);
 }
 
+/// A series that never gets down to an error costs without end there, whatever the other one does.
 void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
   const auto own = pareto_front(work_points(series, c.norm)), other = pareto_front(work_points(over, c.norm));
-  for (const double error : decades(c.window.from, c.window.to))
+  if (own.empty() || other.empty()) out.missing = fmt::format("no cost of '{}'", own.empty() ? series.name : over.name);
+  for (const double error : decades(c.window.from, c.window.to)) {
+    const double cost = cost_to_reach(error, own);
     out.add(fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error),
-            cost_to_reach(error, own) / cost_to_reach(error, other));
+            std::isinf(cost) ? cost : cost / cost_to_reach(error, other));
+  }
 }
 
 void measure_value(const Criterion& c, const StudyResult& result, Measured& out) {

@@ -99,6 +99,8 @@ TEST(Criterion, CostRatioAtEachPowerOfTen) {
   ratio.series = {"poor"};
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::fails) << "what never gets there costs without end";
   ratio.over = "poor";
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::fails) << "and so it does beside another that does not either";
+  result.series[2].points.clear();
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive);
 }
 
