@@ -104,19 +104,19 @@ std::string label_text(const Label& label) {
 std::string rule_style(const Rule& rule) {
   switch (rule.kind) {
     case Rule::Kind::fit:
-      return "lw 2 " + colour(rule.style);
+      return "lines lw 2 " + colour(rule.style);
     case Rule::Kind::reference:
-      return "lw 1.2 dt 2 lc rgb '#808080'";
+      return "lines lw 1.2 dt 2 lc rgb '#808080'";
     case Rule::Kind::triangle:
-      return "lw 1 lc rgb '#606060'";
+      return "lines lw 1 lc rgb '#606060'";
     case Rule::Kind::floor:
-      return "lw 1.4 dt 3 " + colour(rule.style);
+      return "lines lw 1.4 dt 3 " + colour(rule.style);
     case Rule::Kind::limit:
-      return (rule.style == plain_style ? "lw 3 " : "lw 1 ") + colour(rule.style);
+      return (rule.style == plain_style ? "lines lw 3 " : "lines lw 1 ") + colour(rule.style);
     case Rule::Kind::front:
-      return "lw 9 lc rgb '#F2E3B3'";
+      return "points pt 6 ps 1.7 lw 2 lc rgb '#D9B44A'";
     case Rule::Kind::frame:
-      return "lw 0.8 lc rgb '#909090'";
+      return "lines lw 0.8 lc rgb '#909090'";
   }
   return "";
 }
@@ -126,7 +126,7 @@ std::string joining_line(const Curve& curve) {
                           : fmt::format("lw 1 dt {} {}", dash(curve.style), colour(curve.style, 0.55));
 }
 
-/// The elements of the `plot` command: boxes and fronts below, lines, marks above, then the key's entries.
+/// The elements of the `plot` command: boxes and rings below, lines, marks above, then the key's entries.
 class Elements {
  public:
   explicit Elements(const Chart& chart) {
@@ -140,7 +140,7 @@ class Elements {
     }
     for (const auto& rule : chart.rules) {
       auto& layer = rule.kind == Rule::Kind::fit ? fits : rule.kind == Rule::Kind::front ? below : lines;
-      layer.push_back(fmt::format("data index {} using 1:2 with lines {}", index++, rule_style(rule)));
+      layer.push_back(fmt::format("data index {} using 1:2 with {}", index++, rule_style(rule)));
     }
     if (!chart.boxes.empty())
       below.push_back(
