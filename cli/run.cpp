@@ -57,7 +57,8 @@ nlohmann::json record_json(const Record& r) {
           {"energy",
            {{"kinetic", r.energy.kinetic}, {"strain", r.energy.strain}, {"initial_total", r.energy.initial_total}}},
           {"wall_seconds", r.wall_seconds},
-          {"ns_per_particle_step", r.ns_per_particle_step}};
+          {"ns_per_particle_step", r.ns_per_particle_step},
+          {"cost", {{"step_seconds", r.cost.step_seconds}, {"spread", r.cost.spread}}}};
 }
 
 std::string or_dash(double value) {
@@ -82,6 +83,9 @@ void print_record(const Record& r) {
   fmt::print("energy kinetic {}  strain {}  initial total {} J\n", or_dash(r.energy.kinetic), or_dash(r.energy.strain),
              or_dash(r.energy.initial_total));
   fmt::print("{:.3g} s, {:.2f} ns per particle and step\n", r.wall_seconds, r.ns_per_particle_step);
+  if (r.the_case.measure.repeat > 0)
+    fmt::print("cost {} s of steps, median of {} runs (range {:.0f} %)\n", or_dash(r.cost.step_seconds),
+               r.the_case.measure.repeat, 100 * r.cost.spread);
 }
 
 struct RunOptions {
@@ -99,7 +103,10 @@ int run(const RunOptions& options) {
   for (const std::string& parameter : options.parameters) settings.push_back(parameter_setting(parameter));
   if (options.every_step) settings.push_back({"every_step", "true", "--every-step"});
   if (options.nodal_error) settings.push_back({"nodal_error", "true", "--nodal-error"});
-  const Record record = run_case(make_case(settings), options.threads, options.vtu);
+  const Case c = make_case(settings);
+  if (c.measure.repeat > 0 && options.threads > 1)
+    throw UsageError("--threads beside --repeat (cost is measured on one thread)");
+  const Record record = run_case(c, options.threads, options.vtu);
   if (options.json)
     print_json(record_json(record));
   else

@@ -27,6 +27,13 @@ struct Energy {
   double kinetic = not_measured, strain = not_measured, initial_total = not_measured;
 };
 
+/// Measured alone on the machine, on one thread, in its processor time: median over the repetitions, and their range
+/// over the median.
+struct Cost {
+  double step_seconds = not_measured;  ///< step loop alone
+  double spread = not_measured;
+};
+
 /// What came out of one case.
 struct Record {
   Case the_case;
@@ -37,8 +44,9 @@ struct Record {
   std::string reason;  ///< why it is `unstable` or `failed`; empty for `ok`
   Errors error;
   Energy energy;
-  double wall_seconds = not_measured;
-  double ns_per_particle_step = not_measured;  ///< step loop alone
+  double wall_seconds = not_measured;          ///< of one run, whatever else ran at that time
+  double ns_per_particle_step = not_measured;  ///< step loop alone; of a cost case the median
+  Cost cost = {};                              ///< where the case asks for it
 };
 
 }  // namespace mpmvv

@@ -42,6 +42,8 @@ struct Criterion {
     status,            ///< fraction of `series`' points in [from, to] with status ok
     limit,             ///< stability limit of `series`
     limit_ratio,       ///< the same divided by that of `over`
+    cost_ratio,        ///< cost at which `series` reaches each power of ten in [from, to] of `norm`, divided by that
+                       ///< of `over`
     value,             ///< value `name` of a check
     shown,             ///< nothing is asked: the figure is the evidence
     awaited            ///< a part of the claim that no study can judge yet: it keeps the claim from being confirmed

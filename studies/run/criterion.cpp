@@ -7,6 +7,7 @@
 
 #include "studies/run/samples.hpp"
 #include "studies/study.hpp"
+#include "studies/work_precision.hpp"
 
 namespace mpmvv {
 
@@ -134,6 +135,17 @@ void measure_limit(const Series& series, Measured& out) {
           value);
 }
 
+/// A series that never gets down to an error costs without end there, whatever the other one does.
+void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
+  const auto own = pareto_front(work_points(series, c.norm)), other = pareto_front(work_points(over, c.norm));
+  if (own.empty() || other.empty()) out.missing = fmt::format("no cost of '{}'", own.empty() ? series.name : over.name);
+  for (const double error : decades(c.window.from, c.window.to)) {
+    const double cost = cost_to_reach(error, own);
+    out.add(fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error),
+            std::isinf(cost) ? cost : cost / cost_to_reach(error, other));
+  }
+}
+
 void measure_value(const Criterion& c, const StudyResult& result, Measured& out) {
   for (const Value& value : result.values)
     if (value.name == c.name) return out.add(value.meaning, value.value);
@@ -180,6 +192,9 @@ Measured measure(const Criterion& c, const StudyResult& result) {
         out.add(fmt::format("limit of '{}' over '{}'", name, c.over), own / other);
         break;
       }
+      case Kind::cost_ratio:
+        measure_cost_ratios(c, *series, *over, out);
+        break;
       case Kind::value:
       case Kind::awaited:
       case Kind::shown:

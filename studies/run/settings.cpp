@@ -188,6 +188,7 @@ const std::vector<SettingKey>& setting_keys() {
       {"nodal_error", "error of the nodal accelerations at the end, too"},
       {"blowup_error", "unstable beyond this error, in displacement amplitudes"},
       {"blowup_energy", "unstable beyond this energy, in initial energies"},
+      {"repeat", "run alone so often (3 or more) and keep the median cost"},
   };
   return keys;
 }
@@ -240,6 +241,7 @@ Case make_case(std::span<const Setting> given) {
   if (const auto it = settings.find("nodal_error"); it != settings.end()) c.measure.nodal_error = flag(it->second);
   c.measure.blowup_error = number(settings, "blowup_error", c.measure.blowup_error);
   c.measure.blowup_energy = number(settings, "blowup_energy", c.measure.blowup_energy);
+  if (const auto it = settings.find("repeat"); it != settings.end()) c.measure.repeat = count<int>(it->second, 3, 99);
   require_sense(c);
   return c;
 }

@@ -11,6 +11,7 @@
 #include "studies/error.hpp"
 #include "studies/study.hpp"
 #include "studies/toml_file.hpp"
+#include "studies/work_precision.hpp"
 
 namespace mpmvv {
 
@@ -142,6 +143,33 @@ void require_points(const StudyPlan& plan, const Window& window, int least, cons
                                  where, count, least));
 }
 
+/// Whether the setting stands in every series.
+bool every_series_has(const StudyPlan& plan, const std::string& key) {
+  return std::all_of(plan.series.begin(), plan.series.end(), [&](const SeriesPlan& series) {
+    return std::any_of(series.settings.begin(), series.settings.end(), [&](const Setting& s) { return s.key == key; });
+  });
+}
+
+/// Cost is there when every series asks for it.
+void require_cost(const StudyPlan& plan, const std::string& where) {
+  if (!plan.check.empty() || plan.sweep.empty() || !every_series_has(plan, "repeat"))
+    throw UsageError(
+        fmt::format("cost in {} without a sweep and `repeat` in every series (it says how often a case runs "
+                    "for its median cost)",
+                    where));
+}
+
+/// What the figure's kind asks of the study.
+void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTable& table) {
+  if (figure.kind == "work-precision") require_cost(plan, table.where("kind"));
+  if (figure.kind == "particles" && plan.check.empty())
+    throw UsageError(fmt::format("particles in {} without a check (it brings the particles)", table.where("kind")));
+  for (const char* key : {"marks", "slopes"})
+    if (figure.kind != "curves" && table.has(key))
+      throw UsageError(
+          fmt::format("'{}' in {} has no meaning in a figure of kind '{}'", key, table.where(key), figure.kind));
+}
+
 /// The setting that a norm needs; empty for those at the end of a run, which are always measured.
 std::string setting_of(const std::string& norm) {
   return norm.ends_with("_all_steps") ? "every_step" : norm.starts_with("nodal_") ? "nodal_error" : "";
@@ -175,8 +203,10 @@ void read_fits(const TomlTable& root, StudyPlan& plan) {
 void read_figures(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("figure")) {
     table.allow_only({"name", "caption", "xlabel", "ylabel", "xscale", "yscale", "quantity", "series", "marks",
-                      "slopes", "x_range", "y_range"});
+                      "slopes", "x_range", "y_range", "kind"});
     Figure figure;
+    figure.kind = table.text("kind", "curves");
+    require_word("figure kind", figure.kind, {"curves", "work-precision", "particles"}, table.where("kind"));
     figure.name = table.text("name", plan.name);
     if (figure.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos)
       throw UsageError(
@@ -205,18 +235,19 @@ void read_figures(const TomlTable& root, StudyPlan& plan) {
     };
     range("x_range", figure.x_min, figure.x_max);
     range("y_range", figure.y_min, figure.y_max);
+    require_drawable(plan, figure, table);
     plan.figures.push_back(figure);
   }
 }
 
 Criterion::Kind criterion_kind(const TomlTable& table) {
   static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{
-      {"order", Criterion::Kind::order},    {"order-difference", Criterion::Kind::order_difference},
-      {"error", Criterion::Kind::error},    {"error-ratio", Criterion::Kind::error_ratio},
-      {"spread", Criterion::Kind::spread},  {"status", Criterion::Kind::status},
-      {"limit", Criterion::Kind::limit},    {"limit-ratio", Criterion::Kind::limit_ratio},
-      {"value", Criterion::Kind::value},    {"shown", Criterion::Kind::shown},
-      {"awaited", Criterion::Kind::awaited}};
+      {"order", Criterion::Kind::order},   {"order-difference", Criterion::Kind::order_difference},
+      {"error", Criterion::Kind::error},   {"error-ratio", Criterion::Kind::error_ratio},
+      {"spread", Criterion::Kind::spread}, {"status", Criterion::Kind::status},
+      {"limit", Criterion::Kind::limit},   {"limit-ratio", Criterion::Kind::limit_ratio},
+      {"value", Criterion::Kind::value},   {"cost-ratio", Criterion::Kind::cost_ratio},
+      {"shown", Criterion::Kind::shown},   {"awaited", Criterion::Kind::awaited}};
   std::vector<std::string> words;
   const std::string word = table.text("measure");
   for (const auto& [name, kind] : kinds) {
@@ -251,7 +282,7 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   }
   c.series = series_names(table, "series", plan);
   if (c.series.empty()) throw UsageError(fmt::format("criterion in {} names no series", table.where()));
-  if (c.kind == Kind::error_ratio || c.kind == Kind::limit_ratio) {
+  if (c.kind == Kind::error_ratio || c.kind == Kind::limit_ratio || c.kind == Kind::cost_ratio) {
     c.over = table.text("over");
     if (plan.check.empty() && !plan.has_series(c.over))
       throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
@@ -270,6 +301,13 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
     require_measured(plan, c.over_norm, table.where("over_norm"));
   }
   c.window = read_window(table, "window");
+  if (c.kind == Kind::cost_ratio) {
+    require_cost(plan, table.where("measure"));
+    if (!(c.window.from > 0) || decades(c.window.from, c.window.to).empty())
+      throw UsageError(
+          fmt::format("window in {} holds no power of ten (two errors, the smaller first)", table.where("window")));
+    return c;
+  }
   const bool fits = c.kind == Kind::order || c.kind == Kind::order_difference;
   require_points(plan, c.window, fits ? 3 : 1, table.where("window"));
   return c;

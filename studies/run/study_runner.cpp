@@ -32,6 +32,8 @@ Point point_of(double x, const Record& r) {
   add("nodal_linf", r.error.nodal_linf);
   add("wall_seconds", r.wall_seconds);
   add("ns_per_particle_step", r.ns_per_particle_step);
+  add("step_seconds", r.cost.step_seconds);
+  add("step_seconds_spread", r.cost.spread);
   return point;
 }
 

@@ -53,6 +53,21 @@ TEST(RunCommand, ThreadsDoNotChangeOneBit) {
   EXPECT_EQ(one["energy"], two["energy"]);
 }
 
+TEST(RunCommand, CostIsEvidenceOnlyWhenItIsAskedFor) {
+  const Folder folder;
+  const std::string bar = "run --problem bar --cells 16 --ppc 4 --cfl 0.3 --json";
+  const auto plain = call(folder, bar).json(), costed = call(folder, bar + " --repeat 3").json();
+  EXPECT_TRUE(plain["cost"]["step_seconds"].is_null());
+  const double seconds = costed["cost"]["step_seconds"];
+  EXPECT_GT(seconds, 0);
+  EXPECT_GE(costed["cost"]["spread"], 0);
+  EXPECT_NEAR(seconds,
+              1e-9 * costed["ns_per_particle_step"].get<double>() * costed["particles"].get<double>() *
+                  costed["steps"].get<double>(),
+              1e-9 * seconds);
+  EXPECT_EQ(costed["error"], plain["error"]);
+}
+
 TEST(RunCommand, ABlownUpRunIsAResult) {
   const Folder folder;
   const Answer answer =
@@ -161,6 +176,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl nan", "cfl = 'nan' in --cfl (a finite number)"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl -0.1", "cfl = -0.1 in --cfl (a number > 0)"},
         BadInput{"run --problem bar --cells 8 --ppc 2", "neither cfl nor dt"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --repeat 2", "repeat = 2 in --repeat (a whole number"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --repeat 3 --threads 2", "--threads beside --repeat"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --dt 1e-5", "both cfl and dt"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --dt 3e-6", "does not divide the end time"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --param amplitud=0.1", "unknown parameter 'amplitud'"},

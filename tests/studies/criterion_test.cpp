@@ -97,6 +97,29 @@ TEST(Criterion, SpreadStatusLimitValue) {
   EXPECT_EQ(judge(value, two_series()).verdict, PartVerdict::inconclusive);
 }
 
+/// e = cost^-1/2 against one that is as accurate at four times the cost, and one that never gets below 0.1.
+TEST(Criterion, CostRatioAtEachPowerOfTen) {
+  StudyResult result;
+  result.series = {Series{"cheap", {}, {}, {}}, Series{"dear", {}, {}, {}}, Series{"poor", {}, {}, {}}};
+  for (const double e : {0.5, 0.2, 0.05, 0.02, 0.005}) {
+    const auto point = [&](double cost, double error) {
+      return Point{1 / e, Status::ok, "", {{"l2", error}, {"step_seconds", cost}}};
+    };
+    result.series[0].points.push_back(point(1 / (e * e), e));
+    result.series[1].points.push_back(point(4 / (e * e), e));
+    result.series[2].points.push_back(point(1 / (e * e), 0.1 + e));
+  }
+  Criterion ratio = criterion(Kind::cost_ratio, "cheap", 0.249999, 0.250001);
+  ratio.over = "dear", ratio.window = {0.01, 0.1};
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::holds) << judge(ratio, result).evidence;
+  ratio.series = {"poor"};
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::fails) << "what never gets there costs without end";
+  ratio.over = "poor";
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::fails) << "and so it does beside another that does not either";
+  result.series[2].points.clear();
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive);
+}
+
 TEST(Criterion, WhatIsAwaitedKeepsAClaimFromBeingConfirmed) {
   EXPECT_EQ(judge(criterion(Kind::awaited, "", {}, {}), two_series()).verdict, PartVerdict::inconclusive);
 }

@@ -75,9 +75,10 @@ struct Text {
   }
 
   static std::string of(const Figure& f) {
-    const auto& [name, caption, xlabel, ylabel, log_x, log_y, quantity, series, marks, slopes, x0, x1, y0, y1] = f;
-    return fmt::format("figure {} {} {} {} {} {} {} {} {} {} {} {} {} {}", name, caption, xlabel, ylabel, log_x, log_y,
-                       quantity, of(series), of(marks), of(slopes), of(x0), of(x1), of(y0), of(y1));
+    const auto& [name, caption, xlabel, ylabel, log_x, log_y, quantity, series, marks, slopes, x0, x1, y0, y1, kind] =
+        f;
+    return fmt::format("figure {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", name, caption, xlabel, ylabel, log_x,
+                       log_y, quantity, of(series), of(marks), of(slopes), of(x0), of(x1), of(y0), of(y1), kind);
   }
 
   static std::string of(const ClaimPart& p) {
@@ -191,7 +192,8 @@ Figure full_figure() {
           .x_min = 4,
           .x_max = std::nullopt,
           .y_min = std::nullopt,
-          .y_max = 0};
+          .y_max = 0,
+          .kind = "particles"};
 }
 
 StudyResult everything() {
