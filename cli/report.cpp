@@ -19,6 +19,16 @@ struct ReportOptions {
   std::string db, out, goldens = "goldens";
 };
 
+/// What `./run benchmark` left beside the store, unless it measured another program.
+std::optional<Benchmark> own_benchmark(const std::string& db, const std::string& digest) {
+  const auto file = std::filesystem::path(db).parent_path() / "benchmark.json";
+  auto benchmark = read_benchmark(file);
+  if (!benchmark || benchmark->digest == digest) return benchmark;
+  fmt::print(stderr, "{} measured another build of the program: left out (`./run benchmark` makes it anew)\n",
+             file.string());
+  return std::nullopt;
+}
+
 int report(const ReportOptions& options) {
   ReportInput input;
   input.provenance = current_provenance();
@@ -30,6 +40,7 @@ int report(const ReportOptions& options) {
       input.gate.push_back({r.study + ": " + r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
   for (const Claim& claim : judge_claims(input.studies))
     input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
+  input.benchmark = own_benchmark(options.db, input.provenance.digest);
   const bool terminal = isatty(STDERR_FILENO);
   const ReportSummary summary = write_report(input, options.out, [terminal](const std::string& what) {
     if (terminal) fmt::print(stderr, "{}\n", what);

@@ -50,11 +50,15 @@ nlohmann::json record_json(const Record& r) {
             {"linf", e.linf},
             {"l1_all_steps", e.l1_all_steps},
             {"l2_all_steps", e.l2_all_steps},
-            {"linf_all_steps", e.linf_all_steps}}},
+            {"linf_all_steps", e.linf_all_steps},
+            {"nodal_l1", e.nodal_l1},
+            {"nodal_l2", e.nodal_l2},
+            {"nodal_linf", e.nodal_linf}}},
           {"energy",
            {{"kinetic", r.energy.kinetic}, {"strain", r.energy.strain}, {"initial_total", r.energy.initial_total}}},
           {"wall_seconds", r.wall_seconds},
-          {"ns_per_particle_step", r.ns_per_particle_step}};
+          {"ns_per_particle_step", r.ns_per_particle_step},
+          {"cost", {{"step_seconds", r.cost.step_seconds}, {"spread", r.cost.spread}}}};
 }
 
 std::string or_dash(double value) {
@@ -73,15 +77,21 @@ void print_record(const Record& r) {
   if (r.the_case.measure.every_step)
     fmt::print("error over all steps l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1_all_steps),
                or_dash(r.error.l2_all_steps), or_dash(r.error.linf_all_steps));
+  if (r.the_case.measure.nodal_error)
+    fmt::print("error of nodal a     l1 {}  l2 {}  linf {} m/s2\n", or_dash(r.error.nodal_l1),
+               or_dash(r.error.nodal_l2), or_dash(r.error.nodal_linf));
   fmt::print("energy kinetic {}  strain {}  initial total {} J\n", or_dash(r.energy.kinetic), or_dash(r.energy.strain),
              or_dash(r.energy.initial_total));
   fmt::print("{:.3g} s, {:.2f} ns per particle and step\n", r.wall_seconds, r.ns_per_particle_step);
+  if (r.the_case.measure.repeat > 0)
+    fmt::print("cost {} s of steps, median of {} runs (range {:.0f} %)\n", or_dash(r.cost.step_seconds),
+               r.the_case.measure.repeat, 100 * r.cost.spread);
 }
 
 struct RunOptions {
   std::map<std::string, CLI::Option*> given;  ///< by setting key
   std::vector<std::string> parameters;
-  bool every_step = false, json = false;
+  bool every_step = false, nodal_error = false, json = false;
   int threads = 1;
   std::string vtu;
 };
@@ -92,7 +102,11 @@ int run(const RunOptions& options) {
     if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
   for (const std::string& parameter : options.parameters) settings.push_back(parameter_setting(parameter));
   if (options.every_step) settings.push_back({"every_step", "true", "--every-step"});
-  const Record record = run_case(make_case(settings), options.threads, options.vtu);
+  if (options.nodal_error) settings.push_back({"nodal_error", "true", "--nodal-error"});
+  const Case c = make_case(settings);
+  if (c.measure.repeat > 0 && options.threads > 1)
+    throw UsageError("--threads beside --repeat (cost is measured on one thread)");
+  const Record record = run_case(c, options.threads, options.vtu);
   if (options.json)
     print_json(record_json(record));
   else
@@ -117,6 +131,8 @@ void add_run(CLI::App& app, int& exit_code) {
     std::replace(name.begin(), name.end(), '_', '-');
     if (key.key == "every_step")
       command->add_flag(name, options->every_step, key.meaning);
+    else if (key.key == "nodal_error")
+      command->add_flag(name, options->nodal_error, key.meaning);
     else
       options->given[key.key] = command->add_option(name, key.meaning)->expected(1);
   }

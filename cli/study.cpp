@@ -36,7 +36,7 @@ std::string number_or_status(const Point& point, const std::string& quantity) {
   return y == point.y.end() ? "-" : fmt::format("{:.4e}", y->second);
 }
 
-/// Quantities to print: those that are fitted or drawn.
+/// Quantities to print: those that are fitted or drawn, and cost where it was measured.
 std::vector<std::string> quantities_of(const StudyResult& study) {
   std::vector<std::string> quantities;
   const auto add = [&quantities](const std::string& q) {
@@ -45,6 +45,9 @@ std::vector<std::string> quantities_of(const StudyResult& study) {
   for (const Figure& figure : study.figures) add(figure.quantity);
   for (const Series& series : study.series)
     for (const ObservedOrder& order : series.orders) add(order.norm);
+  for (const Series& series : study.series)
+    for (const Point& point : series.points)
+      if (point.y.contains("step_seconds")) add("step_seconds");
   return quantities;
 }
 

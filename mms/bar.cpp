@@ -74,7 +74,7 @@ Vec<1> Bar::b(const Vec<1>& X, double t) const {
   return C_ * C_ * pi * pi * (2 / (stretch * stretch) + 1) * u(X, t);
 }
 
-std::unique_ptr<PointwiseSolution<1>> Bar::at_points(std::vector<Vec<1>> X) const {
+std::unique_ptr<PointwiseSolution<1>> Bar::at_points(const std::vector<Vec<1>>& X) const {
   return std::make_unique<BarAtPoints>(A_, C_, X);
 }
 

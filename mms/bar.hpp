@@ -24,7 +24,7 @@ class Bar final : public ManufacturedSolution<1> {
   Vec<1> b(const Vec<1>& X, double t) const override;
 
   double displacement_scale() const override { return std::abs(A_); }
-  std::unique_ptr<PointwiseSolution<1>> at_points(std::vector<Vec<1>> X) const override;
+  std::unique_ptr<PointwiseSolution<1>> at_points(const std::vector<Vec<1>>& X) const override;
 
  private:
   double A_, E_, C_;

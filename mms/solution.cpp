@@ -31,8 +31,8 @@ class EvaluatedEachTime : public PointwiseSolution<D> {
 }  // namespace
 
 template <int D>
-std::unique_ptr<PointwiseSolution<D>> ManufacturedSolution<D>::at_points(std::vector<Vec<D>> X) const {
-  return std::make_unique<EvaluatedEachTime<D>>(*this, std::move(X));
+std::unique_ptr<PointwiseSolution<D>> ManufacturedSolution<D>::at_points(const std::vector<Vec<D>>& X) const {
+  return std::make_unique<EvaluatedEachTime<D>>(*this, X);
 }
 
 template <int D>

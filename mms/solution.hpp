@@ -14,7 +14,8 @@ template <int D>
 using Mat = Eigen::Matrix<double, D, D>;
 
 /// A solution evaluated at fixed reference points, with everything that does not change in time computed once.
-/// `ids` name points by their place in the list given to `ManufacturedSolution::at_points`.
+/// `ids` name points by their place in the list given to `ManufacturedSolution::at_points`. Threads may call it at
+/// once.
 template <int D>
 class PointwiseSolution {
  public:
@@ -40,7 +41,7 @@ class ManufacturedSolution {
   virtual double displacement_scale() const = 0;  ///< the largest |u|, up to a factor of order one
 
   /// The same at many fixed points; solutions with separable parts override it to compute those once.
-  virtual std::unique_ptr<PointwiseSolution<D>> at_points(std::vector<Vec<D>> X) const;
+  virtual std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const;
 
   /// X with X + u(X, t) = x, W (A.1), by Newton's method; throws std::domain_error when it does not converge.
   Vec<D> reference_point(const Vec<D>& x, double t) const;

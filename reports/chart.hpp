@@ -25,6 +25,7 @@ struct Curve {
   bool marked = true;      ///< a marker on each dot
   bool emphasised = true;  ///< the line itself is the result, not a guide to the eye
   std::vector<Dot> dots;
+  double size = 0.8;  ///< of the markers
 };
 
 inline constexpr int plain_style = -1;
@@ -35,7 +36,7 @@ struct Place {
 
 /// A line that is not data.
 struct Rule {
-  enum class Kind { fit, reference, triangle, floor, limit };
+  enum class Kind { fit, reference, triangle, floor, limit, front, frame };
   Kind kind = Kind::fit;
   int style = 0;        ///< as the curve's; plain_style: black
   std::string meaning;  ///< in the data file
@@ -49,25 +50,42 @@ struct Label {
   Side side = Side::centre;
 };
 
+/// A box around a place, with its full widths.
+struct Box {
+  Place centre;
+  double width_x = 0, width_y = 0;
+};
+
 /// A figure, ready to be drawn: in the axes' own units, free of any plotting program.
 struct Chart {
   std::string name;
   std::string caption;
   double width = 720, height = 430;  ///< of the axes and their labels, in pixels of 1/96 inch
   std::size_t right_margin = 2;      ///< in characters
+  bool to_scale = false;             ///< one unit is as long along x as along y
   Axis x, y;
   std::vector<Curve> curves;
   std::vector<Rule> rules;
+  std::vector<Box> boxes;  ///< drawn slightly shrunk, below the dots
   std::vector<Label> labels;
   std::vector<std::string> notes;  ///< how to read it, and what could not be drawn
 };
 
 /// One figure of a study: its points, fits, floors, limits and reference slopes.
-/// Throws UsageError when the figure names a series that the study lacks.
 Chart error_chart(const StudyResult& study, const Figure& figure);
 
 /// Every probe of every limit of a study, stable or not, one row per series.
 Chart stability_map(const StudyResult& study, const Figure& figure);
+
+/// Error against the measured cost: a curve for each series, and the Pareto front of all.
+Chart work_chart(const StudyResult& study, const Figure& figure);
+
+/// Particles and their voxels, one panel for each series, side by side and to scale.
+Chart particle_chart(const StudyResult& study, const Figure& figure);
+
+/// The series that a figure draws, in its order; all of the study's when it names none.
+/// Throws UsageError when the figure names a series that the study lacks.
+std::vector<const Series*> figure_series(const StudyResult& study, const Figure& figure);
 
 /// All figures of a study. One of kind `limit` gets a stability map at least: a figure without values is drawn as
 /// one, and where there is none it is added under the name STUDY-map.

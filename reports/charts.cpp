@@ -1,8 +1,30 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "reports/chart.hpp"
+#include "studies/error.hpp"
 
 namespace mpmvv {
+
+std::vector<const Series*> figure_series(const StudyResult& study, const Figure& figure) {
+  std::vector<const Series*> chosen;
+  for (const auto& s : study.series)
+    if (figure.series.empty()) chosen.push_back(&s);
+  for (const auto& name : figure.series) {
+    const auto it = std::ranges::find(study.series, name, &Series::name);
+    if (it == study.series.end()) {
+      std::vector<std::string> known;
+      for (const auto& s : study.series) known.push_back(s.name);
+      throw UsageError(
+          fmt::format("figure '{}' of study '{}' names the series '{}', which the study lacks (it has: {})",
+                      figure.name, study.name, name, fmt::join(known, ", ")));
+    }
+    chosen.push_back(&*it);
+  }
+  return chosen;
+}
 
 std::vector<Chart> charts_of(const StudyResult& study) {
   const auto has_value = [&](const Figure& f) {
@@ -15,7 +37,10 @@ std::vector<Chart> charts_of(const StudyResult& study) {
   std::vector<Chart> charts;
   for (const auto& figure : study.figures) {
     const bool map = limits && !has_value(figure);
-    charts.push_back(map ? stability_map(study, figure) : error_chart(study, figure));
+    charts.push_back(map                               ? stability_map(study, figure)
+                     : figure.kind == "work-precision" ? work_chart(study, figure)
+                     : figure.kind == "particles"      ? particle_chart(study, figure)
+                                                       : error_chart(study, figure));
     mapped |= map;
   }
   const bool probed = std::ranges::any_of(study.series, [](const Series& s) { return s.limit.has_value(); });

@@ -8,31 +8,12 @@
 #include "reports/chart.hpp"
 #include "reports/reference_slope.hpp"
 #include "reports/text.hpp"
-#include "studies/error.hpp"
 
 namespace mpmvv {
 
 namespace {
 
 constexpr std::size_t most_markers = 40;  ///< beyond, a curve is a line without markers
-
-std::vector<const Series*> chosen_series(const StudyResult& study, const Figure& figure) {
-  std::vector<const Series*> chosen;
-  for (const auto& s : study.series)
-    if (figure.series.empty()) chosen.push_back(&s);
-  for (const auto& name : figure.series) {
-    const auto it = std::ranges::find(study.series, name, &Series::name);
-    if (it == study.series.end()) {
-      std::vector<std::string> known;
-      for (const auto& s : study.series) known.push_back(s.name);
-      throw UsageError(
-          fmt::format("figure '{}' of study '{}' names the series '{}', which the study lacks (it has: {})",
-                      figure.name, study.name, name, fmt::join(known, ", ")));
-    }
-    chosen.push_back(&*it);
-  }
-  return chosen;
-}
 
 std::vector<const ObservedOrder*> orders_of(const Series& series, const std::string& norm) {
   std::vector<const ObservedOrder*> result;
@@ -50,7 +31,7 @@ bool in_window(const ObservedOrder& o, double x) {
 class ErrorChart {
  public:
   ErrorChart(const StudyResult& study, const Figure& figure)
-      : study_(study), figure_(figure), series_(chosen_series(study, figure)) {
+      : study_(study), figure_(figure), series_(figure_series(study, figure)) {
     chart_.name = figure.name;
     chart_.caption = figure.caption;
   }

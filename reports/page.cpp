@@ -107,8 +107,6 @@ data claim_link(const std::string& id) {
 
 data section_data(const Section& section) {
   const auto& study = *section.study;
-  std::vector<Table> tables{points_table(study), fits_table(study), limits_table(study), values_table(study)};
-  std::erase_if(tables, [](const Table& t) { return t.empty(); });
   return object({{"study", study.name},
                  {"study_anchor", anchor(study.name)},
                  {"title", study.title},
@@ -117,9 +115,13 @@ data section_data(const Section& section) {
                  {"parts", list_of(study.parts, part_data)},
                  {"has_parts", !study.parts.empty()},
                  {"pictures", list_of(section.pictures, picture_data)},
-                 {"tables", list_of(tables, table_data)},
+                 {"tables", list_of(tables_of(study), table_data)},
                  {"table_files", text_list(section.tables)},
                  {"study_file", study.text}});
+}
+
+data benchmark_data(const Benchmark& benchmark) {
+  return object({{"tables", list_of(benchmark_tables(benchmark), table_data)}});
 }
 
 data gate_data(const GateLine& g) {
@@ -158,6 +160,7 @@ data provenance_data(const Provenance& p) {
 std::string render_page(const ReportInput& input, const std::vector<Section>& sections) {
   kainjow::mustache::mustache page{std::string(page_template)};
   const auto gate = verdicts(input.gate);
+  const std::vector<Benchmark> benchmark_list(input.benchmark ? 1 : 0, input.benchmark.value_or(Benchmark{}));
   return page.render(
       object({{"overall", overall(gate)},
               {"gate_counts", counts(gate, {"pass", "fail", "inconclusive"})},
@@ -167,6 +170,8 @@ std::string render_page(const ReportInput& input, const std::vector<Section>& se
               {"has_gate", !input.gate.empty()},
               {"claims", list_of(input.claims, [&](const ClaimLine& c) { return claim_data(c, sections); })},
               {"has_claims", !input.claims.empty()},
+              {"benchmark", list_of(benchmark_list, benchmark_data)},
+              {"table_list", data(kainjow::mustache::partial([] { return std::string(tables_template); }))},
               {"sections", list_of(sections, section_data)}}));
 }
 

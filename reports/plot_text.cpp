@@ -20,6 +20,7 @@ struct Marker {
 };
 constexpr std::array<Marker, 6> markers{{{7, 6}, {5, 4}, {9, 8}, {13, 12}, {11, 10}, {15, 14}}};
 constexpr int cross = 2;
+constexpr double half_shown = 0.44;  ///< of a box's width, on either side of its centre
 
 std::string colour(int style, double whiteness = 0) {
   const unsigned rgb = style == plain_style ? 0x000000 : palette[static_cast<std::size_t>(style) % palette.size()];
@@ -54,7 +55,8 @@ std::string number(double v) {
   return std::isnan(v) ? "NaN" : exact(v);
 }
 
-/// One block per curve and per rule, in the order in which the script counts them. An empty one would not be counted.
+/// One block per curve and per rule, and one of the boxes, in the order in which the script counts them. An empty one
+/// would not be counted.
 std::string data_text(const Chart& chart) {
   std::string text = fmt::format("# {}\n", comment(chart.name));
   for (const auto& curve : chart.curves) {
@@ -70,6 +72,13 @@ std::string data_text(const Chart& chart) {
   for (const auto& rule : chart.rules) {
     text += fmt::format("# {}: x, y\n", comment(rule.meaning));
     for (const auto& p : rule.path) text += fmt::format("{} {}\n", number(p.x), number(p.y));
+    text += "\n\n";
+  }
+  if (!chart.boxes.empty()) {
+    text += "# boxes: x, y, width in x, width in y\n";
+    for (const auto& b : chart.boxes)
+      text +=
+          fmt::format("{} {} {} {}\n", number(b.centre.x), number(b.centre.y), number(b.width_x), number(b.width_y));
     text += "\n\n";
   }
   return text;
@@ -95,15 +104,19 @@ std::string label_text(const Label& label) {
 std::string rule_style(const Rule& rule) {
   switch (rule.kind) {
     case Rule::Kind::fit:
-      return "lw 2 " + colour(rule.style);
+      return "lines lw 2 " + colour(rule.style);
     case Rule::Kind::reference:
-      return "lw 1.2 dt 2 lc rgb '#808080'";
+      return "lines lw 1.2 dt 2 lc rgb '#808080'";
     case Rule::Kind::triangle:
-      return "lw 1 lc rgb '#606060'";
+      return "lines lw 1 lc rgb '#606060'";
     case Rule::Kind::floor:
-      return "lw 1.4 dt 3 " + colour(rule.style);
+      return "lines lw 1.4 dt 3 " + colour(rule.style);
     case Rule::Kind::limit:
-      return (rule.style == plain_style ? "lw 3 " : "lw 1 ") + colour(rule.style);
+      return (rule.style == plain_style ? "lines lw 3 " : "lines lw 1 ") + colour(rule.style);
+    case Rule::Kind::front:
+      return "points pt 6 ps 1.7 lw 2 lc rgb '#D9B44A'";
+    case Rule::Kind::frame:
+      return "lines lw 0.8 lc rgb '#909090'";
   }
   return "";
 }
@@ -113,24 +126,29 @@ std::string joining_line(const Curve& curve) {
                           : fmt::format("lw 1 dt {} {}", dash(curve.style), colour(curve.style, 0.55));
 }
 
-/// The elements of the `plot` command: lines below, marks above, then the key's entries.
+/// The elements of the `plot` command: boxes and rings below, lines, marks above, then the key's entries.
 class Elements {
  public:
   explicit Elements(const Chart& chart) {
     int index = 0;
-    std::vector<std::string> fits, marks;
+    std::vector<std::string> below, lines, fits, marks;
     for (const auto& curve : chart.curves) {
       if (curve.dots.empty()) continue;
       if (curve.joined)
-        add(fmt::format("data index {} using 1:($4>=0?$2:NaN) with lines {}", index, joining_line(curve)));
+        lines.push_back(fmt::format("data index {} using 1:($4>=0?$2:NaN) with lines {}", index, joining_line(curve)));
       add_marks(marks, curve, index++);
     }
     for (const auto& rule : chart.rules) {
-      const std::string element = fmt::format("data index {} using 1:2 with lines {}", index++, rule_style(rule));
-      rule.kind == Rule::Kind::fit ? fits.push_back(element) : add(element);
+      auto& layer = rule.kind == Rule::Kind::fit ? fits : rule.kind == Rule::Kind::front ? below : lines;
+      layer.push_back(fmt::format("data index {} using 1:2 with {}", index++, rule_style(rule)));
     }
-    for (const auto& f : fits) add(f);
-    for (const auto& m : marks) add(m);
+    if (!chart.boxes.empty())
+      below.push_back(
+          fmt::format("data index {0} using 1:2:({1}*$3):({1}*$4) with boxxyerror "
+                      "fs solid noborder lc rgb '#A9CCE3'",
+                      index, half_shown));
+    for (const auto* layer : {&below, &lines, &fits, &marks})
+      for (const auto& element : *layer) add(element);
     if (text_.empty()) return;
     for (const auto& curve : chart.curves) add_key(curve);
   }
@@ -155,17 +173,19 @@ class Elements {
     };
     const auto [filled, hollow] = marker(curve.style);
     if (curve.marked && has(curve, Mark::outside)) {
-      points(0, filled, "ps 0.8 lc rgb '#FFFFFF'");
-      points(0, hollow, "ps 0.8 lw 1.3 " + colour(curve.style));
+      points(0, filled, fmt::format("ps {:g} lc rgb '#FFFFFF'", curve.size));
+      points(0, hollow, fmt::format("ps {:g} lw 1.3 ", curve.size) + colour(curve.style));
     }
-    if (curve.marked && has(curve, Mark::inside)) points(1, filled, "ps 0.8 " + colour(curve.style));
+    if (curve.marked && has(curve, Mark::inside))
+      points(1, filled, fmt::format("ps {:g} ", curve.size) + colour(curve.style));
     if (has(curve, Mark::unstable)) points(-1, cross, "ps 0.85 lw 1.8 " + colour(curve.style));
   }
 
   void add_key(const Curve& curve) {
     if (curve.key.empty() || curve.dots.empty()) return;
     const bool only_crosses = has(curve, Mark::unstable) && !has(curve, Mark::inside) && !has(curve, Mark::outside);
-    const std::string mark = fmt::format("pt {} ps 0.8", only_crosses ? cross : marker(curve.style).filled);
+    const std::string mark =
+        fmt::format("pt {} ps {:g}", only_crosses ? cross : marker(curve.style).filled, curve.size);
     const std::string line = fmt::format("lw {} dt {}", curve.joined ? 1.8 : 1.0, dash(curve.style));
     const std::string with = !curve.joined  ? "points " + mark
                              : curve.marked ? "linespoints " + line + " " + mark
@@ -205,6 +225,7 @@ set border 15 lw 0.8 lc rgb '#202020'
 set tics in scale 0.8,0.4
 set grid xtics ytics back lt 1 lw 0.5 lc rgb '#E4E4E4'
 set rmargin {1}
+set size {4}
 set xlabel offset 0,0.5
 set key outside below center vertical maxcols {2} maxrows {3} Left reverse noenhanced samplen 2.5 spacing 1.2
 )";
@@ -227,7 +248,8 @@ unset output
 std::string script_text(const Chart& chart) {
   const auto key = key_shape(chart);
   const double height = chart.height + 18.0 * key.rows;
-  std::string text = fmt::format(head, chart.name, chart.right_margin, key.columns, std::max(1, key.rows));
+  std::string text = fmt::format(head, chart.name, chart.right_margin, key.columns, std::max(1, key.rows),
+                                 chart.to_scale ? "ratio -1" : "noratio");
   text += axis_text('x', chart.x) + axis_text('y', chart.y);
   for (const auto& label : chart.labels) text += label_text(label);
   std::string elements = Elements(chart).text();

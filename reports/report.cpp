@@ -41,7 +41,7 @@ void check_names(const std::vector<StudyResult>& studies, const std::vector<std:
 
 std::vector<std::string> write_tables(const StudyResult& study, const fs::path& folder, ReportSummary& summary) {
   auto files = csv_tables(study);
-  files[study.name + ".tex"] = latex_tables(study);
+  files[study.name + ".tex"] = latex_tables(study.name + ": " + study.title, tables_of(study));
   std::vector<std::string> names;
   for (const auto& [name, content] : files) {
     names.push_back(name);
@@ -82,6 +82,11 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
   for (std::size_t i = 0; i < input.studies.size(); ++i)
     sections.push_back(
         {&input.studies[i], pictures(charts[i], figures), write_tables(input.studies[i], tables, summary)});
+  if (input.benchmark) {
+    const auto text = latex_tables("Benchmark", benchmark_tables(*input.benchmark));
+    ++summary.tables;
+    summary.tables_written += write_if_changed(tables / "benchmark.tex", text) ? 1 : 0;
+  }
   progress(fmt::format("tables: {} of {} written", summary.tables_written, summary.tables));
 
   write_if_changed(out_dir / "index.html", render_page(input, sections));

@@ -1,9 +1,11 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "reports/benchmark.hpp"
 #include "studies/provenance.hpp"
 #include "studies/result.hpp"
 
@@ -30,6 +32,7 @@ struct ReportInput {
   std::vector<GateLine> gate;
   std::vector<ClaimLine> claims;
   Provenance provenance;
+  std::optional<Benchmark> benchmark = {};
 };
 
 /// What a call wrote: files whose content is already right are left alone.
@@ -39,8 +42,8 @@ struct ReportSummary {
 };
 
 /// Writes OUT/index.html (one page, nothing outside it), OUT/figures/NAME.{gp,dat,svg,pdf} and OUT/tables/STUDY*.csv,
-/// STUDY.tex. Throws UsageError when a file cannot be written, two figures share a name, or gnuplot is missing or
-/// fails.
+/// STUDY.tex and, with a benchmark, benchmark.tex. Throws UsageError when a file cannot be written, two figures share a
+/// name, or gnuplot is missing or fails.
 ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
                            const std::function<void(const std::string&)>& progress);
 

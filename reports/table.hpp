@@ -23,8 +23,12 @@ Table points_table(const StudyResult& study);  ///< with the order of each segme
 Table fits_table(const StudyResult& study);
 Table limits_table(const StudyResult& study);
 Table values_table(const StudyResult& study);
+Table cheapest_table(const StudyResult& study);  ///< of each power of ten of the error, where cost was measured
 
-/// All of them as booktabs tables, for \input into a document.
-std::string latex_tables(const StudyResult& study);
+/// All tables of a study that have rows.
+std::vector<Table> tables_of(const StudyResult& study);
+
+/// As booktabs tables, for \input into a document; the title stands in a comment.
+std::string latex_tables(const std::string& title, const std::vector<Table>& tables);
 
 }  // namespace mpmvv

@@ -27,8 +27,8 @@ inline constexpr int block_size = 256 >> D;
 /// A value on a particle and its derivatives: column J is the one along x_J.
 template <int D>
 struct ValueAndGradient {
-  Packed<D> value = Packed<D>::Zero();
-  PackedMat<D> gradient = PackedMat<D>::Zero();
+  Packed<D> value;
+  PackedMat<D> gradient;
 };
 
 /// The nodes of one particle: K along each axis, with weights and gradients per axis, copied out of the block so that
@@ -51,21 +51,30 @@ struct Stencil {
     }
   }
 
-  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip over the axes up to `axis`
-  template <int axis = D - 1>
+  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip. Written out for each dimension: the sums have to stay in registers.
   ValueAndGradient<D> value_and_gradient(const Packed<D>* nodes) const {
-    ValueAndGradient<D> sum;
-    for (int i = 0; i < K; ++i) {
-      ValueAndGradient<D> part;
-      if constexpr (axis == 0)
-        part.value = nodes[i];
-      else
-        part = value_and_gradient<axis - 1>(nodes + i * stride[axis]);
-      sum.value += N[axis][i] * part.value;
-      sum.gradient.col(axis) += dN[axis][i] * part.value;
-      for (int d = 0; d < axis; ++d) sum.gradient.col(d) += N[axis][i] * part.gradient.col(d);
+    Packed<D> value = Packed<D>::Zero(), d0 = value, d1 = value, d2 = value;
+    if constexpr (D == 1) {
+      add_line(nodes, value, d0);
+      return {value, d0};
+    } else if constexpr (D == 2) {
+      for (int j = 0; j < K; ++j) add_plane_row(nodes + j * stride[1], j, value, d0, d1);
+      ValueAndGradient<D> sum{value, {}};
+      sum.gradient.col(0) = d0, sum.gradient.col(1) = d1;
+      return sum;
+    } else {
+      for (int l = 0; l < K; ++l) {
+        Packed<D> plane = Packed<D>::Zero(), plane_d0 = plane, plane_d1 = plane;
+        for (int j = 0; j < K; ++j) add_plane_row(nodes + j * stride[1] + l * stride[2], j, plane, plane_d0, plane_d1);
+        value += N[2][l] * plane;
+        d0 += N[2][l] * plane_d0;
+        d1 += N[2][l] * plane_d1;
+        d2 += dN[2][l] * plane;
+      }
+      ValueAndGradient<D> sum{value, {}};
+      sum.gradient.col(0) = d0, sum.gradient.col(1) = d1, sum.gradient.col(2) = d2;
+      return sum;
     }
-    return sum;
   }
 
   /// φ_i += N_ip value
@@ -95,6 +104,21 @@ struct Stencil {
       }
     }
   }
+
+ private:
+  void add_line(const Packed<D>* nodes, Packed<D>& value, Packed<D>& d0) const {
+    for (int i = 0; i < K; ++i) {
+      value += N[0][i] * nodes[i];
+      d0 += dN[0][i] * nodes[i];
+    }
+  }
+  void add_plane_row(const Packed<D>* nodes, int j, Packed<D>& value, Packed<D>& d0, Packed<D>& d1) const {
+    Packed<D> line = Packed<D>::Zero(), line_d0 = line;
+    add_line(nodes, line, line_d0);
+    value += N[1][j] * line;
+    d0 += N[1][j] * line_d0;
+    d1 += dN[1][j] * line;
+  }
 };
 
 /// A few neighbouring particles, the nodes that each of them reaches, and what the stages of a sweep hand to each
@@ -104,11 +128,11 @@ struct Block {
   int slab;
   std::size_t begin;
   int count;
-  int first[block_size<D>];        ///< storage index of the first node
-  double N[D][K][block_size<D>];   ///< weights
-  double dN[D][K][block_size<D>];  ///< gradients, per length
+  int first[block_size<D>];         ///< storage index of the first node
+  double N[D][K][block_size<D>];    ///< weights
+  double dN[D][K][block_size<D>];   ///< gradients, per length
   PackedMat<D> tau[block_size<D>];  ///< Kirchhoff stress, by EvaluateStress
-  Vec<D> b[block_size<D>];         ///< body acceleration, by EvaluateBodyForce
+  Vec<D> b[block_size<D>];          ///< body acceleration, by EvaluateBodyForce
 
   /// Calls visit(k, p) for each particle p = begin + k. Neighbours add to the same nodes, one having to wait for the
   /// other; the block is therefore visited in four interleaved parts.

@@ -11,9 +11,11 @@ std::vector<std::string_view> integrator_words() {
 }
 
 bool is_staggered(std::string_view word) {
-  for (const auto& integrator : integrators<1>)
-    if (integrator.word == word) return integrator.staggered;
-  return false;
+  return detail::find_integrator<1>(word).kind == IntegratorKind::staggered;
+}
+
+bool is_staged(std::string_view word) {
+  return detail::find_integrator<1>(word).kind == IntegratorKind::staged;
 }
 
 }  // namespace mpmvv::solver

@@ -63,9 +63,17 @@ class Mpm {
   double kinetic_energy() const;  ///< Σ m_p v_p²/2
   double strain_energy() const;   ///< Σ V⁰_p W(F_p)
 
+  /// Maps the particles as they are now: the grid then holds m_i and a_i = f_i/m_i, constrained, of this very time,
+  /// where a step leaves those of its start.
+  void map_acceleration();
+  Vec<D> node_position(std::size_t n) const;  ///< of the node at a storage index
+  bool is_accelerated(std::size_t n) const { return grid_.m(n) > least_mass_; }
+
   // For integrators.
   Particles<D>& particles() { return particles_; }
   Grid<D>& grid() { return grid_; }
+  void set_time(double t) { time_ = t; }  ///< of the body force, for stages within a step
+  void sort_strays();                     ///< to be called when positions have changed and the step goes on
 
   /// One sweep over all particles with these stages.
   template <class... Stages>
@@ -94,11 +102,9 @@ class Mpm {
   }
 
  private:
-  bool is_accelerated(std::size_t n) const { return grid_.m(n) > least_mass_; }
   /// quotient = factor field / m_i where a node's mass exceeds `least_mass`, else zero.
   template <class V>
-  void divide_by_mass(const std::vector<V>& field, double factor, double least_mass,
-                      std::vector<Packed<D>>& quotient);
+  void divide_by_mass(const std::vector<V>& field, double factor, double least_mass, std::vector<Packed<D>>& quotient);
   void constrain(std::vector<Packed<D>>& field);
   void set_wall_acceleration(double dt);
   void add_grid_body_force();
@@ -126,6 +132,8 @@ class Mpm {
 std::vector<std::string_view> integrator_words();
 /// Whether particle velocities live half a step before the positions.
 bool is_staggered(std::string_view integrator);
+/// Whether it keeps two more states of the particles.
+bool is_staged(std::string_view integrator);
 
 extern template class Mpm<1>;
 extern template class Mpm<2>;

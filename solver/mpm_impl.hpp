@@ -16,9 +16,9 @@ Grid<D> make_grid(const Scene<D>& scene) {
 }
 
 template <int D>
-auto find_integrator(std::string_view word) {
+const Integrator<D>& find_integrator(std::string_view word) {
   for (const Integrator<D>& integrator : integrators<D>)
-    if (integrator.word == word) return integrator.advance;
+    if (integrator.word == word) return integrator;
   throw std::invalid_argument("unknown integrator '" + std::string(word) + "'");
 }
 
@@ -31,7 +31,8 @@ Mpm<D>::Mpm(Scene<D> scene)
       grid_(detail::make_grid(scene_)),
       slabs_(grid_),
       team_(scene_.threads),
-      advance_(detail::find_integrator<D>(scene_.integrator)) {
+      advance_(detail::find_integrator<D>(scene_.integrator).advance) {
+  if (is_staged(scene_.integrator)) particles_.start_stages();
   for (int d = 0; d < D; ++d)
     periodic_[static_cast<std::size_t>(d)] =
         std::holds_alternative<Periodic>(scene_.boundary[static_cast<std::size_t>(2 * d)]);
@@ -43,11 +44,38 @@ Mpm<D>::Mpm(Scene<D> scene)
 
 template <int D>
 bool Mpm<D>::step(double dt) {
+  const double end = time_ + dt;
   advance_(*this, dt);
   first_step_ = false;
-  time_ += dt;
-  if (must_sort_.exchange(false)) slabs_.sort(particles_, grid_);
+  time_ = end;
+  sort_strays();
   return fault_ == Fault::none;
+}
+
+template <int D>
+void Mpm<D>::sort_strays() {
+  if (must_sort_.exchange(false)) slabs_.sort(particles_, grid_);
+}
+
+template <int D>
+void Mpm<D>::map_acceleration() {
+  grid_.clear();
+  sweep_with_forces(MapMass<D>{particles_, grid_});
+  fold(grid_.p);
+  set_grid_acceleration();
+}
+
+template <int D>
+Vec<D> Mpm<D>::node_position(std::size_t n) const {
+  const Index<D> i = grid_.index(n);
+  Vec<D> x = grid_.lower();
+  std::visit(
+      [&]<class B>(const B&) {
+        for (int d = 0; d < D; ++d)
+          x[d] += grid_.h() * B::position(i[static_cast<std::size_t>(d)], grid_.cells()[static_cast<std::size_t>(d)]);
+      },
+      scene_.basis);
+  return x;
 }
 
 template <int D>
@@ -137,17 +165,9 @@ void Mpm<D>::set_grid_acceleration() {
 
 template <int D>
 void Mpm<D>::add_grid_body_force() {
-  std::visit(
-      [this]<class B>(const B&) {
-        for (std::size_t n = 0; n < grid_.size(); ++n) {
-          if (!is_accelerated(n)) continue;
-          const Index<D> i = grid_.index(n);
-          Vec<D> x = grid_.lower();
-          for (int d = 0; d < D; ++d) x[d] += grid_.h() * B::position(i[d], grid_.cells()[d]);
-          grid_.f[n] += grid_.m(n) * packed<D>(scene_.body_force->at_position(x, time_));
-        }
-      },
-      scene_.basis);
+  for (std::size_t n = 0; n < grid_.size(); ++n)
+    if (is_accelerated(n))
+      grid_.f[n] += grid_.m(n) * packed<D>(scene_.body_force->at_position(node_position(n), time_));
 }
 
 template <int D>
@@ -161,7 +181,8 @@ template <int D>
 void Mpm<D>::set_wall_acceleration(double dt) {
   const auto difference = [&](int n, int) {  // a_i = (v_i^{k+1} - v_i^k)/Δt, v^k as mapped                     S (30)
     const auto i = static_cast<std::size_t>(n);
-    if (is_accelerated(i)) grid_.a[i] = (grid_.v[i] - grid_.p[i].template head<Packed<D>::SizeAtCompileTime>() / grid_.m(i)) / dt;
+    if (is_accelerated(i))
+      grid_.a[i] = (grid_.v[i] - grid_.p[i].template head<Packed<D>::SizeAtCompileTime>() / grid_.m(i)) / dt;
   };
   for_faces([&](const auto& boundary, Face face) {
     if (!boundary.holds) return;

@@ -18,9 +18,8 @@ struct MapMass {
   Grid<D>& grid;
 
   void operator()(const auto& block, const Grid<D>&) const {
-    block.for_particles([&](int k, std::size_t p) {
-      block.scatter(k, grid, packed<D>(Vec<D>::Zero(), particles.m[p]), grid.p);
-    });
+    block.for_particles(
+        [&](int k, std::size_t p) { block.scatter(k, grid, packed<D>(Vec<D>::Zero(), particles.m[p]), grid.p); });
   }
 };
 
@@ -113,17 +112,17 @@ struct UpdateDeformation {
   }
 };
 
-/// Position and deformation by the same grid velocity, gathered once.
+/// Position and deformation by the same grid velocity, gathered once; the deformation by a time step of its own.
 template <int D>
 struct UpdatePositionAndDeformation {
   Particles<D>& particles;
-  double dt;
+  double dt, dt_deformation;
 
   void operator()(const auto& block, const Grid<D>& grid) const {
     block.for_particles([&](int k, std::size_t p) {
       const auto v = block.gather_with_gradient(k, grid, grid.v);
       particles.x[p] += dt * v.value.template head<D>();
-      particles.F[p] = deformed<D>(particles.F[p], dt, v.gradient);
+      particles.F[p] = deformed<D>(particles.F[p], dt_deformation, v.gradient);
     });
   }
 };

@@ -8,6 +8,13 @@
 
 namespace mpmvv::solver {
 
+/// What a step advances.
+template <int D>
+struct Motion {
+  std::vector<Vec<D>> x, v;
+  std::vector<Mat<D>> F;
+};
+
 /// The material points, one array per field. Fields that the scheme does not need stay empty.
 template <int D>
 struct Particles {
@@ -20,12 +27,22 @@ struct Particles {
   std::vector<Vec<D>> l;          ///< width in units of h, for bases that take one
   std::vector<Vec<D>> l0;         ///< reference width in units of h, where the width follows the deformation
 
+  struct {
+    Motion<D> start;  ///< at the start of the step
+    Motion<D> sum;    ///< that and the weighted rates of the stages so far
+  } stages;           ///< for integrators that have some
+
   std::size_t size() const { return x.size(); }
 
   /// Makes room in every field but the widths.
   void resize(std::size_t n) {
     id.resize(n), x.resize(n), v.resize(n), F.resize(n), m.resize(n), V0.resize(n);
     std::iota(id.begin(), id.end(), 0U);
+  }
+
+  /// The current state becomes both fields of `stages`.
+  void start_stages() {
+    for (Motion<D>* motion : {&stages.start, &stages.sum}) motion->x = x, motion->v = v, motion->F = F;
   }
 
   /// Reorders every field that is in use: new k = old order[k].
@@ -37,6 +54,7 @@ struct Particles {
       field.swap(sorted);
     };
     reorder(id), reorder(x), reorder(v), reorder(F), reorder(m), reorder(V0), reorder(l), reorder(l0);
+    for (Motion<D>* motion : {&stages.start, &stages.sum}) reorder(motion->x), reorder(motion->v), reorder(motion->F);
   }
 };
 

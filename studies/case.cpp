@@ -31,7 +31,7 @@ std::string canonical_text(const Case& c) {
   const auto& [basis, smoothing_length, integrator, start, velocity_update, mass, boundary, wall_acceleration,
                deformation, body_force, fill, material] = scheme;
   const auto& [cells, ppc, dt, steps] = resolution;
-  const auto& [every_step, blowup_error, blowup_energy] = measure;
+  const auto& [every_step, nodal_error, blowup_error, blowup_energy, repeat] = measure;
 
   Line line;
   line.add("problem", name);
@@ -54,8 +54,10 @@ std::string canonical_text(const Case& c) {
       .add("dt", dt)
       .add("steps", steps)
       .add("every_step", every_step)
+      .add("nodal_error", nodal_error)
       .add("blowup_error", blowup_error)
-      .add("blowup_energy", blowup_energy);
+      .add("blowup_energy", blowup_energy)
+      .add("repeat", repeat);
   return line.text();
 }
 

@@ -28,10 +28,12 @@ struct Resolution {
 
 /// What is measured besides the errors at the end, and when a run counts as blown up.
 struct Measure {
-  bool every_step = false;  ///< errors over all steps
+  bool every_step = false;   ///< errors over all steps
+  bool nodal_error = false;  ///< error of the nodes' accelerations at the end
   double blowup_error =
       1;  ///< unstable when the largest displacement error exceeds this times the problem's displacement scale
   double blowup_energy = 10;  ///< unstable when kinetic + strain energy exceeds this times the initial total
+  int repeat = 0;             ///< runs, each alone on the machine, of which the cost is taken; 0: it is no evidence
 
   auto operator<=>(const Measure&) const = default;
 };

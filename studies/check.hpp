@@ -37,6 +37,8 @@ CheckResult check_force_quadrature();
 CheckResult check_density_extent();
 CheckResult check_ghost_mass();
 CheckResult check_one_particle();
+CheckResult check_cube_voxels();
+CheckResult check_square_particles();
 CheckResult check_derived_solutions();
 
 }  // namespace mpmvv

@@ -63,6 +63,8 @@ Parameters complete_parameters(const Problem& problem, const Parameters& given);
 
 // The problems, each defined in its own file.
 Problem bar_problem();
+Problem square_problem();
+Problem cube_problem();
 Problem one_particle_problem();
 
 }  // namespace mpmvv

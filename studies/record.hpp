@@ -19,10 +19,19 @@ Status status_from(const std::string& word);  ///< throws UsageError on an unkno
 struct Errors {
   double l1 = not_measured, l2 = not_measured, linf = not_measured;
   double l1_all_steps = not_measured, l2_all_steps = not_measured, linf_all_steps = not_measured;
+  /// Of the acceleration error δ_i over the nodes of the body at the end, W (A.2), in m/s².
+  double nodal_l1 = not_measured, nodal_l2 = not_measured, nodal_linf = not_measured;
 };
 
 struct Energy {
   double kinetic = not_measured, strain = not_measured, initial_total = not_measured;
+};
+
+/// Measured alone on the machine, on one thread, in its processor time: median over the repetitions, and their range
+/// over the median.
+struct Cost {
+  double step_seconds = not_measured;  ///< step loop alone
+  double spread = not_measured;
 };
 
 /// What came out of one case.
@@ -35,8 +44,9 @@ struct Record {
   std::string reason;  ///< why it is `unstable` or `failed`; empty for `ok`
   Errors error;
   Energy energy;
-  double wall_seconds = not_measured;
-  double ns_per_particle_step = not_measured;  ///< step loop alone
+  double wall_seconds = not_measured;          ///< of one run, whatever else ran at that time
+  double ns_per_particle_step = not_measured;  ///< step loop alone; of a cost case the median
+  Cost cost = {};                              ///< where the case asks for it
 };
 
 }  // namespace mpmvv

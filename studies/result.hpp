@@ -80,7 +80,9 @@ struct Value {
   std::string meaning;  ///< one line for people
 };
 
-/// One axis-pair of a report's figure, as the study file describes it.
+/// A report's figure, as the study file describes it. Its kind says what is drawn: `curves`, the quantity of each
+/// series against the swept value; `work-precision`, the quantity against the measured cost; `particles`, a panel for
+/// each series, whose points are particles at (x, `y`) with voxels of widths `width_x`, `width_y` where they have any.
 struct Figure {
   std::string name;  ///< file name without ending, `s-fig10`
   std::string caption;
@@ -91,6 +93,7 @@ struct Figure {
   std::vector<std::string> marks;   ///< series drawn as separate points, without a line
   std::vector<double> slopes;       ///< reference slopes to draw, in powers of h
   std::optional<double> x_min, x_max, y_min, y_max;
+  std::string kind = "curves";
 };
 
 enum class PartVerdict { holds, fails, shown, inconclusive };

@@ -6,7 +6,8 @@
 namespace mpmvv {
 
 /// Runs one case to its end, or until it blows up. What goes wrong on the way (memory, say) is a record with status
-/// `failed`. Records do not depend on `threads` but for the cost. Particle states go to the directory `vtu`, unless
+/// `failed`. Records do not depend on `threads` but for the cost; a case that asks for its cost runs on one thread,
+/// as often as it says, and is the caller's to run alone. Particle states go to the directory `vtu`, unless
 /// it is empty; a UsageError when that cannot be written.
 Record run_case(const Case& c, int threads, const std::filesystem::path& vtu = {});
 

@@ -17,7 +17,7 @@ void usl(Mpm<D>& s, double dt) {
   s.set_grid_acceleration();
   s.advance_grid_velocity(dt);
 
-  s.sweep_and_settle(UpdateVelocity<D>{particles, dt}, UpdatePositionAndDeformation<D>{particles, dt});
+  s.sweep_and_settle(UpdateVelocity<D>{particles, dt}, UpdatePositionAndDeformation<D>{particles, dt, dt});
 }
 
 }  // namespace mpmvv::solver

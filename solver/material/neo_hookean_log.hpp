@@ -29,7 +29,8 @@ struct NeoHookeanLog {
         for (std::size_t k = 0; k < n; ++k) spherical[static_cast<int>(k)] = F[begin + k].determinant();
         spherical = lambda * spherical.log() - mu;
       }
-      for (std::size_t k = 0; k < n; ++k) left_cauchy_green(F[begin + k], spherical[static_cast<int>(k)], tau[begin + k]);
+      for (std::size_t k = 0; k < n; ++k)
+        left_cauchy_green(F[begin + k], spherical[static_cast<int>(k)], tau[begin + k]);
     }
   }
 
@@ -43,13 +44,13 @@ struct NeoHookeanLog {
  private:
   template <int D>
   void left_cauchy_green(const Mat<D>& F, double spherical, PackedMat<D>& tau) const {
+    const PackedMat<D> identity = PackedMat<D>::Identity();
     Packed<D> columns[D];
     for (int c = 0; c < D; ++c) columns[c] = packed<D>(mu * F.col(c));
     for (int c = 0; c < D; ++c) {
-      Packed<D> column = F(c, 0) * columns[0];
-      for (int d = 1; d < D; ++d) column += F(c, d) * columns[d];
+      Packed<D> column = spherical * identity.col(c);
+      for (int d = 0; d < D; ++d) column += F(c, d) * columns[d];
       tau.col(c) = column;
-      tau(c, c) += spherical;
     }
   }
 };

@@ -16,6 +16,8 @@ const std::vector<Check>& checks() {
       {"density-extent", "x", &check_density_extent},
       {"ghost-mass", "step", &check_ghost_mass},
       {"one-particle", "step", &check_one_particle},
+      {"cube-voxels", "x", &check_cube_voxels},
+      {"square-particles", "x", &check_square_particles},
       {"derived-solutions", "x", &check_derived_solutions},
   };
   return all;

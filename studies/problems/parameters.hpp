@@ -11,6 +11,9 @@ inline Parameter amplitude_parameter(double value) {
 inline Parameter youngs_modulus_parameter(double value) {
   return {"youngs_modulus", value, "Pa", [](double e) { return e > 0; }, "> 0"};
 }
+inline Parameter poissons_ratio_parameter(double value) {
+  return {"poissons_ratio", value, "", [](double nu) { return nu > -1 && nu < 0.5; }, "> -1 and < 0.5"};
+}
 inline Parameter density_parameter(double value) {
   return {"density", value, "kg/m3", [](double rho) { return rho > 0; }, "> 0"};
 }

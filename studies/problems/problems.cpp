@@ -9,6 +9,8 @@ namespace mpmvv {
 const std::vector<Problem>& problems() {
   static const std::vector<Problem> all{
       bar_problem(),
+      square_problem(),
+      cube_problem(),
       one_particle_problem(),
   };
   return all;

@@ -93,7 +93,12 @@ void require_sense(const Case& c) {
   if (s.wall_acceleration == "difference" && s.integrator == "uvf")
     throw UsageError(
         "wall_acceleration 'difference' with integrator 'uvf', which maps the velocity after the acceleration (use "
-        "zero, or usl, usf or cd)");
+        "zero, or another integrator)");
+  if (s.wall_acceleration == "difference" && s.integrator == "rk4")
+    throw UsageError(
+        "wall_acceleration 'difference' with integrator 'rk4', whose stages have rates and no step to take a "
+        "difference "
+        "over (use zero, or another integrator)");
   if ((has("symmetry") || has("mirror")) && c.resolution.cells < 4)
     throw UsageError(
         fmt::format("{} cells are too few for boundary '{}' (at least 4: ghosts and their images must differ)",
@@ -105,6 +110,11 @@ void require_sense(const Case& c) {
     throw UsageError("problem 'one-particle' with other cells or ppc (cells = 1 and ppc = 1)");
   if (c.problem.name == "one-particle" && s.start == "exact")
     throw UsageError("problem 'one-particle' has no exact velocity for start 'exact' (use start 'half')");
+  if (c.measure.nodal_error && c.problem.name == "one-particle")
+    throw UsageError("problem 'one-particle' has no exact acceleration for nodal_error (leave it out)");
+  if (c.measure.nodal_error && s.wall_acceleration == "difference")
+    throw UsageError(
+        "nodal_error with wall_acceleration 'difference', which belongs to a step and not to the end time (use zero)");
   if (!(c.measure.blowup_error > 0) || !(c.measure.blowup_energy > 0))
     throw UsageError("blowup_error and blowup_energy must be > 0");
 }

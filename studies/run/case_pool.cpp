@@ -18,6 +18,13 @@ double usable_memory() {
   return 0.8 * static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
+/// Whether the case takes all threads for itself: it fills the memory, or would still run when all others are done.
+bool is_big(const Case& c, double work_of_all, int jobs) {
+  constexpr double much_memory = 1024.0 * 1024 * 1024, much_work = 1e8;
+  const double work = work_estimate(c);
+  return memory_estimate(c) > much_memory || (work > much_work && work * jobs > work_of_all);
+}
+
 std::string label(const Case& c) {
   return fmt::format("{} {} {} {} cells={} ppc={}", c.problem.name, c.scheme.basis, c.scheme.integrator,
                      c.scheme.boundary, c.resolution.cells, c.resolution.ppc);
@@ -26,11 +33,7 @@ std::string label(const Case& c) {
 }  // namespace
 
 CasePool::CasePool(Store& store, const RunnerOptions& options)
-    : store_(store),
-      options_(options),
-      provenance_(current_provenance()),
-      free_jobs_(options.jobs),
-      memory_limit_(usable_memory()) {}
+    : store_(store), options_(options), provenance_(current_provenance()), admission_(options.jobs, usable_memory()) {}
 
 std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
   std::vector<Case> missing;
@@ -63,25 +66,16 @@ bool CasePool::known(const Case& c) {
 void CasePool::run_all(std::vector<Case> missing) {
   std::stable_sort(missing.begin(), missing.end(),
                    [](const Case& a, const Case& b) { return work_estimate(a) > work_estimate(b); });
-  for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run_one(missing[k]); });
+  double work_of_all = 0;
+  for (const Case& c : missing) work_of_all += work_estimate(c);
+  for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run_one(missing[k], work_of_all); });
 }
 
-void CasePool::run_one(const Case& c) {
-  const double memory = memory_estimate(c);
-  {
-    std::unique_lock lock(mutex_);
-    memory_freed_.wait(lock, [&] { return memory_used_ == 0 || memory_used_ + memory <= memory_limit_; });
-    memory_used_ += memory;
-  }
-  free_jobs_.acquire();
-  const Record record = run_case(c, 1);
-  free_jobs_.release();
-  {
-    const std::lock_guard lock(mutex_);
-    memory_used_ -= memory;
-    memory_freed_.notify_all();
-  }
-  keep(record);
+/// The place is held until the record is kept: nothing is written while a case runs alone.
+void CasePool::run_one(const Case& c, double work_of_all) {
+  const bool big = is_big(c, work_of_all, options_.jobs), alone = big || c.measure.repeat > 0;
+  const Admission::Place place(admission_, alone ? options_.jobs : 1, memory_estimate(c));
+  keep(run_case(c, big ? options_.jobs : 1));
 }
 
 /// One thread at a time writes to the store, all that has finished in one transaction; the others go on running.

@@ -2,18 +2,19 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
-#include <semaphore>
 #include <vector>
 
 #include "studies/provenance.hpp"
 #include "studies/record.hpp"
+#include "studies/run/admission.hpp"
 #include "studies/store.hpp"
 #include "studies/study_runner.hpp"
 
 namespace mpmvv {
 
 /// Gets records of cases: from memory, from the store, or by running them, each one once. Cases run in parallel, the
-/// long ones first, as far as the memory of the machine allows.
+/// long ones first, as far as the memory of the machine allows. Alone run those that ask for their cost, on one thread,
+/// and the big ones, on all threads.
 class CasePool {
  public:
   CasePool(Store& store, const RunnerOptions& options);
@@ -26,7 +27,7 @@ class CasePool {
  private:
   bool known(const Case& c);
   void run_all(std::vector<Case> missing);
-  void run_one(const Case& c);
+  void run_one(const Case& c, double work_of_all);
   void keep(const Record& record);
 
   Store& store_;
@@ -39,9 +40,7 @@ class CasePool {
   bool keeping_ = false;          ///< a thread is at the store, outside the mutex
   std::mutex mutex_;              ///< of everything above
   std::condition_variable kept_;
-  std::counting_semaphore<> free_jobs_;  ///< also where several threads search limits at once
-  std::condition_variable memory_freed_;
-  double memory_limit_, memory_used_ = 0;
+  Admission admission_;  ///< also where several threads search limits at once
 };
 
 }  // namespace mpmvv

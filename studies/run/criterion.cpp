@@ -7,6 +7,7 @@
 
 #include "studies/run/samples.hpp"
 #include "studies/study.hpp"
+#include "studies/work_precision.hpp"
 
 namespace mpmvv {
 
@@ -45,20 +46,25 @@ double error_at(const Series& series, double x, const std::string& norm) {
   return not_measured;
 }
 
-/// The order over the points that are stable. An unstable one has not converged: with it no lower bound is kept, and an
-/// upper bound is kept as far as the others keep it. A failed or unmeasured one leaves the order unknown.
+/// The order over the points in the window that are stable; `missing` when one failed or has not been measured.
+ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
+                           Measured& out) {
+  const ObservedOrder fit = fit_order(samples_of(series, norm, result.sweep), c.window.from, c.window.to);
+  const auto stable = std::count_if(series.points.begin(), series.points.end(), [&](const Point& point) {
+    return inside(c, point.x) && point.status != Status::unstable;
+  });
+  if (fit.points < stable)
+    out.missing = fmt::format("'{}': {} of {} stable points are no use", series.name, stable - fit.points, stable);
+  return fit;
+}
+
+/// An unstable point has not converged: with it no lower bound is kept, and an upper bound as far as the others keep
+/// it.
 void measure_order(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
-  const ObservedOrder fit = fit_order(samples_of(series, c.norm, result.sweep), c.window.from, c.window.to);
-  int in_window = 0;
+  const ObservedOrder fit = stable_order(c, result, series, c.norm, out);
   std::vector<double> unstable;
-  for (const Point& point : series.points) {
-    if (!inside(c, point.x)) continue;
-    ++in_window;
-    if (point.status == Status::unstable) unstable.push_back(point.x);
-  }
-  const auto usable = in_window - static_cast<int>(unstable.size());
-  if (fit.points < usable)
-    out.missing = fmt::format("'{}': {} of {} points are no use", series.name, usable - fit.points, in_window);
+  for (const Point& point : series.points)
+    if (inside(c, point.x) && point.status == Status::unstable) unstable.push_back(point.x);
   const std::string interval = std::isnan(fit.half_width) ? "" : fmt::format(" (±{:.2f})", fit.half_width);
   const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
   out.add(fmt::format("order of '{}' in {} over [{}, {}]{}{}", series.name, c.norm, c.window.from, c.window.to,
@@ -68,17 +74,28 @@ void measure_order(const Criterion& c, const StudyResult& result, const Series& 
     out.add(fmt::format("order of '{}' at {}", series.name, unstable[0]), -std::numeric_limits<double>::infinity());
 }
 
+void measure_order_difference(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
+  const double own = stable_order(c, result, series, c.norm, out).order;
+  const double other = stable_order(c, result, series, c.over_norm, out).order;
+  out.add(fmt::format("order of '{}' in {} ({:.2f}) less that in {} ({:.2f}) over [{}, {}]", series.name, c.norm, own,
+                      c.over_norm, other, c.window.from, c.window.to),
+          own - other);
+}
+
 void measure_errors(const Criterion& c, const Series& series, Measured& out) {
   for (const Point& point : series.points)
     if (inside(c, point.x))
       out.add(fmt::format("{} of '{}' at {}", c.norm, series.name, point.x), error_at(point, c.norm));
 }
 
+/// Two unstable runs are as bad as each other: W gives either an error of one.
 void measure_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
-  for (const Point& point : series.points)
-    if (inside(c, point.x))
-      out.add(fmt::format("{} of '{}' over '{}' at {}", c.norm, series.name, over.name, point.x),
-              error_at(point, c.norm) / error_at(over, point.x, c.norm));
+  for (const Point& point : series.points) {
+    if (!inside(c, point.x)) continue;
+    const double own = error_at(point, c.norm), other = error_at(over, point.x, c.norm);
+    out.add(fmt::format("{} of '{}' over '{}' at {}", c.norm, series.name, over.name, point.x),
+            std::isinf(own) && std::isinf(other) ? 1 : own / other);
+  }
 }
 
 void measure_spread(const Criterion& c, const Series& series, Measured& out) {
@@ -118,6 +135,17 @@ void measure_limit(const Series& series, Measured& out) {
           value);
 }
 
+/// A series that never gets down to an error costs without end there, whatever the other one does.
+void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
+  const auto own = pareto_front(work_points(series, c.norm)), other = pareto_front(work_points(over, c.norm));
+  if (own.empty() || other.empty()) out.missing = fmt::format("no cost of '{}'", own.empty() ? series.name : over.name);
+  for (const double error : decades(c.window.from, c.window.to)) {
+    const double cost = cost_to_reach(error, own);
+    out.add(fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error),
+            std::isinf(cost) ? cost : cost / cost_to_reach(error, other));
+  }
+}
+
 void measure_value(const Criterion& c, const StudyResult& result, Measured& out) {
   for (const Value& value : result.values)
     if (value.name == c.name) return out.add(value.meaning, value.value);
@@ -141,6 +169,9 @@ Measured measure(const Criterion& c, const StudyResult& result) {
       case Kind::order:
         measure_order(c, result, *series, out);
         break;
+      case Kind::order_difference:
+        measure_order_difference(c, result, *series, out);
+        break;
       case Kind::error:
         measure_errors(c, *series, out);
         break;
@@ -161,6 +192,9 @@ Measured measure(const Criterion& c, const StudyResult& result) {
         out.add(fmt::format("limit of '{}' over '{}'", name, c.over), own / other);
         break;
       }
+      case Kind::cost_ratio:
+        measure_cost_ratios(c, *series, *over, out);
+        break;
       case Kind::value:
       case Kind::awaited:
       case Kind::shown:

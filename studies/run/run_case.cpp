@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <exception>
 #include <optional>
+#include <vector>
 
 #include "studies/error.hpp"
 #include "studies/norms.hpp"
+#include "studies/run/nodal_error.hpp"
 #include "studies/run/scene.hpp"
 #include "studies/run/vtu.hpp"
 
@@ -15,10 +19,15 @@ namespace mpmvv {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Seconds of this thread on a processor: what steps cost on one core, whatever else the machine does meanwhile.
+double processor_seconds() {
+  timespec spent{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+  return static_cast<double>(spent.tv_sec) + 1e-9 * static_cast<double>(spent.tv_nsec);
+}
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// x moved by whole periods to the smallest distance from 0.
@@ -82,17 +91,20 @@ void note_errors_over_steps(Errors& errors, const ErrorNorms& now) {
   errors.linf_all_steps = larger(errors.linf_all_steps, now.linf());
 }
 
-/// Steps to the end or until the run blows up, and calls `observe` after every sound step; returns the seconds spent
-/// in the steps alone.
+/// Steps to the end or until the run blows up, and calls `observe` after every `stride` sound steps; returns the
+/// seconds spent in the steps alone.
 template <int D, class Observe>
-double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, Record& record, const Observe& observe) {
+double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, std::int64_t stride, Record& record,
+               const Observe& observe) {
   const Watch<D> watch(c, stage, record.energy.initial_total);
+  const auto clock = c.measure.repeat > 0 ? &processor_seconds : &wall_seconds;
   double step_seconds = 0;
   while (record.steps < c.resolution.steps) {
-    const auto start = Clock::now();
-    const bool sound = mpm.step(c.resolution.dt);
-    step_seconds += seconds_since(start);
-    ++record.steps;
+    const std::int64_t pause = std::min(record.steps + stride, c.resolution.steps);
+    bool sound = true;
+    const double start = clock();
+    for (; sound && record.steps < pause; ++record.steps) sound = mpm.step(c.resolution.dt);
+    step_seconds += clock() - start;
     if (!sound) record.reason = mpm.fault();
     const bool due = record.steps % Watch<D>::interval == 0 || record.steps == c.resolution.steps;
     if (sound && due) record.reason = watch.judge(mpm, stage);
@@ -108,7 +120,7 @@ double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, Record
 
 template <int D>
 void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Record& record) {
-  const auto start = Clock::now();
+  const double start = wall_seconds();
   Stage<D> stage = make_stage<D>(c, problem, threads);
   solver::Mpm<D> mpm(std::move(stage.scene));
   record.particles = static_cast<std::int64_t>(mpm.particles().size());
@@ -117,7 +129,8 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
   const bool every_step = c.measure.every_step && stage.points;
   if (every_step) record.error.l1_all_steps = record.error.l2_all_steps = record.error.linf_all_steps = 0;
   if (vtu) vtu->write(mpm, stage.X);
-  const double step_seconds = advance(mpm, stage, c, record, [&] {
+  const std::int64_t stride = every_step || vtu ? 1 : Watch<D>::interval;
+  const double step_seconds = advance(mpm, stage, c, stride, record, [&] {
     if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, stage));
     if (vtu && VtuSeries::due(record.steps, c.resolution.steps)) vtu->write(mpm, stage.X);
   });
@@ -130,33 +143,34 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
       record.error.l2 = norms.l2();
       record.error.linf = norms.linf();
     }
+    if (c.measure.nodal_error) {
+      const ErrorNorms norms = acceleration_errors(mpm, *stage.setup.solution);
+      record.error.nodal_l1 = norms.l1();
+      record.error.nodal_l2 = norms.l2();
+      record.error.nodal_linf = norms.linf();
+    }
   } else {
     record.error = {};
   }
   record.ns_per_particle_step = 1e9 * step_seconds / static_cast<double>(record.particles * record.steps);
-  record.wall_seconds = seconds_since(start);
+  record.wall_seconds = wall_seconds() - start;
 }
 
-}  // namespace
-
-Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
-  const Problem& problem = find_problem(c.problem.name, "the case");
+/// One run of the case, whatever its dimension.
+Record run_once(const Case& c, const Problem& problem, int threads, VtuSeries* vtu) {
   Record record;
   record.the_case = c;
   record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells / problem.length;
-  std::optional<VtuSeries> frames;
-  if (!vtu.empty()) frames.emplace(vtu);
-  VtuSeries* const series = frames ? &*frames : nullptr;
   try {
     switch (problem.dimension()) {
       case 1:
-        run<1>(c, problem, threads, series, record);
+        run<1>(c, problem, threads, vtu, record);
         break;
       case 2:
-        run<2>(c, problem, threads, series, record);
+        run<2>(c, problem, threads, vtu, record);
         break;
       default:
-        run<3>(c, problem, threads, series, record);
+        run<3>(c, problem, threads, vtu, record);
     }
   } catch (const UsageError&) {
     throw;
@@ -164,6 +178,30 @@ Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
     record.status = Status::failed;
     record.reason = e.what();
   }
+  return record;
+}
+
+/// Repeats a sound run and takes the median cost of all.
+void measure_cost(const Problem& problem, Record& record) {
+  std::vector<double> costs{record.ns_per_particle_step};
+  for (int k = 1; k < record.the_case.measure.repeat; ++k)
+    costs.push_back(run_once(record.the_case, problem, 1, nullptr).ns_per_particle_step);
+  std::sort(costs.begin(), costs.end());
+  const double median = (costs[(costs.size() - 1) / 2] + costs[costs.size() / 2]) / 2;
+  record.ns_per_particle_step = median;
+  record.cost.step_seconds = 1e-9 * median * static_cast<double>(record.particles * record.steps);
+  record.cost.spread = (costs.back() - costs.front()) / median;
+}
+
+}  // namespace
+
+Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
+  const Problem& problem = find_problem(c.problem.name, "the case");
+  const bool costs = c.measure.repeat > 0;
+  std::optional<VtuSeries> frames;
+  if (!vtu.empty()) frames.emplace(vtu);
+  Record record = run_once(c, problem, costs ? 1 : threads, frames ? &*frames : nullptr);
+  if (costs && record.status == Status::ok) measure_cost(problem, record);
   return record;
 }
 
@@ -176,7 +214,8 @@ double memory_estimate(const Case& c) {
   const int D = find_problem(c.problem.name, "the case").dimension();
   // Positions (with the reference ones), velocities, F, widths, mass, volume, identity, and twice a field while
   // sorting.
-  const double per_particle = 8.0 * (5 * D + 2 * D * D + 4) + 64;
+  const double stages = solver::is_staged(c.scheme.integrator) ? 2 * (2 * D + D * D) : 0;
+  const double per_particle = 8.0 * (5 * D + 2 * D * D + 4 + stages) + 64;
   const double per_node = 8.0 * (4 * D + 1);
   return per_particle * std::pow(c.resolution.cells * c.resolution.ppc, D) +
          per_node * std::pow(c.resolution.cells + 5, D);

@@ -185,8 +185,10 @@ const std::vector<SettingKey>& setting_keys() {
       {"end_time", "in s"},
       {"steps", "stop after so many steps of the default end time's step"},
       {"every_step", "errors over all steps, too"},
+      {"nodal_error", "error of the nodal accelerations at the end, too"},
       {"blowup_error", "unstable beyond this error, in displacement amplitudes"},
       {"blowup_energy", "unstable beyond this energy, in initial energies"},
+      {"repeat", "run alone so often (3 or more) and keep the median cost"},
   };
   return keys;
 }
@@ -236,8 +238,10 @@ Case make_case(std::span<const Setting> given) {
   c.resolution.ppc = count<int>(required(settings, "ppc"), 1, 100);
   set_time_step(settings, problem, c);
   if (const auto it = settings.find("every_step"); it != settings.end()) c.measure.every_step = flag(it->second);
+  if (const auto it = settings.find("nodal_error"); it != settings.end()) c.measure.nodal_error = flag(it->second);
   c.measure.blowup_error = number(settings, "blowup_error", c.measure.blowup_error);
   c.measure.blowup_energy = number(settings, "blowup_energy", c.measure.blowup_energy);
+  if (const auto it = settings.find("repeat"); it != settings.end()) c.measure.repeat = count<int>(it->second, 3, 99);
   require_sense(c);
   return c;
 }

@@ -11,14 +11,15 @@
 #include "studies/error.hpp"
 #include "studies/study.hpp"
 #include "studies/toml_file.hpp"
+#include "studies/work_precision.hpp"
 
 namespace mpmvv {
 
 namespace {
 
 const std::vector<std::string>& norm_words() {
-  static const std::vector<std::string> words{"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps",
-                                              "y"};
+  static const std::vector<std::string> words{
+      "l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "nodal_l1", "nodal_l2", "nodal_linf", "y"};
   return words;
 }
 
@@ -142,16 +143,49 @@ void require_points(const StudyPlan& plan, const Window& window, int least, cons
                                  where, count, least));
 }
 
-/// `y` is what a check's curves have; errors over all steps are there when every series asks for them.
+/// Whether the setting stands in every series.
+bool every_series_has(const StudyPlan& plan, const std::string& key) {
+  return std::all_of(plan.series.begin(), plan.series.end(), [&](const SeriesPlan& series) {
+    return std::any_of(series.settings.begin(), series.settings.end(), [&](const Setting& s) { return s.key == key; });
+  });
+}
+
+/// Cost is there when every series asks for it.
+void require_cost(const StudyPlan& plan, const std::string& where) {
+  if (!plan.check.empty() || plan.sweep.empty() || !every_series_has(plan, "repeat"))
+    throw UsageError(
+        fmt::format("cost in {} without a sweep and `repeat` in every series (it says how often a case runs "
+                    "for its median cost)",
+                    where));
+}
+
+/// What the figure's kind asks of the study.
+void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTable& table) {
+  if (figure.kind == "work-precision") require_cost(plan, table.where("kind"));
+  if (figure.kind == "particles" && plan.check.empty())
+    throw UsageError(fmt::format("particles in {} without a check (it brings the particles)", table.where("kind")));
+  for (const char* key : {"marks", "slopes"})
+    if (figure.kind != "curves" && table.has(key))
+      throw UsageError(
+          fmt::format("'{}' in {} has no meaning in a figure of kind '{}'", key, table.where(key), figure.kind));
+}
+
+/// The setting that a norm needs; empty for those at the end of a run, which are always measured.
+std::string setting_of(const std::string& norm) {
+  return norm.ends_with("_all_steps") ? "every_step" : norm.starts_with("nodal_") ? "nodal_error" : "";
+}
+
+/// `y` is what a check's curves have; errors over all steps and of nodes are there when every series asks for them.
 void require_measured(const StudyPlan& plan, const std::string& norm, const std::string& where) {
   if ((norm == "y") == plan.check.empty())
     throw UsageError(fmt::format("norm '{}' in {} (y for the curves of a check, an error norm for runs)", norm, where));
-  if (!norm.ends_with("_all_steps")) return;
+  const std::string setting = setting_of(norm);
+  if (setting.empty()) return;
   for (const SeriesPlan& series : plan.series) {
-    const auto asks = [](const Setting& s) { return s.key == "every_step" && s.value == "true"; };
+    const auto asks = [&setting](const Setting& s) { return s.key == setting && s.value == "true"; };
     if (std::none_of(series.settings.begin(), series.settings.end(), asks))
       throw UsageError(
-          fmt::format("norm '{}' in {} without every_step = true in series '{}'", norm, where, series.name));
+          fmt::format("norm '{}' in {} without {} = true in series '{}'", norm, where, setting, series.name));
   }
 }
 
@@ -169,8 +203,10 @@ void read_fits(const TomlTable& root, StudyPlan& plan) {
 void read_figures(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("figure")) {
     table.allow_only({"name", "caption", "xlabel", "ylabel", "xscale", "yscale", "quantity", "series", "marks",
-                      "slopes", "x_range", "y_range"});
+                      "slopes", "x_range", "y_range", "kind"});
     Figure figure;
+    figure.kind = table.text("kind", "curves");
+    require_word("figure kind", figure.kind, {"curves", "work-precision", "particles"}, table.where("kind"));
     figure.name = table.text("name", plan.name);
     if (figure.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos)
       throw UsageError(
@@ -199,21 +235,19 @@ void read_figures(const TomlTable& root, StudyPlan& plan) {
     };
     range("x_range", figure.x_min, figure.x_max);
     range("y_range", figure.y_min, figure.y_max);
+    require_drawable(plan, figure, table);
     plan.figures.push_back(figure);
   }
 }
 
 Criterion::Kind criterion_kind(const TomlTable& table) {
-  static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{{"order", Criterion::Kind::order},
-                                                                          {"error", Criterion::Kind::error},
-                                                                          {"error-ratio", Criterion::Kind::error_ratio},
-                                                                          {"spread", Criterion::Kind::spread},
-                                                                          {"status", Criterion::Kind::status},
-                                                                          {"limit", Criterion::Kind::limit},
-                                                                          {"limit-ratio", Criterion::Kind::limit_ratio},
-                                                                          {"value", Criterion::Kind::value},
-                                                                          {"shown", Criterion::Kind::shown},
-                                                                          {"awaited", Criterion::Kind::awaited}};
+  static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{
+      {"order", Criterion::Kind::order},   {"order-difference", Criterion::Kind::order_difference},
+      {"error", Criterion::Kind::error},   {"error-ratio", Criterion::Kind::error_ratio},
+      {"spread", Criterion::Kind::spread}, {"status", Criterion::Kind::status},
+      {"limit", Criterion::Kind::limit},   {"limit-ratio", Criterion::Kind::limit_ratio},
+      {"value", Criterion::Kind::value},   {"cost-ratio", Criterion::Kind::cost_ratio},
+      {"shown", Criterion::Kind::shown},   {"awaited", Criterion::Kind::awaited}};
   std::vector<std::string> words;
   const std::string word = table.text("measure");
   for (const auto& [name, kind] : kinds) {
@@ -226,8 +260,8 @@ Criterion::Kind criterion_kind(const TomlTable& table) {
 
 Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   using Kind = Criterion::Kind;
-  table.allow_only(
-      {"claim", "statement", "measure", "series", "over", "name", "norm", "window", "at_least", "at_most", "reason"});
+  table.allow_only({"claim", "statement", "measure", "series", "over", "name", "norm", "over_norm", "window",
+                    "at_least", "at_most", "reason"});
   Criterion c;
   c.claim = table.text("claim");
   require_word("claim of this study", c.claim, plan.claims, table.where("claim"));
@@ -248,7 +282,7 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   }
   c.series = series_names(table, "series", plan);
   if (c.series.empty()) throw UsageError(fmt::format("criterion in {} names no series", table.where()));
-  if (c.kind == Kind::error_ratio || c.kind == Kind::limit_ratio) {
+  if (c.kind == Kind::error_ratio || c.kind == Kind::limit_ratio || c.kind == Kind::cost_ratio) {
     c.over = table.text("over");
     if (plan.check.empty() && !plan.has_series(c.over))
       throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
@@ -262,9 +296,20 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
     c.norm = norm_of(table, "norm");
     require_measured(plan, c.norm, table.where("norm"));
   }
+  if (c.kind == Kind::order_difference) {
+    c.over_norm = norm_of(table, "over_norm");
+    require_measured(plan, c.over_norm, table.where("over_norm"));
+  }
   c.window = read_window(table, "window");
-  if (c.kind == Kind::order) require_points(plan, c.window, 3, table.where("window"));
-  if (c.kind != Kind::order) require_points(plan, c.window, 1, table.where("window"));
+  if (c.kind == Kind::cost_ratio) {
+    require_cost(plan, table.where("measure"));
+    if (!(c.window.from > 0) || decades(c.window.from, c.window.to).empty())
+      throw UsageError(
+          fmt::format("window in {} holds no power of ten (two errors, the smaller first)", table.where("window")));
+    return c;
+  }
+  const bool fits = c.kind == Kind::order || c.kind == Kind::order_difference;
+  require_points(plan, c.window, fits ? 3 : 1, table.where("window"));
   return c;
 }
 

@@ -27,8 +27,13 @@ Point point_of(double x, const Record& r) {
   add("l1_all_steps", r.error.l1_all_steps);
   add("l2_all_steps", r.error.l2_all_steps);
   add("linf_all_steps", r.error.linf_all_steps);
+  add("nodal_l1", r.error.nodal_l1);
+  add("nodal_l2", r.error.nodal_l2);
+  add("nodal_linf", r.error.nodal_linf);
   add("wall_seconds", r.wall_seconds);
   add("ns_per_particle_step", r.ns_per_particle_step);
+  add("step_seconds", r.cost.step_seconds);
+  add("step_seconds_spread", r.cost.spread);
   return point;
 }
 

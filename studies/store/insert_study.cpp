@@ -102,7 +102,8 @@ void insert_figure(Database& database, std::int64_t study, std::size_t ordinal, 
                                        {"x_min", figure.x_min},
                                        {"x_max", figure.x_max},
                                        {"y_min", figure.y_min},
-                                       {"y_max", figure.y_max}});
+                                       {"y_max", figure.y_max},
+                                       {"kind", figure.kind}});
   insert_items(database, "figure_series", {"figure", id}, figure.series, [](const std::string& name) {
     return Columns{{"name", name}};
   });

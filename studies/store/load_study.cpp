@@ -110,7 +110,8 @@ Figure load_figure(const Database& database, const Row& row) {
       .x_min = row["x_min"].optional_real(),
       .x_max = row["x_max"].optional_real(),
       .y_min = row["y_min"].optional_real(),
-      .y_max = row["y_max"].optional_real()};
+      .y_max = row["y_max"].optional_real(),
+      .kind = row["kind"].text()};
 }
 
 StoredStudy load_study(const Database& database, const Row& row) {

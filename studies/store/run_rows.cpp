@@ -30,11 +30,16 @@ Columns run_columns(const Record& r) {
           {"l1_all_steps", r.error.l1_all_steps},
           {"l2_all_steps", r.error.l2_all_steps},
           {"linf_all_steps", r.error.linf_all_steps},
+          {"nodal_l1", r.error.nodal_l1},
+          {"nodal_l2", r.error.nodal_l2},
+          {"nodal_linf", r.error.nodal_linf},
           {"kinetic", r.energy.kinetic},
           {"strain", r.energy.strain},
           {"initial_total", r.energy.initial_total},
           {"wall_seconds", r.wall_seconds},
-          {"ns_per_particle_step", r.ns_per_particle_step}};
+          {"ns_per_particle_step", r.ns_per_particle_step},
+          {"step_seconds", r.cost.step_seconds},
+          {"step_seconds_spread", r.cost.spread}};
 }
 
 /// Inserts a row of `runs`; 1 when it was kept.
@@ -87,34 +92,56 @@ void insert_run(Database& database, const Record& r, const Provenance& p) {
 
 std::optional<Record> find_run(const Database& database, const Case& c, const std::string& digest) {
   std::optional<Record> found;
-  database.each("SELECT * FROM runs WHERE case_text = ? AND digest = ?", {canonical_text(c), digest},
-                [&](const Row& row) {
-                  found = Record{.the_case = c,
-                                 .particles = row["particles"].integer(),
-                                 .steps = row["steps"].integer(),
-                                 .cfl = row["cfl"].real(),
-                                 .status = status_from(row["status"].text()),
-                                 .reason = row["reason"].text(),
-                                 .error = {.l1 = row["l1"].real(),
-                                           .l2 = row["l2"].real(),
-                                           .linf = row["linf"].real(),
-                                           .l1_all_steps = row["l1_all_steps"].real(),
-                                           .l2_all_steps = row["l2_all_steps"].real(),
-                                           .linf_all_steps = row["linf_all_steps"].real()},
-                                 .energy = {.kinetic = row["kinetic"].real(),
-                                            .strain = row["strain"].real(),
-                                            .initial_total = row["initial_total"].real()},
-                                 .wall_seconds = row["wall_seconds"].real(),
-                                 .ns_per_particle_step = row["ns_per_particle_step"].real()};
-                });
+  database.each(
+      "SELECT * FROM runs WHERE case_text = ? AND digest = ?", {canonical_text(c), digest}, [&](const Row& row) {
+        found =
+            Record{.the_case = c,
+                   .particles = row["particles"].integer(),
+                   .steps = row["steps"].integer(),
+                   .cfl = row["cfl"].real(),
+                   .status = status_from(row["status"].text()),
+                   .reason = row["reason"].text(),
+                   .error = {.l1 = row["l1"].real(),
+                             .l2 = row["l2"].real(),
+                             .linf = row["linf"].real(),
+                             .l1_all_steps = row["l1_all_steps"].real(),
+                             .l2_all_steps = row["l2_all_steps"].real(),
+                             .linf_all_steps = row["linf_all_steps"].real(),
+                             .nodal_l1 = row["nodal_l1"].real(),
+                             .nodal_l2 = row["nodal_l2"].real(),
+                             .nodal_linf = row["nodal_linf"].real()},
+                   .energy = {.kinetic = row["kinetic"].real(),
+                              .strain = row["strain"].real(),
+                              .initial_total = row["initial_total"].real()},
+                   .wall_seconds = row["wall_seconds"].real(),
+                   .ns_per_particle_step = row["ns_per_particle_step"].real(),
+                   .cost = {.step_seconds = row["step_seconds"].real(), .spread = row["step_seconds_spread"].real()}};
+      });
   return found;
 }
 
 std::map<std::string, double> run_quantities(const Row& row) {
   std::map<std::string, double> quantities;
-  for (const char* name :
-       {"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "wall_seconds", "ns_per_particle_step",
-        "kinetic", "strain", "initial_total", "particles", "steps", "dt", "cfl"})
+  for (const char* name : {"l1",
+                           "l2",
+                           "linf",
+                           "l1_all_steps",
+                           "l2_all_steps",
+                           "linf_all_steps",
+                           "nodal_l1",
+                           "nodal_l2",
+                           "nodal_linf",
+                           "wall_seconds",
+                           "ns_per_particle_step",
+                           "step_seconds",
+                           "step_seconds_spread",
+                           "kinetic",
+                           "strain",
+                           "initial_total",
+                           "particles",
+                           "steps",
+                           "dt",
+                           "cfl"})
     if (const Value& value = row[name]; !value.null()) quantities[name] = value.real();
   return quantities;
 }

@@ -217,7 +217,24 @@ constexpr const char* schema_1 = R"sql(
   ) STRICT, WITHOUT ROWID;
 )sql";
 
-constexpr std::array all_migrations{schema_1};
+/// Errors of the nodes' accelerations.
+constexpr const char* schema_2 = R"sql(
+  ALTER TABLE runs ADD COLUMN nodal_l1 REAL;
+  ALTER TABLE runs ADD COLUMN nodal_l2 REAL;
+  ALTER TABLE runs ADD COLUMN nodal_linf REAL;
+)sql";
+
+constexpr const char* schema_3 = R"sql(
+  -- Cost as evidence: median over exclusive repetitions, and their range over the median.
+  ALTER TABLE runs ADD COLUMN step_seconds REAL;
+  ALTER TABLE runs ADD COLUMN step_seconds_spread REAL;
+
+  -- How a figure is drawn.
+  ALTER TABLE figures ADD COLUMN kind TEXT NOT NULL DEFAULT 'curves'
+    CHECK (kind IN ('curves', 'work-precision', 'particles'));
+)sql";
+
+constexpr std::array all_migrations{schema_1, schema_2, schema_3};
 
 }  // namespace
 

@@ -24,6 +24,7 @@ TEST(RunCommand, RecordHasWhatTheContractNames) {
   EXPECT_EQ(record["scheme"]["basis"], "bspline2");
   EXPECT_EQ(record["scheme"]["start"], "half");
   EXPECT_TRUE(record["error"]["linf_all_steps"].is_null());
+  EXPECT_TRUE(record["error"]["nodal_l2"].is_null());
   EXPECT_NEAR(record["dt"].get<double>() * record["steps"].get<int>(), 0.01, 1e-15);
   EXPECT_LT(record["error"]["l1"], record["error"]["l2"]);
   EXPECT_LT(record["error"]["l2"], record["error"]["linf"]);
@@ -36,12 +37,35 @@ TEST(RunCommand, EveryStepBoundsTheEnd) {
   EXPECT_GE(error["linf_all_steps"], error["linf"]);
 }
 
+TEST(RunCommand, NodalErrorIsShownWhenMeasured) {
+  const Folder folder;
+  const auto error = call(folder, std::string(bar) + "--nodal-error --json").json()["error"];
+  EXPECT_GT(error["nodal_l1"], 0);
+  EXPECT_LT(error["nodal_l1"], error["nodal_l2"]);
+  EXPECT_LT(error["nodal_l2"], error["nodal_linf"]);
+}
+
 TEST(RunCommand, ThreadsDoNotChangeOneBit) {
   const Folder folder;
   const auto one = call(folder, std::string(bar) + "--threads 1 --json").json();
   const auto two = call(folder, std::string(bar) + "--threads 2 --json").json();
   EXPECT_EQ(one["error"], two["error"]);
   EXPECT_EQ(one["energy"], two["energy"]);
+}
+
+TEST(RunCommand, CostIsEvidenceOnlyWhenItIsAskedFor) {
+  const Folder folder;
+  const std::string bar = "run --problem bar --cells 16 --ppc 4 --cfl 0.3 --json";
+  const auto plain = call(folder, bar).json(), costed = call(folder, bar + " --repeat 3").json();
+  EXPECT_TRUE(plain["cost"]["step_seconds"].is_null());
+  const double seconds = costed["cost"]["step_seconds"];
+  EXPECT_GT(seconds, 0);
+  EXPECT_GE(costed["cost"]["spread"], 0);
+  EXPECT_NEAR(seconds,
+              1e-9 * costed["ns_per_particle_step"].get<double>() * costed["particles"].get<double>() *
+                  costed["steps"].get<double>(),
+              1e-9 * seconds);
+  EXPECT_EQ(costed["error"], plain["error"]);
 }
 
 TEST(RunCommand, ABlownUpRunIsAResult) {
@@ -65,7 +89,7 @@ TEST(RunCommand, AmplitudesOfEitherSignAndNoneAreStable) {
 /// Every integrator with every way to treat the acceleration of held nodes: close to each other, or refused.
 TEST(RunCommand, WallAccelerationsOfEveryIntegratorAgree) {
   const Folder folder;
-  for (const char* integrator : {"usl", "usf", "cd"}) {
+  for (const char* integrator : {"usl", "usf", "cd", "usavg", "usl+", "usavg+"}) {
     const auto error = [&](const char* acceleration) {
       return call(
                  folder,
@@ -77,6 +101,21 @@ TEST(RunCommand, WallAccelerationsOfEveryIntegratorAgree) {
           .get<double>();
     };
     EXPECT_NEAR(error("difference") / error("zero"), 1, 0.1) << integrator;
+  }
+}
+
+/// Every problem with a solution runs with its defaults, near its solution, at rest without amplitude, and on two
+/// threads to the same bit.
+TEST(RunCommand, EveryProblemFollowsItsSolution) {
+  const Folder folder;
+  for (const char* problem : {"bar", "square", "cube"}) {
+    const std::string run = std::string("run --problem ") + problem +
+                            " --basis cpgimp --integrator cd --cells 12 --ppc 2 --cfl 0.4 --json ";
+    const auto record = call(folder, run).json();
+    EXPECT_EQ(record["status"], "ok") << problem;
+    EXPECT_LT(record["error"]["l2"], 0.1 * record["parameters"]["amplitude"].get<double>()) << problem;
+    EXPECT_LT(call(folder, run + "--param amplitude=0").json()["error"]["linf"], 1e-15) << problem;
+    EXPECT_EQ(call(folder, run + "--threads 2").json()["error"], record["error"]) << problem;
   }
 }
 
@@ -137,6 +176,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl nan", "cfl = 'nan' in --cfl (a finite number)"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl -0.1", "cfl = -0.1 in --cfl (a number > 0)"},
         BadInput{"run --problem bar --cells 8 --ppc 2", "neither cfl nor dt"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --repeat 2", "repeat = 2 in --repeat (a whole number"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --repeat 3 --threads 2", "--threads beside --repeat"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --dt 1e-5", "both cfl and dt"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --dt 3e-6", "does not divide the end time"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --param amplitud=0.1", "unknown parameter 'amplitud'"},
@@ -164,6 +205,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --vtu /dev/null/x", "--vtu"},
         BadInput{"solution --problem bar --at 1.5 --time 0", "outside the body"},
         BadInput{"solution --problem bar --at 0.5,0.5 --time 0", "has 2 coordinates"},
+        BadInput{"solution --problem cube --at 0.5,0.5 --time 0", "has 2 coordinates"},
+        BadInput{"run --problem square --cells 8 --ppc 2 --cfl 0.1 --param amplitude=0.32", "between -1/pi and 1/pi"},
+        BadInput{"run --problem cube --cells 8 --ppc 2 --cfl 0.1 --param poissons_ratio=0.5",
+                 "allowed: > -1 and < 0.5"},
         BadInput{"solution --problem one-particle --at 0.5 --time 0", "no exact solution"},
         BadInput{"list colours", "nothing to list under 'colours'"},
         BadInput{"claims --db /nowhere/at/all.db", "/nowhere/at/all.db"},
@@ -178,6 +223,33 @@ TEST(SolutionCommand, GivesTheFieldsOfTheBar) {
   EXPECT_NEAR(s["F"][0][0], F, 1e-15);
   EXPECT_NEAR(s["P"][0][0], 5000 * (F - 1 / F), 1e-10);
   EXPECT_NEAR(s["b"][0], 1e4 * pi * pi * u * (2 / (F * F) + 1), 1e-9);
+}
+
+/// W (56) to (59) and S (51) to (53) as printed.
+TEST(SolutionCommand, GivesTheFieldsOfSquareAndCube) {
+  const Folder folder;
+  const double pi = std::acos(-1.0), E = 1e4, lambda = E * 0.3 / (1.3 * 0.4), mu = E / 2.6;
+  const auto square = call(folder, "solution --problem square --at 0.2,0.7 --time 0.001 --json").json();
+  {
+    const double u = 0.1 * std::sin(0.2 * pi) * std::cos(0.1 * pi);
+    const double F = 1 + 0.1 * pi * std::cos(0.2 * pi) * std::cos(0.1 * pi);
+    const double K = std::log(F * (1 + 0.1 * pi * std::cos(0.7 * pi) * std::sin(0.1 * pi)));
+    EXPECT_NEAR(square["u"][0], u, 1e-15);
+    EXPECT_NEAR(square["F"][0][0], F, 1e-15);
+    EXPECT_NEAR(square["P"][0][0], lambda / F * K + mu / F * (F * F - 1), 1e-10);
+    EXPECT_NEAR(square["b"][0], pi * pi * u * (lambda / (F * F) * (1 - K) + mu * (1 + 1 / (F * F)) - E), 1e-9);
+  }
+  const auto cube = call(folder, "solution --problem cube --at 0.2,0.7,0.4 --time 0.001 --json").json();
+  {
+    const double phase = 2 * pi / 3, u = 0.05 * std::sin(1.4 * pi) * std::sin(phase + 0.1 * pi);
+    const auto F_at = [&](double x, double shift) {
+      return 1 + 0.1 * pi * std::cos(2 * pi * x) * std::sin(shift + 0.1 * pi);
+    };
+    const double F = F_at(0.7, phase), K = std::log(F_at(0.2, 0) * F * F_at(0.4, 2 * phase));
+    EXPECT_NEAR(cube["u"][1], u, 1e-15);
+    EXPECT_NEAR(cube["F"][1][1], F, 1e-15);
+    EXPECT_NEAR(cube["b"][1], pi * pi * u * (4 * mu - E - 4 * (lambda * (K - 1) - mu) / (F * F)), 1e-9);
+  }
 }
 
 TEST(ListCommand, NamesProblemsAndWords) {

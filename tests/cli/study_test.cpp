@@ -84,6 +84,21 @@ TEST(StudyCommand, RunsOnceAndReusesAfterwards) {
   EXPECT_EQ((*found)["verdict"], "confirmed");
 }
 
+TEST(StudyCommand, ACostCaseIsAnotherCaseAndPrintsItsCost) {
+  const Folder folder;
+  std::string costly = small_study;
+  costly.replace(costly.find("ppc = 4"), 7, "ppc = 4\nrepeat = 3");
+  const std::string plain = folder.write("small.toml", small_study), cost = folder.write("cost.toml", costly);
+  const std::string db = folder / "r.db";
+  ASSERT_EQ(call(folder, "study " + plain + " --db " + db).code, 0);
+  const Answer answer = call(folder, "study " + plain + " " + cost + " --db " + db);
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("8 cases run, 8 taken"));
+  const auto printed = answer.out.find("step_seconds by cells");
+  EXPECT_NE(printed, std::string::npos);
+  EXPECT_EQ(answer.out.find("step_seconds by cells", printed + 1), std::string::npos) << "only where it was measured";
+}
+
 TEST(StudyCommand, JobsDoNotChangeOneBit) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study);
@@ -149,28 +164,33 @@ TEST_P(BadStudy, NamesFileAndLineAndWritesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(
     , BadStudy,
-    testing::Values(BadFile{"ppc = 4", "pcp = 4", "unknown key 'pcp'"},
-                    BadFile{"\"bspline2\"\n[sweep]", "\"bspline7\"\n[sweep]", "unknown basis 'bspline7'"},
-                    BadFile{"[8, 16, 32, 64]\n[[fit", "[]\n[[fit", "empty sweep"},
-                    BadFile{"[8, 16, 32, 64]\n[[fit", "[8, 16, 32, 64, -16]\n[[fit", "cells = -16"},
-                    BadFile{"[8, 16, 32, 64]\n[[fit", "[8, nan]\n[[fit", "nan"},
-                    BadFile{"ppc = 4", "ppc = 0", "ppc = 0"}, BadFile{"cfl = 0.3", "cfl = \"fast\"", "cfl = 'fast'"},
-                    BadFile{"name = \"bspline2\"", "name = \"linear\"", "series 'linear' twice"},
-                    BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure", "norm = \"l3\"\nwindow = [8, 64]\n[[figure",
-                            "unknown norm 'l3'"},
-                    BadFile{"window = [8, 64]\n[[figure", "window = [64, 8]\n[[figure", "window"},
-                    BadFile{"measure = \"order\"", "measure = \"ordre\"", "unknown measure 'ordre'"},
-                    BadFile{"claim = \"S-fig10\"", "claim = \"S-fig99\"", "unknown claim"},
-                    BadFile{"at_least = 1.5", "", "asks nothing"},
-                    BadFile{"at_least = 1.5", "at_least = 3\nat_most = 1", "nothing can be both"},
-                    BadFile{"claims = [\"S-fig10\"]", "claims = [\"S-foo\"]", "unknown claim 'S-foo'"},
-                    BadFile{"window = [8, 64]\n[[figure", "window = [100, 200]\n[[figure", "holds 0 swept values"},
-                    BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure",
-                            "norm = \"linf_all_steps\"\nwindow = [8, 64]\n[[figure", "without every_step"},
-                    BadFile{"[sweep]\n",
-                            "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nscan_ratio = 1.0000001\n[sweep]\n",
-                            "scan_ratio"},
-                    BadFile{"title = \"Small\"", "title = 'Small", "bad.toml"}));
+    testing::Values(
+        BadFile{"ppc = 4", "pcp = 4", "unknown key 'pcp'"},
+        BadFile{"\"bspline2\"\n[sweep]", "\"bspline7\"\n[sweep]", "unknown basis 'bspline7'"},
+        BadFile{"[8, 16, 32, 64]\n[[fit", "[]\n[[fit", "empty sweep"},
+        BadFile{"[8, 16, 32, 64]\n[[fit", "[8, 16, 32, 64, -16]\n[[fit", "cells = -16"},
+        BadFile{"[8, 16, 32, 64]\n[[fit", "[8, nan]\n[[fit", "nan"}, BadFile{"ppc = 4", "ppc = 0", "ppc = 0"},
+        BadFile{"cfl = 0.3", "cfl = \"fast\"", "cfl = 'fast'"},
+        BadFile{"name = \"bspline2\"", "name = \"linear\"", "series 'linear' twice"},
+        BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure", "norm = \"l3\"\nwindow = [8, 64]\n[[figure",
+                "unknown norm 'l3'"},
+        BadFile{"window = [8, 64]\n[[figure", "window = [64, 8]\n[[figure", "window"},
+        BadFile{"measure = \"order\"", "measure = \"ordre\"", "unknown measure 'ordre'"},
+        BadFile{"claim = \"S-fig10\"", "claim = \"S-fig99\"", "unknown claim"},
+        BadFile{"at_least = 1.5", "", "asks nothing"},
+        BadFile{"at_least = 1.5", "at_least = 3\nat_most = 1", "nothing can be both"},
+        BadFile{"claims = [\"S-fig10\"]", "claims = [\"S-foo\"]", "unknown claim 'S-foo'"},
+        BadFile{"window = [8, 64]\n[[figure", "window = [100, 200]\n[[figure", "holds 0 swept values"},
+        BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure", "norm = \"linf_all_steps\"\nwindow = [8, 64]\n[[figure",
+                "without every_step"},
+        BadFile{"[sweep]\n", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nscan_ratio = 1.0000001\n[sweep]\n",
+                "scan_ratio"},
+        BadFile{"ppc = 4", "ppc = 4\nrepeat = 1", "repeat = 1"},
+        BadFile{"caption", "kind = \"pie\"\ncaption", "unknown figure kind 'pie'"},
+        BadFile{"caption", "kind = \"work-precision\"\ncaption", "`repeat` in every series"},
+        BadFile{"caption", "kind = \"particles\"\ncaption", "without a check"},
+        BadFile{"measure = \"order\"", "measure = \"cost-ratio\"\nover = \"linear\"", "holds no power of ten"},
+        BadFile{"title = \"Small\"", "title = 'Small", "bad.toml"}));
 
 TEST(StudyCommand, RefusesStoresThatAreNone) {
   const Folder folder;

@@ -54,13 +54,33 @@ TEST(Table, FitsSayWindowIntervalAndFloor) {
                                    "E0 = 1.1e-06, order 2.02: residual 0.3 % against 21 %"));
 }
 
+TEST(Table, CheapestSeriesOfEachPowerOfTen) {
+  StudyResult study;
+  study.series = {Series{"first order", {}, {}, {}}, Series{"second order", {}, {}, {}}};
+  for (const double n : {1.0, 10.0, 100.0}) {
+    study.series[0].points.push_back({n, Status::ok, "", {{"l2", 0.1 / n}, {"step_seconds", n}}});
+    study.series[1].points.push_back({n, Status::ok, "", {{"l2", 1 / (n * n)}, {"step_seconds", 4 * n}}});
+  }
+  EXPECT_TRUE(cheapest_table(study).empty()) << "no figure asks for it";
+  Figure figure;
+  figure.name = "x-cost", figure.kind = "work-precision";
+  study.figures = {figure};
+  const auto table = cheapest_table(study);
+  ASSERT_EQ(table.groups.size(), 1u);
+  const auto& rows = table.groups[0].rows;
+  ASSERT_EQ(rows.size(), 5u) << "1 to 1e-4";
+  EXPECT_THAT(rows[0], testing::ElementsAre("1e+00", "first order", "1", "second order", "4", "4.00", "0 of 2"));
+  EXPECT_THAT(rows[3], testing::ElementsAre("1e-03", "first order", "100", "second order", "126.5", "1.26", "0 of 2"));
+  EXPECT_THAT(rows[4], testing::ElementsAre("1e-04", "second order", "400", "–", "–", "–", "1 of 2"));
+}
+
 TEST(Table, LongCurvesStayInTheCsvFile) {
   EXPECT_TRUE(points_table(synthetic::check()).empty());
   EXPECT_EQ(values_table(synthetic::check()).groups[0].rows[1][1], "–");
 }
 
 TEST(Latex, TextIsEscapedAndTheTableIsWhole) {
-  const auto text = latex_tables(synthetic::convergence());
+  const auto text = latex_tables("Bar & more", tables_of(synthetic::convergence()));
   EXPECT_THAT(text, AllOf(HasSubstr("\\toprule"), HasSubstr("\\bottomrule"),
                           HasSubstr("bspline3-open \\{a\\textasciicircum{}2\\}"), HasSubstr("linear\\_periodic"),
                           HasSubstr("2.02 $\\pm$ 0.03"), HasSubstr("det F $<$= 0")));
@@ -80,7 +100,7 @@ TEST(LatexNightly, TablesCompile) {
   check.values.push_back(
       {"characters", 1, "αβγδΔελμµνπρσΣτφΦΨω∇∞±×·−≤≥≈≠→√°½¼⁰¹²³⁴⁻₀₁₂ₚ–—…‘’“” éñÅß Đ✓ _^~\\{}$&#%<>|\"'"});
   for (const auto& study : {synthetic::convergence(), synthetic::limits(), check}) {
-    std::ofstream(folder / "table.tex") << latex_tables(study);
+    std::ofstream(folder / "table.tex") << latex_tables(study.title, tables_of(study));
     std::ofstream(folder / "main.tex") << "\\documentclass{article}\\usepackage{booktabs}\n"
                                           "\\begin{document}\\input{table}\\end{document}\n";
     const auto end = run_process({"pdflatex", "-halt-on-error", "-interaction=nonstopmode", "main.tex"}, folder.path(),

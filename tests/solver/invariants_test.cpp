@@ -48,7 +48,8 @@ void expect_mapping_keeps_sums(Scene<D> scene) {
   ASSERT_TRUE(mpm.step(1e-5));
   double grid_mass = 0;
   Vec<D> grid_momentum = Vec<D>::Zero();
-  for (std::size_t n = 0; n < mpm.grid().size(); ++n) grid_mass += mpm.grid().m(n), grid_momentum += mpm.grid().p[n].template head<D>();
+  for (std::size_t n = 0; n < mpm.grid().size(); ++n)
+    grid_mass += mpm.grid().m(n), grid_momentum += mpm.grid().p[n].template head<D>();
   EXPECT_NEAR(grid_mass, mass, 1e-14 * mass);
   EXPECT_LT((grid_momentum - momentum_before).norm(), 1e-14 * 3 * mass);
 }
@@ -149,7 +150,7 @@ void expect_exact_gradient() {
   slabs.sort(particles, grid);
   Team team(1);
   const double dt = 0.01;
-  sweep(B{}, particles, grid, slabs, team, UpdatePositionAndDeformation<D>{particles, dt});
+  sweep(B{}, particles, grid, slabs, team, UpdatePositionAndDeformation<D>{particles, dt, dt});
   for (std::size_t p = 0; p < x.size(); ++p) {
     EXPECT_LT((particles.F[p] - Mat<D>::Identity() - dt * G).norm(), 1e-14);
     const Vec<D>& X = x[particles.id[p]];

@@ -9,7 +9,7 @@ namespace mpmvv::solver {
 namespace {
 
 /// The step once more, written down plainly: every particle with every node of a periodic unit box of
-/// quadratic B-splines, no stencils, ghosts, slabs or sorting. S (1) to (10), W (8) to (19), (51).
+/// quadratic B-splines, no stencils, ghosts, slabs or sorting. S (1) to (10), W (8) to (19), (51), N §2.3.
 template <int D>
 class Textbook {
  public:
@@ -53,9 +53,75 @@ class Textbook {
     move(v, std::vector<Vec<D>>(v.size(), Vec<D>::Zero()), dt);
   }
 
+  void usavg(double dt) {
+    evaluate();
+    auto v = mapped_velocity();
+    s_.F = deformed(v, dt / 2);
+    const auto a = acceleration();
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] += dt * a[i];
+    s_.F = deformed(v, dt / 2);
+    move(v, a, dt);
+  }
+
+  void usl_plus(double dt) {
+    evaluate();
+    auto v = mapped_velocity();
+    const auto a = acceleration();
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] += dt * a[i];
+    move(v, a, dt);
+    s_.F = deformed(mapped_velocity(), dt);
+  }
+
+  void usavg_plus(double dt) {
+    evaluate();
+    auto v = mapped_velocity();
+    s_.F = deformed(v, dt / 2);
+    const auto a = acceleration();
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] += dt * a[i];
+    move(v, a, dt);
+    s_.F = deformed(mapped_velocity(), dt / 2);
+  }
+
+  void rk4(double dt) {
+    const Particles<D> start = s_;
+    const auto k1 = rates();
+    s_ = moved(start, k1, dt / 2);
+    const auto k2 = rates();
+    s_ = moved(start, k2, dt / 2);
+    const auto k3 = rates();
+    s_ = moved(start, k3, dt);
+    const auto k4 = rates();
+    s_ = moved(moved(moved(moved(start, k1, dt / 6), k2, dt / 3), k3, dt / 3), k4, dt / 6);
+  }
+
   const Particles<D>& particles() const { return s_; }
 
  private:
+  /// x', v' and F' of every particle, in the fields x, v and F.
+  Particles<D> rates() {
+    evaluate();
+    const auto v = mapped_velocity();
+    const auto a = acceleration();
+    const Particles<D> here = s_;
+    Particles<D> rates = s_;
+    for (auto* field : {&s_.x, &s_.v}) field->assign(field->size(), Vec<D>::Zero());
+    move(v, a, 1);
+    rates.x = s_.x, rates.v = s_.v;
+    s_ = here;
+    rates.F = deformed(v, 1);
+    for (std::size_t p = 0; p < s_.size(); ++p) rates.F[p] -= s_.F[p];
+    return rates;
+  }
+
+  static Particles<D> moved(Particles<D> from, const Particles<D>& rates, double dt) {
+    for (std::size_t p = 0; p < from.size(); ++p) {
+      from.x[p] += dt * rates.x[p];
+      from.v[p] += dt * rates.v[p];
+      from.F[p] += dt * rates.F[p];
+    }
+    return from;
+  }
+
   static double spline(double r) {
     r = std::abs(r);
     return r < 0.5 ? 0.75 - r * r : r < 1.5 ? 0.5 * (1.5 - r) * (1.5 - r) : 0;
@@ -171,6 +237,30 @@ TEST(Textbook, UvfIn1D) {
 }
 TEST(Textbook, UvfIn2D) {
   expect_textbook<2>("uvf", &Textbook<2>::uvf);
+}
+TEST(Textbook, UsavgIn1D) {
+  expect_textbook<1>("usavg", &Textbook<1>::usavg);
+}
+TEST(Textbook, UsavgIn2D) {
+  expect_textbook<2>("usavg", &Textbook<2>::usavg);
+}
+TEST(Textbook, UslPlusIn1D) {
+  expect_textbook<1>("usl+", &Textbook<1>::usl_plus);
+}
+TEST(Textbook, UslPlusIn2D) {
+  expect_textbook<2>("usl+", &Textbook<2>::usl_plus);
+}
+TEST(Textbook, UsavgPlusIn1D) {
+  expect_textbook<1>("usavg+", &Textbook<1>::usavg_plus);
+}
+TEST(Textbook, UsavgPlusIn2D) {
+  expect_textbook<2>("usavg+", &Textbook<2>::usavg_plus);
+}
+TEST(Textbook, RungeKuttaIn1D) {
+  expect_textbook<1>("rk4", &Textbook<1>::rk4);
+}
+TEST(Textbook, RungeKuttaIn2D) {
+  expect_textbook<2>("rk4", &Textbook<2>::rk4);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(CanonicalText, IsOneLineOfEveryChoiceInAFixedOrder) {
             "integrator=cd start=half velocity_update=flip mass=lumped boundary=periodic wall_acceleration=zero "
             "deformation=linear body_force=particles fill=lattice material=neo-hookean-log cells=64 ppc=4 "
             "dt=0.3333333333333333 steps=800 "
-            "every_step=false blowup_error=1 blowup_energy=10");
+            "every_step=false nodal_error=false blowup_error=1 blowup_energy=10 repeat=0");
 }
 
 TEST(CanonicalText, NumbersReadBackAsTheSameNumber) {
@@ -69,8 +69,10 @@ TEST(CanonicalText, EveryMemberMakesADifference) {
   EXPECT_TRUE(differs([](Case& c) { c.resolution.dt = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.resolution.steps = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.every_step = true; }));
+  EXPECT_TRUE(differs([](Case& c) { c.measure.nodal_error = true; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.blowup_error = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.blowup_energy = 7; }));
+  EXPECT_TRUE(differs([](Case& c) { c.measure.repeat = 7; }));
 }
 
 // Known values of 64-bit FNV-1a, http://www.isthe.com/chongo/tech/comp/fnv.

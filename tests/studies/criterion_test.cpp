@@ -69,6 +69,22 @@ TEST(Criterion, AnUnstableErrorIsInfinite) {
   EXPECT_EQ(judge(ratio, two_series()).verdict, PartVerdict::fails);
 }
 
+TEST(Criterion, TwoUnstableRunsAreEqual) {
+  Criterion ratio = criterion(Kind::error_ratio, "bad", 1, 1);
+  ratio.over = "bad";
+  EXPECT_EQ(judge(ratio, two_series()).verdict, PartVerdict::holds);
+}
+
+TEST(Criterion, OrderDifferenceBetweenNorms) {
+  StudyResult result = two_series();
+  for (Point& point : result.series[0].points) point.y["linf"] = std::pow(point.x, -1.5);
+  Criterion difference = criterion(Kind::order_difference, "good", 0.4999, 0.5001);
+  difference.over_norm = "linf";
+  EXPECT_EQ(judge(difference, result).verdict, PartVerdict::holds);
+  difference.window = {8, 8};  // one point carries no order
+  EXPECT_EQ(judge(difference, result).verdict, PartVerdict::inconclusive);
+}
+
 TEST(Criterion, SpreadStatusLimitValue) {
   EXPECT_EQ(judge(criterion(Kind::spread, "good", 63.9, 64.1), two_series()).verdict, PartVerdict::holds);
   EXPECT_EQ(judge(criterion(Kind::status, "bad", 0.74, 0.76), two_series()).verdict, PartVerdict::holds);
@@ -79,6 +95,29 @@ TEST(Criterion, SpreadStatusLimitValue) {
   EXPECT_EQ(judge(value, two_series()).verdict, PartVerdict::holds);
   value.name = "unknown";
   EXPECT_EQ(judge(value, two_series()).verdict, PartVerdict::inconclusive);
+}
+
+/// e = cost^-1/2 against one that is as accurate at four times the cost, and one that never gets below 0.1.
+TEST(Criterion, CostRatioAtEachPowerOfTen) {
+  StudyResult result;
+  result.series = {Series{"cheap", {}, {}, {}}, Series{"dear", {}, {}, {}}, Series{"poor", {}, {}, {}}};
+  for (const double e : {0.5, 0.2, 0.05, 0.02, 0.005}) {
+    const auto point = [&](double cost, double error) {
+      return Point{1 / e, Status::ok, "", {{"l2", error}, {"step_seconds", cost}}};
+    };
+    result.series[0].points.push_back(point(1 / (e * e), e));
+    result.series[1].points.push_back(point(4 / (e * e), e));
+    result.series[2].points.push_back(point(1 / (e * e), 0.1 + e));
+  }
+  Criterion ratio = criterion(Kind::cost_ratio, "cheap", 0.249999, 0.250001);
+  ratio.over = "dear", ratio.window = {0.01, 0.1};
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::holds) << judge(ratio, result).evidence;
+  ratio.series = {"poor"};
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::fails) << "what never gets there costs without end";
+  ratio.over = "poor";
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::fails) << "and so it does beside another that does not either";
+  result.series[2].points.clear();
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive);
 }
 
 TEST(Criterion, WhatIsAwaitedKeepsAClaimFromBeingConfirmed) {

@@ -75,9 +75,10 @@ struct Text {
   }
 
   static std::string of(const Figure& f) {
-    const auto& [name, caption, xlabel, ylabel, log_x, log_y, quantity, series, marks, slopes, x0, x1, y0, y1] = f;
-    return fmt::format("figure {} {} {} {} {} {} {} {} {} {} {} {} {} {}", name, caption, xlabel, ylabel, log_x, log_y,
-                       quantity, of(series), of(marks), of(slopes), of(x0), of(x1), of(y0), of(y1));
+    const auto& [name, caption, xlabel, ylabel, log_x, log_y, quantity, series, marks, slopes, x0, x1, y0, y1, kind] =
+        f;
+    return fmt::format("figure {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", name, caption, xlabel, ylabel, log_x,
+                       log_y, quantity, of(series), of(marks), of(slopes), of(x0), of(x1), of(y0), of(y1), kind);
   }
 
   static std::string of(const ClaimPart& p) {
@@ -104,6 +105,9 @@ Point point_of(const Record& r) {
   add("l1_all_steps", r.error.l1_all_steps);
   add("l2_all_steps", r.error.l2_all_steps);
   add("linf_all_steps", r.error.linf_all_steps);
+  add("nodal_l1", r.error.nodal_l1);
+  add("nodal_l2", r.error.nodal_l2);
+  add("nodal_linf", r.error.nodal_linf);
   add("wall_seconds", r.wall_seconds);
   add("ns_per_particle_step", r.ns_per_particle_step);
   add("kinetic", r.energy.kinetic);
@@ -188,7 +192,8 @@ Figure full_figure() {
           .x_min = 4,
           .x_max = std::nullopt,
           .y_min = std::nullopt,
-          .y_max = 0};
+          .y_max = 0,
+          .kind = "particles"};
 }
 
 StudyResult everything() {

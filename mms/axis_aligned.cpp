@@ -1,0 +1,160 @@
+#include "mms/axis_aligned.hpp"
+
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+#include <unordered_map>
+
+namespace mpmvv::mms {
+
+using std::numbers::pi;
+
+template <int D>
+AxisAligned<D>::AxisAligned(double amplitude, int wave_number, const Vec<D>& phases, const Elasticity& material)
+    : A_(amplitude),
+      k_pi_(wave_number * pi),
+      E_(material.youngs_modulus),
+      lambda_(material.lambda()),
+      mu_(material.mu()),
+      rho_(material.density),
+      C_pi_(std::sqrt(E_ / rho_) * pi),
+      phases_(phases) {}
+
+template <int D>
+Vec<D> AxisAligned<D>::T(double t) const {
+  return (C_pi_ * t + phases_.array()).sin();
+}
+
+template <int D>
+Vec<D> AxisAligned<D>::stretches(const Vec<D>& X, double t) const {
+  return 1 + k_pi_ * A_ * (k_pi_ * X).array().cos() * T(t).array();
+}
+
+template <int D>
+Vec<D> AxisAligned<D>::u(const Vec<D>& X, double t) const {
+  return A_ * (k_pi_ * X).array().sin() * T(t).array();
+}
+
+template <int D>
+Vec<D> AxisAligned<D>::v(const Vec<D>& X, double t) const {
+  return A_ * C_pi_ * (k_pi_ * X).array().sin() * (C_pi_ * t + phases_.array()).cos();
+}
+
+template <int D>
+Vec<D> AxisAligned<D>::a(const Vec<D>& X, double t) const {
+  return -C_pi_ * C_pi_ * u(X, t);
+}
+
+template <int D>
+Mat<D> AxisAligned<D>::F(const Vec<D>& X, double t) const {
+  return stretches(X, t).asDiagonal();
+}
+
+template <int D>
+Mat<D> AxisAligned<D>::P(const Vec<D>& X, double t) const {
+  const auto F = stretches(X, t).array().eval();
+  const double K = std::log(F.prod());
+  return Vec<D>((lambda_ * K + mu_ * (F * F - 1)) / F).asDiagonal();
+}
+
+template <int D>
+Vec<D> AxisAligned<D>::b(const Vec<D>& X, double t) const {
+  const auto F = stretches(X, t).array().eval();
+  const double K = std::log(F.prod());
+  const auto bracket = k_pi_ * k_pi_ * (lambda_ * (1 - K) / (F * F) + mu_ * (1 + 1 / (F * F))) - pi * pi * E_;
+  return u(X, t).array() * bracket / rho_;
+}
+
+/// On a lattice many points share a coordinate. Per axis, whatever depends on one coordinate is kept for each distinct
+/// one: sin and cos for good, the parts of b for the time last asked for; per point only its places in these tables.
+template <int D>
+class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
+ public:
+  AtPoints(const AxisAligned& solution, const std::vector<Vec<D>>& X) : solution_(solution), places_(X.size()) {
+    for (std::size_t d = 0; d < D; ++d) {
+      std::unordered_map<double, std::uint32_t> known;
+      for (std::size_t p = 0; p < X.size(); ++p) {
+        const double X_d = X[p][static_cast<int>(d)];
+        const auto [entry, is_new] = known.try_emplace(X_d, static_cast<std::uint32_t>(known.size()));
+        if (is_new) waves_[d].push_back({std::sin(solution_.k_pi_ * X_d), std::cos(solution_.k_pi_ * X_d)});
+        places_[p][d] = entry->second;
+      }
+    }
+  }
+
+  void displacement(double t, std::span<const std::uint32_t> ids, Vec<D>* u) const override {
+    const Vec<D> A_T = solution_.A_ * solution_.T(t);
+    for (const auto id : ids) {
+      for (std::size_t d = 0; d < D; ++d) u->data()[d] = A_T.data()[d] * waves_[d][places_[id][d]].sin;
+      ++u;
+    }
+  }
+
+  void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
+    const auto parts = parts_at(t);
+    for (const auto id : ids) {
+      const Part* at[D];
+      double bracket = solution_.lambda_ + solution_.mu_;
+      for (std::size_t d = 0; d < D; ++d) {
+        at[d] = &parts->of_axis[d][places_[id][d]];
+        bracket -= at[d]->lambda_log_F;
+      }
+      for (std::size_t d = 0; d < D; ++d) b->data()[d] = at[d]->constant + at[d]->factor * bracket;
+      ++b;
+    }
+  }
+
+ private:
+  struct Wave {
+    double sin, cos;
+  };
+
+  /// b_d = constant + factor (λ + μ - Σ λ ln F), each of them a function of one coordinate.
+  struct Part {
+    double constant;      ///< π² u_d (k² μ - E) / ρ₀
+    double factor;        ///< π² u_d k² F_d⁻² / ρ₀
+    double lambda_log_F;  ///< λ ln F_d
+  };
+  struct Parts {
+    double t;
+    std::array<std::vector<Part>, D> of_axis;
+  };
+
+  /// The parts of time t, made by the first call that asks for it.
+  std::shared_ptr<const Parts> parts_at(double t) const {
+    const std::lock_guard lock(mutex_);
+    if (!parts_ || parts_->t != t) parts_ = std::make_shared<const Parts>(make_parts(t));
+    return parts_;
+  }
+
+  Parts make_parts(double t) const {
+    const AxisAligned& s = solution_;
+    const Vec<D> A_T = s.A_ * s.T(t);
+    const double k2 = s.k_pi_ * s.k_pi_;
+    Parts parts{t, {}};
+    for (std::size_t d = 0; d < D; ++d)
+      for (const Wave& wave : waves_[d]) {
+        const double u = A_T.data()[d] * wave.sin, F = 1 + s.k_pi_ * A_T.data()[d] * wave.cos;
+        parts.of_axis[d].push_back({u * (k2 * s.mu_ - pi * pi * s.E_) / s.rho_, u * k2 / (F * F) / s.rho_,
+                                    s.lambda_ == 0 ? 0 : s.lambda_ * std::log(F)});
+      }
+    return parts;
+  }
+
+  const AxisAligned solution_;
+  std::array<std::vector<Wave>, D> waves_;
+  std::vector<std::array<std::uint32_t, D>> places_;
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const Parts> parts_;
+};
+
+template <int D>
+std::unique_ptr<PointwiseSolution<D>> AxisAligned<D>::at_points(const std::vector<Vec<D>>& X) const {
+  return std::make_unique<AtPoints>(*this, X);
+}
+
+template class AxisAligned<2>;
+template class AxisAligned<3>;
+
+}  // namespace mpmvv::mms

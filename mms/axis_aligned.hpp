@@ -1,0 +1,47 @@
+#pragma once
+#include <cmath>
+
+#include "mms/elasticity.hpp"
+#include "mms/solution.hpp"
+
+namespace mpmvv::mms {
+
+/// Motion along the axes of the unit square (plane strain) or cube, each component a function of its own coordinate:
+///   u_d = A sin kπX_d T_d,   T_d = sin(Cπt + φ_d),   C² = E/ρ₀
+///   F_d = 1 + kπA cos kπX_d T_d                      the only entries of F, on its diagonal
+///   P_d = (λK + μ (F_d² - 1)) / F_d                  K = ln Π F_d
+///   b_d = π² u_d [k² (λ(1 - K) F_d⁻² + μ (1 + F_d⁻²)) - E] / ρ₀
+/// With k = 1 these are W (56) to (59), with k = 2 S (51) to (53).
+template <int D>
+class AxisAligned : public ManufacturedSolution<D> {
+ public:
+  /// k: wave number; phases: φ_d, so that a component in cos Cπt has φ_d = π/2.
+  AxisAligned(double amplitude, int wave_number, const Vec<D>& phases, const Elasticity& material);
+
+  Vec<D> u(const Vec<D>& X, double t) const final;
+  Vec<D> v(const Vec<D>& X, double t) const final;
+  Vec<D> a(const Vec<D>& X, double t) const final;
+  Mat<D> F(const Vec<D>& X, double t) const final;
+  Mat<D> P(const Vec<D>& X, double t) const final;
+  Vec<D> b(const Vec<D>& X, double t) const final;
+
+  double displacement_scale() const final { return std::abs(A_); }
+
+  /// Points that share coordinates share what depends on one: on a lattice a point costs a few bytes and additions, and
+  /// sine, logarithm and division happen once per distinct coordinate and time.
+  std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const final;
+
+ private:
+  class AtPoints;
+
+  Vec<D> T(double t) const;                           ///< sin(Cπt + φ_d)
+  Vec<D> stretches(const Vec<D>& X, double t) const;  ///< the diagonal of F
+
+  double A_, k_pi_, E_, lambda_, mu_, rho_, C_pi_;
+  Vec<D> phases_;
+};
+
+extern template class AxisAligned<2>;
+extern template class AxisAligned<3>;
+
+}  // namespace mpmvv::mms

@@ -1,0 +1,39 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/table.hpp"
+
+namespace mpmvv {
+
+/// One benchmark over all its repetitions.
+struct BenchmarkRow {
+  std::string name;   ///< parts divided by `/`
+  std::string label;  ///< what it says of itself; may be empty
+  std::map<std::string, std::vector<double>> counters;
+
+  double median(const std::string& counter) const;  ///< NaN when it has none
+  double range(const std::string& counter) const;   ///< largest minus smallest over the median
+};
+
+/// What the benchmark program measured, on which program.
+struct Benchmark {
+  std::string digest;
+  std::string date;
+  std::vector<BenchmarkRow> rows;  ///< in the order of the file
+
+  /// The row of this name; null when there is none.
+  const BenchmarkRow* find(const std::string& name) const;
+};
+
+/// Reads Google Benchmark's JSON; nullopt when the file is absent. Benchmarks that failed are left out.
+/// Throws UsageError on anything else.
+std::optional<Benchmark> read_benchmark(const std::filesystem::path& file);
+
+/// What scenes skip and what that saves; the cost of a step; what the machine can do.
+std::vector<Table> benchmark_tables(const Benchmark& benchmark);
+
+}  // namespace mpmvv

@@ -1,0 +1,41 @@
+#pragma once
+#include <utility>
+
+#include "solver/mpm.hpp"
+
+namespace mpmvv::solver {
+
+/// x_p += Δt Σ_i N_ip u_i                                      S (10) with any nodal field u
+template <int D>
+struct MoveWith {
+  Particles<D>& particles;
+  const std::vector<Packed<D>>& u;
+  double dt;
+
+  void operator()(const auto& block, const Grid<D>& grid) const {
+    block.for_particles(
+        [&](int k, std::size_t p) { particles.x[p] += dt * block.gather(k, grid, u).template head<D>(); });
+  }
+};
+
+/// How the steps with a `+` end (N §2.3): the updated particle momenta are extrapolated to the grid once more, and the
+/// last stress update, by `dt_stress`, takes the velocity found there,
+///   v_p += Δt Σ_i N_ip a_i,   v̄_i = Σ_p N_ip m_p v_p / m_i,   F_p = (I + Δt_stress Σ_i v̄_i ⊗ ∇N_ip) F_p.
+/// N does not say which shape functions; Sulsky, Zhou and Schreyer (1995) and Nairn's code keep those of the step's
+/// start, and so does this. Positions follow v⁺, S (10). In N's notation v̄ = v + Δt S⁺S a where v⁺ = v + Δt a: what the
+/// round trip S⁺S filters out of the acceleration never reaches F.
+template <int D>
+void update_with_remapped_velocity(Mpm<D>& s, double dt, double dt_stress) {
+  auto& particles = s.particles();
+  auto& grid = s.grid();
+
+  grid.clear_momentum();
+  s.sweep(UpdateVelocity<D>{particles, dt}, MapMomentum<D>{particles, grid});
+  s.fold(grid.p);
+  std::swap(grid.a, grid.v);  // the acceleration has served; its place keeps v⁺
+  s.set_grid_velocity();
+
+  s.sweep_and_settle(MoveWith<D>{particles, grid.a, dt}, UpdateDeformation<D>{particles, dt_stress});
+}
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,72 @@
+#pragma once
+#include <array>
+
+#include "solver/mpm.hpp"
+
+namespace mpmvv::solver {
+
+/// Adds a stage's rate k to the step's sum and sets the state of the next stage: y = y^n + `next` k, after the last
+/// stage (`next` = 0) y = y^{n+1}, the sum.
+template <int D>
+struct AdvanceStage {
+  Particles<D>& particles;
+  double weight, next;  ///< s
+
+  void operator()(const auto& block, const Grid<D>& grid) const {
+    block.for_particles([&](int k, std::size_t p) {
+      auto& [start, sum] = particles.stages;
+      const auto v = block.gather_with_gradient(k, grid, grid.v);
+      const Vec<D> acceleration = block.gather(k, grid, grid.a).template head<D>();
+      const Vec<D> velocity = v.value.template head<D>();
+      const Mat<D> rate_of_F = v.gradient.template topRows<D>() * particles.F[p];
+      advance(particles.x[p], start.x[p], sum.x[p], velocity);
+      advance(particles.v[p], start.v[p], sum.v[p], acceleration);
+      advance(particles.F[p], start.F[p], sum.F[p], rate_of_F);
+    });
+  }
+
+ private:
+  template <class T>
+  void advance(T& now, const T& start, T& sum, const T& rate) const {
+    sum += weight * rate;
+    now = next > 0 ? T(start + next * rate) : sum;
+  }
+};
+
+/// The classical Runge-Kutta method of fourth order for MPM as a system of ordinary differential equations. The state
+/// is y = (x_p, v_p, F_p), with l_p = l_p⁰ diag F_p for a basis that follows it; its rates at time t are one round trip
+/// to the grid and back with the weights at x_p,
+///   m_i = Σ_p N_ip m_p,   v_i = Σ_p N_ip m_p v_p / m_i,   a_i = f_i(x, F, t) / m_i,   both constrained,
+///   x_p' = Σ_i N_ip v_i,  v_p' = Σ_i N_ip a_i,            F_p' = (Σ_i v_i ⊗ ∇N_ip) F_p,
+/// which is what every integrator here tends to as Δt -> 0: S (1) to (10) divided by Δt. Then
+///   k_1 = g(t, y), k_2 = g(t + Δt/2, y + Δt/2 k_1), k_3 = g(t + Δt/2, y + Δt/2 k_2), k_4 = g(t + Δt, y + Δt k_3),
+///   y += Δt (k_1 + 2 k_2 + 2 k_3 + k_4)/6.
+/// The rates are only as smooth as ∇N: the order is four while no particle crosses a knot of the basis. On a fixed grid
+/// all others are of first order towards this limit, cd too, since they keep the weights of t^n through the step and
+/// let x follow v_i + Δt a_i where the new particle velocities map to v_i + Δt (S⁺S a)_i. In cd these terms are of
+/// order h² Δt, so that it is of second order when the time step is refined with the grid.
+template <int D>
+void rk4(Mpm<D>& s, double dt) {
+  struct Stage {
+    double time, weight, next;  // in Δt
+  };
+  constexpr std::array<Stage, 4> stages{{{0, 1. / 6, 0.5}, {0.5, 1. / 3, 0.5}, {0.5, 1. / 3, 1}, {1, 1. / 6, 0}}};
+  auto& particles = s.particles();
+  auto& grid = s.grid();
+
+  const double t = s.time();
+  particles.start_stages();
+  for (const Stage& stage : stages) {
+    s.set_time(t + stage.time * dt);
+    grid.clear();
+    s.sweep_with_forces(MapMomentum<D>{particles, grid});
+    s.fold(grid.p);
+    s.set_grid_velocity();
+    s.set_grid_acceleration();
+
+    s.sweep_and_settle(AdvanceStage<D>{particles, stage.weight * dt, stage.next * dt});
+    s.sort_strays();
+  }
+}
+
+}  // namespace mpmvv::solver

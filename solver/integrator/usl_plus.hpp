@@ -1,0 +1,22 @@
+#pragma once
+#include "solver/integrator/remapped.hpp"
+
+namespace mpmvv::solver {
+
+/// Update stress last with re-extrapolated momenta, N §2.3: `usl` but for the velocity of the stress update.
+template <int D>
+void usl_plus(Mpm<D>& s, double dt) {
+  auto& particles = s.particles();
+  auto& grid = s.grid();
+
+  grid.clear();
+  s.sweep_with_forces(MapMomentum<D>{particles, grid});
+  s.fold(grid.p);
+  s.set_grid_velocity();
+  s.set_grid_acceleration();
+  s.advance_grid_velocity(dt);
+
+  update_with_remapped_velocity(s, dt, dt);
+}
+
+}  // namespace mpmvv::solver

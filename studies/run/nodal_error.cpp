@@ -1,0 +1,36 @@
+#include "studies/run/nodal_error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+/// Whether the node belongs to the domain, and is not the second image of one across periodic faces.
+template <int D>
+bool counts(const solver::Mpm<D>& mpm, std::size_t n) {
+  const auto i = mpm.grid().index(n);
+  for (std::size_t d = 0; d < D; ++d) {
+    const int end = mpm.periodic()[d] ? mpm.grid().cells()[d] : mpm.grid().inside(static_cast<int>(d));
+    if (i[d] < 0 || i[d] >= end) return false;
+  }
+  return mpm.is_accelerated(n);
+}
+
+}  // namespace
+
+template <int D>
+ErrorNorms acceleration_errors(solver::Mpm<D>& mpm, const mms::ManufacturedSolution<D>& solution) {
+  mpm.map_acceleration();
+  ErrorNorms norms;
+  for (std::size_t n = 0; n < mpm.grid().size(); ++n) {
+    if (!counts(mpm, n)) continue;
+    const auto X = solution.reference_point(mpm.node_position(n), mpm.time());
+    norms.add((mpm.grid().a[n].template head<D>() - solution.a(X, mpm.time())).norm());
+  }
+  return norms;
+}
+
+template ErrorNorms acceleration_errors(solver::Mpm<1>&, const mms::ManufacturedSolution<1>&);
+template ErrorNorms acceleration_errors(solver::Mpm<2>&, const mms::ManufacturedSolution<2>&);
+template ErrorNorms acceleration_errors(solver::Mpm<3>&, const mms::ManufacturedSolution<3>&);
+
+}  // namespace mpmvv
