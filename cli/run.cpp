@@ -100,7 +100,12 @@ int run(const RunOptions& options) {
   std::vector<Setting> settings;
   for (const auto& [key, option] : options.given)
     if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
-  for (const std::string& parameter : options.parameters) settings.push_back(parameter_setting(parameter));
+  for (const std::string& parameter : options.parameters) {
+    settings.push_back(parameter_setting(parameter));
+    const auto same = [&](const Setting& earlier) { return earlier.key == settings.back().key; };
+    if (std::any_of(settings.begin(), settings.end() - 1, same))
+      throw UsageError(fmt::format("--param {} after another value for it (each parameter once)", parameter));
+  }
   if (options.every_step) settings.push_back({"every_step", "true", "--every-step"});
   if (options.nodal_error) settings.push_back({"nodal_error", "true", "--nodal-error"});
   const Case c = make_case(settings);

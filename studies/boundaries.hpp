@@ -2,8 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "studies/case.hpp"
-
 namespace mpmvv {
 
 /// The words of all faces (xmin, xmax, ymin, ...) that a boundary setting describes: one word for all, or
@@ -12,8 +10,5 @@ std::vector<std::string> boundary_faces(const std::string& text, int dimension, 
 
 /// The shortest text for the same faces: one word when all are equal.
 std::string canonical_boundary(const std::string& text, int dimension, const std::string& where);
-
-/// Throws UsageError on a combination of words that makes no sense, and says why.
-void require_sense(const Case& c);
 
 }  // namespace mpmvv

@@ -7,14 +7,16 @@ namespace mpmvv {
 namespace {
 
 /// Collects `key=value` pairs; numbers in their shortest text that reads back as the same number.
-class Line {
+class CanonicalLine {
  public:
   template <class T>
-  Line& add(const std::string& key, const T& value) {
+  CanonicalLine& add(const std::string& key, const T& value) {
     text_ += fmt::format("{}{}={}", text_.empty() ? "" : " ", key, value);
     return *this;
   }
-  Line& add(const std::string& key, double value) { return add<double>(key, value + 0.0); }  // -0 equals 0: one text
+  CanonicalLine& add(const std::string& key, double value) {
+    return add<double>(key, value + 0.0);
+  }  // -0 equals 0: one text
 
   const std::string& text() const { return text_; }
 
@@ -33,7 +35,7 @@ std::string canonical_text(const Case& c) {
   const auto& [cells, ppc, dt, steps] = resolution;
   const auto& [every_step, nodal_error, blowup_error, blowup_energy, repeat] = measure;
 
-  Line line;
+  CanonicalLine line;
   line.add("problem", name);
   for (const auto& [key, value] : parameters) line.add("param." + key, value);
   line.add("end_time", end_time)

@@ -101,7 +101,7 @@ std::string verdict_of(const std::vector<ClaimPart>& parts) {
   const auto unknown = count(PartVerdict::inconclusive);
   if (holds == 0 && fails == 0) return unknown == 0 && !parts.empty() ? "shown" : "open";
   if (fails == 0 && unknown == 0) return "confirmed";
-  return holds == 0 && unknown == 0 ? "refuted" : "partly";
+  return holds == 0 ? "refuted" : "partly";
 }
 
 std::string evidence_of(const std::vector<ClaimPart>& parts) {

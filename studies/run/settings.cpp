@@ -12,6 +12,7 @@
 #include "studies/boundaries.hpp"
 #include "studies/error.hpp"
 #include "studies/problem.hpp"
+#include "studies/sense.hpp"
 
 namespace mpmvv {
 
@@ -149,8 +150,8 @@ void set_time_step(const Settings& settings, const Problem& problem, Case& c) {
   const double steps = has_dt ? std::round(T / wanted) : std::ceil(T / wanted - 1e-9);
   if (steps > 1e12) throw UsageError(fmt::format("a time step of {} s needs {} steps (at most 1e12)", wanted, steps));
   if (has_dt && (steps < 1 || std::abs(steps * wanted - T) > 1e-9 * T))
-    throw UsageError(fmt::format("dt = {} in {} does not divide the end time {} s", settings.at("dt").value,
-                                 settings.at("dt").where, T));
+    throw UsageError(fmt::format("dt = {} in {} does not divide the end time {} s (the nearest that does: {})",
+                                 settings.at("dt").value, settings.at("dt").where, T, T / std::max(steps, 1.0)));
   c.resolution.steps = static_cast<std::int64_t>(std::max(steps, 1.0));
   c.resolution.dt = T / static_cast<double>(c.resolution.steps);
   if (const auto it = settings.find("steps"); it != settings.end()) {

@@ -124,7 +124,7 @@ TEST(Report, EmptyInputGivesAPage) {
   EXPECT_THAT(page, AllOf(HasSubstr("not judged"), HasSubstr("No goldens were judged"), HasSubstr("</html>")));
 }
 
-std::string message(const ReportInput& in, const fs::path& out) {
+std::string refusal(const ReportInput& in, const fs::path& out) {
   try {
     write_report(in, out, silent);
   } catch (const UsageError& e) {
@@ -137,7 +137,7 @@ TEST(Report, FiguresOfOneNameAreRefusedAndNothingIsWritten) {
   const TempFolder folder;
   auto in = input();
   in.studies[2].figures[0].name = "s-fig10";
-  EXPECT_EQ(message(in, folder / "out"),
+  EXPECT_EQ(refusal(in, folder / "out"),
             "figure 's-fig10' is in study 'bar-bases' and in study 'weights' (figures need different names)");
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
@@ -146,13 +146,13 @@ TEST(Report, NamesThatLeaveTheFolderAreRefused) {
   const TempFolder folder;
   auto in = input();
   in.studies[0].figures[0].name = "../../etc";
-  EXPECT_THAT(message(in, folder / "out"), HasSubstr("'../../etc' cannot name a file"));
+  EXPECT_THAT(refusal(in, folder / "out"), HasSubstr("'../../etc' cannot name a file"));
 }
 
 TEST(Report, FileInPlaceOfTheFolderIsReported) {
   const TempFolder folder;
   std::ofstream(folder / "out") << "x";
-  EXPECT_THAT(message(input(), folder / "out"), HasSubstr("cannot make the folder"));
+  EXPECT_THAT(refusal(input(), folder / "out"), HasSubstr("cannot make the folder"));
 }
 
 }  // namespace

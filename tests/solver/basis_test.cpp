@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "tests/numbers.hpp"
 #include "tests/solver/stencils.hpp"
 
 namespace mpmvv::solver {
@@ -7,8 +8,6 @@ namespace mpmvv::solver {
 namespace {
 
 constexpr double h = 0.125;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Every property is asked of every basis of the solver; a new one is covered as soon as it is named.
 template <class B>

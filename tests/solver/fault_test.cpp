@@ -1,13 +1,12 @@
 #include <limits>
 
+#include "tests/numbers.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
 namespace mpmvv::solver {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Steps until the run reports a fault, then a few more, which must not crash.
 template <int D>

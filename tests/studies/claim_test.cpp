@@ -22,6 +22,7 @@ TEST(Claims, VerdictFollowsFromTheParts) {
   EXPECT_EQ(verdict({holds, holds}), "confirmed");
   EXPECT_EQ(verdict({fails, fails}), "refuted");
   EXPECT_EQ(verdict({holds, fails}), "partly");
+  EXPECT_EQ(verdict({inconclusive, fails}), "refuted") << "whatever the other part turns out to be, one does not hold";
   EXPECT_EQ(verdict({holds, inconclusive}), "partly");
   EXPECT_EQ(verdict({inconclusive}), "open");
   EXPECT_EQ(verdict({shown}), "shown");

@@ -8,12 +8,10 @@
 #include <limits>
 
 #include "studies/error.hpp"
+#include "tests/numbers.hpp"
 
 namespace mpmvv {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<ErrorSample> sweep(const std::function<double(double)>& error, int levels) {
   std::vector<ErrorSample> samples;

@@ -10,15 +10,13 @@
 #include <stdexcept>
 
 #include "studies/error.hpp"
+#include "tests/numbers.hpp"
 
 namespace mpmvv {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Counts what the search asks for.
 struct Prober {

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "tests/numbers.hpp"
 #include "tests/studies/store_samples.hpp"
 
 namespace mpmvv {
@@ -11,8 +12,6 @@ namespace {
 using namespace store_samples;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Everything as text, to be compared. Structured bindings name every member: a new one does not compile until it is
 /// compared too.

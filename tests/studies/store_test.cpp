@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "studies/store/schema.hpp"
+#include "tests/numbers.hpp"
 #include "tests/studies/store_samples.hpp"
 
 namespace mpmvv {
@@ -17,8 +18,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Pair;
 using testing::SizeIs;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Structured bindings name every member: a new one does not compile until it is compared too.
 std::string describe(const Record& r) {

@@ -1,0 +1,73 @@
+#include "studies/sense.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solver/words.hpp"
+#include "studies/boundaries.hpp"
+#include "studies/error.hpp"
+#include "studies/problem.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+int ghosts_of(const std::string& basis) {
+  solver::AnyBasis any;
+  solver::from_word(basis, any);
+  return std::visit([]<class B>(const B&) { return B::ghost; }, any);
+}
+
+}  // namespace
+
+void require_sense(const Case& c) {
+  const Scheme& s = c.scheme;
+  const int dimension = find_problem(c.problem.name, "the case").dimension();
+  const auto faces = boundary_faces(s.boundary, dimension, "the case");
+  const auto has = [&faces](const char* word) { return std::find(faces.begin(), faces.end(), word) != faces.end(); };
+
+  if (ghosts_of(s.basis) == 0 && (has("periodic") || has("mirror")))
+    throw UsageError(
+        fmt::format("basis '{}' has no ghost nodes, so boundary '{}' has nothing to act on (use dirichlet, "
+                    "symmetry or free, or a basis without '-open')",
+                    s.basis, s.boundary));
+  for (std::size_t k = 0; k < faces.size(); k += 2)
+    if ((faces[k] == "periodic") != (faces[k + 1] == "periodic"))
+      throw UsageError(
+          fmt::format("boundary '{}' is periodic on one face only (both faces of an axis, or neither)", s.boundary));
+  if (s.wall_acceleration == "difference" && !has("dirichlet") && !has("symmetry"))
+    throw UsageError(
+        fmt::format("wall_acceleration 'difference' with boundary '{}' that holds no node (use it with "
+                    "dirichlet or symmetry)",
+                    s.boundary));
+  if (s.wall_acceleration == "difference" && s.integrator == "uvf")
+    throw UsageError(
+        "wall_acceleration 'difference' with integrator 'uvf', which maps the velocity after the acceleration (use "
+        "zero, or another integrator)");
+  if (s.wall_acceleration == "difference" && s.integrator == "rk4")
+    throw UsageError(
+        "wall_acceleration 'difference' with integrator 'rk4', whose stages have rates and no step to take a "
+        "difference "
+        "over (use zero, or another integrator)");
+  if ((has("symmetry") || has("mirror")) && c.resolution.cells < 4)
+    throw UsageError(
+        fmt::format("{} cells are too few for boundary '{}' (at least 4: ghosts and their images must differ)",
+                    c.resolution.cells, s.boundary));
+  if ((s.basis == "gimp" || s.basis == "cpgimp") && c.resolution.ppc < 2)
+    throw UsageError(
+        fmt::format("basis '{}' with ppc = 1 (at least 2: a particle's width must stay below the cell's)", s.basis));
+  if (c.problem.name == "one-particle" && (c.resolution.cells != 1 || c.resolution.ppc != 1))
+    throw UsageError("problem 'one-particle' with other cells or ppc (cells = 1 and ppc = 1)");
+  if (c.problem.name == "one-particle" && s.start == "exact")
+    throw UsageError("problem 'one-particle' has no exact velocity for start 'exact' (use start 'half')");
+  if (c.measure.nodal_error && c.problem.name == "one-particle")
+    throw UsageError("problem 'one-particle' has no exact acceleration for nodal_error (leave it out)");
+  if (c.measure.nodal_error && s.wall_acceleration == "difference")
+    throw UsageError(
+        "nodal_error with wall_acceleration 'difference', which belongs to a step and not to the end time (use zero)");
+  if (!(c.measure.blowup_error > 0) || !(c.measure.blowup_energy > 0))
+    throw UsageError("blowup_error and blowup_energy must be > 0");
+}
+
+}  // namespace mpmvv
