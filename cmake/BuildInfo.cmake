@@ -8,7 +8,7 @@ string(REGEX REPLACE " +" " " FLAGS "${FLAGS}")
 string(STRIP "${FLAGS}" FLAGS)
 
 # The sources that decide a result: solutions, solver, problems, checks, and what carries a case out and measures it.
-set(patterns studies/norms*.hpp studies/run/run_case*.?pp studies/run/scene*.?pp studies/run/boundaries*.?pp studies/run/nodal_error*.?pp
+set(patterns studies/norms*.hpp studies/run/run_case*.?pp studies/run/scene*.?pp studies/run/boundaries*.?pp
   studies/run/nodal_error*.?pp)
 foreach(folder mms solver studies/problems studies/checks)
   list(APPEND patterns ${folder}/*.hpp ${folder}/*.cpp)
