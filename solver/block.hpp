@@ -36,9 +36,28 @@ struct ValueAndGradient {
 /// with them are formed axis by axis: what the nodes of a line or a plane share is multiplied once.
 template <int D, int K>
 struct Stencil {
-  double N[D][K], dN[D][K];
+  std::size_t first;  ///< storage index of the first node
   std::array<std::ptrdiff_t, D> stride;
+  double N[D][K], dN[D][K];
 
+  /// Σ_i N_ip φ_i
+  template <class V>
+  V gather(const std::vector<V>& field) const {
+    return value(field.data() + first);
+  }
+
+  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
+  ValueAndGradient<D> gather_with_gradient(const std::vector<Packed<D>>& field) const {
+    return value_and_gradient(field.data() + first);
+  }
+
+  /// φ_i += N_ip source, or φ_i += N_ip value + gradient ∇N_ip
+  template <class Source, class V>
+  void scatter(const Source& source, std::vector<V>& field) const {
+    add(source, field.data() + first);
+  }
+
+ private:
   /// Σ_i N_ip φ_i over the axes up to `axis`
   template <int axis = D - 1, class V>
   V value(const V* nodes) const {
@@ -105,7 +124,6 @@ struct Stencil {
     }
   }
 
- private:
   void add_line(const Packed<D>* nodes, Packed<D>& value, Packed<D>& d0) const {
     for (int i = 0; i < K; ++i) {
       value += N[0][i] * nodes[i];
@@ -134,39 +152,14 @@ struct Block {
   PackedMat<D> tau[block_size<D>];  ///< Kirchhoff stress, by EvaluateStress
   Vec<D> b[block_size<D>];          ///< body acceleration, by EvaluateBodyForce
 
-  /// Calls visit(k, p) for each particle p = begin + k. Neighbours add to the same nodes, one having to wait for the
-  /// other; the block is therefore visited in four interleaved parts.
-  template <class Visit>
-  void for_particles(const Visit& visit) const {
-    const int stride = (count + 3) / 4;
-    for (int start = 0; start < stride; ++start)
-      for (int k = start; k < count; k += stride) visit(k, begin + static_cast<std::size_t>(k));
-  }
-
   Stencil<D, K> stencil(int k, const Grid<D>& grid) const {
     Stencil<D, K> s;
+    s.first = static_cast<std::size_t>(first[k]);
     for (int d = 0; d < D; ++d) {
       s.stride[static_cast<std::size_t>(d)] = grid.stride(d);
       for (int i = 0; i < K; ++i) s.N[d][i] = N[d][i][k], s.dN[d][i] = dN[d][i][k];
     }
     return s;
-  }
-
-  /// Σ_i N_ip φ_i of the block's particle k
-  template <class V>
-  V gather(int k, const Grid<D>& grid, const std::vector<V>& field) const {
-    return stencil(k, grid).value(field.data() + first[k]);
-  }
-
-  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
-  ValueAndGradient<D> gather_with_gradient(int k, const Grid<D>& grid, const std::vector<Packed<D>>& field) const {
-    return stencil(k, grid).value_and_gradient(field.data() + first[k]);
-  }
-
-  /// φ_i += N_ip source, or φ_i += N_ip value + gradient ∇N_ip
-  template <class Source, class V>
-  void scatter(int k, const Grid<D>& grid, const Source& source, std::vector<V>& field) const {
-    stencil(k, grid).add(source, field.data() + first[k]);
   }
 };
 

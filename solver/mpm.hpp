@@ -82,9 +82,9 @@ class Mpm {
                scene_.basis);
   }
 
-  /// One sweep of these stages and then of stress and forces: f_i.
-  template <class... Stages>
-  void sweep_with_forces(const Stages&... stages);
+  /// One sweep of `before` and then of stress and forces: f_i, and whatever else `map` scatters with it.
+  template <class Before, class... Map>
+  void sweep_with_forces(const Before& before, const Map&... map);
 
   /// Adds up what the boundaries identify, after a scatter.
   template <class V>
@@ -94,10 +94,10 @@ class Mpm {
   void set_grid_acceleration();           ///< a_i = f_i / m_i, constrained if zero  S (5), W (15)
   void advance_grid_velocity(double dt);  ///< v_i += a_i Δt, constrained            S (6), W (16), S (30)
 
-  /// The last sweep of a step: these stages, then what must hold and be ready for the next step.
-  template <class... Stages>
-  void sweep_and_settle(const Stages&... stages) {
-    sweep(stages..., CheckDeformation<D>{particles_}, UpdateWidth<D>{particles_},
+  /// The last sweep of a step: these node loops, then what must hold and be ready for the next step.
+  template <class... Ops>
+  void sweep_and_settle(const Ops&... ops) {
+    sweep(node_loop(ops...), CheckDeformation<D>{particles_}, UpdateWidth<D>{particles_},
           WrapPosition<D>{particles_, periodic_}, WatchSlab<D>{particles_, slabs_, must_sort_});
   }
 

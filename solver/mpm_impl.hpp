@@ -60,7 +60,7 @@ void Mpm<D>::sort_strays() {
 template <int D>
 void Mpm<D>::map_acceleration() {
   grid_.clear();
-  sweep_with_forces(MapMass<D>{particles_, grid_});
+  sweep_with_forces(node_loop(), MapMass<D>{particles_, grid_});
   fold(grid_.p);
   set_grid_acceleration();
 }
@@ -106,14 +106,14 @@ double Mpm<D>::strain_energy() const {
 }
 
 template <int D>
-template <class... Stages>
-void Mpm<D>::sweep_with_forces(const Stages&... stages) {
+template <class Before, class... Map>
+void Mpm<D>::sweep_with_forces(const Before& before, const Map&... map) {
   const EvaluateStress<D> stress{particles_, scene_.material};
   if (scene_.body_force && scene_.body_force_on == BodyForceOn::particles)
-    sweep(stages..., stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
-          MapForces<D>{particles_, grid_});
+    sweep(before, stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
+          node_loop(map..., MapForces<D>{particles_, grid_}));
   else
-    sweep(stages..., stress, MapInternalForce<D>{particles_, grid_});
+    sweep(before, stress, node_loop(map..., MapInternalForce<D>{particles_, grid_}));
   fold(grid_.f);
 }
 

@@ -17,9 +17,8 @@ struct MapMass {
   const Particles<D>& particles;
   Grid<D>& grid;
 
-  void operator()(const auto& block, const Grid<D>&) const {
-    block.for_particles(
-        [&](int k, std::size_t p) { block.scatter(k, grid, packed<D>(Vec<D>::Zero(), particles.m[p]), grid.p); });
+  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+    nodes.scatter(packed<D>(Vec<D>::Zero(), particles.m[p]), grid.p);
   }
 };
 
@@ -29,10 +28,8 @@ struct MapMomentum {
   const Particles<D>& particles;
   Grid<D>& grid;
 
-  void operator()(const auto& block, const Grid<D>&) const {
-    block.for_particles([&](int k, std::size_t p) {
-      block.scatter(k, grid, packed<D>(particles.m[p] * particles.v[p], particles.m[p]), grid.p);
-    });
+  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+    nodes.scatter(packed<D>(particles.m[p] * particles.v[p], particles.m[p]), grid.p);
   }
 };
 
@@ -42,10 +39,8 @@ struct MapInternalForce {
   const Particles<D>& particles;
   Grid<D>& grid;
 
-  void operator()(const auto& block, const Grid<D>&) const {
-    block.for_particles([&](int k, std::size_t p) {
-      block.scatter(k, grid, ValueAndGradient<D>{Packed<D>::Zero(), -particles.V0[p] * block.tau[k]}, grid.f);
-    });
+  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
+    nodes.scatter(ValueAndGradient<D>{Packed<D>::Zero(), -particles.V0[p] * block.tau[k]}, grid.f);
   }
 };
 
@@ -55,11 +50,9 @@ struct MapForces {
   const Particles<D>& particles;
   Grid<D>& grid;
 
-  void operator()(const auto& block, const Grid<D>&) const {
-    block.for_particles([&](int k, std::size_t p) {
-      const ValueAndGradient<D> force{packed<D>(particles.m[p] * block.b[k]), -particles.V0[p] * block.tau[k]};
-      block.scatter(k, grid, force, grid.f);
-    });
+  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
+    const ValueAndGradient<D> force{packed<D>(particles.m[p] * block.b[k]), -particles.V0[p] * block.tau[k]};
+    nodes.scatter(force, grid.f);
   }
 };
 
@@ -67,11 +60,11 @@ struct MapForces {
 template <int D>
 struct UpdateVelocity {
   Particles<D>& particles;
+  const Grid<D>& grid;
   double dt;
 
-  void operator()(const auto& block, const Grid<D>& grid) const {
-    block.for_particles(
-        [&](int k, std::size_t p) { particles.v[p] += dt * block.gather(k, grid, grid.a).template head<D>(); });
+  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+    particles.v[p] += dt * nodes.gather(grid.a).template head<D>();
   }
 };
 
@@ -79,11 +72,11 @@ struct UpdateVelocity {
 template <int D>
 struct UpdatePosition {
   Particles<D>& particles;
+  const Grid<D>& grid;
   double dt;
 
-  void operator()(const auto& block, const Grid<D>& grid) const {
-    block.for_particles(
-        [&](int k, std::size_t p) { particles.x[p] += dt * block.gather(k, grid, grid.v).template head<D>(); });
+  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+    particles.x[p] += dt * nodes.gather(grid.v).template head<D>();
   }
 };
 
@@ -103,12 +96,11 @@ Mat<D> deformed(const Mat<D>& F, double dt, const PackedMat<D>& L) {
 template <int D>
 struct UpdateDeformation {
   Particles<D>& particles;
+  const Grid<D>& grid;
   double dt;
 
-  void operator()(const auto& block, const Grid<D>& grid) const {
-    block.for_particles([&](int k, std::size_t p) {
-      particles.F[p] = deformed<D>(particles.F[p], dt, block.gather_with_gradient(k, grid, grid.v).gradient);
-    });
+  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+    particles.F[p] = deformed<D>(particles.F[p], dt, nodes.gather_with_gradient(grid.v).gradient);
   }
 };
 
@@ -116,14 +108,13 @@ struct UpdateDeformation {
 template <int D>
 struct UpdatePositionAndDeformation {
   Particles<D>& particles;
+  const Grid<D>& grid;
   double dt, dt_deformation;
 
-  void operator()(const auto& block, const Grid<D>& grid) const {
-    block.for_particles([&](int k, std::size_t p) {
-      const auto v = block.gather_with_gradient(k, grid, grid.v);
-      particles.x[p] += dt * v.value.template head<D>();
-      particles.F[p] = deformed<D>(particles.F[p], dt_deformation, v.gradient);
-    });
+  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+    const auto v = nodes.gather_with_gradient(grid.v);
+    particles.x[p] += dt * v.value.template head<D>();
+    particles.F[p] = deformed<D>(particles.F[p], dt_deformation, v.gradient);
   }
 };
 

@@ -10,6 +10,38 @@
 
 namespace mpmvv::solver {
 
+/// Operations on one particle and its nodes, fused into one loop over the block. Neighbours add to the same nodes, one
+/// having to wait for the other; the block is therefore visited in four interleaved parts.
+template <class... Ops>
+struct NodeLoop {
+  std::tuple<Ops...> ops;
+
+  template <int D, int K>
+  void operator()(const Block<D, K>& block, const Grid<D>& grid) const {
+    const int stride = (block.count + 3) / 4;
+    for (int start = 0; start < stride; ++start)
+      for (int k = start; k < block.count; k += stride) {
+        const Stencil<D, K> nodes = block.stencil(k, grid);
+        const std::size_t p = block.begin + static_cast<std::size_t>(k);
+        std::apply([&](const Ops&... op) { (op(p, nodes, block, k), ...); }, ops);
+      }
+  }
+};
+
+template <>
+struct NodeLoop<> {
+  template <int D, int K>
+  void operator()(const Block<D, K>&, const Grid<D>&) const {}
+};
+
+template <class... Ops>
+NodeLoop<Ops...> node_loop(const Ops&... ops) {
+  if constexpr (sizeof...(Ops) == 0)
+    return {};
+  else
+    return {std::tuple<Ops...>{ops...}};
+}
+
 /// A stage either returns nothing or the faults that it found.
 template <int D, int K, class Stage>
 Fault run_stage(Stage& stage, Block<D, K>& block, const Grid<D>& grid) {

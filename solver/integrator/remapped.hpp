@@ -12,9 +12,8 @@ struct MoveWith {
   const std::vector<Packed<D>>& u;
   double dt;
 
-  void operator()(const auto& block, const Grid<D>& grid) const {
-    block.for_particles(
-        [&](int k, std::size_t p) { particles.x[p] += dt * block.gather(k, grid, u).template head<D>(); });
+  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+    particles.x[p] += dt * nodes.gather(u).template head<D>();
   }
 };
 
@@ -30,12 +29,12 @@ void update_with_remapped_velocity(Mpm<D>& s, double dt, double dt_stress) {
   auto& grid = s.grid();
 
   grid.clear_momentum();
-  s.sweep(UpdateVelocity<D>{particles, dt}, MapMomentum<D>{particles, grid});
+  s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}), node_loop(MapMomentum<D>{particles, grid}));
   s.fold(grid.p);
   std::swap(grid.a, grid.v);  // the acceleration has served; its place keeps v⁺
   s.set_grid_velocity();
 
-  s.sweep_and_settle(MoveWith<D>{particles, grid.a, dt}, UpdateDeformation<D>{particles, dt_stress});
+  s.sweep_and_settle(MoveWith<D>{particles, grid.a, dt}, UpdateDeformation<D>{particles, grid, dt_stress});
 }
 
 }  // namespace mpmvv::solver

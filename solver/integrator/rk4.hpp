@@ -10,19 +10,18 @@ namespace mpmvv::solver {
 template <int D>
 struct AdvanceStage {
   Particles<D>& particles;
+  const Grid<D>& grid;
   double weight, next;  ///< s
 
-  void operator()(const auto& block, const Grid<D>& grid) const {
-    block.for_particles([&](int k, std::size_t p) {
-      auto& [start, sum] = particles.stages;
-      const auto v = block.gather_with_gradient(k, grid, grid.v);
-      const Vec<D> acceleration = block.gather(k, grid, grid.a).template head<D>();
-      const Vec<D> velocity = v.value.template head<D>();
-      const Mat<D> rate_of_F = v.gradient.template topRows<D>() * particles.F[p];
-      advance(particles.x[p], start.x[p], sum.x[p], velocity);
-      advance(particles.v[p], start.v[p], sum.v[p], acceleration);
-      advance(particles.F[p], start.F[p], sum.F[p], rate_of_F);
-    });
+  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+    auto& [start, sum] = particles.stages;
+    const auto v = nodes.gather_with_gradient(grid.v);
+    const Vec<D> acceleration = nodes.gather(grid.a).template head<D>();
+    const Vec<D> velocity = v.value.template head<D>();
+    const Mat<D> rate_of_F = v.gradient.template topRows<D>() * particles.F[p];
+    advance(particles.x[p], start.x[p], sum.x[p], velocity);
+    advance(particles.v[p], start.v[p], sum.v[p], acceleration);
+    advance(particles.F[p], start.F[p], sum.F[p], rate_of_F);
   }
 
  private:
@@ -59,12 +58,12 @@ void rk4(Mpm<D>& s, double dt) {
   for (const Stage& stage : stages) {
     s.set_time(t + stage.time * dt);
     grid.clear();
-    s.sweep_with_forces(MapMomentum<D>{particles, grid});
+    s.sweep_with_forces(node_loop(), MapMomentum<D>{particles, grid});
     s.fold(grid.p);
     s.set_grid_velocity();
     s.set_grid_acceleration();
 
-    s.sweep_and_settle(AdvanceStage<D>{particles, stage.weight * dt, stage.next * dt});
+    s.sweep_and_settle(AdvanceStage<D>{particles, grid, stage.weight * dt, stage.next * dt});
     s.sort_strays();
   }
 }

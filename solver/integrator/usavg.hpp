@@ -17,15 +17,16 @@ void usavg(Mpm<D>& s, double dt) {
   auto& grid = s.grid();
 
   grid.clear();
-  s.sweep(MapMomentum<D>{particles, grid});
+  s.sweep(node_loop(MapMomentum<D>{particles, grid}));
   s.fold(grid.p);
   s.set_grid_velocity();
 
-  s.sweep_with_forces(UpdateDeformation<D>{particles, dt / 2});
+  s.sweep_with_forces(node_loop(UpdateDeformation<D>{particles, grid, dt / 2}));
   s.set_grid_acceleration();
   s.advance_grid_velocity(dt);
 
-  s.sweep_and_settle(UpdateVelocity<D>{particles, dt}, UpdatePositionAndDeformation<D>{particles, dt, dt / 2});
+  s.sweep_and_settle(UpdateVelocity<D>{particles, grid, dt},
+                     UpdatePositionAndDeformation<D>{particles, grid, dt, dt / 2});
 }
 
 }  // namespace mpmvv::solver

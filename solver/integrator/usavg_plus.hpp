@@ -12,11 +12,11 @@ void usavg_plus(Mpm<D>& s, double dt) {
   auto& grid = s.grid();
 
   grid.clear();
-  s.sweep(MapMomentum<D>{particles, grid});
+  s.sweep(node_loop(MapMomentum<D>{particles, grid}));
   s.fold(grid.p);
   s.set_grid_velocity();
 
-  s.sweep_with_forces(UpdateDeformation<D>{particles, dt / 2});
+  s.sweep_with_forces(node_loop(UpdateDeformation<D>{particles, grid, dt / 2}));
   s.set_grid_acceleration();
   s.advance_grid_velocity(dt);
 

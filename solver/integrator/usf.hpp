@@ -10,15 +10,15 @@ void usf(Mpm<D>& s, double dt) {
   auto& grid = s.grid();
 
   grid.clear();
-  s.sweep(MapMomentum<D>{particles, grid});
+  s.sweep(node_loop(MapMomentum<D>{particles, grid}));
   s.fold(grid.p);
   s.set_grid_velocity();
 
-  s.sweep_with_forces(UpdateDeformation<D>{particles, dt});
+  s.sweep_with_forces(node_loop(UpdateDeformation<D>{particles, grid, dt}));
   s.set_grid_acceleration();
   s.advance_grid_velocity(dt);
 
-  s.sweep_and_settle(UpdateVelocity<D>{particles, dt}, UpdatePosition<D>{particles, dt});
+  s.sweep_and_settle(UpdateVelocity<D>{particles, grid, dt}, UpdatePosition<D>{particles, grid, dt});
 }
 
 }  // namespace mpmvv::solver

@@ -11,13 +11,13 @@ void usl(Mpm<D>& s, double dt) {
   auto& grid = s.grid();
 
   grid.clear();
-  s.sweep_with_forces(MapMomentum<D>{particles, grid});
+  s.sweep_with_forces(node_loop(), MapMomentum<D>{particles, grid});
   s.fold(grid.p);
   s.set_grid_velocity();
   s.set_grid_acceleration();
   s.advance_grid_velocity(dt);
 
-  s.sweep_and_settle(UpdateVelocity<D>{particles, dt}, UpdatePositionAndDeformation<D>{particles, dt, dt});
+  s.sweep_and_settle(UpdateVelocity<D>{particles, grid, dt}, UpdatePositionAndDeformation<D>{particles, grid, dt, dt});
 }
 
 }  // namespace mpmvv::solver

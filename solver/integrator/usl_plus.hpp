@@ -10,7 +10,7 @@ void usl_plus(Mpm<D>& s, double dt) {
   auto& grid = s.grid();
 
   grid.clear();
-  s.sweep_with_forces(MapMomentum<D>{particles, grid});
+  s.sweep_with_forces(node_loop(), MapMomentum<D>{particles, grid});
   s.fold(grid.p);
   s.set_grid_velocity();
   s.set_grid_acceleration();

@@ -11,16 +11,16 @@ void uvf(Mpm<D>& s, double dt) {
   auto& grid = s.grid();
 
   grid.clear();
-  s.sweep_with_forces(MapMass<D>{particles, grid});
+  s.sweep_with_forces(node_loop(), MapMass<D>{particles, grid});
   s.fold(grid.p);
   s.set_grid_acceleration();
 
   grid.clear_momentum();
-  s.sweep(UpdateVelocity<D>{particles, dt}, MapMomentum<D>{particles, grid});
+  s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}), node_loop(MapMomentum<D>{particles, grid}));
   s.fold(grid.p);
   s.set_grid_velocity();
 
-  s.sweep_and_settle(UpdatePositionAndDeformation<D>{particles, dt, dt});
+  s.sweep_and_settle(UpdatePositionAndDeformation<D>{particles, grid, dt, dt});
 }
 
 }  // namespace mpmvv::solver

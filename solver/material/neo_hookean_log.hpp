@@ -27,7 +27,8 @@ struct NeoHookeanLog {
         spherical.setConstant(-mu);
       } else {
         for (std::size_t k = 0; k < n; ++k) spherical[static_cast<int>(k)] = F[begin + k].determinant();
-        spherical = lambda * spherical.log() - mu;
+        auto used = spherical.head(static_cast<Eigen::Index>(n));
+        used = lambda * used.log() - mu;
       }
       for (std::size_t k = 0; k < n; ++k)
         left_cauchy_green(F[begin + k], spherical[static_cast<int>(k)], tau[begin + k]);
