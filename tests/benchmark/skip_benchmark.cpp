@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "mms/bar.hpp"
+#include "mms/cube.hpp"
 #include "studies/run_case.hpp"
 #include "studies/settings.hpp"
 #include "studies/store.hpp"
@@ -36,41 +37,58 @@ void logarithm(benchmark::State& state, double lambda) {
   measure_steps(state, scene, 0.1 * scene.h / block_wave_speed, steps);
 }
 
-/// The body force of S §5.2 evaluated anew: a sine and a cosine per particle and step.
-class AnewForce final : public BodyForce<1> {
+/// A solution's body force at the particles' reference positions.
+template <int D>
+class SolutionForce : public BodyForce<D> {
  public:
-  AnewForce(const mms::Bar& solution, std::vector<Vec<1>> X) : solution_(solution), X_(std::move(X)) {}
-  void on_particles(double t, std::span<const std::uint32_t> ids, Vec<1>* b) const override {
+  Vec<D> at_position(const Vec<D>&, double) const override { return Vec<D>::Zero(); }
+};
+
+/// Evaluated anew in every step: sines and cosines for each particle.
+template <int D>
+class AnewForce final : public SolutionForce<D> {
+ public:
+  AnewForce(const mms::ManufacturedSolution<D>& solution, const std::vector<Vec<D>>& X) : solution_(solution), X_(X) {}
+  void on_particles(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
     for (std::size_t k = 0; k < ids.size(); ++k) b[k] = solution_.b(X_[ids[k]], t);
   }
-  Vec<1> at_position(const Vec<1>&, double) const override { return Vec<1>::Zero(); }
 
  private:
-  const mms::Bar& solution_;
-  std::vector<Vec<1>> X_;
+  const mms::ManufacturedSolution<D>& solution_;
+  std::vector<Vec<D>> X_;
 };
 
-/// The same from spatial parts that are computed once.
-class OnceForce final : public BodyForce<1> {
+/// From parts that are computed once.
+template <int D>
+class OnceForce final : public SolutionForce<D> {
  public:
-  OnceForce(const mms::Bar& solution, std::vector<Vec<1>> X) : points_(solution.at_points(std::move(X))) {}
-  void on_particles(double t, std::span<const std::uint32_t> ids, Vec<1>* b) const override {
+  OnceForce(const mms::ManufacturedSolution<D>& solution, const std::vector<Vec<D>>& X)
+      : points_(solution.at_points(X)) {}
+  void on_particles(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
     points_->body_force(t, ids, b);
   }
-  Vec<1> at_position(const Vec<1>&, double) const override { return Vec<1>::Zero(); }
 
  private:
-  std::unique_ptr<mms::PointwiseSolution<1>> points_;
+  std::unique_ptr<mms::PointwiseSolution<D>> points_;
 };
 
-template <class Force>
-void body_force(benchmark::State& state) {
-  const mms::Bar solution(0.05, {1e4, 0, 1});
-  auto scene = full_scene<1>(basis_named("bspline2"), 512, 4);
+template <int D, class Force>
+void body_force(benchmark::State& state, const mms::ManufacturedSolution<D>& solution, Scene<D> scene) {
   const Force force(solution, scene.particles.x);
-  scene.material = NeoHookeanLog{0, 5000};
   scene.body_force = &force;
-  measure_steps(state, scene, 0.1 * scene.h / 100, 10 * steps);
+  measure_steps(state, scene, 0.1 * scene.h / block_wave_speed, steps);
+}
+
+template <class Force>
+void bar_force(benchmark::State& state) {
+  auto scene = full_scene<1>(basis_named("bspline2"), 4096, 4);
+  scene.material = NeoHookeanLog{0, 5000};
+  body_force<1, Force>(state, mms::Bar(0.05, {1e4, 0, 1}), scene);
+}
+
+template <class Force>
+void cube_force(benchmark::State& state) {
+  body_force<3, Force>(state, mms::Cube(0.05, {1e4, 0.3, 1}), full_scene<3>(basis_named("bspline2"), 16, 2));
 }
 
 /// A ring of outer radius 1/2 that fills a third of its square grid, or the same number of particles on a grid that
@@ -144,8 +162,10 @@ void add_skip_benchmarks() {
   compare(
       "logarithm, 3D", "no logarithm at λ = 0 (3D block, bspline2)", [](State& s) { logarithm<3>(s, tiny); },
       [](State& s) { logarithm<3>(s, 0); });
-  compare("body force", "spatial part of the body force once (bar, bspline2)", body_force<AnewForce>,
-          body_force<OnceForce>);
+  compare("body force, 1D", "spatial part of the body force once (bar, bspline2)", bar_force<AnewForce<1>>,
+          bar_force<OnceForce<1>>);
+  compare("body force, 3D", "spatial part of the body force once (cube, bspline2)", cube_force<AnewForce<3>>,
+          cube_force<OnceForce<3>>);
   compare(
       "active cells", "only active cells (2D ring that fills a third of its grid, against a full square)",
       [](State& s) { grid_filled_by(s, true); }, [](State& s) { grid_filled_by(s, false); });
