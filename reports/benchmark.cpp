@@ -26,6 +26,12 @@ void add_run(const nlohmann::json& run, Benchmark& benchmark) {
     if (value.is_number()) row->counters[key].push_back(value.get<double>());
 }
 
+/// The order in which the program names its benchmarks; interleaved repetitions are reported in another one.
+double order_of(const BenchmarkRow& row) {
+  const auto it = row.counters.find("family_index");
+  return it == row.counters.end() ? 0 : it->second.front();
+}
+
 /// "a/b/c" without its first part, cut at the last `/`.
 std::pair<std::string, std::string> group_and_item(const std::string& name) {
   const auto first = name.find('/') + 1, last = name.rfind('/');
@@ -89,8 +95,8 @@ Table machine_table(const Benchmark& benchmark) {
   const double bandwidth = machine(benchmark, "triad", "bytes");
   if (!std::isnan(peak) || !std::isnan(bandwidth))
     table.groups.push_back({"",
-                            {{"multiply-adds in double precision, 10⁹/s", brief(peak / 1e9)},
-                             {"memory bandwidth (triad), 10⁹ bytes/s", brief(bandwidth / 1e9)},
+                            {{"multiply-adds in double precision, 1e9/s", brief(peak / 1e9)},
+                             {"memory bandwidth (triad), 1e9 bytes/s", brief(bandwidth / 1e9)},
                              {"date", benchmark.date}}});
   return table;
 }
@@ -124,6 +130,7 @@ std::optional<Benchmark> read_benchmark(const std::filesystem::path& file) {
     const auto json = nlohmann::json::parse(*text);
     Benchmark benchmark{json.at("context").value("digest", ""), json.at("context").value("date", ""), {}};
     for (const auto& run : json.at("benchmarks")) add_run(run, benchmark);
+    std::ranges::stable_sort(benchmark.rows, {}, order_of);
     return benchmark;
   } catch (const nlohmann::json::exception&) {
     throw UsageError(

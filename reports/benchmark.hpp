@@ -23,7 +23,7 @@ struct BenchmarkRow {
 struct Benchmark {
   std::string digest;
   std::string date;
-  std::vector<BenchmarkRow> rows;  ///< in the order of the file
+  std::vector<BenchmarkRow> rows;  ///< in the program's order
 
   /// The row of this name; null when there is none.
   const BenchmarkRow* find(const std::string& name) const;

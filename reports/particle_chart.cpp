@@ -29,7 +29,7 @@ struct Bounds {
 /// The axes hold all panels; each panel has its own tics.
 void set_axes(Chart& chart, const Figure& figure, const Bounds& bounds, double pitch, std::size_t panels) {
   const double margin = 0.03 * (bounds.top - bounds.bottom);
-  const std::vector<double> across{bounds.left, bounds.right}, up{bounds.bottom, bounds.top};
+  const std::vector<double> across{bounds.left - margin, bounds.right + margin}, up{bounds.bottom, bounds.top};
   chart.x = make_axis({figure.xlabel, false, {}, {}}, across);
   chart.y = make_axis({figure.ylabel, false, bounds.bottom - margin, bounds.top + margin}, up);
   const auto tics = std::move(chart.x.tics);
@@ -83,7 +83,7 @@ Chart particle_chart(const StudyResult& study, const Figure& figure) {
     chart.rules.push_back(frame_of(bounds, offset));
     if (series.size() > 1)
       chart.labels.push_back(
-          {{(bounds.left + bounds.right) / 2 + offset, chart.y.value(1.05)}, series[k]->name, Label::Side::centre});
+          {{(bounds.left + bounds.right) / 2 + offset, chart.y.value(1.06)}, series[k]->name, Label::Side::centre});
   }
   chart.height = std::min(700.0, axes_width * (chart.y.to - chart.y.from) / (chart.x.to - chart.x.from)) + 80;
   if (!chart.boxes.empty())

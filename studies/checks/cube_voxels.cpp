@@ -28,6 +28,16 @@ Voxels voxels_of(const solver::Mpm<3>& mpm, int cells) {
   return voxels;
 }
 
+/// The same with positions and deformation gradients of the exact solution.
+Voxels exact_voxels_of(const Motion<3>& motion, int cells) {
+  Voxels voxels{static_cast<std::size_t>(cells * ppc), {}, {}};
+  for (const Vec& X : motion.X()) {
+    voxels.centre.push_back(X + motion.solution().u(X, motion.mpm().time()));
+    voxels.width.push_back(motion.solution().F(X, motion.mpm().time()).diagonal() / (cells * ppc));
+  }
+  return voxels;
+}
+
 /// How far the voxels are from tiling the body, which fills the unit cube.
 struct Tiling {
   double volume_error = 0;  ///< of the voxels' volumes together, against the body's
@@ -83,6 +93,8 @@ CheckResult check_cube_voxels() {
     result.add("volume_error" + on, tiling.volume_error, "volume of all voxels against the body's" + where);
     result.add("gap" + on, tiling.gap / spacing,
                "largest gap or overlap of neighbours, in undeformed voxel widths" + where);
+    result.add("exact_gap" + on, tiling_of(exact_voxels_of(motion, cells)).gap / spacing,
+               "the same of the exact solution's voxels" + where);
     result.add("offset" + on, tiling.offset / spacing,
                "largest offset of neighbours across their axis, in undeformed voxel widths" + where);
     if (cells != 8) {

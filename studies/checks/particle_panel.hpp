@@ -10,7 +10,7 @@
 
 namespace mpmvv {
 
-/// A run that a check looks at on its way.
+/// A run of a problem with a solution that a check looks at on its way.
 template <int D>
 class Motion {
  public:
@@ -21,6 +21,8 @@ class Motion {
 
   const Resolution& resolution() const { return case_.resolution; }
   const solver::Mpm<D>& mpm() const { return mpm_; }
+  const mms::ManufacturedSolution<D>& solution() const { return *stage_.setup.solution; }
+  const std::vector<solver::Vec<D>>& X() const { return stage_.X; }  ///< reference positions by particle id
 
   /// Throws std::runtime_error when the run blows up.
   void step_to(std::int64_t step) {

@@ -16,8 +16,8 @@ CheckResult check_square_particles() {
   CheckResult result;
   for (const int eighths : {1, 3, 5}) {
     motion.step_to(motion.resolution().steps * eighths / 8);
-    result.series.push_back(
-        particle_panel(fmt::format("t = {}T/8", eighths), motion.mpm(), [](std::uint32_t) { return true; }));
+    result.series.push_back(particle_panel(eighths == 1 ? "t = T/8" : fmt::format("t = {}T/8", eighths), motion.mpm(),
+                                           [](std::uint32_t) { return true; }));
   }
   return result;
 }

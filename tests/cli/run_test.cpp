@@ -55,8 +55,8 @@ TEST(RunCommand, ThreadsDoNotChangeOneBit) {
 
 TEST(RunCommand, CostIsEvidenceOnlyWhenItIsAskedFor) {
   const Folder folder;
-  const std::string bar = "run --problem bar --cells 16 --ppc 4 --cfl 0.3 --json";
-  const auto plain = call(folder, bar).json(), costed = call(folder, bar + " --repeat 3").json();
+  const std::string command = "run --problem bar --cells 16 --ppc 4 --cfl 0.3 --json";
+  const auto plain = call(folder, command).json(), costed = call(folder, command + " --repeat 3").json();
   EXPECT_TRUE(plain["cost"]["step_seconds"].is_null());
   const double seconds = costed["cost"]["step_seconds"];
   EXPECT_GT(seconds, 0);

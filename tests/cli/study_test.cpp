@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"caption", "kind = \"pie\"\ncaption", "unknown figure kind 'pie'"},
         BadFile{"caption", "kind = \"work-precision\"\ncaption", "`repeat` in every series"},
         BadFile{"caption", "kind = \"particles\"\ncaption", "without a check"},
-        BadFile{"measure = \"order\"", "measure = \"cost-ratio\"\nover = \"linear\"", "holds no power of ten"},
+        BadFile{"measure = \"order\"", "measure = \"cost-ratio\"\nover = \"linear\"", "`repeat` in every series"},
         BadFile{"title = \"Small\"", "title = 'Small", "bad.toml"}));
 
 TEST(StudyCommand, RefusesStoresThatAreNone) {

@@ -63,6 +63,16 @@ TEST(Benchmark, TablesOfSkippingStepsAndMachine) {
   EXPECT_EQ(tables[2].groups[0].rows[0][1], "20");
 }
 
+TEST(Benchmark, RowsStandInTheProgramsOrder) {
+  const TempFolder folder;
+  const auto benchmark = benchmark_of(folder, R"({"context": {}, "benchmarks": [
+    {"run_name": "b", "run_type": "iteration", "family_index": 1},
+    {"run_name": "a", "run_type": "iteration", "family_index": 0},
+    {"run_name": "b", "run_type": "iteration", "family_index": 1}]})");
+  ASSERT_EQ(benchmark.rows.size(), 2u);
+  EXPECT_EQ(benchmark.rows[0].name, "a");
+}
+
 TEST(Benchmark, WithoutRowsThereAreNoTables) {
   const TempFolder folder;
   EXPECT_TRUE(benchmark_tables(benchmark_of(folder, R"({"context": {}, "benchmarks": []})")).empty());
