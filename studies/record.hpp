@@ -23,8 +23,8 @@ struct Errors {
   double nodal_l1 = not_measured, nodal_l2 = not_measured, nodal_linf = not_measured;
 };
 
-/// At the end, in J. With a staggered integrator (cd, uvf) the velocities, and so the kinetic energy, are those of half a
-/// step before.
+/// At the end, in J. With a staggered integrator (cd, uvf) the velocities, and so the kinetic energy, are those of half
+/// a step before.
 struct Energy {
   double kinetic = not_measured, strain = not_measured, initial_total = not_measured;
 };
