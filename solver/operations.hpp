@@ -80,13 +80,13 @@ struct UpdatePosition {
   }
 };
 
-/// (I + Δt L) F
+/// (I + dt_L) F
 template <int D>
-Mat<D> deformed(const Mat<D>& F, double dt, const PackedMat<D>& L) {
+Mat<D> deformed(const Mat<D>& F, const PackedMat<D>& dt_L) {
   Mat<D> result;
   for (int c = 0; c < D; ++c) {
     Packed<D> column = packed<D>(F.col(c));
-    for (int d = 0; d < D; ++d) column += (dt * F(d, c)) * L.col(d);
+    for (int d = 0; d < D; ++d) column += F(d, c) * dt_L.col(d);
     result.col(c) = column.template head<D>();
   }
   return result;
@@ -100,7 +100,7 @@ struct UpdateDeformation {
   double dt;
 
   void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
-    particles.F[p] = deformed<D>(particles.F[p], dt, nodes.gather_with_gradient(grid.v).gradient);
+    particles.F[p] = deformed<D>(particles.F[p], dt * nodes.gather_with_gradient(grid.v).gradient);
   }
 };
 
@@ -114,7 +114,7 @@ struct UpdatePositionAndDeformation {
   void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
     const auto v = nodes.gather_with_gradient(grid.v);
     particles.x[p] += dt * v.value.template head<D>();
-    particles.F[p] = deformed<D>(particles.F[p], dt_deformation, v.gradient);
+    particles.F[p] = deformed<D>(particles.F[p], dt_deformation * v.gradient);
   }
 };
 

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 #include "solver/types.hpp"
@@ -49,8 +50,9 @@ struct Particles {
   void permute(const std::vector<std::uint32_t>& order) {
     const auto reorder = [&order](auto& field) {
       if (field.empty()) return;
-      auto sorted = field;
-      for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = field[order[k]];
+      std::remove_reference_t<decltype(field)> sorted;
+      sorted.reserve(field.size());
+      for (const std::uint32_t p : order) sorted.push_back(field[p]);
       field.swap(sorted);
     };
     reorder(id), reorder(x), reorder(v), reorder(F), reorder(m), reorder(V0), reorder(l), reorder(l0);

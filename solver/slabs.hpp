@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -51,13 +52,13 @@ class Slabs {
   /// Sorts the particles by cell (the last axis slowest, so by slab), keeping the order of those in one cell.
   void sort(Particles<D>& particles, const Grid<D>& grid) {
     const std::size_t n = particles.size();
-    std::vector<std::int64_t> cell(n);
+    std::vector<std::uint32_t> cell(n), order(n);
     for (std::size_t p = 0; p < n; ++p) cell[p] = cell_of(particles.x[p], grid);
-    std::vector<std::uint32_t> order(n);
-    std::iota(order.begin(), order.end(), 0U);
-    const auto by_cell = [&cell](std::uint32_t a, std::uint32_t b) { return cell[a] < cell[b]; };
     if (!std::is_sorted(cell.begin(), cell.end())) {
-      std::stable_sort(order.begin(), order.end(), by_cell);
+      std::vector<std::uint32_t> place(cells_of(grid) + 1);  // where the next particle of each cell goes
+      for (const std::uint32_t c : cell) ++place[c + 1];
+      std::partial_sum(place.begin(), place.end(), place.begin());
+      for (std::uint32_t p = 0; p < n; ++p) order[place[cell[p]]++] = p;
       particles.permute(order);
     }
     std::size_t p = 0;
@@ -69,12 +70,18 @@ class Slabs {
   }
 
  private:
-  static std::int64_t cell_of(const Vec<D>& x, const Grid<D>& grid) {
-    std::int64_t cell = 0;
+  static std::size_t cells_of(const Grid<D>& grid) {
+    std::size_t cells = 1;
+    for (const int along_axis : grid.cells()) cells *= static_cast<std::size_t>(along_axis);
+    return cells;
+  }
+
+  static std::uint32_t cell_of(const Vec<D>& x, const Grid<D>& grid) {
+    std::uint32_t cell = 0;
     for (int d = D - 1; d >= 0; --d) {
       const double xi = (x[d] - grid.lower()[d]) / grid.h();
       const double inside = xi > 0 ? std::min(std::floor(xi), grid.cells()[d] - 1.0) : 0.0;  // 0 for NaN, too
-      cell = cell * grid.cells()[d] + static_cast<std::int64_t>(inside);
+      cell = cell * static_cast<std::uint32_t>(grid.cells()[d]) + static_cast<std::uint32_t>(inside);
     }
     return cell;
   }
