@@ -29,7 +29,7 @@ Voxels voxels_of(const solver::Mpm<3>& mpm, int cells) {
 }
 
 /// The same with positions and deformation gradients of the exact solution.
-Voxels exact_voxels_of(const Motion<3>& motion, int cells) {
+Voxels exact_voxels_of(const MovingBody<3>& motion, int cells) {
   Voxels voxels{static_cast<std::size_t>(cells * ppc), {}, {}};
   for (const Vec& X : motion.X()) {
     voxels.centre.push_back(X + motion.solution().u(X, motion.mpm().time()));
@@ -78,7 +78,7 @@ CheckResult check_cube_voxels() {
   CheckResult result;
   double coarse_gap = 0;
   for (const int cells : {8, 16}) {
-    Motion<3> motion({{"problem", "cube", ""},
+    MovingBody<3> motion({{"problem", "cube", ""},
                       {"basis", "cpgimp", ""},
                       {"integrator", "cd", ""},
                       {"boundary", "symmetry", ""},

@@ -12,9 +12,9 @@ namespace mpmvv {
 
 /// A run of a problem with a solution that a check looks at on its way.
 template <int D>
-class Motion {
+class MovingBody {
  public:
-  explicit Motion(const std::vector<Setting>& settings)
+  explicit MovingBody(const std::vector<Setting>& settings)
       : case_(make_case(settings)),
         stage_(make_stage<D>(case_, find_problem(case_.problem.name, "the check"), 1)),
         mpm_(std::move(stage_.scene)) {}

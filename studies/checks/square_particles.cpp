@@ -6,7 +6,7 @@ namespace mpmvv {
 
 /// W Fig. 2: the square on 8 x 8 cells with four particles each, at three times of a period T.
 CheckResult check_square_particles() {
-  Motion<2> motion({{"problem", "square", ""},
+  MovingBody<2> motion({{"problem", "square", ""},
                     {"basis", "cpgimp", ""},
                     {"integrator", "cd", ""},
                     {"boundary", "symmetry", ""},
