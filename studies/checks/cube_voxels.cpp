@@ -79,13 +79,13 @@ CheckResult check_cube_voxels() {
   double coarse_gap = 0;
   for (const int cells : {8, 16}) {
     MovingBody<3> motion({{"problem", "cube", ""},
-                      {"basis", "cpgimp", ""},
-                      {"integrator", "cd", ""},
-                      {"boundary", "symmetry", ""},
-                      {"cells", std::to_string(cells), ""},
-                      {"ppc", std::to_string(ppc), ""},
-                      {"cfl", "0.4", ""},
-                      {"end_time", "0.005", ""}});
+                          {"basis", "cpgimp", ""},
+                          {"integrator", "cd", ""},
+                          {"boundary", "symmetry", ""},
+                          {"cells", std::to_string(cells), ""},
+                          {"ppc", std::to_string(ppc), ""},
+                          {"cfl", "0.4", ""},
+                          {"end_time", "0.005", ""}});
     motion.step_to(motion.resolution().steps);
     const Tiling tiling = tiling_of(voxels_of(motion.mpm(), cells));
     const double spacing = 1.0 / (cells * ppc);

@@ -7,12 +7,12 @@ namespace mpmvv {
 /// W Fig. 2: the square on 8 x 8 cells with four particles each, at three times of a period T.
 CheckResult check_square_particles() {
   MovingBody<2> motion({{"problem", "square", ""},
-                    {"basis", "cpgimp", ""},
-                    {"integrator", "cd", ""},
-                    {"boundary", "symmetry", ""},
-                    {"cells", "8", ""},
-                    {"ppc", "2", ""},
-                    {"cfl", "0.4", ""}});
+                        {"basis", "cpgimp", ""},
+                        {"integrator", "cd", ""},
+                        {"boundary", "symmetry", ""},
+                        {"cells", "8", ""},
+                        {"ppc", "2", ""},
+                        {"cfl", "0.4", ""}});
   CheckResult result;
   for (const int eighths : {1, 3, 5}) {
     motion.step_to(motion.resolution().steps * eighths / 8);

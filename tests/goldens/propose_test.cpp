@@ -26,7 +26,7 @@ ObservedOrder fitted(const std::string& norm, int points, double order) {
   return fit;
 }
 
-StabilityLimit bracket(double stable, double unstable) {
+StabilityLimit cfl_limit(double stable, double unstable) {
   StabilityLimit limit;
   limit.key = "cfl";
   limit.stable = stable;
@@ -83,7 +83,7 @@ TEST(Propose, TheFinestLevelOfATimeStepSweepIsItsSmallest) {
 TEST(Propose, LimitsAndCheckValuesRoundTrip) {
   Series series;
   series.name = "l = h";
-  series.limit = bracket(1.19, 1.2);
+  series.limit = cfl_limit(1.19, 1.2);
   StudyResult study = study_with(series);
   study.values = {{"slope", -1.5, ""}, {"gap", 3e-16, "largest gap"}, {"zero", 0, ""}, {"below", -2e-12, ""}};
   const auto goldens = proposed(study);
@@ -104,7 +104,7 @@ TEST(Propose, WhatWasMeasuredPassesItsOwnProposal) {
     series.orders[0].order = order(generator);
     series.points[2].y["l2"] = std::pow(10, exponent(generator));
     const double limit = std::pow(10, exponent(generator));
-    series.limit = bracket(limit, 1.01 * limit);
+    series.limit = cfl_limit(limit, 1.01 * limit);
     StudyResult study = study_with(series);
     study.values = {{"a", std::pow(10, exponent(generator)), ""}, {"b", -std::pow(10, exponent(generator)), ""}};
     const GateReport report = run_gate(proposed(study), {study});
@@ -116,7 +116,7 @@ TEST(Propose, WhatWasMeasuredPassesItsOwnProposal) {
 TEST(Propose, WhatCannotBeProposedIsARemark) {
   Series series = convergent();
   series.orders.push_back(fitted("linf", 2, 2));
-  series.limit = bracket(1, 1.01);
+  series.limit = cfl_limit(1, 1.01);
   series.limit->monotone = false;
   StudyResult study = study_with(series);
   study.values = {{"gap", not_measured, ""}};
