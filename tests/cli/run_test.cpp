@@ -110,7 +110,7 @@ TEST(RunCommand, EveryProblemFollowsItsSolution) {
   const Folder folder;
   for (const char* problem : {"bar", "square", "cube"}) {
     const std::string run = std::string("run --problem ") + problem +
-                            " --basis cpgimp --integrator cd --cells 12 --ppc 2 --cfl 0.4 --json ";
+                            " --basis cpgimp --integrator cd --cells 10 --ppc 2 --cfl 0.4 --json ";
     const auto record = call(folder, run).json();
     EXPECT_EQ(record["status"], "ok") << problem;
     EXPECT_LT(record["error"]["l2"], 0.1 * record["parameters"]["amplitude"].get<double>()) << problem;
