@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "goldens/golden.hpp"
 #include "studies/error.hpp"
@@ -132,7 +133,9 @@ void propose_value(Draft& draft, const Value& value) {
 
 void propose_series(Draft& draft, const std::string& sweep, const Series& series) {
   for (const ObservedOrder& fit : series.orders) propose_order(draft, series, fit);
-  for (const ObservedOrder& fit : series.orders) propose_error(draft, sweep, series, fit.norm);
+  std::set<std::string> norms;
+  for (const ObservedOrder& fit : series.orders)
+    if (norms.insert(fit.norm).second) propose_error(draft, sweep, series, fit.norm);
   if (series.limit) propose_limit(draft, series, *series.limit);
 }
 
