@@ -1,0 +1,123 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "solver/types.hpp"
+
+namespace mpmvv::solver {
+
+/// A value on a particle and its derivatives: column J is the one along x_J.
+template <int D>
+struct ValueAndGradient {
+  Packed<D> value;
+  PackedMat<D> gradient;
+};
+
+/// The nodes of one particle: K along each axis, with weights and gradients per axis, copied out of their block so that
+/// the compiler knows that no addition to a node changes them. Weights of nodes are tensor products, S (18), and sums
+/// with them are formed axis by axis: what the nodes of a line or a plane share is multiplied once.
+template <int D, int K>
+struct Stencil {
+  std::size_t first;  ///< storage index of the first node
+  std::array<std::ptrdiff_t, D> stride;
+  double N[D][K], dN[D][K];
+
+  /// Σ_i N_ip φ_i
+  template <class V>
+  V gather(const std::vector<V>& field) const {
+    return value(field.data() + first);
+  }
+
+  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
+  ValueAndGradient<D> gather_with_gradient(const std::vector<Packed<D>>& field) const {
+    return value_and_gradient(field.data() + first);
+  }
+
+  /// φ_i += N_ip source, or φ_i += N_ip value + gradient ∇N_ip
+  template <class Source, class V>
+  void scatter(const Source& source, std::vector<V>& field) const {
+    add(source, field.data() + first);
+  }
+
+ private:
+  /// Σ_i N_ip φ_i over the axes up to `axis`
+  template <int axis = D - 1, class V>
+  V value(const V* nodes) const {
+    if constexpr (axis < 0) {
+      return *nodes;
+    } else {
+      V sum = N[axis][0] * value<axis - 1>(nodes);
+      for (int i = 1; i < K; ++i) sum += N[axis][i] * value<axis - 1>(nodes + i * stride[axis]);
+      return sum;
+    }
+  }
+
+  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip. Written out for each dimension: the sums have to stay in registers.
+  ValueAndGradient<D> value_and_gradient(const Packed<D>* nodes) const {
+    Packed<D> value = Packed<D>::Zero(), d0 = value, d1 = value, d2 = value;
+    if constexpr (D == 1) {
+      add_line(nodes, value, d0);
+      return {value, d0};
+    } else if constexpr (D == 2) {
+      for (int j = 0; j < K; ++j) add_plane_row(nodes + j * stride[1], j, value, d0, d1);
+      ValueAndGradient<D> sum{value, {}};
+      sum.gradient.col(0) = d0, sum.gradient.col(1) = d1;
+      return sum;
+    } else {
+      for (int l = 0; l < K; ++l) {
+        Packed<D> plane = Packed<D>::Zero(), plane_d0 = plane, plane_d1 = plane;
+        for (int j = 0; j < K; ++j) add_plane_row(nodes + j * stride[1] + l * stride[2], j, plane, plane_d0, plane_d1);
+        value += N[2][l] * plane;
+        d0 += N[2][l] * plane_d0;
+        d1 += N[2][l] * plane_d1;
+        d2 += dN[2][l] * plane;
+      }
+      ValueAndGradient<D> sum{value, {}};
+      sum.gradient.col(0) = d0, sum.gradient.col(1) = d1, sum.gradient.col(2) = d2;
+      return sum;
+    }
+  }
+
+  /// φ_i += N_ip value
+  template <int axis = D - 1, class V>
+  void add(const V& value, V* nodes) const {
+    for (int i = 0; i < K; ++i)
+      if constexpr (axis == 0)
+        nodes[i] += N[0][i] * value;
+      else
+        add<axis - 1>(V(N[axis][i] * value), nodes + i * stride[axis]);
+  }
+
+  /// φ_i += N_ip value + gradient ∇N_ip
+  template <int axis = D - 1>
+  void add(const ValueAndGradient<D>& source, Packed<D>* nodes) const {
+    for (int i = 0; i < K; ++i) {
+      if constexpr (axis == 0) {
+        nodes[i] += N[0][i] * source.value;
+        nodes[i] += dN[0][i] * source.gradient.col(0);
+      } else {
+        ValueAndGradient<D> part;
+        part.value = N[axis][i] * source.value + dN[axis][i] * source.gradient.col(axis);
+        for (int d = 0; d < axis; ++d) part.gradient.col(d) = N[axis][i] * source.gradient.col(d);
+        add<axis - 1>(part, nodes + i * stride[axis]);
+      }
+    }
+  }
+
+  void add_line(const Packed<D>* nodes, Packed<D>& value, Packed<D>& d0) const {
+    for (int i = 0; i < K; ++i) {
+      value += N[0][i] * nodes[i];
+      d0 += dN[0][i] * nodes[i];
+    }
+  }
+  void add_plane_row(const Packed<D>* nodes, int j, Packed<D>& value, Packed<D>& d0, Packed<D>& d1) const {
+    Packed<D> line = Packed<D>::Zero(), line_d0 = line;
+    add_line(nodes, line, line_d0);
+    value += N[1][j] * line;
+    d0 += N[1][j] * line_d0;
+    d1 += dN[1][j] * line;
+  }
+};
+
+}  // namespace mpmvv::solver
