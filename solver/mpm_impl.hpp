@@ -146,7 +146,7 @@ void Mpm<D>::divide_by_mass(const std::vector<V>& field, double factor, double l
                             std::vector<Packed<D>>& quotient) {
   for (std::size_t n = 0; n < grid_.size(); ++n) {
     const double share = grid_.m(n) > least_mass ? factor / grid_.m(n) : 0.0;
-    quotient[n] = share * field[n].template head<Packed<D>::SizeAtCompileTime>();
+    quotient[n] = share * field[n].template head<lanes<D>>();
   }
 }
 
@@ -181,8 +181,7 @@ template <int D>
 void Mpm<D>::set_wall_acceleration(double dt) {
   const auto difference = [&](int n, int) {  // a_i = (v_i^{k+1} - v_i^k)/Δt, v^k as mapped                     S (30)
     const auto i = static_cast<std::size_t>(n);
-    if (is_accelerated(i))
-      grid_.a[i] = (grid_.v[i] - grid_.p[i].template head<Packed<D>::SizeAtCompileTime>() / grid_.m(i)) / dt;
+    if (is_accelerated(i)) grid_.a[i] = (grid_.v[i] - grid_.p[i].template head<lanes<D>>() / grid_.m(i)) / dt;
   };
   for_faces([&](const auto& boundary, Face face) {
     if (!boundary.holds) return;

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -30,8 +31,7 @@ struct NeoHookeanLog {
         auto used = spherical.head(static_cast<Eigen::Index>(n));
         used = lambda * used.log() - mu;
       }
-      for (std::size_t k = 0; k < n; ++k)
-        left_cauchy_green(F[begin + k], spherical[static_cast<int>(k)], tau[begin + k]);
+      for (std::size_t k = 0; k < n; ++k) set_stress(F[begin + k], spherical[static_cast<int>(k)], tau[begin + k]);
     }
   }
 
@@ -43,8 +43,9 @@ struct NeoHookeanLog {
   }
 
  private:
+  /// τ = μ F Fᵀ + spherical I
   template <int D>
-  void left_cauchy_green(const Mat<D>& F, double spherical, PackedMat<D>& tau) const {
+  void set_stress(const Mat<D>& F, double spherical, PackedMat<D>& tau) const {
     const PackedMat<D> identity = PackedMat<D>::Identity();
     Packed<D> columns[D];
     for (int c = 0; c < D; ++c) columns[c] = packed<D>(mu * F.col(c));
