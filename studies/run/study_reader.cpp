@@ -1,44 +1,25 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include "studies/check.hpp"
 #include "studies/claim.hpp"
 #include "studies/error.hpp"
+#include "studies/run/criterion_reader.hpp"
+#include "studies/run/plan_rules.hpp"
 #include "studies/study.hpp"
 #include "studies/toml_file.hpp"
-#include "studies/work_precision.hpp"
 
 namespace mpmvv {
 
 namespace {
 
-const std::vector<std::string>& norm_words() {
-  static const std::vector<std::string> words{
-      "l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "nodal_l1", "nodal_l2", "nodal_linf", "y"};
-  return words;
-}
-
 std::vector<std::string> claim_ids() {
   std::vector<std::string> ids;
   for (const ClaimText& claim : claim_list()) ids.emplace_back(claim.id);
   return ids;
-}
-
-void require_word(const std::string& what, const std::string& word, const std::vector<std::string>& known,
-                  const std::string& where) {
-  if (std::find(known.begin(), known.end(), word) == known.end())
-    throw UsageError(fmt::format("unknown {} '{}' in {} (known: {})", what, word, where, fmt::join(known, ", ")));
-}
-
-std::string norm_of(const TomlTable& table, const char* key) {
-  const std::string norm = table.text(key);
-  require_word(key, norm, norm_words(), table.where(key));
-  return norm;
 }
 
 /// The settings of a table; `param = { amplitude = 0.02 }` becomes `param.amplitude`.
@@ -115,50 +96,6 @@ void read_limit(const TomlTable& root, StudyPlan& plan) {
   plan.limit = search;
 }
 
-/// Names of series that a table lists under `key`; each must exist (checks make theirs when they run).
-std::vector<std::string> series_names(const TomlTable& table, const char* key, const StudyPlan& plan) {
-  const auto names = table.texts(key);
-  std::vector<std::string> known;
-  for (const SeriesPlan& series : plan.series) known.push_back(series.name);
-  if (plan.check.empty())
-    for (const std::string& name : names) require_word("series", name, known, table.where(key));
-  return names;
-}
-
-Window read_window(const TomlTable& table, const char* key) {
-  const auto ends = table.numbers(key);
-  if (ends.size() != 2 || !(ends[0] <= ends[1]))
-    throw UsageError(fmt::format("{} in {} (two swept values, the smaller first)", key, table.where(key)));
-  return {ends[0], ends[1]};
-}
-
-/// A window must hold enough swept values; the curves of a check are known only when it has run.
-void require_points(const StudyPlan& plan, const Window& window, int least, const std::string& where) {
-  if (!plan.check.empty()) return;
-  const auto count = std::count_if(plan.values.begin(), plan.values.end(), [&](double x) {
-    return x >= window.from * (1 - 1e-9) && x <= window.to * (1 + 1e-9);
-  });
-  if (count < least)
-    throw UsageError(fmt::format("window [{}, {}] in {} holds {} swept values (at least {})", window.from, window.to,
-                                 where, count, least));
-}
-
-/// Whether the setting stands in every series.
-bool every_series_has(const StudyPlan& plan, const std::string& key) {
-  return std::all_of(plan.series.begin(), plan.series.end(), [&](const SeriesPlan& series) {
-    return std::any_of(series.settings.begin(), series.settings.end(), [&](const Setting& s) { return s.key == key; });
-  });
-}
-
-/// Cost is there when every series asks for it.
-void require_cost(const StudyPlan& plan, const std::string& where) {
-  if (!plan.check.empty() || plan.sweep.empty() || !every_series_has(plan, "repeat"))
-    throw UsageError(
-        fmt::format("cost in {} without a sweep and `repeat` in every series (it says how often a case runs "
-                    "for its median cost)",
-                    where));
-}
-
 /// What the figure's kind asks of the study.
 void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTable& table) {
   if (figure.kind == "work-precision") require_cost(plan, table.where("kind"));
@@ -168,25 +105,6 @@ void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTab
     if (figure.kind != "curves" && table.has(key))
       throw UsageError(
           fmt::format("'{}' in {} has no meaning in a figure of kind '{}'", key, table.where(key), figure.kind));
-}
-
-/// The setting that a norm needs; empty for those at the end of a run, which are always measured.
-std::string setting_of(const std::string& norm) {
-  return norm.ends_with("_all_steps") ? "every_step" : norm.starts_with("nodal_") ? "nodal_error" : "";
-}
-
-/// `y` is what a check's curves have; errors over all steps and of nodes are there when every series asks for them.
-void require_measured(const StudyPlan& plan, const std::string& norm, const std::string& where) {
-  if ((norm == "y") == plan.check.empty())
-    throw UsageError(fmt::format("norm '{}' in {} (y for the curves of a check, an error norm for runs)", norm, where));
-  const std::string setting = setting_of(norm);
-  if (setting.empty()) return;
-  for (const SeriesPlan& series : plan.series) {
-    const auto asks = [&setting](const Setting& s) { return s.key == setting && s.value == "true"; };
-    if (std::none_of(series.settings.begin(), series.settings.end(), asks))
-      throw UsageError(
-          fmt::format("norm '{}' in {} without {} = true in series '{}'", norm, where, setting, series.name));
-  }
 }
 
 void read_fits(const TomlTable& root, StudyPlan& plan) {
@@ -238,79 +156,6 @@ void read_figures(const TomlTable& root, StudyPlan& plan) {
     require_drawable(plan, figure, table);
     plan.figures.push_back(figure);
   }
-}
-
-Criterion::Kind criterion_kind(const TomlTable& table) {
-  static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{
-      {"order", Criterion::Kind::order},   {"order-difference", Criterion::Kind::order_difference},
-      {"error", Criterion::Kind::error},   {"error-ratio", Criterion::Kind::error_ratio},
-      {"spread", Criterion::Kind::spread}, {"status", Criterion::Kind::status},
-      {"limit", Criterion::Kind::limit},   {"limit-ratio", Criterion::Kind::limit_ratio},
-      {"value", Criterion::Kind::value},   {"cost-ratio", Criterion::Kind::cost_ratio},
-      {"shown", Criterion::Kind::shown},   {"awaited", Criterion::Kind::awaited}};
-  std::vector<std::string> words;
-  const std::string word = table.text("measure");
-  for (const auto& [name, kind] : kinds) {
-    if (name == word) return kind;
-    words.push_back(name);
-  }
-  throw UsageError(
-      fmt::format("unknown measure '{}' in {} (known: {})", word, table.where("measure"), fmt::join(words, ", ")));
-}
-
-Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
-  using Kind = Criterion::Kind;
-  table.allow_only({"claim", "statement", "measure", "series", "over", "name", "norm", "over_norm", "window",
-                    "at_least", "at_most", "reason"});
-  Criterion c;
-  c.claim = table.text("claim");
-  require_word("claim of this study", c.claim, plan.claims, table.where("claim"));
-  c.statement = table.text("statement");
-  c.kind = criterion_kind(table);
-  c.reason = table.text("reason", "");
-  if (c.kind == Kind::shown || c.kind == Kind::awaited) return c;
-  if (table.has("at_least")) c.at_least = table.number("at_least");
-  if (table.has("at_most")) c.at_most = table.number("at_most");
-  if (!c.at_least && !c.at_most)
-    throw UsageError(fmt::format("criterion in {} asks nothing (at_least, at_most or both)", table.where()));
-  if (c.at_least && c.at_most && *c.at_least > *c.at_most)
-    throw UsageError(fmt::format("criterion in {} asks at least {} and at most {} (nothing can be both)", table.where(),
-                                 *c.at_least, *c.at_most));
-  if (c.kind == Kind::value) {
-    c.name = table.text("name");
-    return c;
-  }
-  c.series = series_names(table, "series", plan);
-  if (c.series.empty()) throw UsageError(fmt::format("criterion in {} names no series", table.where()));
-  if (c.kind == Kind::error_ratio || c.kind == Kind::limit_ratio || c.kind == Kind::cost_ratio) {
-    c.over = table.text("over");
-    if (plan.check.empty() && !plan.has_series(c.over))
-      throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
-  }
-  if (c.kind == Kind::limit || c.kind == Kind::limit_ratio) {
-    if (!plan.limit)
-      throw UsageError(fmt::format("criterion on a limit in {}, but the study searches none", table.where()));
-    return c;
-  }
-  if (c.kind != Kind::status) {
-    c.norm = norm_of(table, "norm");
-    require_measured(plan, c.norm, table.where("norm"));
-  }
-  if (c.kind == Kind::order_difference) {
-    c.over_norm = norm_of(table, "over_norm");
-    require_measured(plan, c.over_norm, table.where("over_norm"));
-  }
-  c.window = read_window(table, "window");
-  if (c.kind == Kind::cost_ratio) {
-    require_cost(plan, table.where("measure"));
-    if (!(c.window.from > 0) || decades(c.window.from, c.window.to).empty())
-      throw UsageError(
-          fmt::format("window in {} holds no power of ten (two errors, the smaller first)", table.where("window")));
-    return c;
-  }
-  const bool fits = c.kind == Kind::order || c.kind == Kind::order_difference;
-  require_points(plan, c.window, fits ? 3 : 1, table.where("window"));
-  return c;
 }
 
 /// Makes every case of the study once, so that a mistake shows before the first run.

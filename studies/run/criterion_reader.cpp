@@ -1,0 +1,93 @@
+#include "studies/run/criterion_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "studies/error.hpp"
+#include "studies/run/plan_rules.hpp"
+#include "studies/work_precision.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+Criterion::Kind criterion_kind(const TomlTable& table) {
+  static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{
+      {"order", Criterion::Kind::order},   {"order-difference", Criterion::Kind::order_difference},
+      {"error", Criterion::Kind::error},   {"error-ratio", Criterion::Kind::error_ratio},
+      {"spread", Criterion::Kind::spread}, {"status", Criterion::Kind::status},
+      {"limit", Criterion::Kind::limit},   {"limit-ratio", Criterion::Kind::limit_ratio},
+      {"value", Criterion::Kind::value},   {"cost-ratio", Criterion::Kind::cost_ratio},
+      {"shown", Criterion::Kind::shown},   {"awaited", Criterion::Kind::awaited}};
+  std::vector<std::string> words;
+  const std::string word = table.text("measure");
+  for (const auto& [name, kind] : kinds) {
+    if (name == word) return kind;
+    words.push_back(name);
+  }
+  throw UsageError(
+      fmt::format("unknown measure '{}' in {} (known: {})", word, table.where("measure"), fmt::join(words, ", ")));
+}
+
+}  // namespace
+
+Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
+  using Kind = Criterion::Kind;
+  table.allow_only({"claim", "statement", "measure", "series", "over", "name", "norm", "over_norm", "window",
+                    "at_least", "at_most", "reason"});
+  Criterion c;
+  c.claim = table.text("claim");
+  require_word("claim of this study", c.claim, plan.claims, table.where("claim"));
+  c.statement = table.text("statement");
+  c.kind = criterion_kind(table);
+  c.reason = table.text("reason", "");
+  if (c.kind == Kind::shown || c.kind == Kind::awaited) return c;
+  if (table.has("at_least")) c.at_least = table.number("at_least");
+  if (table.has("at_most")) c.at_most = table.number("at_most");
+  if (!c.at_least && !c.at_most)
+    throw UsageError(fmt::format("criterion in {} asks nothing (at_least, at_most or both)", table.where()));
+  if (c.at_least && c.at_most && *c.at_least > *c.at_most)
+    throw UsageError(fmt::format("criterion in {} asks at least {} and at most {} (nothing can be both)", table.where(),
+                                 *c.at_least, *c.at_most));
+  if (c.kind == Kind::value) {
+    c.name = table.text("name");
+    return c;
+  }
+  c.series = series_names(table, "series", plan);
+  if (c.series.empty()) throw UsageError(fmt::format("criterion in {} names no series", table.where()));
+  if (c.kind == Kind::error_ratio || c.kind == Kind::limit_ratio || c.kind == Kind::cost_ratio) {
+    c.over = table.text("over");
+    if (plan.check.empty() && !plan.has_series(c.over))
+      throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
+  }
+  if (c.kind == Kind::limit || c.kind == Kind::limit_ratio) {
+    if (!plan.limit)
+      throw UsageError(fmt::format("criterion on a limit in {}, but the study searches none", table.where()));
+    return c;
+  }
+  if (c.kind != Kind::status) {
+    c.norm = norm_of(table, "norm");
+    require_measured(plan, c.norm, table.where("norm"));
+  }
+  if (c.kind == Kind::order_difference) {
+    c.over_norm = norm_of(table, "over_norm");
+    require_measured(plan, c.over_norm, table.where("over_norm"));
+  }
+  c.window = read_window(table, "window");
+  if (c.kind == Kind::cost_ratio) {
+    require_cost(plan, table.where("measure"));
+    if (!(c.window.from > 0) || decades(c.window.from, c.window.to).empty())
+      throw UsageError(
+          fmt::format("window in {} holds no power of ten (two errors, the smaller first)", table.where("window")));
+    return c;
+  }
+  const bool fits = c.kind == Kind::order || c.kind == Kind::order_difference;
+  require_points(plan, c.window, fits ? 3 : 1, table.where("window"));
+  return c;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,93 @@
+#include "studies/run/plan_rules.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "studies/error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+const std::vector<std::string>& norm_words() {
+  static const std::vector<std::string> words{
+      "l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "nodal_l1", "nodal_l2", "nodal_linf", "y"};
+  return words;
+}
+
+/// Whether the setting stands in every series.
+bool every_series_has(const StudyPlan& plan, const std::string& key) {
+  return std::all_of(plan.series.begin(), plan.series.end(), [&](const SeriesPlan& series) {
+    return std::any_of(series.settings.begin(), series.settings.end(), [&](const Setting& s) { return s.key == key; });
+  });
+}
+
+/// The setting that a norm needs; empty for those at the end of a run, which are always measured.
+std::string setting_of(const std::string& norm) {
+  return norm.ends_with("_all_steps") ? "every_step" : norm.starts_with("nodal_") ? "nodal_error" : "";
+}
+
+}  // namespace
+
+void require_word(const std::string& what, const std::string& word, const std::vector<std::string>& known,
+                  const std::string& where) {
+  if (std::find(known.begin(), known.end(), word) == known.end())
+    throw UsageError(fmt::format("unknown {} '{}' in {} (known: {})", what, word, where, fmt::join(known, ", ")));
+}
+
+std::string norm_of(const TomlTable& table, const char* key) {
+  const std::string norm = table.text(key);
+  require_word(key, norm, norm_words(), table.where(key));
+  return norm;
+}
+
+std::vector<std::string> series_names(const TomlTable& table, const char* key, const StudyPlan& plan) {
+  const auto names = table.texts(key);
+  std::vector<std::string> known;
+  for (const SeriesPlan& series : plan.series) known.push_back(series.name);
+  if (plan.check.empty())
+    for (const std::string& name : names) require_word("series", name, known, table.where(key));
+  return names;
+}
+
+Window read_window(const TomlTable& table, const char* key) {
+  const auto ends = table.numbers(key);
+  if (ends.size() != 2 || !(ends[0] <= ends[1]))
+    throw UsageError(fmt::format("{} in {} (two swept values, the smaller first)", key, table.where(key)));
+  return {ends[0], ends[1]};
+}
+
+void require_points(const StudyPlan& plan, const Window& window, int least, const std::string& where) {
+  if (!plan.check.empty()) return;
+  const auto count = std::count_if(plan.values.begin(), plan.values.end(), [&](double x) {
+    return x >= window.from * (1 - 1e-9) && x <= window.to * (1 + 1e-9);
+  });
+  if (count < least)
+    throw UsageError(fmt::format("window [{}, {}] in {} holds {} swept values (at least {})", window.from, window.to,
+                                 where, count, least));
+}
+
+void require_cost(const StudyPlan& plan, const std::string& where) {
+  if (!plan.check.empty() || plan.sweep.empty() || !every_series_has(plan, "repeat"))
+    throw UsageError(
+        fmt::format("cost in {} without a sweep and `repeat` in every series (it says how often a case runs "
+                    "for its median cost)",
+                    where));
+}
+
+void require_measured(const StudyPlan& plan, const std::string& norm, const std::string& where) {
+  if ((norm == "y") == plan.check.empty())
+    throw UsageError(fmt::format("norm '{}' in {} (y for the curves of a check, an error norm for runs)", norm, where));
+  const std::string setting = setting_of(norm);
+  if (setting.empty()) return;
+  for (const SeriesPlan& series : plan.series) {
+    const auto asks = [&setting](const Setting& s) { return s.key == setting && s.value == "true"; };
+    if (std::none_of(series.settings.begin(), series.settings.end(), asks))
+      throw UsageError(
+          fmt::format("norm '{}' in {} without {} = true in series '{}'", norm, where, setting, series.name));
+  }
+}
+
+}  // namespace mpmvv

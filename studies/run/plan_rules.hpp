@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "studies/study.hpp"
+#include "studies/toml_file.hpp"
+
+/// What the parts of a study file (fits, figures, criteria) may name, held against the plan read so far. Each throws
+/// UsageError with file and line.
+namespace mpmvv {
+
+void require_word(const std::string& what, const std::string& word, const std::vector<std::string>& known,
+                  const std::string& where);
+
+/// The norm that a table names under `key`.
+std::string norm_of(const TomlTable& table, const char* key);
+
+/// Names of series that a table lists under `key`; each must exist (checks make theirs when they run).
+std::vector<std::string> series_names(const TomlTable& table, const char* key, const StudyPlan& plan);
+
+Window read_window(const TomlTable& table, const char* key);
+
+/// A window must hold enough swept values; the curves of a check are known only when it has run.
+void require_points(const StudyPlan& plan, const Window& window, int least, const std::string& where);
+
+/// Cost is there when every series asks for it.
+void require_cost(const StudyPlan& plan, const std::string& where);
+
+/// `y` is what a check's curves have; errors over all steps and of nodes are there when every series asks for them.
+void require_measured(const StudyPlan& plan, const std::string& norm, const std::string& where);
+
+}  // namespace mpmvv
