@@ -38,13 +38,16 @@ class ManufacturedSolution {
   virtual Mat<D> P(const Vec<D>& X, double t) const = 0;  ///< first Piola-Kirchhoff stress
   virtual Vec<D> b(const Vec<D>& X, double t) const = 0;  ///< body force per mass
 
+  /// P N on a surface of reference unit normal N: force per reference area.
+  Vec<D> traction(const Vec<D>& X, const Vec<D>& N, double t) const { return P(X, t) * N; }
+
   virtual double displacement_scale() const = 0;  ///< the largest |u|, up to a factor of order one
 
   /// The same at many fixed points; solutions with separable parts override it to compute those once.
   virtual std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const;
 
-  /// X with X + u(X, t) = x, W (A.1), by Newton's method; throws std::domain_error when it does not converge.
-  Vec<D> reference_point(const Vec<D>& x, double t) const;
+  /// X with X + u(X, t) = x, W (A.1); here by Newton's method, std::domain_error when it does not converge.
+  virtual Vec<D> reference_point(const Vec<D>& x, double t) const;
 };
 
 extern template class ManufacturedSolution<1>;
