@@ -1,0 +1,36 @@
+#pragma once
+#include "mms/radii.hpp"
+
+namespace mpmvv::mms {
+
+/// w(R) = c3 R³ + c2 R² + c1 R of W (60) with the constants W (61): w(R_O) = 1, and w' = 3 c3 (R - R_I) (R - R_O)
+/// vanishes at both radii.
+class RadialProfile {
+ public:
+  /// Throws std::invalid_argument where W (61) is singular, at R_O = 3 R_I.
+  RadialProfile(const Radii& radii);
+
+  /// w/R, for any scalar type.
+  template <class T>
+  T over_R(const T& R) const {
+    return (c3_ * R + c2_) * R + c1_;
+  }
+  double over_R_slope(double R) const { return 2 * c3_ * R + c2_; }                             ///< (w/R)'
+  double slope(double R) const { return 3 * c3_ * (R - radii_.inner) * (R - radii_.outer); }    ///< w'
+  double curvature(double R) const { return 3 * c3_ * (2 * R - radii_.inner - radii_.outer); }  ///< w''
+
+  /// max |w| over the body.
+  double largest() const;
+
+  /// max of |w'| and |w/R| over the body: a motion A w(R) cos ωt keeps det F positive while |A| is below its inverse.
+  double steepest() const;
+
+  /// R with R + T w(R) = r, in the body and about it as far as the left side grows; std::domain_error beyond.
+  double reference_radius(double T, double r) const;
+
+ private:
+  Radii radii_;
+  double c3_, c2_, c1_;
+};
+
+}  // namespace mpmvv::mms

@@ -1,0 +1,14 @@
+#pragma once
+#include "mms/radial.hpp"
+
+namespace mpmvv::mms {
+
+/// The spherical shell that moves as the ring of W §5.2 does, for any ν: Shell(A, {R_I, R_O}, material).
+class Shell final : public Radial<3> {
+ public:
+  using Radial::Radial;
+};
+
+using ShellDisplacement = RadialDisplacement<3>;
+
+}  // namespace mpmvv::mms
