@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <functional>
 
 #include "mms/bar.hpp"
 #include "mms/cube.hpp"
 #include "mms/derived.hpp"
+#include "mms/radial.hpp"
 #include "mms/square.hpp"
+#include "mms/vortex.hpp"
 #include "studies/check.hpp"
 #include "studies/checks/basis_function.hpp"
 
@@ -23,20 +26,38 @@ struct Field {
   }
 };
 
-/// Largest difference of each field over random points of the unit cell and times, over the largest value of that
+/// A random reference point of a body.
+template <int D>
+using Place = std::function<mms::Vec<D>(Random&)>;
+
+template <int D>
+mms::Vec<D> in_unit_cell(Random& random) {
+  mms::Vec<D> X;
+  for (int d = 0; d < D; ++d) X[d] = random.uniform(0, 1);
+  return X;
+}
+
+template <int D>
+Place<D> between(const mms::Radii& radii) {
+  return [radii](Random& random) {
+    mms::Vec<D> X;
+    do {
+      for (int d = 0; d < D; ++d) X[d] = random.uniform(-radii.outer, radii.outer);
+    } while (X.norm() < radii.inner || X.norm() > radii.outer);
+    return X;
+  };
+}
+
+/// Largest difference of each field from the derived one over random points and times, over the largest value of that
 /// field.
-template <int D, class Closed, class Displacement>
-void compare(CheckResult& result, const std::string& name, double amplitude, double poissons_ratio) {
-  const mms::Elasticity material{1e4, poissons_ratio, 1};
-  const double wave_speed = 100, period = 2 / wave_speed;
-  const Closed closed(amplitude, material);
-  const mms::Derived<D, Displacement, mms::NeoHookeanLogEnergy> derived(
-      {amplitude, wave_speed}, {material.lambda(), material.mu()}, material.density, amplitude);
+template <int D, class Displacement>
+void compare(CheckResult& result, const std::string& name, const mms::ManufacturedSolution<D>& closed,
+             const Displacement& displacement, const mms::Elasticity& material, double period, const Place<D>& place) {
+  const auto derived = mms::derived<D>(displacement, material, closed.displacement_scale());
   Field u{"u"}, v{"v"}, a{"a"}, F{"F"}, P{"P"}, b{"b"};
   Random random(20150);
   for (int k = 0; k < 2000; ++k) {
-    mms::Vec<D> X;
-    for (int d = 0; d < D; ++d) X[d] = random.uniform(0, 1);
+    const mms::Vec<D> X = place(random);
     const double t = random.uniform(0, period);
     u.add(closed.u(X, t), derived.u(X, t));
     v.add(closed.v(X, t), derived.v(X, t));
@@ -50,17 +71,52 @@ void compare(CheckResult& result, const std::string& name, double amplitude, dou
                name + ": largest relative difference of " + field.name + ", closed form and derived, 2000 points");
 }
 
+constexpr double wave_speed = 100, period = 2 / wave_speed;
+
+mms::Elasticity material_with(double poissons_ratio) {
+  return {wave_speed * wave_speed, poissons_ratio, 1};
+}
+
+template <int D, class Closed, class Displacement>
+void compare_in_unit_cell(CheckResult& result, const std::string& name, double amplitude, double poissons_ratio) {
+  const auto material = material_with(poissons_ratio);
+  compare<D>(result, name, Closed(amplitude, material), Displacement{amplitude, wave_speed}, material, period,
+             &in_unit_cell<D>);
+}
+
+template <int D>
+void compare_radial(CheckResult& result, const std::string& name, double amplitude, double poissons_ratio) {
+  const auto material = material_with(poissons_ratio);
+  const mms::Radii radii(0.5, 1);
+  compare<D>(result, name, mms::Radial<D>(amplitude, radii, material),
+             mms::RadialDisplacement<D>{amplitude, radii, wave_speed}, material, period, between<D>(radii));
+}
+
+void compare_vortex(CheckResult& result) {
+  const mms::Elasticity material{1000, 0.3, 1000};
+  const mms::Radii radii(0.75, 1.25);
+  constexpr double amplitude = 1, turning_time = 1;
+  compare<2>(result, "vortex", mms::Vortex(amplitude, radii, turning_time, material),
+             mms::VortexDisplacement{amplitude, radii, turning_time}, material, 2 * turning_time, between<2>(radii));
+}
+
 }  // namespace
 
 /// X-derive: closed forms against derivation from the displacement and an energy alone.
 CheckResult check_derived_solutions() {
   CheckResult result;
-  compare<1, mms::Bar, mms::BarDisplacement>(result, "bar", 0.05, 0);
-  compare<1, mms::Bar, mms::BarDisplacement>(result, "bar_large", 0.15, 0);
-  compare<2, mms::Square, mms::SquareDisplacement>(result, "square", 0.1, 0.3);
-  compare<2, mms::Square, mms::SquareDisplacement>(result, "square_large", 0.3, 0.3);
-  compare<3, mms::Cube, mms::CubeDisplacement>(result, "cube", 0.05, 0.3);
-  compare<3, mms::Cube, mms::CubeDisplacement>(result, "cube_large", 0.15, 0.3);
+  compare_in_unit_cell<1, mms::Bar, mms::BarDisplacement>(result, "bar", 0.05, 0);
+  compare_in_unit_cell<1, mms::Bar, mms::BarDisplacement>(result, "bar_large", 0.15, 0);
+  compare_in_unit_cell<2, mms::Square, mms::SquareDisplacement>(result, "square", 0.1, 0.3);
+  compare_in_unit_cell<2, mms::Square, mms::SquareDisplacement>(result, "square_large", 0.3, 0.3);
+  compare_in_unit_cell<3, mms::Cube, mms::CubeDisplacement>(result, "cube", 0.05, 0.3);
+  compare_in_unit_cell<3, mms::Cube, mms::CubeDisplacement>(result, "cube_large", 0.15, 0.3);
+  compare_radial<2>(result, "ring", 0.1, 0);
+  compare_radial<2>(result, "ring_nu", 0.1, 0.3);
+  compare_radial<2>(result, "ring_large", 0.38, 0.3);
+  compare_radial<3>(result, "shell", 0.1, 0.3);
+  compare_radial<3>(result, "shell_large", 0.38, 0.3);
+  compare_vortex(result);
   return result;
 }
 
