@@ -39,7 +39,7 @@ nlohmann::json problem_json(const Problem& p) {
   return {{"name", p.name},
           {"source", p.source},
           {"dimension", p.dimension()},
-          {"length", p.length},
+          {"length", {{"formula", p.length_formula}, {"default", p.length(defaults)}}},
           {"wave_speed", {{"formula", p.wave_speed_formula}, {"default", p.wave_speed(defaults)}}},
           {"end_time", {{"formula", p.end_time_formula}, {"default", p.end_time(defaults)}}},
           {"boundary", p.boundary},
@@ -50,8 +50,8 @@ void print_problems() {
   for (const Problem& p : problems()) {
     const Parameters defaults = complete_parameters(p, {});
     fmt::print("{}  ({}D, {})\n  L = {} m, wave speed {} = {:g} m/s, end time {} = {:g} s, boundary {}\n", p.name,
-               p.dimension(), p.source, p.length, p.wave_speed_formula, p.wave_speed(defaults), p.end_time_formula,
-               p.end_time(defaults), p.boundary);
+               p.dimension(), p.source, p.length(defaults), p.wave_speed_formula, p.wave_speed(defaults),
+               p.end_time_formula, p.end_time(defaults), p.boundary);
     for (const Parameter& parameter : p.parameters)
       fmt::print("  {} = {:g} {}, allowed: {}\n", parameter.name, parameter.value, parameter.unit, parameter.range);
   }

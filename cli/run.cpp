@@ -33,6 +33,7 @@ nlohmann::json scheme_json(const Scheme& s) {
 nlohmann::json record_json(const Record& r) {
   const Errors& e = r.error;
   return {{"problem", r.the_case.problem.name},
+          {"quarter", r.the_case.problem.quarter},
           {"parameters", r.the_case.problem.parameters},
           {"scheme", scheme_json(r.the_case.scheme)},
           {"cells", r.the_case.resolution.cells},
@@ -91,7 +92,8 @@ void print_record(const Record& r) {
 struct RunOptions {
   std::map<std::string, CLI::Option*> given;  ///< by setting key
   std::vector<std::string> parameters;
-  bool every_step = false, nodal_error = false, json = false;
+  std::map<std::string, CLI::Option*> flags;  ///< by setting key
+  bool json = false;
   int threads = 1;
   std::string vtu;
 };
@@ -106,8 +108,8 @@ int run(const RunOptions& options) {
     if (std::any_of(settings.begin(), settings.end() - 1, same))
       throw UsageError(fmt::format("--param {} after another value for it (each parameter once)", parameter));
   }
-  if (options.every_step) settings.push_back({"every_step", "true", "--every-step"});
-  if (options.nodal_error) settings.push_back({"nodal_error", "true", "--nodal-error"});
+  for (const auto& [key, option] : options.flags)
+    if (option->count() > 0) settings.push_back({key, "true", option->get_name()});
   const Case c = make_case(settings);
   if (c.measure.repeat > 0 && options.threads > 1)
     throw UsageError("--threads beside --repeat (cost is measured on one thread)");
@@ -134,10 +136,8 @@ void add_run(CLI::App& app, int& exit_code) {
   for (const SettingKey& key : setting_keys()) {
     std::string name = "--" + key.key;
     std::replace(name.begin(), name.end(), '_', '-');
-    if (key.key == "every_step")
-      command->add_flag(name, options->every_step, key.meaning);
-    else if (key.key == "nodal_error")
-      command->add_flag(name, options->nodal_error, key.meaning);
+    if (key.is_flag)
+      options->flags[key.key] = command->add_flag(name, key.meaning);
     else
       options->given[key.key] = command->add_option(name, key.meaning)->expected(1);
   }

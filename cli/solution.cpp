@@ -26,23 +26,22 @@ std::vector<double> coordinates(const std::string& text, int dimension) {
   return X;
 }
 
-Parameters parameters_of(const Problem& problem, const std::vector<std::string>& texts) {
-  std::vector<Setting> settings{
-      {"problem", problem.name, "--problem"}, {"cells", "4", ""}, {"ppc", "2", ""}, {"cfl", "0.1", ""}};
+ProblemChoice choice_of(const Problem& problem, const std::vector<std::string>& texts) {
+  std::vector<Setting> settings{{"problem", problem.name, "--problem"}};
   for (const std::string& text : texts) settings.push_back(parameter_setting(text));
-  if (problem.name == "one-particle") settings[1].value = settings[2].value = "1";
-  return make_case(settings).problem.parameters;
+  return make_choice(settings);
 }
 
 template <int D>
-nlohmann::json evaluate(const Problem& problem, const Parameters& parameters, const std::vector<double>& at, double t) {
-  const Setup<D> setup = std::get<SetupFunction<D>>(problem.setup)(parameters);
+nlohmann::json evaluate(const Problem& problem, const ProblemChoice& choice, const std::vector<double>& at, double t) {
+  constexpr double round_off = 1e-12;  // m; for points on the surface
+  const Setup<D> setup = make_setup<D>(problem, choice);
   if (!setup.solution) throw UsageError(fmt::format("problem '{}' has no exact solution", problem.name));
   const auto& solution = *setup.solution;
   const mms::Vec<D> X = Eigen::Map<const mms::Vec<D>>(at.data());
-  if (((X - setup.lower).array() < 0).any() || ((X - setup.lower).array() > problem.length).any())
-    throw UsageError(fmt::format("--at {} is outside the body (each coordinate within {} of its lower corner)",
-                                 fmt::join(at, ","), problem.length));
+  if (!std::visit([&X](const auto& body) { return contains(body, X, round_off); }, setup.body))
+    throw UsageError(fmt::format("--at {} is outside the body ({})", fmt::join(at, ","),
+                                 std::visit([](const auto& body) { return description(body); }, setup.body)));
   const auto vector = [](const mms::Vec<D>& v) { return std::vector<double>(v.data(), v.data() + D); };
   const auto rows = [](const mms::Mat<D>& m) {
     std::vector<std::vector<double>> all(D);
@@ -51,7 +50,7 @@ nlohmann::json evaluate(const Problem& problem, const Parameters& parameters, co
     return all;
   };
   return {{"problem", problem.name},
-          {"parameters", parameters},
+          {"parameters", choice.parameters},
           {"at", at},
           {"time", t},
           {"u", vector(solution.u(X, t))},
@@ -64,12 +63,12 @@ nlohmann::json evaluate(const Problem& problem, const Parameters& parameters, co
 
 int solution(const SolutionOptions& options) {
   const Problem& problem = find_problem(options.problem, "--problem");
-  const Parameters parameters = parameters_of(problem, options.parameters);
+  const ProblemChoice choice = choice_of(problem, options.parameters);
   const auto at = coordinates(options.at, problem.dimension());
   const double t = parse_number({"time", options.time, "--time"});
-  const nlohmann::json json = problem.dimension() == 1   ? evaluate<1>(problem, parameters, at, t)
-                              : problem.dimension() == 2 ? evaluate<2>(problem, parameters, at, t)
-                                                         : evaluate<3>(problem, parameters, at, t);
+  const nlohmann::json json = problem.dimension() == 1   ? evaluate<1>(problem, choice, at, t)
+                              : problem.dimension() == 2 ? evaluate<2>(problem, choice, at, t)
+                                                         : evaluate<3>(problem, choice, at, t);
   if (options.json) {
     print_json(json);
     return 0;

@@ -1,23 +1,24 @@
 #pragma once
 #include <array>
+#include <boost/math/differentiation/autodiff.hpp>
 #include <concepts>
 
 #include "mms/elasticity.hpp"
 #include "mms/energy.hpp"
-#include "mms/jet.hpp"
 #include "mms/solution.hpp"
 
 namespace mpmvv::mms {
 
-/// Callable with (std::array<T, D> X, T t) for any scalar type T; returns the displacement, std::array<T, D>.
+/// Callable with (std::array<T, D> X, T t) for any scalar type T; returns the displacement, std::array<T, D>. Write
+/// x * x, never pow(x, 2): of that, Boost has no derivative at x = 0.
 template <class U, int D>
 concept DisplacementField = requires(const U& u, const std::array<double, D>& X, double t) {
   { u(X, t) } -> std::convertible_to<std::array<double, D>>;
 };
 
-/// A solution derived by automatic differentiation from a displacement field and an energy alone: from the gradient and
-/// Hessian of u by (X, t), and of W by F,
-///   F = I + ∂u/∂X,   P_iJ = ∂W/∂F_iJ,   Div P_i = Σ_JkL ∂²W/∂F_iJ∂F_kL ∂²u_k/∂X_L∂X_J.
+/// A solution derived by automatic differentiation from a displacement field and an energy alone. Only one kind
+/// of number is needed, c0 + c1 r + c2 s + c3 rs: second derivatives of u along two directions of (X, t), and from them
+///   P_iJ = ∂W/∂F_iJ,   Div P_i = Σ_J d²/dr ds W(F + r e_i⊗e_J + s ∂F/∂X_J).
 /// `Energy` is callable with Matrix<T, D>.
 template <int D, DisplacementField<D> Displacement, class Energy>
 class Derived final : public ManufacturedSolution<D> {
@@ -32,61 +33,72 @@ class Derived final : public ManufacturedSolution<D> {
     return Eigen::Map<const Vec<D>>(u.data());
   }
 
-  Vec<D> v(const Vec<D>& X, double t) const override { return velocity(jets(X, t)); }
-  Vec<D> a(const Vec<D>& X, double t) const override { return acceleration(jets(X, t)); }
-  Mat<D> F(const Vec<D>& X, double t) const override { return deformation(jets(X, t)); }
+  Vec<D> v(const Vec<D>& X, double t) const override { return part(expand(X, t, D, D), 1, 0); }
+  Vec<D> a(const Vec<D>& X, double t) const override { return part(expand(X, t, D, D), 1, 1); }
+
+  Mat<D> F(const Vec<D>& X, double t) const override {
+    Mat<D> F = Mat<D>::Identity();
+    for (int J = 0; J < D; ++J) F.col(J) += part(expand(X, t, J, J), 1, 0);
+    return F;
+  }
 
   Mat<D> P(const Vec<D>& X, double t) const override {
-    const auto W = energy(deformation(jets(X, t)));
+    const Mat<D> stretch = F(X, t);
     Mat<D> P;
     for (int i = 0; i < D; ++i)
-      for (int J = 0; J < D; ++J) P(i, J) = W.gradient()[place_of(i, J)];
+      for (int J = 0; J < D; ++J) P(i, J) = energy(stretch, Mat<D>::Zero(), i, J).derivative(1, 0);
     return P;
   }
 
   Vec<D> b(const Vec<D>& X, double t) const override {
-    const auto u = jets(X, t);
-    const auto W = energy(deformation(u));
+    Mat<D> stretch = Mat<D>::Identity();
+    std::array<Mat<D>, D> dF;  // ∂F/∂X_J
+    for (int J = 0; J < D; ++J)
+      for (int L = J; L < D; ++L) {
+        const Expansion u = expand(X, t, J, L);
+        dF[J].col(L) = dF[L].col(J) = part(u, 1, 1);
+        if (J == L) stretch.col(J) += part(u, 1, 0);
+      }
     Vec<D> div_P = Vec<D>::Zero();
     for (int i = 0; i < D; ++i)
-      for (int J = 0; J < D; ++J)
-        for (int k = 0; k < D; ++k)
-          for (int L = 0; L < D; ++L) div_P[i] += W.hessian()(place_of(i, J), place_of(k, L)) * u[k].hessian()(L, J);
-    return acceleration(u) - div_P / density_;  // Div P + ρ₀ b = ρ₀ a                                   W (52)
+      for (int J = 0; J < D; ++J) div_P[i] += energy(stretch, dF[J], i, J).derivative(1, 1);
+    return a(X, t) - div_P / density_;  // Div P + ρ₀ b = ρ₀ a                                            W (52)
   }
 
   double displacement_scale() const override { return scale_; }
 
  private:
-  using DisplacementJets = std::array<Jet<D + 1>, D>;  ///< by X and t
+  using RS = boost::math::differentiation::autodiff_fvar<double, 1, 1>;
+  using Expansion = std::array<RS, D>;
 
-  DisplacementJets jets(const Vec<D>& X, double t) const {
-    DisplacementJets place;
-    for (int J = 0; J < D; ++J) place[J] = Jet<D + 1>::variable(X[J], J);
-    return displacement_(place, Jet<D + 1>::variable(t, D));
-  }
-  static Vec<D> velocity(const DisplacementJets& u) {
-    Vec<D> v;
-    for (int i = 0; i < D; ++i) v[i] = u[i].gradient()[D];
-    return v;
-  }
-  static Vec<D> acceleration(const DisplacementJets& u) {
-    Vec<D> a;
-    for (int i = 0; i < D; ++i) a[i] = u[i].hessian()(D, D);
-    return a;
-  }
-  static Mat<D> deformation(const DisplacementJets& u) {
-    Mat<D> F = Mat<D>::Identity();
-    for (int i = 0; i < D; ++i) F.row(i) += u[i].gradient().template head<D>();
-    return F;
+  static RS along_r() { return boost::math::differentiation::make_fvar<double, 1>(0.0); }
+  static RS along_s() { return boost::math::differentiation::make_fvar<double, 0, 1>(0.0); }
+
+  /// u with r added to the coordinate j and s to k of (X, t); D stands for t.
+  Expansion expand(const Vec<D>& X, double t, int j, int k) const {
+    std::array<RS, D + 1> at;
+    for (int d = 0; d < D; ++d) at[d] = X[d];
+    at[D] = t;
+    at[j] += along_r();
+    at[k] += along_s();
+    Expansion place;
+    std::copy_n(at.begin(), D, place.begin());
+    return displacement_(place, at[D]);
   }
 
-  static constexpr int place_of(int i, int J) { return D * i + J; }  ///< of F_iJ among the variables of W
+  /// d^(m+n)/dr^m ds^n
+  static Vec<D> part(const Expansion& u, std::size_t m, std::size_t n) {
+    Vec<D> result;
+    for (int d = 0; d < D; ++d) result[d] = static_cast<double>(u[d].derivative(m, n));
+    return result;
+  }
 
-  Jet<D * D> energy(const Mat<D>& F) const {
-    Matrix<Jet<D * D>, D> at;
-    for (int i = 0; i < D; ++i)
-      for (int J = 0; J < D; ++J) at[i][J] = Jet<D * D>::variable(F(i, J), place_of(i, J));
+  /// W(F + r e_i⊗e_J + s dF)
+  RS energy(const Mat<D>& F, const Mat<D>& dF, int i, int J) const {
+    Matrix<RS, D> at;
+    for (int k = 0; k < D; ++k)
+      for (int L = 0; L < D; ++L) at[k][L] = F(k, L) + dF(k, L) * along_s();
+    at[i][J] += along_r();
     return energy_(at);
   }
 

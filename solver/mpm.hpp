@@ -11,6 +11,7 @@
 #include "solver/operations.hpp"
 #include "solver/particles.hpp"
 #include "solver/slabs.hpp"
+#include "solver/surface_load.hpp"
 #include "solver/team.hpp"
 #include "solver/words.hpp"
 
@@ -34,8 +35,9 @@ struct Scene {
   std::array<AnyBoundary, 2 * D> boundary;
   const BodyForce<D>* body_force = nullptr;  ///< none when null; must outlive the run
   BodyForceOn body_force_on = BodyForceOn::particles;
-  bool difference_acceleration = false;  ///< wall acceleration by S (30) instead of zero
-  bool half_start = false;               ///< the first grid acceleration halved, W §4
+  const SurfaceLoad<D>* surface_load = nullptr;  ///< none when null; must outlive the run
+  bool difference_acceleration = false;          ///< wall acceleration by S (30) instead of zero
+  bool half_start = false;                       ///< the first grid acceleration halved, W §4
   std::string_view integrator = "usl";
   int threads = 1;
   /// A node is accelerated when its mass exceeds this fraction of a full cell's (the mean particle mass density times
@@ -109,6 +111,8 @@ class Mpm {
   void constrain(std::vector<Packed<D>>& field);
   void set_wall_acceleration(double dt);
   void add_grid_body_force();
+  void add_surface_load();
+  void sort();
   void note(Fault fault) {
     if (fault_ == Fault::none) fault_ = fault;
   }
@@ -127,6 +131,8 @@ class Mpm {
   bool first_step_ = true;
   std::atomic<bool> must_sort_{false};
   Fault fault_ = Fault::none;
+  std::vector<std::uint32_t> place_;  ///< of the particle with each id, for the surface load
+  std::vector<Vec<D>> load_;          ///< its forces
 };
 
 /// Words of the integrators, in the order of the table.

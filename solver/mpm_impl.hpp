@@ -39,7 +39,18 @@ Mpm<D>::Mpm(Scene<D> scene)
   double mass = 0, volume = 0;
   for (std::size_t p = 0; p < particles_.size(); ++p) mass += particles_.m[p], volume += particles_.V0[p];
   least_mass_ = scene_.mass_cutoff * mass / volume * std::pow(grid_.h(), D);
+  if (scene_.surface_load) {
+    place_.resize(particles_.size());
+    load_.resize(scene_.surface_load->parts().size());
+  }
+  sort();
+}
+
+template <int D>
+void Mpm<D>::sort() {
   slabs_.sort(particles_, grid_);
+  if (!scene_.surface_load) return;
+  for (std::uint32_t p = 0; p < particles_.size(); ++p) place_[particles_.id[p]] = p;
 }
 
 template <int D>
@@ -54,7 +65,7 @@ bool Mpm<D>::step(double dt) {
 
 template <int D>
 void Mpm<D>::sort_strays() {
-  if (must_sort_.exchange(false)) slabs_.sort(particles_, grid_);
+  if (must_sort_.exchange(false)) sort();
 }
 
 template <int D>
@@ -114,6 +125,7 @@ void Mpm<D>::sweep_with_forces(const Before& before, const Map&... map) {
           node_loop(map..., MapForces<D>{particles_, grid_}));
   else
     sweep(before, stress, node_loop(map..., MapInternalForce<D>{particles_, grid_}));
+  if (scene_.surface_load) add_surface_load();
   fold(grid_.f);
 }
 
@@ -161,6 +173,16 @@ void Mpm<D>::set_grid_acceleration() {
   if (scene_.body_force && scene_.body_force_on == BodyForceOn::grid) add_grid_body_force();
   divide_by_mass(grid_.f, scene_.half_start && first_step_ ? 0.5 : 1, least_mass_, grid_.a);
   if (!scene_.difference_acceleration) constrain(grid_.a);
+}
+
+template <int D>
+void Mpm<D>::add_surface_load() {
+  scene_.surface_load->forces(time_, load_.data());
+  std::visit(
+      [this](const auto& basis) {
+        note(map_surface_load(point_basis(basis), *scene_.surface_load, load_.data(), place_, particles_, grid_));
+      },
+      scene_.basis);
 }
 
 template <int D>

@@ -29,7 +29,7 @@ class CanonicalLine {
 std::string canonical_text(const Case& c) {
   // Structured bindings name every member, so a new one does not compile until it stands here as well.
   const auto& [problem, scheme, resolution, measure] = c;
-  const auto& [name, parameters, end_time] = problem;
+  const auto& [name, parameters, end_time, quarter] = problem;
   const auto& [basis, smoothing_length, integrator, start, velocity_update, mass, boundary, wall_acceleration,
                deformation, body_force, fill, material] = scheme;
   const auto& [cells, ppc, dt, steps] = resolution;
@@ -39,6 +39,7 @@ std::string canonical_text(const Case& c) {
   line.add("problem", name);
   for (const auto& [key, value] : parameters) line.add("param." + key, value);
   line.add("end_time", end_time)
+      .add("quarter", quarter)
       .add("basis", basis)
       .add("smoothing_length", smoothing_length)
       .add("integrator", integrator)

@@ -12,6 +12,7 @@ struct ProblemChoice {
   std::string name;
   std::map<std::string, double> parameters;  ///< `amplitude`, `youngs_modulus`, ...
   double end_time = 0;                       ///< s
+  bool quarter = false;                      ///< its part where no coordinate is negative, instead of the whole body
 
   auto operator<=>(const ProblemChoice&) const = default;
 };

@@ -39,6 +39,9 @@ CheckResult check_ghost_mass();
 CheckResult check_one_particle();
 CheckResult check_cube_voxels();
 CheckResult check_square_particles();
+CheckResult check_ring_particles();
+CheckResult check_ring_rows();
+CheckResult check_vortex_particles();
 CheckResult check_derived_solutions();
 
 }  // namespace mpmvv

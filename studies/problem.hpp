@@ -9,10 +9,12 @@
 
 #include "mms/solution.hpp"
 #include "solver/mpm.hpp"
+#include "studies/body.hpp"
+#include "studies/case.hpp"
 
 namespace mpmvv {
 
-using Parameters = std::map<std::string, double>;  ///< by name, all of a problem's parameters present
+using Parameters = decltype(ProblemChoice::parameters);  ///< by name, all of a problem's parameters present
 
 struct Parameter {
   std::string name;
@@ -25,8 +27,8 @@ struct Parameter {
 /// What a problem hands to the runner: the body at rest in its domain and how it starts.
 template <int D>
 struct Setup {
-  solver::Vec<D> lower = solver::Vec<D>::Zero();  ///< lower corner of the domain
-  double density = 0;                             ///< kg/m³
+  Body<D> body = Cuboid<D>{};
+  double density = 0;  ///< kg/m³
   solver::AnyMaterial material;
   std::shared_ptr<mms::ManufacturedSolution<D>> solution = nullptr;  ///< null where no exact solution is known
   std::function<solver::Vec<D>(const solver::Vec<D>&)> start_velocity = nullptr;  ///< used when there is no solution
@@ -40,16 +42,25 @@ using SetupFunction = Setup<D> (*)(const Parameters&);
 struct Problem {
   std::string name;
   std::string source;  ///< where it is defined: paper and section
-  double length;       ///< L, m: h = L/cells
+  std::string length_formula;
+  double (*length)(const Parameters&);  ///< L, m: h = L/cells
   std::vector<Parameter> parameters;
+  /// Why the parameters do not go together, though each is allowed; empty when they do.
+  std::string (*objection)(const Parameters&) = nullptr;
   std::string wave_speed_formula;
   double (*wave_speed)(const Parameters&);  ///< m/s, of the CFL number
   std::string end_time_formula;
   double (*end_time)(const Parameters&);  ///< s, the default
   std::string boundary;                   ///< default
+  bool has_quarter = false;  ///< whether `quarter` has a meaning: every coordinate plane is one of symmetry
+  /// Whether the solution needs a traction on the body's surface.
+  bool (*is_loaded)(const Parameters&) = nullptr;
   std::variant<SetupFunction<1>, SetupFunction<2>, SetupFunction<3>> setup;
 
   int dimension() const { return static_cast<int>(setup.index()) + 1; }
+  /// A quarter is continued by its mirror images, which alone makes it move as the whole body does.
+  std::string default_boundary(bool quarter) const;
+  bool is_curved(const Parameters& values) const;  ///< whether `fill` conforming has a meaning
 };
 
 /// All problems, in the order in which `list` shows them.
@@ -61,10 +72,28 @@ const Problem& find_problem(const std::string& name, const std::string& where);
 /// Defaults overwritten by the given ones.
 Parameters complete_parameters(const Problem& problem, const Parameters& given);
 
+/// The setup of a choice: the whole body, or its quarter.
+template <int D>
+Setup<D> make_setup(const Problem& problem, const ProblemChoice& choice) {
+  Setup<D> setup = std::get<SetupFunction<D>>(problem.setup)(choice.parameters);
+  if constexpr (D > 1)
+    if (auto* annulus = std::get_if<Annulus<D>>(&setup.body)) annulus->quarter = choice.quarter;
+  return setup;
+}
+
+/// Its body's volume over that of a cell, and the cells of its domain.
+struct Extent {
+  double cells_of_body, cells_of_domain;
+};
+Extent extent(const Case& c);
+
 // The problems, each defined in its own file.
 Problem bar_problem();
 Problem square_problem();
 Problem cube_problem();
+Problem ring_problem();
+Problem vortex_problem();
+Problem shell_problem();
 Problem one_particle_problem();
 
 }  // namespace mpmvv

@@ -18,6 +18,7 @@ struct Setting {
 struct SettingKey {
   std::string key;
   std::string meaning;
+  bool is_flag = false;  ///< true or false
 };
 const std::vector<SettingKey>& setting_keys();
 
@@ -26,6 +27,9 @@ std::vector<std::string> words_of_key(const std::string& key);
 
 /// Throws UsageError on an unknown key, with the known ones.
 void require_known_key(const std::string& key, const std::string& where);
+
+/// The problem that these settings choose, and its values; other keys are not looked at. Throws as make_case does.
+ProblemChoice make_choice(std::span<const Setting> settings);
 
 /// The case that these settings describe, later ones overwriting earlier ones. Every value is checked here, alone
 /// and in combination; a UsageError says what is wrong, where, and what would be right.

@@ -18,6 +18,9 @@ const std::vector<Check>& checks() {
       {"one-particle", "step", &check_one_particle},
       {"cube-voxels", "x", &check_cube_voxels},
       {"square-particles", "x", &check_square_particles},
+      {"ring-particles", "x", &check_ring_particles},
+      {"ring-rows", "x", &check_ring_rows},
+      {"vortex-particles", "x", &check_vortex_particles},
       {"derived-solutions", "x", &check_derived_solutions},
   };
   return all;

@@ -7,7 +7,7 @@ namespace mpmvv {
 
 namespace {
 
-constexpr int ppc = 4;
+constexpr int per_cell = 4;
 
 using Vec = solver::Vec<3>;
 
@@ -19,7 +19,7 @@ struct Voxels {
 
 Voxels voxels_of(const solver::Mpm<3>& mpm, int cells) {
   const auto& particles = mpm.particles();
-  Voxels voxels{static_cast<std::size_t>(cells * ppc), {}, {}};
+  Voxels voxels{static_cast<std::size_t>(cells * per_cell), {}, {}};
   voxels.centre.resize(particles.size()), voxels.width.resize(particles.size());
   for (std::size_t p = 0; p < particles.size(); ++p) {
     voxels.centre[particles.id[p]] = particles.x[p];
@@ -30,10 +30,10 @@ Voxels voxels_of(const solver::Mpm<3>& mpm, int cells) {
 
 /// The same with positions and deformation gradients of the exact solution.
 Voxels exact_voxels_of(const MovingBody<3>& motion, int cells) {
-  Voxels voxels{static_cast<std::size_t>(cells * ppc), {}, {}};
+  Voxels voxels{static_cast<std::size_t>(cells * per_cell), {}, {}};
   for (const Vec& X : motion.X()) {
     voxels.centre.push_back(X + motion.solution().u(X, motion.mpm().time()));
-    voxels.width.push_back(motion.solution().F(X, motion.mpm().time()).diagonal() / (cells * ppc));
+    voxels.width.push_back(motion.solution().F(X, motion.mpm().time()).diagonal() / (cells * per_cell));
   }
   return voxels;
 }
@@ -83,12 +83,12 @@ CheckResult check_cube_voxels() {
                           {"integrator", "cd", ""},
                           {"boundary", "symmetry", ""},
                           {"cells", std::to_string(cells), ""},
-                          {"ppc", std::to_string(ppc), ""},
+                          {"ppc", std::to_string(per_cell), ""},
                           {"cfl", "0.4", ""},
                           {"end_time", "0.005", ""}});
     motion.step_to(motion.resolution().steps);
     const Tiling tiling = tiling_of(voxels_of(motion.mpm(), cells));
-    const double spacing = 1.0 / (cells * ppc);
+    const double spacing = 1.0 / (cells * per_cell);
     const std::string on = "_" + std::to_string(cells), where = " on " + std::to_string(cells) + "³ cells";
     result.add("volume_error" + on, tiling.volume_error, "volume of all voxels against the body's" + where);
     result.add("gap" + on, tiling.gap / spacing,
@@ -102,7 +102,7 @@ CheckResult check_cube_voxels() {
       continue;
     }
     coarse_gap = tiling.gap;
-    const auto n = static_cast<std::uint32_t>(cells * ppc);
+    const auto n = static_cast<std::uint32_t>(cells * per_cell);
     result.series.push_back(
         particle_panel("t = 0.005 s", motion.mpm(), [n](std::uint32_t id) { return id / (n * n) == n / 2; }));
   }

@@ -10,7 +10,7 @@ namespace mpmvv {
 namespace {
 
 /// A body that fills its domain, and how it is run.
-struct Body {
+struct WalledBody {
   const char *problem, *boundary, *amplitude;
   int cells, ppc;
   const char* cfl;
@@ -36,7 +36,7 @@ double ghost_mass(const solver::Grid<D>& grid) {
 
 /// With the default density of one a full cell's mass is h^D; with amplitude 0 the body stays at rest.
 template <int D>
-GhostMass measure(const Body& body, const std::string& basis) {
+GhostMass measure(const WalledBody& body, const std::string& basis) {
   GhostMass result;
   for (const char* amplitude : {"0", body.amplitude}) {
     const std::vector<Setting> settings{{"problem", body.problem, ""},
@@ -65,7 +65,7 @@ GhostMass measure(const Body& body, const std::string& basis) {
 }
 
 template <int D>
-void add(CheckResult& result, const Body& body, const std::string& basis, const std::string& name) {
+void add(CheckResult& result, const WalledBody& body, const std::string& basis, const std::string& name) {
   const GhostMass mass = measure<D>(body, basis);
   const std::string who = basis + " on the " + body.problem;
   result.add(name + "_at_rest", mass.at_rest, who + ": largest ghost mass of the undeformed body, in full cells");
@@ -77,9 +77,9 @@ void add(CheckResult& result, const Body& body, const std::string& basis, const 
 
 /// S-ghost, §4.3: mass on ghost nodes of an aligned body.
 CheckResult check_ghost_mass() {
-  const Body bar{"bar", "dirichlet", "0.05", 64, 4, "0.2"};
-  const Body square{"square", "symmetry", "0.1", 32, 2, "0.4"};
-  const Body cube{"cube", "symmetry", "0.05", 16, 2, "0.4"};
+  const WalledBody bar{"bar", "dirichlet", "0.05", 64, 4, "0.2"};
+  const WalledBody square{"square", "symmetry", "0.1", 32, 2, "0.4"};
+  const WalledBody cube{"cube", "symmetry", "0.05", 16, 2, "0.4"};
   CheckResult result;
   for (const std::string basis : {"cpgimp", "gimp", "bspline2", "bspline3"}) add<1>(result, bar, basis, basis);
   for (const std::string basis : {"cpgimp", "bspline2"}) {

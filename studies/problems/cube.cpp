@@ -22,7 +22,8 @@ Problem cube_problem() {
   amplitude.range = "between -1/(2 pi) and 1/(2 pi), where det F stays positive";
   return {.name = "cube",
           .source = "Steffen et al. 2008, section 5.3",
-          .length = 1,
+          .length_formula = "1",
+          .length = unit_length,
           .parameters = {amplitude, youngs_modulus_parameter(1e4), poissons_ratio_parameter(0.3), density_parameter(1)},
           .wave_speed_formula = "C = sqrt(E/rho)",
           .wave_speed = bar_wave_speed,

@@ -18,7 +18,8 @@ Setup<1> one_particle_setup(const Parameters& p) {
 Problem one_particle_problem() {
   return {.name = "one-particle",
           .source = "Wallstedt and Guilkey 2008, section 3",
-          .length = 1,
+          .length_formula = "1",
+          .length = unit_length,
           .parameters = {youngs_modulus_parameter(1e4), density_parameter(1),
                          Parameter{"velocity", 5, "m/s", [](double) { return true; }, "any"}},
           .wave_speed_formula = "C = sqrt(E/rho)",

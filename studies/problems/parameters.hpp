@@ -18,6 +18,10 @@ inline Parameter density_parameter(double value) {
   return {"density", value, "kg/m3", [](double rho) { return rho > 0; }, "> 0"};
 }
 
+inline double unit_length(const Parameters&) {
+  return 1;
+}
+
 /// sqrt(E/ρ₀), the wave speed of the S and W problems.
 inline double bar_wave_speed(const Parameters& p) {
   return std::sqrt(p.at("youngs_modulus") / p.at("density"));

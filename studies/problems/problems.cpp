@@ -8,10 +8,8 @@ namespace mpmvv {
 
 const std::vector<Problem>& problems() {
   static const std::vector<Problem> all{
-      bar_problem(),
-      square_problem(),
-      cube_problem(),
-      one_particle_problem(),
+      bar_problem(),    square_problem(), cube_problem(),         ring_problem(),
+      vortex_problem(), shell_problem(),  one_particle_problem(),
   };
   return all;
 }
@@ -29,6 +27,32 @@ Parameters complete_parameters(const Problem& problem, const Parameters& given) 
   Parameters all = given;
   for (const Parameter& parameter : problem.parameters) all.emplace(parameter.name, parameter.value);
   return all;
+}
+
+std::string Problem::default_boundary(bool quarter) const {
+  if (!quarter) return boundary;
+  std::vector<std::string> faces;
+  for (int d = 0; d < dimension(); ++d) faces.push_back(fmt::format("{0}min=mirror,{0}max=free", "xyz"[d]));
+  return fmt::format("{}", fmt::join(faces, ","));
+}
+
+bool Problem::is_curved(const Parameters& values) const {
+  return std::visit([&values](auto make) { return make(values).body.index() > 0; }, setup);
+}
+
+Extent extent(const Case& c) {
+  const Problem& problem = find_problem(c.problem.name, "the case");
+  const double h = problem.length(c.problem.parameters) / c.resolution.cells;
+  const auto extent_of = [&]<int D>(SetupFunction<D>) {
+    return std::visit(
+        [h](const auto& body) {
+          const Domain<D> all = domain(body, h);
+          const auto cells = Eigen::Map<const Eigen::Array<int, D, 1>>(all.cells.data()).template cast<double>();
+          return Extent{volume(body) / std::pow(h, D), cells.prod()};
+        },
+        make_setup<D>(problem, c.problem).body);
+  };
+  return std::visit(extent_of, problem.setup);
 }
 
 }  // namespace mpmvv

@@ -22,7 +22,8 @@ Problem square_problem() {
   amplitude.range = "between -1/pi and 1/pi, where det F stays positive";
   return {.name = "square",
           .source = "Wallstedt and Guilkey 2008, section 5.1",
-          .length = 1,
+          .length_formula = "1",
+          .length = unit_length,
           .parameters = {amplitude, youngs_modulus_parameter(1e4), poissons_ratio_parameter(0.3), density_parameter(1)},
           .wave_speed_formula = "c = sqrt(E/rho)",
           .wave_speed = bar_wave_speed,

@@ -144,7 +144,7 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
       record.error.linf = norms.linf();
     }
     if (c.measure.nodal_error) {
-      const ErrorNorms norms = acceleration_errors(mpm, *stage.setup.solution);
+      const ErrorNorms norms = acceleration_errors(mpm, *stage.setup.solution, stage.setup.body);
       record.error.nodal_l1 = norms.l1();
       record.error.nodal_l2 = norms.l2();
       record.error.nodal_linf = norms.linf();
@@ -160,7 +160,8 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
 Record run_once(const Case& c, const Problem& problem, int threads, VtuSeries* vtu) {
   Record record;
   record.the_case = c;
-  record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells / problem.length;
+  record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells /
+               problem.length(c.problem.parameters);
   try {
     switch (problem.dimension()) {
       case 1:
@@ -207,7 +208,7 @@ Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
 
 double work_estimate(const Case& c) {
   const int dimension = find_problem(c.problem.name, "the case").dimension();
-  return std::pow(c.resolution.cells * c.resolution.ppc, dimension) * static_cast<double>(c.resolution.steps);
+  return extent(c).cells_of_body * std::pow(c.resolution.ppc, dimension) * static_cast<double>(c.resolution.steps);
 }
 
 double memory_estimate(const Case& c) {
@@ -217,8 +218,9 @@ double memory_estimate(const Case& c) {
   const double stages = solver::is_staged(c.scheme.integrator) ? 2 * (2 * D + D * D) : 0;
   const double per_particle = 8.0 * (5 * D + 2 * D * D + 4 + stages) + 64;
   const double per_node = 8.0 * (4 * D + 1);
-  return per_particle * std::pow(c.resolution.cells * c.resolution.ppc, D) +
-         per_node * std::pow(c.resolution.cells + 5, D);
+  const auto [cells_of_body, cells_of_domain] = extent(c);
+  const double nodes = std::pow(std::pow(cells_of_domain, 1.0 / D) + 5, D);
+  return per_particle * cells_of_body * std::pow(c.resolution.ppc, D) + per_node * nodes;
 }
 
 }  // namespace mpmvv

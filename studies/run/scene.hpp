@@ -5,6 +5,7 @@
 #include "solver/mpm.hpp"
 #include "studies/case.hpp"
 #include "studies/problem.hpp"
+#include "studies/run/fill.hpp"
 
 namespace mpmvv {
 
@@ -27,6 +28,29 @@ class SolutionBodyForce final : public solver::BodyForce<D> {
   const mms::PointwiseSolution<D>& points_;
 };
 
+/// The manufactured solution's traction on the body's surface as the solver takes it.
+template <int D>
+class SolutionTraction final : public solver::SurfaceLoad<D> {
+ public:
+  using typename solver::SurfaceLoad<D>::Part;
+
+  SolutionTraction(const mms::ManufacturedSolution<D>& solution, std::vector<SurfacePatch<D>> patches,
+                   const std::vector<solver::Vec<D>>& X)
+      : solution_(solution), patches_(std::move(patches)) {
+    for (const auto& patch : patches_) parts_.push_back({patch.voxel, patch.X - X[patch.voxel]});
+  }
+
+  std::span<const Part> parts() const override { return parts_; }
+  void forces(double t, solver::Vec<D>* f) const override {
+    for (const auto& patch : patches_) *f++ = solution_.P(patch.X, t) * patch.normal;  // P N dA
+  }
+
+ private:
+  const mms::ManufacturedSolution<D>& solution_;
+  std::vector<SurfacePatch<D>> patches_;
+  std::vector<Part> parts_;
+};
+
 /// A case ready to run: the problem's solution sampled at the particles, and the scene made from it.
 template <int D>
 struct Stage {
@@ -34,10 +58,11 @@ struct Stage {
   std::vector<solver::Vec<D>> X;  ///< reference positions by particle id
   std::unique_ptr<mms::PointwiseSolution<D>> points;
   std::unique_ptr<SolutionBodyForce<D>> body_force;
+  std::unique_ptr<SolutionTraction<D>> traction;  ///< null where the surface is free or held
   solver::Scene<D> scene;
 };
 
-/// Places ppc^D particles per cell on the lattice of cell-centred sub-cells, in their state at t = 0.
+/// The body filled with particles in their state at t = 0.
 template <int D>
 Stage<D> make_stage(const Case& c, const Problem& problem, int threads);
 

@@ -23,7 +23,8 @@ int ghosts_of(const std::string& basis) {
 
 void require_sense(const Case& c) {
   const Scheme& s = c.scheme;
-  const int dimension = find_problem(c.problem.name, "the case").dimension();
+  const Problem& problem = find_problem(c.problem.name, "the case");
+  const int dimension = problem.dimension();
   const auto faces = boundary_faces(s.boundary, dimension, "the case");
   const auto has = [&faces](const char* word) { return std::find(faces.begin(), faces.end(), word) != faces.end(); };
 
@@ -57,6 +58,15 @@ void require_sense(const Case& c) {
   if ((s.basis == "gimp" || s.basis == "cpgimp") && c.resolution.ppc < 2)
     throw UsageError(
         fmt::format("basis '{}' with ppc = 1 (at least 2: a particle's width must stay below the cell's)", s.basis));
+  const bool is_curved = problem.is_curved(c.problem.parameters);
+  if (s.fill == "conforming" && !is_curved)
+    throw UsageError(fmt::format(
+        "fill 'conforming' has no meaning for problem '{}', which a lattice fills (use lattice)", problem.name));
+  if (s.fill == "lattice" && is_curved && problem.is_loaded && problem.is_loaded(c.problem.parameters))
+    throw UsageError(
+        fmt::format("fill 'lattice' for problem '{}' with a traction on its surface, which stairs do not have (use "
+                    "conforming)",
+                    problem.name));
   if (c.problem.name == "one-particle" && (c.resolution.cells != 1 || c.resolution.ppc != 1))
     throw UsageError("problem 'one-particle' with other cells or ppc (cells = 1 and ppc = 1)");
   if (c.problem.name == "one-particle" && s.start == "exact")

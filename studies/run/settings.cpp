@@ -12,6 +12,7 @@
 #include "studies/boundaries.hpp"
 #include "studies/error.hpp"
 #include "studies/problem.hpp"
+#include "studies/run/word_keys.hpp"
 #include "studies/sense.hpp"
 
 namespace mpmvv {
@@ -19,34 +20,6 @@ namespace mpmvv {
 namespace {
 
 using Settings = std::map<std::string, Setting>;
-
-template <class Words>
-std::vector<std::string> strings(const Words& words) {
-  return {words.begin(), words.end()};
-}
-
-/// Key and member of Scheme that take one of a few words.
-struct WordKey {
-  std::string key;
-  std::string Scheme::*member;
-  std::vector<std::string> words;
-};
-
-const std::vector<WordKey>& word_keys() {
-  static const std::vector<WordKey> keys{
-      {"basis", &Scheme::basis, strings(solver::words<solver::AnyBasis>())},
-      {"integrator", &Scheme::integrator, strings(solver::integrator_words())},
-      {"start", &Scheme::start, {"half", "exact"}},
-      {"velocity_update", &Scheme::velocity_update, {"flip"}},
-      {"mass", &Scheme::mass, {"lumped"}},
-      {"wall_acceleration", &Scheme::wall_acceleration, {"zero", "difference"}},
-      {"deformation", &Scheme::deformation, {"linear"}},
-      {"body_force", &Scheme::body_force, {"particles", "grid"}},
-      {"fill", &Scheme::fill, {"lattice"}},
-      {"material", &Scheme::material, strings(solver::words<solver::AnyMaterial>())},
-  };
-  return keys;
-}
 
 double number(const Settings& settings, const std::string& key, double absent) {
   const auto it = settings.find(key);
@@ -82,6 +55,20 @@ bool flag(const Setting& setting) {
   throw UsageError(fmt::format("{} = {} in {} (true or false)", setting.key, setting.value, setting.where));
 }
 
+Settings by_key(std::span<const Setting> given) {
+  Settings settings;
+  for (const Setting& setting : given) {
+    require_known_key(setting.key, setting.where);
+    settings[setting.key] = setting;
+  }
+  return settings;
+}
+
+const Problem& chosen_problem(const Settings& settings) {
+  const Setting& name = required(settings, "problem");
+  return find_problem(name.value, name.where);
+}
+
 Parameters given_parameters(const Settings& settings, const Problem& problem) {
   Parameters given;
   for (const auto& [key, setting] : settings) {
@@ -103,7 +90,23 @@ Parameters given_parameters(const Settings& settings, const Problem& problem) {
   return given;
 }
 
-Scheme make_scheme(const Settings& settings, const Problem& problem) {
+ProblemChoice make_choice(const Settings& settings, const Problem& problem) {
+  ProblemChoice choice{problem.name, complete_parameters(problem, given_parameters(settings, problem)), 0, false};
+  if (problem.objection)
+    if (const std::string objection = problem.objection(choice.parameters); !objection.empty())
+      throw UsageError(fmt::format("parameters of problem '{}': {}", problem.name, objection));
+  choice.end_time = problem.end_time(choice.parameters);
+  if (const auto it = settings.find("end_time"); it != settings.end()) choice.end_time = positive(it->second);
+  if (const auto it = settings.find("quarter"); it != settings.end()) {
+    choice.quarter = flag(it->second);
+    if (choice.quarter && !problem.has_quarter)
+      throw UsageError(fmt::format("quarter in {} has no meaning for problem '{}', which has no planes of symmetry",
+                                   it->second.where, problem.name));
+  }
+  return choice;
+}
+
+Scheme make_scheme(const Settings& settings, const Problem& problem, bool quarter) {
   Scheme scheme;
   for (const WordKey& key : word_keys()) {
     const auto it = settings.find(key.key);
@@ -132,8 +135,9 @@ Scheme make_scheme(const Settings& settings, const Problem& problem) {
     scheme.start = "none";
   }
   const auto it = settings.find("boundary");
-  scheme.boundary = it == settings.end() ? canonical_boundary(problem.boundary, problem.dimension(), "its default")
-                                         : canonical_boundary(it->second.value, problem.dimension(), it->second.where);
+  scheme.boundary = it == settings.end()
+                        ? canonical_boundary(problem.default_boundary(quarter), problem.dimension(), "its default")
+                        : canonical_boundary(it->second.value, problem.dimension(), it->second.where);
   return scheme;
 }
 
@@ -144,7 +148,7 @@ void set_time_step(const Settings& settings, const Problem& problem, Case& c) {
     throw UsageError(has_cfl ? fmt::format("both cfl and dt given in {} (one of them)", settings.at("dt").where)
                              : std::string("neither cfl nor dt given (one of them is required)"));
   const double T = c.problem.end_time;
-  const double h = problem.length / c.resolution.cells;
+  const double h = problem.length(c.problem.parameters) / c.resolution.cells;
   const double wanted = has_dt ? positive(settings.at("dt"))
                                : positive(settings.at("cfl")) * h / problem.wave_speed(c.problem.parameters);
   const double steps = has_dt ? std::round(T / wanted) : std::ceil(T / wanted - 1e-9);
@@ -164,53 +168,6 @@ void set_time_step(const Settings& settings, const Problem& problem, Case& c) {
 
 }  // namespace
 
-const std::vector<SettingKey>& setting_keys() {
-  static const std::vector<SettingKey> keys{
-      {"problem", "what is solved"},
-      {"basis", "grid basis functions"},
-      {"smoothing_length", "of ugimp, in cells"},
-      {"integrator", "order of the step"},
-      {"start", "first step of cd and uvf"},
-      {"velocity_update", "how particle velocities follow the grid"},
-      {"mass", "mass matrix"},
-      {"boundary", "all faces, or per face as xmin=symmetry,xmax=free"},
-      {"wall_acceleration", "acceleration of held nodes"},
-      {"deformation", "update of F"},
-      {"body_force", "where the body force is evaluated"},
-      {"fill", "how particles fill the body"},
-      {"material", "constitutive law"},
-      {"cells", "cells per length L of the problem"},
-      {"ppc", "particles per cell and direction"},
-      {"cfl", "wave speed times time step over cell width"},
-      {"dt", "time step in s; must divide the end time"},
-      {"end_time", "in s"},
-      {"steps", "stop after so many steps of the default end time's step"},
-      {"every_step", "errors over all steps, too"},
-      {"nodal_error", "error of the nodal accelerations at the end, too"},
-      {"blowup_error", "unstable beyond this error, in displacement amplitudes"},
-      {"blowup_energy", "unstable beyond this energy, in initial energies"},
-      {"repeat", "run alone so often (3 or more) and keep the median cost"},
-  };
-  return keys;
-}
-
-std::vector<std::string> words_of_key(const std::string& key) {
-  if (key == "boundary") return strings(solver::words<solver::AnyBoundary>());
-  for (const WordKey& word_key : word_keys())
-    if (word_key.key == key) return word_key.words;
-  return {};
-}
-
-void require_known_key(const std::string& key, const std::string& where) {
-  if (key.starts_with("param.")) return;
-  std::vector<std::string> known;
-  for (const SettingKey& k : setting_keys()) {
-    if (k.key == key) return;
-    known.push_back(k.key);
-  }
-  throw UsageError(fmt::format("unknown key '{}' in {} (known: {}, param)", key, where, fmt::join(known, ", ")));
-}
-
 double parse_number(const Setting& setting) {
   double value = 0;
   const char* end = setting.value.data() + setting.value.size();
@@ -220,21 +177,18 @@ double parse_number(const Setting& setting) {
   return value;
 }
 
+ProblemChoice make_choice(std::span<const Setting> given) {
+  const Settings settings = by_key(given);
+  return make_choice(settings, chosen_problem(settings));
+}
+
 Case make_case(std::span<const Setting> given) {
-  Settings settings;
-  for (const Setting& setting : given) {
-    require_known_key(setting.key, setting.where);
-    settings[setting.key] = setting;
-  }
-  const Setting& name = required(settings, "problem");
-  const Problem& problem = find_problem(name.value, name.where);
+  const Settings settings = by_key(given);
+  const Problem& problem = chosen_problem(settings);
 
   Case c;
-  c.problem.name = problem.name;
-  c.problem.parameters = complete_parameters(problem, given_parameters(settings, problem));
-  c.problem.end_time = problem.end_time(c.problem.parameters);
-  if (const auto it = settings.find("end_time"); it != settings.end()) c.problem.end_time = positive(it->second);
-  c.scheme = make_scheme(settings, problem);
+  c.problem = make_choice(settings, problem);
+  c.scheme = make_scheme(settings, problem, c.problem.quarter);
   c.resolution.cells = count<int>(required(settings, "cells"), 1, 1'000'000);
   c.resolution.ppc = count<int>(required(settings, "ppc"), 1, 100);
   set_time_step(settings, problem, c);

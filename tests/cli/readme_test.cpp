@@ -38,34 +38,71 @@ TEST(Readme, TheStudyRunsAsPrinted) {
   EXPECT_TRUE(std::filesystem::exists(folder / "report/figures/my-study.svg"));
 }
 
-/// A newcomer's basis: one file, one line, and everything takes it. Builds a copy of the tree, so nightly only.
-TEST(ReadmeNightly, TheBasisIsOneFileAndOneLine) {
-  const Folder folder;
-  const std::string tree = folder / "tree";
-  int code = 0;
-  shell("mkdir '" + tree +
-            "' && cd '" MPMVV_SOURCE_DIR
-            "' && cp -r CMakeLists.txt cmake mms solver studies goldens reports cli tests '" +
-            tree + "'",
-        code);
-  ASSERT_EQ(code, 0);
-  std::ofstream(tree + "/solver/basis/bspline4.hpp") << block("basis");
-  std::string words = read_text(tree + "/solver/words.hpp");
-  const std::string before = "                              UGimp,";
-  ASSERT_NE(words.find(before), std::string::npos);
-  words.insert(words.find(before), block("line"));
-  words.insert(words.find("#include \"solver/basis/gimp.hpp\""), "#include \"solver/basis/bspline4.hpp\"\n");
-  std::ofstream(tree + "/solver/words.hpp") << words;
-  const std::string built =
-      shell("cmake -S '" + tree + "' -B '" + tree + "/build' -G Ninja -DCMAKE_BUILD_TYPE=Release && cmake --build '" +
-                tree + "/build' --target mpmvv test_solver && '" + tree + "/build/mpmvv' list bases && '" + tree +
-                "/build/test_solver' && '" + tree +
-                "/build/mpmvv' run --problem bar --basis bspline4 --boundary periodic --integrator cd --cells 32 --ppc "
-                "4 --cfl 0.2",
-            code);
-  EXPECT_EQ(code, 0) << built.substr(built.size() > 4000 ? built.size() - 4000 : 0);
-  EXPECT_THAT(built, testing::HasSubstr("bspline4"));
-  EXPECT_THAT(built, testing::HasSubstr("status ok"));
+/// A newcomer's copy of the tree. What is done to it is built, so nightly only.
+class ReadmeNightly : public testing::Test {
+ protected:
+  void SetUp() override {
+    int code = 0;
+    shell("mkdir '" + tree_ +
+              "' && cd '" MPMVV_SOURCE_DIR
+              "' && cp -r CMakeLists.txt cmake mms solver studies goldens reports cli tests '" +
+              tree_ + "'",
+          code);
+    ASSERT_EQ(code, 0);
+  }
+
+  void write(const std::string& file, const std::string& text) { std::ofstream(tree_ + "/" + file) << text; }
+
+  void insert(const std::string& file, const std::string& before, const std::string& line) {
+    std::string text = read_text(tree_ + "/" + file);
+    const auto at = text.find(before);
+    ASSERT_NE(at, std::string::npos) << before;
+    write(file, text.insert(at, line));
+  }
+
+  /// Builds `target` and runs a command in the folder of the programs.
+  std::string build_and(const std::string& target, const std::string& command) {
+    int code = 0;
+    const std::string out = shell("cmake -S '" + tree_ + "' -B '" + tree_ +
+                                      "/build' -G Ninja -DCMAKE_BUILD_TYPE=Release && cmake --build '" + tree_ +
+                                      "/build' --target " + target + " && cd '" + tree_ + "/build' && " + command,
+                                  code);
+    EXPECT_EQ(code, 0) << out.substr(out.size() > 4000 ? out.size() - 4000 : 0);
+    return out;
+  }
+
+ private:
+  Folder folder_;
+  std::string tree_ = folder_ / "tree";
+};
+
+/// A basis: one file, one line, and everything takes it.
+TEST_F(ReadmeNightly, TheBasisIsOneFileAndOneLine) {
+  write("solver/basis/bspline4.hpp", block("basis"));
+  insert("solver/words.hpp", "                              UGimp,", block("line"));
+  insert("solver/words.hpp", "#include \"solver/basis/gimp.hpp\"", "#include \"solver/basis/bspline4.hpp\"\n");
+  const std::string out = build_and("mpmvv test_solver",
+                                    "./mpmvv list bases && ./test_solver && ./mpmvv run --problem bar --basis bspline4 "
+                                    "--boundary periodic --integrator cd --cells 32 --ppc 4 --cfl 0.2");
+  EXPECT_THAT(out, testing::HasSubstr("bspline4"));
+  EXPECT_THAT(out, testing::HasSubstr("status ok"));
+}
+
+/// A displacement field becomes a problem, and the solver converges to it.
+TEST_F(ReadmeNightly, TheSolutionIsADisplacementField) {
+  write("studies/problems/bending.cpp", block("solution"));
+  insert("studies/problems/problems.cpp", "      one_particle_problem(),", block("solution-line"));
+  insert("studies/problem.hpp", "Problem bar_problem();", "Problem bending_problem();\n");
+  const std::string run =
+      "./mpmvv run --problem bending --basis bspline3 --integrator cd --ppc 4 --cfl 0.2 --json --cells ";
+  const std::string out = build_and("mpmvv", run + "16 && echo SPLIT && " + run + "32");
+  const auto error = [&out](std::size_t from) {
+    const auto begin = out.find('{', from);
+    return nlohmann::json::parse(out.substr(begin, out.find("\n}", begin) + 2 - begin))["error"]["l2"].get<double>();
+  };
+  const auto split = out.find("SPLIT");
+  ASSERT_NE(split, std::string::npos);
+  EXPECT_GT(error(out.rfind("\n{", split)) / error(split), 3) << "second order";
 }
 
 }  // namespace

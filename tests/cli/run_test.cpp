@@ -108,15 +108,28 @@ TEST(RunCommand, WallAccelerationsOfEveryIntegratorAgree) {
 /// threads to the same bit.
 TEST(RunCommand, EveryProblemFollowsItsSolution) {
   const Folder folder;
-  for (const char* problem : {"bar", "square", "cube"}) {
-    const std::string run = std::string("run --problem ") + problem +
-                            " --basis cpgimp --integrator cd --cells 10 --ppc 2 --cfl 0.4 --json ";
+  for (const char* choice :
+       {"bar --basis cpgimp --cells 10", "square --basis cpgimp --cells 10", "cube --basis cpgimp --cells 10",
+        "ring --basis cpgimp --cells 10", "ring --basis bspline3 --cells 10 --fill conforming --quarter",
+        "ring --basis bspline3 --cells 10 --fill conforming --quarter --param poissons_ratio=0.3",
+        "vortex --basis bspline3 --cells 24 --fill conforming",
+        "shell --basis bspline2 --cells 10 --fill conforming --quarter"}) {
+    const std::string run = std::string("run --integrator cd --ppc 2 --cfl 0.4 --json --problem ") + choice + ' ';
     const auto record = call(folder, run).json();
-    EXPECT_EQ(record["status"], "ok") << problem;
-    EXPECT_LT(record["error"]["l2"], 0.1 * record["parameters"]["amplitude"].get<double>()) << problem;
-    EXPECT_LT(call(folder, run + "--param amplitude=0").json()["error"]["linf"], 1e-15) << problem;
-    EXPECT_EQ(call(folder, run + "--threads 2").json()["error"], record["error"]) << problem;
+    EXPECT_EQ(record["status"], "ok") << choice;
+    EXPECT_LT(record["error"]["l2"], 0.1 * record["parameters"]["amplitude"].get<double>()) << choice;
+    EXPECT_LT(call(folder, run + "--param amplitude=0").json()["error"]["linf"], 1e-15) << choice;
+    EXPECT_EQ(call(folder, run + "--threads 2").json()["error"], record["error"]) << choice;
   }
+}
+
+TEST(RunCommand, AQuarterContinuedByItsMirrorImagesMovesAsTheWhole) {
+  const Folder folder;
+  const std::string run =
+      "run --problem ring --basis bspline3 --integrator cd --fill conforming --cells 8 --ppc 2 --cfl 0.4 --json ";
+  const auto whole = call(folder, run).json(), quarter = call(folder, run + "--quarter").json();
+  EXPECT_EQ(whole["particles"], 4 * quarter["particles"].get<int>());
+  EXPECT_NEAR(quarter["error"]["linf"], whole["error"]["linf"], 1e-12);
 }
 
 TEST(RunCommand, StepsKeepTheTimeStepOfTheWholeRun) {
@@ -206,6 +219,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"solution --problem bar --at 0.5, --time 0", "coordinate = ''"},
         BadInput{"list > /dev/full", "standard output"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --vtu /dev/null/x", "--vtu"},
+        BadInput{"solution --problem ring --at 0.1,0.1 --time 0", "between the radii"},
+        BadInput{"solution --problem ring --at 0.6,0.1 --time 0 --param outer_radius=1.5", "three times"},
+        BadInput{"solution --problem ring --at 0.6,0.1 --time 0 --param amplitude=0.9", "det F"},
+        BadInput{"solution --problem vortex --at 0.8,0.1 --time 0 --param inner_radius=2", "not below"},
+        BadInput{"run --problem vortex --quarter --cells 8 --ppc 2 --cfl 0.1", "no planes of symmetry"},
+        BadInput{"run --problem square --fill conforming --cells 8 --ppc 2 --cfl 0.1", "a lattice fills"},
+        BadInput{"run --problem ring --param poissons_ratio=0.3 --cells 8 --ppc 2 --cfl 0.1", "use conforming"},
         BadInput{"solution --problem bar --at 1.5 --time 0", "outside the body"},
         BadInput{"solution --problem bar --at 0.5,0.5 --time 0", "has 2 coordinates"},
         BadInput{"solution --problem cube --at 0.5,0.5 --time 0", "has 2 coordinates"},

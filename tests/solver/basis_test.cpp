@@ -38,8 +38,7 @@ class BasisProperties : public ::testing::Test {
   }
 };
 
-using AllBases = TypesOf<AnyBasis>::type;
-TYPED_TEST_SUITE(BasisProperties, AllBases);
+TYPED_TEST_SUITE(BasisProperties, TestedBases);
 
 TYPED_TEST(BasisProperties, WeightsSumToOne) {
   this->everywhere([](const auto& setting, const auto& grid, const auto& x) {

@@ -150,8 +150,7 @@ void expect_the_same_motion(Scene<D> whole, Scene<D> part, std::string_view inte
 
 template <class B>
 class MirroredBody : public ::testing::Test {};
-using AllBases = TypesOf<AnyBasis>::type;
-TYPED_TEST_SUITE(MirroredBody, AllBases);
+TYPED_TEST_SUITE(MirroredBody, TestedBases);
 
 TYPED_TEST(MirroredBody, MovesAsTheWholeBodyDoes) {
   if (TypeParam::ghost == 0) return;  // an open-knot basis has no mirror

@@ -43,8 +43,7 @@ class Faults : public ::testing::Test {
       }
   }
 };
-using AllBases = TypesOf<AnyBasis>::type;
-TYPED_TEST_SUITE(Faults, AllBases);
+TYPED_TEST_SUITE(Faults, TestedBases);
 
 TYPED_TEST(Faults, SoundRunsHaveNone) {
   this->everywhere([](const auto& scene) { EXPECT_EQ(fault_of(scene, 0.1 * scene.h / 120), ""); });

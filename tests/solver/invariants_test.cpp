@@ -36,8 +36,7 @@ Vec<D> momentum(const Particles<D>& particles) {
 
 template <class B>
 class Invariants : public ::testing::Test {};
-using AllBases = TypesOf<AnyBasis>::type;
-TYPED_TEST_SUITE(Invariants, AllBases);
+TYPED_TEST_SUITE(Invariants, TestedBases);
 
 template <int D>
 void expect_mapping_keeps_sums(Scene<D> scene) {

@@ -48,8 +48,7 @@ Scene<D> drifting(const AnyBasis& basis, const Index<D>& cells) {
 
 template <class B>
 class Repeatability : public ::testing::Test {};
-using AllBases = TypesOf<AnyBasis>::type;
-TYPED_TEST_SUITE(Repeatability, AllBases);
+TYPED_TEST_SUITE(Repeatability, TestedBases);
 
 template <int D>
 void expect_the_same_for_any_threads(Scene<D> scene, std::string_view integrator, int steps) {

@@ -19,6 +19,13 @@ struct TypesOf<std::variant<Types...>> {
   using type = ::testing::Types<Types...>;
 };
 
+/// Every basis; under a sanitizer, which makes each of them a minute's work to compile, one of each kind.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+using TestedBases = ::testing::Types<BSpline2, BSpline3Open, CpGimp>;
+#else
+using TestedBases = TypesOf<AnyBasis>::type;
+#endif
+
 /// A basis with the width of the particle that is looked at.
 template <class B>
 struct Setting {

@@ -14,7 +14,7 @@
 namespace mpmvv {
 namespace {
 
-Case bar() {
+Case bar_case() {
   return {.problem = {.name = "bar", .parameters = {{"amplitude", 0.05}, {"density", 1}}, .end_time = 0.01},
           .scheme = {.basis = "bspline2", .integrator = "cd", .boundary = "periodic"},
           .resolution = {.cells = 64, .ppc = 4, .dt = 1.0 / 3, .steps = 800},
@@ -22,8 +22,8 @@ Case bar() {
 }
 
 TEST(CanonicalText, IsOneLineOfEveryChoiceInAFixedOrder) {
-  EXPECT_EQ(canonical_text(bar()),
-            "problem=bar param.amplitude=0.05 param.density=1 end_time=0.01 basis=bspline2 smoothing_length=0 "
+  EXPECT_EQ(canonical_text(bar_case()),
+            "problem=bar param.amplitude=0.05 param.density=1 end_time=0.01 quarter=false basis=bspline2 smoothing_length=0 "
             "integrator=cd start=half velocity_update=flip mass=lumped boundary=periodic wall_acceleration=zero "
             "deformation=linear body_force=particles fill=lattice material=neo-hookean-log cells=64 ppc=4 "
             "dt=0.3333333333333333 steps=800 "
@@ -32,7 +32,7 @@ TEST(CanonicalText, IsOneLineOfEveryChoiceInAFixedOrder) {
 
 TEST(CanonicalText, NumbersReadBackAsTheSameNumber) {
   for (const double dt : {0.1, 1.0 / 3, 4e-6, 1e300, std::numeric_limits<double>::denorm_min()}) {
-    Case c = bar();
+    Case c = bar_case();
     c.resolution.dt = dt;
     const std::string text = canonical_text(c);
     const std::size_t at = text.find(" dt=") + 4;
@@ -41,7 +41,7 @@ TEST(CanonicalText, NumbersReadBackAsTheSameNumber) {
 }
 
 TEST(CanonicalText, EqualCasesHaveEqualTexts) {
-  Case minus = bar(), plus = bar();
+  Case minus = bar_case(), plus = bar_case();
   minus.problem.parameters["amplitude"] = -0.0;
   plus.problem.parameters["amplitude"] = 0.0;
   ASSERT_EQ(minus, plus);
@@ -49,15 +49,16 @@ TEST(CanonicalText, EqualCasesHaveEqualTexts) {
 }
 
 TEST(CanonicalText, EveryMemberMakesADifference) {
-  std::set<std::string> texts{canonical_text(bar())};
+  std::set<std::string> texts{canonical_text(bar_case())};
   const auto differs = [&](auto change) {
-    Case c = bar();
+    Case c = bar_case();
     change(c);
     return texts.insert(canonical_text(c)).second;
   };
   EXPECT_TRUE(differs([](Case& c) { c.problem.name = "x"; }));
   EXPECT_TRUE(differs([](Case& c) { c.problem.parameters["amplitude"] = std::nextafter(0.05, 1); }));
   EXPECT_TRUE(differs([](Case& c) { c.problem.parameters["more"] = 0; }));
+  EXPECT_TRUE(differs([](Case& c) { c.problem.quarter = true; }));
   EXPECT_TRUE(differs([](Case& c) { c.problem.end_time = 2; }));
   for (std::string Scheme::*word :
        {&Scheme::basis, &Scheme::integrator, &Scheme::start, &Scheme::velocity_update, &Scheme::mass, &Scheme::boundary,

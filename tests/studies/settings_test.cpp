@@ -8,40 +8,41 @@
 namespace mpmvv {
 namespace {
 
-std::vector<Setting> bar(std::initializer_list<std::pair<const char*, const char*>> more = {}) {
+std::vector<Setting> bar_settings(std::initializer_list<std::pair<const char*, const char*>> more = {}) {
   std::vector<Setting> settings{{"problem", "bar", "a.toml:1"}, {"cells", "32", "a.toml:2"}, {"ppc", "4", "a.toml:3"}};
   for (const auto& [key, value] : more) settings.push_back({key, value, "a.toml:9"});
   return settings;
 }
 
 TEST(Settings, CflDividesTheEndTime) {
-  const Case c = make_case(bar({{"cfl", "0.3"}}));  // C = 100, h = 1/32, T = 0.01: Δt <= 9.375e-5, 107 steps
+  const Case c = make_case(bar_settings({{"cfl", "0.3"}}));  // C = 100, h = 1/32, T = 0.01: Δt <= 9.375e-5, 107 steps
   EXPECT_EQ(c.resolution.steps, 107);
   EXPECT_DOUBLE_EQ(c.resolution.dt, 0.01 / 107);
-  EXPECT_EQ(make_case(bar({{"cfl", "0.32"}})).resolution.steps, 100) << "a step that divides exactly is taken as it is";
+  EXPECT_EQ(make_case(bar_settings({{"cfl", "0.32"}})).resolution.steps, 100)
+      << "a step that divides exactly is taken as it is";
 }
 
 TEST(Settings, ThePapersStepIsCflPointTwoAt512Cells) {
-  const Case c = make_case(bar({{"dt", "4e-6"}}));
+  const Case c = make_case(bar_settings({{"dt", "4e-6"}}));
   EXPECT_EQ(c.resolution.steps, 2500);
 }
 
 TEST(Settings, DefaultsAreFilledInAndPartOfTheCase) {
-  const Case c = make_case(bar({{"cfl", "0.3"}}));
+  const Case c = make_case(bar_settings({{"cfl", "0.3"}}));
   EXPECT_EQ(c.problem.parameters.at("amplitude"), 0.05);
   EXPECT_EQ(c.problem.parameters.at("youngs_modulus"), 1e4);
   EXPECT_EQ(c.scheme.boundary, "periodic");
-  EXPECT_EQ(c, make_case(bar({{"cfl", "0.3"}, {"param.amplitude", "0.05"}})));
-  EXPECT_NE(c, make_case(bar({{"cfl", "0.3"}, {"param.amplitude", "0.02"}})));
+  EXPECT_EQ(c, make_case(bar_settings({{"cfl", "0.3"}, {"param.amplitude", "0.05"}})));
+  EXPECT_NE(c, make_case(bar_settings({{"cfl", "0.3"}, {"param.amplitude", "0.02"}})));
 }
 
 TEST(Settings, LaterOnesOverwriteEarlierOnes) {
-  EXPECT_EQ(make_case(bar({{"cfl", "0.3"}, {"cells", "64"}})).resolution.cells, 64);
+  EXPECT_EQ(make_case(bar_settings({{"cfl", "0.3"}, {"cells", "64"}})).resolution.cells, 64);
 }
 
 TEST(Settings, AnErrorNamesTheLineOfTheSetting) {
   try {
-    make_case(bar({{"cfl", "0.3"}, {"basis", "bspline4"}}));
+    make_case(bar_settings({{"cfl", "0.3"}, {"basis", "bspline4"}}));
     FAIL();
   } catch (const UsageError& e) {
     EXPECT_NE(std::string(e.what()).find("unknown basis 'bspline4' in a.toml:9 (known: linear, "), std::string::npos)

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include "studies/checks/particle_panel.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+/// A moment of a run as a fraction of its end time, and how a figure names it.
+struct Moment {
+  const char* name;
+  int eighths;
+};
+
+CheckResult particles_at(const std::vector<Moment>& moments, const std::vector<Setting>& settings) {
+  MovingBody<2> motion(settings);
+  CheckResult result;
+  for (const auto& [name, eighths] : moments) {
+    motion.step_to(motion.resolution().steps * eighths / 8);
+    result.series.push_back(particle_panel(name, motion.mpm(), [](std::uint32_t) { return true; }));
+  }
+  return result;
+}
+
+}  // namespace
+
+/// W Fig. 2: the square on 8 x 8 cells with four particles each, at three times of a period T.
+CheckResult check_square_particles() {
+  return particles_at({{"t = T/8", 1}, {"t = 3T/8", 3}, {"t = 5T/8", 5}}, {{"problem", "square", ""},
+                                                                           {"basis", "cpgimp", ""},
+                                                                           {"integrator", "cd", ""},
+                                                                           {"boundary", "symmetry", ""},
+                                                                           {"cells", "8", ""},
+                                                                           {"ppc", "2", ""},
+                                                                           {"cfl", "0.4", ""}});
+}
+
+/// W Fig. 5: the ring at three times of a period T, from its widest to its narrowest.
+CheckResult check_ring_particles() {
+  return particles_at({{"t = 0", 0}, {"t = T/4", 2}, {"t = T/2", 4}}, {{"problem", "ring", ""},
+                                                                       {"quarter", "true", ""},
+                                                                       {"basis", "cpgimp", ""},
+                                                                       {"integrator", "cd", ""},
+                                                                       {"cells", "8", ""},
+                                                                       {"ppc", "2", ""},
+                                                                       {"cfl", "0.4", ""}});
+}
+
+/// The ring of X-ring, its particles in rows along the surfaces.
+CheckResult check_ring_rows() {
+  return particles_at({{"t = 0", 0}, {"t = T/4", 2}, {"t = T/2", 4}}, {{"problem", "ring", ""},
+                                                                       {"quarter", "true", ""},
+                                                                       {"basis", "bspline3", ""},
+                                                                       {"integrator", "cd", ""},
+                                                                       {"fill", "conforming", ""},
+                                                                       {"cells", "8", ""},
+                                                                       {"ppc", "2", ""},
+                                                                       {"cfl", "0.2", ""}});
+}
+
+/// The vortex on its way out and at its farthest.
+CheckResult check_vortex_particles() {
+  return particles_at({{"t = 0", 0}, {"t = 1/8", 1}, {"t = 1/2", 4}}, {{"problem", "vortex", ""},
+                                                                       {"basis", "bspline3", ""},
+                                                                       {"integrator", "cd", ""},
+                                                                       {"fill", "conforming", ""},
+                                                                       {"cells", "16", ""},
+                                                                       {"ppc", "2", ""},
+                                                                       {"cfl", "0.2", ""}});
+}
+
+}  // namespace mpmvv
