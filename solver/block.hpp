@@ -23,18 +23,23 @@ constexpr bool contains(Fault faults, Fault one) {
 template <int D>
 inline constexpr int block_size = 256 >> D;
 
-/// A few neighbouring particles, the nodes that each of them reaches, and what the stages of a sweep hand to each
-/// other. Weights and gradients are kept per axis; a `Stencil` forms their products.
-template <int D, int K>
+/// A few neighbouring particles, and what the stages of a sweep hand to each other.
+template <int D>
 struct Block {
   int slab;
   std::size_t begin;
   int count;
-  int first[block_size<D>];         ///< storage index of the first node
-  double N[D][K][block_size<D>];    ///< weights
-  double dN[D][K][block_size<D>];   ///< gradients, per length
   PackedMat<D> tau[block_size<D>];  ///< Kirchhoff stress, by EvaluateStress
   Vec<D> b[block_size<D>];          ///< body acceleration, by EvaluateBodyForce
+};
+
+/// A block with the nodes that each of its particles reaches. Weights and gradients are kept per axis; a `Stencil`
+/// forms their products.
+template <int D, int K>
+struct PointBlock : Block<D> {
+  int first[block_size<D>];        ///< storage index of the first node
+  double N[D][K][block_size<D>];   ///< weights
+  double dN[D][K][block_size<D>];  ///< gradients, per length
 
   Stencil<D, K> stencil(int k, const Grid<D>& grid) const {
     Stencil<D, K> s;
@@ -58,7 +63,7 @@ inline double confined(double value, double least, double most, int& strays) {
 /// a fault; its stencil then lies somewhere inside storage, and the caller stops the run.
 template <int D, class B>
 Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
-                        Block<D, B::support>& block) {
+                        PointBlock<D, B::support>& block) {
   const double inverse_h = 1 / grid.h();
   const int count = block.count;
   int outside = 0, outgrown = 0;

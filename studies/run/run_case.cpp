@@ -212,13 +212,16 @@ double work_estimate(const Case& c) {
 
 double memory_estimate(const Case& c) {
   const int D = find_problem(c.problem.name, "the case").dimension();
-  // Positions (with the reference ones), velocities, F, widths, mass, volume, identity, and twice a field while
-  // sorting.
+  solver::AnyBasis basis;
+  solver::from_word(c.scheme.basis, basis);
+  // Positions (with the reference ones), velocities, F, widths or edges, mass, volume, identity, and twice a field
+  // while sorting.
   const double stages = solver::is_staged(c.scheme.integrator) ? 2 * (2 * D + D * D) : 0;
-  const double per_particle = 8.0 * (5 * D + 2 * D * D + 4 + stages) + 64;
+  const double widths = width_of(basis) == solver::ParticleWidth::domain ? 2 * D * D : 2 * D;
+  const double per_particle = 8.0 * (3 * D + 2 * D * D + widths + 4 + stages) + 64;
   const double per_node = 8.0 * (4 * D + 1);
   return per_particle * std::pow(c.resolution.cells * c.resolution.ppc, D) +
-         per_node * std::pow(c.resolution.cells + 5, D);
+         per_node * std::pow(c.resolution.cells + 1 + 2 * ghosts_of(basis), D);
 }
 
 }  // namespace mpmvv

@@ -49,13 +49,14 @@ void set_basis(Stage<D>& stage, const Case& c) {
   auto& particles = scene.particles;
   solver::from_word(c.scheme.basis, scene.basis);
   if (auto* ugimp = std::get_if<solver::UGimp>(&scene.basis)) ugimp->smoothing_length = c.scheme.smoothing_length;
-  const auto width = std::visit([]<class B>(const B&) { return B::width; }, scene.basis);
-  if (width == solver::ParticleWidth::none) return;
-  particles.l.assign(particles.size(), Vec<D>::Constant(1.0 / c.resolution.ppc));
-  if (width == solver::ParticleWidth::reference) return;
-  particles.l0 = particles.l;
-  for (std::size_t p = 0; p < particles.size(); ++p)
-    particles.l[p] = particles.l0[p].cwiseProduct(particles.F[p].diagonal());
+  const auto width = solver::width_of(scene.basis);
+  if (width == solver::ParticleWidth::reference || width == solver::ParticleWidth::current)
+    particles.l.assign(particles.size(), Vec<D>::Constant(1.0 / c.resolution.ppc));
+  if (width == solver::ParticleWidth::domain)
+    particles.R.assign(particles.size(), solver::Mat<D>::Identity() / c.resolution.ppc);
+  if (width == solver::ParticleWidth::current) particles.l0 = particles.l;
+  particles.R0 = particles.R;
+  particles.update_widths(0, particles.size());
 }
 
 }  // namespace
