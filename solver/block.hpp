@@ -24,18 +24,23 @@ constexpr bool contains(Fault faults, Fault one) {
 template <int D>
 inline constexpr int block_size = 256 >> D;
 
-/// A few neighbouring particles, the nodes that each of them reaches, and what the stages of a sweep hand to each
-/// other. Weights and gradients are kept per axis; a `Stencil` forms their products.
-template <int D, int K>
+/// A few neighbouring particles, and what the stages of a sweep hand to each other.
+template <int D>
 struct Block {
   int slab;
   std::size_t begin;
   int count;
-  int first[block_size<D>];         ///< storage index of the first node
-  double N[D][K][block_size<D>];    ///< weights
-  double dN[D][K][block_size<D>];   ///< gradients, per length
   PackedMat<D> tau[block_size<D>];  ///< Kirchhoff stress, by EvaluateStress
   Vec<D> b[block_size<D>];          ///< body acceleration, by EvaluateBodyForce
+};
+
+/// A block with the nodes that each of its particles reaches. Weights and gradients are kept per axis; a `Stencil`
+/// forms their products.
+template <int D, int K>
+struct PointBlock : Block<D> {
+  int first[block_size<D>];        ///< storage index of the first node
+  double N[D][K][block_size<D>];   ///< weights
+  double dN[D][K][block_size<D>];  ///< gradients, per length
 
   Stencil<D, K> stencil(int k, const Grid<D>& grid) const {
     Stencil<D, K> s;
@@ -62,18 +67,18 @@ std::pair<double, double> covered(int cells) {
   return {least, B::ghost == 0 ? cells : std::nextafter(cells - least, 0.0)};
 }
 
-/// The nodes that reach a point, for a basis that takes no width; counts in `strays` the axes on which there are none.
+/// The weights of a point, for a basis that takes no width; counts in `strays` the axes on which there are none.
 template <int D, class B>
-Stencil<D, B::support> stencil_at(const Vec<D>& x, const B& basis, const Grid<D>& grid, int& strays) {
-  Stencil<D, B::support> s;
+Weights<D, B::support> weights_at(const Vec<D>& x, const B& basis, const Grid<D>& grid, int& strays) {
+  Weights<D, B::support> s;
   Index<D> first;
   for (int d = 0; d < D; ++d) {
     const int cells = grid.cells()[static_cast<std::size_t>(d)];
     const auto [least, most] = covered<B>(cells);
     const double xi = confined((x[d] - grid.lower()[d]) / grid.h(), least, most, strays);
-    first[static_cast<std::size_t>(d)] = basis.evaluate({xi, cells, 0}, s.N[d], s.dN[d]);
+    double dN[B::support];
+    first[static_cast<std::size_t>(d)] = basis.evaluate({xi, cells, 0}, s.N[d], dN);
     s.stride[static_cast<std::size_t>(d)] = grid.stride(d);
-    for (double& dN : s.dN[d]) dN /= grid.h();
   }
   s.first = static_cast<std::size_t>(grid.node(first));
   return s;
@@ -83,7 +88,7 @@ Stencil<D, B::support> stencil_at(const Vec<D>& x, const B& basis, const Grid<D>
 /// a fault; its stencil then lies somewhere inside storage, and the caller stops the run.
 template <int D, class B>
 Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
-                        Block<D, B::support>& block) {
+                        PointBlock<D, B::support>& block) {
   const double inverse_h = 1 / grid.h();
   const int count = block.count;
   int outside = 0, outgrown = 0;

@@ -29,7 +29,7 @@ Mpm<D>::Mpm(Scene<D> scene)
     : scene_(std::move(scene)),
       particles_(std::move(scene_.particles)),
       grid_(detail::make_grid(scene_)),
-      slabs_(grid_),
+      slabs_(grid_, reach(width_of(scene_.basis))),
       team_(scene_.threads),
       advance_(detail::find_integrator<D>(scene_.integrator).advance) {
   if (is_staged(scene_.integrator)) particles_.start_stages();
@@ -92,7 +92,10 @@ Vec<D> Mpm<D>::node_position(std::size_t n) const {
 template <int D>
 std::string Mpm<D>::fault() const {
   if (contains(fault_, Fault::outside)) return "a particle left the domain";
-  if (contains(fault_, Fault::outgrown)) return "a particle is wider than a cell";
+  if (contains(fault_, Fault::outgrown))
+    return width_of(scene_.basis) == ParticleWidth::domain
+               ? "a corner of a particle is more than " + std::to_string(domain_reach) + " cells from it"
+               : "a particle is wider than a cell";
   if (contains(fault_, Fault::inverted)) return "det F <= 0 on a particle";
   return "";
 }

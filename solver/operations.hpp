@@ -124,8 +124,7 @@ struct EvaluateStress {
   const Particles<D>& particles;
   const AnyMaterial& material;
 
-  template <int K>
-  void operator()(Block<D, K>& block, const Grid<D>&) const {
+  void operator()(Block<D>& block, const Grid<D>&) const {
     std::visit(
         [&](const auto& m) {
           m.kirchhoff(&particles.F[block.begin], block.tau, static_cast<std::size_t>(block.count));
@@ -141,8 +140,7 @@ struct EvaluateBodyForce {
   const BodyForce<D>& body_force;
   double t;
 
-  template <int K>
-  void operator()(Block<D, K>& block, const Grid<D>&) const {
+  void operator()(Block<D>& block, const Grid<D>&) const {
     body_force.on_particles(t, {&particles.id[block.begin], static_cast<std::size_t>(block.count)}, block.b);
   }
 };
@@ -152,8 +150,7 @@ template <int D>
 struct CheckDeformation {
   const Particles<D>& particles;
 
-  template <int K>
-  Fault operator()(Block<D, K>& block, const Grid<D>&) const {
+  Fault operator()(Block<D>& block, const Grid<D>&) const {
     const Mat<D>* F = &particles.F[block.begin];
     int inverted = 0;
     for (int k = 0; k < block.count; ++k) inverted += F[k].determinant() > 0 ? 0 : 1;
@@ -161,16 +158,13 @@ struct CheckDeformation {
   }
 };
 
-/// l_p = l_p⁰ diag F                                           W (63)
+/// l_p = l_p⁰ diag F, R_p = F R_p⁰                             W (63), N §2.1
 template <int D>
 struct UpdateWidth {
   Particles<D>& particles;
 
-  template <int K>
-  void operator()(Block<D, K>& block, const Grid<D>&) const {
-    if (particles.l0.empty()) return;
-    for (std::size_t p = block.begin; p < block.begin + static_cast<std::size_t>(block.count); ++p)
-      particles.l[p] = particles.l0[p].cwiseProduct(particles.F[p].diagonal());
+  void operator()(Block<D>& block, const Grid<D>&) const {
+    particles.update_widths(block.begin, block.begin + static_cast<std::size_t>(block.count));
   }
 };
 
@@ -180,8 +174,7 @@ struct WrapPosition {
   Particles<D>& particles;
   const std::array<bool, D>& periodic;
 
-  template <int K>
-  void operator()(Block<D, K>& block, const Grid<D>& grid) const {
+  void operator()(Block<D>& block, const Grid<D>& grid) const {
     Vec<D>* x = &particles.x[block.begin];
     for (int d = 0; d < D; ++d) {
       if (!periodic[static_cast<std::size_t>(d)]) continue;
@@ -201,8 +194,7 @@ struct WatchSlab {
   const Slabs<D>& slabs;
   std::atomic<bool>& must_sort;
 
-  template <int K>
-  void operator()(Block<D, K>& block, const Grid<D>& grid) const {
+  void operator()(Block<D>& block, const Grid<D>& grid) const {
     const Vec<D>* x = &particles.x[block.begin];
     const auto [least, most] = slabs.reach(block.slab, grid);
     int strays = 0;

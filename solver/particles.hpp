@@ -27,6 +27,8 @@ struct Particles {
   std::vector<double> V0;         ///< reference volume
   std::vector<Vec<D>> l;          ///< width in units of h, for bases that take one
   std::vector<Vec<D>> l0;         ///< reference width in units of h, where the width follows the deformation
+  std::vector<Mat<D>> R;          ///< edges of the domain as columns, in units of h, for bases that take a domain
+  std::vector<Mat<D>> R0;         ///< reference edges in units of h, likewise
 
   struct {
     Motion<D> start;  ///< at the start of the step
@@ -35,10 +37,18 @@ struct Particles {
 
   std::size_t size() const { return x.size(); }
 
-  /// Makes room in every field but the widths.
+  /// Makes room in every field but the widths and edges.
   void resize(std::size_t n) {
     id.resize(n), x.resize(n), v.resize(n), F.resize(n), m.resize(n), V0.resize(n);
     std::iota(id.begin(), id.end(), 0U);
+  }
+
+  /// Widths and edges that follow the deformation, of the particles from `begin` to before `end`.
+  void update_widths(std::size_t begin, std::size_t end) {
+    if (!l0.empty())
+      for (std::size_t p = begin; p < end; ++p) l[p] = l0[p].cwiseProduct(F[p].diagonal());
+    if (!R0.empty())
+      for (std::size_t p = begin; p < end; ++p) R[p] = F[p] * R0[p];
   }
 
   /// The current state becomes both fields of `stages`.
@@ -55,7 +65,8 @@ struct Particles {
       for (const std::uint32_t p : order) sorted.push_back(field[p]);
       field.swap(sorted);
     };
-    reorder(id), reorder(x), reorder(v), reorder(F), reorder(m), reorder(V0), reorder(l), reorder(l0);
+    reorder(id), reorder(x), reorder(v), reorder(F), reorder(m), reorder(V0), reorder(l), reorder(l0), reorder(R),
+        reorder(R0);
     for (Motion<D>* motion : {&stages.start, &stages.sum}) reorder(motion->x), reorder(motion->v), reorder(motion->F);
   }
 };

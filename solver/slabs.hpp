@@ -12,18 +12,19 @@
 
 namespace mpmvv::solver {
 
-/// The domain cut into slabs across its last axis, at least `thickness` cells each, and the particles sorted so that
-/// each slab's are contiguous. A particle may stray one cell out of its slab before it must be sorted again; even
-/// so two slabs with one between them share no node (a stencil reaches two cells). Depends on the grid alone.
+/// The domain cut into slabs across its last axis, at least `thickness` cells each and twice the distance `reach` from
+/// a particle to where its basis is evaluated, and the particles sorted so that each slab's are contiguous. A particle
+/// may stray one cell out of its slab before it must be sorted again; even so two slabs with one between them share no
+/// node (a basis reaches two cells from where it is evaluated). Depends on the grid and the basis alone.
 template <int D>
 class Slabs {
  public:
   static constexpr int thickness = 8;
   static constexpr int most = 32;
 
-  explicit Slabs(const Grid<D>& grid) {
+  explicit Slabs(const Grid<D>& grid, int reach) {
     const int cells = grid.cells()[D - 1];
-    const int count = std::clamp(cells / thickness, 1, most);
+    const int count = std::clamp(cells / (thickness + 2 * reach), 1, most);
     for (int s = 0; s <= count; ++s) bounds_.push_back(static_cast<int>(std::int64_t{s} * cells / count));
     first_.assign(bounds_.size(), 0);
   }

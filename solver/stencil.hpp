@@ -14,34 +14,29 @@ struct ValueAndGradient {
   PackedMat<D> gradient;
 };
 
-/// The nodes of one particle: K along each axis, with weights and gradients per axis, copied out of their block so that
-/// the compiler knows that no addition to a node changes them. Weights of nodes are tensor products, S (18), and sums
-/// with them are formed axis by axis: what the nodes of a line or a plane share is multiplied once.
+/// The nodes of one point: K along each axis, with weights per axis, copied out of their block so that the compiler
+/// knows that no addition to a node changes them. Weights of nodes are tensor products, S (18), and sums with them are
+/// formed axis by axis: what the nodes of a line or a plane share is multiplied once.
 template <int D, int K>
-struct Stencil {
+struct Weights {
   std::size_t first;  ///< storage index of the first node
   std::array<std::ptrdiff_t, D> stride;
-  double N[D][K], dN[D][K];
+  double N[D][K];
 
-  /// Σ_i N_ip φ_i
+  /// Σ_i N_i φ_i
   template <class V>
   V gather(const std::vector<V>& field) const {
     return value(field.data() + first);
   }
 
-  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
-  ValueAndGradient<D> gather_with_gradient(const std::vector<Packed<D>>& field) const {
-    return value_and_gradient(field.data() + first);
-  }
-
-  /// φ_i += N_ip source, or φ_i += N_ip value + gradient ∇N_ip
-  template <class Source, class V>
-  void scatter(const Source& source, std::vector<V>& field) const {
-    add(source, field.data() + first);
+  /// φ_i += N_i value
+  template <class V>
+  void scatter(const V& value, std::vector<V>& field) const {
+    add(value, field.data() + first);
   }
 
  private:
-  /// Σ_i N_ip φ_i over the axes up to `axis`
+  /// Σ_i N_i φ_i over the axes up to `axis`
   template <int axis = D - 1, class V>
   V value(const V* nodes) const {
     if constexpr (axis < 0) {
@@ -53,7 +48,35 @@ struct Stencil {
     }
   }
 
-  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip. Written out for each dimension: the sums have to stay in registers.
+  /// φ_i += N_i value
+  template <int axis = D - 1, class V>
+  void add(const V& value, V* nodes) const {
+    for (int i = 0; i < K; ++i)
+      if constexpr (axis == 0)
+        nodes[i] += N[0][i] * value;
+      else
+        add<axis - 1>(V(N[axis][i] * value), nodes + i * stride[axis]);
+  }
+};
+
+/// The nodes of a particle that is a point: their weights with the gradients, per axis as well.
+template <int D, int K>
+struct Stencil : Weights<D, K> {
+  using Weights<D, K>::first, Weights<D, K>::stride, Weights<D, K>::N, Weights<D, K>::scatter;
+  double dN[D][K];
+
+  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
+  ValueAndGradient<D> gather_with_gradient(const std::vector<Packed<D>>& field) const {
+    return value_and_gradient(field.data() + first);
+  }
+
+  /// φ_i += N_ip value + gradient ∇N_ip
+  void scatter(const ValueAndGradient<D>& source, std::vector<Packed<D>>& field) const {
+    add(source, field.data() + first);
+  }
+
+ private:
+  /// Both sums. Written out for each dimension: the sums have to stay in registers.
   ValueAndGradient<D> value_and_gradient(const Packed<D>* nodes) const {
     Packed<D> value = Packed<D>::Zero(), d0 = value, d1 = value, d2 = value;
     if constexpr (D == 1) {
@@ -77,16 +100,6 @@ struct Stencil {
       sum.gradient.col(0) = d0, sum.gradient.col(1) = d1, sum.gradient.col(2) = d2;
       return sum;
     }
-  }
-
-  /// φ_i += N_ip value
-  template <int axis = D - 1, class V>
-  void add(const V& value, V* nodes) const {
-    for (int i = 0; i < K; ++i)
-      if constexpr (axis == 0)
-        nodes[i] += N[0][i] * value;
-      else
-        add<axis - 1>(V(N[axis][i] * value), nodes + i * stride[axis]);
   }
 
   /// φ_i += N_ip value + gradient ∇N_ip

@@ -39,7 +39,7 @@ Fault map_surface_load(const B& basis, const SurfaceLoad<D>& load, const Vec<D>*
   for (const auto& part : load.parts()) {
     const std::size_t p = place[part.particle];
     const Vec<D> x = particles.x[p] + particles.F[p] * part.offset;
-    stencil_at(x, basis, grid, outside).scatter(packed<D>(*force++), grid.f);
+    weights_at(x, basis, grid, outside).scatter(packed<D>(*force++), grid.f);
   }
   return outside > 0 ? Fault::outside : Fault::none;
 }

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "solver/block.hpp"
+#include "solver/corner_block.hpp"
 #include "solver/slabs.hpp"
 #include "solver/team.hpp"
 
@@ -16,12 +16,12 @@ template <class... Ops>
 struct NodeLoop {
   std::tuple<Ops...> ops;
 
-  template <int D, int K>
-  void operator()(const Block<D, K>& block, const Grid<D>& grid) const {
+  template <int D>
+  void operator()(const auto& block, const Grid<D>& grid) const {
     const int stride = (block.count + 3) / 4;
     for (int start = 0; start < stride; ++start)
       for (int k = start; k < block.count; k += stride) {
-        const Stencil<D, K> nodes = block.stencil(k, grid);
+        const auto nodes = block.stencil(k, grid);
         const std::size_t p = block.begin + static_cast<std::size_t>(k);
         std::apply([&](const Ops&... op) { (op(p, nodes, block, k), ...); }, ops);
       }
@@ -30,8 +30,8 @@ struct NodeLoop {
 
 template <>
 struct NodeLoop<> {
-  template <int D, int K>
-  void operator()(const Block<D, K>&, const Grid<D>&) const {}
+  template <int D>
+  void operator()(const Block<D>&, const Grid<D>&) const {}
 };
 
 template <class... Ops>
@@ -43,8 +43,8 @@ NodeLoop<Ops...> node_loop(const Ops&... ops) {
 }
 
 /// A stage either returns nothing or the faults that it found.
-template <int D, int K, class Stage>
-Fault run_stage(Stage& stage, Block<D, K>& block, const Grid<D>& grid) {
+template <int D, class Stage>
+Fault run_stage(Stage& stage, auto& block, const Grid<D>& grid) {
   if constexpr (std::is_same_v<decltype(stage(block, grid)), Fault>) {
     return stage(block, grid);
   } else {
@@ -52,6 +52,11 @@ Fault run_stage(Stage& stage, Block<D, K>& block, const Grid<D>& grid) {
     return Fault::none;
   }
 }
+
+/// The block of a basis.
+template <int D, class B>
+using BlockFor =
+    std::conditional_t<B::width == ParticleWidth::domain, CornerBlock<D, B::support>, PointBlock<D, B::support>>;
 
 /// One visit to all particles: per block the stencils once, then every stage in turn. Slabs of one colour share no
 /// node and run at once; the order of additions on a node does not depend on the number of threads.
@@ -63,7 +68,7 @@ Fault sweep(const B& basis, const Particles<D>& particles, const Grid<D>& grid, 
     team.run((slabs.count() - colour + 1) / 2, [&](int task) {
       const auto [begin, end] = slabs.particles(2 * task + colour);
       std::tuple<Stages...> own{stages...};
-      Block<D, B::support> block;
+      BlockFor<D, B> block;
       block.slab = 2 * task + colour;
       Fault found = Fault::none;
       for (block.begin = begin; block.begin < end; block.begin += block_size<D>) {

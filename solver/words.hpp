@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "solver/basis/cpdi.hpp"
 #include "solver/basis/gimp.hpp"
 #include "solver/basis/linear.hpp"
 #include "solver/basis/open_bspline.hpp"
@@ -26,7 +27,8 @@ using AnyBasis = std::variant<Linear,        //
                               BSpline3Open,  //
                               UGimp,         //
                               Gimp,          //
-                              CpGimp>;
+                              CpGimp,        //
+                              Cpdi>;
 
 using AnyBoundary = std::variant<Periodic,   //
                                  Dirichlet,  //
@@ -57,6 +59,14 @@ bool from_word(std::string_view word, Any& any) {
     return true;
   }
   return false;
+}
+
+inline ParticleWidth width_of(const AnyBasis& basis) {
+  return std::visit([]<class B>(const B&) { return B::width; }, basis);
+}
+
+inline int ghosts_of(const AnyBasis& basis) {
+  return std::visit([]<class B>(const B&) { return B::ghost; }, basis);
 }
 
 }  // namespace mpmvv::solver

@@ -8,8 +8,17 @@ namespace mpmvv::solver {
 enum class ParticleWidth {
   none,       ///< none: the basis is a function of the position alone
   reference,  ///< l_p⁰, kept
-  current     ///< l_p⁰ diag F, W (63)
+  current,    ///< l_p⁰ diag F, W (63)
+  domain      ///< none, but the corners of the particle's domain: the basis is evaluated there
 };
+
+/// How far from its particle a corner of a domain may lie along each axis, in cells.
+inline constexpr int domain_reach = 2;
+
+/// How far from its particle a basis is evaluated, in cells.
+constexpr int reach(ParticleWidth width) {
+  return width == ParticleWidth::domain ? domain_reach : 0;
+}
 
 /// A point on one axis, in units of the cell width h.
 struct AxisPoint {
@@ -22,7 +31,7 @@ struct AxisPoint {
 ///   word          its name in study files and on the command line
 ///   support       number of nodes that reach a point
 ///   extra_inside  degrees of freedom in the domain beyond one per cell
-///   ghost         layers of nodes beyond each face; a particle may stray `ghost - 1` cells out of the domain
+///   ghost         layers of nodes beyond each face; the basis may be evaluated `ghost - 1` cells out of the domain
 ///   width         which particle width it takes
 ///   position      where the i-th degree of freedom sits, in cells: with these Σ_i x_i ∇N_i = I
 ///   evaluate      weights N and gradients dN (per cell width) of the `support` nodes; returns the first node's index

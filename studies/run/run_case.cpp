@@ -213,13 +213,16 @@ double work_estimate(const Case& c) {
 
 double memory_estimate(const Case& c) {
   const int D = find_problem(c.problem.name, "the case").dimension();
-  // Positions (with the reference ones), velocities, F, widths, mass, volume, identity, and twice a field while
-  // sorting.
+  solver::AnyBasis basis;
+  solver::from_word(c.scheme.basis, basis);
+  // Positions (with the reference ones), velocities, F, widths or edges, mass, volume, identity, and twice a field
+  // while sorting.
   const double stages = solver::is_staged(c.scheme.integrator) ? 2 * (2 * D + D * D) : 0;
-  const double per_particle = 8.0 * (5 * D + 2 * D * D + 4 + stages) + 64;
+  const double widths = width_of(basis) == solver::ParticleWidth::domain ? 2 * D * D : 2 * D;
+  const double per_particle = 8.0 * (3 * D + 2 * D * D + widths + 4 + stages) + 64;
   const double per_node = 8.0 * (4 * D + 1);
   const auto [cells_of_body, cells_of_domain] = extent(c);
-  const double nodes = std::pow(std::pow(cells_of_domain, 1.0 / D) + 5, D);
+  const double nodes = std::pow(std::pow(cells_of_domain, 1.0 / D) + 1 + 2 * ghosts_of(basis), D);
   return per_particle * cells_of_body * std::pow(c.resolution.ppc, D) + per_node * nodes;
 }
 

@@ -15,11 +15,13 @@ using solver::Vec;
 template <int D>
 void fill(Stage<D>& stage, const Case& c) {
   auto& scene = stage.scene;
-  const auto width = std::visit([]<class B>(const B&) { return B::width; }, scene.basis);
+  const auto width = width_of(scene.basis);
   const PlaceVoxel<D> place = [&](const Voxel<D>& voxel) {
     stage.X.push_back(voxel.X);
     scene.particles.V0.push_back(voxel.V);
-    if (width != solver::ParticleWidth::none)
+    if (width == solver::ParticleWidth::domain)
+      scene.particles.R.push_back(voxel.edges / scene.h);
+    else if (width != solver::ParticleWidth::none)
       scene.particles.l.push_back(Vec<D>::Constant(std::pow(voxel.V, 1.0 / D) / scene.h));
   };
   const FillDensity density{scene.h, c.resolution.ppc};
@@ -43,15 +45,12 @@ void set_initial_state(Stage<D>& stage, const Case& c) {
   }
 }
 
-/// Widths that follow the particles' stretch.
+/// Widths and edges that follow the particles' deformation.
 template <int D>
-void set_current_widths(Stage<D>& stage) {
-  auto& particles = stage.scene.particles;
-  const auto width = std::visit([]<class B>(const B&) { return B::width; }, stage.scene.basis);
-  if (width != solver::ParticleWidth::current) return;
-  particles.l0 = particles.l;
-  for (std::size_t p = 0; p < particles.size(); ++p)
-    particles.l[p] = particles.l0[p].cwiseProduct(particles.F[p].diagonal());
+void set_current_widths(solver::Particles<D>& particles, const solver::AnyBasis& basis) {
+  if (width_of(basis) == solver::ParticleWidth::current) particles.l0 = particles.l;
+  particles.R0 = particles.R;
+  particles.update_widths(0, particles.size());
 }
 
 }  // namespace
@@ -77,7 +76,7 @@ Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
   if (auto* ugimp = std::get_if<solver::UGimp>(&scene.basis)) ugimp->smoothing_length = c.scheme.smoothing_length;
   fill(stage, c);
   set_initial_state(stage, c);
-  set_current_widths(stage);
+  set_current_widths(scene.particles, scene.basis);
   if (stage.setup.solution) {
     stage.points = stage.setup.solution->at_points(stage.X);
     stage.body_force = std::make_unique<SolutionBodyForce<D>>(*stage.setup.solution, *stage.points);

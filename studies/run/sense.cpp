@@ -13,10 +13,10 @@ namespace mpmvv {
 
 namespace {
 
-int ghosts_of(const std::string& basis) {
-  solver::AnyBasis any;
-  solver::from_word(basis, any);
-  return std::visit([]<class B>(const B&) { return B::ghost; }, any);
+solver::AnyBasis basis_named(const std::string& word) {
+  solver::AnyBasis basis;
+  solver::from_word(word, basis);
+  return basis;
 }
 
 }  // namespace
@@ -28,7 +28,8 @@ void require_sense(const Case& c) {
   const auto faces = boundary_faces(s.boundary, dimension, "the case");
   const auto has = [&faces](const char* word) { return std::find(faces.begin(), faces.end(), word) != faces.end(); };
 
-  if (ghosts_of(s.basis) == 0 && (has("periodic") || has("mirror")))
+  const int ghosts = ghosts_of(basis_named(s.basis));
+  if (ghosts == 0 && (has("periodic") || has("mirror")))
     throw UsageError(
         fmt::format("basis '{}' has no ghost nodes, so boundary '{}' has nothing to act on (use dirichlet, "
                     "symmetry or free, or a basis without '-open')",
@@ -51,10 +52,10 @@ void require_sense(const Case& c) {
         "wall_acceleration 'difference' with integrator 'rk4', whose stages have rates and no step to take a "
         "difference "
         "over (use zero, or another integrator)");
-  if ((has("symmetry") || has("mirror")) && c.resolution.cells < 4)
+  if (const int least = std::max(4, 2 * ghosts); (has("symmetry") || has("mirror")) && c.resolution.cells < least)
     throw UsageError(
-        fmt::format("{} cells are too few for boundary '{}' (at least 4: ghosts and their images must differ)",
-                    c.resolution.cells, s.boundary));
+        fmt::format("{} cells are too few for boundary '{}' (at least {}: ghosts and their images must differ)",
+                    c.resolution.cells, s.boundary, least));
   if ((s.basis == "gimp" || s.basis == "cpgimp") && c.resolution.ppc < 2)
     throw UsageError(
         fmt::format("basis '{}' with ppc = 1 (at least 2: a particle's width must stay below the cell's)", s.basis));

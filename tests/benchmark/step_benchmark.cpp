@@ -14,16 +14,17 @@ using namespace solver;
 /// Of USL and CD per particle and step: at each of the s^D nodes the weight and its gradient (products of axes' values:
 /// D - 1 and D (D - 1)), mass and momentum to the grid (1 + D), force (D²), velocity and acceleration back (2 D),
 /// velocity gradient (D²); then F (D³), τ (D³), V⁰τ (D²), positions and velocities (2 D). The axes' own polynomials,
-/// the logarithm and the grid are left out.
+/// the logarithm and the grid are left out. The corners of a domain reach more nodes than s^D, or those several times.
 double least_multiply_adds(int D, int support) {
   const double at_node = (D - 1) + D * (D - 1) + (1 + D) + D * D + 2 * D + D * D;
   return at_node * std::pow(support, D) + 2 * D * D * D + D * D + 2 * D;
 }
 
 /// x, v and F read and written once, mass, reference volume and identity read; the grid is shared by many particles.
-/// Widths that follow F are written and their reference read; others are read.
+/// Widths and edges that follow F are written and their reference read; others are read.
 double least_bytes(int D, ParticleWidth width) {
-  const double widths = width == ParticleWidth::none ? 0 : width == ParticleWidth::current ? 2 * D : D;
+  const std::array<int, 4> widths_of{0, D, 2 * D, 2 * D * D};
+  const double widths = widths_of[static_cast<std::size_t>(width)];
   return sizeof(double) * (2 * (2 * D + D * D) + 2 + widths) + sizeof(std::uint32_t);
 }
 

@@ -59,6 +59,31 @@ TYPED_TEST(Invariants, MassAndMomentumReachTheGridWhole) {
   expect_mapping_keeps_sums(free_body<3>(TypeParam{}));
 }
 
+/// Angular momentum about the origin of the plane.
+double cross(const Vec<2>& x, const Vec<2>& p) {
+  return x[0] * p[1] - x[1] * p[0];
+}
+
+TYPED_TEST(Invariants, AngularMomentumReachesTheGridWholeAndForcesHaveNoMoment) {
+  Scene<2> scene = free_body<2>(TypeParam{});
+  set_random_velocities(scene, 3);
+  Mpm<2> mpm(scene);
+  for (int k = 0; k < 20; ++k) ASSERT_TRUE(mpm.step(0.1 * scene.h / 120)) << mpm.fault();
+  double on_particles = 0, on_grid = 0, moment = 0, force = 0;
+  for (std::size_t p = 0; p < mpm.particles().size(); ++p)
+    on_particles += cross(mpm.particles().x[p], mpm.particles().m[p] * mpm.particles().v[p]);
+  ASSERT_TRUE(mpm.step(1e-9));
+  for (std::size_t n = 0; n < mpm.grid().size(); ++n) {
+    on_grid += cross(mpm.node_position(n), mpm.grid().p[n].template head<2>());
+    moment += cross(mpm.node_position(n), mpm.grid().f[n]);
+    force += mpm.grid().f[n].norm();
+  }
+  const double mass = static_cast<double>(mpm.particles().size()) * mpm.particles().m[0];
+  EXPECT_NEAR(on_grid, on_particles, 1e-14 * 3 * mass);
+  EXPECT_GT(force, 1);
+  EXPECT_LT(std::abs(moment), 1e-14 * force);
+}
+
 template <int D>
 void expect_momentum_conserved(Scene<D> scene, std::string_view integrator) {
   set_random_velocities(scene, 2);
@@ -145,7 +170,7 @@ void expect_exact_gradient() {
     grid.v[n] = packed<D>(Vec<D>(G * node + Vec<D>::Constant(2)));
   }
   auto particles = scene.particles;
-  Slabs<D> slabs(grid);
+  Slabs<D> slabs(grid, reach(B::width));
   slabs.sort(particles, grid);
   Team team(1);
   const double dt = 0.01;

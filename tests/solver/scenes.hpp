@@ -14,10 +14,6 @@ inline AnyBasis basis_named(std::string_view word) {
   return basis;
 }
 
-inline ParticleWidth width_of(const AnyBasis& basis) {
-  return std::visit([]<class B>(const B&) { return B::width; }, basis);
-}
-
 /// Particles with these positions, each of the given volume, of unit density, at rest and undeformed.
 template <int D>
 Particles<D> particles_at(const std::vector<Vec<D>>& x, double volume) {
@@ -52,9 +48,12 @@ std::vector<Vec<D>> lattice(const Vec<D>& lower, double spacing, const Index<D>&
 template <int D>
 void set_widths(Scene<D>& scene, double width) {
   auto& particles = scene.particles;
-  if (width_of(scene.basis) == ParticleWidth::none) return;
-  particles.l.assign(particles.size(), Vec<D>::Constant(width));
-  if (width_of(scene.basis) == ParticleWidth::current) particles.l0 = particles.l;
+  const ParticleWidth kind = width_of(scene.basis);
+  if (kind == ParticleWidth::reference || kind == ParticleWidth::current)
+    particles.l.assign(particles.size(), Vec<D>::Constant(width));
+  if (kind == ParticleWidth::current) particles.l0 = particles.l;
+  if (kind == ParticleWidth::domain) particles.R.assign(particles.size(), width * Mat<D>::Identity());
+  particles.R0 = particles.R;
 }
 
 /// The unit interval, square or cube of `cells` cells along each axis, filled with ppc^D particles per cell at rest.

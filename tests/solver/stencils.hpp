@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "solver/block.hpp"
+#include "solver/sweep.hpp"
 #include "solver/words.hpp"
 
 /// Bases as the solver sees them: through the stencil of one particle on a grid.
@@ -21,25 +21,38 @@ struct TypesOf<std::variant<Types...>> {
 
 /// Every basis; under a sanitizer, which makes each of them a minute's work to compile, one of each kind.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-using TestedBases = ::testing::Types<BSpline2, BSpline3Open, CpGimp>;
+using TestedBases = ::testing::Types<BSpline2, BSpline3Open, CpGimp, Cpdi>;
 #else
 using TestedBases = TypesOf<AnyBasis>::type;
 #endif
 
-/// A basis with the width of the particle that is looked at.
+/// A basis with the width of the particle that is looked at, and whether its domain is sheared and turned.
 template <class B>
 struct Setting {
   B basis;
   double width;
+  bool sheared = false;
 };
 
-/// The settings to try a basis with: its widths, or its smoothing lengths, where it has any.
+/// Edges of a domain, in units of its width.
+template <int D>
+Mat<D> domain_shape(bool sheared) {
+  Mat<3> turned;
+  turned << 0.8, 0.52, -0.45, -0.6, 0.7, 0.3, 0.2, -0.4, 0.9;
+  if (!sheared) return Mat<D>::Identity();
+  return turned.topLeftCorner<D, D>();
+}
+
+/// The settings to try a basis with: its widths, or its smoothing lengths, where it has any. With a narrow domain
+/// gradients are small differences over a small width: the narrowest has a tenth of a cell.
 template <class B>
 std::vector<Setting<B>> settings(double least_width = 1e-6) {
   std::vector<Setting<B>> all;
   for (const double width : {least_width, 0.1, 0.25, 1.0 / 3, 0.5, 0.75, 0.999999, 1.0}) {
     if constexpr (requires(B basis) { basis.smoothing_length; })
       all.push_back({B{.smoothing_length = width}, 1});
+    else if constexpr (B::width == ParticleWidth::domain)
+      all.insert(all.end(), {{B{}, 2 * std::max(width, 0.1)}, {B{}, std::max(width, 0.1), true}});
     else if (B::width != ParticleWidth::none)
       all.push_back({B{}, width});
   }
@@ -60,6 +73,39 @@ Grid<D> grid_for(const Vec<D>& lower, double h, const Index<D>& cells) {
   return Grid<D>(lower, h, cells, B::extra_inside, B::ghost);
 }
 
+/// Calls visit(n, N, ∇N) for every node of the block's first particle.
+template <int D, int K, class Visit>
+void for_nodes(const PointBlock<D, K>& block, const Particles<D>&, const Grid<D>& grid, const Visit& visit) {
+  for (int total = static_cast<int>(std::pow(K, D)), k = 0; k < total; ++k) {
+    auto n = static_cast<std::ptrdiff_t>(block.first[0]);
+    double N = 1;
+    Vec<D> dN = Vec<D>::Ones();
+    for (int d = 0, rest = k; d < D; ++d, rest /= K) {
+      const int i = rest % K;
+      n += i * grid.stride(d);
+      N *= block.N[d][i][0];
+      for (int e = 0; e < D; ++e) dN[e] *= d == e ? block.dN[d][i][0] : block.N[d][i][0];
+    }
+    visit(n, N, dN);
+  }
+}
+
+/// Likewise; a node comes once for each corner that reaches it, with that corner's part.
+template <int D, int K, class Visit>
+void for_nodes(const CornerBlock<D, K>& block, const Particles<D>& particles, const Grid<D>& grid, const Visit& visit) {
+  for (int c = 0; c < 1 << D; ++c) {
+    PointBlock<D, K> corner;
+    std::copy(block.first[c], block.first[c] + 1, corner.first);
+    std::copy(&block.S[c][0][0][0], &block.S[c][0][0][0] + D * K * block_size<D>, &corner.N[0][0][0]);
+    std::fill(&corner.dN[0][0][0], &corner.dN[0][0][0] + D * K * block_size<D>, 0.0);
+    Vec<D> s;
+    for (int d = 0; d < D; ++d) s[d] = (c >> d) % 2 == 0 ? -1 : 1;
+    const Vec<D> slope = 2 / grid.h() * particles.R[0].transpose().inverse() * s;
+    for_nodes(corner, particles, grid,
+              [&](std::ptrdiff_t n, double S, const Vec<D>&) { visit(n, S / (1 << D), Vec<D>(S / (1 << D) * slope)); });
+  }
+}
+
 /// What a particle at x reaches; fails the test when that is outside the grid's storage.
 template <int D, class B>
 std::vector<Reached<D>> reached(const Setting<B>& setting, const Grid<D>& grid, const Vec<D>& x,
@@ -68,7 +114,8 @@ std::vector<Reached<D>> reached(const Setting<B>& setting, const Grid<D>& grid, 
   particles.resize(1);
   particles.x[0] = x;
   particles.l = {Vec<D>::Constant(setting.width)};
-  Block<D, B::support> block;
+  particles.R = {setting.width * domain_shape<D>(setting.sheared)};
+  BlockFor<D, B> block;
   block.begin = 0;
   block.count = 1;
   const Fault found = evaluate_stencils(setting.basis, particles, grid, block);
@@ -77,16 +124,7 @@ std::vector<Reached<D>> reached(const Setting<B>& setting, const Grid<D>& grid, 
   else
     EXPECT_EQ(found, Fault::none) << "at " << x.transpose();
   std::vector<Reached<D>> all;
-  for (int total = static_cast<int>(std::pow(B::support, D)), k = 0; k < total; ++k) {
-    auto n = static_cast<std::ptrdiff_t>(block.first[0]);
-    double N = 1;
-    Vec<D> dN = Vec<D>::Ones();
-    for (int d = 0, rest = k; d < D; ++d, rest /= B::support) {
-      const int i = rest % B::support;
-      n += i * grid.stride(d);
-      N *= block.N[d][i][0];
-      for (int e = 0; e < D; ++e) dN[e] *= d == e ? block.dN[d][i][0] : block.N[d][i][0];
-    }
+  for_nodes(block, particles, grid, [&](std::ptrdiff_t n, double N, const Vec<D>& dN) {
     EXPECT_GE(n, 0);
     EXPECT_LT(n, static_cast<std::ptrdiff_t>(grid.size()));
     Reached<D> node{grid.index(static_cast<std::size_t>(n)), grid.lower(), N, dN};
@@ -94,7 +132,7 @@ std::vector<Reached<D>> reached(const Setting<B>& setting, const Grid<D>& grid, 
       node.x[d] +=
           grid.h() * B::position(node.node[static_cast<std::size_t>(d)], grid.cells()[static_cast<std::size_t>(d)]);
     all.push_back(node);
-  }
+  });
   return all;
 }
 

@@ -40,7 +40,7 @@ Outcome run_square(const std::string& basis, const std::string& integrator, doub
 /// accelerate that node as 1/ε, and the velocity gradient with it would depend on the cutoff for any ε. The square's
 /// walls carry no shear: there the node's acceleration is bounded, and what the cutoff changes vanishes with ε.
 TEST(MassCutoff, DoesNotDecideTheSquare) {
-  for (const char* basis : {"cpgimp", "gimp", "linear", "bspline2"})
+  for (const char* basis : {"cpgimp", "gimp", "linear", "bspline2", "cpdi"})
     for (const char* integrator : {"cd", "usf"}) {
       const Outcome finest = run_square(basis, integrator, 1e-14);
       for (const double cutoff : {1e-12, 1e-10}) {
