@@ -82,7 +82,7 @@ struct UpdatePosition {
 
 /// (I + dt_L) F
 template <int D>
-Mat<D> deformed(const Mat<D>& F, const PackedMat<D>& dt_L) {
+inline Mat<D> deformed(const Mat<D>& F, const PackedMat<D>& dt_L) {
   Mat<D> result;
   for (int c = 0; c < D; ++c) {
     Packed<D> column = packed<D>(F.col(c));
