@@ -1,0 +1,93 @@
+#include "solver/surface_load.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/solver/scenes.hpp"
+#include "tests/solver/stencils.hpp"
+
+namespace mpmvv::solver {
+
+namespace {
+
+/// Forces that the test sets, on parts at the given offsets from the particles with these ids.
+class GivenLoad final : public SurfaceLoad<2> {
+ public:
+  void add(std::uint32_t particle, const Vec<2>& offset, const Vec<2>& force) {
+    parts_.push_back({particle, offset});
+    forces_.push_back(force);
+  }
+
+  std::span<const Part> parts() const override { return parts_; }
+  void forces(double t, Vec<2>* f) const override {
+    for (const auto& force : forces_) *f++ = t * force;
+  }
+
+ private:
+  std::vector<Part> parts_;
+  std::vector<Vec<2>> forces_;
+};
+
+/// The middle of the unit square, undeformed, with a load that grows in time on two of its particles.
+template <class B>
+class SurfaceLoads : public ::testing::Test {
+ protected:
+  SurfaceLoads() {
+    scene.h = 0.125;
+    scene.cells = {8, 8};
+    scene.basis = settings<B>(0.5).front().basis;
+    scene.material = NeoHookeanLog{3000, 4000};
+    scene.boundary.fill(Free{});
+    scene.particles = particles_at<2>(lattice<2>({0.25, 0.25}, 0.0625, {8, 8}), 0.0625 * 0.0625);
+    std::swap(scene.particles.x.front(), scene.particles.x.back());  // so that sorting moves them
+    set_widths(scene, 0.5);
+    load.add(0, {0.03125, 0.01}, {3, -1});
+    load.add(63, {-0.03125, 0}, {0.5, 2});
+    scene.surface_load = &load;
+  }
+
+  Vec<2> place(int part) const { return scene.particles.x[part == 0 ? 0 : 63] + load.parts()[part].offset; }
+
+  Scene<2> scene;
+  GivenLoad load;
+};
+TYPED_TEST_SUITE(SurfaceLoads, TestedBases);
+
+TYPED_TEST(SurfaceLoads, GiveTheGridTheirForceAndMoment) {
+  const Vec<2> first = this->place(0), second = this->place(1);
+  Mpm<2> mpm(this->scene);
+  mpm.set_time(2);
+  mpm.map_acceleration();
+  Vec<2> force = Vec<2>::Zero();
+  Mat<2> moment = Mat<2>::Zero();  // Σ x_i ⊗ f_i
+  for (std::size_t n = 0; n < mpm.grid().size(); ++n) {
+    const Vec<2> f = mpm.grid().f[n];
+    force += f;
+    moment += mpm.node_position(n) * f.transpose();
+  }
+  EXPECT_LT((force - 2 * Vec<2>(3.5, 1)).norm(), 1e-13);
+  const Mat<2> exact = 2 * (first * Vec<2>(3, -1).transpose() + second * Vec<2>(0.5, 2).transpose());
+  EXPECT_LT((moment - exact).norm(), 1e-13);
+}
+
+TYPED_TEST(SurfaceLoads, GiveTheBodyTheirImpulse) {
+  for (const int threads : {1, 2}) {
+    this->scene.threads = threads;
+    Mpm<2> mpm(this->scene);
+    constexpr double dt = 1e-5;
+    for (int k = 0; k < 10; ++k) ASSERT_TRUE(mpm.step(dt));
+    Vec<2> momentum = Vec<2>::Zero();
+    for (std::size_t p = 0; p < mpm.particles().size(); ++p) momentum += mpm.particles().m[p] * mpm.particles().v[p];
+    EXPECT_LT((momentum - 45 * dt * dt * Vec<2>(3.5, 1)).norm(), 1e-13 * momentum.norm());  // Σ_k t_k f Δt
+  }
+}
+
+TYPED_TEST(SurfaceLoads, AFaceBeyondTheGridIsAFault) {
+  this->load.add(5, {3, 0}, {1, 0});
+  Mpm<2> mpm(this->scene);
+  EXPECT_FALSE(mpm.step(1e-5));
+  EXPECT_EQ(mpm.fault(), "a particle left the domain");
+}
+
+}  // namespace
+
+}  // namespace mpmvv::solver
