@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "solver/basis/basis.hpp"
 #include "solver/grid.hpp"
@@ -60,30 +59,6 @@ inline double confined(double value, double least, double most, int& strays) {
   return inside;
 }
 
-/// Between which points along an axis of so many cells all nodes exist.
-template <class B>
-std::pair<double, double> covered(int cells) {
-  const double least = B::ghost == 0 ? 0 : 1 - B::ghost;
-  return {least, B::ghost == 0 ? cells : std::nextafter(cells - least, 0.0)};
-}
-
-/// The weights of a point, for a basis that takes no width; counts in `strays` the axes on which there are none.
-template <int D, class B>
-Weights<D, B::support> weights_at(const Vec<D>& x, const B& basis, const Grid<D>& grid, int& strays) {
-  Weights<D, B::support> s;
-  Index<D> first;
-  for (int d = 0; d < D; ++d) {
-    const int cells = grid.cells()[static_cast<std::size_t>(d)];
-    const auto [least, most] = covered<B>(cells);
-    const double xi = confined((x[d] - grid.lower()[d]) / grid.h(), least, most, strays);
-    double dN[B::support];
-    first[static_cast<std::size_t>(d)] = basis.evaluate({xi, cells, 0}, s.N[d], dN);
-    s.stride[static_cast<std::size_t>(d)] = grid.stride(d);
-  }
-  s.first = static_cast<std::size_t>(grid.node(first));
-  return s;
-}
-
 /// Evaluates the stencils of a block at its particles' positions. A particle out of reach of the grid, or a NaN, is
 /// a fault; its stencil then lies somewhere inside storage, and the caller stops the run.
 template <int D, class B>
@@ -96,7 +71,8 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
   for (int d = 0; d < D; ++d) {
     const double lower = grid.lower()[d];
     const int cells = grid.cells()[d], stride = grid.stride(d);
-    const auto [least, most] = covered<B>(cells);
+    const double least = B::ghost == 0 ? 0 : 1 - B::ghost;
+    const double most = B::ghost == 0 ? cells : std::nextafter(cells - least, 0.0);
     const Vec<D>* x = &particles.x[block.begin];
     double width[block_size<D>] = {};
     if constexpr (B::width != ParticleWidth::none) {

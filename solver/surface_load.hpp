@@ -1,20 +1,19 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <vector>
 
-#include "solver/basis/linear.hpp"
-#include "solver/block.hpp"
+#include "solver/sweep.hpp"
 
 namespace mpmvv::solver {
 
-/// Forces on parts of the body's surface: the surface integral of the traction in f_i^ext, each part of the surface
-/// taken at its middle, which lies at x_p + F_p offset of the particle that it bounds.
+/// Forces on parts of the body's surface, each of which moves with the particle that it bounds.
 template <int D>
 class SurfaceLoad {
  public:
   struct Part {
     std::uint32_t particle;  ///< id
-    Vec<D> offset;           ///< from the particle, at rest
+    Vec<D> offset;           ///< of its middle from the particle, at rest
   };
 
   virtual ~SurfaceLoad() = default;
@@ -22,26 +21,25 @@ class SurfaceLoad {
   virtual void forces(double t, Vec<D>* f) const = 0;  ///< N, one per part
 };
 
-/// The weights of a point. Where those of a particle are averages over its domain, these are the averaged hats.
-template <class B>
-auto point_basis(const B& basis) {
-  if constexpr (B::width == ParticleWidth::none)
-    return basis;
-  else
-    return Linear{};
-}
-
-/// f_i += Σ N_i(x) force; returns `outside` when a part has left the grid.
+/// f_i += Σ (N_ip + F_p offset · ∇N_ip) force: the weights at the part's middle, continued from its particle's. As
+/// those add up to one and are exact on linear fields, force and moment reach the grid whole; and they do on nodes that
+/// the particle gives mass, where weights of the middle itself would load nodes beyond the body.
 template <int D, class B>
 Fault map_surface_load(const B& basis, const SurfaceLoad<D>& load, const Vec<D>* force,
                        const std::vector<std::uint32_t>& place, const Particles<D>& particles, Grid<D>& grid) {
-  int outside = 0;
+  BlockFor<D, B> block;
+  block.count = 1;
+  Fault found = Fault::none;
   for (const auto& part : load.parts()) {
-    const std::size_t p = place[part.particle];
-    const Vec<D> x = particles.x[p] + particles.F[p] * part.offset;
-    weights_at(x, basis, grid, outside).scatter(packed<D>(*force++), grid.f);
+    block.begin = place[part.particle];
+    found = found | evaluate_stencils(basis, particles, grid, block);
+    const Vec<D> reach = particles.F[block.begin] * part.offset;
+    ValueAndGradient<D> source{packed<D>(*force), {}};
+    for (int d = 0; d < D; ++d) source.gradient.col(d) = reach[d] * source.value;
+    block.stencil(0, grid).scatter(source, grid.f);
+    ++force;
   }
-  return outside > 0 ? Fault::outside : Fault::none;
+  return found;
 }
 
 }  // namespace mpmvv::solver

@@ -81,8 +81,8 @@ TYPED_TEST(SurfaceLoads, GiveTheBodyTheirImpulse) {
   }
 }
 
-TYPED_TEST(SurfaceLoads, AFaceBeyondTheGridIsAFault) {
-  this->load.add(5, {3, 0}, {1, 0});
+TYPED_TEST(SurfaceLoads, OnAParticleBeyondTheGridAreAFault) {
+  this->scene.particles.x[63][0] = 2;
   Mpm<2> mpm(this->scene);
   EXPECT_FALSE(mpm.step(1e-5));
   EXPECT_EQ(mpm.fault(), "a particle left the domain");
