@@ -2,6 +2,7 @@
 
 namespace mpmvv::solver {
 
+template class ConsistentMass<1>;
 template class Mpm<1>;  // the other dimensions have files of their own, compiled beside this one
 
 std::vector<std::string_view> integrator_words() {

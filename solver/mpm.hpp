@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/body_force.hpp"
+#include "solver/consistent_mass.hpp"
 #include "solver/grid.hpp"
 #include "solver/operations.hpp"
 #include "solver/particles.hpp"
@@ -46,6 +47,7 @@ struct Scene {
   /// overlaps the wall by e gives a ghost node a mass of order e² and a shear force of order e. With CPDI both are of
   /// order e, and the cutoff changes results in proportion to itself.
   double mass_cutoff = 1e-12;
+  std::optional<ConsistentMassSettings> consistent_mass;  ///< lumped when empty
 };
 
 /// The Material Point Method: owns particles and grid, advances them step by step. Members below "for integrators"
@@ -93,7 +95,10 @@ class Mpm {
   /// Adds up what the boundaries identify, after a scatter.
   template <class V>
   void fold(std::vector<V>& field);
+  void constrain(std::vector<Packed<D>>& field);             ///< v = C v
+  void constrain_transposed(std::vector<Packed<D>>& field);  ///< f = Cᵀ f
 
+  // With the consistent mass, M̂⁻¹ takes the place of 1/m_i.
   void set_grid_velocity();               ///< v_i = p_i / m_i, constrained          S (2), W (9)
   void set_grid_acceleration();           ///< a_i = f_i / m_i, constrained if zero  S (5), W (15)
   void advance_grid_velocity(double dt);  ///< v_i += a_i Δt, constrained            S (6), W (16), S (30)
@@ -106,10 +111,9 @@ class Mpm {
   }
 
  private:
-  /// quotient = factor field / m_i where a node's mass exceeds `least_mass`, else zero.
+  /// quotient = field / m_i where a node's mass exceeds `least_mass`, else zero.
   template <class V>
-  void divide_by_mass(const std::vector<V>& field, double factor, double least_mass, std::vector<Packed<D>>& quotient);
-  void constrain(std::vector<Packed<D>>& field);
+  void divide_by_mass(const std::vector<V>& field, double least_mass, std::vector<Packed<D>>& quotient);
   void set_wall_acceleration(double dt);
   void add_grid_body_force();
   void add_surface_load();
@@ -127,6 +131,7 @@ class Mpm {
   Team team_;
   void (*advance_)(Mpm&, double);
   std::array<bool, D> periodic_{};
+  std::optional<ConsistentMass<D>> consistent_mass_;
   double least_mass_ = 0;
   double time_ = 0;
   bool first_step_ = true;
@@ -143,6 +148,9 @@ bool is_staggered(std::string_view integrator);
 /// Whether it keeps two more states of the particles.
 bool is_staged(std::string_view integrator);
 
+extern template class ConsistentMass<1>;
+extern template class ConsistentMass<2>;
+extern template class ConsistentMass<3>;
 extern template class Mpm<1>;
 extern template class Mpm<2>;
 extern template class Mpm<3>;

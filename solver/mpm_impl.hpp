@@ -38,12 +38,14 @@ Mpm<D>::Mpm(Scene<D> scene)
         std::holds_alternative<Periodic>(scene_.boundary[static_cast<std::size_t>(2 * d)]);
   double mass = 0, volume = 0;
   for (std::size_t p = 0; p < particles_.size(); ++p) mass += particles_.m[p], volume += particles_.V0[p];
-  least_mass_ = scene_.mass_cutoff * mass / volume * std::pow(grid_.h(), D);
+  const double cell_mass = mass / volume * std::pow(grid_.h(), D);
+  least_mass_ = scene_.mass_cutoff * cell_mass;
   if (scene_.surface_load) {
     place_.resize(particles_.size());
     load_.resize(scene_.surface_load->parts().size());
   }
   sort();
+  if (scene_.consistent_mass) consistent_mass_.emplace(*this, *scene_.consistent_mass, cell_mass);
 }
 
 template <int D>
@@ -156,26 +158,36 @@ void Mpm<D>::constrain(std::vector<Packed<D>>& field) {
 }
 
 template <int D>
+void Mpm<D>::constrain_transposed(std::vector<Packed<D>>& field) {
+  for_faces([&]<class Boundary>(const Boundary& boundary, Face face) {
+    if constexpr (Boundary::holds) boundary.constrain_transposed(grid_, face, field);
+  });
+}
+
+template <int D>
 template <class V>
-void Mpm<D>::divide_by_mass(const std::vector<V>& field, double factor, double least_mass,
-                            std::vector<Packed<D>>& quotient) {
+void Mpm<D>::divide_by_mass(const std::vector<V>& field, double least_mass, std::vector<Packed<D>>& quotient) {
   for (std::size_t n = 0; n < grid_.size(); ++n) {
-    const double share = grid_.m(n) > least_mass ? factor / grid_.m(n) : 0.0;
+    const double share = grid_.m(n) > least_mass ? 1 / grid_.m(n) : 0.0;
     quotient[n] = share * field[n].template head<lanes<D>>();
   }
 }
 
 template <int D>
 void Mpm<D>::set_grid_velocity() {
-  divide_by_mass(grid_.p, 1, 0, grid_.v);
+  divide_by_mass(grid_.p, 0, grid_.v);
   constrain(grid_.v);
+  if (consistent_mass_) consistent_mass_->solve(*this, grid_.p, 0, grid_.v);
 }
 
 template <int D>
 void Mpm<D>::set_grid_acceleration() {
   if (scene_.body_force && scene_.body_force_on == BodyForceOn::grid) add_grid_body_force();
-  divide_by_mass(grid_.f, scene_.half_start && first_step_ ? 0.5 : 1, least_mass_, grid_.a);
+  divide_by_mass(grid_.f, least_mass_, grid_.a);
   if (!scene_.difference_acceleration) constrain(grid_.a);
+  if (consistent_mass_) consistent_mass_->solve(*this, grid_.f, least_mass_, grid_.a);
+  if (scene_.half_start && first_step_)
+    for (auto& a : grid_.a) a *= 0.5;
 }
 
 template <int D>

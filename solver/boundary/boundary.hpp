@@ -29,6 +29,8 @@ struct FaceNodes {
 ///   holds      true when it overwrites velocities, so that S (30) has a meaning
 ///   fold       adds up what belongs together in a field (momentum with mass, force) just mapped from the particles
 ///   constrain  makes a field of vectors (velocity, acceleration) obey the face
+/// and one that holds velocities
+///   constrain_transposed  takes the part of a field of forces that drives what it leaves free
 template <class B>
 concept Boundary = requires(const B boundary, Grid<2>& grid, Face face, std::vector<Packed<3>>& momentum,
                             std::vector<Packed<2>>& vectors) {
@@ -37,6 +39,9 @@ concept Boundary = requires(const B boundary, Grid<2>& grid, Face face, std::vec
   boundary.fold(grid, face, momentum);
   boundary.fold(grid, face, vectors);
   boundary.constrain(grid, face, vectors);
+  requires !B::holds || requires {
+    boundary.constrain_transposed(grid, face, vectors);
+  };
 };
 
 }  // namespace mpmvv::solver

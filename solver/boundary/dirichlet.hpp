@@ -17,6 +17,11 @@ struct Dirichlet {
     for (int layer = 0; layer <= nodes.layers(); ++layer)
       grid.for_plane(face.axis, nodes.ghost(layer), nodes.ghost(layer), [&](int n, int) { field[n].setZero(); });
   }
+
+  template <int D>
+  void constrain_transposed(Grid<D>& grid, Face face, std::vector<Packed<D>>& field) const {
+    constrain(grid, face, field);
+  }
 };
 
 }  // namespace mpmvv::solver

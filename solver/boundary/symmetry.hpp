@@ -21,6 +21,19 @@ struct Symmetry {
       grid.for_plane(normal, nodes.ghost(layer), nodes.image(layer),
                      [&](int ghost, int image) { field[ghost][normal] = -field[image][normal]; });
   }
+
+  /// A normal force on a ghost node is one the other way on its image.
+  template <int D>
+  void constrain_transposed(Grid<D>& grid, Face face, std::vector<Packed<D>>& field) const {
+    const FaceNodes<D> nodes{grid, face};
+    const int normal = face.axis;
+    grid.for_plane(normal, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][normal] = 0; });
+    for (int layer = 1; layer <= nodes.layers(); ++layer)
+      grid.for_plane(normal, nodes.ghost(layer), nodes.image(layer), [&](int ghost, int image) {
+        field[image][normal] -= field[ghost][normal];
+        field[ghost][normal] = 0;
+      });
+  }
 };
 
 }  // namespace mpmvv::solver

@@ -68,6 +68,7 @@ Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
   scene.integrator = c.scheme.integrator;
   scene.half_start = c.scheme.start == "half" && stage.setup.solution;
   scene.difference_acceleration = c.scheme.wall_acceleration == "difference";
+  if (c.scheme.mass == "consistent") scene.consistent_mass.emplace();
   scene.threads = threads;
   const auto faces = boundary_faces(c.scheme.boundary, D, "the case");
   for (std::size_t k = 0; k < faces.size(); ++k) solver::from_word(faces[k], scene.boundary[k]);

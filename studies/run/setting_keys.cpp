@@ -23,7 +23,7 @@ const std::vector<WordKey>& word_keys() {
       {"integrator", &Scheme::integrator, strings(solver::integrator_words())},
       {"start", &Scheme::start, {"half", "exact"}},
       {"velocity_update", &Scheme::velocity_update, {"flip"}},
-      {"mass", &Scheme::mass, {"lumped"}},
+      {"mass", &Scheme::mass, {"lumped", "consistent"}},
       {"wall_acceleration", &Scheme::wall_acceleration, {"zero", "difference"}},
       {"deformation", &Scheme::deformation, {"linear"}},
       {"body_force", &Scheme::body_force, {"particles", "grid"}},

@@ -163,11 +163,45 @@ TYPED_TEST(MirroredBody, MovesAsTheWholeBodyDoes) {
   }
 }
 
+TYPED_TEST(MirroredBody, MovesAsTheWholeBodyDoesWithTheConsistentMass) {
+  if (TypeParam::ghost == 0) return;
+  const auto consistent = [](auto scene) { return with_consistent_mass(scene); };
+  expect_the_same_motion(consistent(symmetric_body<1>(TypeParam{}, 0, Free{})),
+                         consistent(symmetric_body<1>(TypeParam{}, 1, Mirror{})), "usl");
+  expect_the_same_motion(consistent(symmetric_body<2>(TypeParam{}, 0, Free{})),
+                         consistent(symmetric_body<2>(TypeParam{}, 2, Mirror{})), "usl");
+}
+
+/// A standing wave with a wall every 8 cells: the periodic box of 16, or the part between two walls.
+template <int D>
+Scene<D> standing_wave(const AnyBasis& basis, int cells, const AnyBoundary& boundary) {
+  Scene<D> scene = full_scene<D>(basis, 16, 2, boundary);
+  scene.cells.fill(cells);
+  Index<D> count;
+  count.fill(2 * cells);
+  scene.particles = particles_at<D>(lattice<D>(scene.lower, scene.h / 2, count), std::pow(scene.h / 2, D));
+  set_widths(scene, 0.5);
+  for (std::size_t p = 0; p < scene.particles.size(); ++p)
+    for (int d = 0; d < D; ++d) scene.particles.v[p][d] = 6 * std::sin(2 * M_PI * scene.particles.x[p][d]);
+  return with_consistent_mass(scene);
+}
+
+TYPED_TEST(MirroredBody, IsHalfAPeriodWithTheConsistentMass) {
+  if (TypeParam::ghost == 0) return;
+  for (const auto integrator : {"usl", "rk4"})
+    expect_the_same_motion(standing_wave<1>(TypeParam{}, 16, Periodic{}), standing_wave<1>(TypeParam{}, 8, Mirror{}),
+                           integrator);
+  expect_the_same_motion(standing_wave<2>(TypeParam{}, 16, Periodic{}), standing_wave<2>(TypeParam{}, 8, Mirror{}),
+                         "usl");
+}
+
 TEST(SymmetryBoundary, IsAMirrorForTheLinearBasis) {  // whose particles reach no ghost
   for (const auto integrator : integrator_words())
     for (const int planes : {1, 2})
       expect_the_same_motion(symmetric_body<2>(Linear{}, 0, Free{}), symmetric_body<2>(Linear{}, planes, Symmetry{}),
                              integrator);
+  expect_the_same_motion(with_consistent_mass(symmetric_body<2>(Linear{}, 0, Free{})),
+                         with_consistent_mass(symmetric_body<2>(Linear{}, 2, Symmetry{})), "usl");
 }
 
 TEST(WallAcceleration, IsZeroOrTheDifferenceOfVelocities) {  // S (30)

@@ -101,6 +101,15 @@ TYPED_TEST(Invariants, FreeBodyKeepsItsMomentum) {
   for (const auto integrator : integrator_words()) {
     expect_momentum_conserved(free_body<1>(TypeParam{}), integrator);
     expect_momentum_conserved(free_body<2>(TypeParam{}), integrator);
+    expect_momentum_conserved(with_consistent_mass(free_body<1>(TypeParam{})), integrator);
+  }
+}
+
+TYPED_TEST(Invariants, FreeBodyKeepsItsMomentumHoweverRoughlyMassIsInverted) {
+  for (const double tolerance : {0.9, 1e-1, 1e-3}) {
+    Scene<2> scene = free_body<2>(TypeParam{});
+    scene.consistent_mass = ConsistentMassSettings{.tolerance = tolerance};
+    expect_momentum_conserved(scene, "usl");
   }
 }
 
@@ -133,7 +142,9 @@ TYPED_TEST(Invariants, PeriodicBodyOnNodesTranslatesWithoutStress) {
   for (const auto integrator : integrator_words()) {
     expect_rigid_translation(periodic_body_on_nodes<1>(TypeParam{}), integrator);
     expect_rigid_translation(periodic_body_on_nodes<2>(TypeParam{}), integrator);
+    expect_rigid_translation(with_consistent_mass(periodic_body_on_nodes<1>(TypeParam{})), integrator);
   }
+  expect_rigid_translation(with_consistent_mass(periodic_body_on_nodes<2>(TypeParam{})), "usl");
   expect_rigid_translation(periodic_body_on_nodes<3>(TypeParam{}), "usl");
 }
 
@@ -153,6 +164,7 @@ TYPED_TEST(Invariants, LoneParticlesOnNodesTranslateWithoutStress) {
     expect_rigid_translation(sparse_body<1>(TypeParam{}), integrator);
     expect_rigid_translation(sparse_body<2>(TypeParam{}), integrator);
   }
+  expect_rigid_translation(with_consistent_mass(sparse_body<2>(TypeParam{})), "usl");
   expect_rigid_translation(sparse_body<3>(TypeParam{}), "usl");
 }
 

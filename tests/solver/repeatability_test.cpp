@@ -70,6 +70,7 @@ TYPED_TEST(Repeatability, NumberOfThreadsDoesNotMatter) {
     if (integrator == "usl" || integrator == "usl+" || integrator == "rk4")  // between them they sweep as all others do
       expect_the_same_for_any_threads(drifting<2>(TypeParam{}, {4, 40}), integrator, 60);
   }
+  expect_the_same_for_any_threads(with_consistent_mass(drifting<2>(TypeParam{}, {4, 40})), "usl", 60);
 }
 
 TYPED_TEST(Repeatability, NumberOfThreadsDoesNotMatterBetweenWalls) {

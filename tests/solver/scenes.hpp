@@ -72,6 +72,15 @@ Scene<D> full_scene(const AnyBasis& basis, int cells, int ppc, const AnyBoundary
   return scene;
 }
 
+/// The consistent mass matrix as it is, solved to round-off: for scenes that leave it regular.
+inline constexpr ConsistentMassSettings unregularised{.lumped_share = 1e-12, .covered = 0, .tolerance = 1e-13};
+
+template <int D>
+Scene<D> with_consistent_mass(Scene<D> scene) {
+  scene.consistent_mass.emplace();
+  return scene;
+}
+
 /// A smooth periodic velocity of this amplitude, the same in every component.
 template <int D>
 void set_wave(Scene<D>& scene, double amplitude) {

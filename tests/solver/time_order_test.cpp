@@ -25,8 +25,10 @@ constexpr double end_time = 0.004;  // s, two fifths of the wave's period
 
 /// The wave in a periodic bar of cubic B-splines, so small that no particle reaches a knot: between knots the rates of
 /// the semi-discrete system are smooth, and a fixed grid shows the order in time alone.
-Particles<1> bar_at_end(std::string_view integrator, int steps, int cells = 8) {
+Particles<1> bar_at_end(std::string_view integrator, int steps, int cells = 8,
+                        const std::optional<ConsistentMassSettings>& consistent_mass = {}) {
   Scene<1> scene = full_scene<1>(BSpline3{}, cells, 2);
+  scene.consistent_mass = consistent_mass;
   set_wave(scene, 3);
   const auto X = scene.particles.x;
   const Swing force(X);
@@ -79,6 +81,27 @@ TEST(TimeOrder, CentralDifferenceIsOfSecondOrderWhenRefinedWithTheGrid) {
   EXPECT_GT(std::log2(error("cd", 24, 8) / error("cd", 48, 16)), 2);
   EXPECT_GT(std::log2(error("cd", 48, 16) / error("cd", 96, 32)), 2);
   EXPECT_LT(std::log2(error("usl", 48, 16) / error("usl", 96, 32)), 1);
+}
+
+Particles<1> consistent_bar_at_end(std::string_view integrator, int steps) {
+  return bar_at_end(integrator, steps, 8, unregularised);
+}
+
+TEST(TimeOrder, RungeKuttaIsOfFourthOrderWithTheConsistentMass) {
+  const auto limit = consistent_bar_at_end("rk4", 1024);
+  const auto error = [&limit](int steps) { return distance(consistent_bar_at_end("rk4", steps), limit); };
+  for (const int steps : {64, 128}) EXPECT_NEAR(std::log2(error(steps) / error(2 * steps)), 4, 0.1) << steps;
+}
+
+/// M⁻¹ SᵀM S = I: what is mapped from the updated particles is what they were updated by. So it makes no difference
+/// to map it anew, and of the first-order term of `cd` only what `uvf` has as well is left.
+TEST(TimeOrder, NothingIsFilteredByTheConsistentMass) {
+  for (const auto& [mapped_once, mapped_anew] : {std::pair{"usl", "usl+"}, {"usavg", "usavg+"}, {"cd", "uvf"}})
+    EXPECT_LT(distance(consistent_bar_at_end(mapped_once, 64), consistent_bar_at_end(mapped_anew, 64)), 1e-11)
+        << mapped_once;
+  const auto lumped = distance(bar_at_end("cd", 256), bar_at_end("rk4", 512));
+  const auto consistent = distance(consistent_bar_at_end("cd", 256), consistent_bar_at_end("rk4", 512));
+  EXPECT_LT(consistent, lumped / 100);
 }
 
 }  // namespace

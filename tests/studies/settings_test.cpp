@@ -50,6 +50,19 @@ TEST(Settings, AnErrorNamesTheLineOfTheSetting) {
   }
 }
 
+TEST(Settings, WhatTheConsistentMassDoesNotGoWith) {
+  EXPECT_EQ(make_case(bar({{"cfl", "0.1"}, {"mass", "consistent"}})).scheme.mass, "consistent");
+  using Pairs = std::initializer_list<std::pair<const char*, const char*>>;
+  for (const Pairs& wrong : {Pairs{{"boundary", "dirichlet"}, {"wall_acceleration", "difference"}},
+                             Pairs{{"body_force", "grid"}}, Pairs{{"ppc", "1"}}}) {
+    auto settings = bar(wrong);
+    settings.push_back({"cfl", "0.1", "a.toml:9"});
+    EXPECT_NO_THROW(make_case(settings));
+    settings.push_back({"mass", "consistent", "a.toml:9"});
+    EXPECT_THROW(make_case(settings), UsageError);
+  }
+}
+
 TEST(Settings, BoundariesPerFace) {
   EXPECT_EQ(canonical_boundary("xmax=free,xmin=dirichlet", 1, ""), "xmin=dirichlet,xmax=free");
   EXPECT_EQ(canonical_boundary("xmin=free,xmax=free", 1, ""), "free");

@@ -1,0 +1,234 @@
+#include <Eigen/Eigenvalues>
+#include <random>
+
+#include "tests/numbers.hpp"
+#include "tests/solver/scenes.hpp"
+#include "tests/solver/stencils.hpp"
+
+namespace mpmvv::solver {
+
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+double largest(const Matrix& difference) {
+  return difference.lpNorm<Eigen::Infinity>();
+}
+
+std::mt19937 random_numbers(11);
+double random_number() {
+  return std::uniform_real_distribution<double>(-1, 1)(random_numbers);
+}
+
+/// The box filled with particles that have left their lattice, at random velocities.
+template <int D>
+Scene<D> jumbled_box(const AnyBasis& basis, int cells, const AnyBoundary& boundary) {
+  Scene<D> scene = full_scene<D>(basis, cells, 2, boundary);
+  for (auto& x : scene.particles.x)
+    for (int d = 0; d < D; ++d) x[d] += 0.2 * scene.h * random_number();
+  for (auto& v : scene.particles.v)
+    for (int d = 0; d < D; ++d) v[d] = random_number();
+  return scene;
+}
+
+/// A scene with its masses on the grid, and its mass matrix beside it.
+template <int D>
+struct Mapped {
+  Mpm<D> mpm;
+  ConsistentMass<D> mass;
+
+  Mapped(const Scene<D>& scene, const ConsistentMassSettings& settings)
+      : mpm(scene), mass(mpm, settings, scene.particles.m[0] * std::pow(2, D)) {
+    mpm.map_acceleration();
+    mass.set_couplings(mpm);
+  }
+
+  /// The matrix of one component, column by column.
+  Matrix matrix() {
+    const std::size_t nodes = mpm.grid().size();
+    Matrix M(nodes, nodes);
+    std::vector<Packed<D>> u(nodes), q(nodes);
+    for (std::size_t j = 0; j < nodes; ++j) {
+      std::fill(u.begin(), u.end(), Packed<D>::Zero());
+      u[j].setOnes();
+      mass.multiply(mpm, u, q);
+      for (std::size_t i = 0; i < nodes; ++i) M(static_cast<int>(i), static_cast<int>(j)) = q[i][0];
+    }
+    return M;
+  }
+
+  Vector lumped() const {
+    Vector m(mpm.grid().size());
+    for (std::size_t n = 0; n < mpm.grid().size(); ++n) m[static_cast<int>(n)] = mpm.grid().m(n);
+    return m;
+  }
+};
+
+template <class B>
+class ConsistentMassMatrix : public ::testing::Test {};
+using AllBases = TypesOf<AnyBasis>::type;
+TYPED_TEST_SUITE(ConsistentMassMatrix, AllBases);
+
+template <class B, int D>
+void expect_the_sum_over_particles() {
+  const Scene<D> scene = jumbled_box<D>(B{}, 4, Free{});
+  Mapped<D> mapped(scene, unregularised);
+  Matrix expected = Matrix::Zero(mapped.mpm.grid().size(), mapped.mpm.grid().size());
+  for (std::size_t p = 0; p < scene.particles.size(); ++p) {
+    const auto nodes = reached<D>(Setting<B>{std::get<B>(scene.basis), 0.5}, mapped.mpm.grid(), scene.particles.x[p]);
+    for (const auto& i : nodes)
+      for (const auto& j : nodes)
+        expected(mapped.mpm.grid().node(i.node), mapped.mpm.grid().node(j.node)) += scene.particles.m[p] * i.N * j.N;
+  }
+  EXPECT_LT(largest(mapped.matrix() - expected), 1e-11 * scene.particles.m[0]);
+}
+
+TYPED_TEST(ConsistentMassMatrix, IsTheSumOverParticles) {
+  expect_the_sum_over_particles<TypeParam, 1>();
+  expect_the_sum_over_particles<TypeParam, 2>();
+}
+
+/// M̂ = M̂ᵀ, M̂ 1 = m, and ε <= eigenvalues relative to m <= 1.
+template <int D>
+void expect_sound(const Scene<D>& scene, const ConsistentMassSettings& settings) {
+  Mapped<D> mapped(scene, settings);
+  const Matrix M = mapped.matrix();
+  const Vector m = mapped.lumped();
+  EXPECT_LT(largest(M - M.transpose()), 1e-14 * m.maxCoeff());
+  EXPECT_LT(largest(M.rowwise().sum() - m), 1e-14 * m.maxCoeff());
+  std::vector<int> reached_nodes;
+  for (int n = 0; n < m.size(); ++n)
+    if (m[n] > 1e-40) reached_nodes.push_back(n);
+  const Vector scale = m(reached_nodes).cwiseSqrt().cwiseInverse();
+  const Matrix relative = scale.asDiagonal() * M(reached_nodes, reached_nodes) * scale.asDiagonal();
+  const Vector eigenvalues = Eigen::SelfAdjointEigenSolver<Matrix>(relative).eigenvalues();
+  EXPECT_GT(eigenvalues.minCoeff(), settings.lumped_share - 1e-13);
+  EXPECT_LT(eigenvalues.maxCoeff(), 1 + 1e-13);
+}
+
+TYPED_TEST(ConsistentMassMatrix, RegularisedKeepsSymmetryRowSumsAndBounds) {
+  for (const double lumped_share : {1e-1, 1e-2, 1e-4})
+    for (const double covered : {0.0, 0.25}) {
+      const ConsistentMassSettings settings{.lumped_share = lumped_share, .covered = covered};
+      expect_sound(jumbled_box<1>(TypeParam{}, 6, Free{}), settings);
+      expect_sound(jumbled_box<2>(TypeParam{}, 3, Free{}), settings);
+    }
+}
+
+/// One step of no length: the grid then holds the velocities that the particles were mapped to.
+template <int D>
+std::unique_ptr<Mpm<D>> mapped_velocities(Scene<D> scene, const ConsistentMassSettings& settings) {
+  scene.consistent_mass = settings;
+  auto mpm = std::make_unique<Mpm<D>>(scene);
+  EXPECT_TRUE(mpm->step(0));
+  return mpm;
+}
+
+/// What every basis holds, and M⁻¹ p therefore finds again; p/m does not.
+template <int D>
+void expect_linear_velocity_found(const AnyBasis& basis) {
+  Scene<D> scene = jumbled_box<D>(basis, D == 1 ? 9 : 5, Free{});
+  Mat<D> G;
+  for (int k = 0; k < D * D; ++k) G.data()[k] = 0.3 - 0.17 * k;
+  const auto linear = [&G](const Vec<D>& x) { return Vec<D>(G * x + Vec<D>::Constant(2)); };
+  for (std::size_t p = 0; p < scene.particles.size(); ++p) scene.particles.v[p] = linear(scene.particles.x[p]);
+  const auto mpm = mapped_velocities(scene, unregularised);
+  double consistent = 0, lumped = 0;
+  for (std::size_t n = 0; n < mpm->grid().size(); ++n) {
+    const double m = mpm->grid().m(n);
+    if (m < 0.1 * std::pow(scene.h, D)) continue;
+    const Vec<D> v = mpm->grid().v[n].template head<D>(), p = mpm->grid().p[n].template head<D>();
+    const Vec<D> expected = linear(mpm->node_position(n));
+    consistent = std::max(consistent, (v - expected).norm());
+    lumped = std::max(lumped, (p / m - expected).norm());
+  }
+  EXPECT_LT(consistent, 1e-8);
+  EXPECT_GT(lumped, 1e-3);
+}
+
+TYPED_TEST(ConsistentMassMatrix, FindsALinearVelocityAgain) {
+  expect_linear_velocity_found<1>(TypeParam{});
+  expect_linear_velocity_found<2>(TypeParam{});
+}
+
+/// Cᵀ (p - M̂ v) = 0, v = C v.
+template <int D>
+void expect_solved(const AnyBasis& basis, const AnyBoundary& boundary) {
+  const ConsistentMassSettings settings{.tolerance = 1e-12};
+  const Scene<D> scene = jumbled_box<D>(basis, D == 3 ? 4 : 6, boundary);
+  const auto mpm = mapped_velocities(scene, settings);
+  ConsistentMass<D> mass(*mpm, settings, std::pow(scene.h, D));
+  mass.set_couplings(*mpm);
+  std::vector<Packed<D>> p(mpm->grid().size()), q(mpm->grid().size()), v = mpm->grid().v;
+  for (std::size_t n = 0; n < p.size(); ++n) p[n] = mpm->grid().p[n].template head<lanes<D>>();
+  mpm->constrain(v);
+  mpm->constrain_transposed(p);
+  mass.multiply(*mpm, v, q);
+  for (std::size_t n = 0; n < p.size(); ++n) {
+    EXPECT_EQ((v[n] - mpm->grid().v[n]).template head<D>().norm(), 0);
+    EXPECT_LT((p[n] - q[n]).template head<D>().norm(), 1e-11 * std::pow(scene.h, D));
+  }
+}
+
+TYPED_TEST(ConsistentMassMatrix, IsSolvedForWhatTheWallsLeaveFree) {
+  for (const AnyBoundary& boundary : std::vector<AnyBoundary>{Free{}, Dirichlet{}, Symmetry{}, Periodic{}, Mirror{}}) {
+    if (TypeParam::ghost == 0 && boundary.index() != AnyBoundary{Free{}}.index() &&
+        !std::holds_alternative<Dirichlet>(boundary))
+      continue;
+    expect_solved<1>(TypeParam{}, boundary);
+    expect_solved<2>(TypeParam{}, boundary);
+    expect_solved<3>(TypeParam{}, boundary);
+  }
+}
+
+/// M is singular with one particle per cell. The regularised one gives no mode more than 1/ε of what diag(m) does.
+TYPED_TEST(ConsistentMassMatrix, BoundsAccelerationsWhereItIsSingular) {
+  Scene<2> scene = full_scene<2>(TypeParam{}, 6, 1, TypeParam::ghost == 0 ? AnyBoundary{Free{}} : Periodic{});
+  set_widths(scene, 0.5);
+  for (auto& F : scene.particles.F) F(0, 0) = 1 + 0.3 * random_number();
+  const auto norm_of = [&scene](double lumped_share) {
+    scene.consistent_mass = ConsistentMassSettings{.lumped_share = lumped_share, .tolerance = 1e-9};
+    Mpm<2> mpm(scene);
+    mpm.map_acceleration();
+    double sum = 0;
+    for (std::size_t n = 0; n < mpm.grid().size(); ++n) sum += mpm.grid().m(n) * mpm.grid().a[n].squaredNorm();
+    return std::sqrt(sum);
+  };
+  const double lumped = norm_of(1);
+  for (const double lumped_share : {1e-1, 1e-2, 1e-3}) {
+    EXPECT_GT(norm_of(lumped_share), lumped);
+    EXPECT_LT(norm_of(lumped_share), lumped / lumped_share);
+  }
+}
+
+/// The one particle of W §3 finds its own velocity again, where p_i/m_i = v and Σ_i N_ip v_i = v x/h.
+TEST(ConsistentMass, ReproducesTheVelocityOfASingleParticle) {
+  Scene<1> scene;
+  scene.cells = {1};
+  scene.material = NeoHookeanLog{0, 1};
+  scene.boundary = {Dirichlet{}, Free{}};
+  scene.particles = particles_at<1>({Vec<1>(0.4)}, 1);
+  scene.particles.v[0][0] = 5;
+  const auto mpm = mapped_velocities(scene, unregularised);
+  EXPECT_NEAR(mpm->grid().v[static_cast<std::size_t>(mpm->grid().node({1}))][0], 5 / 0.4, 1e-9);
+}
+
+/// Whatever is not a number ends as a fault.
+TYPED_TEST(ConsistentMassMatrix, SurvivesNotANumber) {
+  for (const auto& spoil :
+       std::vector<void (*)(Particles<2>&)>{[](auto& p) { p.v[7][0] = nan; }, [](auto& p) { p.F[3](1, 0) = infinity; },
+                                            [](auto& p) { p.x[5][1] = nan; }, [](auto& p) { p.v[2][1] = 1e300; }}) {
+    Scene<2> scene = jumbled_box<2>(TypeParam{}, 6, Dirichlet{});
+    spoil(scene.particles);
+    scene.consistent_mass.emplace();
+    Mpm<2> mpm(scene);
+    mpm.step(1e-4);
+    EXPECT_FALSE(mpm.step(1e-4));
+    EXPECT_NE(mpm.fault(), "");
+  }
+}
+
+}  // namespace
+
+}  // namespace mpmvv::solver
