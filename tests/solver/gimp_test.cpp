@@ -25,11 +25,11 @@ double printed_gradient(double x, double l) {
   return 0;
 }
 
-constexpr int cells = 5;
+constexpr int line_cells = 5;
 
 TEST(Gimp, WeightsAreThePrintedOnes) {  // S (29), W (6), without their case distinction
   for (const double l : {1e-8, 1e-3, 0.1, 0.25, 1.0 / 3, 0.5, 0.75, 0.999, 1.0})
-    for (const double xi : places(cells)) {
+    for (const double xi : places(line_cells)) {
       double N[3], dN[3];
       const int first = gimp_weights(xi, l, N, dN);
       for (int i = 0; i < 3; ++i) {
@@ -40,10 +40,10 @@ TEST(Gimp, WeightsAreThePrintedOnes) {  // S (29), W (6), without their case dis
 }
 
 TEST(Gimp, WidestIsTheQuadraticSpline) {
-  for (const double xi : places(cells)) {
+  for (const double xi : places(line_cells)) {
     double N[3], dN[3], spline[3], slope[3];
-    const int first = UGimp{}.evaluate({xi, cells, 0}, N, dN);
-    const int other = BSpline2{}.evaluate({xi, cells, 0}, spline, slope);
+    const int first = UGimp{}.evaluate({xi, line_cells, 0}, N, dN);
+    const int other = BSpline2{}.evaluate({xi, line_cells, 0}, spline, slope);
     for (int i = 0; i < 3; ++i) {
       const int k = first + i - other;  // half-way between nodes either may name the node that it just touches
       EXPECT_NEAR(N[i], k >= 0 && k < 3 ? spline[k] : 0, 1e-15) << xi;
@@ -54,10 +54,10 @@ TEST(Gimp, WidestIsTheQuadraticSpline) {
 
 TEST(Gimp, NarrowestIsTheLinearBasis) {
   for (const double l : {1e-3, 1e-6, 1e-12})
-    for (const double xi : places(cells)) {
+    for (const double xi : places(line_cells)) {
       double N[3], dN[3], hat[2], slope[2];
-      const int first = UGimp{l}.evaluate({xi, cells, 0}, N, dN);
-      const int cell = Linear{}.evaluate({xi, cells, 0}, hat, slope);
+      const int first = UGimp{l}.evaluate({xi, line_cells, 0}, N, dN);
+      const int cell = Linear{}.evaluate({xi, line_cells, 0}, hat, slope);
       for (int i = 0; i < 3; ++i) {
         const int k = first + i - cell;
         EXPECT_NEAR(N[i], k >= 0 && k < 2 ? hat[k] : 0, l / 4 + 1e-15) << xi;
@@ -68,9 +68,9 @@ TEST(Gimp, NarrowestIsTheLinearBasis) {
 }
 
 TEST(Linear, GradientOnANodeIsThatOfTheCellToTheRight) {
-  for (int node = 0; node < cells; ++node) {
+  for (int node = 0; node < line_cells; ++node) {
     double N[2], dN[2];
-    EXPECT_EQ(Linear{}.evaluate({static_cast<double>(node), cells, 0}, N, dN), node);
+    EXPECT_EQ(Linear{}.evaluate({static_cast<double>(node), line_cells, 0}, N, dN), node);
     EXPECT_EQ(N[0], 1);
     EXPECT_LT(N[1], 1e-50);
     EXPECT_EQ(dN[0], -1);
@@ -80,15 +80,15 @@ TEST(Linear, GradientOnANodeIsThatOfTheCellToTheRight) {
 
 TEST(Linear, GradientOnTheLastFaceIsThatOfTheLastCell) {
   double N[2], dN[2];
-  EXPECT_EQ(Linear{}.evaluate({cells, cells, 0}, N, dN), cells - 1);
+  EXPECT_EQ(Linear{}.evaluate({line_cells, line_cells, 0}, N, dN), line_cells - 1);
   EXPECT_LT(N[0], 1e-50);
   EXPECT_EQ(N[1], 1);
 }
 
 TEST(Linear, IsTheHatPrinted) {  // S (17)
-  for (const double xi : places(cells)) {
+  for (const double xi : places(line_cells)) {
     double N[2], dN[2];
-    const int first = Linear{}.evaluate({xi, cells, 0}, N, dN);
+    const int first = Linear{}.evaluate({xi, line_cells, 0}, N, dN);
     for (int i = 0; i < 2; ++i) EXPECT_NEAR(N[i], std::max(0.0, 1 - std::abs(xi - (first + i))), 1e-15);
   }
 }
