@@ -4,7 +4,7 @@
 #include "tests/cli/program.hpp"
 
 namespace mpmvv {
-namespace {
+namespace readme_test {
 
 /// The fenced block that follows `<!-- walk: NAME -->` in the README.
 std::string block(const std::string& name) {
@@ -105,5 +105,5 @@ TEST_F(ReadmeNightly, TheSolutionIsADisplacementField) {
   EXPECT_GT(error(out.rfind("\n{", split)) / error(split), 3) << "second order";
 }
 
-}  // namespace
+}  // namespace readme_test
 }  // namespace mpmvv

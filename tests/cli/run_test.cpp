@@ -4,7 +4,7 @@
 #include "tests/cli/program.hpp"
 
 namespace mpmvv {
-namespace {
+namespace run_test {
 
 using testing::HasSubstr;
 
@@ -284,5 +284,5 @@ TEST(ListCommand, NamesProblemsAndWords) {
   EXPECT_EQ(all["problems"][0]["name"], "bar");
 }
 
-}  // namespace
+}  // namespace run_test
 }  // namespace mpmvv

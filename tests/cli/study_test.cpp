@@ -7,7 +7,7 @@
 #include "tests/cli/program.hpp"
 
 namespace mpmvv {
-namespace {
+namespace study_test {
 
 using testing::HasSubstr;
 
@@ -253,5 +253,5 @@ TEST(ReportCommand, WritesOnePageAndItsFigures) {
       HasSubstr("(0 drawn)"));
 }
 
-}  // namespace
+}  // namespace study_test
 }  // namespace mpmvv

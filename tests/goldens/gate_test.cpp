@@ -9,7 +9,7 @@
 #include "studies/error.hpp"
 
 namespace mpmvv {
-namespace {
+namespace gate_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -234,5 +234,5 @@ TEST(Gate, AGateThatChecksNothingIsAnError) {
   EXPECT_THROW(run_gate({}, {healthy()}), UsageError);
 }
 
-}  // namespace
+}  // namespace gate_test
 }  // namespace mpmvv

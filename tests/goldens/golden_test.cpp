@@ -9,7 +9,7 @@
 #include "studies/error.hpp"
 
 namespace mpmvv {
-namespace {
+namespace golden_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -171,5 +171,5 @@ TEST_F(GoldenDirectory, NothingToReadIsAnError) {
   EXPECT_THAT(message([&] { read_goldens(directory / "absent"); }), HasSubstr("no directory"));
 }
 
-}  // namespace
+}  // namespace golden_test
 }  // namespace mpmvv

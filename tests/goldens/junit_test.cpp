@@ -8,7 +8,7 @@
 #include <string>
 
 namespace mpmvv {
-namespace {
+namespace junit_test {
 
 using boost::property_tree::ptree;
 
@@ -55,5 +55,5 @@ TEST(Junit, EscapesWhatXmlCannotHold) {
   EXPECT_EQ(failed.get<std::string>("failure.<xmlattr>.message"), "a < b\n?");
 }
 
-}  // namespace
+}  // namespace junit_test
 }  // namespace mpmvv

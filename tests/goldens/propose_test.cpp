@@ -10,7 +10,7 @@
 #include "studies/error.hpp"
 
 namespace mpmvv {
-namespace {
+namespace propose_test {
 
 using testing::HasSubstr;
 
@@ -146,5 +146,5 @@ TEST(Propose, NothingToProposeIsAnError) {
   EXPECT_THROW(propose_goldens(study_with({}), clean), UsageError);
 }
 
-}  // namespace
+}  // namespace propose_test
 }  // namespace mpmvv

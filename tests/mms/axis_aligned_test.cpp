@@ -3,7 +3,7 @@
 #include "tests/mms/samples.hpp"
 
 namespace mpmvv::mms {
-namespace {
+namespace axis_aligned_test {
 
 /// Normal displacement and shear vanish on the faces of square and cube, which so are symmetry planes and smooth walls.
 template <class S>
@@ -42,5 +42,5 @@ TEST(CubeSolution, IsPeriodic) {
   }
 }
 
-}  // namespace
+}  // namespace axis_aligned_test
 }  // namespace mpmvv::mms

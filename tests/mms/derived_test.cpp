@@ -6,7 +6,7 @@
 #include "tests/mms/differences.hpp"
 
 namespace mpmvv::mms {
-namespace {
+namespace derived_test {
 
 /// The derivation itself, on a field whose derivatives are known: simple shear that grows as t².
 TEST(Derived, PlaneShearByHand) {
@@ -87,5 +87,5 @@ TEST_F(UserDefined, BalancesForces) {
   }
 }
 
-}  // namespace
+}  // namespace derived_test
 }  // namespace mpmvv::mms

@@ -5,7 +5,7 @@
 #include "tests/mms/samples.hpp"
 
 namespace mpmvv::mms {
-namespace {
+namespace plane_strain_test {
 
 /// A plane motion in three dimensions.
 template <class Displacement>
@@ -43,5 +43,5 @@ TYPED_TEST(PlaneSolution, IsPlaneStrain) {
   }
 }
 
-}  // namespace
+}  // namespace plane_strain_test
 }  // namespace mpmvv::mms

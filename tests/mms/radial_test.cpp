@@ -3,7 +3,7 @@
 #include "tests/mms/samples.hpp"
 
 namespace mpmvv::mms {
-namespace {
+namespace radial_test {
 
 constexpr double radii_of_rings[][2] = {{0.5, 1}, {0.2, 1.1}, {1, 2.9}, {1, 3.1}, {0.01, 0.7}};
 
@@ -103,5 +103,5 @@ TYPED_TEST(RadialSolution, MovesAlongTheRadius) {
     }
 }
 
-}  // namespace
+}  // namespace radial_test
 }  // namespace mpmvv::mms

@@ -6,7 +6,7 @@
 #include "tests/mms/samples.hpp"
 
 namespace mpmvv::mms {
-namespace {
+namespace solutions_test {
 
 template <class S>
 class Solution : public ::testing::Test {
@@ -149,5 +149,5 @@ TYPED_TEST(Solution, PointwiseServesThreadsAtDifferentTimes) {
   EXPECT_LT(worst[1], 1e-12);
 }
 
-}  // namespace
+}  // namespace solutions_test
 }  // namespace mpmvv::mms

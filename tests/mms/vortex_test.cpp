@@ -7,7 +7,7 @@
 #include "tests/mms/samples.hpp"
 
 namespace mpmvv::mms {
-namespace {
+namespace vortex_test {
 
 template <class Check>
 void everywhere_in_the_vortex(const Check& check) {
@@ -62,5 +62,5 @@ TEST(Vortex, IsTheSameForEveryLambda) {
   });
 }
 
-}  // namespace
+}  // namespace vortex_test
 }  // namespace mpmvv::mms

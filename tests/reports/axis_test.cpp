@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace mpmvv {
-namespace {
+namespace axis_test {
 
 std::vector<std::string> texts(const Axis& axis) {
   std::vector<std::string> result;
@@ -64,5 +64,5 @@ TEST(Axis, NonPositiveEndOfALogarithmicAxisIsIgnored) {
   EXPECT_GT(make_axis({"x", true, 0.0, {}, 0, 0, false}, values).from, 0);
 }
 
-}  // namespace
+}  // namespace axis_test
 }  // namespace mpmvv

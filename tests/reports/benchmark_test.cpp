@@ -11,7 +11,7 @@
 #include "tests/reports/temp_folder.hpp"
 
 namespace mpmvv {
-namespace {
+namespace benchmark_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -101,5 +101,5 @@ TEST(Benchmark, StandsInTheReport) {
   EXPECT_THAT(content(folder / "out" / "index.html"), testing::Not(HasSubstr("#benchmark")));
 }
 
-}  // namespace
+}  // namespace benchmark_test
 }  // namespace mpmvv

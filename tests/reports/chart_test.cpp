@@ -10,7 +10,7 @@
 #include "tests/reports/synthetic.hpp"
 
 namespace mpmvv {
-namespace {
+namespace chart_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -311,5 +311,5 @@ TEST(StabilityMap, DeclaredFigureWithoutValuesIsTheMap) {
   EXPECT_EQ(charts[0].y.tics.size(), 1u);
 }
 
-}  // namespace
+}  // namespace chart_test
 }  // namespace mpmvv

@@ -11,7 +11,7 @@
 #include "tests/reports/temp_folder.hpp"
 
 namespace mpmvv {
-namespace {
+namespace plot_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -174,5 +174,5 @@ TEST(Plot, StudyWithoutAnyValueIsStillDrawn) {
   EXPECT_EQ(draw(plots(study), folder.path()), 1);
 }
 
-}  // namespace
+}  // namespace plot_test
 }  // namespace mpmvv

@@ -11,7 +11,7 @@
 #include "tests/reports/temp_folder.hpp"
 
 namespace mpmvv {
-namespace {
+namespace report_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -155,5 +155,5 @@ TEST(Report, FileInPlaceOfTheFolderIsReported) {
   EXPECT_THAT(refusal(input(), folder / "out"), HasSubstr("cannot make the folder"));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace mpmvv

@@ -12,7 +12,7 @@
 #include "tests/reports/temp_folder.hpp"
 
 namespace mpmvv {
-namespace {
+namespace table_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -110,5 +110,5 @@ TEST(LatexNightly, TablesCompile) {
   }
 }
 
-}  // namespace
+}  // namespace table_test
 }  // namespace mpmvv

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 namespace mpmvv {
-namespace {
+namespace text_test {
 
 TEST(Text, ExactNumbersReadBackAsThemselves) {
   for (const double v : {0.1, 1.0 / 3, 6.02214076e23, 5e-324, -2.2250738585072014e-308})
@@ -43,5 +43,5 @@ TEST(Text, FileStemsStayInTheirFolder) {
   for (const char* bad : {"", ".hidden", "..", "a/b", "a b", "-d", "a'b"}) EXPECT_FALSE(is_file_stem(bad)) << bad;
 }
 
-}  // namespace
+}  // namespace text_test
 }  // namespace mpmvv

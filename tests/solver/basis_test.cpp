@@ -5,7 +5,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace basis_test {
 
 constexpr double h = 0.125;
 
@@ -161,6 +161,6 @@ TYPED_TEST(BasisProperties, RefusesWidthsBeyondACell) {
   }
 }
 
-}  // namespace
+}  // namespace basis_test
 
 }  // namespace mpmvv::solver

@@ -5,7 +5,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace boundary_test {
 
 /// A grid of 6 x 5 cells with two ghost layers, every field random.
 Grid<2> random_grid() {
@@ -220,6 +220,6 @@ TEST(WallAcceleration, IsZeroOrTheDifferenceOfVelocities) {  // S (30)
   }
 }
 
-}  // namespace
+}  // namespace boundary_test
 
 }  // namespace mpmvv::solver

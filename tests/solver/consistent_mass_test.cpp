@@ -7,7 +7,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace consistent_mass_test {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
@@ -229,6 +229,6 @@ TYPED_TEST(ConsistentMassMatrix, SurvivesNotANumber) {
   }
 }
 
-}  // namespace
+}  // namespace consistent_mass_test
 
 }  // namespace mpmvv::solver

@@ -7,7 +7,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace cpdi_test {
 
 constexpr double cell_width = 0.125;
 constexpr int cells_across = 6;
@@ -225,6 +225,6 @@ TEST(Cpdi, LongDomainsAreFaultsBeyondTheirReach) {
   EXPECT_EQ(mpm.fault(), "a corner of a particle is more than 2 cells from it");
 }
 
-}  // namespace
+}  // namespace cpdi_test
 
 }  // namespace mpmvv::solver

@@ -6,7 +6,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace fault_test {
 
 /// Steps until the run reports a fault, then a few more, which must not crash.
 template <int D>
@@ -101,6 +101,6 @@ TEST(Fault, UnknownIntegratorIsRefused) {
   EXPECT_THROW(Mpm<1>{scene}, std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace fault_test
 
 }  // namespace mpmvv::solver

@@ -4,7 +4,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace gimp_test {
 
 /// S (29) as printed, in units of h; l is the full width.
 double printed_weight(double x, double l) {
@@ -93,6 +93,6 @@ TEST(Linear, IsTheHatPrinted) {  // S (17)
   }
 }
 
-}  // namespace
+}  // namespace gimp_test
 
 }  // namespace mpmvv::solver

@@ -5,7 +5,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace invariants_test {
 
 /// A body of 5 cells along each axis inside a domain of 12, its particles off the lattice of nodes.
 template <int D>
@@ -200,6 +200,6 @@ TYPED_TEST(Invariants, GradientOfALinearVelocityIsExact) {
   expect_exact_gradient<TypeParam, 3>();
 }
 
-}  // namespace
+}  // namespace invariants_test
 
 }  // namespace mpmvv::solver

@@ -6,7 +6,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace material_test {
 
 /// Some deformation gradients with positive determinant, far from the identity.
 template <int D>
@@ -133,6 +133,6 @@ TEST(NeoHookean, IsTheLawOfTheSolutions) {
   expect_the_stress_of_the_solutions<3>();
 }
 
-}  // namespace
+}  // namespace material_test
 
 }  // namespace mpmvv::solver

@@ -4,7 +4,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace one_particle_test {
 
 constexpr double E = 1e4, rho = 1.3, h = 0.7;
 
@@ -181,6 +181,6 @@ TEST(OneParticle, OrdersInTime) {
   EXPECT_NEAR(order_in_time("rk4", 32), 4, 0.1);
 }
 
-}  // namespace
+}  // namespace one_particle_test
 
 }  // namespace mpmvv::solver

@@ -6,7 +6,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace repeatability_test {
 
 /// The particles in the order of their creation.
 template <int D>
@@ -177,6 +177,6 @@ TEST(Slabs, SortKeepsTheOrderWithinACell) {
   }
 }
 
-}  // namespace
+}  // namespace repeatability_test
 
 }  // namespace mpmvv::solver

@@ -6,7 +6,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace spline_test {
 
 /// S (21) as printed, in units of h.
 double printed_quadratic(double x) {
@@ -134,6 +134,6 @@ TYPED_TEST(CoxDeBoor, SumsToOneWithTheRightDerivative) {
       }
 }
 
-}  // namespace
+}  // namespace spline_test
 
 }  // namespace mpmvv::solver

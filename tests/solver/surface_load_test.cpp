@@ -7,7 +7,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace surface_load_test {
 
 /// Forces that the test sets, on parts at the given offsets from the particles with these ids.
 class GivenLoad final : public SurfaceLoad<2> {
@@ -88,6 +88,6 @@ TYPED_TEST(SurfaceLoads, OnAParticleBeyondTheGridAreAFault) {
   EXPECT_EQ(mpm.fault(), "a particle left the domain");
 }
 
-}  // namespace
+}  // namespace surface_load_test
 
 }  // namespace mpmvv::solver

@@ -4,7 +4,7 @@
 
 namespace mpmvv::solver {
 
-namespace {
+namespace time_order_test {
 
 /// A force that changes within a step.
 class Swing final : public BodyForce<1> {
@@ -104,6 +104,6 @@ TEST(TimeOrder, NothingIsFilteredByTheConsistentMass) {
   EXPECT_LT(consistent, lumped / 100);
 }
 
-}  // namespace
+}  // namespace time_order_test
 
 }  // namespace mpmvv::solver

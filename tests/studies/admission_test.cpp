@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace mpmvv {
-namespace {
+namespace admission_test {
 
 constexpr int threads = 4;
 constexpr double memory = 10;
@@ -54,5 +54,5 @@ TEST(Admission, MoreMemoryThanThereIsStartsWhenAllIsFree) {
   EXPECT_TRUE(started);
 }
 
-}  // namespace
+}  // namespace admission_test
 }  // namespace mpmvv

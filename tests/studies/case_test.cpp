@@ -12,7 +12,7 @@
 #include "studies/result.hpp"
 
 namespace mpmvv {
-namespace {
+namespace case_test {
 
 Case bar_case() {
   return {.problem = {.name = "bar", .parameters = {{"amplitude", 0.05}, {"density", 1}}, .end_time = 0.01},
@@ -22,12 +22,13 @@ Case bar_case() {
 }
 
 TEST(CanonicalText, IsOneLineOfEveryChoiceInAFixedOrder) {
-  EXPECT_EQ(canonical_text(bar_case()),
-            "problem=bar param.amplitude=0.05 param.density=1 end_time=0.01 quarter=false basis=bspline2 smoothing_length=0 "
-            "integrator=cd start=half velocity_update=flip mass=lumped boundary=periodic wall_acceleration=zero "
-            "deformation=linear body_force=particles fill=lattice material=neo-hookean-log cells=64 ppc=4 "
-            "dt=0.3333333333333333 steps=800 "
-            "every_step=false nodal_error=false blowup_error=1 blowup_energy=10 repeat=0");
+  EXPECT_EQ(
+      canonical_text(bar_case()),
+      "problem=bar param.amplitude=0.05 param.density=1 end_time=0.01 quarter=false basis=bspline2 smoothing_length=0 "
+      "integrator=cd start=half velocity_update=flip mass=lumped boundary=periodic wall_acceleration=zero "
+      "deformation=linear body_force=particles fill=lattice material=neo-hookean-log cells=64 ppc=4 "
+      "dt=0.3333333333333333 steps=800 "
+      "every_step=false nodal_error=false blowup_error=1 blowup_energy=10 repeat=0");
 }
 
 TEST(CanonicalText, NumbersReadBackAsTheSameNumber) {
@@ -93,5 +94,5 @@ TEST(Words, StatusAndVerdictReadBack) {
   EXPECT_THROW(part_verdict_from(""), UsageError);
 }
 
-}  // namespace
+}  // namespace case_test
 }  // namespace mpmvv

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace mpmvv {
-namespace {
+namespace claim_test {
 
 std::string verdict(std::vector<PartVerdict> verdicts) {
   StudyResult study;
@@ -37,5 +37,5 @@ TEST(Claims, EveryIdIsThereOnce) {
   EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
 }
 
-}  // namespace
+}  // namespace claim_test
 }  // namespace mpmvv

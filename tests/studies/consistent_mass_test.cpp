@@ -4,7 +4,7 @@
 #include "studies/settings.hpp"
 
 namespace mpmvv {
-namespace {
+namespace consistent_mass_test {
 
 using solver::ConsistentMassSettings;
 using Positions = std::vector<solver::Vec<2>>;
@@ -57,5 +57,5 @@ TEST(ConsistentMass, ItsRegularisationDoesNotDecideTheSquare) {
   }
 }
 
-}  // namespace
+}  // namespace consistent_mass_test
 }  // namespace mpmvv

@@ -4,7 +4,7 @@
 #include "studies/study.hpp"
 
 namespace mpmvv {
-namespace {
+namespace criterion_test {
 
 using testing::HasSubstr;
 
@@ -128,5 +128,5 @@ TEST(Criterion, AnUnknownSeriesIsInconclusive) {
   EXPECT_EQ(judge(criterion(Kind::order, "ugly", 1, 2), two_series()).verdict, PartVerdict::inconclusive);
 }
 
-}  // namespace
+}  // namespace criterion_test
 }  // namespace mpmvv

@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace mpmvv {
-namespace {
+namespace fill_test {
 
 using solver::Mat;
 using solver::Vec;
@@ -127,5 +127,5 @@ TEST(Domain, HoldsTheMotionAndPutsNodesOnTheBoxAndTheOrigin) {
   EXPECT_EQ(margin.lower, solver::Vec<2>(-0.25, -0.25));
 }
 
-}  // namespace
+}  // namespace fill_test
 }  // namespace mpmvv

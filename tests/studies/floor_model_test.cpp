@@ -10,7 +10,7 @@
 #include "studies/observed_order.hpp"
 
 namespace mpmvv {
-namespace {
+namespace floor_model_test {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -166,5 +166,5 @@ TEST(FloorFit, IsTheMinimumOfTheRelativeMisfit) {
   }
 }
 
-}  // namespace
+}  // namespace floor_model_test
 }  // namespace mpmvv

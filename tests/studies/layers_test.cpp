@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace mpmvv {
-namespace {
+namespace layers_test {
 
 namespace fs = std::filesystem;
 
@@ -76,5 +76,5 @@ TEST(Layers, EachLibraryIsNamedInOnePlace) {
   EXPECT_EQ(places["toml++"].size(), 1U);
 }
 
-}  // namespace
+}  // namespace layers_test
 }  // namespace mpmvv

@@ -4,7 +4,7 @@
 #include "studies/settings.hpp"
 
 namespace mpmvv {
-namespace {
+namespace mass_cutoff_test {
 
 /// Positions at the end of a run of the square by particle id, and the largest displacement error.
 struct Outcome {
@@ -53,5 +53,5 @@ TEST(MassCutoff, DoesNotDecideTheSquare) {
     }
 }
 
-}  // namespace
+}  // namespace mass_cutoff_test
 }  // namespace mpmvv

@@ -9,7 +9,7 @@
 #include "studies/settings.hpp"
 
 namespace mpmvv {
-namespace {
+namespace nodal_error_test {
 
 std::vector<Setting> bar_settings(const std::string& boundary) {
   return {{"problem", "bar", ""}, {"basis", "linear", ""}, {"integrator", "usl", ""}, {"boundary", boundary, ""},
@@ -114,5 +114,5 @@ TEST(Integrators, OnlyStaggeredOnesHaveAStart) {
   }
 }
 
-}  // namespace
+}  // namespace nodal_error_test
 }  // namespace mpmvv

@@ -11,7 +11,7 @@
 #include "tests/numbers.hpp"
 
 namespace mpmvv {
-namespace {
+namespace observed_order_test {
 
 std::vector<ErrorSample> sweep(const std::function<double(double)>& error, int levels) {
   std::vector<ErrorSample> samples;
@@ -182,5 +182,5 @@ TEST(ObservedOrder, EmptyWindowIsAnError) {
   EXPECT_THROW(fit_floor(samples, 8, nan), UsageError);
 }
 
-}  // namespace
+}  // namespace observed_order_test
 }  // namespace mpmvv

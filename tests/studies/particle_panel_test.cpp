@@ -8,7 +8,7 @@
 #include "studies/settings.hpp"
 
 namespace mpmvv {
-namespace {
+namespace particle_panel_test {
 
 /// The largest displacement error over all particles and steps of the run that the pictures are taken from.
 double largest_error() {
@@ -51,5 +51,5 @@ TEST(ParticlePanel, TheSquaresParticlesFollowItsSolutionAndTheirVoxelsFillIt) {
   }
 }
 
-}  // namespace
+}  // namespace particle_panel_test
 }  // namespace mpmvv

@@ -11,7 +11,7 @@
 #include <sstream>
 
 namespace mpmvv {
-namespace {
+namespace provenance_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -131,5 +131,5 @@ TEST(CurrentProvenance, TellsBuildMachineAndTime) {
   EXPECT_THAT(p.time, MatchesRegex("20[0-9]{2}-[01][0-9]-[0-3][0-9]T[0-2][0-9]:[0-5][0-9]:[0-6][0-9]Z"));
 }
 
-}  // namespace
+}  // namespace provenance_test
 }  // namespace mpmvv

@@ -6,7 +6,7 @@
 #include "studies/error.hpp"
 
 namespace mpmvv {
-namespace {
+namespace settings_test {
 
 std::vector<Setting> bar_settings(std::initializer_list<std::pair<const char*, const char*>> more = {}) {
   std::vector<Setting> settings{{"problem", "bar", "a.toml:1"}, {"cells", "32", "a.toml:2"}, {"ppc", "4", "a.toml:3"}};
@@ -51,11 +51,11 @@ TEST(Settings, AnErrorNamesTheLineOfTheSetting) {
 }
 
 TEST(Settings, WhatTheConsistentMassDoesNotGoWith) {
-  EXPECT_EQ(make_case(bar({{"cfl", "0.1"}, {"mass", "consistent"}})).scheme.mass, "consistent");
+  EXPECT_EQ(make_case(bar_settings({{"cfl", "0.1"}, {"mass", "consistent"}})).scheme.mass, "consistent");
   using Pairs = std::initializer_list<std::pair<const char*, const char*>>;
   for (const Pairs& wrong : {Pairs{{"boundary", "dirichlet"}, {"wall_acceleration", "difference"}},
                              Pairs{{"body_force", "grid"}}, Pairs{{"ppc", "1"}}}) {
-    auto settings = bar(wrong);
+    auto settings = bar_settings(wrong);
     settings.push_back({"cfl", "0.1", "a.toml:9"});
     EXPECT_NO_THROW(make_case(settings));
     settings.push_back({"mass", "consistent", "a.toml:9"});
@@ -72,5 +72,5 @@ TEST(Settings, BoundariesPerFace) {
   EXPECT_THROW(boundary_faces("xmin=open,xmax=free", 1, ""), UsageError);
 }
 
-}  // namespace
+}  // namespace settings_test
 }  // namespace mpmvv

@@ -13,7 +13,7 @@
 #include "tests/numbers.hpp"
 
 namespace mpmvv {
-namespace {
+namespace stability_limit_test {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -201,5 +201,5 @@ TEST(StabilityLimit, AMissingVerdictIsABugOfTheCaller) {
   EXPECT_THROW(find_limit(cfl_search(), forgetful), std::logic_error);
 }
 
-}  // namespace
+}  // namespace stability_limit_test
 }  // namespace mpmvv

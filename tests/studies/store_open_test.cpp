@@ -4,7 +4,7 @@
 #include "tests/studies/store_samples.hpp"
 
 namespace mpmvv {
-namespace {
+namespace store_open_test {
 
 using namespace store_samples;
 using Mode = Store::Mode;
@@ -137,5 +137,5 @@ TEST_F(StoreOpen, ACreationThatFailsLeavesNoFile) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
-}  // namespace
+}  // namespace store_open_test
 }  // namespace mpmvv

@@ -12,7 +12,7 @@
 #include "tests/studies/store_samples.hpp"
 
 namespace mpmvv {
-namespace {
+namespace store_process_test {
 
 using namespace store_samples;
 using Mode = Store::Mode;
@@ -216,5 +216,5 @@ TEST_F(StoreProcesses, AQuotaLosesNothing) {
   EXPECT_EQ(status, 0);
 }
 
-}  // namespace
+}  // namespace store_process_test
 }  // namespace mpmvv

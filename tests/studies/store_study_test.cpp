@@ -7,7 +7,7 @@
 #include "tests/studies/store_samples.hpp"
 
 namespace mpmvv {
-namespace {
+namespace store_study_test {
 
 using namespace store_samples;
 using testing::IsEmpty;
@@ -306,5 +306,5 @@ TEST_F(StoredStudyTest, AStudyWhoseRunIsMissingIsRefusedWhole) {
   EXPECT_EQ(store_->studies("d1").at(0).title, "old");
 }
 
-}  // namespace
+}  // namespace store_study_test
 }  // namespace mpmvv

@@ -9,7 +9,7 @@
 #include "tests/studies/store_samples.hpp"
 
 namespace mpmvv {
-namespace {
+namespace store_test {
 
 using namespace store_samples;
 using testing::Contains;
@@ -194,5 +194,5 @@ TEST_F(StoreTest, MergeOfSomethingElseChangesNothing) {
   EXPECT_EQ(bytes_of(file_), before);
 }
 
-}  // namespace
+}  // namespace store_test
 }  // namespace mpmvv

@@ -9,7 +9,7 @@
 #include "studies/error.hpp"
 
 namespace mpmvv {
-namespace {
+namespace toml_file_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -145,5 +145,5 @@ TEST_F(TomlFileOnDisk, AnEmptyFileIsAnEmptyTable) {
   EXPECT_THAT(TomlTable::read(directory / "empty.toml").keys(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace toml_file_test
 }  // namespace mpmvv

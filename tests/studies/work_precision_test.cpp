@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace mpmvv {
-namespace {
+namespace work_precision_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -52,5 +52,5 @@ TEST(WorkPrecision, Decades) {
   EXPECT_THAT(decades(0.02, 0.09), IsEmpty());
 }
 
-}  // namespace
+}  // namespace work_precision_test
 }  // namespace mpmvv
