@@ -19,23 +19,24 @@ struct ConsistentMassSettings {
   double tolerance = 1e-5;     ///< residual over that of the lumped solution, both in the norm of diag(m)⁻¹
 };
 
-/// The consistent mass matrix of the particles' quadrature, M_ij = Σ_p m_p N_ip N_jp, SᵀMS in N §2.1, whose row sums
-/// are the lumped masses m_i. It differs from diag(m) by what couples two nodes: (M u)_i = m_i u_i - Σ_j M_ij (u_i -
-/// u_j).
+/// The consistent mass matrix of the particles' quadrature, M_ij = Σ_p m_p N_ip N_jp, SᵀMS in N §2.1. Its row sums are
+/// the lumped masses m_i, from which it differs by what couples two nodes,
+///   (M u)_i = m_i u_i - Σ_j M_ij (u_i - u_j).
 ///
 /// M is singular where there are fewer particles than nodes, and nearly so at a node that particles reach with the
 /// tail N of its function alone: M_ii ~ N² vanishes before the force ~ ∇N does, and any time step is then too long.
-/// Every coupling is therefore multiplied by c_i c_j, which leaves matrix and row sums as they are but for this:
+/// Couplings are therefore multiplied by c_i c_j, which leaves symmetry and row sums as they are:
 ///   M̂ u = m_i u_i - c_i Σ_j M_ij c_j (u_i - u_j),   c_i = sqrt(1 - ε) min(1, m_i / θ m_full),
 /// m_full being a full cell's mass, half of it on a face of the domain. A node with less than θ of that passes to the
-/// lumped mass as its own vanishes; among all others M̂ is (1 - ε) M + ε diag(m). Eigenvalues relative to m lie in [ε,
-/// 1], so that no mode of forces is accelerated more than 1/ε times as much as by the lumped mass. A mode of M with
-/// eigenvalue s gets the velocity changed by ε (1 - s)/s: on smooth ones, ε times the error of the lumped mass.
+/// lumped mass as its own vanishes; among all others M̂ is (1 - ε) M + ε diag(m). Relative to diag(m) its eigenvalues
+/// lie in [ε, 1]: no mode of forces is accelerated more than 1/ε times as much as with the lumped mass. A mode of M
+/// with eigenvalue s is changed by the fraction ε (1 - s)/s, on smooth modes ε times the error of the lumped mass.
 ///
-/// Systems are solved by conjugate gradients, all components at once, each product a sweep over the particles (cheaper
-/// than to assemble a sparse matrix and multiply by it). They are preconditioned by diag(m) and start from the lumped
-/// solution, so that where nothing is held residuals sum to zero and particles get all of the momentum, however soon
-/// the iteration ends: with an eigenvalue of at least ε, at the latest after ln(2/tolerance) / 2 sqrt(ε) steps.
+/// Systems are solved by conjugate gradients for all components at once, each product being a sweep over the particles
+/// (as fast as with an assembled sparse matrix, which would have to be assembled first). They are preconditioned by
+/// diag(m) and start from the lumped solution: where nothing is held residuals then sum to zero, and particles get the
+/// whole momentum however soon the iteration ends. It ends after ln(2 / (tolerance sqrt(ε))) / 2 sqrt(ε) steps at most,
+/// by which the tolerance is reached, eigenvalues being as they are.
 template <int D>
 class ConsistentMass {
  public:
