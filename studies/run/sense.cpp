@@ -19,7 +19,7 @@ solver::AnyBasis basis_named(const std::string& word) {
   return basis;
 }
 
-void require_sense_of_mass(const Case& c) {
+void require_sense_of_mass(const Case& c, int ghosts, bool mirrored) {
   if (c.scheme.mass != "consistent") return;
   if (c.scheme.wall_acceleration == "difference")
     throw UsageError(
@@ -27,6 +27,11 @@ void require_sense_of_mass(const Case& c) {
         "there is none of theirs to take a difference from (use zero)");
   if (c.scheme.body_force == "grid")
     throw UsageError("body_force 'grid' with mass 'consistent', which m_i b(x_i) lumps again (use particles)");
+  if (mirrored && c.resolution.cells <= 2 * ghosts)
+    throw UsageError(fmt::format(
+        "{} cells are too few for mass 'consistent' between mirrors (more than {}: no node may be the image "
+        "of two ghosts)",
+        c.resolution.cells, 2 * ghosts));
   if (c.resolution.ppc < 2)
     throw UsageError("mass 'consistent' with ppc = 1 (at least 2: it is singular with one particle per cell)");
 }
@@ -64,7 +69,7 @@ void require_sense(const Case& c) {
         "wall_acceleration 'difference' with integrator 'rk4', whose stages have rates and no step to take a "
         "difference "
         "over (use zero, or another integrator)");
-  require_sense_of_mass(c);
+  require_sense_of_mass(c, ghosts, has("mirror"));
   if (const int least = std::max(4, 2 * ghosts); (has("symmetry") || has("mirror")) && c.resolution.cells < least)
     throw UsageError(
         fmt::format("{} cells are too few for boundary '{}' (at least {}: ghosts and their images must differ)",
