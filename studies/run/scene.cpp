@@ -16,6 +16,9 @@ template <int D>
 void fill(Stage<D>& stage, const Case& c) {
   auto& scene = stage.scene;
   const auto width = width_of(scene.basis);
+  const auto about = static_cast<std::size_t>(extent(c).cells_of_body * std::pow(c.resolution.ppc, D) + 0.5);
+  stage.X.reserve(about);
+  scene.particles.V0.reserve(about);
   const PlaceVoxel<D> place = [&](const Voxel<D>& voxel) {
     stage.X.push_back(voxel.X);
     scene.particles.V0.push_back(voxel.V);
