@@ -67,8 +67,7 @@ struct Mapped {
 
 template <class B>
 class ConsistentMassMatrix : public ::testing::Test {};
-using AllBases = TypesOf<AnyBasis>::type;
-TYPED_TEST_SUITE(ConsistentMassMatrix, AllBases);
+TYPED_TEST_SUITE(ConsistentMassMatrix, TestedBases);
 
 template <class B, int D>
 void expect_the_sum_over_particles() {
