@@ -8,8 +8,13 @@ namespace mpmvv {
 
 const std::vector<Problem>& problems() {
   static const std::vector<Problem> all{
-      bar_problem(),    square_problem(), cube_problem(),         ring_problem(),
-      vortex_problem(), shell_problem(),  one_particle_problem(),
+      bar_problem(),           //
+      square_problem(),        //
+      cube_problem(),          //
+      ring_problem(),          //
+      vortex_problem(),        //
+      shell_problem(),         //
+      one_particle_problem(),  //
   };
   return all;
 }
