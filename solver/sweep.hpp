@@ -73,7 +73,9 @@ Fault sweep(const B& basis, const Particles<D>& particles, const Grid<D>& grid, 
       Fault found = Fault::none;
       for (block.begin = begin; block.begin < end; block.begin += block_size<D>) {
         block.count = static_cast<int>(std::min<std::size_t>(block_size<D>, end - block.begin));
-        found = found | evaluate_stencils(basis, particles, grid, block);
+        const Fault unreached = evaluate_stencils(basis, particles, grid, block);
+        found = found | unreached;
+        if (unreached != Fault::none) continue;  // the run is over, and these nodes may be another slab's
         std::apply([&](Stages&... stage) { ((found = found | run_stage(stage, block, grid)), ...); }, own);
       }
       faults |= static_cast<unsigned>(found);
