@@ -71,7 +71,7 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
   for (int d = 0; d < D; ++d) {
     const double lower = grid.lower()[d];
     const int cells = grid.cells()[d], stride = grid.stride(d);
-    const double least = B::ghost == 0 ? 0 : 1 - B::ghost;
+    const double least = B::ghost == 0 ? 0 : std::max(1, (B::support - 1) / 2) - B::ghost;
     const double most = B::ghost == 0 ? cells : std::nextafter(cells - least, 0.0);
     const Vec<D>* x = &particles.x[block.begin];
     double width[block_size<D>] = {};
