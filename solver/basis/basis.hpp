@@ -31,8 +31,8 @@ struct AxisPoint {
 ///   word          its name in study files and on the command line
 ///   support       number of nodes that reach a point
 ///   extra_inside  degrees of freedom in the domain beyond one per cell
-///   ghost         layers of nodes beyond each face; the basis may be evaluated as many cells out of the domain, less one
-///                 or, where a point reaches farther, less half of `support - 1`
+///   ghost         layers of nodes beyond each face; the basis may be evaluated as many cells out of the domain, but
+///                 for one, or half of `support - 1` where that is more
 ///   width         which particle width it takes
 ///   position      where the i-th degree of freedom sits, in cells: with these Σ_i x_i ∇N_i = I
 ///   evaluate      weights N and gradients dN (per cell width) of the `support` nodes; returns the first node's index
