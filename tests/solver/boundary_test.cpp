@@ -165,7 +165,11 @@ TYPED_TEST(MirroredBody, MovesAsTheWholeBodyDoes) {
 
 TYPED_TEST(MirroredBody, MovesAsTheWholeBodyDoesWithTheConsistentMass) {
   if (TypeParam::ghost == 0) return;
-  const auto consistent = [](auto scene) { return with_consistent_mass(scene); };
+  const auto consistent = [](auto scene) {
+    scene.consistent_mass =
+        ConsistentMassSettings{.tolerance = 1e-13};  // iterates differ by round-off, what they converge to does not
+    return scene;
+  };
   expect_the_same_motion(consistent(symmetric_body<1>(TypeParam{}, 0, Free{})),
                          consistent(symmetric_body<1>(TypeParam{}, 1, Mirror{})), "usl");
   expect_the_same_motion(consistent(symmetric_body<2>(TypeParam{}, 0, Free{})),
