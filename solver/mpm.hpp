@@ -82,10 +82,22 @@ class Mpm {
   void sort_strays();                     ///< to be called when positions have changed and the step goes on
 
   /// One sweep over all particles with these stages.
-  template <class... Stages>
+  template <Adds adds = Adds::to_nodes, class... Stages>
   void sweep(const Stages&... stages) {
-    std::visit([&](const auto& basis) { note(solver::sweep(basis, particles_, grid_, slabs_, team_, stages...)); },
-               scene_.basis);
+    std::visit(
+        [&](const auto& basis) { note(solver::sweep<adds>(basis, particles_, grid_, slabs_, team_, stages...)); },
+        scene_.basis);
+  }
+
+  /// Calls visit(n) for every node, on all threads where there are many.
+  template <class Visit>
+  void for_nodes(const Visit& visit) {
+    constexpr std::size_t chunk = 16384;
+    const std::size_t nodes = grid_.size();
+    team_.run(static_cast<int>((nodes + chunk - 1) / chunk), [&](int task) {
+      const std::size_t begin = chunk * static_cast<std::size_t>(task), end = std::min(begin + chunk, nodes);
+      for (std::size_t n = begin; n < end; ++n) visit(n);
+    });
   }
 
   /// One sweep of `before` and then of stress and forces: f_i, and whatever else `map` scatters with it.
@@ -103,11 +115,11 @@ class Mpm {
   void set_grid_acceleration();           ///< a_i = f_i / m_i, constrained if zero  S (5), W (15)
   void advance_grid_velocity(double dt);  ///< v_i += a_i Δt, constrained            S (6), W (16), S (30)
 
-  /// The last sweep of a step: these node loops, then what must hold and be ready for the next step.
+  /// The last sweep of a step: these gathers, then what must hold and be ready for the next step.
   template <class... Ops>
   void sweep_and_settle(const Ops&... ops) {
-    sweep(node_loop(ops...), CheckDeformation<D>{particles_}, UpdateWidth<D>{particles_},
-          WrapPosition<D>{particles_, periodic_}, WatchSlab<D>{particles_, slabs_, must_sort_});
+    sweep<Adds::nothing>(node_loop(ops...), CheckDeformation<D>{particles_}, UpdateWidth<D>{particles_},
+                         WrapPosition<D>{particles_, periodic_}, WatchSlab<D>{particles_, slabs_, must_sort_});
   }
 
  private:

@@ -167,10 +167,10 @@ void Mpm<D>::constrain_transposed(std::vector<Packed<D>>& field) {
 template <int D>
 template <class V>
 void Mpm<D>::divide_by_mass(const std::vector<V>& field, double least_mass, std::vector<Packed<D>>& quotient) {
-  for (std::size_t n = 0; n < grid_.size(); ++n) {
+  for_nodes([&](std::size_t n) {
     const double share = grid_.m(n) > least_mass ? 1 / grid_.m(n) : 0.0;
     quotient[n] = share * field[n].template head<lanes<D>>();
-  }
+  });
 }
 
 template <int D>
@@ -202,14 +202,15 @@ void Mpm<D>::add_surface_load() {
 
 template <int D>
 void Mpm<D>::add_grid_body_force() {
-  for (std::size_t n = 0; n < grid_.size(); ++n)
+  for_nodes([&](std::size_t n) {
     if (is_accelerated(n))
       grid_.f[n] += grid_.m(n) * packed<D>(scene_.body_force->at_position(node_position(n), time_));
+  });
 }
 
 template <int D>
 void Mpm<D>::advance_grid_velocity(double dt) {
-  for (std::size_t n = 0; n < grid_.size(); ++n) grid_.v[n] += dt * grid_.a[n];
+  for_nodes([&](std::size_t n) { grid_.v[n] += dt * grid_.a[n]; });
   constrain(grid_.v);
   if (scene_.difference_acceleration) set_wall_acceleration(dt);
 }

@@ -12,24 +12,27 @@
 
 namespace mpmvv::solver {
 
-/// The domain cut into slabs across its last axis, at least `thickness` cells each and twice the distance `reach` from
-/// a particle to where its basis is evaluated, and the particles sorted so that each slab's are contiguous. A particle
-/// may stray one cell out of its slab before it must be sorted again; even so two slabs with one between them share no
-/// node (a basis reaches two cells from where it is evaluated). Depends on the grid and the basis alone.
+/// The domain cut into slabs across its last axis with about as many particles each, and the particles sorted so that
+/// each slab's are contiguous. A particle may stray one cell out of its slab before it must be sorted again; slabs are
+/// so thick that even then two with one between them share no node: a basis reaches three nodes at most from where it
+/// is evaluated, which is up to `reach` cells from its particle. Depends on the grid, the basis and the particles
+/// alone.
 template <int D>
 class Slabs {
  public:
-  static constexpr int thickness = 8;
+  static constexpr int thickness = 8;        ///< on average, at least
+  static constexpr int least_thickness = 7;  ///< of any
   static constexpr int most = 32;
 
-  explicit Slabs(const Grid<D>& grid, int reach) {
-    const int cells = grid.cells()[D - 1];
-    const int count = std::clamp(cells / (thickness + 2 * reach), 1, most);
-    for (int s = 0; s <= count; ++s) bounds_.push_back(static_cast<int>(std::int64_t{s} * cells / count));
-    first_.assign(bounds_.size(), 0);
+  Slabs(const Grid<D>& grid, int reach)
+      : least_thickness_(static_cast<std::size_t>(least_thickness + 2 * reach)),
+        count_(static_cast<std::size_t>(std::clamp(grid.cells()[D - 1] / (thickness + 2 * reach), 1, most))),
+        bounds_(count_ + 1),
+        first_(count_ + 1) {
+    bounds_.back() = static_cast<std::size_t>(grid.cells()[D - 1]);
   }
 
-  int count() const { return static_cast<int>(bounds_.size()) - 1; }
+  int count() const { return static_cast<int>(count_); }
 
   std::pair<std::size_t, std::size_t> particles(int slab) const {
     return {first_[static_cast<std::size_t>(slab)], first_[static_cast<std::size_t>(slab) + 1]};
@@ -39,15 +42,11 @@ class Slabs {
   /// have no outer bound.
   std::pair<double, double> reach(int slab, const Grid<D>& grid) const {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
-    const auto position = [&grid](int cell) { return grid.lower()[D - 1] + grid.h() * cell; };
-    return {slab == 0 ? -unbounded : position(bounds_[static_cast<std::size_t>(slab)] - 1),
-            slab + 1 == count() ? unbounded : position(bounds_[static_cast<std::size_t>(slab) + 1] + 1)};
-  }
-
-  /// The slab with the cell at this distance; strays and NaN fall to the outermost ones.
-  int of(double xi) const {
-    const auto above = std::upper_bound(bounds_.begin() + 1, bounds_.end() - 1, xi);
-    return static_cast<int>(above - bounds_.begin()) - 1;
+    const auto bound = [this, &grid](int s) {
+      return grid.lower()[D - 1] + grid.h() * static_cast<double>(bounds_[static_cast<std::size_t>(s)]);
+    };
+    return {slab == 0 ? -unbounded : bound(slab) - grid.h(),
+            slab + 1 == count() ? unbounded : bound(slab + 1) + grid.h()};
   }
 
   /// Sorts the particles by cell (the last axis slowest, so by slab), keeping the order of those in one cell.
@@ -62,12 +61,7 @@ class Slabs {
       for (std::uint32_t p = 0; p < n; ++p) order[place[cell[p]]++] = p;
       particles.permute(order);
     }
-    std::size_t p = 0;
-    for (int s = 0; s < count(); ++s) {
-      first_[static_cast<std::size_t>(s)] = p;
-      while (p < n && of((particles.x[p][D - 1] - grid.lower()[D - 1]) / grid.h()) == s) ++p;
-    }
-    first_.back() = n;
+    cut(cell, cells_of(grid) / bounds_.back());
   }
 
  private:
@@ -75,6 +69,24 @@ class Slabs {
     std::size_t cells = 1;
     for (const int along_axis : grid.cells()) cells *= static_cast<std::size_t>(along_axis);
     return cells;
+  }
+
+  /// Sets the bounds where the particles of these cells, so many to a layer, are divided most evenly.
+  void cut(const std::vector<std::uint32_t>& cell, std::size_t layer) {
+    std::vector<std::size_t> before(bounds_.back() + 1);  // particles in the layers before each
+    for (const std::uint32_t c : cell) ++before[c / layer + 1];
+    std::partial_sum(before.begin(), before.end(), before.begin());
+    for (std::size_t s = 1; s < count_; ++s) {
+      const std::size_t lowest = bounds_[s - 1] + least_thickness_;
+      const std::size_t highest = bounds_.back() - (count_ - s) * least_thickness_;
+      const std::size_t target = s * cell.size() / count_;
+      std::size_t z = lowest;
+      while (z < highest && before[z + 1] <= target) ++z;
+      if (z < highest && target > before[z] && before[z + 1] - target < target - before[z]) ++z;
+      bounds_[s] = z;
+      first_[s] = before[z];
+    }
+    first_.back() = cell.size();
   }
 
   static std::uint32_t cell_of(const Vec<D>& x, const Grid<D>& grid) {
@@ -87,8 +99,9 @@ class Slabs {
     return cell;
   }
 
-  std::vector<int> bounds_;         ///< cell where each slab begins, and the end
-  std::vector<std::size_t> first_;  ///< first particle of each slab, and the end
+  std::size_t least_thickness_, count_;
+  std::vector<std::size_t> bounds_;  ///< layer of cells where each slab begins, and the end
+  std::vector<std::size_t> first_;   ///< first particle of each slab, and the end
 };
 
 }  // namespace mpmvv::solver

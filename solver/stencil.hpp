@@ -16,7 +16,8 @@ struct ValueAndGradient {
 
 /// The nodes of one point: K along each axis, with weights per axis, copied out of their block so that the compiler
 /// knows that no addition to a node changes them. Weights of nodes are tensor products, S (18), and sums with them are
-/// formed axis by axis: what the nodes of a line or a plane share is multiplied once.
+/// formed axis by axis: what the nodes of a line or a plane share is multiplied once. Inlined by decree: called as
+/// functions, the additions take half as long again, and g++ decides now one way, now the other.
 template <int D, int K>
 struct Weights {
   std::size_t first;  ///< storage index of the first node
@@ -25,20 +26,20 @@ struct Weights {
 
   /// Σ_i N_i φ_i
   template <class V>
-  V gather(const std::vector<V>& field) const {
+  [[gnu::always_inline]] V gather(const std::vector<V>& field) const {
     return value(field.data() + first);
   }
 
   /// φ_i += N_i value
   template <class V>
-  void scatter(const V& value, std::vector<V>& field) const {
+  [[gnu::always_inline]] void scatter(const V& value, std::vector<V>& field) const {
     add(value, field.data() + first);
   }
 
  private:
   /// Σ_i N_i φ_i over the axes up to `axis`
   template <int axis = D - 1, class V>
-  V value(const V* nodes) const {
+  [[gnu::always_inline]] V value(const V* nodes) const {
     if constexpr (axis < 0) {
       return *nodes;
     } else {
@@ -50,7 +51,7 @@ struct Weights {
 
   /// φ_i += N_i value
   template <int axis = D - 1, class V>
-  void add(const V& value, V* nodes) const {
+  [[gnu::always_inline]] void add(const V& value, V* nodes) const {
     for (int i = 0; i < K; ++i)
       if constexpr (axis == 0)
         nodes[i] += N[0][i] * value;
@@ -66,18 +67,18 @@ struct Stencil : Weights<D, K> {
   double dN[D][K];
 
   /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
-  ValueAndGradient<D> gather_with_gradient(const std::vector<Packed<D>>& field) const {
+  [[gnu::always_inline]] ValueAndGradient<D> gather_with_gradient(const std::vector<Packed<D>>& field) const {
     return value_and_gradient(field.data() + first);
   }
 
   /// φ_i += N_ip value + gradient ∇N_ip
-  void scatter(const ValueAndGradient<D>& source, std::vector<Packed<D>>& field) const {
+  [[gnu::always_inline]] void scatter(const ValueAndGradient<D>& source, std::vector<Packed<D>>& field) const {
     add(source, field.data() + first);
   }
 
  private:
   /// Both sums. Written out for each dimension: the sums have to stay in registers.
-  ValueAndGradient<D> value_and_gradient(const Packed<D>* nodes) const {
+  [[gnu::always_inline]] ValueAndGradient<D> value_and_gradient(const Packed<D>* nodes) const {
     Packed<D> value = Packed<D>::Zero(), d0 = value, d1 = value, d2 = value;
     if constexpr (D == 1) {
       add_line(nodes, value, d0);
@@ -104,7 +105,7 @@ struct Stencil : Weights<D, K> {
 
   /// φ_i += N_ip value + gradient ∇N_ip
   template <int axis = D - 1>
-  void add(const ValueAndGradient<D>& source, Packed<D>* nodes) const {
+  [[gnu::always_inline]] void add(const ValueAndGradient<D>& source, Packed<D>* nodes) const {
     for (int i = 0; i < K; ++i) {
       if constexpr (axis == 0) {
         nodes[i] += N[0][i] * source.value;
@@ -118,13 +119,14 @@ struct Stencil : Weights<D, K> {
     }
   }
 
-  void add_line(const Packed<D>* nodes, Packed<D>& value, Packed<D>& d0) const {
+  [[gnu::always_inline]] void add_line(const Packed<D>* nodes, Packed<D>& value, Packed<D>& d0) const {
     for (int i = 0; i < K; ++i) {
       value += N[0][i] * nodes[i];
       d0 += dN[0][i] * nodes[i];
     }
   }
-  void add_plane_row(const Packed<D>* nodes, int j, Packed<D>& value, Packed<D>& d0, Packed<D>& d1) const {
+  [[gnu::always_inline]] void add_plane_row(const Packed<D>* nodes, int j, Packed<D>& value, Packed<D>& d0,
+                                            Packed<D>& d1) const {
     Packed<D> line = Packed<D>::Zero(), line_d0 = line;
     add_line(nodes, line, line_d0);
     value += N[1][j] * line;

@@ -58,18 +58,23 @@ template <int D, class B>
 using BlockFor =
     std::conditional_t<B::width == ParticleWidth::domain, CornerBlock<D, B::support>, PointBlock<D, B::support>>;
 
-/// One visit to all particles: per block the stencils once, then every stage in turn. Slabs of one colour share no
-/// node and run at once; the order of additions on a node does not depend on the number of threads.
-template <int D, class B, class... Stages>
+/// Whether the stages of a sweep add to nodes.
+enum class Adds { nothing, to_nodes };
+
+/// One visit to all particles: per block the stencils once, then every stage in turn. Where stages add to nodes, slabs
+/// of one colour, which share none, run at once; the order of additions on a node does not depend on the number of
+/// threads.
+template <Adds adds, int D, class B, class... Stages>
 Fault sweep(const B& basis, const Particles<D>& particles, const Grid<D>& grid, const Slabs<D>& slabs, Team& team,
             const Stages&... stages) {
+  constexpr int colours = adds == Adds::to_nodes ? 2 : 1;
   std::atomic<unsigned> faults{0};
-  for (int colour = 0; colour < 2; ++colour) {
-    team.run((slabs.count() - colour + 1) / 2, [&](int task) {
-      const auto [begin, end] = slabs.particles(2 * task + colour);
+  for (int colour = 0; colour < colours; ++colour) {
+    team.run((slabs.count() - colour + colours - 1) / colours, [&](int task) {
       std::tuple<Stages...> own{stages...};
       BlockFor<D, B> block;
-      block.slab = 2 * task + colour;
+      block.slab = colours * task + colour;
+      const auto [begin, end] = slabs.particles(block.slab);
       Fault found = Fault::none;
       for (block.begin = begin; block.begin < end; block.begin += block_size<D>) {
         block.count = static_cast<int>(std::min<std::size_t>(block_size<D>, end - block.begin));

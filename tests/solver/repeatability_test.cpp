@@ -81,6 +81,13 @@ TYPED_TEST(Repeatability, NumberOfThreadsDoesNotMatterBetweenWalls) {
   expect_identical(one, run(scene, 10));
 }
 
+TEST(Repeatable, NumberOfThreadsDoesNotMatterOnManyNodes) {  // their loops are shared out, too
+  Scene<2> scene = full_scene<2>(BSpline2{}, 200, 1);
+  set_wave(scene, 5);
+  const auto one = run(scene, 5);
+  for (scene.threads = 2; scene.threads < 4; ++scene.threads) expect_identical(one, run(scene, 5));
+}
+
 TYPED_TEST(Repeatability, OrderOfCreationDoesNotMatter) {
   Scene<2> scene = full_scene<2>(TypeParam{}, 18, 2, TypeParam::ghost == 0 ? AnyBoundary{Dirichlet{}} : Periodic{});
   set_wave(scene, 5);
@@ -141,15 +148,45 @@ std::vector<int> nodes_of_the_widest(const Grid<1>& grid, double x) {
   return nodes;
 }
 
+/// Particles on so many cells of width 1, the closer to the lower end the more of them.
+Particles<1> crowd(int cells) {
+  Particles<1> particles = full_scene<1>(Linear{}, cells, 30).particles;
+  for (auto& x : particles.x) x[0] *= x[0] * cells;
+  return particles;
+}
+
 TYPED_TEST(Repeatability, SlabsNextButOneShareNoNode) {
   const auto grid = grid_for<TypeParam, 1>(Vec<1>::Zero(), 1, {100});
-  const Slabs<1> slabs(grid, reach(TypeParam::width));
+  Slabs<1> slabs(grid, reach(TypeParam::width));
+  Particles<1> particles = crowd(100);
+  slabs.sort(particles, grid);
   ASSERT_GT(slabs.count(), 4);
   for (int s = 0; s + 2 < slabs.count(); ++s) {
     const auto below = nodes_of_the_widest<TypeParam>(grid, slabs.reach(s, grid).second);
     const auto above = nodes_of_the_widest<TypeParam>(grid, slabs.reach(s + 2, grid).first);
     EXPECT_LT(*std::max_element(below.begin(), below.end()), *std::min_element(above.begin(), above.end()));
   }
+}
+
+/// As even as the least thickness allows, and never thinner.
+TEST(Slabs, HoldAboutAsManyParticlesEach) {
+  Particles<1> particles = crowd(80);
+  const Grid<1> grid(Vec<1>::Zero(), 1, {80}, 1, 2);
+  Slabs<1> slabs(grid, 0);
+  slabs.sort(particles, grid);
+  ASSERT_EQ(slabs.count(), 10);
+  std::size_t most = 0, sum = 0;
+  for (int s = 0; s < slabs.count(); ++s) {
+    const auto [begin, end] = slabs.particles(s);
+    const auto [lower, upper] = slabs.reach(s, grid);
+    EXPECT_GE(upper - lower, Slabs<1>::least_thickness + 2);
+    for (std::size_t p = begin; p < end; ++p) EXPECT_EQ(particles.x[p][0], std::clamp(particles.x[p][0], lower, upper));
+    most = std::max(most, end - begin);
+    sum += end - begin;
+  }
+  EXPECT_EQ(sum, particles.size());
+  const double in_the_fullest_cells = 2400 * std::sqrt(Slabs<1>::least_thickness / 80.0);
+  EXPECT_LE(static_cast<double>(most), in_the_fullest_cells + 1);
 }
 
 TEST(Slabs, SortKeepsTheOrderWithinACell) {
