@@ -14,6 +14,7 @@
 #include "solver/slabs.hpp"
 #include "solver/surface_load.hpp"
 #include "solver/team.hpp"
+#include "solver/velocity_update/expanded_inverse.hpp"
 #include "solver/words.hpp"
 
 namespace mpmvv::solver {
@@ -23,6 +24,10 @@ enum class BodyForceOn {
   particles,  ///< S (16)
   grid        ///< f_i = m_i b(x_i)
 };
+
+/// How walls hold velocities found by the expanded inverse, N §2.4: `velocity` afterwards, `lumped` those that the
+/// expansion starts from, `combined` both.
+enum class WallMethod { velocity, lumped, combined };
 
 /// Everything a run is made from. Faces are ordered xmin, xmax, ymin, ...
 template <int D>
@@ -40,6 +45,8 @@ struct Scene {
   bool difference_acceleration = false;          ///< wall acceleration by S (30) instead of zero
   bool half_start = false;                       ///< the first grid acceleration halved, W §4
   std::string_view integrator = "usl";
+  AnyVelocityUpdate velocity_update;
+  WallMethod wall_method = WallMethod::combined;
   int threads = 1;
   /// A node is accelerated when its mass exceeds this fraction of a full cell's (the mean particle mass density times
   /// h^D); every node with mass has a velocity. Between 1e-14 and 1e-10 it does not decide a result where the motion
@@ -65,6 +72,7 @@ class Mpm {
   const Grid<D>& grid() const { return grid_; }
   const std::array<bool, D>& periodic() const { return periodic_; }
   double time() const { return time_; }
+  std::int64_t steps() const { return steps_; }  ///< finished ones
   std::string fault() const;
   double kinetic_energy() const;  ///< Σ m_p v_p²/2
   double strain_energy() const;   ///< Σ V⁰_p W(F_p)
@@ -115,6 +123,23 @@ class Mpm {
   void set_grid_acceleration();           ///< a_i = f_i / m_i, constrained if zero  S (5), W (15)
   void advance_grid_velocity(double dt);  ///< v_i += a_i Δt, constrained            S (6), W (16), S (30)
 
+  /// Velocities by the expanded inverse from lumped ones, as the wall method has it; with the consistent mass they are
+  /// right as they are.
+  void expand_inverse(int order, std::vector<Packed<D>>& velocity);
+
+  void set_stress_velocity();  ///< v_i = p_i / m_i as the stress updates take it: by the expanded inverse for `fmpm`
+
+  /// The middle of usf and usavg: F by the mapped velocity, the forces with it, and the grid velocity of the step's
+  /// end.
+  void update_stress_first(double dt_stress, double dt);
+
+  /// What the velocity update has made of the grid's fields; empty for `flip` with positions of first order, whose
+  /// operations take v⁺ and a as they are.
+  std::optional<VelocityFields<D>> velocity_fields(double dt);
+
+  /// The end of a step: positions and velocities by the velocity update, F by a time step of its own.
+  void update_particles(double dt, double dt_deformation);
+
   /// The last sweep of a step: these gathers, then what must hold and be ready for the next step.
   template <class... Ops>
   void sweep_and_settle(const Ops&... ops) {
@@ -127,6 +152,8 @@ class Mpm {
   template <class V>
   void divide_by_mass(const std::vector<V>& field, double least_mass, std::vector<Packed<D>>& quotient);
   void set_wall_acceleration(double dt);
+  /// `constrain` for lumped velocities and accelerations, if walls hold those.
+  void hold(std::vector<Packed<D>>& field);
   void add_grid_body_force();
   void add_surface_load();
   void sort();
@@ -144,9 +171,10 @@ class Mpm {
   void (*advance_)(Mpm&, double);
   std::array<bool, D> periodic_{};
   std::optional<ConsistentMass<D>> consistent_mass_;
+  std::optional<ExpandedInverse<D>> expanded_inverse_;
   double least_mass_ = 0;
   double time_ = 0;
-  bool first_step_ = true;
+  std::int64_t steps_ = 0;
   std::atomic<bool> must_sort_{false};
   Fault fault_ = Fault::none;
   std::vector<std::uint32_t> place_;  ///< of the particle with each id, for the surface load

@@ -3,6 +3,7 @@
 
 #include "solver/integrator/integrators.hpp"
 #include "solver/mpm.hpp"
+#include "solver/velocity_update/update_particle.hpp"
 
 namespace mpmvv::solver {
 
@@ -45,7 +46,10 @@ Mpm<D>::Mpm(Scene<D> scene)
     load_.resize(scene_.surface_load->parts().size());
   }
   sort();
-  if (scene_.consistent_mass) consistent_mass_.emplace(*this, *scene_.consistent_mass, cell_mass);
+  if (scene_.consistent_mass)
+    consistent_mass_.emplace(*this, *scene_.consistent_mass, cell_mass);
+  else if (expands_inverse(scene_.velocity_update))
+    expanded_inverse_.emplace(grid_);
 }
 
 template <int D>
@@ -59,7 +63,7 @@ template <int D>
 bool Mpm<D>::step(double dt) {
   const double end = time_ + dt;
   advance_(*this, dt);
-  first_step_ = false;
+  ++steps_;
   time_ = end;
   sort_strays();
   return fault_ == Fault::none;
@@ -176,7 +180,7 @@ void Mpm<D>::divide_by_mass(const std::vector<V>& field, double least_mass, std:
 template <int D>
 void Mpm<D>::set_grid_velocity() {
   divide_by_mass(grid_.p, 0, grid_.v);
-  constrain(grid_.v);
+  hold(grid_.v);
   if (consistent_mass_) consistent_mass_->solve(*this, grid_.p, 0, grid_.v);
 }
 
@@ -184,9 +188,9 @@ template <int D>
 void Mpm<D>::set_grid_acceleration() {
   if (scene_.body_force && scene_.body_force_on == BodyForceOn::grid) add_grid_body_force();
   divide_by_mass(grid_.f, least_mass_, grid_.a);
-  if (!scene_.difference_acceleration) constrain(grid_.a);
+  if (!scene_.difference_acceleration) hold(grid_.a);
   if (consistent_mass_) consistent_mass_->solve(*this, grid_.f, least_mass_, grid_.a);
-  if (scene_.half_start && first_step_)
+  if (scene_.half_start && steps_ == 0)
     for (auto& a : grid_.a) a *= 0.5;
 }
 
@@ -211,8 +215,53 @@ void Mpm<D>::add_grid_body_force() {
 template <int D>
 void Mpm<D>::advance_grid_velocity(double dt) {
   for_nodes([&](std::size_t n) { grid_.v[n] += dt * grid_.a[n]; });
-  constrain(grid_.v);
+  hold(grid_.v);
   if (scene_.difference_acceleration) set_wall_acceleration(dt);
+}
+
+template <int D>
+void Mpm<D>::hold(std::vector<Packed<D>>& field) {
+  if (!expanded_inverse_ || scene_.wall_method != WallMethod::velocity) constrain(field);
+}
+
+template <int D>
+void Mpm<D>::expand_inverse(int order, std::vector<Packed<D>>& velocity) {
+  if (!expanded_inverse_) return;
+  expanded_inverse_->apply(*this, order, velocity);
+  if (scene_.wall_method != WallMethod::lumped) constrain(velocity);
+}
+
+template <int D>
+void Mpm<D>::set_stress_velocity() {
+  set_grid_velocity();
+  if (const auto* fmpm = std::get_if<Fmpm>(&scene_.velocity_update)) fmpm->sharpen(*this);
+}
+
+template <int D>
+void Mpm<D>::update_stress_first(double dt_stress, double dt) {
+  set_stress_velocity();
+  sweep_with_forces(node_loop(UpdateDeformation<D>{particles_, grid_, dt_stress}));
+  if (expanded_inverse_) set_grid_velocity();
+  set_grid_acceleration();
+  advance_grid_velocity(dt);
+}
+
+template <int D>
+std::optional<VelocityFields<D>> Mpm<D>::velocity_fields(double dt) {
+  const auto* flip = std::get_if<Flip>(&scene_.velocity_update);
+  if (flip && flip->position == FlipPosition::first_order) return {};
+  return std::visit([&](const auto& update) { return update.fields(*this, dt); }, scene_.velocity_update);
+}
+
+template <int D>
+void Mpm<D>::update_particles(double dt, double dt_deformation) {
+  const UpdateVelocity<D> velocity{particles_, grid_, dt};
+  if (const auto fields = velocity_fields(dt))
+    sweep_and_settle(UpdateParticle<D>{particles_, grid_, *fields, dt, dt_deformation});
+  else if (dt_deformation == 0)
+    sweep_and_settle(velocity, UpdatePosition<D>{particles_, grid_, dt});
+  else
+    sweep_and_settle(velocity, UpdatePositionAndDeformation<D>{particles_, grid_, dt, dt_deformation});
 }
 
 template <int D>

@@ -30,6 +30,8 @@ struct Particles {
   std::vector<Mat<D>> R;          ///< edges of the domain as columns, in units of h, for bases that take a domain
   std::vector<Mat<D>> R0;         ///< reference edges in units of h, likewise
 
+  std::vector<Vec<D>> rate;  ///< of position within a step, for those that end with a velocity mapped anew
+
   struct {
     Motion<D> start;  ///< at the start of the step
     Motion<D> sum;    ///< that and the weighted rates of the stages so far

@@ -16,6 +16,9 @@
 #include "solver/boundary/periodic.hpp"
 #include "solver/boundary/symmetry.hpp"
 #include "solver/material/neo_hookean_log.hpp"
+#include "solver/velocity_update/fmpm.hpp"
+#include "solver/velocity_update/pic.hpp"
+#include "solver/velocity_update/xpic.hpp"
 
 /// The one place where names become types: add a line here for a new basis, boundary or material.
 namespace mpmvv::solver {
@@ -38,6 +41,11 @@ using AnyBoundary = std::variant<Periodic,   //
 
 using AnyMaterial = std::variant<NeoHookeanLog>;
 
+using AnyVelocityUpdate = std::variant<Flip,  //
+                                       Xpic,  //
+                                       Fmpm,  //
+                                       Pic>;
+
 /// The words of the alternatives of a variant, in its order.
 template <class... Types>
 constexpr std::array<std::string_view, sizeof...(Types)> words_of(const std::variant<Types...>*) {
@@ -59,6 +67,16 @@ bool from_word(std::string_view word, Any& any) {
     return true;
   }
   return false;
+}
+
+inline bool expands_inverse(const AnyVelocityUpdate& update) {
+  return std::visit(
+      []<class U>(const U&) {
+        return requires(U u) {
+          u.order;
+        };
+      },
+      update);
 }
 
 inline ParticleWidth width_of(const AnyBasis& basis) {

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "solver/mpm.hpp"
+#include "solver/velocity_update/update_particle.hpp"
 
 namespace mpmvv::solver {
 
@@ -22,19 +23,30 @@ struct MoveWith {
 ///   v_p += Δt Σ_i N_ip a_i,   v̄_i = Σ_p N_ip m_p v_p / m_i,   F_p = (I + Δt_stress Σ_i v̄_i ⊗ ∇N_ip) F_p.
 /// N does not say which shape functions; Sulsky, Zhou and Schreyer (1995) and Nairn's code keep those of the step's
 /// start, and so does this. Positions follow v⁺, S (10). In N's notation v̄ = v + Δt S⁺S a where v⁺ = v + Δt a: what the
-/// round trip S⁺S filters out of the acceleration never reaches F.
+/// round trip S⁺S filters out of the acceleration never reaches F. With another velocity update V' and X' are its own,
+/// and v̄ is m̃_k⁻¹ p of those V'.
 template <int D>
 void update_with_remapped_velocity(Mpm<D>& s, double dt, double dt_stress) {
   auto& particles = s.particles();
   auto& grid = s.grid();
 
+  const auto fields = s.velocity_fields(dt);
   grid.clear_momentum();
-  s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}), node_loop(MapMomentum<D>{particles, grid}));
+  if (fields) {
+    particles.rate.resize(particles.size());
+    s.sweep(node_loop(UpdateVelocityAndRate<D>{particles, grid, *fields}), node_loop(MapMomentum<D>{particles, grid}));
+  } else {
+    s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}), node_loop(MapMomentum<D>{particles, grid}));
+    std::swap(grid.a, grid.v);  // the acceleration has served; its place keeps v⁺
+  }
   s.fold(grid.p);
-  std::swap(grid.a, grid.v);  // the acceleration has served; its place keeps v⁺
-  s.set_grid_velocity();
+  s.set_stress_velocity();
 
-  s.sweep_and_settle(MoveWith<D>{particles, grid.a, dt}, UpdateDeformation<D>{particles, grid, dt_stress});
+  const UpdateDeformation<D> deformation{particles, grid, dt_stress};
+  if (fields)
+    s.sweep_and_settle(MoveByRate<D>{particles, dt}, deformation);
+  else
+    s.sweep_and_settle(MoveWith<D>{particles, grid.a, dt}, deformation);
 }
 
 }  // namespace mpmvv::solver

@@ -19,14 +19,8 @@ void usavg(Mpm<D>& s, double dt) {
   grid.clear();
   s.sweep(node_loop(MapMomentum<D>{particles, grid}));
   s.fold(grid.p);
-  s.set_grid_velocity();
-
-  s.sweep_with_forces(node_loop(UpdateDeformation<D>{particles, grid, dt / 2}));
-  s.set_grid_acceleration();
-  s.advance_grid_velocity(dt);
-
-  s.sweep_and_settle(UpdateVelocity<D>{particles, grid, dt},
-                     UpdatePositionAndDeformation<D>{particles, grid, dt, dt / 2});
+  s.update_stress_first(dt / 2, dt);
+  s.update_particles(dt, dt / 2);
 }
 
 }  // namespace mpmvv::solver

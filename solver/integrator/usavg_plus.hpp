@@ -14,12 +14,7 @@ void usavg_plus(Mpm<D>& s, double dt) {
   grid.clear();
   s.sweep(node_loop(MapMomentum<D>{particles, grid}));
   s.fold(grid.p);
-  s.set_grid_velocity();
-
-  s.sweep_with_forces(node_loop(UpdateDeformation<D>{particles, grid, dt / 2}));
-  s.set_grid_acceleration();
-  s.advance_grid_velocity(dt);
-
+  s.update_stress_first(dt / 2, dt);
   update_with_remapped_velocity(s, dt, dt / 2);
 }
 

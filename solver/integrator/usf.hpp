@@ -12,13 +12,8 @@ void usf(Mpm<D>& s, double dt) {
   grid.clear();
   s.sweep(node_loop(MapMomentum<D>{particles, grid}));
   s.fold(grid.p);
-  s.set_grid_velocity();
-
-  s.sweep_with_forces(node_loop(UpdateDeformation<D>{particles, grid, dt}));
-  s.set_grid_acceleration();
-  s.advance_grid_velocity(dt);
-
-  s.sweep_and_settle(UpdateVelocity<D>{particles, grid, dt}, UpdatePosition<D>{particles, grid, dt});
+  s.update_stress_first(dt, dt);
+  s.update_particles(dt, 0);
 }
 
 }  // namespace mpmvv::solver

@@ -4,7 +4,7 @@
 namespace mpmvv::solver {
 
 /// Update stress last: S (1) to (10), W (8), (9), (14) to (19). With particle velocities half a step behind it is the
-/// staggered central difference, S (11) to (15), W (40) to (50).
+/// staggered central difference, S (11) to (15), W (40) to (50). N table 1 with its velocity update.
 template <int D>
 void usl(Mpm<D>& s, double dt) {
   auto& particles = s.particles();
@@ -17,7 +17,7 @@ void usl(Mpm<D>& s, double dt) {
   s.set_grid_acceleration();
   s.advance_grid_velocity(dt);
 
-  s.sweep_and_settle(UpdateVelocity<D>{particles, grid, dt}, UpdatePositionAndDeformation<D>{particles, grid, dt, dt});
+  s.update_particles(dt, dt);
 }
 
 }  // namespace mpmvv::solver

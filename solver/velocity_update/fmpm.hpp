@@ -1,0 +1,33 @@
+#pragma once
+#include "solver/velocity_update/flip.hpp"
+
+namespace mpmvv::solver {
+
+/// v⁺ = m̃_k⁻¹ p⁺, V' = S v⁺, X' = X + Δt (V + V')/2, N table 1: grid velocities by the expanded inverse, those of the
+/// stress updates too. With the consistent mass, v⁺ is its limit k -> infinity already.
+struct Fmpm {
+  static constexpr std::string_view word = "fmpm";
+  int order = 2;     ///< k
+  int interval = 1;  ///< steps; those between are `flip` with second-order positions: periodic FMPM, N §3.1
+
+  template <int D>
+  VelocityFields<D> fields(Mpm<D>& s, double dt) const {
+    if (!is_due(s)) return Flip{FlipPosition::second_order}.fields(s, dt);
+    sharpen(s);
+    return {.before = 0.5, .after = 0.5};
+  }
+
+  /// The lumped grid velocity becomes m̃_k⁻¹ p.
+  template <int D>
+  void sharpen(Mpm<D>& s) const {
+    if (is_due(s)) s.expand_inverse(order, s.grid().v);
+  }
+
+ private:
+  template <int D>
+  bool is_due(const Mpm<D>& s) const {
+    return s.steps() % interval == 0;
+  }
+};
+
+}  // namespace mpmvv::solver

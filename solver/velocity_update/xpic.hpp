@@ -1,0 +1,29 @@
+#pragma once
+#include <string_view>
+
+#include "solver/velocity_update/velocity_fields.hpp"
+
+namespace mpmvv::solver {
+
+/// V' = S (m̃_k⁻¹ p + Δt a), X' = X + Δt (S v + (V' - V)/2): the particles' own velocity without the part that the grid
+/// does not see, then FLIP with lumped masses, N §2.3.
+struct Xpic {
+  static constexpr std::string_view word = "xpic";
+  int order = 2;  ///< k
+
+  /// f and a have served: they hold m̃_k⁻¹ p + Δt a and v afterwards.
+  template <int D>
+  VelocityFields<D> fields(Mpm<D>& s, double dt) const {
+    auto& grid = s.grid();
+    s.for_nodes([&](std::size_t n) { grid.f[n] = grid.v[n] - dt * grid.a[n]; });
+    s.expand_inverse(order, grid.f);
+    s.for_nodes([&](std::size_t n) {
+      const Packed<D> increment = dt * grid.a[n];
+      grid.f[n] += increment;
+      grid.a[n] = grid.v[n] - increment;
+    });
+    return {.taken = &grid.f, .drift = &grid.a, .before = -0.5, .after = 0.5};
+  }
+};
+
+}  // namespace mpmvv::solver
