@@ -18,6 +18,8 @@ const std::vector<std::pair<std::string, std::string>>& word_lists() {
                                                                       {"integrators", "integrator"},
                                                                       {"starts", "start"},
                                                                       {"velocity-updates", "velocity_update"},
+                                                                      {"positions", "position"},
+                                                                      {"wall-methods", "wall_method"},
                                                                       {"masses", "mass"},
                                                                       {"boundaries", "boundary"},
                                                                       {"wall-accelerations", "wall_acceleration"},

@@ -27,6 +27,9 @@ nlohmann::json scheme_json(const Scheme& s) {
                       {"material", s.material}};
   if (s.start != "none") json["start"] = s.start;
   if (s.smoothing_length > 0) json["smoothing_length"] = s.smoothing_length;
+  if (s.position != "none") json["position"] = s.position;
+  if (s.order > 0) json["order"] = s.order, json["wall_method"] = s.wall_method;
+  if (s.cfl_x > 0) json["cfl_x"] = s.cfl_x;
   return json;
 }
 

@@ -30,8 +30,8 @@ std::string canonical_text(const Case& c) {
   // Structured bindings name every member, so a new one does not compile until it stands here as well.
   const auto& [problem, scheme, resolution, measure] = c;
   const auto& [name, parameters, end_time, quarter] = problem;
-  const auto& [basis, smoothing_length, integrator, start, velocity_update, mass, boundary, wall_acceleration,
-               deformation, body_force, fill, material] = scheme;
+  const auto& [basis, smoothing_length, integrator, start, velocity_update, order, cfl_x, position, wall_method, mass,
+               boundary, wall_acceleration, deformation, body_force, fill, material] = scheme;
   const auto& [cells, ppc, dt, steps] = resolution;
   const auto& [every_step, nodal_error, blowup_error, blowup_energy, repeat] = measure;
 
@@ -45,6 +45,10 @@ std::string canonical_text(const Case& c) {
       .add("integrator", integrator)
       .add("start", start)
       .add("velocity_update", velocity_update)
+      .add("order", order)
+      .add("cfl_x", cfl_x)
+      .add("position", position)
+      .add("wall_method", wall_method)
       .add("mass", mass)
       .add("boundary", boundary)
       .add("wall_acceleration", wall_acceleration)

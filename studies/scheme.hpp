@@ -11,6 +11,10 @@ struct Scheme {
   std::string integrator = "usl";
   std::string start = "half";  ///< first step of `cd` and `uvf`; other integrators have no start
   std::string velocity_update = "flip";
+  int order = 0;                         ///< k of `xpic` and `fmpm`, 0 elsewhere
+  double cfl_x = 0;                      ///< CFL number of `fmpm`'s own steps; 0: every one
+  std::string position = "first-order";  ///< how positions follow `flip`; others have a way of their own
+  std::string wall_method = "none";      ///< how walls hold what `xpic` and `fmpm` expand; others expand nothing
   std::string mass = "lumped";
   std::string boundary = "dirichlet";
   std::string wall_acceleration = "zero";

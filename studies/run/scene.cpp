@@ -56,6 +56,24 @@ void set_current_widths(solver::Particles<D>& particles, const solver::AnyBasis&
   particles.update_widths(0, particles.size());
 }
 
+/// The velocity update with its choices; `cfl` is the time step's.
+solver::AnyVelocityUpdate velocity_update(const Scheme& scheme, double cfl) {
+  if (scheme.velocity_update == "pic") return solver::Pic{};
+  if (scheme.velocity_update == "xpic") return solver::Xpic{scheme.order};
+  if (scheme.velocity_update == "fmpm")
+    return solver::Fmpm{scheme.order, std::max(1, static_cast<int>(std::lround(scheme.cfl_x / cfl)))};
+  using solver::FlipPosition;
+  return solver::Flip{scheme.position == "second-order" ? FlipPosition::second_order
+                      : scheme.position == "particle"   ? FlipPosition::particle
+                                                        : FlipPosition::first_order};
+}
+
+solver::WallMethod wall_method(const std::string& word) {
+  return word == "velocity" ? solver::WallMethod::velocity
+         : word == "lumped" ? solver::WallMethod::lumped
+                            : solver::WallMethod::combined;
+}
+
 }  // namespace
 
 template <int D>
@@ -69,6 +87,9 @@ Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
   scene.cells = all.cells;
   scene.material = stage.setup.material;
   scene.integrator = c.scheme.integrator;
+  scene.velocity_update =
+      velocity_update(c.scheme, problem.wave_speed(c.problem.parameters) * c.resolution.dt / scene.h);
+  scene.wall_method = wall_method(c.scheme.wall_method);
   scene.half_start = c.scheme.start == "half" && stage.setup.solution;
   scene.difference_acceleration = c.scheme.wall_acceleration == "difference";
   if (c.scheme.mass == "consistent") scene.consistent_mass.emplace();

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "solver/words.hpp"
+#include "solver/mpm.hpp"
 #include "studies/boundaries.hpp"
 #include "studies/error.hpp"
 #include "studies/problem.hpp"
@@ -34,6 +34,24 @@ void require_sense_of_mass(const Case& c, int ghosts, bool mirrored) {
         c.resolution.cells, 2 * ghosts));
   if (c.resolution.ppc < 2)
     throw UsageError("mass 'consistent' with ppc = 1 (at least 2: it is singular with one particle per cell)");
+}
+
+void require_sense_of_velocity_update(const Scheme& s) {
+  const bool plain = s.velocity_update == "flip" && s.position == "first-order";
+  if (!plain && (solver::is_staggered(s.integrator) || s.integrator == "rk4"))
+    throw UsageError(fmt::format(
+        "velocity_update '{}' with integrator '{}' (flip with position 'first-order', or an integrator whose "
+        "steps have positions and velocities at their ends: usl, usf, usavg, usl+, usavg+)",
+        s.velocity_update, s.integrator));
+  if (s.mass == "consistent" && s.velocity_update != "flip" && s.velocity_update != "fmpm")
+    throw UsageError(
+        fmt::format("mass 'consistent' with velocity_update '{}', which lumped masses define (use flip or fmpm)",
+                    s.velocity_update));
+  if (s.mass == "consistent" && (s.order > 0 || s.cfl_x > 0 || s.wall_method != "none"))
+    throw UsageError(
+        "order, cfl_x or wall_method with mass 'consistent', the limit in which nothing is expanded (leave it out)");
+  if (s.velocity_update != "flip" && s.wall_acceleration == "difference")
+    throw UsageError("wall_acceleration 'difference' with a velocity_update other than 'flip' (use zero)");
 }
 
 }  // namespace
@@ -70,6 +88,7 @@ void require_sense(const Case& c) {
         "difference "
         "over (use zero, or another integrator)");
   require_sense_of_mass(c, ghosts, has("mirror"));
+  require_sense_of_velocity_update(s);
   if (const int least = std::max(4, 2 * ghosts); (has("symmetry") || has("mirror")) && c.resolution.cells < least)
     throw UsageError(
         fmt::format("{} cells are too few for boundary '{}' (at least {}: ghosts and their images must differ)",

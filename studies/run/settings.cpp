@@ -106,6 +106,29 @@ ProblemChoice make_choice(const Settings& settings, const Problem& problem) {
   return choice;
 }
 
+void require_absent(const Settings& settings, const std::string& key, const Scheme& scheme, const char* takers) {
+  if (const auto it = settings.find(key); it != settings.end())
+    throw UsageError(fmt::format("{} in {} has no meaning for velocity_update '{}' (only {} takes it)", key,
+                                 it->second.where, scheme.velocity_update, takers));
+}
+
+/// What goes with the velocity update: k, periodic FMPM, positions, walls.
+void set_velocity_update(const Settings& settings, Scheme& scheme) {
+  const bool expands = scheme.velocity_update == "xpic" || scheme.velocity_update == "fmpm";
+  if (scheme.velocity_update != "flip") {
+    require_absent(settings, "position", scheme, "flip");
+    scheme.position = "none";
+  }
+  if (!expands) {
+    for (const char* key : {"order", "wall_method"}) require_absent(settings, key, scheme, "xpic or fmpm");
+  } else if (scheme.mass == "lumped" || settings.contains("order")) {
+    scheme.order = count<int>(required(settings, "order"), 1, 10'000);
+    if (!settings.contains("wall_method")) scheme.wall_method = "combined";
+  }
+  if (scheme.velocity_update != "fmpm") require_absent(settings, "cfl_x", scheme, "fmpm");
+  if (const auto it = settings.find("cfl_x"); it != settings.end()) scheme.cfl_x = positive(it->second);
+}
+
 Scheme make_scheme(const Settings& settings, const Problem& problem, bool quarter) {
   Scheme scheme;
   for (const WordKey& key : word_keys()) {
@@ -128,6 +151,7 @@ Scheme make_scheme(const Settings& settings, const Problem& problem, bool quarte
   } else if (scheme.basis == "ugimp") {
     throw UsageError("basis 'ugimp' without smoothing_length (in cells, > 0 and at most 1)");
   }
+  set_velocity_update(settings, scheme);
   if (!solver::is_staggered(scheme.integrator)) {
     if (const auto it = settings.find("start"); it != settings.end())
       throw UsageError(fmt::format("start in {} has no meaning for integrator '{}' (only cd and uvf take it)",
