@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <map>
+
+#include "studies/check.hpp"
+#include "studies/checks/mapping/cases.hpp"
+#include "studies/checks/mapping/counterexamples.hpp"
+#include "studies/checks/mapping/field_properties.hpp"
+#include "studies/checks/mapping/motion_properties.hpp"
+#include "studies/checks/mapping/shape_properties.hpp"
+#include "studies/checks/mapping/sum_properties.hpp"
+
+namespace mpmvv::mapping {
+
+namespace {
+
+enum class Extreme { largest, least };
+
+/// One measure of a property, and which of its values over all bodies matters to the claim.
+struct PropertyMeasure {
+  int property;  ///< its number in the table, 0 for B-phi; aside: not in the table
+  const char* name;
+  Extreme extreme;
+  const char* meaning;
+  double (*in_1d)(const Subject<1>&);
+  double (*in_2d)(const Subject<2>&);
+
+  double operator()(const Subject<1>& s) const { return in_1d(s); }
+  double operator()(const Subject<2>& s) const { return in_2d(s); }
+};
+
+constexpr int aside = -1;
+
+const std::vector<PropertyMeasure>& property_measures() {
+  using enum Extreme;
+  static const std::vector<PropertyMeasure> all{
+      {0, "phi", largest, "difference of grid field and particle field over max |f_p|", &two_fields, &two_fields},
+      {1, "i", least, "largest |phi_p(x_q) - delta_pq|", &interpolation, &interpolation},
+      {aside, "i_integral", largest,
+       "RMS of the integrals' errors over that of point-to-point interpolation, 1D random",
+       &integrals_over_interpolation, &integrals_over_interpolation},
+      {2, "ii", largest, "|sum_p phi_p - 1| where every node takes part", &unity, &unity},
+      {aside, "ii_body", largest, "|sum_p phi_p - 1| in the whole body", &unity_in_body, &unity_in_body},
+      {3, "iii", largest, "|sum_p x_p phi_p - x|/h where every node takes part", &linear_completeness,
+       &linear_completeness},
+      {aside, "iii_inside", largest, "the same, boxes alike, three cells from the body's faces",
+       &linear_completeness_inside, &linear_completeness_inside},
+      {4, "iv", largest, "difference of gradient and difference quotient inside the pieces, times h",
+       &piecewise_gradient, &piecewise_gradient},
+      {5, "v", least, "asymmetry of the least symmetric interior particle over max |phi_p|", &asymmetry, &asymmetry},
+      {aside, "v_least", least, "asymmetry of the most symmetric interior particle over max |phi_p|", &least_asymmetry,
+       &least_asymmetry},
+      {6, "vi", least, "largest difference of shapes of equal boxes at other places in their cells, over max |phi_p|",
+       &shape_difference, &shape_difference},
+      {aside, "vi_in_phase", largest, "difference of shapes of equal boxes at the same place in their cells",
+       &shape_difference_in_phase, &shape_difference_in_phase},
+      {7, "vii", largest, "elements that two particles in one element do not share", &unshared_influence,
+       &unshared_influence},
+      {aside, "vii_support", largest, "elements in which influence domain and supports of the particle's nodes differ",
+       &influence_beyond_support, &influence_beyond_support},
+      {8, "viii", largest, "excess of phi_p over 1 or of 0 over phi_p", &positivity, &positivity},
+      {9, "ix", largest, "valley on a ray from the maximum over max |phi_p|", &valley, &valley},
+      {10, "x", largest, "change of phi_p when grid and particles translate together", &change_with_grid,
+       &change_with_grid},
+      {11, "xi", least, "largest change of a shape over max |phi_p| when particles translate on the grid",
+       &change_on_grid, &change_on_grid},
+      {12, "xii", largest, "variation of the integral of phi_p over V_p while particles translate over a cell",
+       &integral_variation, &integral_variation},
+      {aside, "xii_inside", largest, "the same, boxes alike, particles three cells from the body's faces",
+       &integral_variation_inside, &integral_variation_inside},
+      {aside, "xii_weighted", largest, "variation of sum_ij m_ij psi_jp over M_p", &weighted_integral_variation,
+       &weighted_integral_variation},
+      {13, "xiii", largest, "change of phi_p on material points when grid and particles stretch together",
+       &change_stretched_with_grid, &change_stretched_with_grid},
+      {aside, "xiii_fixed", least, "largest change over max |phi_p| when particles stretch on a grid that stays",
+       &change_stretched_on_grid, &change_stretched_on_grid},
+      {14, "xiv", largest, "difference of phi_p and the field of f_p = 1, all others 0", &field_of_one, &field_of_one},
+  };
+  return all;
+}
+
+/// Collects every number for the table, and the extreme of each measure and mass matrix over all bodies.
+class PropertyTable {
+ public:
+  /// One body with one mass matrix.
+  template <int D>
+  void measure(const Subject<D>& subject, const std::string& prefix, const std::string& body, const std::string& mass) {
+    for (const PropertyMeasure& m : property_measures()) {
+      const double value = m(subject);
+      if (std::isnan(value)) continue;
+      keep(prefix + m.name + "_" + mass, m, value, mass, body);
+      if (m.property != aside) cells_[prefix.empty() ? body : "volume: " + body][m.property][mass] = value;
+    }
+  }
+
+  void add_to(CheckResult& result) const {
+    for (const std::string& name : order_) {
+      const auto& [value, meaning] = extremes_.at(name);
+      result.add(name, value, meaning);
+    }
+    for (const auto& [body, properties] : cells_) {
+      Series series{body, {}, {}, {}};
+      for (const auto& [property, values] : properties)
+        series.points.push_back({static_cast<double>(property), Status::ok, "", values});
+      result.series.push_back(series);
+    }
+  }
+
+ private:
+  void keep(const std::string& name, const PropertyMeasure& m, double value, const std::string& mass,
+            const std::string& body) {
+    const auto known = extremes_.find(name);
+    const bool least = m.extreme == Extreme::least;
+    if (known == extremes_.end()) order_.push_back(name);
+    if (known != extremes_.end() && (least ? value >= known->second.first : value <= known->second.first)) return;
+    extremes_[name] = {value, fmt::format("{} mass, {}: {} ({})", mass, least ? "least" : "largest", m.meaning, body)};
+  }
+
+  std::vector<std::string> order_;
+  std::map<std::string, std::pair<double, std::string>> extremes_;
+  std::map<std::string, std::map<int, std::map<std::string, double>>> cells_;
+};
+
+template <int D>
+void measure_blocks(PropertyTable& table) {
+  using Block = BlockOfParticles<D>;
+  for (const Weighting& weighting : weightings)
+    for (const Placement placement : placements) {
+      const std::string name = Block::name(placement, weighting);
+      const MappedBody<D> body(Block::grid(), Block::tiling(placement), weighting);
+      for (const MassMatrix mass : mass_matrices) table.measure(Subject<D>(body, mass), "", name, name_of(mass));
+      if (placement != Placement::random) continue;
+      const MappedBody<D> by_volume(body.grid(), body.tiling(), weighting, WeightedBy::volume);
+      for (const MassMatrix mass : {MassMatrix::lumped, MassMatrix::exact, MassMatrix::quadrature})
+        table.measure(Subject<D>(by_volume, mass), "volume_", name, name_of(mass));
+    }
+}
+
+void add_counterexamples(CheckResult& result) {
+  result.add("i_on_nodes", interpolation_of_particles_on_nodes(),
+             "largest |phi_p(x_q) - delta_pq|, a particle on each node, lumped");
+  result.add("i_two_particles", interpolation_of_two_particles(),
+             "largest |phi_p(x_q) - delta_pq|, two particles in one cell, quadrature mass");
+  result.add("vi_neighbours_dirac", shape_difference_by_neighbours(dirac),
+             "difference of shapes of equal boxes at the same place in their cells, other neighbours, lumped, Dirac");
+  result.add("vi_neighbours_gimp", shape_difference_by_neighbours(gimp), "the same, GIMP");
+  result.add("ix_corners", valley_between_corners(),
+             "valley between opposite corners of a particle's cell, heavy particles on the others, lumped");
+  result.add("xiii_carried", change_carried_by_grid(),
+             "change of phi_p on material points carried by a grid that deforms inhomogeneously, lumped, Dirac");
+}
+
+/// (xi) The rate at which weights change, for every weighting: it does not depend on the mass matrix.
+void add_rates(CheckResult& result) {
+  for (const Weighting& weighting : weightings) {
+    double worst = 0;
+    for (const Placement placement : {Placement::translated, Placement::random}) {
+      const MappedBody<1> line(BlockOfParticles<1>::grid(), BlockOfParticles<1>::tiling(placement), weighting);
+      const MappedBody<2> plane(BlockOfParticles<2>::grid(), BlockOfParticles<2>::tiling(placement), weighting);
+      worst = std::max({worst, rate_misfit(line), rate_misfit(plane)});
+    }
+    result.add(fmt::format("xi_rate_{}", weighting.name), worst,
+               fmt::format("largest h |dv_ip/dt - G_i . dx_p/dt|, {} weights, unit velocity", weighting.name));
+  }
+}
+
+}  // namespace
+
+}  // namespace mpmvv::mapping
+
+namespace mpmvv {
+
+/// B (i) to (xiv), B-phi and B-vol.
+CheckResult check_mapping_properties() {
+  CheckResult result;
+  mapping::PropertyTable table;
+  mapping::measure_blocks<1>(table);
+  mapping::measure_blocks<2>(table);
+  table.add_to(result);
+  mapping::add_counterexamples(result);
+  mapping::add_rates(result);
+  return result;
+}
+
+}  // namespace mpmvv
