@@ -31,7 +31,7 @@ struct BlockOfParticles {
     count.fill(cells * ppc);
     if (placement == Placement::random) return random_tiling<D>(lower, extent, count, 165);
     const auto aligned = uniform_tiling<D>(lower, extent, count);
-    const double shift = D == 1 ? 0.1 : 0.2;
+    const double shift = D == 1 ? 0.1 : 0.35;
     return placement == Placement::uniform ? aligned : aligned.translated(solver::Vec<D>::Constant(shift));
   }
 

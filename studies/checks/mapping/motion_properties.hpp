@@ -22,17 +22,18 @@ solver::Vec<D> vec(double a, double b) {
   return v;
 }
 
-/// (x) Largest change of Φ_p when grid and particles translate together.
+/// (x) Largest change of Φ_p when grid and particles translate together, over the largest |Φ_p|.
 template <int D>
 double change_with_grid(const Subject<D>& s) {
   const solver::Vec<D> u = vec<D>(2.345, -0.678);
   auto grid = s.body().grid();
   grid.lower += u;
   const auto moved = s.body().moved(grid, s.body().tiling().translated(u));
-  return change_at(s, moved, [&u](const auto& x) { return solver::Vec<D>(x + u); }).cwiseAbs().maxCoeff();
+  const auto place = [&u](const auto& x) { return solver::Vec<D>(x + u); };
+  return change_at(s, moved, place).cwiseAbs().maxCoeff() / s.largest();
 }
 
-/// (xi) Largest change of a shape, over the largest |Φ_p|, of an interior particle when all translate by 0.3 (0.2)
+/// (xi) Largest change of a shape, over the peak in the body, of an interior particle when all translate by 0.3 (0.2)
 /// cells.
 template <int D>
 double change_on_grid(const Subject<D>& s) {
@@ -47,17 +48,14 @@ double change_on_grid(const Subject<D>& s) {
   return worst;
 }
 
-/// Largest variation over the particles chosen, over V_p, of what `integrals(body, basis)` gives for each of them while
-/// all translate over a cell.
+/// Largest variation over the particles chosen, over `scale`, of what `integrals(body, basis)` gives for each of them
+/// while all translate over a cell.
 template <int D, class Integrals>
 double largest_variation(const Subject<D>& s, const std::vector<std::size_t>& chosen, const Eigen::VectorXd& scale,
                          const Integrals& integrals) {
-  constexpr int steps = 4;
   Eigen::VectorXd least = integrals(s.body(), s.basis()), largest = least;
-  for (int k = 1; k < steps; ++k) {
-    const solver::Vec<D> u = vec<D>(1, 0.6).cwiseProduct(s.body().grid().h) * k / steps;
-    const auto moved = s.body().moved(s.body().grid(), s.body().tiling().translated(u));
-    const Eigen::VectorXd now = integrals(moved, moved.basis(s.mass()));
+  for (const auto& [body, basis] : s.way()) {
+    const Eigen::VectorXd now = integrals(body, basis);
     least = least.cwiseMin(now), largest = largest.cwiseMax(now);
   }
   double worst = 0;
@@ -103,31 +101,31 @@ double weighted_integral_variation(const Subject<D>& s) {
   return largest_variation(s, all_particles(s), s.body().M(), weighted);
 }
 
-/// (xiii) Largest change of Φ_p on material points when grid and particles stretch together.
+/// (xiii) Largest change of Φ_p on material points when grid and particles stretch together, over the largest |Φ_p|.
 template <int D>
 double change_stretched_with_grid(const Subject<D>& s) {
   const solver::Vec<D> factor = vec<D>(1.3, 0.7);
   auto grid = s.body().grid();
   grid.lower = grid.lower.cwiseProduct(factor).eval(), grid.h = grid.h.cwiseProduct(factor).eval();
   const auto moved = s.body().moved(grid, s.body().tiling().stretched(factor));
-  return change_at(s, moved, [&factor](const auto& x) { return solver::Vec<D>(x.cwiseProduct(factor)); })
-      .cwiseAbs()
-      .maxCoeff();
+  const auto place = [&factor](const auto& x) { return solver::Vec<D>(x.cwiseProduct(factor)); };
+  return change_at(s, moved, place).cwiseAbs().maxCoeff() / s.largest();
 }
 
-/// (xiii) Largest change of Φ_p on material points of the body, over the largest |Φ_p|, when the particles stretch by a
-/// tenth on a grid that stays.
+/// (xiii) Largest change of an interior particle's Φ_p on material points of the body, over its peak, when the
+/// particles stretch by a tenth on a grid that stays.
 template <int D>
 double change_stretched_on_grid(const Subject<D>& s) {
   const auto& tiling = s.body().tiling();
-  const solver::Vec<D> factor = vec<D>(1.1, 1.1), middle = (tiling.lower + tiling.upper) / 2;
+  const solver::Vec<D> factor = solver::Vec<D>::Constant(1.1), middle = (tiling.lower + tiling.upper) / 2;
   const auto place = [&](const auto& x) {
     return tiling.contains(x) ? solver::Vec<D>(middle + factor.cwiseProduct(x - middle)) : x;
   };
-  Eigen::MatrixXd change = change_at(s, s.body().moved(s.body().grid(), tiling.stretched(factor, middle)), place);
-  for (std::size_t k = 0; k < s.lattice().points().size(); ++k)
-    if (!tiling.contains(s.lattice().points()[k])) change.col(static_cast<Eigen::Index>(k)).setZero();
-  return change.cwiseAbs().maxCoeff() / s.phi().cwiseAbs().maxCoeff();
+  const auto change = change_at(s, s.body().moved(s.body().grid(), tiling.stretched(factor, middle)), place);
+  double worst = 0;
+  for (const std::size_t p : s.interior())
+    worst = std::max(worst, change.row(static_cast<Eigen::Index>(p))(s.in_body()).cwiseAbs().maxCoeff() / s.peak(p));
+  return worst;
 }
 
 /// (xi) Largest h |v̇_ip - Ḡ_i| of particles that move with unit velocity along an axis, Ḡ_i being the average gradient

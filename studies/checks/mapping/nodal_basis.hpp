@@ -48,7 +48,7 @@ class NodalBasis {
   }
 
  private:
-  static constexpr double least_weight = 1e-30;  ///< above what the linear basis puts on the far node of its cell
+  static constexpr double least_weight = 1e-20;  ///< less is round-off, or what the linear basis puts on the far node
 
   Matrix evaluate(const Points<D>& x, const Points<D>& widths, int derived_axis) const {
     std::vector<Eigen::Triplet<double>> entries;

@@ -1,8 +1,6 @@
 #include "studies/checks/mapping/particle_basis.hpp"
 
-#include <Eigen/LU>
 #include <Eigen/QR>
-#include <stdexcept>
 #include <vector>
 
 namespace mpmvv::mapping {
@@ -18,6 +16,20 @@ std::vector<Eigen::Index> nodes_with_mass(const Eigen::VectorXd& masses) {
   return nodes;
 }
 
+/// The mass matrix of the nodes with mass, scaled to ones on its diagonal (how small a node's mass is does not matter),
+/// and factored.
+struct ScaledMass {
+  std::vector<Eigen::Index> nodes;
+  Eigen::VectorXd scale;  ///< one over the square roots of the diagonal
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
+
+  explicit ScaledMass(const Eigen::MatrixXd& m)
+      : nodes(nodes_with_mass(m.diagonal())), scale(m.diagonal()(nodes).cwiseSqrt().cwiseInverse()) {
+    factors.setThreshold(1e-10);
+    factors.compute(scale.asDiagonal() * m(nodes, nodes) * scale.asDiagonal());
+  }
+};
+
 }  // namespace
 
 ParticleBasis ParticleBasis::lumped(const Eigen::MatrixXd& v, const Eigen::VectorXd& M) {
@@ -28,20 +40,19 @@ ParticleBasis ParticleBasis::lumped(const Eigen::MatrixXd& v, const Eigen::Vecto
 }
 
 ParticleBasis ParticleBasis::consistent(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v, const Eigen::VectorXd& M) {
-  const auto nodes = nodes_with_mass(m.diagonal());
-  const Eigen::FullPivLU<Eigen::MatrixXd> inverse(m(nodes, nodes));
-  if (!inverse.isInvertible()) throw std::runtime_error("mapping: the consistent mass matrix is singular");
+  const ScaledMass mass(m);
+  const Eigen::MatrixXd inverse = mass.scale.asDiagonal() * mass.factors.pseudoInverse() * mass.scale.asDiagonal();
   Eigen::MatrixXd psi = Eigen::MatrixXd::Zero(v.rows(), v.cols());
-  psi(nodes, Eigen::all) = inverse.inverse() * v(nodes, Eigen::all) * M.asDiagonal();
+  psi(mass.nodes, Eigen::all) = inverse * v(mass.nodes, Eigen::all) * M.asDiagonal();
   return ParticleBasis(psi);
 }
 
-Eigen::VectorXd nodal_values(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v, const Eigen::VectorXd& M,
-                             const Eigen::VectorXd& f) {
-  const auto nodes = nodes_with_mass(m.diagonal());
-  const Eigen::VectorXd b = v * M.cwiseProduct(f);
-  Eigen::VectorXd F = Eigen::VectorXd::Zero(v.rows());
-  F(nodes) = m(nodes, nodes).colPivHouseholderQr().solve(b(nodes));
+Eigen::MatrixXd nodal_values(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v, const Eigen::VectorXd& M,
+                             const Eigen::MatrixXd& f) {
+  const ScaledMass mass(m);
+  const Eigen::MatrixXd b = mass.scale.asDiagonal() * (v * (M.asDiagonal() * f))(mass.nodes, Eigen::all);
+  Eigen::MatrixXd F = Eigen::MatrixXd::Zero(v.rows(), f.cols());
+  F(mass.nodes, Eigen::all) = mass.scale.asDiagonal() * mass.factors.solve(b);
   return F;
 }
 

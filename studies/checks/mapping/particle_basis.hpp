@@ -12,14 +12,14 @@ class ParticleBasis {
   /// ψ_ip = M_p v_ip / Σ_q M_q v_iq, B (16.31)
   static ParticleBasis lumped(const Eigen::MatrixXd& v, const Eigen::VectorXd& M);
 
-  /// ψ_ip = Σ_j m⁻¹_ij M_p v_jp, B (16.30). Throws std::runtime_error when m is singular.
+  /// ψ_ip = Σ_j m⁻¹_ij M_p v_jp, B (16.30); where m is singular, the solution of least norm.
   static ParticleBasis consistent(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v, const Eigen::VectorXd& M);
 
   const Eigen::MatrixXd& psi() const { return psi_; }  ///< nodes x particles
   bool reaches(Eigen::Index node) const { return psi_.row(node).cwiseAbs().maxCoeff() > 0; }
 
   /// Φ_p, particles x points, from the nodal functions there, nodes x points.
-  Eigen::MatrixXd at(const Eigen::SparseMatrix<double>& N) const { return psi_.transpose() * N; }
+  Eigen::MatrixXd at(const Eigen::SparseMatrix<double>& N) const { return Eigen::MatrixXd(psi_.transpose()) * N; }
 
  private:
   explicit ParticleBasis(Eigen::MatrixXd psi) : psi_(std::move(psi)) {}
@@ -27,9 +27,9 @@ class ParticleBasis {
   Eigen::MatrixXd psi_;
 };
 
-/// The nodal values F_i of Σ_j m_ij F_j = Σ_p f_p M_p v_ip, B (16.17), solved without an inverse; 0 on nodes without
-/// mass.
-Eigen::VectorXd nodal_values(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v, const Eigen::VectorXd& M,
-                             const Eigen::VectorXd& f);
+/// The nodal values F_i of Σ_j m_ij F_j = Σ_p f_p M_p v_ip, B (16.17), solved without an inverse, for each column of f;
+/// 0 on nodes without mass.
+Eigen::MatrixXd nodal_values(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v, const Eigen::VectorXd& M,
+                             const Eigen::MatrixXd& f);
 
 }  // namespace mpmvv::mapping

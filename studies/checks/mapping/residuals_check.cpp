@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <Eigen/QR>
+#include <Eigen/IterativeLinearSolvers>
 #include <algorithm>
 #include <cmath>
 
@@ -11,25 +11,24 @@ namespace mpmvv::mapping {
 
 namespace {
 
-/// A weighted sum of squares E(F) = Σ_k w_k (Σ_i N_ik F_i - f_k)², and its least value by orthogonal factorisation: no
-/// mass matrix enters.
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// A weighted sum of squares E(F) = Σ_k w_k (Σ_i N_ik F_i - f_k)², and its least value by an iteration in which no mass
+/// matrix enters.
 class Residual {
  public:
-  Residual(const Eigen::MatrixXd& N, const Eigen::VectorXd& weights, const Eigen::VectorXd& f)
-      : A_(weights.cwiseSqrt().asDiagonal() * N.transpose()), b_(weights.cwiseSqrt().cwiseProduct(f)) {
-    std::vector<Eigen::Index> nodes;  // without those that no point reaches
-    for (Eigen::Index i = 0; i < A_.cols(); ++i)
-      if (A_.col(i).norm() > 1e-10 * A_.norm()) nodes.push_back(i);
-    Eigen::VectorXd F = Eigen::VectorXd::Zero(A_.cols());
-    F(nodes) = A_(Eigen::all, nodes).householderQr().solve(b_);
-    least_ = (*this)(F);
+  Residual(const Sparse& N, const Eigen::VectorXd& weights, const Eigen::VectorXd& f)
+      : A_(weights.cwiseSqrt().asDiagonal() * Sparse(N.transpose())), b_(weights.cwiseSqrt().cwiseProduct(f)) {
+    Eigen::LeastSquaresConjugateGradient<Sparse> least_squares(A_);
+    least_squares.setTolerance(1e-12);
+    least_ = (*this)(Eigen::VectorXd(least_squares.solve(b_)));
   }
 
   double operator()(const Eigen::VectorXd& F) const { return (A_ * F - b_).squaredNorm(); }
   double excess(const Eigen::VectorXd& F) const { return (*this)(F) / least_ - 1; }
 
  private:
-  Eigen::MatrixXd A_;
+  Sparse A_;
   Eigen::VectorXd b_;
   double least_ = 0;
 };
@@ -65,7 +64,7 @@ class MappedField {
         f_p_(values_at<D>(body.tiling().x)),
         residuals_{Residual(N_, body.weights_of(points_, MassMatrix::exact), f_),
                    Residual(N_, body.weights_of(points_, MassMatrix::piecewise), f_p_(points_.particle)),
-                   Residual(body.v(), body.M(), f_p_)} {}
+                   Residual(body.v().sparseView(), body.M(), f_p_)} {}
 
   /// By how much the field that is mapped with both sides integrated, B (16.6) to (16.8), exceeds the least residual.
   double excess_of_integrals() const {
@@ -82,7 +81,7 @@ class MappedField {
  private:
   const MappedBody<D>& body_;
   DomainQuadrature<D> points_;
-  Eigen::MatrixXd N_;
+  Sparse N_;
   Eigen::VectorXd f_, f_p_;
   std::array<Residual, 3> residuals_;
 };

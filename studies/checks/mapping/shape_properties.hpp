@@ -6,7 +6,7 @@
 /// Shapes, each as a number that measures by how much a subject departs from a property of B.
 namespace mpmvv::mapping {
 
-/// Largest |Φ_p(x_p + s) - Φ_p(x_p - s)| over the largest |Φ_p|.
+/// Largest |Φ_p(x_p + s) - Φ_p(x_p - s)| over the peak in the body.
 template <int D>
 double asymmetry_of(const Subject<D>& s, std::size_t p) {
   const Eigen::RowVectorXd phi = s.around(p, symmetric_offsets(s.body().grid()));
@@ -29,8 +29,8 @@ double least_asymmetry(const Subject<D>& s) {
   return least;
 }
 
-/// Largest difference of two shapes Φ_p(x_p + s) and Φ_q(x_q + s), over the largest |Φ_p|, of interior particles that
-/// are whole cells apart, or of all others. NaN unless boxes are alike.
+/// Largest difference of two shapes Φ_p(x_p + s) and Φ_q(x_q + s), over the peak in the body, of interior particles
+/// that are whole cells apart, or of all others. NaN unless boxes are alike.
 template <int D>
 double largest_shape_difference(const Subject<D>& s, bool whole_cells_apart) {
   if (!s.body().tiling().boxes_are_alike()) return no_meaning;
@@ -59,10 +59,10 @@ double shape_difference_in_phase(const Subject<D>& s) {
   return largest_shape_difference(s, true);
 }
 
-/// For each element whether some sample of a row in its interior is larger than round-off.
+/// For each element whether some sample of a row in its interior is larger than round-off of those in the body.
 template <int D>
 std::vector<bool> elements_reached(const Subject<D>& s, const Eigen::RowVectorXd& values) {
-  const double least = 1e-12 * values.cwiseAbs().maxCoeff();
+  const double least = 1e-12 * values(s.in_body()).cwiseAbs().maxCoeff();
   std::vector<bool> reached(static_cast<std::size_t>(s.lattice().elements()));
   for (Eigen::Index k = 0; k < values.size(); ++k)
     if (const int e = s.lattice().element(static_cast<std::size_t>(k)); e >= 0 && std::abs(values[k]) > least)
@@ -129,8 +129,8 @@ inline double valley_of(const std::vector<double>& values) {
   return valley;
 }
 
-/// (ix) Deepest valley of Φ_p on rays from its maximum along sixteen directions (in one dimension two), over the
-/// largest |Φ_p|.
+/// (ix) Deepest valley of Φ_p on rays from its maximum along sixteen directions (in one dimension two), over that
+/// maximum.
 template <int D>
 double valley(const Subject<D>& s) {
   constexpr int directions[][2] = {{1, 0}, {1, 1}, {0, 1}, {2, 1}, {1, 2}, {-1, 1}, {-2, 1}, {-1, 2}};
@@ -146,7 +146,7 @@ double valley(const Subject<D>& s) {
           values.push_back(s.phi()(p, s.lattice().number(i)));
           for (std::size_t d = 0; d < D; ++d) i[d] += sign * direction[d];
         }
-        worst = std::max(worst, valley_of(values) / s.peak(static_cast<std::size_t>(p)));
+        worst = std::max(worst, valley_of(values) / values.front());
       }
   }
   return worst;

@@ -20,8 +20,10 @@ class Subject {
         basis_(body.basis(mass)),
         lattice_(body.grid()),
         N_(body.field().weights(lattice_.points())),
-        phi_(basis_.at(N_)),
-        peaks_(phi_.cwiseAbs().rowwise().maxCoeff()) {
+        phi_(basis_.at(N_)) {
+    for (std::size_t k = 0; k < lattice_.points().size(); ++k)
+      if (body.tiling().contains(lattice_.points()[k])) in_body_.push_back(static_cast<Eigen::Index>(k));
+    peaks_ = phi_(Eigen::all, in_body_).cwiseAbs().rowwise().maxCoeff();
     const solver::Vec<D> depth = 3 * body.grid().h;
     for (std::size_t p = 0; p < body.tiling().x.size(); ++p)
       if (body.tiling().box_is_inside(p, depth)) interior_.push_back(p);
@@ -33,10 +35,30 @@ class Subject {
   const SampleLattice<D>& lattice() const { return lattice_; }
   const typename NodalBasis<D>::Matrix& N() const { return N_; }  ///< nodal functions on the lattice
   const Eigen::MatrixXd& phi() const { return phi_; }             ///< Φ_p on the lattice, particles x points
-  double peak(std::size_t p) const { return peaks_[static_cast<Eigen::Index>(p)]; }  ///< largest |Φ_p|
+  double largest() const { return phi_.cwiseAbs().maxCoeff(); }   ///< |Φ_p| of all particles
+
+  /// Largest |Φ_p| in the body. With a consistent mass it may be far larger outside, at nodes that the body hardly
+  /// reaches.
+  double peak(std::size_t p) const { return peaks_[static_cast<Eigen::Index>(p)]; }
+  const std::vector<Eigen::Index>& in_body() const { return in_body_; }  ///< points of the lattice
 
   /// Particles at least three cells from every face of the block.
   const std::vector<std::size_t>& interior() const { return interior_; }
+
+  /// The same particles on their way over a cell of the fixed grid, and their bases there.
+  struct Translated {
+    MappedBody<D> body;
+    ParticleBasis basis;
+  };
+  const std::vector<Translated>& way() const {
+    const solver::Vec<D> quarter = (0.1 * solver::Vec<D>::Unit(0) + solver::Vec<D>::Constant(0.15));  // (1, 0.6) / 4
+    for (int k = static_cast<int>(way_.size()) + 1; k < 4; ++k) {
+      const solver::Vec<D> u = k * quarter.cwiseProduct(body_.grid().h);
+      const auto moved = body_.moved(body_.grid(), body_.tiling().translated(u));
+      way_.push_back({moved, moved.basis(mass_)});
+    }
+    return way_;
+  }
 
   /// Φ_p(x_p + s)
   Eigen::RowVectorXd around(std::size_t p, const Points<D>& offsets) const {
@@ -52,8 +74,10 @@ class Subject {
   SampleLattice<D> lattice_;
   typename NodalBasis<D>::Matrix N_;
   Eigen::MatrixXd phi_;
+  std::vector<Eigen::Index> in_body_;
   Eigen::VectorXd peaks_;
   std::vector<std::size_t> interior_;
+  mutable std::vector<Translated> way_;  ///< made when it is first asked for
 };
 
 /// Offsets up to two cells from a particle along each axis, symmetric about 0: the k-th from the end is minus the k-th.

@@ -14,17 +14,17 @@ Eigen::RowVectorXd coverage(const Subject<D>& s) {
   return takes_part * s.N();
 }
 
-/// Largest value of a row over the lattice's points in the body at least `depth` from its faces; with `covered` only
-/// where every node takes part.
+/// Largest value of a row over the lattice's points in the body at least `depth` cells from its faces; with `covered`
+/// only where every node takes part.
 template <int D>
 double largest_in_body(const Subject<D>& s, const Eigen::RowVectorXd& values, bool covered, double depth) {
   const Eigen::RowVectorXd cover = coverage(s);
+  const solver::Vec<D> margin = depth * s.body().grid().h;
   double worst = 0;
-  for (std::size_t k = 0; k < s.lattice().points().size(); ++k) {
-    const auto at = static_cast<Eigen::Index>(k);
-    if (!s.body().tiling().contains(s.lattice().points()[k], depth * s.body().grid().h)) continue;
-    if (!covered || cover[at] > 1 - 1e-9) worst = std::max(worst, values[at]);
-  }
+  for (const Eigen::Index k : s.in_body())
+    if (s.body().tiling().contains(s.lattice().points()[static_cast<std::size_t>(k)], margin) &&
+        (!covered || cover[k] > 1 - 1e-9))
+      worst = std::max(worst, values[k]);
   return worst;
 }
 
@@ -70,7 +70,13 @@ double unity(const Subject<D>& s) {
   return largest_in_body(s, (s.phi().colwise().sum().array() - 1).abs().matrix(), true, 0);
 }
 
-/// (ii) The same in the whole body.
+/// (ii) The same with GIMP weights, NaN with others.
+template <int D>
+double unity_of_gimp(const Subject<D>& s) {
+  return std::holds_alternative<solver::Gimp>(s.body().weighting().particle) ? unity(s) : no_meaning;
+}
+
+/// (ii) The same as `unity` in the whole body.
 template <int D>
 double unity_in_body(const Subject<D>& s) {
   return largest_in_body(s, (s.phi().colwise().sum().array() - 1).abs().matrix(), false, 0);
