@@ -93,26 +93,6 @@ void add_outline(CheckResult& result, const std::string& name, const Corner& low
   result.add_curve(name, x, y);
 }
 
-/// The lines of unit cells between two corners as one curve that follows them, up and down, then to and fro.
-void add_grid_lines(CheckResult& result, const std::string& name, const Corner& lower, const Corner& upper) {
-  std::vector<double> x, y;
-  bool up = false, left = false;
-  for (double line = lower[0]; line <= upper[0]; ++line) {
-    up = !up;
-    x.insert(x.end(), {line, line});
-    y.insert(y.end(), {up ? lower[1] : upper[1], up ? upper[1] : lower[1]});
-  }
-  for (double k = 0; k <= upper[1] - lower[1]; ++k) {
-    left = !left;
-    x.insert(x.end(), {left ? upper[0] : lower[0], left ? lower[0] : upper[0]});
-    y.insert(y.end(), 2, up ? upper[1] - k : lower[1] + k);
-  }
-  const std::size_t drawn_without_markers = 41;
-  x.resize(std::max(x.size(), drawn_without_markers), x.back());
-  y.resize(std::max(y.size(), drawn_without_markers), y.back());
-  result.add_curve(name, x, y);
-}
-
 /// Two-dimensional particles in a picture: their boxes and, from the values of Φ_p, their influence domains.
 class Picture {
  public:
@@ -157,44 +137,46 @@ class Picture {
   Eigen::MatrixXd phi_;
 };
 
+/// A rectangle, drawn `inset` cells inside its sides where several share them.
 void add_rectangle(CheckResult& result, const std::string& name, const std::pair<Corner, Corner>& corners,
-                   double offset = 0) {
-  const Corner move(offset, 0);
-  add_outline(result, name, corners.first + move, corners.second + move);
+                   double inset = 0) {
+  const Corner step(inset, inset);
+  add_outline(result, name, corners.first + step, corners.second - step);
 }
 
-/// B Figs. 16.2 to 16.4; the latter two have a left and a right half.
-void add_domains(CheckResult& result) {
-  constexpr double right = 7;
-  const Picture with_boxes(gimp), with_points(dirac);
-  add_grid_lines(result, "grid", {3, 3}, {9, 9});
-  add_grid_lines(result, "grid (right)", {3 + right, 3}, {9 + right, 9});
+void add_points(CheckResult& result, const std::string& name, const Points<2>& points) {
   std::vector<double> x, y;
-  for (const Corner& at : with_boxes.particles()) x.push_back(at[0]), y.push_back(at[1]);
-  result.add_curve("particles", x, y);
+  for (const Corner& at : points) x.push_back(at[0]), y.push_back(at[1]);
+  result.add_curve(name, x, y);
+}
 
+/// B Figs. 16.2 to 16.4.
+void add_domains(CheckResult& result) {
+  const Picture with_boxes(gimp), with_points(dirac);
   int number = 0;
+  Points<2> chosen;
   for (const Corner& place : {Corner(5.4, 5.6), Corner(6.7, 5.4), Corner(6.4, 6.6)}) {
     const std::size_t p = with_boxes.particle_near(place);
+    chosen.push_back(with_boxes.particles()[p]);
     add_rectangle(result, fmt::format("physical domain {}", ++number), with_boxes.box(p));
-    add_rectangle(result, fmt::format("influence domain {}", number), with_boxes.influence(p));
+    add_rectangle(result, fmt::format("influence domain {}", number), with_boxes.influence(p), 0.05 * number);
   }
+  add_points(result, "particles", chosen);
 
   const std::size_t across = with_boxes.particle_near({6.05, 5.95});
   add_rectangle(result, "GIMP: physical domain", with_boxes.box(across));
-  add_rectangle(result, "GIMP: influence domain", with_boxes.influence(across));
-  const Corner point = with_points.particles()[across];
-  result.add_curve("Dirac: particle", {point[0] + right}, {point[1]});
-  add_rectangle(result, "Dirac: influence domain", with_points.influence(across), right);
+  add_rectangle(result, "GIMP: influence domain", with_boxes.influence(across), 0.05);
+  add_points(result, "Dirac: particle", {with_points.particles()[across]});
+  add_rectangle(result, "Dirac: influence domain", with_points.influence(across), 0.1);
 
   const std::size_t a = with_boxes.particle_near({5.4, 5.4}), b = with_boxes.particle_near({6.6, 6.4});
-  add_rectangle(result, "physical domain a", with_boxes.box(a));
-  add_rectangle(result, "physical domain b", with_boxes.box(b));
   const auto [lower_a, upper_a] = with_boxes.influence(a);
   const auto [lower_b, upper_b] = with_boxes.influence(b);
-  add_rectangle(result, "influence domain a", {lower_a, upper_a}, right);
-  add_rectangle(result, "influence domain b", {lower_b, upper_b}, right);
-  add_rectangle(result, "their overlap", {lower_a.cwiseMax(lower_b), upper_a.cwiseMin(upper_b)}, right);
+  add_rectangle(result, "physical domain a", with_boxes.box(a));
+  add_rectangle(result, "physical domain b", with_boxes.box(b));
+  add_rectangle(result, "influence domain a", {lower_a, upper_a}, 0.05);
+  add_rectangle(result, "influence domain b", {lower_b, upper_b}, 0.1);
+  add_rectangle(result, "their overlap", {lower_a.cwiseMax(lower_b), upper_a.cwiseMin(upper_b)}, 0.15);
 }
 
 }  // namespace
