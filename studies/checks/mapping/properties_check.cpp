@@ -35,23 +35,23 @@ const std::vector<PropertyMeasure>& property_measures() {
   using enum Extreme;
   static const std::vector<PropertyMeasure> all{
       {0, "phi", largest, "difference of grid field and particle field", &two_fields, &two_fields},
-      {1, "i", least, "largest |phi_p(x_q) - delta_pq|", &interpolation, &interpolation},
+      {1, "i", least, "largest |phi_p(x_q) - delta_pq| of a body", &interpolation, &interpolation},
       {aside, "i_integral", largest,
        "RMS of the integrals' errors over that of point-to-point interpolation, 1D random",
        &integrals_over_interpolation, &integrals_over_interpolation},
       {2, "ii", largest, "|sum_p phi_p - 1| where every node takes part", &unity, &unity},
-      {aside, "ii_gimp", largest, "the same, GIMP weights", &unity_of_gimp, &unity_of_gimp},
+      {aside, "ii_gimp", largest, "|sum_p phi_p - 1|, GIMP weights", &unity_of_gimp, &unity_of_gimp},
       {aside, "ii_body", largest, "|sum_p phi_p - 1| in the whole body", &unity_in_body, &unity_in_body},
       {3, "iii", largest, "|sum_p x_p phi_p - x|/h where every node takes part", &linear_completeness,
        &linear_completeness},
-      {aside, "iii_inside", largest, "the same, boxes alike, three cells from the body's faces",
+      {aside, "iii_inside", largest, "|sum_p x_p phi_p - x|/h, boxes alike, three cells from the faces",
        &linear_completeness_inside, &linear_completeness_inside},
       {4, "iv", largest, "difference of gradient and difference quotient inside the pieces", &piecewise_gradient,
        &piecewise_gradient},
-      {5, "v", least, "asymmetry of the least symmetric interior particle over max |phi_p|", &asymmetry, &asymmetry},
-      {aside, "v_least", least, "asymmetry of the most symmetric interior particle over max |phi_p|", &least_asymmetry,
+      {5, "v", least, "asymmetry of the least symmetric interior particle, over its peak", &asymmetry, &asymmetry},
+      {aside, "v_least", least, "asymmetry of the most symmetric interior particle, over its peak", &least_asymmetry,
        &least_asymmetry},
-      {6, "vi", least, "largest difference of shapes of equal boxes at other places in their cells, over max |phi_p|",
+      {6, "vi", least, "shape difference of equal boxes at other places in their cells, over the peak",
        &shape_difference, &shape_difference},
       {aside, "vi_in_phase", largest, "difference of shapes of equal boxes at the same place in their cells",
        &shape_difference_in_phase, &shape_difference_in_phase},
@@ -60,20 +60,20 @@ const std::vector<PropertyMeasure>& property_measures() {
       {aside, "vii_support", largest, "elements in which influence domain and supports of the particle's nodes differ",
        &influence_beyond_support, &influence_beyond_support},
       {8, "viii", largest, "excess of phi_p over 1 or of 0 over phi_p", &positivity, &positivity},
-      {9, "ix", largest, "valley on a ray from the maximum over max |phi_p|", &valley, &valley},
+      {9, "ix", largest, "valley on a ray from the maximum, over it", &valley, &valley},
       {10, "x", largest, "change of phi_p when grid and particles translate together", &change_with_grid,
        &change_with_grid},
-      {11, "xi", least, "largest change of a shape over max |phi_p| when particles translate on the grid",
-       &change_on_grid, &change_on_grid},
+      {11, "xi", least, "change of a shape, over its peak, when particles translate on the grid", &change_on_grid,
+       &change_on_grid},
       {12, "xii", largest, "variation of the integral of phi_p over V_p while particles translate over a cell",
        &integral_variation, &integral_variation},
-      {aside, "xii_inside", largest, "the same, boxes alike, particles three cells from the body's faces",
+      {aside, "xii_inside", largest, "variation of the integral over V_p, boxes alike, three cells from the faces",
        &integral_variation_inside, &integral_variation_inside},
       {aside, "xii_weighted", largest, "variation of sum_ij m_ij psi_jp over M_p", &weighted_integral_variation,
        &weighted_integral_variation},
       {13, "xiii", largest, "change of phi_p on material points when grid and particles stretch together",
        &change_stretched_with_grid, &change_stretched_with_grid},
-      {aside, "xiii_fixed", least, "largest change over max |phi_p| when particles stretch on a grid that stays",
+      {aside, "xiii_fixed", least, "change of phi_p, over its peak, when particles stretch on a grid that stays",
        &change_stretched_on_grid, &change_stretched_on_grid},
       {14, "xiv", largest, "difference of phi_p and the field of f_p = 1, all others 0", &field_of_one, &field_of_one},
   };
@@ -92,7 +92,7 @@ class PropertyTable {
       if (m.property == aside && !group.empty()) continue;
       const double value = m(subject);
       if (std::isnan(value)) continue;
-      keep(group + m.name + "_" + mass, m, value, fmt::format("{} mass", mass), body);
+      keep(group + m.name + "_" + mass, m, value, body);
       if (m.property != aside) cells_[body][m.property][mass] = value;
     }
   }
@@ -111,14 +111,12 @@ class PropertyTable {
   }
 
  private:
-  void keep(const std::string& name, const PropertyMeasure& m, double value, const std::string& mass,
-            const std::string& body) {
+  void keep(const std::string& name, const PropertyMeasure& m, double value, const std::string& body) {
     const auto known = extremes_.find(name);
     const bool least = m.extreme == Extreme::least;
     if (known == extremes_.end()) order_.push_back(name);
     if (known != extremes_.end() && (least ? value >= known->second.first : value <= known->second.first)) return;
-    extremes_[name] = {value,
-                       fmt::format("{}, {} of all: {} ({})", mass, least ? "least" : "largest", m.meaning, body)};
+    extremes_[name] = {value, fmt::format("{} {} ({})", least ? "least" : "largest", m.meaning, body)};
   }
 
   std::vector<std::string> order_;
@@ -150,7 +148,8 @@ void add_counterexamples(CheckResult& result) {
              "largest |phi_p(x_q) - delta_pq|, two particles in one cell, quadrature mass");
   result.add("vi_neighbours_dirac", shape_difference_by_neighbours(dirac),
              "difference of shapes of equal boxes at the same place in their cells, other neighbours, lumped, Dirac");
-  result.add("vi_neighbours_gimp", shape_difference_by_neighbours(gimp), "the same, GIMP");
+  result.add("vi_neighbours_gimp", shape_difference_by_neighbours(gimp),
+             "difference of shapes of equal boxes at the same place in their cells, other neighbours, lumped, GIMP");
   result.add("ix_corners", valley_between_corners(),
              "valley between opposite corners of a particle's cell, heavy particles on the others, lumped");
   result.add("xiii_carried", change_carried_by_grid(),
