@@ -116,7 +116,7 @@ class Picture {
   std::pair<Corner, Corner> influence(std::size_t p) const {
     Corner lower{cells, cells}, upper{0, 0};
     for (int e = 0; e < cells * cells; ++e) {
-      const Corner element(e % cells, e / cells);
+      const Corner element = element_corner(e);
       if (std::abs(phi_(static_cast<Eigen::Index>(p), e)) < 1e-12) continue;
       lower = lower.cwiseMin(element).eval(), upper = upper.cwiseMax(element + Corner(1, 1)).eval();
     }
@@ -126,10 +126,12 @@ class Picture {
  private:
   static constexpr int cells = 12;
 
+  static Corner element_corner(int e) { return {e % cells, e / cells}; }
+
   /// Nodal functions at one point inside each element.
   Eigen::SparseMatrix<double> weights_in_elements() const {
     Points<2> points;
-    for (int e = 0; e < cells * cells; ++e) points.emplace_back(e % cells + 0.37, e / cells + 0.41);
+    for (int e = 0; e < cells * cells; ++e) points.push_back(element_corner(e) + Corner(0.37, 0.41));
     return body_.field().weights(points);
   }
 

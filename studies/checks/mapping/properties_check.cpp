@@ -35,7 +35,7 @@ const std::vector<PropertyMeasure>& property_measures() {
   using enum Extreme;
   static const std::vector<PropertyMeasure> all{
       {0, "phi", largest, "difference of grid field and particle field", &two_fields, &two_fields},
-      {1, "i", least, "largest |phi_p(x_q) - delta_pq| of a body", &interpolation, &interpolation},
+      {1, "i", least, "departure of phi_p(x_q) from delta_pq", &interpolation, &interpolation},
       {aside, "i_integral", largest,
        "RMS of the integrals' errors over that of point-to-point interpolation, 1D random",
        &integrals_over_interpolation, &integrals_over_interpolation},
@@ -55,9 +55,10 @@ const std::vector<PropertyMeasure>& property_measures() {
        &shape_difference, &shape_difference},
       {aside, "vi_in_phase", largest, "difference of shapes of equal boxes at the same place in their cells",
        &shape_difference_in_phase, &shape_difference_in_phase},
-      {7, "vii", largest, "elements that two particles in one element do not share", &unshared_influence,
+      {7, "vii", largest, "number of elements that two particles in one element do not share", &unshared_influence,
        &unshared_influence},
-      {aside, "vii_support", largest, "elements in which influence domain and supports of the particle's nodes differ",
+      {aside, "vii_support", largest,
+       "number of elements in which influence domain and supports of the particle's nodes differ",
        &influence_beyond_support, &influence_beyond_support},
       {8, "viii", largest, "excess of phi_p over 1 or of 0 over phi_p", &positivity, &positivity},
       {9, "ix", largest, "valley on a ray from the maximum, over it", &valley, &valley},
@@ -92,7 +93,7 @@ class PropertyTable {
       if (m.property == aside && !group.empty()) continue;
       const double value = m(subject);
       if (std::isnan(value)) continue;
-      keep(group + m.name + "_" + mass, m, value, body);
+      keep(fmt::format("{}{}_{}", group, m.name, mass), m, value, body);
       if (m.property != aside) cells_[body][m.property][mass] = value;
     }
   }
