@@ -43,5 +43,8 @@ CheckResult check_ring_particles();
 CheckResult check_ring_rows();
 CheckResult check_vortex_particles();
 CheckResult check_derived_solutions();
+CheckResult check_mapping_residuals();
+CheckResult check_mapping_properties();
+CheckResult check_mapping_figures();
 
 }  // namespace mpmvv

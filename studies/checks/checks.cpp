@@ -22,6 +22,9 @@ const std::vector<Check>& checks() {
       {"ring-rows", "x", &check_ring_rows},
       {"vortex-particles", "x", &check_vortex_particles},
       {"derived-solutions", "x", &check_derived_solutions},
+      {"mapping-residuals", "x", &check_mapping_residuals},
+      {"mapping-properties", "property", &check_mapping_properties},
+      {"mapping-figures", "x", &check_mapping_figures},
   };
   return all;
 }

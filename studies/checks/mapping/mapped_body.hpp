@@ -1,0 +1,106 @@
+#pragma once
+#include <array>
+#include <string>
+
+#include "studies/checks/mapping/domain_quadrature.hpp"
+#include "studies/checks/mapping/particle_basis.hpp"
+
+namespace mpmvv::mapping {
+
+/// Where a mapping's nodal functions are weighed over a particle: N_j(x_p) itself, a Dirac formulation, or their
+/// average over its box, B (16.16).
+struct Weighting {
+  const char* name;
+  GridBasis field;     ///< N_i(x) of B (16.1)
+  GridBasis particle;  ///< v_ip
+};
+
+inline const Weighting dirac{"dirac", solver::Linear{}, solver::Linear{}};
+inline const Weighting spline{"spline", solver::BSpline2{}, solver::BSpline2{}};
+inline const Weighting gimp{"gimp", solver::Linear{}, solver::Gimp{}};
+
+/// What stands on the left of the mapping. B's three consistent matrices differ:
+///   lumped      Σ_p M_p v_ip on the diagonal, B (16.22)
+///   exact       ∫ N_i N_j ρ dV with the material's density, B (16.7)
+///   piecewise   the same with ρ = M_p/V_p on each box, B (16.19) and (16.20) under the assumption of (16.15)
+///   quadrature  Σ_p M_p v_ip v_jp, by the points of B (16.14); the mass matrix of MPM codes, SᵀMS in N §2.1
+enum class MassMatrix { lumped, exact, piecewise, quadrature };
+
+inline constexpr std::array mass_matrices{MassMatrix::lumped, MassMatrix::exact, MassMatrix::piecewise,
+                                          MassMatrix::quadrature};
+
+inline std::string name_of(MassMatrix kind) {
+  constexpr std::array names{"lumped", "exact", "piecewise", "quadrature"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+enum class WeightedBy { mass, volume };
+
+/// Particles on a grid, mapped with a weighting by mass or by volume (masses are then volumes, the density is 1).
+template <int D>
+class MappedBody {
+ public:
+  MappedBody(const OverlayGrid<D>& grid, const ParticleTiling<D>& tiling, const Weighting& weighting,
+             WeightedBy weighted_by = WeightedBy::mass)
+      : grid_(grid),
+        tiling_(tiling),
+        weighting_(weighting),
+        weighted_by_(weighted_by),
+        field_(weighting.field, grid),
+        M_(weighted_by == WeightedBy::mass ? tiling.masses() : tiling.volumes()),
+        v_(NodalBasis<D>(weighting.particle, grid).weights(tiling.x, tiling.width)) {}
+
+  /// The same mapping of a body that has moved, on a grid that may have.
+  MappedBody moved(const OverlayGrid<D>& grid, const ParticleTiling<D>& tiling) const {
+    return MappedBody(grid, tiling, weighting_, weighted_by_);
+  }
+
+  const OverlayGrid<D>& grid() const { return grid_; }
+  const ParticleTiling<D>& tiling() const { return tiling_; }
+  const Weighting& weighting() const { return weighting_; }
+  const NodalBasis<D>& field() const { return field_; }
+  const Eigen::VectorXd& M() const { return M_; }
+  const Eigen::MatrixXd& v() const { return v_; }
+
+  Eigen::MatrixXd mass_matrix(MassMatrix kind) const;
+  ParticleBasis basis(MassMatrix kind) const {
+    return kind == MassMatrix::lumped ? ParticleBasis::lumped(v_, M_)
+                                      : ParticleBasis::consistent(mass_matrix(kind), v_, M_);
+  }
+
+  /// Weights ρ dV of the quadrature's points, ρ being the material's density or each particle's own.
+  Eigen::VectorXd weights_of(const DomainQuadrature<D>& points, MassMatrix density) const;
+
+ private:
+  OverlayGrid<D> grid_;
+  ParticleTiling<D> tiling_;
+  Weighting weighting_;
+  WeightedBy weighted_by_;
+  NodalBasis<D> field_;
+  Eigen::VectorXd M_;
+  Eigen::MatrixXd v_;
+};
+
+template <int D>
+Eigen::MatrixXd MappedBody<D>::mass_matrix(MassMatrix kind) const {
+  if (kind == MassMatrix::lumped) return Eigen::VectorXd(v_ * M_).asDiagonal();
+  if (kind == MassMatrix::quadrature) return v_ * M_.asDiagonal() * v_.transpose();
+  const DomainQuadrature<D> points(tiling_, grid_);
+  const auto N = field_.weights(points.x);
+  const Eigen::SparseMatrix<double> weighted = N * weights_of(points, kind).asDiagonal();
+  return Eigen::SparseMatrix<double>(weighted * N.transpose());
+}
+
+template <int D>
+Eigen::VectorXd MappedBody<D>::weights_of(const DomainQuadrature<D>& points, MassMatrix density) const {
+  const Eigen::VectorXd V = tiling_.volumes();
+  Eigen::VectorXd weights(static_cast<Eigen::Index>(points.x.size()));
+  for (std::size_t q = 0; q < points.x.size(); ++q) {
+    const Eigen::Index p = points.particle[q];
+    const bool varies = density == MassMatrix::exact && weighted_by_ == WeightedBy::mass;
+    weights[static_cast<Eigen::Index>(q)] = points.dV[q] * (varies ? tiling_.density(points.x[q]) : M_[p] / V[p]);
+  }
+  return weights;
+}
+
+}  // namespace mpmvv::mapping
