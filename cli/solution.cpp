@@ -35,7 +35,7 @@ ProblemChoice choice_of(const Problem& problem, const std::vector<std::string>& 
 template <int D>
 nlohmann::json evaluate(const Problem& problem, const ProblemChoice& choice, const std::vector<double>& at, double t) {
   constexpr double round_off = 1e-12;  // m; for points on the surface
-  const Setup<D> setup = make_setup<D>(problem, choice);
+  const Setup<D> setup = make_setup<D>(problem, choice, 0);
   if (!setup.solution) throw UsageError(fmt::format("problem '{}' has no exact solution", problem.name));
   const auto& solution = *setup.solution;
   const mms::Vec<D> X = Eigen::Map<const mms::Vec<D>>(at.data());

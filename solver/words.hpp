@@ -16,6 +16,7 @@
 #include "solver/boundary/periodic.hpp"
 #include "solver/boundary/symmetry.hpp"
 #include "solver/material/neo_hookean_log.hpp"
+#include "solver/material/neo_hookean_square.hpp"
 #include "solver/velocity_update/fmpm.hpp"
 #include "solver/velocity_update/pic.hpp"
 #include "solver/velocity_update/xpic.hpp"
@@ -39,7 +40,8 @@ using AnyBoundary = std::variant<Periodic,   //
                                  Mirror,     //
                                  Free>;
 
-using AnyMaterial = std::variant<NeoHookeanLog>;
+using AnyMaterial = std::variant<NeoHookeanLog,  //
+                                 NeoHookeanSquare>;
 
 using AnyVelocityUpdate = std::variant<Flip,  //
                                        Xpic,  //

@@ -27,9 +27,18 @@ struct Annulus {
   bool quarter = false;  ///< one quadrant, or octant
 };
 
+/// Two equal blocks beside each other along x, the first with its lower corner at the origin, and free room around.
+template <int D>
+struct Blocks {
+  solver::Vec<D> size;  ///< of each, m: whole cells
+  int gap_cells;        ///< between them
+  double room;          ///< m
+  double gap = 0;       ///< m: `gap_cells` h
+};
+
 /// The region that a problem's body fills at rest.
 template <int D>
-using Body = std::conditional_t<D == 1, std::variant<Cuboid<D>>, std::variant<Cuboid<D>, Annulus<D>>>;
+using Body = std::conditional_t<D == 1, std::variant<Cuboid<D>>, std::variant<Cuboid<D>, Annulus<D>, Blocks<D>>>;
 
 /// The cells of width h of the background grid.
 template <int D>
@@ -59,7 +68,25 @@ double volume(const Annulus<D>& annulus) {
   return unit_ball * (std::pow(annulus.outer, D) - std::pow(annulus.inner, D)) / (annulus.quarter ? 1 << D : 1);
 }
 
+template <int D>
+std::string description(const Blocks<D>& blocks) {
+  return fmt::format("in one of two blocks, {} m along x with {} m between them", blocks.size[0], blocks.gap);
+}
+
+template <int D>
+double volume(const Blocks<D>& blocks) {
+  return 2 * blocks.size.prod();
+}
+
 /// Whether X lies in the body or at most `slack` away from it.
+template <int D>
+bool contains(const Blocks<D>& blocks, const solver::Vec<D>& X, double slack = 0) {
+  const auto in_first = [&](const solver::Vec<D>& Y) {
+    return (Y.array() >= -slack).all() && (Y.array() <= blocks.size.array() + slack).all();
+  };
+  return in_first(X) || in_first(X - (blocks.size[0] + blocks.gap) * solver::Vec<D>::Unit(0));
+}
+
 template <int D>
 bool contains(const Cuboid<D>& cuboid, const solver::Vec<D>& X, double slack = 0) {
   const auto inside = (X - cuboid.lower).array();
@@ -84,6 +111,17 @@ Domain<D> domain(const Cuboid<D>& cuboid, double h) {
   const int margin = cells_in(cuboid.reach, h);
   Domain<D> d{cuboid.lower - solver::Vec<D>::Constant(margin * h), {}};
   d.cells.fill(static_cast<int>(std::lround(cuboid.length / h)) + 2 * margin);
+  return d;
+}
+
+/// Faces of the blocks lie on nodes.
+template <int D>
+Domain<D> domain(const Blocks<D>& blocks, double h) {
+  const int margin = cells_in(blocks.room, h);
+  Domain<D> d{solver::Vec<D>::Constant(-margin * h), {}};
+  for (std::size_t k = 0; k < D; ++k)
+    d.cells[k] = static_cast<int>(std::lround(blocks.size[static_cast<int>(k)] / h)) + 2 * margin;
+  d.cells[0] += d.cells[0] - 2 * margin + blocks.gap_cells;
   return d;
 }
 

@@ -51,7 +51,10 @@ struct Problem {
   double (*wave_speed)(const Parameters&);  ///< m/s, of the CFL number
   std::string end_time_formula;
   double (*end_time)(const Parameters&);  ///< s, the default
-  std::string boundary;                   ///< default
+  /// s, until what it is about begins, where that depends on h; the default end time is so much later.
+  double (*lead_time)(const Parameters&, double h) = nullptr;
+  std::string boundary;                      ///< default
+  std::string material = "neo-hookean-log";  ///< its law
   bool has_quarter = false;  ///< whether `quarter` has a meaning: every coordinate plane is one of symmetry
   /// Whether the solution needs a traction on the body's surface.
   bool (*is_loaded)(const Parameters&) = nullptr;
@@ -72,12 +75,14 @@ const Problem& find_problem(const std::string& name, const std::string& where);
 /// Defaults overwritten by the given ones.
 Parameters complete_parameters(const Problem& problem, const Parameters& given);
 
-/// The setup of a choice: the whole body, or its quarter.
+/// The setup of a choice: the whole body, or its quarter. `h` is the cell width, for bodies that depend on it.
 template <int D>
-Setup<D> make_setup(const Problem& problem, const ProblemChoice& choice) {
+Setup<D> make_setup(const Problem& problem, const ProblemChoice& choice, double h) {
   Setup<D> setup = std::get<SetupFunction<D>>(problem.setup)(choice.parameters);
-  if constexpr (D > 1)
+  if constexpr (D > 1) {
     if (auto* annulus = std::get_if<Annulus<D>>(&setup.body)) annulus->quarter = choice.quarter;
+    if (auto* blocks = std::get_if<Blocks<D>>(&setup.body)) blocks->gap = blocks->gap_cells * h;
+  }
   return setup;
 }
 
@@ -94,6 +99,7 @@ Problem cube_problem();
 Problem ring_problem();
 Problem vortex_problem();
 Problem shell_problem();
+Problem impact_problem();
 Problem one_particle_problem();
 
 }  // namespace mpmvv

@@ -29,6 +29,11 @@ struct Energy {
   double kinetic = not_measured, strain = not_measured, initial_total = not_measured;
 };
 
+/// The fraction of the initial energy that is gone at the end; negative where energy was gained.
+inline double energy_loss(const Energy& e) {
+  return 1 - (e.kinetic + e.strain) / e.initial_total;
+}
+
 /// Measured alone on the machine, on one thread, in its processor time: median over the repetitions, and their range
 /// over the median.
 struct Cost {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "solver/types.hpp"
+#include "solver/material/neo_hookean.hpp"
 
 namespace mpmvv::solver {
 
@@ -31,7 +31,8 @@ struct NeoHookeanLog {
         auto used = spherical.head(static_cast<Eigen::Index>(n));
         used = lambda * used.log() - mu;
       }
-      for (std::size_t k = 0; k < n; ++k) set_stress(F[begin + k], spherical[static_cast<int>(k)], tau[begin + k]);
+      for (std::size_t k = 0; k < n; ++k)
+        neo_hookean_stress(F[begin + k], mu, spherical[static_cast<int>(k)], tau[begin + k]);
     }
   }
 
@@ -40,20 +41,6 @@ struct NeoHookeanLog {
   double energy(const Mat<D>& F) const {
     const double log_J = std::log(F.determinant());
     return 0.5 * lambda * log_J * log_J - mu * log_J + 0.5 * mu * (F.squaredNorm() - D);
-  }
-
- private:
-  /// τ = μ F Fᵀ + spherical I
-  template <int D>
-  void set_stress(const Mat<D>& F, double spherical, PackedMat<D>& tau) const {
-    const PackedMat<D> identity = PackedMat<D>::Identity();
-    Packed<D> columns[D];
-    for (int c = 0; c < D; ++c) columns[c] = packed<D>(mu * F.col(c));
-    for (int c = 0; c < D; ++c) {
-      Packed<D> column = spherical * identity.col(c);
-      for (int d = 0; d < D; ++d) column += F(c, d) * columns[d];
-      tau.col(c) = column;
-    }
   }
 };
 

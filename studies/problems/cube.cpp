@@ -9,7 +9,7 @@ namespace {
 Setup<3> cube_setup(const Parameters& p) {
   const mms::Elasticity material{p.at("youngs_modulus"), p.at("poissons_ratio"), p.at("density")};
   return {.density = material.density,
-          .material = neo_hookean_log(material.youngs_modulus, material.poissons_ratio),
+          .material = neo_hookean(material.youngs_modulus, material.poissons_ratio),
           .solution = std::make_shared<mms::Cube>(p.at("amplitude"), material)};
 }
 

@@ -7,7 +7,7 @@ namespace {
 Setup<1> one_particle_setup(const Parameters& p) {
   const double velocity = p.at("velocity");
   return {.density = p.at("density"),
-          .material = neo_hookean_log(p.at("youngs_modulus"), 0),
+          .material = neo_hookean(p.at("youngs_modulus"), 0),
           .start_velocity = [velocity](const solver::Vec<1>&) { return solver::Vec<1>(velocity); }};
 }
 

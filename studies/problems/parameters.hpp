@@ -28,7 +28,8 @@ inline double bar_wave_speed(const Parameters& p) {
 }
 
 /// The solver's material from the elastic constants of the parameters.
-inline solver::NeoHookeanLog neo_hookean_log(double youngs_modulus, double poissons_ratio) {
+template <class Material = solver::NeoHookeanLog>
+Material neo_hookean(double youngs_modulus, double poissons_ratio) {
   return {youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio)),
           youngs_modulus / (2 * (1 + poissons_ratio))};
 }

@@ -14,6 +14,7 @@ const std::vector<Problem>& problems() {
       ring_problem(),          //
       vortex_problem(),        //
       shell_problem(),         //
+      impact_problem(),        //
       one_particle_problem(),  //
   };
   return all;
@@ -42,7 +43,13 @@ std::string Problem::default_boundary(bool quarter) const {
 }
 
 bool Problem::is_curved(const Parameters& values) const {
-  return std::visit([&values](auto make) { return make(values).body.index() > 0; }, setup);
+  const auto curved = [&values]<int D>(SetupFunction<D> make) {
+    if constexpr (D == 1)
+      return false;
+    else
+      return std::holds_alternative<Annulus<D>>(make(values).body);
+  };
+  return std::visit(curved, setup);
 }
 
 Extent extent(const Case& c) {
@@ -55,7 +62,7 @@ Extent extent(const Case& c) {
           const auto cells = Eigen::Map<const Eigen::Array<int, D, 1>>(all.cells.data()).template cast<double>();
           return Extent{volume(body) / std::pow(h, D), cells.prod()};
         },
-        make_setup<D>(problem, c.problem).body);
+        make_setup<D>(problem, c.problem, h).body);
   };
   return std::visit(extent_of, problem.setup);
 }

@@ -11,7 +11,7 @@ Setup<3> shell_setup(const Parameters& p) {
   const auto [inner, outer] = radii(p);
   return {.body = Annulus<3>{inner, outer, outer + std::abs(p.at("amplitude"))},
           .density = material.density,
-          .material = neo_hookean_log(material.youngs_modulus, material.poissons_ratio),
+          .material = neo_hookean(material.youngs_modulus, material.poissons_ratio),
           .solution = std::make_shared<mms::Shell>(p.at("amplitude"), radii(p), material)};
 }
 

@@ -11,7 +11,7 @@ Setup<2> vortex_setup(const Parameters& p) {
   const auto [inner, outer] = radii(p);
   return {.body = Annulus<2>{inner, outer, outer},
           .density = material.density,
-          .material = neo_hookean_log(material.youngs_modulus, material.poissons_ratio),
+          .material = neo_hookean(material.youngs_modulus, material.poissons_ratio),
           .solution = std::make_shared<mms::Vortex>(p.at("amplitude"), radii(p), p.at("period"), material)};
 }
 

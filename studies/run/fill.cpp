@@ -11,16 +11,18 @@ using solver::Vec;
 
 namespace {
 
-/// Visits the middles of n^D cubes of the given width, first axis fastest.
+/// Visits the middles of a lattice of cubes of the given width, so many along each axis, first axis fastest.
 template <int D, class Visit>
-void for_lattice(const Vec<D>& lower, double width, int n, const Visit& visit) {
-  const auto count = static_cast<std::size_t>(std::pow(n, D) + 0.5);
-  for (std::size_t k = 0; k < count; ++k) {
+void for_lattice(const Vec<D>& lower, double width, const solver::Index<D>& count, const Visit& visit) {
+  std::size_t cubes = 1;
+  for (const int n : count) cubes *= static_cast<std::size_t>(n);
+  for (std::size_t k = 0; k < cubes; ++k) {
     Vec<D> X = lower;
     std::size_t rest = k;
-    for (int d = 0; d < D; ++d) {
-      X[d] += width * (static_cast<double>(rest % static_cast<std::size_t>(n)) + 0.5);
-      rest /= static_cast<std::size_t>(n);
+    for (std::size_t d = 0; d < D; ++d) {
+      const auto n = static_cast<std::size_t>(count[d]);
+      X[static_cast<int>(d)] += width * (static_cast<double>(rest % n) + 0.5);
+      rest /= n;
     }
     visit(X);
   }
@@ -83,7 +85,9 @@ void fill_lattice(const Body<D>& body, FillDensity density, const PlaceVoxel<D>&
   const double width = density.h / density.ppc;
   Voxel<D> voxel{{}, std::pow(width, D), width * Mat<D>::Identity()};
   const Domain<D> all = std::visit([&](const auto& shape) { return domain(shape, density.h); }, body);
-  for_lattice<D>(all.lower, width, all.cells[0] * density.ppc, [&](const Vec<D>& X) {
+  solver::Index<D> count = all.cells;
+  for (int& n : count) n *= density.ppc;
+  for_lattice<D>(all.lower, width, count, [&](const Vec<D>& X) {
     if (!std::visit([&X](const auto& shape) { return contains<D>(shape, X); }, body)) return;
     voxel.X = X;
     place(voxel);
@@ -109,7 +113,8 @@ void fill_conforming(const Annulus<D>& annulus, FillDensity density, const Place
 template <int D>
 std::vector<SurfacePatch<D>> surface(const Body<D>& body, FillDensity density) {
   if (const auto* cuboid = std::get_if<Cuboid<D>>(&body)) return cuboid_surface(*cuboid, density);
-  if constexpr (D > 1) return annulus_surface(std::get<Annulus<D>>(body), density);
+  if constexpr (D > 1)
+    if (const auto* annulus = std::get_if<Annulus<D>>(&body)) return annulus_surface(*annulus, density);
   return {};
 }
 

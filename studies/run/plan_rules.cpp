@@ -13,7 +13,8 @@ namespace {
 
 const std::vector<std::string>& norm_words() {
   static const std::vector<std::string> words{
-      "l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "nodal_l1", "nodal_l2", "nodal_linf", "y"};
+      "l1",         "l2",          "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "nodal_l1", "nodal_l2",
+      "nodal_linf", "energy_loss", "y"};
   return words;
 }
 

@@ -79,9 +79,9 @@ solver::WallMethod wall_method(const std::string& word) {
 template <int D>
 Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
   Stage<D> stage;
-  stage.setup = make_setup<D>(problem, c.problem);
   auto& scene = stage.scene;
   scene.h = problem.length(c.problem.parameters) / c.resolution.cells;
+  stage.setup = make_setup<D>(problem, c.problem, scene.h);
   const auto all = std::visit([&scene](const auto& body) { return domain(body, scene.h); }, stage.setup.body);
   scene.lower = all.lower;
   scene.cells = all.cells;

@@ -140,6 +140,10 @@ Scheme make_scheme(const Settings& settings, const Problem& problem, bool quarte
                                    fmt::join(key.words, ", ")));
     scheme.*key.member = word;
   }
+  if (const auto it = settings.find("material"); it != settings.end() && scheme.material != problem.material)
+    throw UsageError(fmt::format("material '{}' in {} for problem '{}' (it is of {})", scheme.material,
+                                 it->second.where, problem.name, problem.material));
+  scheme.material = problem.material;
   if (const auto it = settings.find("smoothing_length"); it != settings.end()) {
     if (scheme.basis != "ugimp")
       throw UsageError(fmt::format("smoothing_length in {} has no meaning for basis '{}' (only ugimp takes it)",
@@ -215,6 +219,9 @@ Case make_case(std::span<const Setting> given) {
   c.scheme = make_scheme(settings, problem, c.problem.quarter);
   c.resolution.cells = count<int>(required(settings, "cells"), 1, 1'000'000);
   c.resolution.ppc = count<int>(required(settings, "ppc"), 1, 100);
+  if (problem.lead_time && !settings.contains("end_time"))
+    c.problem.end_time +=
+        problem.lead_time(c.problem.parameters, problem.length(c.problem.parameters) / c.resolution.cells);
   set_time_step(settings, problem, c);
   if (const auto it = settings.find("every_step"); it != settings.end()) c.measure.every_step = flag(it->second);
   if (const auto it = settings.find("nodal_error"); it != settings.end()) c.measure.nodal_error = flag(it->second);

@@ -27,6 +27,7 @@ Point point_of(double x, const Record& r) {
   add("l1_all_steps", r.error.l1_all_steps);
   add("l2_all_steps", r.error.l2_all_steps);
   add("linf_all_steps", r.error.linf_all_steps);
+  add("energy_loss", energy_loss(r.energy));
   add("nodal_l1", r.error.nodal_l1);
   add("nodal_l2", r.error.nodal_l2);
   add("nodal_linf", r.error.nodal_linf);

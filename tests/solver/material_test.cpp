@@ -37,6 +37,11 @@ std::vector<NeoHookeanLog> samples() {
   return {{0, 5000}, {3000, 4000}, {1, 0}};
 }
 
+template <>
+std::vector<NeoHookeanSquare> samples() {
+  return {{0, 5000}, {3000, 4000}, {1, 0}};
+}
+
 /// Every property is asked of every material of the solver, in every dimension.
 template <class M>
 class Material : public ::testing::Test {
