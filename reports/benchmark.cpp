@@ -90,12 +90,15 @@ Table step_table(const Benchmark& benchmark) {
 }
 
 Table machine_table(const Benchmark& benchmark) {
-  Table table{"What one core of the machine can do", {"", "measured"}, {}};
+  Table table{
+      "What one core of the machine can do, and two threads: processors may share a core", {"", "measured"}, {}};
   const double peak = machine(benchmark, "multiply-adds", "multiply_adds");
+  const double of_two = machine(benchmark, "multiply-adds/real_time/threads:2", "multiply_adds");
   const double bandwidth = machine(benchmark, "triad", "bytes");
   if (!std::isnan(peak) || !std::isnan(bandwidth))
     table.groups.push_back({"",
                             {{"multiply-adds in double precision, 1e9/s", brief(peak / 1e9)},
+                             {"the same on two threads, together", brief(of_two / 1e9)},
                              {"memory bandwidth (triad), 1e9 bytes/s", brief(bandwidth / 1e9)},
                              {"date", benchmark.date}}});
   return table;

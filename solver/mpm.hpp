@@ -133,11 +133,12 @@ class Mpm {
   /// end.
   void update_stress_first(double dt_stress, double dt);
 
-  /// What the velocity update has made of the grid's fields; empty for `flip` with positions of first order, whose
-  /// operations take v⁺ and a as they are.
-  std::optional<VelocityFields<D>> velocity_fields(double dt);
+  /// What the velocity update makes of the grid's fields.
+  VelocityFields<D> velocity_fields(double dt);
 
-  /// The end of a step: positions and velocities by the velocity update, F by a time step of its own.
+  /// The end of a step: positions and velocities by the velocity update, F by a time step of its own. FLIP with
+  /// positions of first order, whose operations take v⁺ and a as they are, has a sweep of its own: it gathers no
+  /// gradient that nothing asks for.
   void update_particles(double dt, double dt_deformation);
 
   /// The last sweep of a step: these gathers, then what must hold and be ready for the next step.

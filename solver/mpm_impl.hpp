@@ -247,17 +247,16 @@ void Mpm<D>::update_stress_first(double dt_stress, double dt) {
 }
 
 template <int D>
-std::optional<VelocityFields<D>> Mpm<D>::velocity_fields(double dt) {
-  const auto* flip = std::get_if<Flip>(&scene_.velocity_update);
-  if (flip && flip->position == FlipPosition::first_order) return {};
+VelocityFields<D> Mpm<D>::velocity_fields(double dt) {
   return std::visit([&](const auto& update) { return update.fields(*this, dt); }, scene_.velocity_update);
 }
 
 template <int D>
 void Mpm<D>::update_particles(double dt, double dt_deformation) {
+  const auto* flip = std::get_if<Flip>(&scene_.velocity_update);
   const UpdateVelocity<D> velocity{particles_, grid_, dt};
-  if (const auto fields = velocity_fields(dt))
-    sweep_and_settle(UpdateParticle<D>{particles_, grid_, *fields, dt, dt_deformation});
+  if (!flip || flip->position != FlipPosition::first_order)
+    sweep_and_settle(UpdateParticle<D>{particles_, grid_, velocity_fields(dt), dt, dt_deformation});
   else if (dt_deformation == 0)
     sweep_and_settle(velocity, UpdatePosition<D>{particles_, grid_, dt});
   else

@@ -1,22 +1,8 @@
 #pragma once
-#include <utility>
-
 #include "solver/mpm.hpp"
 #include "solver/velocity_update/update_particle.hpp"
 
 namespace mpmvv::solver {
-
-/// x_p += Δt Σ_i N_ip u_i                                      S (10) with any nodal field u
-template <int D>
-struct MoveWith {
-  Particles<D>& particles;
-  const std::vector<Packed<D>>& u;
-  double dt;
-
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
-    particles.x[p] += dt * nodes.gather(u).template head<D>();
-  }
-};
 
 /// How the steps with a `+` end (N §2.3): the updated particle momenta are extrapolated to the grid once more, and the
 /// last stress update, by `dt_stress`, takes the velocity found there,
@@ -30,23 +16,14 @@ void update_with_remapped_velocity(Mpm<D>& s, double dt, double dt_stress) {
   auto& particles = s.particles();
   auto& grid = s.grid();
 
-  const auto fields = s.velocity_fields(dt);
+  particles.rate.resize(particles.size());
+  const VelocityFields<D> fields = s.velocity_fields(dt);
   grid.clear_momentum();
-  if (fields) {
-    particles.rate.resize(particles.size());
-    s.sweep(node_loop(UpdateVelocityAndRate<D>{particles, grid, *fields}), node_loop(MapMomentum<D>{particles, grid}));
-  } else {
-    s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}), node_loop(MapMomentum<D>{particles, grid}));
-    std::swap(grid.a, grid.v);  // the acceleration has served; its place keeps v⁺
-  }
+  s.sweep(node_loop(UpdateVelocityAndRate<D>{particles, grid, fields}), node_loop(MapMomentum<D>{particles, grid}));
   s.fold(grid.p);
   s.set_stress_velocity();
 
-  const UpdateDeformation<D> deformation{particles, grid, dt_stress};
-  if (fields)
-    s.sweep_and_settle(MoveByRate<D>{particles, dt}, deformation);
-  else
-    s.sweep_and_settle(MoveWith<D>{particles, grid.a, dt}, deformation);
+  s.sweep_and_settle(MoveByRate<D>{particles, dt}, UpdateDeformation<D>{particles, grid, dt_stress});
 }
 
 }  // namespace mpmvv::solver

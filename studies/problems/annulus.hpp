@@ -43,10 +43,4 @@ inline bool has_poissons_ratio(const Parameters& p) {
   return p.at("poissons_ratio") != 0;
 }
 
-/// sqrt((λ + 2μ)/ρ₀), of the P wave.
-inline double p_wave_speed(const Parameters& p) {
-  const mms::Elasticity material{p.at("youngs_modulus"), p.at("poissons_ratio"), p.at("density")};
-  return std::sqrt((material.lambda() + 2 * material.mu()) / material.density);
-}
-
 }  // namespace mpmvv

@@ -10,20 +10,11 @@ constexpr int gap = 4;                          // cells
 using solver::NeoHookeanSquare;
 using solver::Vec;
 
-NeoHookeanSquare material_of(const Parameters& p) {
-  return neo_hookean<NeoHookeanSquare>(p.at("youngs_modulus"), p.at("poissons_ratio"));
-}
-
-double p_wave_speed(const Parameters& p) {
-  const NeoHookeanSquare material = material_of(p);
-  return std::sqrt((material.lambda + 2 * material.mu) / p.at("density"));
-}
-
 Setup<2> impact_setup(const Parameters& p) {
   const double speed = p.at("velocity");
   return {.body = Blocks<2>{.size = {length, height}, .gap_cells = gap, .room = 0.02},
           .density = p.at("density"),
-          .material = material_of(p),
+          .material = neo_hookean<NeoHookeanSquare>(p.at("youngs_modulus"), p.at("poissons_ratio")),
           .start_velocity = [speed](const Vec<2>& X) { return Vec<2>(X[0] < length ? speed : -speed, 0); }};
 }
 

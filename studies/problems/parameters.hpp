@@ -27,6 +27,12 @@ inline double bar_wave_speed(const Parameters& p) {
   return std::sqrt(p.at("youngs_modulus") / p.at("density"));
 }
 
+/// sqrt((λ + 2μ)/ρ₀), of the P wave.
+inline double p_wave_speed(const Parameters& p) {
+  const mms::Elasticity material{p.at("youngs_modulus"), p.at("poissons_ratio"), p.at("density")};
+  return std::sqrt((material.lambda() + 2 * material.mu()) / material.density);
+}
+
 /// The solver's material from the elastic constants of the parameters.
 template <class Material = solver::NeoHookeanLog>
 Material neo_hookean(double youngs_modulus, double poissons_ratio) {
