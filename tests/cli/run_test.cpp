@@ -133,6 +133,22 @@ TEST(RunCommand, AQuarterContinuedByItsMirrorImagesMovesAsTheWhole) {
   EXPECT_NEAR(quarter["error"]["linf"], whole["error"]["linf"], 1e-12);
 }
 
+/// The blocks part again, and with little lost: 1.5 % and 80 % are the bounds of N Fig. 3A for all its orders.
+TEST(RunCommand, ImpactLosesSomeOfItsEnergy) {
+  const Folder folder;
+  const std::string run = "run --problem impact --basis cpdi --integrator usl --cells 4 --ppc 2 --cfl 0.2 --json ";
+  const auto loss = [&](const std::string& update) {
+    const auto energy = call(folder, run + "--velocity-update " + update).json()["energy"];
+    return 1 -
+           (energy["kinetic"].get<double>() + energy["strain"].get<double>()) / energy["initial_total"].get<double>();
+  };
+  const double flip = loss("flip --position second-order"), one = loss("fmpm --order 1"), four = loss("fmpm --order 4");
+  EXPECT_GT(one, 0.2);
+  EXPECT_LT(one, 0.9);
+  EXPECT_LT(four, one / 2);
+  EXPECT_LT(std::abs(flip), 0.3);
+}
+
 TEST(RunCommand, StepsKeepTheTimeStepOfTheWholeRun) {
   const Folder folder;
   const auto whole = call(folder, std::string(bar) + "--json").json();
@@ -224,6 +240,18 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"solution --problem ring --at 0.6,0.1 --time 0 --param outer_radius=1.5", "three times"},
         BadInput{"solution --problem ring --at 0.6,0.1 --time 0 --param amplitude=0.9", "det F"},
         BadInput{"solution --problem vortex --at 0.8,0.1 --time 0 --param inner_radius=2", "not below"},
+        BadInput{"run --problem bar --velocity-update fmpm --cells 8 --ppc 2 --cfl 0.1", "no order given"},
+        BadInput{"run --problem bar --velocity-update pic --order 2 --cells 8 --ppc 2 --cfl 0.1", "no meaning"},
+        BadInput{"run --problem bar --velocity-update pic --position particle --cells 8 --ppc 2 --cfl 0.1",
+                 "only flip takes it"},
+        BadInput{"run --problem bar --velocity-update xpic --order 0 --cells 8 --ppc 2 --cfl 0.1", "order = 0"},
+        BadInput{"run --problem bar --velocity-update xpic --order 2 --cfl-x 1 --cells 8 --ppc 2 --cfl 0.1",
+                 "only fmpm takes it"},
+        BadInput{"run --problem bar --velocity-update fmpm --order 2 --integrator cd --cells 8 --ppc 2 --cfl 0.1",
+                 "at their ends"},
+        BadInput{"run --problem bar --velocity-update fmpm --order 2 --mass consistent --cells 8 --ppc 2 --cfl 0.1",
+                 "nothing is expanded"},
+        BadInput{"run --problem impact --material neo-hookean-log --cells 4 --ppc 2 --cfl 0.2", "it is of neo-hookean"},
         BadInput{"run --problem vortex --quarter --cells 8 --ppc 2 --cfl 0.1", "no planes of symmetry"},
         BadInput{"run --problem square --fill conforming --cells 8 --ppc 2 --cfl 0.1", "a lattice fills"},
         BadInput{"run --problem ring --param poissons_ratio=0.3 --cells 8 --ppc 2 --cfl 0.1", "use conforming"},
