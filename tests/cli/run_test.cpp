@@ -133,7 +133,7 @@ TEST(RunCommand, AQuarterContinuedByItsMirrorImagesMovesAsTheWhole) {
   EXPECT_NEAR(quarter["error"]["linf"], whole["error"]["linf"], 1e-12);
 }
 
-/// The blocks part again, and with little lost: 1.5 % and 80 % are the bounds of N Fig. 3A for all its orders.
+/// FMPM(1) loses 20 to 90 % of the energy, N section 3.1; higher orders and FLIP much less.
 TEST(RunCommand, ImpactLosesSomeOfItsEnergy) {
   const Folder folder;
   const std::string run = "run --problem impact --basis cpdi --integrator usl --cells 4 --ppc 2 --cfl 0.2 --json ";
