@@ -93,7 +93,9 @@ class Mpm {
   template <Adds adds = Adds::to_nodes, class... Stages>
   void sweep(const Stages&... stages) {
     std::visit(
-        [&](const auto& basis) { note(solver::sweep<adds>(basis, particles_, grid_, slabs_, team_, stages...)); },
+        [&](const auto& basis) {
+          note(solver::sweep<adds>(swept(basis), particles_, grid_, slabs_, team_, stages...));
+        },
         scene_.basis);
   }
 

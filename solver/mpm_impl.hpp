@@ -199,7 +199,7 @@ void Mpm<D>::add_surface_load() {
   scene_.surface_load->forces(time_, load_.data());
   std::visit(
       [this](const auto& basis) {
-        note(map_surface_load(basis, *scene_.surface_load, load_.data(), place_, particles_, grid_));
+        note(map_surface_load(swept(basis), *scene_.surface_load, load_.data(), place_, particles_, grid_));
       },
       scene_.basis);
 }

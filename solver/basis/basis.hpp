@@ -47,4 +47,14 @@ concept Basis = requires(const B basis, AxisPoint point, double* N, double* dN) 
   { basis.evaluate(point, N, dN) } -> std::same_as<int>;
 };
 
+/// The basis as the sweeps take it: one that names another as `SweptAs`, with which it shares `evaluate`, shares its
+/// sweeps, too.
+template <class B>
+const auto& swept(const B& basis) {
+  if constexpr (requires { typename B::SweptAs; })
+    return static_cast<const typename B::SweptAs&>(basis);
+  else
+    return basis;
+}
+
 }  // namespace mpmvv::solver
