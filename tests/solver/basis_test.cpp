@@ -3,9 +3,7 @@
 #include "tests/numbers.hpp"
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace basis_test {
+namespace mpmvv::solver::basis_test {
 
 constexpr double h = 0.125;
 
@@ -162,6 +160,4 @@ TYPED_TEST(BasisProperties, RefusesWidthsBeyondACell) {
   }
 }
 
-}  // namespace basis_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::basis_test

@@ -3,9 +3,7 @@
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace boundary_test {
+namespace mpmvv::solver::boundary_test {
 
 /// A grid of 6 x 5 cells with two ghost layers, every field random.
 Grid<2> random_grid() {
@@ -228,6 +226,4 @@ TEST(WallAcceleration, IsZeroOrTheDifferenceOfVelocities) {  // S (30)
   }
 }
 
-}  // namespace boundary_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::boundary_test

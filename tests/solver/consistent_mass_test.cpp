@@ -5,9 +5,7 @@
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace consistent_mass_test {
+namespace mpmvv::solver::consistent_mass_test {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
@@ -231,6 +229,4 @@ TYPED_TEST(ConsistentMassMatrix, SurvivesNotANumber) {
   }
 }
 
-}  // namespace consistent_mass_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::consistent_mass_test

@@ -5,9 +5,7 @@
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace cpdi_test {
+namespace mpmvv::solver::cpdi_test {
 
 constexpr double cell_width = 0.125;
 constexpr int cells_across = 6;
@@ -225,6 +223,4 @@ TEST(Cpdi, LongDomainsAreFaultsBeyondTheirReach) {
   EXPECT_EQ(mpm.fault(), "a corner of a particle is more than 2 cells from it");
 }
 
-}  // namespace cpdi_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::cpdi_test

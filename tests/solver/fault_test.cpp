@@ -4,9 +4,7 @@
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace fault_test {
+namespace mpmvv::solver::fault_test {
 
 /// Steps until the run reports a fault, then a few more, which must not crash.
 template <int D>
@@ -101,6 +99,4 @@ TEST(Fault, UnknownIntegratorIsRefused) {
   EXPECT_THROW(Mpm<1>{scene}, std::invalid_argument);
 }
 
-}  // namespace fault_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::fault_test

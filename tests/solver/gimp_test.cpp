@@ -2,9 +2,7 @@
 
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace gimp_test {
+namespace mpmvv::solver::gimp_test {
 
 /// S (29) as printed, in units of h; l is the full width.
 double printed_weight(double x, double l) {
@@ -93,6 +91,4 @@ TEST(Linear, IsTheHatPrinted) {  // S (17)
   }
 }
 
-}  // namespace gimp_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::gimp_test

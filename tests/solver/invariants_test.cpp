@@ -3,9 +3,7 @@
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace invariants_test {
+namespace mpmvv::solver::invariants_test {
 
 /// A body of 5 cells along each axis inside a domain of 12, its particles off the lattice of nodes.
 template <int D>
@@ -201,6 +199,4 @@ TYPED_TEST(Invariants, GradientOfALinearVelocityIsExact) {
   expect_exact_gradient<TypeParam, 3>();
 }
 
-}  // namespace invariants_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::invariants_test

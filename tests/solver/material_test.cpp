@@ -4,9 +4,7 @@
 #include "mms/derived.hpp"
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace material_test {
+namespace mpmvv::solver::material_test {
 
 /// Some deformation gradients with positive determinant, far from the identity.
 template <int D>
@@ -138,6 +136,4 @@ TEST(NeoHookean, IsTheLawOfTheSolutions) {
   expect_the_stress_of_the_solutions<3>();
 }
 
-}  // namespace material_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::material_test

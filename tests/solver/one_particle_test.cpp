@@ -2,9 +2,7 @@
 
 #include "tests/solver/scenes.hpp"
 
-namespace mpmvv::solver {
-
-namespace one_particle_test {
+namespace mpmvv::solver::one_particle_test {
 
 constexpr double E = 1e4, rho = 1.3, h = 0.7;
 
@@ -181,6 +179,4 @@ TEST(OneParticle, OrdersInTime) {
   EXPECT_NEAR(order_in_time("rk4", 32), 4, 0.1);
 }
 
-}  // namespace one_particle_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::one_particle_test

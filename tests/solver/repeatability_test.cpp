@@ -4,9 +4,7 @@
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace repeatability_test {
+namespace mpmvv::solver::repeatability_test {
 
 /// The particles in the order of their creation.
 template <int D>
@@ -214,6 +212,4 @@ TEST(Slabs, SortKeepsTheOrderWithinACell) {
   }
 }
 
-}  // namespace repeatability_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::repeatability_test

@@ -4,9 +4,7 @@
 
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace spline_test {
+namespace mpmvv::solver::spline_test {
 
 /// S (21) as printed, in units of h.
 double printed_quadratic(double x) {
@@ -134,6 +132,4 @@ TYPED_TEST(CoxDeBoor, SumsToOneWithTheRightDerivative) {
       }
 }
 
-}  // namespace spline_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::spline_test

@@ -5,9 +5,7 @@
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace surface_load_test {
+namespace mpmvv::solver::surface_load_test {
 
 /// Forces that the test sets, on parts at the given offsets from the particles with these ids.
 class GivenLoad final : public SurfaceLoad<2> {
@@ -89,6 +87,4 @@ TYPED_TEST(SurfaceLoads, OnAParticleBeyondTheGridAreAFault) {
   EXPECT_EQ(mpm.fault(), "a particle left the domain");
 }
 
-}  // namespace surface_load_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::surface_load_test

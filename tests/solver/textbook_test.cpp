@@ -4,9 +4,7 @@
 
 #include "tests/solver/scenes.hpp"
 
-namespace mpmvv::solver {
-
-namespace textbook_test {
+namespace mpmvv::solver::textbook_test {
 
 /// The step once more, written down plainly: every particle with every node of a periodic unit box of
 /// quadratic B-splines, no stencils, ghosts, slabs or sorting. S (1) to (10), W (8) to (19), (51), N §2.3.
@@ -263,6 +261,4 @@ TEST(Textbook, RungeKuttaIn2D) {
   expect_textbook<2>("rk4", &Textbook<2>::rk4);
 }
 
-}  // namespace textbook_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::textbook_test

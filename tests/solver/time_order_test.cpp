@@ -2,9 +2,7 @@
 
 #include "tests/solver/scenes.hpp"
 
-namespace mpmvv::solver {
-
-namespace time_order_test {
+namespace mpmvv::solver::time_order_test {
 
 /// A force that changes within a step.
 class Swing final : public BodyForce<1> {
@@ -104,6 +102,4 @@ TEST(TimeOrder, NothingIsFilteredByTheConsistentMass) {
   EXPECT_LT(consistent, lumped / 100);
 }
 
-}  // namespace time_order_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::time_order_test

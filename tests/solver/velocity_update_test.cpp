@@ -5,9 +5,7 @@
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver {
-
-namespace velocity_update_test {
+namespace mpmvv::solver::velocity_update_test {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
@@ -265,6 +263,4 @@ TEST(WallMethods, HoldWhatTheySay) {
   EXPECT_GT(std::abs(at_wall(WallMethod::combined).second - 1), 1e-2);
 }
 
-}  // namespace velocity_update_test
-
-}  // namespace mpmvv::solver
+}  // namespace mpmvv::solver::velocity_update_test
