@@ -46,5 +46,7 @@ CheckResult check_derived_solutions();
 CheckResult check_mapping_residuals();
 CheckResult check_mapping_properties();
 CheckResult check_mapping_figures();
+CheckResult check_full_mass_inverse();
+CheckResult check_pic_updates();
 
 }  // namespace mpmvv

@@ -25,6 +25,8 @@ const std::vector<Check>& checks() {
       {"mapping-residuals", "x", &check_mapping_residuals},
       {"mapping-properties", "property", &check_mapping_properties},
       {"mapping-figures", "x", &check_mapping_figures},
+      {"full-mass-inverse", "order", &check_full_mass_inverse},
+      {"pic-updates", "x", &check_pic_updates},
   };
   return all;
 }
