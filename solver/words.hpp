@@ -6,8 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "solver/basis/b2cpdi.hpp"
-#include "solver/basis/b2gimp.hpp"
 #include "solver/basis/cpdi.hpp"
 #include "solver/basis/gimp.hpp"
 #include "solver/basis/linear.hpp"
@@ -34,9 +32,7 @@ using AnyBasis = std::variant<Linear,        //
                               UGimp,         //
                               Gimp,          //
                               CpGimp,        //
-                              Cpdi,          //
-                              B2Gimp,        //
-                              B2Cpdi>;
+                              Cpdi>;
 
 using AnyBoundary = std::variant<Periodic,   //
                                  Dirichlet,  //
