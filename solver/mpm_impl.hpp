@@ -34,6 +34,8 @@ Mpm<D>::Mpm(Scene<D> scene)
       team_(scene_.threads),
       advance_(detail::find_integrator<D>(scene_.integrator).advance) {
   if (is_staged(scene_.integrator)) particles_.start_stages();
+  if (detail::find_integrator<D>(scene_.integrator).kind == IntegratorKind::remapped)
+    particles_.rate.resize(particles_.size());
   for (int d = 0; d < D; ++d)
     periodic_[static_cast<std::size_t>(d)] =
         std::holds_alternative<Periodic>(scene_.boundary[static_cast<std::size_t>(2 * d)]);

@@ -15,6 +15,7 @@ namespace mpmvv::solver {
 enum class IntegratorKind {
   plain,
   staggered,  ///< particle velocities live half a step before the positions
+  remapped,   ///< the last stress update takes a velocity mapped anew, before positions move
   staged      ///< keeps states of the particles beside the current one
 };
 
@@ -27,13 +28,13 @@ struct Integrator {
 
 /// The one place where integrators are named: add a line here for a new one.
 template <int D>
-inline constexpr std::array integrators{Integrator<D>{"usf", &usf<D>},                             //
-                                        Integrator<D>{"usl", &usl<D>},                             //
-                                        Integrator<D>{"usavg", &usavg<D>},                         //
-                                        Integrator<D>{"usl+", &usl_plus<D>},                       //
-                                        Integrator<D>{"usavg+", &usavg_plus<D>},                   //
-                                        Integrator<D>{"cd", &usl<D>, IntegratorKind::staggered},   //
-                                        Integrator<D>{"uvf", &uvf<D>, IntegratorKind::staggered},  //
+inline constexpr std::array integrators{Integrator<D>{"usf", &usf<D>},                                      //
+                                        Integrator<D>{"usl", &usl<D>},                                      //
+                                        Integrator<D>{"usavg", &usavg<D>},                                  //
+                                        Integrator<D>{"usl+", &usl_plus<D>, IntegratorKind::remapped},      //
+                                        Integrator<D>{"usavg+", &usavg_plus<D>, IntegratorKind::remapped},  //
+                                        Integrator<D>{"cd", &usl<D>, IntegratorKind::staggered},            //
+                                        Integrator<D>{"uvf", &uvf<D>, IntegratorKind::staggered},           //
                                         Integrator<D>{"rk4", &rk4<D>, IntegratorKind::staged}};
 
 }  // namespace mpmvv::solver

@@ -16,7 +16,6 @@ void update_with_remapped_velocity(Mpm<D>& s, double dt, double dt_stress) {
   auto& particles = s.particles();
   auto& grid = s.grid();
 
-  particles.rate.resize(particles.size());
   const VelocityFields<D> fields = s.velocity_fields(dt);
   grid.clear_momentum();
   s.sweep(node_loop(UpdateVelocityAndRate<D>{particles, grid, fields}), node_loop(MapMomentum<D>{particles, grid}));
