@@ -63,6 +63,7 @@ struct Problem {
   int dimension() const { return static_cast<int>(setup.index()) + 1; }
   /// A quarter is continued by its mirror images, which alone makes it move as the whole body does.
   std::string default_boundary(bool quarter) const;
+  bool has_solution(const Parameters& values) const;
   bool is_curved(const Parameters& values) const;  ///< whether `fill` conforming has a meaning
 };
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+
 #include "solver/velocity_update/flip.hpp"
 
 namespace mpmvv::solver {
@@ -7,8 +9,8 @@ namespace mpmvv::solver {
 /// stress updates too. With the consistent mass, v⁺ is its limit k -> infinity already.
 struct Fmpm {
   static constexpr std::string_view word = "fmpm";
-  int order = 2;     ///< k
-  int interval = 1;  ///< steps; those between are `flip` with second-order positions: periodic FMPM, N §3.1
+  int order = 2;              ///< k
+  std::int64_t interval = 1;  ///< steps; those between are `flip` with second-order positions: periodic FMPM, N §3.1
 
   template <int D>
   VelocityFields<D> fields(Mpm<D>& s, double dt) const {

@@ -42,6 +42,10 @@ std::string Problem::default_boundary(bool quarter) const {
   return fmt::format("{}", fmt::join(faces, ","));
 }
 
+bool Problem::has_solution(const Parameters& values) const {
+  return std::visit([&values](auto make) { return make(values).solution != nullptr; }, setup);
+}
+
 bool Problem::is_curved(const Parameters& values) const {
   const auto curved = [&values]<int D>(SetupFunction<D> make) {
     if constexpr (D == 1)

@@ -61,7 +61,7 @@ solver::AnyVelocityUpdate velocity_update(const Scheme& scheme, double cfl) {
   if (scheme.velocity_update == "pic") return solver::Pic{};
   if (scheme.velocity_update == "xpic") return solver::Xpic{scheme.order};
   if (scheme.velocity_update == "fmpm")
-    return solver::Fmpm{scheme.order, std::max(1, static_cast<int>(std::lround(scheme.cfl_x / cfl)))};
+    return solver::Fmpm{scheme.order, std::max<std::int64_t>(1, std::llround(std::min(scheme.cfl_x / cfl, 1e15)))};
   using solver::FlipPosition;
   return solver::Flip{scheme.position == "second-order" ? FlipPosition::second_order
                       : scheme.position == "particle"   ? FlipPosition::particle

@@ -107,10 +107,13 @@ void require_sense(const Case& c) {
                     problem.name));
   if (c.problem.name == "one-particle" && (c.resolution.cells != 1 || c.resolution.ppc != 1))
     throw UsageError("problem 'one-particle' with other cells or ppc (cells = 1 and ppc = 1)");
-  if (c.problem.name == "one-particle" && s.start == "exact")
-    throw UsageError("problem 'one-particle' has no exact velocity for start 'exact' (use start 'half')");
-  if (c.measure.nodal_error && c.problem.name == "one-particle")
-    throw UsageError("problem 'one-particle' has no exact acceleration for nodal_error (leave it out)");
+  const bool has_solution = problem.has_solution(c.problem.parameters);
+  if (s.start == "exact" && !has_solution)
+    throw UsageError(
+        fmt::format("problem '{}' has no exact velocity for start 'exact' (use start 'half')", problem.name));
+  if (c.measure.nodal_error && !has_solution)
+    throw UsageError(
+        fmt::format("problem '{}' has no exact acceleration for nodal_error (leave it out)", problem.name));
   if (c.measure.nodal_error && s.wall_acceleration == "difference")
     throw UsageError(
         "nodal_error with wall_acceleration 'difference', which belongs to a step and not to the end time (use zero)");

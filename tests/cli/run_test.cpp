@@ -251,6 +251,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "at their ends"},
         BadInput{"run --problem bar --velocity-update fmpm --order 2 --mass consistent --cells 8 --ppc 2 --cfl 0.1",
                  "nothing is expanded"},
+        BadInput{"run --problem impact --nodal-error --cells 4 --ppc 2 --cfl 0.2", "no exact acceleration"},
+        BadInput{"run --problem impact --integrator cd --start exact --cells 4 --ppc 2 --cfl 0.2", "no exact velocity"},
         BadInput{"run --problem impact --material neo-hookean-log --cells 4 --ppc 2 --cfl 0.2", "it is of neo-hookean"},
         BadInput{"run --problem vortex --quarter --cells 8 --ppc 2 --cfl 0.1", "no planes of symmetry"},
         BadInput{"run --problem square --fill conforming --cells 8 --ppc 2 --cfl 0.1", "a lattice fills"},
