@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "solver/basis/b2cpdi.hpp"
+#include "solver/basis/b2gimp.hpp"
 #include "solver/basis/cpdi.hpp"
 #include "solver/basis/gimp.hpp"
 #include "solver/basis/linear.hpp"
@@ -32,7 +34,9 @@ using AnyBasis = std::variant<Linear,        //
                               UGimp,         //
                               Gimp,          //
                               CpGimp,        //
-                              Cpdi>;
+                              Cpdi,          //
+                              B2Gimp,        //
+                              B2Cpdi>;
 
 using AnyBoundary = std::variant<Periodic,   //
                                  Dirichlet,  //

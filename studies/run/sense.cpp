@@ -93,7 +93,7 @@ void require_sense(const Case& c) {
     throw UsageError(
         fmt::format("{} cells are too few for boundary '{}' (at least {}: ghosts and their images must differ)",
                     c.resolution.cells, s.boundary, least));
-  if ((s.basis == "gimp" || s.basis == "cpgimp") && c.resolution.ppc < 2)
+  if ((s.basis == "gimp" || s.basis == "cpgimp" || s.basis == "b2gimp") && c.resolution.ppc < 2)
     throw UsageError(
         fmt::format("basis '{}' with ppc = 1 (at least 2: a particle's width must stay below the cell's)", s.basis));
   const bool is_curved = problem.is_curved(c.problem.parameters);
