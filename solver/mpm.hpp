@@ -46,6 +46,7 @@ struct Scene {
   bool half_start = false;                       ///< the first grid acceleration halved, W §4
   std::string_view integrator = "usl";
   AnyVelocityUpdate velocity_update;
+  Deformation deformation = Deformation::linear;
   WallMethod wall_method = WallMethod::combined;
   int threads = 1;
   /// A node is accelerated when its mass exceeds this fraction of a full cell's (the mean particle mass density times
@@ -88,6 +89,9 @@ class Mpm {
   Grid<D>& grid() { return grid_; }
   void set_time(double t) { time_ = t; }  ///< of the body force, for stages within a step
   void sort_strays();                     ///< to be called when positions have changed and the step goes on
+
+  /// F by a time step of its own.
+  DeformationStep<D> deformation_step(double dt) const { return {dt, scene_.deformation}; }
 
   /// One sweep over all particles with these stages.
   template <Adds adds = Adds::to_nodes, class... Stages>

@@ -242,7 +242,7 @@ void Mpm<D>::set_stress_velocity() {
 template <int D>
 void Mpm<D>::update_stress_first(double dt_stress, double dt) {
   set_stress_velocity();
-  sweep_with_forces(node_loop(UpdateDeformation<D>{particles_, grid_, dt_stress}));
+  sweep_with_forces(node_loop(UpdateDeformation<D>{particles_, grid_, deformation_step(dt_stress)}));
   if (expanded_inverse_) set_grid_velocity();
   set_grid_acceleration();
   advance_grid_velocity(dt);
@@ -258,11 +258,11 @@ void Mpm<D>::update_particles(double dt, double dt_deformation) {
   const auto* flip = std::get_if<Flip>(&scene_.velocity_update);
   const UpdateVelocity<D> velocity{particles_, grid_, dt};
   if (!flip || flip->position != FlipPosition::first_order)
-    sweep_and_settle(UpdateParticle<D>{particles_, grid_, velocity_fields(dt), dt, dt_deformation});
+    sweep_and_settle(UpdateParticle<D>{particles_, grid_, velocity_fields(dt), dt, deformation_step(dt_deformation)});
   else if (dt_deformation == 0)
     sweep_and_settle(velocity, UpdatePosition<D>{particles_, grid_, dt});
   else
-    sweep_and_settle(velocity, UpdatePositionAndDeformation<D>{particles_, grid_, dt, dt_deformation});
+    sweep_and_settle(velocity, UpdatePositionAndDeformation<D>{particles_, grid_, dt, deformation_step(dt_deformation)});
 }
 
 template <int D>

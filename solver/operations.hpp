@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "solver/body_force.hpp"
+#include "solver/deformation.hpp"
 #include "solver/sweep.hpp"
 #include "solver/words.hpp"
 
@@ -80,41 +81,30 @@ struct UpdatePosition {
   }
 };
 
-/// (I + dt_L) F
-template <int D>
-inline Mat<D> deformed(const Mat<D>& F, const PackedMat<D>& dt_L) {
-  Mat<D> result;
-  for (int c = 0; c < D; ++c) {
-    Packed<D> column = packed<D>(F.col(c));
-    for (int d = 0; d < D; ++d) column += F(d, c) * dt_L.col(d);
-    result.col(c) = column.template head<D>();
-  }
-  return result;
-}
-
-/// F_p = (I + Δt Σ_i v_i ⊗ ∇N_ip) F_p                          S (7), (8), W (10), (11)
+/// F_p follows L_p = Σ_i v_i ⊗ ∇N_ip                           S (7), (8), W (10), (11)
 template <int D>
 struct UpdateDeformation {
   Particles<D>& particles;
   const Grid<D>& grid;
-  double dt;
+  DeformationStep<D> deform;
 
   void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
-    particles.F[p] = deformed<D>(particles.F[p], dt * nodes.gather_with_gradient(grid.v).gradient);
+    deform(particles.F[p], nodes.gather_with_gradient(grid.v).gradient);
   }
 };
 
-/// Position and deformation by the same grid velocity, gathered once; the deformation by a time step of its own.
+/// Position and deformation by the same grid velocity, gathered once.
 template <int D>
 struct UpdatePositionAndDeformation {
   Particles<D>& particles;
   const Grid<D>& grid;
-  double dt, dt_deformation;
+  double dt;
+  DeformationStep<D> deform;
 
   void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
     const auto v = nodes.gather_with_gradient(grid.v);
     particles.x[p] += dt * v.value.template head<D>();
-    particles.F[p] = deformed<D>(particles.F[p], dt_deformation * v.gradient);
+    deform(particles.F[p], v.gradient);
   }
 };
 

@@ -17,6 +17,7 @@
 #include "solver/boundary/mirror.hpp"
 #include "solver/boundary/periodic.hpp"
 #include "solver/boundary/symmetry.hpp"
+#include "solver/material/linear_elastic.hpp"
 #include "solver/material/neo_hookean_log.hpp"
 #include "solver/material/neo_hookean_square.hpp"
 #include "solver/velocity_update/fmpm.hpp"
@@ -44,8 +45,9 @@ using AnyBoundary = std::variant<Periodic,   //
                                  Mirror,     //
                                  Free>;
 
-using AnyMaterial = std::variant<NeoHookeanLog,  //
-                                 NeoHookeanSquare>;
+using AnyMaterial = std::variant<NeoHookeanLog,     //
+                                 NeoHookeanSquare,  //
+                                 LinearElastic>;
 
 using AnyVelocityUpdate = std::variant<Flip,  //
                                        Xpic,  //

@@ -38,6 +38,8 @@ struct Criterion {
     order_difference,  ///< the same less the order in `over_norm`
     error,             ///< `norm` of `series` at every swept value in [from, to]
     error_ratio,       ///< the same divided by that of `over`; two unstable runs are equal
+    slope_ratio,       ///< slope of `norm` of `series` against the swept value over [from, to], divided by `over`'s
+    slope_share,       ///< the same divided by the first value of `over` in [from, to]
     spread,            ///< largest over smallest `norm` of `series` at the swept values in [from, to]
     status,            ///< fraction of `series`' points in [from, to] with status ok
     limit,             ///< stability limit of `series`

@@ -20,7 +20,7 @@ void uvf(Mpm<D>& s, double dt) {
   s.fold(grid.p);
   s.set_grid_velocity();
 
-  s.sweep_and_settle(UpdatePositionAndDeformation<D>{particles, grid, dt, dt});
+  s.sweep_and_settle(UpdatePositionAndDeformation<D>{particles, grid, dt, s.deformation_step(dt)});
 }
 
 }  // namespace mpmvv::solver

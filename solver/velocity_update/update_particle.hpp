@@ -17,20 +17,21 @@ struct Advance {
   }
 };
 
-/// Tasks 4 and 5 of N table 1, F by a time step of its own.
+/// Tasks 4 and 5 of N table 1.
 template <int D>
 struct UpdateParticle {
   Particles<D>& particles;
   const Grid<D>& grid;
   VelocityFields<D> fields;
-  double dt, dt_deformation;
+  double dt;
+  DeformationStep<D> deform;
 
   void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
     const auto v = nodes.gather_with_gradient(grid.v);
     const Advance<D> advance(fields, particles.v[p], v.value.template head<D>(), nodes);
     particles.x[p] += dt * advance.rate;
     particles.v[p] = advance.velocity;
-    particles.F[p] = deformed<D>(particles.F[p], dt_deformation * v.gradient);
+    deform(particles.F[p], v.gradient);
   }
 };
 

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <boost/math/statistics/linear_regression.hpp>
 #include <cmath>
 #include <limits>
 
@@ -111,6 +112,27 @@ void measure_spread(const Criterion& c, const Series& series, Measured& out) {
       largest / least);
 }
 
+/// Of the least-squares line through the points in the window; NaN when one is unstable or not measured.
+double slope_of(const Criterion& c, const Series& series) {
+  std::vector<double> x, y;
+  for (const Point& point : series.points)
+    if (inside(c, point.x)) x.push_back(point.x), y.push_back(error_at(point, c.norm));
+  return boost::math::statistics::simple_ordinary_least_squares(x, y).second;
+}
+
+double first_value(const Criterion& c, const Series& series) {
+  for (const Point& point : series.points)
+    if (inside(c, point.x)) return error_at(point, c.norm);
+  return not_measured;
+}
+
+void measure_slope(const Criterion& c, const Series& series, const Series& over, Measured& out) {
+  const bool share = c.kind == Criterion::Kind::slope_share;
+  out.add(fmt::format("slope of '{}' in {} over {} of '{}', [{}, {}]", series.name, c.norm,
+                      share ? "the value" : "that", over.name, c.window.from, c.window.to),
+          slope_of(c, series) / (share ? first_value(c, over) : slope_of(c, over)));
+}
+
 void measure_status(const Criterion& c, const Series& series, Measured& out) {
   double ok = 0, all = 0;
   for (const Point& point : series.points)
@@ -180,6 +202,10 @@ Measured measure(const Criterion& c, const StudyResult& result) {
         break;
       case Kind::spread:
         measure_spread(c, *series, out);
+        break;
+      case Kind::slope_ratio:
+      case Kind::slope_share:
+        measure_slope(c, *series, *over, out);
         break;
       case Kind::status:
         measure_status(c, *series, out);

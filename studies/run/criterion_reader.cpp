@@ -17,12 +17,20 @@ namespace {
 
 Criterion::Kind criterion_kind(const TomlTable& table) {
   static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{
-      {"order", Criterion::Kind::order},   {"order-difference", Criterion::Kind::order_difference},
-      {"error", Criterion::Kind::error},   {"error-ratio", Criterion::Kind::error_ratio},
-      {"spread", Criterion::Kind::spread}, {"status", Criterion::Kind::status},
-      {"limit", Criterion::Kind::limit},   {"limit-ratio", Criterion::Kind::limit_ratio},
-      {"value", Criterion::Kind::value},   {"cost-ratio", Criterion::Kind::cost_ratio},
-      {"shown", Criterion::Kind::shown},   {"awaited", Criterion::Kind::awaited}};
+      {"order", Criterion::Kind::order},
+      {"order-difference", Criterion::Kind::order_difference},
+      {"error", Criterion::Kind::error},
+      {"error-ratio", Criterion::Kind::error_ratio},
+      {"spread", Criterion::Kind::spread},
+      {"status", Criterion::Kind::status},
+      {"limit", Criterion::Kind::limit},
+      {"limit-ratio", Criterion::Kind::limit_ratio},
+      {"value", Criterion::Kind::value},
+      {"cost-ratio", Criterion::Kind::cost_ratio},
+      {"slope-ratio", Criterion::Kind::slope_ratio},
+      {"slope-share", Criterion::Kind::slope_share},
+      {"shown", Criterion::Kind::shown},
+      {"awaited", Criterion::Kind::awaited}};
   std::vector<std::string> words;
   const std::string word = table.text("measure");
   for (const auto& [name, kind] : kinds) {
@@ -31,6 +39,18 @@ Criterion::Kind criterion_kind(const TomlTable& table) {
   }
   throw UsageError(
       fmt::format("unknown measure '{}' in {} (known: {})", word, table.where("measure"), fmt::join(words, ", ")));
+}
+
+bool is_ratio(Criterion::Kind kind) {
+  using Kind = Criterion::Kind;
+  return kind == Kind::error_ratio || kind == Kind::limit_ratio || kind == Kind::cost_ratio ||
+         kind == Kind::slope_ratio || kind == Kind::slope_share;
+}
+
+bool is_fit(Criterion::Kind kind) {
+  using Kind = Criterion::Kind;
+  return kind == Kind::order || kind == Kind::order_difference || kind == Kind::slope_ratio ||
+         kind == Kind::slope_share;
 }
 
 }  // namespace
@@ -59,7 +79,7 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   }
   c.series = series_names(table, "series", plan);
   if (c.series.empty()) throw UsageError(fmt::format("criterion in {} names no series", table.where()));
-  if (c.kind == Kind::error_ratio || c.kind == Kind::limit_ratio || c.kind == Kind::cost_ratio) {
+  if (is_ratio(c.kind)) {
     c.over = table.text("over");
     if (plan.check.empty() && !plan.has_series(c.over))
       throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
@@ -85,8 +105,7 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
           fmt::format("window in {} holds no power of ten (two errors, the smaller first)", table.where("window")));
     return c;
   }
-  const bool fits = c.kind == Kind::order || c.kind == Kind::order_difference;
-  require_points(plan, c.window, fits ? 3 : 1, table.where("window"));
+  require_points(plan, c.window, is_fit(c.kind) ? 3 : 1, table.where("window"));
   return c;
 }
 

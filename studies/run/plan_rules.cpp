@@ -13,8 +13,8 @@ namespace {
 
 const std::vector<std::string>& norm_words() {
   static const std::vector<std::string> words{
-      "l1",         "l2",          "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps", "nodal_l1", "nodal_l2",
-      "nodal_linf", "energy_loss", "y"};
+      "l1",       "l2",       "linf",       "l1_all_steps", "l2_all_steps",         "linf_all_steps",
+      "nodal_l1", "nodal_l2", "nodal_linf", "energy_loss",  "ns_per_particle_step", "y"};
   return words;
 }
 
@@ -81,6 +81,7 @@ void require_cost(const StudyPlan& plan, const std::string& where) {
 void require_measured(const StudyPlan& plan, const std::string& norm, const std::string& where) {
   if ((norm == "y") == plan.check.empty())
     throw UsageError(fmt::format("norm '{}' in {} (y for the curves of a check, an error norm for runs)", norm, where));
+  if (norm == "ns_per_particle_step") require_cost(plan, where);
   const std::string setting = setting_of(norm);
   if (setting.empty()) return;
   for (const SeriesPlan& series : plan.series) {

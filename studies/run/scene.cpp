@@ -89,6 +89,7 @@ Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
   scene.integrator = c.scheme.integrator;
   scene.velocity_update =
       velocity_update(c.scheme, problem.wave_speed(c.problem.parameters) * c.resolution.dt / scene.h);
+  if (c.scheme.deformation == "exponential") scene.deformation = solver::Deformation::exponential;
   scene.wall_method = wall_method(c.scheme.wall_method);
   scene.half_start = c.scheme.start == "half" && stage.setup.solution;
   scene.difference_acceleration = c.scheme.wall_acceleration == "difference";

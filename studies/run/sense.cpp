@@ -54,6 +54,11 @@ void require_sense_of_velocity_update(const Scheme& s) {
     throw UsageError("wall_acceleration 'difference' with a velocity_update other than 'flip' (use zero)");
 }
 
+void require_sense_of_deformation(const Scheme& s) {
+  if (s.deformation == "exponential" && s.integrator == "rk4")
+    throw UsageError("deformation 'exponential' with integrator 'rk4', whose stages are linear (use linear)");
+}
+
 }  // namespace
 
 void require_sense(const Case& c) {
@@ -89,6 +94,7 @@ void require_sense(const Case& c) {
         "over (use zero, or another integrator)");
   require_sense_of_mass(c, ghosts, has("mirror"));
   require_sense_of_velocity_update(s);
+  require_sense_of_deformation(s);
   if (const int least = std::max(4, 2 * ghosts); (has("symmetry") || has("mirror")) && c.resolution.cells < least)
     throw UsageError(
         fmt::format("{} cells are too few for boundary '{}' (at least {}: ghosts and their images must differ)",

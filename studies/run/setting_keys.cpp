@@ -27,7 +27,7 @@ const std::vector<WordKey>& word_keys() {
       {"wall_method", &Scheme::wall_method, {"velocity", "lumped", "combined"}},
       {"mass", &Scheme::mass, {"lumped", "consistent"}},
       {"wall_acceleration", &Scheme::wall_acceleration, {"zero", "difference"}},
-      {"deformation", &Scheme::deformation, {"linear"}},
+      {"deformation", &Scheme::deformation, {"linear", "exponential"}},
       {"body_force", &Scheme::body_force, {"particles", "grid"}},
       {"fill", &Scheme::fill, {"lattice", "conforming"}},
       {"material", &Scheme::material, strings(solver::words<solver::AnyMaterial>())},

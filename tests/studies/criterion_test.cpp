@@ -69,6 +69,24 @@ TEST(Criterion, AnUnstableErrorIsInfinite) {
   EXPECT_EQ(judge(ratio, two_series()).verdict, PartVerdict::fails);
 }
 
+TEST(Criterion, SlopesAgainstTheSweptValue) {  // 3 + 2 x over 3 + 4 x, and over 3 + 4 x at its first point
+  StudyResult result;
+  result.sweep = "order";
+  result.series = {Series{"slow", {}, {}, {}}, Series{"steep", {}, {}, {}}};
+  for (const double x : {1.0, 2.0, 4.0, 8.0}) {
+    result.series[0].points.push_back({x, Status::ok, "", {{"l2", 3 + 2 * x}}});
+    result.series[1].points.push_back({x, Status::ok, "", {{"l2", 3 + 4 * x}}});
+  }
+  Criterion ratio = criterion(Kind::slope_ratio, "slow", 0.5 - 1e-12, 0.5 + 1e-12);
+  ratio.over = "steep", ratio.window = {1, 8};
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::holds);
+  Criterion share = criterion(Kind::slope_share, "slow", 2.0 / 7 - 1e-12, 2.0 / 7 + 1e-12);
+  share.over = "steep", share.window = {1, 8};
+  EXPECT_EQ(judge(share, result).verdict, PartVerdict::holds);
+  result.series[0].points[1].status = Status::unstable;
+  EXPECT_NE(judge(ratio, result).verdict, PartVerdict::holds);
+}
+
 TEST(Criterion, TwoUnstableRunsAreEqual) {
   Criterion ratio = criterion(Kind::error_ratio, "bad", 1, 1);
   ratio.over = "bad";

@@ -1,0 +1,46 @@
+#pragma once
+#include "solver/types.hpp"
+
+namespace mpmvv::solver {
+
+/// How F follows the velocity gradient L through a step.
+enum class Deformation {
+  linear,      ///< F' = (I + Δt L) F       S (7), (8), W (11)
+  exponential  ///< F' = exp(Δt L) F        N table 1, task 5: a rigid rotation stays one, a trace of zero keeps J
+};
+
+/// C + A B
+template <int D>
+inline PackedMat<D> plus_product(const auto& C, const PackedMat<D>& A, const auto& B) {
+  PackedMat<D> result;
+  for (int c = 0; c < D; ++c) {
+    Packed<D> column = packed<D>(C.col(c));
+    for (int d = 0; d < D; ++d) column += B(d, c) * A.col(d);
+    result.col(c) = column;
+  }
+  return result;
+}
+
+/// exp(A) - I = A (I + A/2 (I + A/3 (...))) with twelve terms: the rest, |A|¹³/13!, is round-off up to |A| = 0.6, and
+/// the time step's error outgrows it beyond.
+template <int D>
+[[gnu::noinline]] PackedMat<D> exponential_less_identity(const PackedMat<D>& A) {
+  PackedMat<D> sum = A / 12;
+  for (int n = 11; n > 0; --n) sum = plus_product<D>(A, A, sum) / n;
+  return sum;
+}
+
+/// A step of F, of a length of its own.
+template <int D>
+struct DeformationStep {
+  double dt;
+  Deformation rule = Deformation::linear;
+
+  void operator()(Mat<D>& F, const PackedMat<D>& L) const {
+    const PackedMat<D> dt_L = dt * L;
+    const PackedMat<D> increment = rule == Deformation::linear ? dt_L : exponential_less_identity<D>(dt_L);
+    F = plus_product<D>(F, increment, F).template topRows<D>();
+  }
+};
+
+}  // namespace mpmvv::solver
