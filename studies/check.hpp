@@ -47,6 +47,7 @@ CheckResult check_mapping_residuals();
 CheckResult check_mapping_properties();
 CheckResult check_mapping_figures();
 CheckResult check_full_mass_inverse();
+CheckResult check_high_order_spectra();
 CheckResult check_pic_updates();
 
 }  // namespace mpmvv

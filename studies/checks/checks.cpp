@@ -26,6 +26,7 @@ const std::vector<Check>& checks() {
       {"mapping-properties", "property", &check_mapping_properties},
       {"mapping-figures", "x", &check_mapping_figures},
       {"full-mass-inverse", "order", &check_full_mass_inverse},
+      {"high-order-spectra", "order", &check_high_order_spectra},
       {"pic-updates", "x", &check_pic_updates},
   };
   return all;

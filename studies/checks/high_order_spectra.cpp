@@ -1,0 +1,122 @@
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "studies/check.hpp"
+#include "studies/checks/mapping/particle_tiling.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+using solver::Vec;
+
+constexpr int most_terms = 64;
+
+/// A free elastic bar of ten cells in one dimension, linear about its state of rest, with h = E = ρ = 1 (then the CFL
+/// number is Δt): the matrices of FMPM(k), USL, with GIMP, N table 1.
+class LinearBar {
+ public:
+  explicit LinearBar(const mapping::ParticleTiling<1>& tiling) : volumes_(tiling.volumes()) {
+    const mapping::OverlayGrid<1> grid{Vec<1>(0), Vec<1>(1), {16}};
+    const mapping::NodalBasis<1> basis(solver::Gimp{}, grid);
+    const Matrix S = Matrix(basis.weights(tiling.x, tiling.width)).transpose();
+    const Matrix G = Matrix(basis.gradients(0, tiling.x, tiling.width)).transpose();
+    const Vector masses = S.transpose() * volumes_;
+    std::vector<int> reached;
+    for (int n = 0; n < masses.size(); ++n)
+      if (masses[n] > 1e-12) reached.push_back(n);
+    m_ = masses(reached);
+    S_ = Matrix(S(Eigen::all, reached));
+    G_ = Matrix(G(Eigen::all, reached));
+    round_trip_ = m_.cwiseInverse().asDiagonal() * (S_.transpose() * volumes_.asDiagonal() * S_);
+  }
+
+  /// The largest of (1 - (1 - s)^k)/s over the eigenvalues s of S⁺S: what the expansion makes of a lumped velocity.
+  double gain(int order) const {
+    const Vector root = m_.cwiseSqrt();
+    const Matrix symmetric = root.asDiagonal() * round_trip_ * root.cwiseInverse().asDiagonal();
+    double largest = 0;
+    for (const double s : Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly).eigenvalues())
+      largest = std::max(largest, s > 1e-14 ? -std::expm1(order * std::log1p(-std::min(s, 1.0))) / s : order);
+    return largest;
+  }
+
+  /// Of the map of a step from the particles' velocities and strains to the next ones: v⁺ = m̃_k⁻¹ (SᵀMV - Δt Gᵀ V⁰ e),
+  /// V' = S v⁺, e' = e + Δt G v⁺.
+  double spectral_radius(int order, double dt) const {
+    const Eigen::Index n = volumes_.size();
+    Matrix from_particles(m_.size(), 2 * n);
+    from_particles << S_.transpose() * volumes_.asDiagonal(), -dt * G_.transpose() * volumes_.asDiagonal();
+    const Matrix lumped = m_.cwiseInverse().asDiagonal() * from_particles;
+    Matrix v = lumped;
+    for (int term = 1; term < order; ++term) v += lumped - round_trip_ * v;
+    Matrix map = Matrix::Zero(2 * n, 2 * n);
+    map.bottomRightCorner(n, n).setIdentity();
+    map.topRows(n) += S_ * v;
+    map.bottomRows(n) += dt * G_ * v;
+    return map.eigenvalues().cwiseAbs().maxCoeff();
+  }
+
+  /// The CFL number up to which no mode grows, to a thousandth: the first of a fine scan that does, then halved in on.
+  double limit(int order) const {
+    double stable = 0, unstable = 0.05;
+    while (unstable < 4 && is_stable(order, unstable)) stable = unstable, unstable += 0.05;
+    while (unstable - stable > 1e-3)
+      (is_stable(order, (stable + unstable) / 2) ? stable : unstable) = (stable + unstable) / 2;
+    return stable;
+  }
+
+  bool is_stable(int order, double dt) const { return spectral_radius(order, dt) <= 1 + 1e-9; }
+
+ private:
+  Vector volumes_, m_;
+  Matrix S_, G_, round_trip_;
+};
+
+/// Two particles per cell, at ten places in a cell; and bars of particles of uneven widths.
+std::vector<LinearBar> bars_in_motion() {
+  std::vector<LinearBar> bars;
+  for (int place = 0; place < 10; ++place)
+    bars.emplace_back(mapping::uniform_tiling<1>(Vec<1>(3 + 0.1 * place), Vec<1>(10), {20}));
+  return bars;
+}
+
+std::vector<LinearBar> uneven_bars() {
+  std::vector<LinearBar> bars;
+  for (std::uint64_t seed = 0; seed < 5; ++seed)
+    bars.emplace_back(
+        mapping::random_tiling<1>(Vec<1>(3.05 + 0.2 * static_cast<double>(seed)), Vec<1>(10), {24}, seed));
+  return bars;
+}
+
+void add_limits(const std::string& name, const std::vector<LinearBar>& bars, CheckResult& result) {
+  std::vector<double> orders, limits, gains;
+  double radius = 0;
+  for (int k = 1; k <= most_terms; k *= 2) {
+    double least = 4, gain = 0;
+    for (const LinearBar& bar : bars) least = std::min(least, bar.limit(k)), gain = std::max(gain, bar.gain(k));
+    for (const LinearBar& bar : bars) radius = std::max(radius, bar.spectral_radius(k, least / 2));
+    orders.push_back(k), limits.push_back(least), gains.push_back(gain);
+  }
+  result.add_curve("limit, " + name, orders, limits);
+  result.add_curve("largest gain, " + name, orders, gains);
+  result.add("limit_16_over_4, " + name, limits[4] / limits[2], "limit at k = 16 over that at k = 4, " + name);
+  result.add("limit_64_over_16, " + name, limits[6] / limits[4], "limit at k = 64 over that at k = 16, " + name);
+  result.add("gain_16, " + name, gains[4], "largest gain of a mode at k = 16, " + name);
+  result.add("growth, " + name, radius - 1, "spectral radius less one at half the limit, k to 64, " + name);
+}
+
+}  // namespace
+
+CheckResult check_high_order_spectra() {
+  CheckResult result;
+  add_limits("two per cell", bars_in_motion(), result);
+  add_limits("uneven", uneven_bars(), result);
+  return result;
+}
+
+}  // namespace mpmvv
