@@ -76,7 +76,7 @@ class Mpm {
   std::int64_t steps() const { return steps_; }  ///< finished ones
   std::string fault() const;
   double kinetic_energy() const;  ///< Σ m_p v_p²/2
-  double strain_energy() const;   ///< Σ V⁰_p W(F_p)
+  double strain_energy() const;   ///< Σ V⁰_p W(F_p), or the internal energy of a material with a history
 
   /// Maps the particles as they are now: the grid then holds m_i and a_i = f_i/m_i, constrained, of this very time,
   /// where a step leaves those of its start.
@@ -181,6 +181,7 @@ class Mpm {
   std::optional<ExpandedInverse<D>> expanded_inverse_;
   double least_mass_ = 0;
   double time_ = 0;
+  double dt_ = 0;  ///< of the last step
   std::int64_t steps_ = 0;
   std::atomic<bool> must_sort_{false};
   Fault fault_ = Fault::none;

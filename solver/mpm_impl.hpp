@@ -36,6 +36,12 @@ Mpm<D>::Mpm(Scene<D> scene)
   if (is_staged(scene_.integrator)) particles_.start_stages();
   if (detail::find_integrator<D>(scene_.integrator).kind == IntegratorKind::remapped)
     particles_.rate.resize(particles_.size());
+  if (std::holds_alternative<Apic>(scene_.velocity_update)) particles_.C.assign(particles_.size(), Mat<D>::Zero());
+  std::visit(
+      [this]<class M>(const M& material) {
+        if constexpr (has_history<M>) particles_.thermal.assign(particles_.size(), material.state_at_rest());
+      },
+      scene_.material);
   for (int d = 0; d < D; ++d)
     periodic_[static_cast<std::size_t>(d)] =
         std::holds_alternative<Periodic>(scene_.boundary[static_cast<std::size_t>(2 * d)]);
@@ -64,6 +70,7 @@ void Mpm<D>::sort() {
 template <int D>
 bool Mpm<D>::step(double dt) {
   const double end = time_ + dt;
+  dt_ = dt;
   advance_(*this, dt);
   ++steps_;
   time_ = end;
@@ -118,10 +125,13 @@ double Mpm<D>::kinetic_energy() const {
 template <int D>
 double Mpm<D>::strain_energy() const {
   return std::visit(
-      [this](const auto& material) {
+      [this]<class M>(const M& material) {
         double energy = 0;
         for (std::size_t p = 0; p < particles_.size(); ++p)
-          energy += particles_.V0[p] * material.template energy<D>(particles_.F[p]);
+          if constexpr (has_history<M>)
+            energy += particles_.m[p] * particles_.thermal[p].energy;
+          else
+            energy += particles_.V0[p] * material.template energy<D>(particles_.F[p]);
         return energy;
       },
       scene_.material);
@@ -130,7 +140,7 @@ double Mpm<D>::strain_energy() const {
 template <int D>
 template <class Before, class... Map>
 void Mpm<D>::sweep_with_forces(const Before& before, const Map&... map) {
-  const EvaluateStress<D> stress{particles_, scene_.material};
+  const EvaluateStress<D> stress{particles_, scene_.material, dt_};
   if (scene_.body_force && scene_.body_force_on == BodyForceOn::particles)
     sweep(before, stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
           node_loop(map..., MapForces<D>{particles_, grid_}));
@@ -262,7 +272,8 @@ void Mpm<D>::update_particles(double dt, double dt_deformation) {
   else if (dt_deformation == 0)
     sweep_and_settle(velocity, UpdatePosition<D>{particles_, grid_, dt});
   else
-    sweep_and_settle(velocity, UpdatePositionAndDeformation<D>{particles_, grid_, dt, deformation_step(dt_deformation)});
+    sweep_and_settle(velocity,
+                     UpdatePositionAndDeformation<D>{particles_, grid_, dt, deformation_step(dt_deformation)});
 }
 
 template <int D>

@@ -6,6 +6,7 @@
 #include "solver/body_force.hpp"
 #include "solver/deformation.hpp"
 #include "solver/sweep.hpp"
+#include "solver/velocity_update/affine.hpp"
 #include "solver/words.hpp"
 
 /// What a sweep can do. Scatter operations map particles to nodes, gather operations nodes to particles, stages act on
@@ -23,13 +24,15 @@ struct MapMass {
   }
 };
 
-/// p_i = Σ_p N_ip m_p v_p with m_i = Σ_p N_ip m_p             S (1), (2), W (8), (9)
+/// p_i = Σ_p N_ip m_p v_p with m_i = Σ_p N_ip m_p             S (1), (2), W (8), (9); with `apic` of affine fields
 template <int D>
 struct MapMomentum {
   const Particles<D>& particles;
   Grid<D>& grid;
 
   void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+    if constexpr (requires { scatter_affine(particles, p, nodes, grid); })
+      if (!particles.C.empty()) return scatter_affine(particles, p, nodes, grid);
     nodes.scatter(packed<D>(particles.m[p] * particles.v[p], particles.m[p]), grid.p);
   }
 };
@@ -108,16 +111,22 @@ struct UpdatePositionAndDeformation {
   }
 };
 
-/// τ_p = τ(F_p)                                                S (3), W (12)
+/// τ_p = τ(F_p)                                                S (3), W (12); with a history, of Δt since the last time
 template <int D>
 struct EvaluateStress {
-  const Particles<D>& particles;
+  Particles<D>& particles;
   const AnyMaterial& material;
+  double dt;
 
-  void operator()(Block<D>& block, const Grid<D>&) const {
+  void operator()(Block<D>& block, const Grid<D>& grid) const {
+    const Mat<D>* F = &particles.F[block.begin];
+    const auto count = static_cast<std::size_t>(block.count);
     std::visit(
-        [&](const auto& m) {
-          m.kirchhoff(&particles.F[block.begin], block.tau, static_cast<std::size_t>(block.count));
+        [&]<class M>(const M& m) {
+          if constexpr (has_history<M>)
+            m.kirchhoff(F, &particles.thermal[block.begin], StressStep{dt, grid.h()}, block.tau, count);
+          else
+            m.kirchhoff(F, block.tau, count);
         },
         material);
   }

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "solver/material/thermal_state.hpp"
 #include "solver/types.hpp"
 
 namespace mpmvv::solver {
@@ -29,6 +30,10 @@ struct Particles {
   std::vector<Vec<D>> l0;         ///< reference width in units of h, where the width follows the deformation
   std::vector<Mat<D>> R;          ///< edges of the domain as columns, in units of h, for bases that take a domain
   std::vector<Mat<D>> R0;         ///< reference edges in units of h, likewise
+
+  std::vector<Mat<D>> C;          ///< gradient of the affine velocity field, 1/s, for `apic`
+
+  std::vector<ThermalState> thermal;  ///< for materials with a history
 
   std::vector<Vec<D>> rate;  ///< of position within a step, for those that end with a velocity mapped anew
 
@@ -68,7 +73,7 @@ struct Particles {
       field.swap(sorted);
     };
     reorder(id), reorder(x), reorder(v), reorder(F), reorder(m), reorder(V0), reorder(l), reorder(l0), reorder(R),
-        reorder(R0);
+        reorder(R0), reorder(C), reorder(thermal);
     for (Motion<D>* motion : {&stages.start, &stages.sum}) reorder(motion->x), reorder(motion->v), reorder(motion->F);
   }
 };

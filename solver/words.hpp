@@ -18,8 +18,10 @@
 #include "solver/boundary/periodic.hpp"
 #include "solver/boundary/symmetry.hpp"
 #include "solver/material/linear_elastic.hpp"
+#include "solver/material/mie_gruneisen.hpp"
 #include "solver/material/neo_hookean_log.hpp"
 #include "solver/material/neo_hookean_square.hpp"
+#include "solver/velocity_update/apic.hpp"
 #include "solver/velocity_update/fmpm.hpp"
 #include "solver/velocity_update/pic.hpp"
 #include "solver/velocity_update/xpic.hpp"
@@ -47,12 +49,14 @@ using AnyBoundary = std::variant<Periodic,   //
 
 using AnyMaterial = std::variant<NeoHookeanLog,     //
                                  NeoHookeanSquare,  //
-                                 LinearElastic>;
+                                 LinearElastic,     //
+                                 MieGruneisen>;
 
 using AnyVelocityUpdate = std::variant<Flip,  //
                                        Xpic,  //
                                        Fmpm,  //
-                                       Pic>;
+                                       Pic,   //
+                                       Apic>;
 
 /// The words of the alternatives of a variant, in its order.
 template <class... Types>

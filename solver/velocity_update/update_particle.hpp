@@ -17,6 +17,13 @@ struct Advance {
   }
 };
 
+/// C_p, where particles have one.
+template <int D>
+void keep_affine(Particles<D>& particles, std::size_t p, const auto& nodes, const Grid<D>& grid) {
+  if constexpr (requires { gather_affine(particles, p, nodes, grid); })
+    if (!particles.C.empty()) gather_affine(particles, p, nodes, grid);
+}
+
 /// Tasks 4 and 5 of N table 1.
 template <int D>
 struct UpdateParticle {
@@ -29,6 +36,7 @@ struct UpdateParticle {
   void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
     const auto v = nodes.gather_with_gradient(grid.v);
     const Advance<D> advance(fields, particles.v[p], v.value.template head<D>(), nodes);
+    keep_affine(particles, p, nodes, grid);
     particles.x[p] += dt * advance.rate;
     particles.v[p] = advance.velocity;
     deform(particles.F[p], v.gradient);
@@ -44,6 +52,7 @@ struct UpdateVelocityAndRate {
 
   void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
     const Advance<D> advance(fields, particles.v[p], nodes.gather(grid.v).template head<D>(), nodes);
+    keep_affine(particles, p, nodes, grid);
     particles.rate[p] = advance.rate;
     particles.v[p] = advance.velocity;
   }

@@ -59,6 +59,7 @@ void set_current_widths(solver::Particles<D>& particles, const solver::AnyBasis&
 /// The velocity update with its choices; `cfl` is the time step's.
 solver::AnyVelocityUpdate velocity_update(const Scheme& scheme, double cfl) {
   if (scheme.velocity_update == "pic") return solver::Pic{};
+  if (scheme.velocity_update == "apic") return solver::Apic{};
   if (scheme.velocity_update == "xpic") return solver::Xpic{scheme.order};
   if (scheme.velocity_update == "fmpm")
     return solver::Fmpm{scheme.order, std::max<std::int64_t>(1, std::llround(std::min(scheme.cfl_x / cfl, 1e15)))};

@@ -43,6 +43,13 @@ void require_sense_of_velocity_update(const Scheme& s) {
         "velocity_update '{}' with integrator '{}' (flip with position 'first-order', or an integrator whose "
         "steps have positions and velocities at their ends: usl, usf, usavg, usl+, usavg+)",
         s.velocity_update, s.integrator));
+  const bool affine = std::visit([]<class B>(const B&) { return solver::has_affine_fields<B>; }, basis_named(s.basis));
+  if (s.velocity_update == "apic" && !affine)
+    throw UsageError(
+        fmt::format("velocity_update 'apic' with basis '{}' (bspline2, bspline3, b2gimp or a gimp: nodes a cell apart, "
+                    "whose weights "
+                    "spread wherever the particle is)",
+                    s.basis));
   if (s.mass == "consistent" && s.velocity_update != "flip" && s.velocity_update != "fmpm")
     throw UsageError(
         fmt::format("mass 'consistent' with velocity_update '{}', which lumped masses define (use flip or fmpm)",

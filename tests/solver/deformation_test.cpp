@@ -58,10 +58,11 @@ TYPED_TEST(DeformationRule, ExponentialIsTheMatrixExponential) {
 }
 
 TYPED_TEST(DeformationRule, ExponentialStepsAddUp) {  // exp(A) exp(A) = exp(2 A), where (I + A)² is not I + 2 A
-  constexpr int D = TestFixture::D;
+
   const auto F = this->any(1), L = this->any(1);
-  const auto half = stepped<D>(stepped<D>(F, L, 0.1, Deformation::exponential), L, 0.1, Deformation::exponential);
-  EXPECT_LT((half - stepped<D>(F, L, 0.2, Deformation::exponential)).norm(), 1e-15);
+  const auto half = stepped<TestFixture::D>(stepped<TestFixture::D>(F, L, 0.1, Deformation::exponential), L, 0.1,
+                                            Deformation::exponential);
+  EXPECT_LT((half - stepped<TestFixture::D>(F, L, 0.2, Deformation::exponential)).norm(), 1e-15);
 }
 
 TEST(Exponential, OfASpinIsARotation) {

@@ -63,8 +63,16 @@ class Material : public ::testing::Test {
   }
 };
 
-using AllMaterials = TypesOf<AnyMaterial>::type;
-TYPED_TEST_SUITE(Material, AllMaterials);
+/// Those whose stress is a function of F; one with a history has tests of its own.
+template <class Any, class... Chosen>
+struct Potentials {
+  using type = ::testing::Types<Chosen...>;
+};
+template <class First, class... Rest, class... Chosen>
+struct Potentials<std::variant<First, Rest...>, Chosen...>
+    : std::conditional_t<has_history<First>, Potentials<std::variant<Rest...>, Chosen...>,
+                         Potentials<std::variant<Rest...>, Chosen..., First>> {};
+TYPED_TEST_SUITE(Material, Potentials<AnyMaterial>::type);
 
 TYPED_TEST(Material, StressIsTheDerivativeOfTheEnergy) {  // τ = ∂W/∂F Fᵀ
   this->everywhere([]<int D>(const TypeParam& material, const Mat<D>& F) {
@@ -78,7 +86,9 @@ TYPED_TEST(Material, StressIsTheDerivativeOfTheEnergy) {  // τ = ∂W/∂F Fᵀ
     }
     const Mat<D> tau = tau_of(material, F);
     EXPECT_LT((tau - P * F.transpose()).norm(), 1e-8 * (1 + tau.norm())) << F;
-    if (turns_with_the_body<TypeParam>) EXPECT_LT((tau - tau.transpose()).norm(), 1e-15 * (1 + tau.norm()));
+    if (turns_with_the_body<TypeParam>) {
+      EXPECT_LT((tau - tau.transpose()).norm(), 1e-15 * (1 + tau.norm()));
+    }
   });
 }
 

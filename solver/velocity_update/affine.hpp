@@ -1,0 +1,73 @@
+#pragma once
+#include "solver/basis/basis.hpp"
+#include "solver/grid.hpp"
+#include "solver/particles.hpp"
+#include "solver/stencil.hpp"
+
+/// The affine velocity field about a particle, v_p + C_p (x - x_p), that APIC carries: Jiang, Schroeder, Selle, Teran,
+/// Stomakhin 2015, equations (6) to (8) there, and N §2.6. For bases with nodes a cell apart and weights that spread,
+/// so that D_p = Σ_i N_ip (x_i - x_p)(x_i - x_p)ᵀ, diagonal for tensor products, can be inverted.
+namespace mpmvv::solver {
+
+/// Whether a basis has such stencils.
+template <class B>
+inline constexpr bool has_affine_fields = B::ghost > 0 && B::support > 2 && B::width != ParticleWidth::domain;
+
+/// x_i - x_p along each axis of a stencil's nodes.
+template <int D, int K>
+struct Arms {
+  double length[D][K];
+
+  Arms(const Stencil<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x) {
+    const Index<D> first = grid.index(nodes.first);
+    for (int d = 0; d < D; ++d)
+      for (int i = 0; i < K; ++i)
+        length[d][i] = grid.lower()[d] + grid.h() * (first[static_cast<std::size_t>(d)] + i) - x[d];
+  }
+};
+
+/// Calls visit(n, N_ip, x_i - x_p) for each node.
+template <int D, int K, class Visit>
+void for_arms(const Stencil<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x, const Visit& visit) {
+  const Arms<D, K> arms(nodes, grid, x);
+  Index<D> i{};
+  do {
+    std::ptrdiff_t n = static_cast<std::ptrdiff_t>(nodes.first);
+    double weight = 1;
+    Vec<D> arm;
+    for (int d = 0; d < D; ++d) {
+      const int k = i[static_cast<std::size_t>(d)];
+      n += k * nodes.stride[static_cast<std::size_t>(d)];
+      weight *= nodes.N[d][k];
+      arm[d] = arms.length[d][k];
+    }
+    visit(static_cast<std::size_t>(n), weight, arm);
+    for (std::size_t d = 0; d < D && ++i[d] == K; ++d)
+      if (d + 1 < D) i[d] = 0;
+  } while (i[D - 1] < K);
+}
+
+/// p_i += N_ip m_p (v_p + C_p (x_i - x_p)), and the mass.
+template <int D, int K>
+[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, std::size_t p, const Stencil<D, K>& nodes,
+                                      Grid<D>& grid) {
+  for_arms(nodes, grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
+    const Vec<D> v = particles.v[p] + particles.C[p] * arm;
+    grid.p[n] += N * packed<D>(particles.m[p] * v, particles.m[p]);
+  });
+}
+
+/// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹
+template <int D, int K>
+[[gnu::noinline]] void gather_affine(Particles<D>& particles, std::size_t p, const Stencil<D, K>& nodes,
+                                     const Grid<D>& grid) {
+  Mat<D> moment = Mat<D>::Zero();
+  Vec<D> inertia = Vec<D>::Zero();
+  for_arms(nodes, grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
+    moment += N * grid.v[n].template head<D>() * arm.transpose();
+    inertia += N * arm.cwiseAbs2();
+  });
+  particles.C[p] = moment * inertia.cwiseInverse().asDiagonal();
+}
+
+}  // namespace mpmvv::solver

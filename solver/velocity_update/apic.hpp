@@ -1,0 +1,19 @@
+#pragma once
+#include <string_view>
+
+#include "solver/velocity_update/velocity_fields.hpp"
+
+namespace mpmvv::solver {
+
+/// V' = S v⁺, X' = X + Δt V', as `pic`; particles carry an affine field beside (see affine.hpp), which is zero at the
+/// start: what `pic` filters out of linear fields it keeps. N §2.6, for comparison.
+struct Apic {
+  static constexpr std::string_view word = "apic";
+
+  template <int D>
+  VelocityFields<D> fields(Mpm<D>&, double) const {
+    return {.after = 1};
+  }
+};
+
+}  // namespace mpmvv::solver

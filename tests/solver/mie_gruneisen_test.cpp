@@ -1,0 +1,87 @@
+#include "solver/material/mie_gruneisen.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mpmvv::solver::mie_gruneisen_test {
+
+/// Nickel as in N §3.5.
+MieGruneisen nickel(double A1 = 0, double A2 = 0) {
+  return {8870, 188e9, 1.44, 2, 440, 300, A1, A2};
+}
+
+/// A state brought from rest to the volume ratio J in so many equal steps.
+ThermalState compressed(const MieGruneisen& material, double J, int steps, double dt = 1e-9) {
+  ThermalState state = material.state_at_rest();
+  for (int k = 1; k <= steps; ++k) material.advance(state, 1 + (J - 1) * k / steps, {dt, 1e-4});
+  return state;
+}
+
+TEST(MieGruneisen, HasTheHugoniotItIsMadeFrom) {  // p = ρ₀ U_s u, η = u/U_s, e = u²/2 with U_s = c₀ + S₁ u
+  const MieGruneisen material = nickel();
+  for (const double u : {1.0, 100.0, 1840.0, 3000.0}) {
+    const double U = std::sqrt(material.bulk_modulus / material.density) + material.hugoniot_slope * u;
+    const double p = material.cold_pressure(u / U) + material.gamma * material.density * u * u / 2;
+    EXPECT_NEAR(p / (material.density * U * u), 1, 1e-13);
+  }
+}
+
+TEST(MieGruneisen, SlopeAndWaveSpeedAreDerivatives) {
+  const MieGruneisen material = nickel();
+  const double step = 1e-6;
+  for (const double J : {1.2, 0.95, 0.8, 0.7}) {
+    const double eta = 1 - J;
+    const double slope = (material.cold_pressure(eta + step) - material.cold_pressure(eta - step)) / (2 * step);
+    EXPECT_NEAR(material.cold_slope(eta) / slope, 1, 1e-8);
+    ThermalState state = compressed(material, J, 1000), next = state;
+    material.advance(next, J - step, {1e-9, 1e-4});
+    const double rate_of_density = material.density / (J - step) - material.density / J;
+    EXPECT_NEAR(std::pow(material.wave_speed(state), 2) * rate_of_density / (next.pressure - state.pressure), 1, 2e-5);
+  }
+}
+
+TEST(MieGruneisen, SlowCompressionIsIsentropic) {  // ρ₀ de = -p dJ, T = T₀ exp(γ₀ η); of second order in the steps
+  const MieGruneisen material = nickel();
+  const double J = 0.75;
+  const ThermalState fine = compressed(material, J, 4000), coarse = compressed(material, J, 40),
+                     middle = compressed(material, J, 80);
+  EXPECT_NEAR(fine.temperature, 300 * std::exp(2 * 0.25), 1e-4);
+  EXPECT_NEAR((coarse.energy - fine.energy) / (middle.energy - fine.energy), 4, 0.05);
+  EXPECT_NEAR((coarse.pressure - fine.pressure) / (middle.pressure - fine.pressure), 4, 0.05);
+  const ThermalState back = [&] {
+    ThermalState state = fine;
+    for (int k = 1; k <= 4000; ++k) material.advance(state, J + (1 - J) * k / 4000, {1e-9, 1e-4});
+    return state;
+  }();
+  EXPECT_NEAR(back.energy / fine.energy, 0, 1e-6);
+  EXPECT_NEAR(back.temperature, 300, 1e-4);
+}
+
+TEST(MieGruneisen, ViscosityResistsCompressionAndHeats) {
+  const MieGruneisen material = nickel(0.4, 4);
+  const StressStep step{1e-9, 1e-4};
+  ThermalState state = compressed(nickel(), 0.9, 1000), loosened = state;
+  const double c = material.wave_speed(state), rate = 1e-4 * 0.01 / (0.895 * 1e-9);
+  EXPECT_NEAR(material.viscous_pressure(state, 0.01, step), 8870 / 0.895 * rate * (0.4 * c + 4 * rate), 1);
+  EXPECT_EQ(material.viscous_pressure(state, -0.01, step), 0);
+  EXPECT_EQ(material.advance(loosened, 0.91, step), 0);
+  ThermalState plain = state;
+  nickel().advance(plain, 0.89, step);
+  EXPECT_GT(material.advance(state, 0.89, step), 0);
+  EXPECT_GT(state.energy, plain.energy);
+  EXPECT_GT(state.temperature, plain.temperature);
+}
+
+TEST(MieGruneisen, PushesEquallyInAllDirections) {
+  const MieGruneisen material = nickel(0.4, 4);
+  Mat<2> F;
+  F << 0.9, 0.1, 0, 0.95;
+  ThermalState state = material.state_at_rest(), same = state;
+  PackedMat<2> tau;
+  material.kirchhoff<2>(&F, &state, {1e-9, 1e-4}, &tau, 1);
+  const double q = material.advance(same, F.determinant(), {1e-9, 1e-4});
+  EXPECT_EQ(tau(0, 1), 0);
+  EXPECT_EQ(tau(0, 0), tau(1, 1));
+  EXPECT_NEAR(tau(0, 0), -F.determinant() * (same.pressure + q), 1);
+}
+
+}  // namespace mpmvv::solver::mie_gruneisen_test
