@@ -17,6 +17,7 @@
 #include "solver/boundary/mirror.hpp"
 #include "solver/boundary/periodic.hpp"
 #include "solver/boundary/symmetry.hpp"
+#include "solver/boundary/wall.hpp"
 #include "solver/material/neo_hookean_log.hpp"
 #include "solver/material/neo_hookean_square.hpp"
 #include "solver/velocity_update/fmpm.hpp"
@@ -42,7 +43,8 @@ using AnyBoundary = std::variant<Periodic,   //
                                  Dirichlet,  //
                                  Symmetry,   //
                                  Mirror,     //
-                                 Free>;
+                                 Free,       //
+                                 Wall>;
 
 using AnyMaterial = std::variant<NeoHookeanLog,  //
                                  NeoHookeanSquare>;
