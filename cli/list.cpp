@@ -20,6 +20,7 @@ const std::vector<std::pair<std::string, std::string>>& word_lists() {
                                                                       {"velocity-updates", "velocity_update"},
                                                                       {"positions", "position"},
                                                                       {"wall-methods", "wall_method"},
+                                                                      {"wall-gradients", "wall_gradient"},
                                                                       {"masses", "mass"},
                                                                       {"boundaries", "boundary"},
                                                                       {"wall-accelerations", "wall_acceleration"},

@@ -30,6 +30,7 @@ nlohmann::json scheme_json(const Scheme& s) {
   if (s.position != "none") json["position"] = s.position;
   if (s.order > 0) json["order"] = s.order, json["wall_method"] = s.wall_method;
   if (s.cfl_x > 0) json["cfl_x"] = s.cfl_x;
+  if (s.wall_gradient != "none") json["wall_depth"] = s.wall_depth, json["wall_gradient"] = s.wall_gradient;
   return json;
 }
 
@@ -57,7 +58,8 @@ nlohmann::json record_json(const Record& r) {
             {"linf_all_steps", e.linf_all_steps},
             {"nodal_l1", e.nodal_l1},
             {"nodal_l2", e.nodal_l2},
-            {"nodal_linf", e.nodal_linf}}},
+            {"nodal_linf", e.nodal_linf},
+            {"velocity", e.velocity}}},
           {"energy",
            {{"kinetic", r.energy.kinetic}, {"strain", r.energy.strain}, {"initial_total", r.energy.initial_total}}},
           {"wall_seconds", r.wall_seconds},
@@ -84,6 +86,8 @@ void print_record(const Record& r) {
   if (r.the_case.measure.nodal_error)
     fmt::print("error of nodal a     l1 {}  l2 {}  linf {} m/s2\n", or_dash(r.error.nodal_l1),
                or_dash(r.error.nodal_l2), or_dash(r.error.nodal_linf));
+  if (r.the_case.measure.velocity_error)
+    fmt::print("error of the velocity, mean over all steps {} % of the problem's speed\n", or_dash(r.error.velocity));
   fmt::print("energy kinetic {}  strain {}  initial total {} J\n", or_dash(r.energy.kinetic), or_dash(r.energy.strain),
              or_dash(r.energy.initial_total));
   fmt::print("{:.3g} s, {:.2f} ns per particle and step\n", r.wall_seconds, r.ns_per_particle_step);

@@ -37,4 +37,19 @@ struct NeoHookeanLogEnergy {
   }
 };
 
+/// The stored energy of N (6): W = λ/2 ((J² - 1)/2 - ln J) - μ ln J + μ/2 (F:F - D).
+struct NeoHookeanSquareEnergy {
+  double lambda, mu;
+
+  template <class T, std::size_t D>
+  T operator()(const Matrix<T, D>& F) const {
+    using std::log;
+    const T J = determinant(F), log_J = log(J);
+    T F_F = T(-static_cast<double>(D));
+    for (const auto& row : F)
+      for (const T& entry : row) F_F += entry * entry;
+    return lambda / 2 * ((J * J - 1) / 2 - log_J) - mu * log_J + mu / 2 * F_F;
+  }
+};
+
 }  // namespace mpmvv::mms

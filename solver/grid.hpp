@@ -53,7 +53,7 @@ class Grid {
 
   /// Calls visit(n, n + shift * stride) for every node n whose index along `axis` is i: the plane i and its partner.
   template <class Visit>
-  void for_plane(int axis, int i, int partner, const Visit& visit) {
+  void for_plane(int axis, int i, int partner, const Visit& visit) const {
     const int step = stride_[axis];
     const int planes = nodes(axis);
     const int total = static_cast<int>(size());

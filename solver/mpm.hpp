@@ -25,9 +25,13 @@ enum class BodyForceOn {
   grid        ///< f_i = m_i b(x_i)
 };
 
-/// How walls hold velocities found by the expanded inverse, N §2.4: `velocity` afterwards, `lumped` those that the
-/// expansion starts from, `combined` both.
-enum class WallMethod { velocity, lumped, combined };
+/// How walls hold velocities found by the expanded inverse, N §2.4.
+enum class WallMethod {
+  velocity,    ///< those found
+  lumped,      ///< those that the expansion starts from
+  combined,    ///< both
+  elimination  ///< throughout: the expansion is that of the matrix without the nodes held
+};
 
 /// Everything a run is made from. Faces are ordered xmin, xmax, ymin, ...
 template <int D>
@@ -121,7 +125,7 @@ class Mpm {
   /// Adds up what the boundaries identify, after a scatter.
   template <class V>
   void fold(std::vector<V>& field);
-  void constrain(std::vector<Packed<D>>& field);             ///< v = C v
+  void constrain(std::vector<Packed<D>>& field);             ///< v = C v, where walls stand still
   void constrain_transposed(std::vector<Packed<D>>& field);  ///< f = Cᵀ f
 
   // With the consistent mass, M̂⁻¹ takes the place of 1/m_i.
@@ -132,6 +136,8 @@ class Mpm {
   /// Velocities by the expanded inverse from lumped ones, as the wall method has it; with the consistent mass they are
   /// right as they are.
   void expand_inverse(int order, std::vector<Packed<D>>& velocity);
+  /// Makes the velocities that come of it obey the faces, unless the wall method leaves them.
+  void hold_expanded(std::vector<Packed<D>>& velocity);
 
   void set_stress_velocity();  ///< v_i = p_i / m_i as the stress updates take it: by the expanded inverse for `fmpm`
 
@@ -159,8 +165,10 @@ class Mpm {
   template <class V>
   void divide_by_mass(const std::vector<V>& field, double least_mass, std::vector<Packed<D>>& quotient);
   void set_wall_acceleration(double dt);
-  /// `constrain` for lumped velocities and accelerations, if walls hold those.
-  void hold(std::vector<Packed<D>>& field);
+  /// Whether walls hold lumped velocities and accelerations.
+  bool holds_lumped() const { return !expanded_inverse_ || scene_.wall_method != WallMethod::velocity; }
+  void hold(std::vector<Packed<D>>& velocity);  ///< makes velocities obey the faces, moving walls among them
+  void add_walls();
   void add_grid_body_force();
   void add_surface_load();
   void sort();
@@ -177,6 +185,7 @@ class Mpm {
   Team team_;
   void (*advance_)(Mpm&, double);
   std::array<bool, D> periodic_{};
+  std::vector<MovingWall<D>> walls_;
   std::optional<ConsistentMass<D>> consistent_mass_;
   std::optional<ExpandedInverse<D>> expanded_inverse_;
   double least_mass_ = 0;

@@ -54,10 +54,27 @@ Mpm<D>::Mpm(Scene<D> scene)
     load_.resize(scene_.surface_load->parts().size());
   }
   sort();
+  add_walls();
   if (scene_.consistent_mass)
     consistent_mass_.emplace(*this, *scene_.consistent_mass, cell_mass);
   else if (expands_inverse(scene_.velocity_update))
     expanded_inverse_.emplace(grid_);
+}
+
+template <int D>
+void Mpm<D>::add_walls() {
+  for_faces([this]<class Boundary>(const Boundary& boundary, Face face) {
+    if constexpr (std::is_same_v<Boundary, Wall>) {
+      if (!boundary.motion) throw std::invalid_argument("a wall without a motion");
+      std::vector<double> places;
+      for (int i = -grid_.ghost(); i < grid_.nodes(face.axis) - grid_.ghost(); ++i) {
+        Index<D> index{};
+        index[static_cast<std::size_t>(face.axis)] = i;
+        places.push_back(node_position(static_cast<std::size_t>(grid_.node(index)))[face.axis]);
+      }
+      walls_.emplace_back(boundary, face, grid_, places);
+    }
+  });
 }
 
 template <int D>
@@ -71,6 +88,7 @@ template <int D>
 bool Mpm<D>::step(double dt) {
   const double end = time_ + dt;
   dt_ = dt;
+  for (auto& wall : walls_) wall.move(time_, dt, grid_.h());
   advance_(*this, dt);
   ++steps_;
   time_ = end;
@@ -171,6 +189,13 @@ void Mpm<D>::fold(std::vector<V>& field) {
 template <int D>
 void Mpm<D>::constrain(std::vector<Packed<D>>& field) {
   for_faces([&](const auto& boundary, Face face) { boundary.constrain(grid_, face, field); });
+  for (const auto& wall : walls_) wall.clear(grid_, field);
+}
+
+template <int D>
+void Mpm<D>::hold(std::vector<Packed<D>>& velocity) {
+  constrain(velocity);
+  for (const auto& wall : walls_) wall.hold(grid_, velocity);
 }
 
 template <int D>
@@ -178,6 +203,7 @@ void Mpm<D>::constrain_transposed(std::vector<Packed<D>>& field) {
   for_faces([&]<class Boundary>(const Boundary& boundary, Face face) {
     if constexpr (Boundary::holds) boundary.constrain_transposed(grid_, face, field);
   });
+  for (const auto& wall : walls_) wall.clear(grid_, field);
 }
 
 template <int D>
@@ -192,7 +218,8 @@ void Mpm<D>::divide_by_mass(const std::vector<V>& field, double least_mass, std:
 template <int D>
 void Mpm<D>::set_grid_velocity() {
   divide_by_mass(grid_.p, 0, grid_.v);
-  hold(grid_.v);
+  for (auto& wall : walls_) wall.meet(grid_);
+  if (holds_lumped()) hold(grid_.v);
   if (consistent_mass_) consistent_mass_->solve(*this, grid_.p, 0, grid_.v);
 }
 
@@ -200,7 +227,7 @@ template <int D>
 void Mpm<D>::set_grid_acceleration() {
   if (scene_.body_force && scene_.body_force_on == BodyForceOn::grid) add_grid_body_force();
   divide_by_mass(grid_.f, least_mass_, grid_.a);
-  if (!scene_.difference_acceleration) hold(grid_.a);
+  if (!scene_.difference_acceleration && holds_lumped()) constrain(grid_.a);
   if (consistent_mass_) consistent_mass_->solve(*this, grid_.f, least_mass_, grid_.a);
   if (scene_.half_start && steps_ == 0)
     for (auto& a : grid_.a) a *= 0.5;
@@ -227,20 +254,21 @@ void Mpm<D>::add_grid_body_force() {
 template <int D>
 void Mpm<D>::advance_grid_velocity(double dt) {
   for_nodes([&](std::size_t n) { grid_.v[n] += dt * grid_.a[n]; });
+  if (!holds_lumped()) return;
   hold(grid_.v);
   if (scene_.difference_acceleration) set_wall_acceleration(dt);
-}
-
-template <int D>
-void Mpm<D>::hold(std::vector<Packed<D>>& field) {
-  if (!expanded_inverse_ || scene_.wall_method != WallMethod::velocity) constrain(field);
+  for (const auto& wall : walls_) wall.set_acceleration(grid_, dt);
 }
 
 template <int D>
 void Mpm<D>::expand_inverse(int order, std::vector<Packed<D>>& velocity) {
-  if (!expanded_inverse_) return;
-  expanded_inverse_->apply(*this, order, velocity);
-  if (scene_.wall_method != WallMethod::lumped) constrain(velocity);
+  if (expanded_inverse_)
+    expanded_inverse_->apply(*this, order, scene_.wall_method == WallMethod::elimination, velocity);
+}
+
+template <int D>
+void Mpm<D>::hold_expanded(std::vector<Packed<D>>& velocity) {
+  if (expanded_inverse_ && scene_.wall_method != WallMethod::lumped) hold(velocity);
 }
 
 template <int D>

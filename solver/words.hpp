@@ -17,6 +17,7 @@
 #include "solver/boundary/mirror.hpp"
 #include "solver/boundary/periodic.hpp"
 #include "solver/boundary/symmetry.hpp"
+#include "solver/boundary/wall.hpp"
 #include "solver/material/linear_elastic.hpp"
 #include "solver/material/mie_gruneisen.hpp"
 #include "solver/material/neo_hookean_log.hpp"
@@ -45,7 +46,8 @@ using AnyBoundary = std::variant<Periodic,   //
                                  Dirichlet,  //
                                  Symmetry,   //
                                  Mirror,     //
-                                 Free>;
+                                 Free,       //
+                                 Wall>;
 
 using AnyMaterial = std::variant<NeoHookeanLog,     //
                                  NeoHookeanSquare,  //

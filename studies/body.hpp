@@ -36,9 +36,18 @@ struct Blocks {
   double gap = 0;       ///< m: `gap_cells` h
 };
 
+/// A box whose ends along x move apart.
+template <int D>
+struct Box {
+  solver::Vec<D> lower, size;  ///< m: whole cells
+  double end_speed = 0;        ///< of either end, m/s
+  double reach = 0;            ///< how far each gets until the end time, m
+};
+
 /// The region that a problem's body fills at rest.
 template <int D>
-using Body = std::conditional_t<D == 1, std::variant<Cuboid<D>>, std::variant<Cuboid<D>, Annulus<D>, Blocks<D>>>;
+using Body =
+    std::conditional_t<D == 1, std::variant<Cuboid<D>, Box<D>>, std::variant<Cuboid<D>, Annulus<D>, Blocks<D>, Box<D>>>;
 
 /// The cells of width h of the background grid.
 template <int D>
@@ -76,6 +85,25 @@ std::string description(const Blocks<D>& blocks) {
 template <int D>
 double volume(const Blocks<D>& blocks) {
   return 2 * blocks.size.prod();
+}
+
+template <int D>
+std::string description(const Box<D>& box) {
+  std::string text;
+  for (int d = 0; d < D; ++d)
+    text += fmt::format("{}{} from {} to {} m", d == 0 ? "" : ", ", "xyz"[d], box.lower[d], box.lower[d] + box.size[d]);
+  return text;
+}
+
+template <int D>
+double volume(const Box<D>& box) {
+  return box.size.prod();
+}
+
+template <int D>
+bool contains(const Box<D>& box, const solver::Vec<D>& X, double slack = 0) {
+  const auto inside = (X - box.lower).array();
+  return (inside >= -slack).all() && (inside <= box.size.array() + slack).all();
 }
 
 /// Whether X lies in the body or at most `slack` away from it.
@@ -122,6 +150,16 @@ Domain<D> domain(const Blocks<D>& blocks, double h) {
   for (std::size_t k = 0; k < D; ++k)
     d.cells[k] = static_cast<int>(std::lround(blocks.size[static_cast<int>(k)] / h)) + 2 * margin;
   d.cells[0] += d.cells[0] - 2 * margin + blocks.gap_cells;
+  return d;
+}
+
+/// Faces of the box lie on nodes, its sides on the domain's; beyond the ends a cell is left for errors of the motion.
+template <int D>
+Domain<D> domain(const Box<D>& box, double h) {
+  const int margin = cells_in(box.reach, h) + 1;
+  Domain<D> d{box.lower - margin * h * solver::Vec<D>::Unit(0), {}};
+  for (std::size_t k = 0; k < D; ++k) d.cells[k] = static_cast<int>(std::lround(box.size[static_cast<int>(k)] / h));
+  d.cells[0] += 2 * margin;
   return d;
 }
 

@@ -30,10 +30,11 @@ std::string canonical_text(const Case& c) {
   // Structured bindings name every member, so a new one does not compile until it stands here as well.
   const auto& [problem, scheme, resolution, measure] = c;
   const auto& [name, parameters, end_time, quarter] = problem;
-  const auto& [basis, smoothing_length, integrator, start, velocity_update, order, cfl_x, position, wall_method, mass,
-               boundary, wall_acceleration, deformation, body_force, fill, material] = scheme;
+  const auto& [basis, smoothing_length, integrator, start, velocity_update, order, cfl_x, position, wall_method,
+               wall_depth, wall_gradient, mass, boundary, wall_acceleration, deformation, body_force, fill, material] =
+      scheme;
   const auto& [cells, ppc, dt, steps] = resolution;
-  const auto& [every_step, nodal_error, blowup_error, blowup_energy, repeat] = measure;
+  const auto& [every_step, nodal_error, velocity_error, blowup_error, blowup_energy, repeat] = measure;
 
   CanonicalLine line;
   line.add("problem", name);
@@ -49,6 +50,8 @@ std::string canonical_text(const Case& c) {
       .add("cfl_x", cfl_x)
       .add("position", position)
       .add("wall_method", wall_method)
+      .add("wall_depth", wall_depth)
+      .add("wall_gradient", wall_gradient)
       .add("mass", mass)
       .add("boundary", boundary)
       .add("wall_acceleration", wall_acceleration)
@@ -62,6 +65,7 @@ std::string canonical_text(const Case& c) {
       .add("steps", steps)
       .add("every_step", every_step)
       .add("nodal_error", nodal_error)
+      .add("velocity_error", velocity_error)
       .add("blowup_error", blowup_error)
       .add("blowup_energy", blowup_energy)
       .add("repeat", repeat);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -32,6 +33,8 @@ struct Setup {
   solver::AnyMaterial material;
   std::shared_ptr<mms::ManufacturedSolution<D>> solution = nullptr;  ///< null where no exact solution is known
   std::function<solver::Vec<D>(const solver::Vec<D>&)> start_velocity = nullptr;  ///< used when there is no solution
+  std::array<std::shared_ptr<solver::WallMotion>, 2 * D> walls = {};              ///< by face; null where none can be
+  double speed = 0;  ///< of the problem, m/s, which velocity errors are measured by; 0: it has none
 };
 
 template <int D>
@@ -64,6 +67,8 @@ struct Problem {
   /// A quarter is continued by its mirror images, which alone makes it move as the whole body does.
   std::string default_boundary(bool quarter) const;
   bool has_solution(const Parameters& values) const;
+  bool has_speed(const Parameters& values) const;
+  bool has_wall(const Parameters& values, std::size_t face) const;
   bool is_curved(const Parameters& values) const;  ///< whether `fill` conforming has a meaning
 };
 
@@ -80,6 +85,7 @@ Parameters complete_parameters(const Problem& problem, const Parameters& given);
 template <int D>
 Setup<D> make_setup(const Problem& problem, const ProblemChoice& choice, double h) {
   Setup<D> setup = std::get<SetupFunction<D>>(problem.setup)(choice.parameters);
+  if (auto* box = std::get_if<Box<D>>(&setup.body)) box->reach = box->end_speed * choice.end_time;
   if constexpr (D > 1) {
     if (auto* annulus = std::get_if<Annulus<D>>(&setup.body)) annulus->quarter = choice.quarter;
     if (auto* blocks = std::get_if<Blocks<D>>(&setup.body)) blocks->gap = blocks->gap_cells * h;
@@ -101,6 +107,9 @@ Problem ring_problem();
 Problem vortex_problem();
 Problem shell_problem();
 Problem impact_problem();
+Problem stretch_problem();
+Problem stretch_1d_problem();
+Problem stretch_3d_problem();
 Problem one_particle_problem();
 
 }  // namespace mpmvv

@@ -21,6 +21,8 @@ struct Errors {
   double l1_all_steps = not_measured, l2_all_steps = not_measured, linf_all_steps = not_measured;
   /// Of the acceleration error δ_i over the nodes of the body at the end, W (A.2), in m/s².
   double nodal_l1 = not_measured, nodal_l2 = not_measured, nodal_linf = not_measured;
+  /// Of the velocity: mean over all steps of the RMS over particles, in per cent of the problem's speed, N §3.4.
+  double velocity = not_measured;
 };
 
 /// At the end, in J. With a staggered integrator (cd, uvf) the velocities, and so the kinetic energy, are those of half

@@ -15,6 +15,8 @@ struct Scheme {
   double cfl_x = 0;                      ///< CFL number of `fmpm`'s own steps; 0: every one
   std::string position = "first-order";  ///< how positions follow `flip`; others have a way of their own
   std::string wall_method = "none";      ///< how walls hold what `xpic` and `fmpm` expand; others expand nothing
+  double wall_depth = 0;                 ///< cells inside a moving wall that it holds; 0 without one
+  std::string wall_gradient = "none";    ///< of the velocity it holds; none without one
   std::string mass = "lumped";
   std::string boundary = "dirichlet";
   std::string wall_acceleration = "zero";

@@ -18,8 +18,9 @@ class ExpandedInverse {
 
   explicit ExpandedInverse(const Grid<D>& grid) : start_(grid.size()), image_(grid.size()) {}
 
-  /// w = m̃_k⁻¹ m w₁, from the lumped velocities w₁ given. Walls hold nothing meanwhile.
-  void apply(Mpm<D>& s, int order, Field& w) {
+  /// w = m̃_k⁻¹ m w₁, from the lumped velocities w₁ given. Walls hold nothing meanwhile; or, held nodes eliminated, they
+  /// keep w₁ there, and the rest of w tends to the solution of (m̃ w)_i = m_i w₁_i on the nodes i that are free.
+  void apply(Mpm<D>& s, int order, bool eliminates, Field& w) {
     start_ = w;
     for (int term = 1; term < order; ++term) {
       s.for_nodes([&](std::size_t n) { image_[n].setZero(); });
@@ -27,8 +28,10 @@ class ExpandedInverse {
       s.fold(image_);
       s.for_nodes([&](std::size_t n) {
         const double share = s.grid().m(n) > 0 ? 1 / s.grid().m(n) : 0.0;
-        w[n] += start_[n] - share * image_[n];
+        image_[n] = start_[n] - share * image_[n];
       });
+      if (eliminates) s.constrain(image_);
+      s.for_nodes([&](std::size_t n) { w[n] += image_[n]; });
     }
   }
 

@@ -22,7 +22,9 @@ struct Fmpm {
   /// The lumped grid velocity becomes m̃_k⁻¹ p.
   template <int D>
   void sharpen(Mpm<D>& s) const {
-    if (is_due(s)) s.expand_inverse(order, s.grid().v);
+    if (!is_due(s)) return;
+    s.expand_inverse(order, s.grid().v);
+    s.hold_expanded(s.grid().v);
   }
 
  private:

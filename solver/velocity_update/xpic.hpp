@@ -22,6 +22,7 @@ struct Xpic {
       grid.f[n] += increment;
       grid.a[n] = grid.v[n] - increment;
     });
+    s.hold_expanded(grid.f);
     return {.taken = &grid.f, .drift = &grid.a, .before = -0.5, .after = 0.5};
   }
 };

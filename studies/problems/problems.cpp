@@ -15,6 +15,9 @@ const std::vector<Problem>& problems() {
       vortex_problem(),        //
       shell_problem(),         //
       impact_problem(),        //
+      stretch_problem(),       //
+      stretch_1d_problem(),    //
+      stretch_3d_problem(),    //
       one_particle_problem(),  //
   };
   return all;
@@ -44,6 +47,14 @@ std::string Problem::default_boundary(bool quarter) const {
 
 bool Problem::has_solution(const Parameters& values) const {
   return std::visit([&values](auto make) { return make(values).solution != nullptr; }, setup);
+}
+
+bool Problem::has_speed(const Parameters& values) const {
+  return std::visit([&values](auto make) { return make(values).speed > 0; }, setup);
+}
+
+bool Problem::has_wall(const Parameters& values, std::size_t face) const {
+  return std::visit([&](auto make) { return make(values).walls[face] != nullptr; }, setup);
 }
 
 bool Problem::is_curved(const Parameters& values) const {

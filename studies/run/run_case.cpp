@@ -6,6 +6,7 @@
 #include <chrono>
 #include <ctime>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -57,6 +58,25 @@ ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const Stage<D>& stage)
   return norms;
 }
 
+/// The mean over the steps noted of the particles' RMS velocity error.
+template <int D>
+class VelocityError {
+ public:
+  void note(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
+    const auto& particles = mpm.particles();
+    ErrorNorms norms;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+      norms.add((particles.v[p] - stage.setup.solution->v(stage.X[particles.id[p]], mpm.time())).norm());
+    sum_ += norms.l2();
+    ++steps_;
+  }
+  double mean() const { return sum_ / static_cast<double>(steps_); }
+
+ private:
+  double sum_ = 0;
+  std::int64_t steps_ = 0;
+};
+
 /// Decides whether a run has blown up. A run is looked at every `interval` steps and at its end.
 template <int D>
 class Watch {
@@ -64,7 +84,8 @@ class Watch {
   static constexpr std::int64_t interval = 32;
 
   Watch(const Case& c, const Stage<D>& stage, double initial_energy)
-      : most_energy_(c.measure.blowup_energy * initial_energy + round_off * stage.setup.density),
+      : most_energy_(stage.is_driven() ? std::numeric_limits<double>::infinity()
+                                       : c.measure.blowup_energy * initial_energy + round_off * stage.setup.density),
         most_error_(stage.setup.solution
                         ? c.measure.blowup_error * stage.setup.solution->displacement_scale() + round_off
                         : 0) {}
@@ -129,9 +150,11 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
   const bool every_step = c.measure.every_step && stage.points;
   if (every_step) record.error.l1_all_steps = record.error.l2_all_steps = record.error.linf_all_steps = 0;
   if (vtu) vtu->write(mpm, stage.X);
-  const std::int64_t stride = every_step || vtu ? 1 : Watch<D>::interval;
+  VelocityError<D> velocity_error;
+  const std::int64_t stride = every_step || vtu || c.measure.velocity_error ? 1 : Watch<D>::interval;
   const double step_seconds = advance(mpm, stage, c, stride, record, [&] {
     if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, stage));
+    if (c.measure.velocity_error) velocity_error.note(mpm, stage);
     if (vtu && VtuSeries::due(record.steps, c.resolution.steps)) vtu->write(mpm, stage.X);
   });
   if (record.status == Status::ok) {
@@ -143,6 +166,7 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
       record.error.l2 = norms.l2();
       record.error.linf = norms.linf();
     }
+    if (c.measure.velocity_error) record.error.velocity = 100 / stage.setup.speed * velocity_error.mean();
     if (c.measure.nodal_error) {
       const ErrorNorms norms = acceleration_errors(mpm, *stage.setup.solution, stage.setup.body);
       record.error.nodal_l1 = norms.l1();

@@ -70,9 +70,27 @@ solver::AnyVelocityUpdate velocity_update(const Scheme& scheme, double cfl) {
 }
 
 solver::WallMethod wall_method(const std::string& word) {
-  return word == "velocity" ? solver::WallMethod::velocity
-         : word == "lumped" ? solver::WallMethod::lumped
-                            : solver::WallMethod::combined;
+  return word == "velocity"      ? solver::WallMethod::velocity
+         : word == "lumped"      ? solver::WallMethod::lumped
+         : word == "elimination" ? solver::WallMethod::elimination
+                                 : solver::WallMethod::combined;
+}
+
+/// The faces' boundaries, walls with their motions.
+template <int D>
+void set_boundaries(Stage<D>& stage, const Scheme& scheme) {
+  const auto faces = boundary_faces(scheme.boundary, D, "the case");
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    auto& boundary = stage.scene.boundary[k];
+    solver::from_word(faces[k], boundary);
+    if (auto* wall = std::get_if<solver::Wall>(&boundary)) {
+      wall->motion = stage.setup.walls[k].get();
+      wall->depth = scheme.wall_depth;
+      wall->gradient = scheme.wall_gradient == "zero"        ? solver::WallGradient::zero
+                       : scheme.wall_gradient == "estimated" ? solver::WallGradient::estimated
+                                                             : solver::WallGradient::given;
+    }
+  }
 }
 
 }  // namespace
@@ -96,8 +114,7 @@ Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
   scene.difference_acceleration = c.scheme.wall_acceleration == "difference";
   if (c.scheme.mass == "consistent") scene.consistent_mass.emplace();
   scene.threads = threads;
-  const auto faces = boundary_faces(c.scheme.boundary, D, "the case");
-  for (std::size_t k = 0; k < faces.size(); ++k) solver::from_word(faces[k], scene.boundary[k]);
+  set_boundaries(stage, c.scheme);
 
   solver::from_word(c.scheme.basis, scene.basis);
   if (auto* ugimp = std::get_if<solver::UGimp>(&scene.basis)) ugimp->smoothing_length = c.scheme.smoothing_length;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -60,6 +61,12 @@ struct Stage {
   std::unique_ptr<SolutionBodyForce<D>> body_force;
   std::unique_ptr<SolutionTraction<D>> traction;  ///< null where the surface is free or held
   solver::Scene<D> scene;
+
+  /// Whether walls put energy in, so that it has no bound.
+  bool is_driven() const {
+    const auto is_wall = [](const auto& wall) { return wall != nullptr; };
+    return std::any_of(setup.walls.begin(), setup.walls.end(), is_wall);
+  }
 };
 
 /// The body filled with particles in their state at t = 0.

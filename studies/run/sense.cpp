@@ -66,6 +66,35 @@ void require_sense_of_deformation(const Scheme& s) {
     throw UsageError("deformation 'exponential' with integrator 'rk4', whose stages are linear (use linear)");
 }
 
+void require_sense_of_walls(const Case& c, const Problem& problem, const std::vector<std::string>& faces) {
+  const Scheme& s = c.scheme;
+  bool moving = false;
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (faces[k] != solver::Wall::word) continue;
+    moving = true;
+    if (!problem.has_wall(c.problem.parameters, k))
+      throw UsageError(fmt::format("boundary '{}' on face {}{} of problem '{}', which has no moving wall there",
+                                   solver::Wall::word, "xyz"[k / 2], k % 2 == 0 ? "min" : "max", problem.name));
+  }
+  if (s.cfl_x > 0 && s.wall_method == "velocity")
+    throw UsageError(
+        "cfl_x with wall_method 'velocity', which leaves the steps between without walls (use lumped, combined or "
+        "elimination)");
+  if (!moving) return;
+  if (solver::is_staggered(s.integrator) || solver::is_staged(s.integrator))
+    throw UsageError(
+        fmt::format("boundary 'wall' with integrator '{}' (one whose steps have positions and velocities at their "
+                    "ends: usl, usf, usavg, usl+, usavg+)",
+                    s.integrator));
+  if (s.wall_acceleration == "difference")
+    throw UsageError("wall_acceleration 'difference' with boundary 'wall', whose nodes have it anyway (leave it out)");
+  if (s.mass == "consistent" && s.velocity_update != "fmpm")
+    throw UsageError(
+        fmt::format("boundary 'wall' with mass 'consistent' and velocity_update '{}' (use fmpm: it takes velocities, "
+                    "where accelerations at walls are a difference of lumped ones)",
+                    s.velocity_update));
+}
+
 }  // namespace
 
 void require_sense(const Case& c) {
@@ -102,6 +131,7 @@ void require_sense(const Case& c) {
   require_sense_of_mass(c, ghosts, has("mirror"));
   require_sense_of_velocity_update(s);
   require_sense_of_deformation(s);
+  require_sense_of_walls(c, problem, faces);
   if (const int least = std::max(4, 2 * ghosts); (has("symmetry") || has("mirror")) && c.resolution.cells < least)
     throw UsageError(
         fmt::format("{} cells are too few for boundary '{}' (at least {}: ghosts and their images must differ)",
@@ -127,6 +157,9 @@ void require_sense(const Case& c) {
   if (c.measure.nodal_error && !has_solution)
     throw UsageError(
         fmt::format("problem '{}' has no exact acceleration for nodal_error (leave it out)", problem.name));
+  if (c.measure.velocity_error && !problem.has_speed(c.problem.parameters))
+    throw UsageError(
+        fmt::format("problem '{}' has no speed that velocity_error is measured by (leave it out)", problem.name));
   if (c.measure.nodal_error && s.wall_acceleration == "difference")
     throw UsageError(
         "nodal_error with wall_acceleration 'difference', which belongs to a step and not to the end time (use zero)");

@@ -33,6 +33,13 @@ double positive(const Setting& setting) {
   return value;
 }
 
+double not_negative(const Setting& setting) {
+  const double value = parse_number(setting);
+  if (value < 0)
+    throw UsageError(fmt::format("{} = {} in {} (a number >= 0)", setting.key, setting.value, setting.where));
+  return value;
+}
+
 template <class Integer>
 Integer count(const Setting& setting, Integer least, Integer most) {
   Integer value = 0;
@@ -129,6 +136,20 @@ void set_velocity_update(const Settings& settings, Scheme& scheme) {
   if (const auto it = settings.find("cfl_x"); it != settings.end()) scheme.cfl_x = positive(it->second);
 }
 
+/// What goes with moving walls.
+void set_walls(const Settings& settings, Scheme& scheme) {
+  if (scheme.boundary.find(solver::Wall::word) != std::string::npos) {
+    scheme.wall_depth = 1;
+    if (const auto it = settings.find("wall_depth"); it != settings.end()) scheme.wall_depth = not_negative(it->second);
+    if (!settings.contains("wall_gradient")) scheme.wall_gradient = "given";
+    return;
+  }
+  for (const char* key : {"wall_depth", "wall_gradient"})
+    if (const auto it = settings.find(key); it != settings.end())
+      throw UsageError(fmt::format("{} in {} has no meaning for boundary '{}' (only wall takes it)", key,
+                                   it->second.where, scheme.boundary));
+}
+
 Scheme make_scheme(const Settings& settings, const Problem& problem, bool quarter) {
   Scheme scheme;
   for (const WordKey& key : word_keys()) {
@@ -166,6 +187,7 @@ Scheme make_scheme(const Settings& settings, const Problem& problem, bool quarte
   scheme.boundary = it == settings.end()
                         ? canonical_boundary(problem.default_boundary(quarter), problem.dimension(), "its default")
                         : canonical_boundary(it->second.value, problem.dimension(), it->second.where);
+  set_walls(settings, scheme);
   return scheme;
 }
 
@@ -225,6 +247,8 @@ Case make_case(std::span<const Setting> given) {
   set_time_step(settings, problem, c);
   if (const auto it = settings.find("every_step"); it != settings.end()) c.measure.every_step = flag(it->second);
   if (const auto it = settings.find("nodal_error"); it != settings.end()) c.measure.nodal_error = flag(it->second);
+  if (const auto it = settings.find("velocity_error"); it != settings.end())
+    c.measure.velocity_error = flag(it->second);
   c.measure.blowup_error = number(settings, "blowup_error", c.measure.blowup_error);
   c.measure.blowup_energy = number(settings, "blowup_energy", c.measure.blowup_energy);
   if (const auto it = settings.find("repeat"); it != settings.end()) c.measure.repeat = count<int>(it->second, 3, 99);

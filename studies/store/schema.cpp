@@ -234,7 +234,12 @@ constexpr const char* schema_3 = R"sql(
     CHECK (kind IN ('curves', 'work-precision', 'particles'));
 )sql";
 
-constexpr std::array all_migrations{schema_1, schema_2, schema_3};
+/// Errors of the velocity.
+constexpr const char* schema_4 = R"sql(
+  ALTER TABLE runs ADD COLUMN velocity_error REAL;
+)sql";
+
+constexpr std::array all_migrations{schema_1, schema_2, schema_3, schema_4};
 
 }  // namespace
 

@@ -1,0 +1,155 @@
+#pragma once
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "solver/boundary/boundary.hpp"
+
+namespace mpmvv::solver {
+
+/// How a wall moves along its axis, as the caller of the solver supplies it. Asked once per step.
+class WallMotion {
+ public:
+  virtual ~WallMotion() = default;
+  virtual double position(double t) const = 0;  ///< x_wall, m
+  virtual double velocity(double t) const = 0;  ///< v_b, m/s
+  virtual double gradient(double t) const = 0;  ///< ∂v_b/∂x of the body there, 1/s
+};
+
+/// Where the velocity gradient at a wall comes from.
+enum class WallGradient {
+  zero,
+  given,     ///< by the motion
+  estimated  ///< from the particles, N (4)
+};
+
+/// A face from which a wall moves through the grid, N §2.5. What it holds changes with time: see MovingWall.
+struct Wall {
+  static constexpr std::string_view word = "wall";
+  static constexpr bool holds = false;
+
+  const WallMotion* motion = nullptr;  ///< must outlive the run
+  double depth = 1;                    ///< d, in cells
+  WallGradient gradient = WallGradient::given;
+
+  template <int D, class T>
+  void fold(Grid<D>&, Face, std::vector<T>&) const {}
+  template <int D>
+  void constrain(Grid<D>&, Face, std::vector<Packed<D>>&) const {}
+};
+
+/// A wall in motion. In the direction of its normal alone it holds the nodes that lie at most d cells inside it, and
+/// those with mass outside it (as far as they follow each other without a gap), at
+///   v_i = v_b + ∇v_b (x_i - x_wall),                                                N §2.5
+/// whatever the tangential velocity. Within a step x_wall and ∇v_b are those of t^n, where the weights are taken, and
+/// v_b that of t^n + Δt, to which the held velocity leads: motion at constant rate, v = rate X, is then kept exactly.
+/// N does not say; with all three of t^n + Δt the nodes get velocities that particles there have a step later.
+template <int D>
+class MovingWall {
+ public:
+  using Field = std::vector<Packed<D>>;
+
+  /// `places` are the coordinates of the grid's planes of nodes across the wall's axis, ghosts included, m.
+  MovingWall(const Wall& wall, Face face, const Grid<D>& grid, std::vector<double> places)
+      : wall_(wall),
+        face_(face),
+        ghost_(grid.ghost()),
+        places_(std::move(places)),
+        gradient_(grid.size() / static_cast<std::size_t>(grid.nodes(face.axis))),
+        squares_(gradient_.size()) {}
+
+  /// To be called at the start of a step.
+  void move(double t, double dt, double h) {
+    position_ = wall_.motion->position(t);
+    velocity_ = wall_.motion->velocity(t + dt);
+    if (wall_.gradient == WallGradient::given) std::fill(gradient_.begin(), gradient_.end(), wall_.motion->gradient(t));
+    const double depth = (wall_.depth + round_off) * h;
+    inmost_ = face_.upper ? static_cast<int>(places_.size()) : -1;
+    while (is_plane(inmost_ + inward()) && inside(inmost_ + inward()) <= depth) inmost_ += inward();
+  }
+
+  /// To be called when masses and velocities v_i = p_i / m_i have been mapped: finds the outmost nodes with mass, and
+  /// the gradients where they are to be estimated.
+  void meet(const Grid<D>& grid) {
+    outmost_ = inmost_;
+    while (is_plane(outmost_ - inward()) && has_mass(grid, outmost_ - inward())) outmost_ -= inward();
+    if (wall_.gradient == WallGradient::estimated) estimate_gradient(grid);
+  }
+
+  /// v_i of the nodes held.
+  void hold(const Grid<D>& grid, Field& velocity) const {
+    for_held(grid, [&](int n, double distance, double gradient) {
+      velocity[static_cast<std::size_t>(n)][face_.axis] = velocity_ + gradient * distance;
+    });
+  }
+
+  /// Zero on the nodes held: of what is added to held velocities, and of forces that they do not follow.
+  void clear(const Grid<D>& grid, Field& field) const {
+    for_held(grid, [&](int n, double, double) { field[static_cast<std::size_t>(n)][face_.axis] = 0; });
+  }
+
+  /// a_i = (v_i^{n+1} - p_i / m_i) / Δt on the nodes held, N §2.4; the grid's v is v^{n+1}.
+  void set_acceleration(Grid<D>& grid, double dt) const {
+    for_held(grid, [&](int node, double, double) {
+      const auto n = static_cast<std::size_t>(node);
+      const double v = grid.v[n][face_.axis];
+      if (grid.m(n) > 0) grid.a[n][face_.axis] = (v - grid.p[n][face_.axis] / grid.m(n)) / dt;
+    });
+  }
+
+ private:
+  static constexpr double round_off = 1e-9;  ///< cells: a node at depth d counts as inside it
+
+  int inward() const { return face_.upper ? -1 : 1; }
+  bool is_plane(int k) const { return k >= 0 && k < static_cast<int>(places_.size()); }
+  double distance(int k) const { return places_[static_cast<std::size_t>(k)] - position_; }
+  double inside(int k) const { return inward() * distance(k); }
+
+  /// Calls visit(n, line) for every node of a plane; the nodes of different planes across from each other share a line.
+  template <class Visit>
+  void for_plane(const Grid<D>& grid, int plane, const Visit& visit) const {
+    std::size_t line = 0;
+    grid.for_plane(face_.axis, plane - ghost_, plane - ghost_, [&](int n, int) { visit(n, line++); });
+  }
+
+  /// Calls visit(n, x_i - x_wall, ∇v_b) for every node held.
+  template <class Visit>
+  void for_held(const Grid<D>& grid, const Visit& visit) const {
+    for (int plane = inmost_; is_plane(plane) && plane != outmost_ - inward(); plane -= inward())
+      for_plane(grid, plane, [&](int n, std::size_t line) { visit(n, distance(plane), gradient_[line]); });
+  }
+
+  bool has_mass(const Grid<D>& grid, int plane) const {
+    bool found = false;
+    for_plane(grid, plane, [&](int n, std::size_t) { found = found || grid.m(static_cast<std::size_t>(n)) > 0; });
+    return found;
+  }
+
+  /// ∇v_b = Σ Δv Δx / Σ Δx² over the last node that is free and the first one held inside, across the wall from each
+  /// other and where they have mass, Δv = v_i - v_b, Δx = x_i - x_wall                                         N (4)
+  void estimate_gradient(const Grid<D>& grid) {
+    std::fill(gradient_.begin(), gradient_.end(), 0.0);
+    std::fill(squares_.begin(), squares_.end(), 0.0);
+    for (const int plane : {inmost_ + inward(), inmost_})
+      if (is_plane(plane) && inside(plane) > 0)
+        for_plane(grid, plane, [&](int node, std::size_t line) {
+          const auto n = static_cast<std::size_t>(node);
+          if (!(grid.m(n) > 0)) return;
+          gradient_[line] += (grid.v[n][face_.axis] - velocity_) * distance(plane);
+          squares_[line] += distance(plane) * distance(plane);
+        });
+    for (std::size_t line = 0; line < gradient_.size(); ++line)
+      if (squares_[line] > 0) gradient_[line] /= squares_[line];
+  }
+
+  Wall wall_;
+  Face face_;
+  int ghost_;
+  std::vector<double> places_;
+  std::vector<double> gradient_, squares_;  ///< by line of nodes across the wall: ∇v_b, Σ Δx²
+  double position_ = 0, velocity_ = 0;
+  int inmost_ = -1, outmost_ = -1;  ///< planes held, ghosts counted
+};
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,73 @@
+#include "mms/stretch.hpp"
+
+#include "studies/problems/parameters.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+constexpr double bar_length = 20, bar_height = 4;  // m
+
+/// The end of the bar at X, which keeps its velocity.
+class BarEnd final : public solver::WallMotion {
+ public:
+  BarEnd(double X, double rate) : X_(X), rate_(rate) {}
+
+  double position(double t) const override { return X_ * (1 + rate_ * t); }
+  double velocity(double) const override { return X_ * rate_; }
+  double gradient(double t) const override { return rate_ / (1 + rate_ * t); }
+
+ private:
+  double X_, rate_;
+};
+
+template <int D>
+Setup<D> stretch_setup(const Parameters& p) {
+  const mms::Elasticity material{p.at("youngs_modulus"), 0, p.at("density")};
+  const double rate = p.at("rate"), end_speed = rate * bar_length / 2;
+  Box<D> bar{.lower = solver::Vec<D>::Constant(-bar_height / 2), .size = solver::Vec<D>::Constant(bar_height)};
+  bar.lower[0] = -bar_length / 2, bar.size[0] = bar_length, bar.end_speed = end_speed;
+  Setup<D> setup{.body = bar,
+                 .density = material.density,
+                 .material = neo_hookean<solver::NeoHookeanSquare>(material.youngs_modulus, 0),
+                 .solution = std::make_shared<mms::Stretch<D>>(rate, material, 0.2 * bar_length / 2)};
+  for (const std::size_t face : {0, 1})
+    setup.walls[face] = std::make_shared<BarEnd>((face == 0 ? -1 : 1) * bar_length / 2, rate);
+  setup.speed = end_speed;
+  return setup;
+}
+
+template <int D>
+Problem stretch_in(const std::string& name, const std::string& sides) {
+  return {.name = name,
+          .source = "Nairn and Hammerquist 2021, section 3.4",
+          .length_formula = "4",
+          .length = [](const Parameters&) { return bar_height; },
+          .parameters = {youngs_modulus_parameter(0.75), density_parameter(1),
+                         Parameter{"rate", 0.0025, "1/s", [](double rate) { return rate > 0; }, "> 0"}},
+          .wave_speed_formula = "c = sqrt(E/rho)",
+          .wave_speed = bar_wave_speed,
+          .end_time_formula = "0.2/rate",
+          .end_time = [](const Parameters& p) { return 0.2 / p.at("rate"); },
+          .boundary = "xmin=wall,xmax=wall" + sides,
+          .material = std::string(solver::NeoHookeanSquare::word),
+          .setup = &stretch_setup<D>};
+}
+
+}  // namespace
+
+/// A bar of 20 by 4 m (by 4 m in three dimensions, a line in one) centred at the origin, that walls at its ends stretch
+/// by a fifth; its Poisson's ratio is zero, its sides are free. L is its height: N's cells of 0.25 m are 16.
+Problem stretch_problem() {
+  return stretch_in<2>("stretch", ",ymin=free,ymax=free");
+}
+
+Problem stretch_1d_problem() {
+  return stretch_in<1>("stretch-1d", "");
+}
+
+Problem stretch_3d_problem() {
+  return stretch_in<3>("stretch-3d", ",ymin=free,ymax=free,zmin=free,zmax=free");
+}
+
+}  // namespace mpmvv
