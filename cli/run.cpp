@@ -36,35 +36,39 @@ nlohmann::json scheme_json(const Scheme& s) {
 
 nlohmann::json record_json(const Record& r) {
   const Errors& e = r.error;
-  return {{"problem", r.the_case.problem.name},
-          {"quarter", r.the_case.problem.quarter},
-          {"parameters", r.the_case.problem.parameters},
-          {"scheme", scheme_json(r.the_case.scheme)},
-          {"cells", r.the_case.resolution.cells},
-          {"ppc", r.the_case.resolution.ppc},
-          {"particles", r.particles},
-          {"steps", r.steps},
-          {"dt", r.the_case.resolution.dt},
-          {"cfl", r.cfl},
-          {"end_time", r.the_case.problem.end_time},
-          {"status", to_string(r.status)},
-          {"reason", r.reason},
-          {"error",
-           {{"l1", e.l1},
-            {"l2", e.l2},
-            {"linf", e.linf},
-            {"l1_all_steps", e.l1_all_steps},
-            {"l2_all_steps", e.l2_all_steps},
-            {"linf_all_steps", e.linf_all_steps},
-            {"nodal_l1", e.nodal_l1},
-            {"nodal_l2", e.nodal_l2},
-            {"nodal_linf", e.nodal_linf},
-            {"velocity", e.velocity}}},
-          {"energy",
-           {{"kinetic", r.energy.kinetic}, {"strain", r.energy.strain}, {"initial_total", r.energy.initial_total}}},
-          {"wall_seconds", r.wall_seconds},
-          {"ns_per_particle_step", r.ns_per_particle_step},
-          {"cost", {{"step_seconds", r.cost.step_seconds}, {"spread", r.cost.spread}}}};
+  return {
+      {"problem", r.the_case.problem.name},
+      {"quarter", r.the_case.problem.quarter},
+      {"parameters", r.the_case.problem.parameters},
+      {"scheme", scheme_json(r.the_case.scheme)},
+      {"cells", r.the_case.resolution.cells},
+      {"ppc", r.the_case.resolution.ppc},
+      {"particles", r.particles},
+      {"steps", r.steps},
+      {"dt", r.the_case.resolution.dt},
+      {"cfl", r.cfl},
+      {"end_time", r.the_case.problem.end_time},
+      {"status", to_string(r.status)},
+      {"reason", r.reason},
+      {"error",
+       {{"l1", e.l1},
+        {"l2", e.l2},
+        {"linf", e.linf},
+        {"l1_all_steps", e.l1_all_steps},
+        {"l2_all_steps", e.l2_all_steps},
+        {"linf_all_steps", e.linf_all_steps},
+        {"nodal_l1", e.nodal_l1},
+        {"nodal_l2", e.nodal_l2},
+        {"nodal_linf", e.nodal_linf},
+        {"velocity", e.velocity},
+        {"stress", e.stress}}},
+      {"energy",
+       {{"kinetic", r.energy.kinetic}, {"strain", r.energy.strain}, {"initial_total", r.energy.initial_total}}},
+      {"balance",
+       {{"mass", r.balance.mass}, {"momentum", r.balance.momentum}, {"angular_momentum", r.balance.angular_momentum}}},
+      {"wall_seconds", r.wall_seconds},
+      {"ns_per_particle_step", r.ns_per_particle_step},
+      {"cost", {{"step_seconds", r.cost.step_seconds}, {"spread", r.cost.spread}}}};
 }
 
 std::string or_dash(double value) {
@@ -88,8 +92,11 @@ void print_record(const Record& r) {
                or_dash(r.error.nodal_l2), or_dash(r.error.nodal_linf));
   if (r.the_case.measure.velocity_error)
     fmt::print("error of the velocity, mean over all steps {} % of the problem's speed\n", or_dash(r.error.velocity));
+  if (r.the_case.measure.stress_error) fmt::print("error of the stress  l2 {} Pa\n", or_dash(r.error.stress));
   fmt::print("energy kinetic {}  strain {}  initial total {} J\n", or_dash(r.energy.kinetic), or_dash(r.energy.strain),
              or_dash(r.energy.initial_total));
+  fmt::print("change of mass {}  momentum {}  angular momentum {}\n", or_dash(r.balance.mass),
+             or_dash(r.balance.momentum), or_dash(r.balance.angular_momentum));
   fmt::print("{:.3g} s, {:.2f} ns per particle and step\n", r.wall_seconds, r.ns_per_particle_step);
   if (r.the_case.measure.repeat > 0)
     fmt::print("cost {} s of steps, median of {} runs (range {:.0f} %)\n", or_dash(r.cost.step_seconds),

@@ -79,8 +79,10 @@ class Mpm {
   double time() const { return time_; }
   std::int64_t steps() const { return steps_; }  ///< finished ones
   std::string fault() const;
-  double kinetic_energy() const;  ///< Σ m_p v_p²/2
-  double strain_energy() const;   ///< Σ V⁰_p W(F_p), or the internal energy of a material with a history
+  double mass() const;                 ///< Σ m_p
+  Mat<D> stress(std::size_t p) const;  ///< Cauchy stress of a particle
+  double kinetic_energy() const;       ///< Σ m_p v_p²/2
+  double strain_energy() const;        ///< Σ V⁰_p W(F_p), or the internal energy of a material with a history
 
   /// Maps the particles as they are now: the grid then holds m_i and a_i = f_i/m_i, constrained, of this very time,
   /// where a step leaves those of its start.

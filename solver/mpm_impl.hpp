@@ -1,4 +1,5 @@
 #pragma once
+#include <numeric>
 #include <stdexcept>
 
 #include "solver/integrator/integrators.hpp"
@@ -131,6 +132,26 @@ std::string Mpm<D>::fault() const {
                : "a particle is wider than a cell";
   if (contains(fault_, Fault::inverted)) return "det F <= 0 on a particle";
   return "";
+}
+
+template <int D>
+double Mpm<D>::mass() const {
+  return std::accumulate(particles_.m.begin(), particles_.m.end(), 0.0);
+}
+
+template <int D>
+Mat<D> Mpm<D>::stress(std::size_t p) const {
+  return std::visit(
+      [&]<class M>(const M& material) -> Mat<D> {
+        if constexpr (has_history<M>)
+          return -particles_.thermal[p].total_pressure() * Mat<D>::Identity();
+        else {
+          PackedMat<D> tau;
+          material.kirchhoff(&particles_.F[p], &tau, 1);
+          return tau.template topRows<D>() / particles_.F[p].determinant();
+        }
+      },
+      scene_.material);
 }
 
 template <int D>

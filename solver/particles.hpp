@@ -31,7 +31,7 @@ struct Particles {
   std::vector<Mat<D>> R;          ///< edges of the domain as columns, in units of h, for bases that take a domain
   std::vector<Mat<D>> R0;         ///< reference edges in units of h, likewise
 
-  std::vector<Mat<D>> C;          ///< gradient of the affine velocity field, 1/s, for `apic`
+  std::vector<Mat<D>> C;  ///< gradient of the affine velocity field, 1/s, for `apic`
 
   std::vector<ThermalState> thermal;  ///< for materials with a history
 

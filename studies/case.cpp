@@ -34,7 +34,7 @@ std::string canonical_text(const Case& c) {
                wall_depth, wall_gradient, mass, boundary, wall_acceleration, deformation, body_force, fill, material] =
       scheme;
   const auto& [cells, ppc, dt, steps] = resolution;
-  const auto& [every_step, nodal_error, velocity_error, blowup_error, blowup_energy, repeat] = measure;
+  const auto& [every_step, nodal_error, velocity_error, stress_error, blowup_error, blowup_energy, repeat] = measure;
 
   CanonicalLine line;
   line.add("problem", name);
@@ -66,6 +66,7 @@ std::string canonical_text(const Case& c) {
       .add("every_step", every_step)
       .add("nodal_error", nodal_error)
       .add("velocity_error", velocity_error)
+      .add("stress_error", stress_error)
       .add("blowup_error", blowup_error)
       .add("blowup_energy", blowup_energy)
       .add("repeat", repeat);

@@ -23,6 +23,15 @@ struct Errors {
   double nodal_l1 = not_measured, nodal_l2 = not_measured, nodal_linf = not_measured;
   /// Of the velocity: mean over all steps of the RMS over particles, in per cent of the problem's speed, N §3.4.
   double velocity = not_measured;
+  /// Of the Cauchy stress at the end: RMS over particles of the difference's Frobenius norm, Pa.
+  double stress = not_measured;
+};
+
+/// What must not change, relative: mass of the particles over that of the body, less one; and from start to end the
+/// momentum, by Σ m |v|, and the angular momentum, by Σ m |x| |v|, the larger of both times. Only a free body keeps the
+/// last two.
+struct Balance {
+  double mass = not_measured, momentum = not_measured, angular_momentum = not_measured;
 };
 
 /// At the end, in J. With a staggered integrator (cd, uvf) the velocities, and so the kinetic energy, are those of half
@@ -53,6 +62,7 @@ struct Record {
   std::string reason;  ///< why it is `unstable` or `failed`; empty for `ok`
   Errors error;
   Energy energy;
+  Balance balance;
   double wall_seconds = not_measured;          ///< of one run, whatever else ran at that time
   double ns_per_particle_step = not_measured;  ///< step loop alone; of a cost case the median
   Cost cost = {};                              ///< where the case asks for it

@@ -27,7 +27,7 @@ struct MieGruneisen {
   double temperature = 0;     ///< at rest, K
   double A1 = 0, A2 = 0;      ///< artificial viscosity, linear and quadratic
 
-  ThermalState state_at_rest() const { return {1, 0, 0, temperature}; }
+  ThermalState state_at_rest() const { return {.temperature = temperature}; }
 
   /// p at e = 0, Pa.
   double cold_pressure(double eta) const {
@@ -54,8 +54,8 @@ struct MieGruneisen {
     return density / J * width_rate * (A1 * wave_speed(s) + A2 * width_rate);
   }
 
-  /// Brings the state to the volume ratio J, by the trapezoidal rule in p, and returns q.
-  double advance(ThermalState& s, double J, const StressStep& step) const {
+  /// Brings the state to the volume ratio J, by the trapezoidal rule in p.
+  void advance(ThermalState& s, double J, const StressStep& step) const {
     const double fall = s.J - J, q = viscous_pressure(s, fall, step);
     const double cold = cold_pressure(1 - J), heating = gamma * density;
     const double pressure =
@@ -64,8 +64,8 @@ struct MieGruneisen {
     s.temperature *= (1 + 0.5 * gamma * fall) / (1 - 0.5 * gamma * fall);
     s.temperature += q * fall / (density * heat_capacity);
     s.pressure = pressure;
+    s.viscous = q;
     s.J = J;
-    return q;
   }
 
   /// Kirchhoff stress τ = -J (p + q) I of `count` deformation gradients, whose states go along.
@@ -73,8 +73,9 @@ struct MieGruneisen {
   void kirchhoff(const Mat<D>* F, ThermalState* states, const StressStep& step, PackedMat<D>* tau,
                  std::size_t count) const {
     for (std::size_t k = 0; k < count; ++k) {
-      const double J = F[k].determinant(), q = advance(states[k], J, step);
-      tau[k] = -J * (states[k].pressure + q) * PackedMat<D>::Identity();
+      const double J = F[k].determinant();
+      advance(states[k], J, step);
+      tau[k] = -J * states[k].total_pressure() * PackedMat<D>::Identity();
     }
   }
 };

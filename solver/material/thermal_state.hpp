@@ -6,8 +6,11 @@ namespace mpmvv::solver {
 struct ThermalState {
   double J = 1;            ///< volume ratio
   double pressure = 0;     ///< Pa, without artificial viscosity
+  double viscous = 0;      ///< Pa, artificial
   double energy = 0;       ///< internal, J/kg, from the reference state on
   double temperature = 0;  ///< K
+
+  double total_pressure() const { return pressure + viscous; }
 };
 
 /// What its rates are made from.

@@ -12,9 +12,23 @@ namespace mpmvv {
 namespace {
 
 const std::vector<std::string>& norm_words() {
-  static const std::vector<std::string> words{
-      "l1",       "l2",         "linf",        "l1_all_steps",   "l2_all_steps", "linf_all_steps",       "nodal_l1",
-      "nodal_l2", "nodal_linf", "energy_loss", "velocity_error", "stress_error", "ns_per_particle_step", "y"};
+  static const std::vector<std::string> words{"l1",
+                                              "l2",
+                                              "linf",
+                                              "l1_all_steps",
+                                              "l2_all_steps",
+                                              "linf_all_steps",
+                                              "nodal_l1",
+                                              "nodal_l2",
+                                              "nodal_linf",
+                                              "energy_loss",
+                                              "velocity_error",
+                                              "stress_error",
+                                              "mass_change",
+                                              "momentum_change",
+                                              "angular_momentum_change",
+                                              "ns_per_particle_step",
+                                              "y"};
   return words;
 }
 
@@ -27,10 +41,10 @@ bool every_series_has(const StudyPlan& plan, const std::string& key) {
 
 /// The setting that a norm needs; empty for those at the end of a run, which are always measured.
 std::string setting_of(const std::string& norm) {
-  return norm.ends_with("_all_steps") ? "every_step"
-         : norm.starts_with("nodal_") ? "nodal_error"
-         : norm == "velocity_error"   ? norm
-                                      : "";
+  return norm.ends_with("_all_steps")                         ? "every_step"
+         : norm.starts_with("nodal_")                         ? "nodal_error"
+         : norm == "velocity_error" || norm == "stress_error" ? norm
+                                                              : "";
 }
 
 }  // namespace

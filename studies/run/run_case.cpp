@@ -12,6 +12,7 @@
 
 #include "studies/error.hpp"
 #include "studies/norms.hpp"
+#include "studies/run/balance.hpp"
 #include "studies/run/nodal_error.hpp"
 #include "studies/run/scene.hpp"
 #include "studies/run/vtu.hpp"
@@ -76,6 +77,19 @@ class VelocityError {
   double sum_ = 0;
   std::int64_t steps_ = 0;
 };
+
+/// RMS over the particles of |σ_p - σ(X_p, t)|.
+template <int D>
+double stress_error(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
+  const auto& particles = mpm.particles();
+  ErrorNorms norms;
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const solver::Vec<D>& X = stage.X[particles.id[p]];
+    const solver::Mat<D> F = stage.setup.solution->F(X, mpm.time()), P = stage.setup.solution->P(X, mpm.time());
+    norms.add((mpm.stress(p) - P * F.transpose() / F.determinant()).norm());
+  }
+  return norms.l2();
+}
 
 /// Decides whether a run has blown up. A run is looked at every `interval` steps and at its end.
 template <int D>
@@ -146,6 +160,7 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
   solver::Mpm<D> mpm(std::move(stage.scene));
   record.particles = static_cast<std::int64_t>(mpm.particles().size());
   record.energy.initial_total = mpm.kinetic_energy() + mpm.strain_energy();
+  const Momenta<D> start_momenta(mpm.particles());
 
   const bool every_step = c.measure.every_step && stage.points;
   if (every_step) record.error.l1_all_steps = record.error.l2_all_steps = record.error.linf_all_steps = 0;
@@ -160,6 +175,8 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
   if (record.status == Status::ok) {
     record.energy.kinetic = mpm.kinetic_energy();
     record.energy.strain = mpm.strain_energy();
+    record.balance = balance(start_momenta, Momenta<D>(mpm.particles()), mpm.mass(), mass_of(stage.setup));
+    if (c.measure.stress_error) record.error.stress = stress_error(mpm, stage);
     if (stage.points) {
       const ErrorNorms norms = displacement_errors(mpm, stage);
       record.error.l1 = norms.l1();

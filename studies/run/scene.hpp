@@ -69,6 +69,12 @@ struct Stage {
   }
 };
 
+/// ρ₀ times the volume of the body.
+template <int D>
+double mass_of(const Setup<D>& setup) {
+  return setup.density * std::visit([](const auto& body) { return volume(body); }, setup.body);
+}
+
 /// The body filled with particles in their state at t = 0.
 template <int D>
 Stage<D> make_stage(const Case& c, const Problem& problem, int threads);

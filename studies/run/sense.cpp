@@ -160,6 +160,8 @@ void require_sense(const Case& c) {
   if (c.measure.velocity_error && !problem.has_speed(c.problem.parameters))
     throw UsageError(
         fmt::format("problem '{}' has no speed that velocity_error is measured by (leave it out)", problem.name));
+  if (c.measure.stress_error && !has_solution)
+    throw UsageError(fmt::format("problem '{}' has no exact stress for stress_error (leave it out)", problem.name));
   if (c.measure.nodal_error && s.wall_acceleration == "difference")
     throw UsageError(
         "nodal_error with wall_acceleration 'difference', which belongs to a step and not to the end time (use zero)");

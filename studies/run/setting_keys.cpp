@@ -67,6 +67,7 @@ const std::vector<SettingKey>& setting_keys() {
       {"every_step", "errors over all steps, too", true},
       {"nodal_error", "error of the nodal accelerations at the end, too", true},
       {"velocity_error", "mean over all steps of the RMS velocity error, too", true},
+      {"stress_error", "RMS error of the stresses at the end, too", true},
       {"blowup_error", "unstable beyond this error, in displacement amplitudes"},
       {"blowup_energy", "unstable beyond this energy, in initial energies"},
       {"repeat", "run alone so often (3 or more) and keep the median cost"},

@@ -249,6 +249,7 @@ Case make_case(std::span<const Setting> given) {
   if (const auto it = settings.find("nodal_error"); it != settings.end()) c.measure.nodal_error = flag(it->second);
   if (const auto it = settings.find("velocity_error"); it != settings.end())
     c.measure.velocity_error = flag(it->second);
+  if (const auto it = settings.find("stress_error"); it != settings.end()) c.measure.stress_error = flag(it->second);
   c.measure.blowup_error = number(settings, "blowup_error", c.measure.blowup_error);
   c.measure.blowup_energy = number(settings, "blowup_energy", c.measure.blowup_energy);
   if (const auto it = settings.find("repeat"); it != settings.end()) c.measure.repeat = count<int>(it->second, 3, 99);

@@ -32,6 +32,10 @@ Point point_of(double x, const Record& r) {
   add("nodal_l2", r.error.nodal_l2);
   add("nodal_linf", r.error.nodal_linf);
   add("velocity_error", r.error.velocity);
+  add("stress_error", r.error.stress);
+  add("mass_change", r.balance.mass);
+  add("momentum_change", r.balance.momentum);
+  add("angular_momentum_change", r.balance.angular_momentum);
   add("wall_seconds", r.wall_seconds);
   add("ns_per_particle_step", r.ns_per_particle_step);
   add("step_seconds", r.cost.step_seconds);

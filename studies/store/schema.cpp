@@ -234,9 +234,13 @@ constexpr const char* schema_3 = R"sql(
     CHECK (kind IN ('curves', 'work-precision', 'particles'));
 )sql";
 
-/// Errors of the velocity.
+/// Errors of the velocity and the stress, balances.
 constexpr const char* schema_4 = R"sql(
   ALTER TABLE runs ADD COLUMN velocity_error REAL;
+  ALTER TABLE runs ADD COLUMN stress_error REAL;
+  ALTER TABLE runs ADD COLUMN mass_change REAL;
+  ALTER TABLE runs ADD COLUMN momentum_change REAL;
+  ALTER TABLE runs ADD COLUMN angular_momentum_change REAL;
 )sql";
 
 constexpr std::array all_migrations{schema_1, schema_2, schema_3, schema_4};

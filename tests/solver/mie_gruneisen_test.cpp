@@ -63,10 +63,12 @@ TEST(MieGruneisen, ViscosityResistsCompressionAndHeats) {
   const double c = material.wave_speed(state), rate = 1e-4 * 0.01 / (0.895 * 1e-9);
   EXPECT_NEAR(material.viscous_pressure(state, 0.01, step), 8870 / 0.895 * rate * (0.4 * c + 4 * rate), 1);
   EXPECT_EQ(material.viscous_pressure(state, -0.01, step), 0);
-  EXPECT_EQ(material.advance(loosened, 0.91, step), 0);
+  material.advance(loosened, 0.91, step);
+  EXPECT_EQ(loosened.viscous, 0);
   ThermalState plain = state;
   nickel().advance(plain, 0.89, step);
-  EXPECT_GT(material.advance(state, 0.89, step), 0);
+  material.advance(state, 0.89, step);
+  EXPECT_GT(state.viscous, 0);
   EXPECT_GT(state.energy, plain.energy);
   EXPECT_GT(state.temperature, plain.temperature);
 }
@@ -78,10 +80,10 @@ TEST(MieGruneisen, PushesEquallyInAllDirections) {
   ThermalState state = material.state_at_rest(), same = state;
   PackedMat<2> tau;
   material.kirchhoff<2>(&F, &state, {1e-9, 1e-4}, &tau, 1);
-  const double q = material.advance(same, F.determinant(), {1e-9, 1e-4});
+  material.advance(same, F.determinant(), {1e-9, 1e-4});
   EXPECT_EQ(tau(0, 1), 0);
   EXPECT_EQ(tau(0, 0), tau(1, 1));
-  EXPECT_NEAR(tau(0, 0), -F.determinant() * (same.pressure + q), 1);
+  EXPECT_NEAR(tau(0, 0), -F.determinant() * (same.pressure + same.viscous), 1);
 }
 
 }  // namespace mpmvv::solver::mie_gruneisen_test

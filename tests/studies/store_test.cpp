@@ -21,13 +21,15 @@ using testing::SizeIs;
 
 // Structured bindings name every member: a new one does not compile until it is compared too.
 std::string describe(const Record& r) {
-  const auto& [c, particles, steps, cfl, status, reason, error, energy, wall_seconds, ns, cost] = r;
-  const auto& [l1, l2, linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf] = error;
+  const auto& [c, particles, steps, cfl, status, reason, error, energy, balance, wall_seconds, ns, cost] = r;
+  const auto& [l1, l2, linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf, velocity, stress] = error;
+  const auto& [mass, momentum, angular_momentum] = balance;
   const auto& [kinetic, strain, initial_total] = energy;
   const auto& [step_seconds, spread] = cost;
-  return fmt::format("{} {} {} {} {} '{}' {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", canonical_text(c),
-                     particles, steps, cfl, to_string(status), reason, l1, l2, linf, l1_all, l2_all, linf_all, nodal_l1,
-                     nodal_l2, nodal_linf, kinetic, strain, initial_total, wall_seconds, ns, step_seconds, spread);
+  return fmt::format("{} {} {} {} {} '{}' {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}",
+                     canonical_text(c), particles, steps, cfl, to_string(status), reason, l1, l2, linf, l1_all, l2_all,
+                     linf_all, nodal_l1, nodal_l2, nodal_linf, velocity, stress, mass, momentum, angular_momentum,
+                     kinetic, strain, initial_total, wall_seconds, ns, step_seconds, spread);
 }
 
 TEST_F(StoreTest, ARecordComesBackWhole) {
@@ -41,7 +43,10 @@ TEST_F(StoreTest, ARecordComesBackWhole) {
              .linf_all_steps = 6e-320,
              .nodal_l1 = 0.7,
              .nodal_l2 = 8,
-             .nodal_linf = 9e9};
+             .nodal_linf = 9e9,
+             .velocity = 12.5,
+             .stress = 3e7};
+  r.balance = {.mass = -1e-3, .momentum = 2e-16, .angular_momentum = 0.4};
   r.cost = {.step_seconds = 0.7, .spread = 0.02};
   r.status = Status::unstable;
   r.reason = "det F <= 0 at step 7, 'particle' \"3\"\nα";
