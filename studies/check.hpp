@@ -49,5 +49,6 @@ CheckResult check_mapping_figures();
 CheckResult check_full_mass_inverse();
 CheckResult check_high_order_spectra();
 CheckResult check_pic_updates();
+CheckResult check_shock_profiles();
 
 }  // namespace mpmvv

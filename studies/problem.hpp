@@ -110,6 +110,8 @@ Problem impact_problem();
 Problem stretch_problem();
 Problem stretch_1d_problem();
 Problem stretch_3d_problem();
+Problem pulse_problem();
+Problem shock_problem();
 Problem one_particle_problem();
 
 }  // namespace mpmvv

@@ -28,6 +28,7 @@ const std::vector<Check>& checks() {
       {"full-mass-inverse", "order", &check_full_mass_inverse},
       {"high-order-spectra", "order", &check_high_order_spectra},
       {"pic-updates", "x", &check_pic_updates},
+      {"shock-profiles", "x", &check_shock_profiles},
   };
   return all;
 }

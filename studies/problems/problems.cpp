@@ -18,6 +18,8 @@ const std::vector<Problem>& problems() {
       stretch_problem(),       //
       stretch_1d_problem(),    //
       stretch_3d_problem(),    //
+      pulse_problem(),         //
+      shock_problem(),         //
       one_particle_problem(),  //
   };
   return all;

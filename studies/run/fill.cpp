@@ -61,16 +61,17 @@ std::vector<SurfacePatch<D>> annulus_surface(const Annulus<D>& annulus, FillDens
   return patches;
 }
 
+/// Of a body whose faces are planes of the lattice.
 template <int D>
-std::vector<SurfacePatch<D>> cuboid_surface(const Cuboid<D>& cuboid, FillDensity density) {
+std::vector<SurfacePatch<D>> flat_surface(const auto& body, FillDensity density) {
   std::vector<SurfacePatch<D>> patches;
   const double width = density.h / density.ppc;
   std::uint32_t voxel = 0;
-  fill_lattice<D>(cuboid, density, [&](const Voxel<D>& v) {
+  fill_lattice<D>(body, density, [&](const Voxel<D>& v) {
     for (int d = 0; d < D; ++d)
       for (const double outward : {-1.0, 1.0}) {
         const Vec<D> step = outward * width * Vec<D>::Unit(d);
-        if (!contains<D>(cuboid, v.X + step))
+        if (!contains<D>(body, v.X + step))
           patches.push_back({voxel, v.X + step / 2, std::pow(width, D - 1) * outward * Vec<D>::Unit(d)});
       }
     ++voxel;
@@ -112,7 +113,8 @@ void fill_conforming(const Annulus<D>& annulus, FillDensity density, const Place
 
 template <int D>
 std::vector<SurfacePatch<D>> surface(const Body<D>& body, FillDensity density) {
-  if (const auto* cuboid = std::get_if<Cuboid<D>>(&body)) return cuboid_surface(*cuboid, density);
+  if (const auto* cuboid = std::get_if<Cuboid<D>>(&body)) return flat_surface<D>(*cuboid, density);
+  if (const auto* box = std::get_if<Box<D>>(&body)) return flat_surface<D>(*box, density);
   if constexpr (D > 1)
     if (const auto* annulus = std::get_if<Annulus<D>>(&body)) return annulus_surface(*annulus, density);
   return {};
