@@ -50,5 +50,6 @@ CheckResult check_full_mass_inverse();
 CheckResult check_high_order_spectra();
 CheckResult check_pic_updates();
 CheckResult check_shock_profiles();
+CheckResult check_pulse_profiles();
 
 }  // namespace mpmvv

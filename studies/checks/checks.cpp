@@ -29,6 +29,7 @@ const std::vector<Check>& checks() {
       {"high-order-spectra", "order", &check_high_order_spectra},
       {"pic-updates", "x", &check_pic_updates},
       {"shock-profiles", "x", &check_shock_profiles},
+      {"pulse-profiles", "x", &check_pulse_profiles},
   };
   return all;
 }
