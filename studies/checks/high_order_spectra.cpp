@@ -12,7 +12,6 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-using solver::Vec;
 
 constexpr int most_terms = 64;
 
@@ -21,7 +20,7 @@ constexpr int most_terms = 64;
 class LinearBar {
  public:
   explicit LinearBar(const mapping::ParticleTiling<1>& tiling) : volumes_(tiling.volumes()) {
-    const mapping::OverlayGrid<1> grid{Vec<1>(0), Vec<1>(1), {16}};
+    const mapping::OverlayGrid<1> grid{solver::Vec<1>(0), solver::Vec<1>(1), {16}};
     const mapping::NodalBasis<1> basis(solver::Gimp{}, grid);
     const Matrix S = Matrix(basis.weights(tiling.x, tiling.width)).transpose();
     const Matrix G = Matrix(basis.gradients(0, tiling.x, tiling.width)).transpose();
@@ -81,15 +80,15 @@ class LinearBar {
 std::vector<LinearBar> bars_in_motion() {
   std::vector<LinearBar> bars;
   for (int place = 0; place < 10; ++place)
-    bars.emplace_back(mapping::uniform_tiling<1>(Vec<1>(3 + 0.1 * place), Vec<1>(10), {20}));
+    bars.emplace_back(mapping::uniform_tiling<1>(solver::Vec<1>(3 + 0.1 * place), solver::Vec<1>(10), {20}));
   return bars;
 }
 
 std::vector<LinearBar> uneven_bars() {
   std::vector<LinearBar> bars;
   for (std::uint64_t seed = 0; seed < 5; ++seed)
-    bars.emplace_back(
-        mapping::random_tiling<1>(Vec<1>(3.05 + 0.2 * static_cast<double>(seed)), Vec<1>(10), {24}, seed));
+    bars.emplace_back(mapping::random_tiling<1>(solver::Vec<1>(3.05 + 0.2 * static_cast<double>(seed)),
+                                                solver::Vec<1>(10), {24}, seed));
   return bars;
 }
 

@@ -24,7 +24,7 @@ struct Peak {
 };
 
 /// The largest |σ| where theory has none yet: behind the pulse, more than two cells from its end.
-double ringing(const Profile& profile, double from, double to) {
+double ringing_behind(const Profile& profile, double from, double to) {
   double largest = 0;
   for (std::size_t k = 0; k < profile.x.size(); ++k)
     if (profile.x[k] >= from && profile.x[k] <= to) largest = std::max(largest, std::abs(profile.y[k]));
@@ -56,7 +56,7 @@ CheckResult check_pulse_profiles() {
     const Peak peak(sigma);
     result.add("place, " + name, std::abs(peak.x - 0.1), "distance of the peak from 100 mm (m)");
     result.add("height, " + name, peak.height / stress, "height of the peak over theory");
-    result.add("ringing, " + name, ringing(sigma, 0, 0.05 - 2 * h) / stress,
+    result.add("ringing, " + name, ringing_behind(sigma, 0, 0.05 - 2 * h) / stress,
                "largest stress behind the pulse over the peak of theory");
   }
   const auto value = [&result](const std::string& name) {

@@ -4,9 +4,7 @@ namespace mpmvv {
 
 namespace {
 
-constexpr double length = 0.05, height = 0.0025;  // m
-
-using solver::Vec;
+constexpr double shock_length = 0.05, shock_height = 0.0025;  // m
 
 Parameter positive_parameter(const std::string& name, double value, const std::string& unit) {
   return {name, value, unit, [](double x) { return x > 0; }, "> 0"};
@@ -34,7 +32,7 @@ class Piston final : public solver::WallMotion {
 };
 
 Setup<2> shock_setup(const Parameters& p) {
-  Setup<2> setup{.body = Box<2>{.lower = Vec<2>::Zero(), .size = Vec<2>(length, height)},
+  Setup<2> setup{.body = Box<2>{.lower = solver::Vec<2>::Zero(), .size = solver::Vec<2>(shock_length, shock_height)},
                  .density = p.at("density"),
                  .material = solver::MieGruneisen{.density = p.at("density"),
                                                   .bulk_modulus = p.at("bulk_modulus"),
@@ -44,15 +42,15 @@ Setup<2> shock_setup(const Parameters& p) {
                                                   .temperature = p.at("temperature"),
                                                   .A1 = p.at("linear_viscosity"),
                                                   .A2 = p.at("quadratic_viscosity")},
-                 .start_velocity = [](const Vec<2>&) { return Vec<2>(0, 0); }};
+                 .start_velocity = [](const solver::Vec<2>&) { return solver::Vec<2>(0, 0); }};
   setup.walls[0] = std::make_shared<Piston>(0, 0);
-  setup.walls[1] = std::make_shared<Piston>(length, -p.at("velocity"));
+  setup.walls[1] = std::make_shared<Piston>(shock_length, -p.at("velocity"));
   return setup;
 }
 
 std::string shock_objection(const Parameters& p) {
   const double u = p.at("velocity"), U = bulk_speed(p) + p.at("hugoniot_slope") * u;
-  if (4e-6 * U >= length) return "the shock meets the other end before the end time of 4e-6 s: a lower velocity";
+  if (4e-6 * U >= shock_length) return "the shock meets the other end before the end time of 4e-6 s: a lower velocity";
   return "";
 }
 
@@ -67,7 +65,7 @@ Problem shock_problem() {
       .name = "shock",
       .source = "Nairn and Hammerquist 2021, section 3.5",
       .length_formula = "0.0025",
-      .length = [](const Parameters&) { return height; },
+      .length = [](const Parameters&) { return shock_height; },
       .parameters = {positive_parameter("bulk_modulus", 188e9, "Pa"), density_parameter(8870),
                      not_negative_parameter("hugoniot_slope", 1.44, ""), not_negative_parameter("gamma", 2, ""),
                      positive_parameter("heat_capacity", 444, "J/(kg K)"), positive_parameter("temperature", 300, "K"),

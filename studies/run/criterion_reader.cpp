@@ -42,15 +42,13 @@ Criterion::Kind criterion_kind(const TomlTable& table) {
 }
 
 bool is_ratio(Criterion::Kind kind) {
-  using Kind = Criterion::Kind;
-  return kind == Kind::error_ratio || kind == Kind::limit_ratio || kind == Kind::cost_ratio ||
-         kind == Kind::slope_ratio || kind == Kind::slope_share;
+  using enum Criterion::Kind;
+  return kind == error_ratio || kind == limit_ratio || kind == cost_ratio || kind == slope_ratio || kind == slope_share;
 }
 
 bool is_fit(Criterion::Kind kind) {
-  using Kind = Criterion::Kind;
-  return kind == Kind::order || kind == Kind::order_difference || kind == Kind::slope_ratio ||
-         kind == Kind::slope_share;
+  using enum Criterion::Kind;
+  return kind == order || kind == order_difference || kind == slope_ratio || kind == slope_share;
 }
 
 }  // namespace
