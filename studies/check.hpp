@@ -48,5 +48,7 @@ CheckResult check_mapping_properties();
 CheckResult check_mapping_figures();
 CheckResult check_full_mass_inverse();
 CheckResult check_pic_updates();
+CheckResult check_elongation();
+CheckResult check_wall_spectra();
 
 }  // namespace mpmvv

@@ -27,6 +27,8 @@ const std::vector<Check>& checks() {
       {"mapping-figures", "x", &check_mapping_figures},
       {"full-mass-inverse", "order", &check_full_mass_inverse},
       {"pic-updates", "x", &check_pic_updates},
+      {"elongation", "elongation", &check_elongation},
+      {"wall-spectra", "order", &check_wall_spectra},
   };
   return all;
 }
