@@ -56,6 +56,7 @@ TEST(Wall, HoldsNodesUpToItsDepthAndThoseWithMassOutside) {
   EXPECT_EQ(held(at_4_1, 0.2, true, 0, 9), (Indices{8, 9}));
   EXPECT_EQ(held(at_4_1, 1.1, true, 0, 9), (Indices{8, 9}));
   EXPECT_EQ(held(at_4_1, 1.2, true, 0, 8), (Indices{7, 8}));
+  EXPECT_EQ(held(at_4, 2, true, 8, 9), (Indices{6, 7, 8, 9})) << "inside with mass or without";
   const Ride at_1(1, 0, 0);  // node 2
   EXPECT_EQ(held(at_1, 1, false, 1, 10), (Indices{1, 2, 3}));
   EXPECT_EQ(held(at_1, 1.9, false, -2, 10), (Indices{-2, -1, 0, 1, 2, 3}));
@@ -189,7 +190,7 @@ TEST(Wall, MethodsAgreeWhereNothingIsExpanded) {
   for (const auto method : {velocity, lumped, elimination})
     EXPECT_LT(distance(velocities(Fmpm{1}, method), one), 1e-13);
   EXPECT_LT(distance(velocities(Fmpm{2}, elimination), velocities(Fmpm{2}, combined)), 1e-13);
-  EXPECT_GT(distance(velocities(Fmpm{3}, elimination), velocities(Fmpm{3}, combined)), 1e-3);
+  EXPECT_GT(distance(velocities(Fmpm{3}, elimination), velocities(Fmpm{3}, combined)), 1e-5);
   EXPECT_LT(distance(velocities(Pic{}, combined), velocities(Fmpm{1}, combined)), 1e-1) << "held as well";
 }
 
