@@ -86,7 +86,8 @@ struct StudyPlan {
 /// a combination of series and swept value makes wrong.
 StudyPlan read_study(const std::filesystem::path& file);
 
-/// The case of a series at a value of the swept (or searched) key; `where` goes into messages about the value.
+/// The case of a series at a value of the swept (or searched) key, the same at every `order` when the series' velocity
+/// update has none; `where` goes into messages about the value.
 Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where);
 
 /// Judges one criterion by the results.

@@ -171,6 +171,13 @@ void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
     }
 }
 
+/// Whether the series' velocity update is an expansion; one without stands beside a sweep over `order` as a level line.
+bool has_order(const SeriesPlan& series) {
+  return std::any_of(series.settings.begin(), series.settings.end(), [](const Setting& setting) {
+    return setting.key == "velocity_update" && (setting.value == "xpic" || setting.value == "fmpm");
+  });
+}
+
 }  // namespace
 
 bool StudyPlan::has_series(const std::string& wanted) const {
@@ -179,7 +186,7 @@ bool StudyPlan::has_series(const std::string& wanted) const {
 
 Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where) {
   auto settings = series.settings;
-  settings.push_back({key, fmt::format("{}", value), where});
+  if (key != "order" || has_order(series)) settings.push_back({key, fmt::format("{}", value), where});
   return make_case(settings);
 }
 
