@@ -107,6 +107,7 @@ Point point_of(const Record& r) {
   add("nodal_l1", r.error.nodal_l1);
   add("nodal_l2", r.error.nodal_l2);
   add("nodal_linf", r.error.nodal_linf);
+  add("velocity_error", r.error.velocity);
   add("wall_seconds", r.wall_seconds);
   add("ns_per_particle_step", r.ns_per_particle_step);
   add("kinetic", r.energy.kinetic);

@@ -22,12 +22,13 @@ using testing::SizeIs;
 // Structured bindings name every member: a new one does not compile until it is compared too.
 std::string describe(const Record& r) {
   const auto& [c, particles, steps, cfl, status, reason, error, energy, wall_seconds, ns, cost] = r;
-  const auto& [l1, l2, linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf] = error;
+  const auto& [l1, l2, linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf, velocity] = error;
   const auto& [kinetic, strain, initial_total] = energy;
   const auto& [step_seconds, spread] = cost;
-  return fmt::format("{} {} {} {} {} '{}' {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", canonical_text(c),
+  return fmt::format("{} {} {} {} {} {} '{}' {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", canonical_text(c),
                      particles, steps, cfl, to_string(status), reason, l1, l2, linf, l1_all, l2_all, linf_all, nodal_l1,
-                     nodal_l2, nodal_linf, kinetic, strain, initial_total, wall_seconds, ns, step_seconds, spread);
+                     nodal_l2, nodal_linf, velocity, kinetic, strain, initial_total, wall_seconds, ns, step_seconds,
+                     spread);
 }
 
 TEST_F(StoreTest, ARecordComesBackWhole) {
@@ -41,7 +42,8 @@ TEST_F(StoreTest, ARecordComesBackWhole) {
              .linf_all_steps = 6e-320,
              .nodal_l1 = 0.7,
              .nodal_l2 = 8,
-             .nodal_linf = 9e9};
+             .nodal_linf = 9e9,
+             .velocity = 0.29};
   r.cost = {.step_seconds = 0.7, .spread = 0.02};
   r.status = Status::unstable;
   r.reason = "det F <= 0 at step 7, 'particle' \"3\"\nα";
