@@ -165,26 +165,26 @@ TEST(Wall, KeepsUniformStretchExactly) {
         }
       }
   }
+}
 
-  void disturb(Particles<1> & particles) {
-    for (std::size_t p = 0; p < particles.size(); ++p)
-      particles.v[p][0] += 0.3 * std::sin(9.0 * static_cast<double>(p));
-  }
+void disturb(Particles<1>& particles) {
+  for (std::size_t p = 0; p < particles.size(); ++p) particles.v[p][0] += 0.3 * std::sin(9.0 * static_cast<double>(p));
+}
 
-  std::vector<Vec<1>> velocities(const AnyVelocityUpdate& update, WallMethod method, double depth = 1.5) {
-    StretchedBar<1> bar(Cpdi{}, update, depth);
-    disturb(bar.scene.particles);
-    bar.scene.wall_method = method;
-    Mpm<1> mpm(bar.scene);
-    for (int k = 0; k < 5; ++k) EXPECT_TRUE(mpm.step(1e-3)) << mpm.fault();
-    return mpm.particles().v;
-  }
+std::vector<Vec<1>> velocities(const AnyVelocityUpdate& update, WallMethod method, double depth = 1.5) {
+  StretchedBar<1> bar(Cpdi{}, update, depth);
+  disturb(bar.scene.particles);
+  bar.scene.wall_method = method;
+  Mpm<1> mpm(bar.scene);
+  for (int k = 0; k < 5; ++k) EXPECT_TRUE(mpm.step(1e-3)) << mpm.fault();
+  return mpm.particles().v;
+}
 
-  double distance(const std::vector<Vec<1>>& a, const std::vector<Vec<1>>& b) {
-    double largest = 0;
-    for (std::size_t p = 0; p < a.size(); ++p) largest = std::max(largest, (a[p] - b[p]).norm());
-    return largest;
-  }
+double distance(const std::vector<Vec<1>>& a, const std::vector<Vec<1>>& b) {
+  double largest = 0;
+  for (std::size_t p = 0; p < a.size(); ++p) largest = std::max(largest, (a[p] - b[p]).norm());
+  return largest;
+}
 }
 
 /// With one term nothing is expanded, and the wall methods are one; with two, elimination is the combined method.
