@@ -167,8 +167,8 @@ class Mpm {
   template <class V>
   void divide_by_mass(const std::vector<V>& field, double least_mass, std::vector<Packed<D>>& quotient);
   void set_wall_acceleration(double dt);
-  /// Whether walls hold lumped velocities and accelerations.
-  bool holds_lumped() const { return !expanded_inverse_ || scene_.wall_method != WallMethod::velocity; }
+  /// Whether walls hold lumped velocities and accelerations: always, but for those that `fmpm` expands first.
+  bool holds_lumped() const;
   void hold(std::vector<Packed<D>>& velocity);  ///< makes velocities obey the faces, moving walls among them
   void add_walls();
   void add_grid_body_force();

@@ -282,6 +282,12 @@ void Mpm<D>::advance_grid_velocity(double dt) {
 }
 
 template <int D>
+bool Mpm<D>::holds_lumped() const {
+  const auto* fmpm = std::get_if<Fmpm>(&scene_.velocity_update);
+  return !expanded_inverse_ || !fmpm || !fmpm->is_due(*this) || scene_.wall_method != WallMethod::velocity;
+}
+
+template <int D>
 void Mpm<D>::expand_inverse(int order, std::vector<Packed<D>>& velocity) {
   if (expanded_inverse_)
     expanded_inverse_->apply(*this, order, scene_.wall_method == WallMethod::elimination, velocity);

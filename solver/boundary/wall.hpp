@@ -72,8 +72,9 @@ class MovingWall {
   /// To be called when masses and velocities v_i = p_i / m_i have been mapped: finds the outmost nodes with mass, and
   /// the gradients where they are to be estimated.
   void meet(const Grid<D>& grid) {
+    const auto is_held = [&](int k) { return is_plane(k) && (inside(k) >= 0 || has_mass(grid, k)); };
     outmost_ = inmost_;
-    while (is_plane(outmost_ - inward()) && has_mass(grid, outmost_ - inward())) outmost_ -= inward();
+    while (is_held(outmost_ - inward())) outmost_ -= inward();
     if (wall_.gradient == WallGradient::estimated) estimate_gradient(grid);
   }
 

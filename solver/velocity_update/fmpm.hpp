@@ -27,7 +27,7 @@ struct Fmpm {
     s.hold_expanded(s.grid().v);
   }
 
- private:
+  /// Whether the step under way is one of its own.
   template <int D>
   bool is_due(const Mpm<D>& s) const {
     return s.steps() % interval == 0;

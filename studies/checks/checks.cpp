@@ -30,6 +30,8 @@ const std::vector<Check>& checks() {
       {"pic-updates", "x", &check_pic_updates},
       {"shock-profiles", "x", &check_shock_profiles},
       {"pulse-profiles", "x", &check_pulse_profiles},
+      {"elongation", "elongation", &check_elongation},
+      {"wall-spectra", "order", &check_wall_spectra},
   };
   return all;
 }

@@ -76,10 +76,6 @@ void require_sense_of_walls(const Case& c, const Problem& problem, const std::ve
       throw UsageError(fmt::format("boundary '{}' on face {}{} of problem '{}', which has no moving wall there",
                                    solver::Wall::word, "xyz"[k / 2], k % 2 == 0 ? "min" : "max", problem.name));
   }
-  if (s.cfl_x > 0 && s.wall_method == "velocity")
-    throw UsageError(
-        "cfl_x with wall_method 'velocity', which leaves the steps between without walls (use lumped, combined or "
-        "elimination)");
   if (!moving) return;
   if (solver::is_staggered(s.integrator) || solver::is_staged(s.integrator))
     throw UsageError(

@@ -69,6 +69,23 @@ TEST(Allocation, AStepWithoutSortingMakesNone) {
   expect_no_allocation<2>(Dirichlet{});
 }
 
+TEST(Allocation, NeitherDoMovingWalls) {
+  struct Standing final : WallMotion {
+    double position(double) const override { return 0.5; }
+    double velocity(double) const override { return 1; }
+    double gradient(double) const override { return 2; }
+  } motion;
+  Scene<2> scene = full_scene<2>(Cpdi{}, 17, 2, Free{});
+  scene.boundary[0] = Wall{&motion, 1.5, WallGradient::estimated};
+  scene.boundary[3] = Wall{&motion, 1, WallGradient::given};
+  for (const AnyVelocityUpdate& update : {AnyVelocityUpdate{Flip{}}, AnyVelocityUpdate{Fmpm{3}}})
+    for (const auto method : {WallMethod::combined, WallMethod::elimination}) {
+      scene.velocity_update = update;
+      scene.wall_method = method;
+      expect_no_allocation(scene);
+    }
+}
+
 }  // namespace
 
 }  // namespace mpmvv::solver

@@ -56,6 +56,7 @@ TEST(Wall, HoldsNodesUpToItsDepthAndThoseWithMassOutside) {
   EXPECT_EQ(held(at_4_1, 0.2, true, 0, 9), (Indices{8, 9}));
   EXPECT_EQ(held(at_4_1, 1.1, true, 0, 9), (Indices{8, 9}));
   EXPECT_EQ(held(at_4_1, 1.2, true, 0, 8), (Indices{7, 8}));
+  EXPECT_EQ(held(at_4, 2, true, 8, 9), (Indices{6, 7, 8, 9})) << "inside with mass or without";
   const Ride at_1(1, 0, 0);  // node 2
   EXPECT_EQ(held(at_1, 1, false, 1, 10), (Indices{1, 2, 3}));
   EXPECT_EQ(held(at_1, 1.9, false, -2, 10), (Indices{-2, -1, 0, 1, 2, 3}));
@@ -78,10 +79,7 @@ TEST(Wall, HoldsALinearVelocityAlongItsNormal) {
   for (std::size_t n = 0; n < grid.size(); ++n) {
     const double x = grid.lower()[0] + grid.h() * grid.index(n)[0], distance = x - ride.position(t);
     EXPECT_EQ(v[n][1], 200);
-    if (distance < -0.5)
-      EXPECT_EQ(v[n][0], 100);
-    else
-      EXPECT_DOUBLE_EQ(v[n][0], ride.velocity(t + dt) + ride.gradient(t) * distance);
+    EXPECT_DOUBLE_EQ(v[n][0], distance < -0.5 ? 100 : ride.velocity(t + dt) + ride.gradient(t) * distance);
   }
 }
 
@@ -104,7 +102,10 @@ TEST(Wall, EstimatesTheGradientOfALinearVelocity) {
       wall.hold(grid, v);
       int count = 0;
       for (std::size_t n = 0; n < grid.size(); ++n)
-        if (v[n][0] != 1e9) EXPECT_NEAR(v[n][0], linear(n), 1e-12), ++count;
+        if (v[n][0] != 1e9) {
+          EXPECT_NEAR(v[n][0], linear(n), 1e-12);
+          ++count;
+        }
       EXPECT_GT(count, 0);
     }
 }
@@ -146,7 +147,9 @@ const std::vector<AnyVelocityUpdate> updates{
 
 /// Motion at constant rate is exact where walls hold every node: in a step x_wall and ∇v_b are those of its start.
 TEST(Wall, KeepsUniformStretchExactly) {
-  for (const auto integrator : {"usl", "usf", "usavg"})
+  constexpr double dt = 1e-3, half = 1 + StretchedBar<2>::rate * dt / 2;
+  for (const std::string_view integrator : {"usl", "usf", "usavg"}) {
+    const double stretch = integrator == "usavg" ? half * half : 2 * half - 1;
     for (const auto& update : updates)
       for (const auto method : {WallMethod::velocity, WallMethod::combined, WallMethod::elimination}) {
         StretchedBar<2> bar(Cpdi{}, update, 100);
@@ -154,18 +157,23 @@ TEST(Wall, KeepsUniformStretchExactly) {
         bar.scene.integrator = integrator;
         bar.scene.wall_method = method;
         Mpm<2> mpm(bar.scene);
-        ASSERT_TRUE(mpm.step(1e-3)) << mpm.fault();
+        ASSERT_TRUE(mpm.step(dt)) << mpm.fault();
         for (std::size_t p = 0; p < bar.scene.particles.size(); ++p) {
           const Vec<2> X = bar.scene.particles.x[mpm.particles().id[p]];
-          EXPECT_NEAR(mpm.particles().x[p][0], X[0] * (1 + bar.rate * 1e-3), 1e-12) << integrator << update.index();
-          EXPECT_NEAR(mpm.particles().F[p](0, 0), 1 + bar.rate * 1e-3, 1e-13);
+          EXPECT_NEAR(mpm.particles().x[p][0], X[0] * (1 + bar.rate * dt), 1e-12) << integrator << update.index();
+          EXPECT_NEAR(mpm.particles().F[p](0, 0), stretch, 1e-13);
         }
       }
+  }
+}
+
+void disturb(Particles<1>& particles) {
+  for (std::size_t p = 0; p < particles.size(); ++p) particles.v[p][0] += 0.3 * std::sin(9.0 * static_cast<double>(p));
 }
 
 std::vector<Vec<1>> velocities(const AnyVelocityUpdate& update, WallMethod method, double depth = 1.5) {
   StretchedBar<1> bar(Cpdi{}, update, depth);
-  for (auto& v : bar.scene.particles.v) v[0] += 0.3 * std::sin(9.0 * (&v - bar.scene.particles.v.data()));
+  disturb(bar.scene.particles);
   bar.scene.wall_method = method;
   Mpm<1> mpm(bar.scene);
   for (int k = 0; k < 5; ++k) EXPECT_TRUE(mpm.step(1e-3)) << mpm.fault();
@@ -177,6 +185,7 @@ double distance(const std::vector<Vec<1>>& a, const std::vector<Vec<1>>& b) {
   for (std::size_t p = 0; p < a.size(); ++p) largest = std::max(largest, (a[p] - b[p]).norm());
   return largest;
 }
+}
 
 /// With one term nothing is expanded, and the wall methods are one; with two, elimination is the combined method.
 TEST(Wall, MethodsAgreeWhereNothingIsExpanded) {
@@ -185,14 +194,14 @@ TEST(Wall, MethodsAgreeWhereNothingIsExpanded) {
   for (const auto method : {velocity, lumped, elimination})
     EXPECT_LT(distance(velocities(Fmpm{1}, method), one), 1e-13);
   EXPECT_LT(distance(velocities(Fmpm{2}, elimination), velocities(Fmpm{2}, combined)), 1e-13);
-  EXPECT_GT(distance(velocities(Fmpm{3}, elimination), velocities(Fmpm{3}, combined)), 1e-3);
+  EXPECT_GT(distance(velocities(Fmpm{3}, elimination), velocities(Fmpm{3}, combined)), 1e-5);
   EXPECT_LT(distance(velocities(Pic{}, combined), velocities(Fmpm{1}, combined)), 1e-1) << "held as well";
 }
 
 /// Elimination tends to the consistent mass with the same nodes held.
 TEST(Wall, EliminationTendsToTheConsistentMass) {
   StretchedBar<1> bar(BSpline2{}, Fmpm{1}, 1.5);
-  for (auto& v : bar.scene.particles.v) v[0] += 0.3 * std::sin(9.0 * (&v - bar.scene.particles.v.data()));
+  disturb(bar.scene.particles);
   bar.scene.wall_method = WallMethod::elimination;
   const auto after_a_step = [&bar](int order) {
     bar.scene.velocity_update = Fmpm{order};

@@ -25,11 +25,11 @@ TEST(CanonicalText, IsOneLineOfEveryChoiceInAFixedOrder) {
   EXPECT_EQ(
       canonical_text(bar_case()),
       "problem=bar param.amplitude=0.05 param.density=1 end_time=0.01 quarter=false basis=bspline2 smoothing_length=0 "
-      "integrator=cd start=half velocity_update=flip order=0 cfl_x=0 position=first-order wall_method=none mass=lumped "
-      "boundary=periodic wall_acceleration=zero "
+      "integrator=cd start=half velocity_update=flip order=0 cfl_x=0 position=first-order wall_method=none "
+      "wall_depth=0 wall_gradient=none mass=lumped boundary=periodic wall_acceleration=zero "
       "deformation=linear body_force=particles fill=lattice material=neo-hookean-log cells=64 ppc=4 "
       "dt=0.3333333333333333 steps=800 "
-      "every_step=false nodal_error=false blowup_error=1 blowup_energy=10 repeat=0");
+      "every_step=false nodal_error=false velocity_error=false blowup_error=1 blowup_energy=10 repeat=0");
 }
 
 TEST(CanonicalText, NumbersReadBackAsTheSameNumber) {
@@ -62,19 +62,22 @@ TEST(CanonicalText, EveryMemberMakesADifference) {
   EXPECT_TRUE(differs([](Case& c) { c.problem.parameters["more"] = 0; }));
   EXPECT_TRUE(differs([](Case& c) { c.problem.quarter = true; }));
   EXPECT_TRUE(differs([](Case& c) { c.problem.end_time = 2; }));
-  for (std::string Scheme::*word : {&Scheme::basis, &Scheme::integrator, &Scheme::start, &Scheme::velocity_update,
-                                    &Scheme::mass, &Scheme::boundary, &Scheme::wall_acceleration, &Scheme::position,
-                                    &Scheme::wall_method, &Scheme::deformation, &Scheme::body_force, &Scheme::fill})
+  for (std::string Scheme::*word :
+       {&Scheme::basis, &Scheme::integrator, &Scheme::start, &Scheme::velocity_update, &Scheme::mass, &Scheme::boundary,
+        &Scheme::wall_acceleration, &Scheme::position, &Scheme::wall_method, &Scheme::wall_gradient,
+        &Scheme::deformation, &Scheme::body_force, &Scheme::fill})
     EXPECT_TRUE(differs([&](Case& c) { c.scheme.*word = "x"; }));
   EXPECT_TRUE(differs([](Case& c) { c.scheme.smoothing_length = 0.5; }));
   EXPECT_TRUE(differs([](Case& c) { c.scheme.order = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.scheme.cfl_x = 7; }));
+  EXPECT_TRUE(differs([](Case& c) { c.scheme.wall_depth = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.resolution.cells = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.resolution.ppc = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.resolution.dt = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.resolution.steps = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.every_step = true; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.nodal_error = true; }));
+  EXPECT_TRUE(differs([](Case& c) { c.measure.velocity_error = true; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.blowup_error = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.blowup_energy = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.repeat = 7; }));

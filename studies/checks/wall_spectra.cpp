@@ -1,0 +1,118 @@
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "solver/mpm.hpp"
+#include "studies/check.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+using solver::Vec;
+using solver::WallMethod;
+
+/// A wall at rest.
+struct Standing final : solver::WallMotion {
+  double x;
+  explicit Standing(double place) : x(place) {}
+  double position(double) const override { return x; }
+  double velocity(double) const override { return 0; }
+  double gradient(double) const override { return 0; }
+};
+
+/// A line of 8 cells with two particles each, without stress, between walls at rest; its ends lie `offset` cells
+/// beyond nodes.
+class ForceFreeBar {
+ public:
+  ForceFreeBar(const solver::AnyBasis& basis, double offset, double depth) : left_(4 + offset), right_(12 + offset) {
+    constexpr int count = 16;
+    scene_.cells = {16};
+    scene_.basis = basis;
+    scene_.material = solver::NeoHookeanSquare{0, 0};
+    scene_.boundary = {solver::Wall{&left_, depth}, solver::Wall{&right_, depth}};
+    auto& particles = scene_.particles;
+    particles.resize(count);
+    for (std::size_t p = 0; p < count; ++p) particles.x[p][0] = left_.x + (static_cast<double>(p) + 0.5) / 2;
+    particles.F.assign(count, solver::Mat<1>::Identity());
+    particles.m.assign(count, 0.5);
+    particles.V0.assign(count, 0.5);
+    particles.R.assign(count, solver::Mat<1>(0.5));
+    particles.R0 = particles.R;
+  }
+
+  /// V' = `map` V of one step, column by column from the solver itself.
+  Eigen::MatrixXd map(WallMethod method, int order) {
+    scene_.velocity_update = solver::Fmpm{order};
+    scene_.wall_method = method;
+    const std::size_t n = scene_.particles.size();
+    Eigen::MatrixXd map(n, n);
+    for (std::size_t q = 0; q < n; ++q) {
+      scene_.particles.v.assign(n, Vec<1>::Zero());
+      scene_.particles.v[q][0] = 1;
+      solver::Mpm<1> mpm(scene_);
+      mpm.step(1e-9);
+      for (std::size_t p = 0; p < n; ++p)
+        map(mpm.particles().id[p], static_cast<Eigen::Index>(q)) = mpm.particles().v[p][0];
+    }
+    return map;
+  }
+
+ private:
+  Standing left_, right_;
+  solver::Scene<1> scene_;
+};
+
+double spectral_radius(const Eigen::MatrixXd& map) {
+  return map.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+/// The largest over walls at several places in their cells.
+double largest_radius(const solver::AnyBasis& basis, double depth, WallMethod method, int order) {
+  double largest = 0;
+  for (const double offset : {0.0, 0.2, 0.4, 0.6, 0.8})
+    largest = std::max(largest, spectral_radius(ForceFreeBar(basis, offset, depth).map(method, order)));
+  return largest;
+}
+
+struct BarBetweenWalls {
+  const char* name;
+  solver::AnyBasis basis;
+  double depth;
+};
+
+}  // namespace
+
+/// The spectral radius of FMPM's step without forces, particle velocities to particle velocities, between walls at
+/// rest. With C zero on the nodes held and one elsewhere, Q = C S⁺S C and the sum E = Σ_{l<k} (I - S⁺S)^l it is that of
+///   C (I - (I - S⁺S)^k) C   velocity and lumped,   C E C Q   combined,   I - (I - Q)^k   elimination,
+/// on the nodes. In the product of the masses S⁺S is symmetric with eigenvalues in [0, 1], and Q with it: all but
+/// the combined method's lie in [0, 1] for every k. Its are 2Q - Q² for k = 2, and have no such bound beyond.
+CheckResult check_wall_spectra() {
+  CheckResult result;
+  const std::vector<BarBetweenWalls> settings{
+      {"cpdi_d1", solver::Cpdi{}, 1}, {"cpdi_d2.5", solver::Cpdi{}, 2.5}, {"b2cpdi_d1.5", solver::B2Cpdi{}, 1.5}};
+  const std::vector<std::pair<const char*, WallMethod>> methods{{"velocity", WallMethod::velocity},
+                                                                {"lumped", WallMethod::lumped},
+                                                                {"combined", WallMethod::combined},
+                                                                {"elimination", WallMethod::elimination}};
+  const std::vector<double> orders{1, 2, 3, 4, 5, 6, 7, 8, 12, 16};
+  for (const BarBetweenWalls& at : settings)
+    for (const auto& [name, method] : methods) {
+      std::vector<double> radii;
+      for (const double k : orders) radii.push_back(largest_radius(at.basis, at.depth, method, static_cast<int>(k)));
+      const std::string label = std::string(name) + "_" + at.name;
+      result.add_curve(label, orders, radii);
+      result.add("largest_" + label, *std::max_element(radii.begin(), radii.end()), "largest radius, k to 16");
+      if (method != WallMethod::combined) continue;
+      result.add("two_" + label, std::max(radii[0], radii[1]), "largest radius, k = 1 and 2");
+      result.add("least_" + label, *std::min_element(radii.begin() + 2, radii.end()), "least radius, k from 3 to 16");
+    }
+  ForceFreeBar bar(solver::Cpdi{}, 0.4, 1);
+  result.add("same_at_2", (bar.map(WallMethod::combined, 2) - bar.map(WallMethod::elimination, 2)).norm(),
+             "combined against elimination, k = 2");
+  return result;
+}
+
+}  // namespace mpmvv
