@@ -38,8 +38,9 @@ class LinearBar {
   double gain(int order) const {
     const Vector root = m_.cwiseSqrt();
     const Matrix symmetric = root.asDiagonal() * round_trip_ * root.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Matrix> modes(symmetric, Eigen::EigenvaluesOnly);
     double largest = 0;
-    for (const double s : Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly).eigenvalues())
+    for (const double s : modes.eigenvalues())
       largest = std::max(largest, s > 1e-14 ? -std::expm1(order * std::log1p(-std::min(s, 1.0))) / s : order);
     return largest;
   }
