@@ -69,6 +69,7 @@ inline Record record(int cells) {
           .reason = "",
           .error = {.l1 = 0.1 / cells, .l2 = 0.2 / cells, .linf = 0.3 / cells},
           .energy = {.kinetic = 1.0 / 7, .strain = 1e-300, .initial_total = 5},
+          .balance = {.mass = 0, .momentum = 3e-16, .angular_momentum = 0.01},
           .wall_seconds = 1e-3,
           .ns_per_particle_step = 12.5};
 }
