@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "tests/numbers.hpp"
 #include "tests/solver/scenes.hpp"
 
 namespace mpmvv::solver::wall_test {
@@ -184,7 +185,6 @@ double distance(const std::vector<Vec<1>>& a, const std::vector<Vec<1>>& b) {
   double largest = 0;
   for (std::size_t p = 0; p < a.size(); ++p) largest = std::max(largest, (a[p] - b[p]).norm());
   return largest;
-}
 }
 
 /// With one term nothing is expanded, and the wall methods are one; with two, elimination is the combined method.
