@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "tests/numbers.hpp"
 #include "tests/solver/scenes.hpp"
 
 namespace mpmvv::solver::wall_test {

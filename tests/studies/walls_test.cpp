@@ -91,7 +91,9 @@ TEST(Walls, WhatTheyDoNotGoWith) {
            Wrong{"stretch", {{"wall_gradient", "none"}}, "(known: zero, given, estimated)"},
            Wrong{"stretch", {{"integrator", "cd"}}, "boundary 'wall' with integrator 'cd'"},
            Wrong{"stretch", {{"integrator", "rk4"}}, "usl, usf, usavg, usl+, usavg+"},
-           Wrong{"stretch", {{"wall_acceleration", "difference"}}, "with boundary 'wall'"},
+           Wrong{"stretch",
+                 {{"wall_acceleration", "difference"}, {"boundary", "xmin=wall,xmax=wall,ymin=symmetry,ymax=symmetry"}},
+                 "wall_acceleration 'difference' with boundary 'wall'"},
            Wrong{"stretch", {{"mass", "consistent"}}, "use fmpm"},
            Wrong{"bar", {{"velocity_error", "true"}}, "problem 'bar' has no speed"},
        }) {
