@@ -98,8 +98,9 @@ class Watch {
   static constexpr std::int64_t interval = 32;
 
   Watch(const Case& c, const Stage<D>& stage, double initial_energy)
-      : most_energy_(stage.is_driven() ? std::numeric_limits<double>::infinity()
-                                       : c.measure.blowup_energy * initial_energy + round_off * stage.setup.density),
+      : most_energy_(stage.is_driven() || (stage.traction && initial_energy == 0)
+                         ? std::numeric_limits<double>::infinity()  // all of it comes from outside
+                         : c.measure.blowup_energy * initial_energy + round_off * stage.setup.density),
         most_error_(stage.setup.solution
                         ? c.measure.blowup_error * stage.setup.solution->displacement_scale() + round_off
                         : 0) {}
