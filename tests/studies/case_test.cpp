@@ -29,7 +29,8 @@ TEST(CanonicalText, IsOneLineOfEveryChoiceInAFixedOrder) {
       "wall_depth=0 wall_gradient=none mass=lumped boundary=periodic wall_acceleration=zero "
       "deformation=linear body_force=particles fill=lattice material=neo-hookean-log cells=64 ppc=4 "
       "dt=0.3333333333333333 steps=800 "
-      "every_step=false nodal_error=false velocity_error=false blowup_error=1 blowup_energy=10 repeat=0");
+      "every_step=false nodal_error=false velocity_error=false stress_error=false blowup_error=1 blowup_energy=10 "
+      "repeat=0");
 }
 
 TEST(CanonicalText, NumbersReadBackAsTheSameNumber) {
