@@ -6,7 +6,6 @@
 #include <exception>
 
 #include "cli/command.hpp"
-#include "studies/error.hpp"
 
 namespace mpmvv {
 
@@ -59,12 +58,13 @@ int run_program(int argc, char** argv) {
 }  // namespace mpmvv
 
 int main(int argc, char** argv) {
+  constexpr const char* no_room = "cannot write to standard output (a place with room)";
   int exit_code = 0;
   try {
     exit_code = mpmvv::run_program(argc, argv);
-    if (std::fflush(stdout) != 0) throw mpmvv::UsageError("cannot write to standard output (a place with room)");
+    if (std::fflush(stdout) != 0) return mpmvv::complain(no_room);
   } catch (const std::exception& e) {
-    return mpmvv::complain(e.what());
+    return mpmvv::complain(std::ferror(stdout) != 0 ? no_room : e.what());  // fmt says less
   }
   return exit_code;
 }

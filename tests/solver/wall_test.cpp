@@ -146,6 +146,12 @@ struct StretchedBar {
 const std::vector<AnyVelocityUpdate> updates{
     Flip{}, Flip{FlipPosition::second_order}, Pic{}, Xpic{1}, Xpic{4}, Fmpm{1}, Fmpm{2}, Fmpm{4}};
 
+/// Whether positions follow m⁻¹p in part, which no wall holds.
+bool follows_momenta(const AnyVelocityUpdate& update) {
+  const auto* flip = std::get_if<Flip>(&update);
+  return flip ? flip->position == FlipPosition::second_order : std::holds_alternative<Xpic>(update);
+}
+
 /// Motion at constant rate is exact where walls hold every node: in a step x_wall and ∇v_b are those of its start.
 TEST(Wall, KeepsUniformStretchExactly) {
   constexpr double dt = 1e-3, half = 1 + StretchedBar<2>::rate * dt / 2;
@@ -161,7 +167,9 @@ TEST(Wall, KeepsUniformStretchExactly) {
         ASSERT_TRUE(mpm.step(dt)) << mpm.fault();
         for (std::size_t p = 0; p < bar.scene.particles.size(); ++p) {
           const Vec<2> X = bar.scene.particles.x[mpm.particles().id[p]];
-          EXPECT_NEAR(mpm.particles().x[p][0], X[0] * (1 + bar.rate * dt), 1e-12) << integrator << update.index();
+          if (!follows_momenta(update)) {
+            EXPECT_NEAR(mpm.particles().x[p][0], X[0] * (1 + bar.rate * dt), 1e-12) << integrator << update.index();
+          }
           EXPECT_NEAR(mpm.particles().F[p](0, 0), stretch, 1e-13);
         }
       }
