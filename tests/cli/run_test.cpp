@@ -136,7 +136,7 @@ TEST(RunCommand, AQuarterContinuedByItsMirrorImagesMovesAsTheWhole) {
 /// FMPM(1) loses 20 to 90 % of the energy, N section 3.1; higher orders and FLIP much less.
 TEST(RunCommand, ImpactLosesSomeOfItsEnergy) {
   const Folder folder;
-  const std::string run = "run --problem impact --basis cpdi --integrator usl --cells 4 --ppc 2 --cfl 0.2 --json ";
+  const std::string run = "run --problem impact --basis gimp --integrator usl --cells 4 --ppc 2 --cfl 0.2 --json ";
   const auto loss = [&](const std::string& update) {
     const auto energy = call(folder, run + "--velocity-update " + update).json()["energy"];
     return 1 -
