@@ -261,8 +261,12 @@ double memory_estimate(const Case& c) {
   // while sorting.
   const double stages = solver::is_staged(c.scheme.integrator) ? 2 * (2 * D + D * D) : 0;
   const double widths = width_of(basis) == solver::ParticleWidth::domain ? 2 * D * D : 2 * D;
-  const double per_particle = 8.0 * (3 * D + 2 * D * D + widths + 4 + stages) + 64;
-  const double per_node = 8.0 * (4 * D + 1);
+  const double rate = c.scheme.integrator.ends_with('+') ? D : 0;
+  const double affine = c.scheme.velocity_update == "apic" ? D * D : 0;
+  const double history = c.scheme.material == solver::MieGruneisen::word ? sizeof(solver::ThermalState) / 8.0 : 0;
+  const double per_particle = 8.0 * (3 * D + 2 * D * D + widths + 4 + stages + rate + affine + history) + 64;
+  const double expansion = c.scheme.order > 0 ? 2 * D : 0;
+  const double per_node = 8.0 * (4 * D + 1 + expansion);
   const auto [cells_of_body, cells_of_domain] = extent(c);
   const double nodes = std::pow(std::pow(cells_of_domain, 1.0 / D) + 1 + 2 * ghosts_of(basis), D);
   return per_particle * cells_of_body * std::pow(c.resolution.ppc, D) + per_node * nodes;
