@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -53,7 +54,9 @@ void compare_levels(Change& change) {
   change.bands = better ? -most : most;
 }
 
-/// Another word outweighs any number.
+/// The weight of another word.
+constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
+
 bool is_improvement(const Finding& before, const Finding& after) {
   return after.word == "ok" || after.word == "confirmed" || (after.word.empty() && !before.word.empty());
 }
@@ -61,7 +64,7 @@ bool is_improvement(const Finding& before, const Finding& after) {
 Change change_between(const Finding& before, const Finding& after) {
   Change change{before, after, {}, 0};
   if (before.word != after.word) {
-    change.bands = is_improvement(before, after) ? -INFINITY : INFINITY;
+    change.bands = is_improvement(before, after) ? -beyond_any_number : beyond_any_number;
   } else if (!before.levels.empty()) {
     compare_levels(change);
   } else if (before.word.empty()) {
