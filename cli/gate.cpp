@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <memory>
 
 #include "cli/command.hpp"
 #include "cli/results.hpp"
+#include "goldens/github.hpp"
 #include "goldens/junit.hpp"
 #include "goldens/propose.hpp"
 #include "studies/error.hpp"
@@ -19,8 +21,14 @@ namespace {
 struct GateOptions {
   std::string db, goldens = "goldens", junit;
   std::vector<std::string> only;
-  bool json = false;
+  bool json = false, github = false;
 };
+
+/// GitHub Actions sets this in every step.
+bool in_github_actions() {
+  const char* word = std::getenv("GITHUB_ACTIONS");
+  return word != nullptr && std::string(word) == "true";
+}
 
 void write_file(const std::string& file, const std::string& text) {
   std::ofstream out(file);
@@ -64,6 +72,7 @@ int gate(const GateOptions& options) {
     print_json(gate_json(report));
   else
     print_gate(report);
+  if (options.github || (in_github_actions() && !options.json)) fmt::print("{}", github_annotations(report));
   return report.exit_code();
 }
 
@@ -100,7 +109,9 @@ void add_gate(CLI::App& app, int& exit_code) {
   command->add_option("--goldens", options->goldens, "directory of goldens (default: goldens)");
   command->add_option("--only", options->only, "judge only this study's goldens (repeatable)");
   command->add_option("--junit", options->junit, "write JUnit XML to this file, too");
-  command->add_flag("--json", options->json, "print one JSON object");
+  CLI::Option* json = command->add_flag("--json", options->json, "print one JSON object");
+  command->add_flag("--github", options->github, "print annotations for GitHub Actions, too (default: when run by it)")
+      ->excludes(json);
   command->callback([options, &exit_code] { exit_code = gate(*options); });
 }
 

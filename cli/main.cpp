@@ -41,6 +41,8 @@ int run_program(int argc, char** argv) {
   add_gate(app, exit_code);
   add_propose(app, exit_code);
   add_report(app, exit_code);
+  add_compare(app, exit_code);
+  add_trend(app, exit_code);
   add_claims(app, exit_code);
   add_list(app, exit_code);
   add_db(app, exit_code);

@@ -40,6 +40,9 @@ int report(const ReportOptions& options) {
       input.gate.push_back({r.study + ": " + r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
   for (const Claim& claim : judge_claims(input.studies))
     input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
+  const Store store(options.db, Store::Mode::read);
+  input.versions = store.versions();
+  if (has_trends(input)) input.trends = trends_in(store, input.versions);
   input.benchmark = own_benchmark(options.db, input.provenance.digest);
   const bool terminal = isatty(STDERR_FILENO);
   const ReportSummary summary = write_report(input, options.out, [terminal](const std::string& what) {

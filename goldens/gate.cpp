@@ -157,7 +157,8 @@ GateResult judge(const Golden& golden, const std::vector<StudyResult>& studies) 
           judgement.verdict,
           expected_text(golden),
           std::move(judgement.measured),
-          std::move(judgement.reason)};
+          std::move(judgement.reason),
+          golden.where};
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ struct GateResult {
   std::string name;  ///< subject of the golden
   Verdict verdict = Verdict::inconclusive;
   std::string expected, measured;
-  std::string reason;  ///< empty for `pass`
+  std::string reason;      ///< empty for `pass`
+  std::string where = {};  ///< of the golden, FILE:LINE
 };
 
 /// All goldens, judged, in their order.

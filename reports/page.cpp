@@ -3,48 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <functional>
 #include <initializer_list>
-#include <kainjow/mustache.hpp>
 #include <map>
-#include <string_view>
 
 #include "page_template.hpp"
-#include "reports/svg.hpp"
+#include "reports/file.hpp"
 #include "reports/table.hpp"
+#include "reports/template_data.hpp"
 
 namespace mpmvv {
 
 namespace {
 
-using kainjow::mustache::data;
-
-data text_list(const std::vector<std::string>& texts) {
-  data list{data::type::list};
-  for (const auto& t : texts) list << data(t);
-  return list;
-}
-
-template <typename Range, typename Entry>
-data list_of(const Range& range, Entry entry) {
-  data list{data::type::list};
-  for (const auto& item : range) list << entry(item);
-  return list;
-}
-
-data object(std::initializer_list<std::pair<const char*, data>> members) {
-  data result;
-  for (const auto& [name, value] : members) result.set(name, value);
-  return result;
-}
-
-std::string anchor(const std::string& name) {
-  std::string result = name;
-  std::ranges::replace_if(
-      result, [](unsigned char c) { return std::isalnum(c) == 0; }, '-');
-  return result;
-}
+using namespace template_data;
 
 /// "2 pass, 1 fail": the words in this order, unknown ones after them.
 std::string counts(const std::vector<std::string>& words, std::initializer_list<std::string> order) {
@@ -82,14 +54,6 @@ data table_data(const Table& table) {
                  {"columns", text_list(table.columns)},
                  {"width", fmt::format("{}", table.columns.size())},
                  {"groups", list_of(table.groups, group)}});
-}
-
-data picture_data(const Picture& p) {
-  return object({{"figure", p.name},
-                 {"figure_anchor", anchor(p.name)},
-                 {"caption", p.caption},
-                 {"notes", text_list(p.notes)},
-                 {"svg", inline_svg(p.svg, anchor(p.name))}});
 }
 
 data part_data(const ClaimPart& part) {
@@ -157,6 +121,15 @@ data provenance_data(const Provenance& p) {
 
 }  // namespace
 
+std::vector<Picture> pictures_of(const std::vector<Chart>& charts, const std::filesystem::path& out_dir,
+                                 const std::string& folder) {
+  std::vector<Picture> pictures;
+  for (const auto& c : charts)
+    pictures.push_back(
+        {c.name, folder, c.caption, c.notes, read_file(out_dir / folder / (c.name + ".svg")).value_or("")});
+  return pictures;
+}
+
 std::string render_page(const ReportInput& input, const std::vector<Section>& sections) {
   kainjow::mustache::mustache page{std::string(page_template)};
   const auto gate = verdicts(input.gate);
@@ -171,7 +144,10 @@ std::string render_page(const ReportInput& input, const std::vector<Section>& se
               {"claims", list_of(input.claims, [&](const ClaimLine& c) { return claim_data(c, sections); })},
               {"has_claims", !input.claims.empty()},
               {"benchmark", list_of(benchmark_list, benchmark_data)},
-              {"table_list", data(kainjow::mustache::partial([] { return std::string(tables_template); }))},
+              {"table_list", partial(tables_template)},
+              {"picture_list", partial(pictures_template)},
+              {"style", partial(style_template)},
+              {"has_trends", has_trends(input)},
               {"sections", list_of(sections, section_data)}}));
 }
 

@@ -11,6 +11,7 @@
 #include "reports/plot.hpp"
 #include "reports/table.hpp"
 #include "reports/text.hpp"
+#include "reports/trend_page.hpp"
 #include "studies/error.hpp"
 
 namespace mpmvv {
@@ -51,13 +52,6 @@ std::vector<std::string> write_tables(const StudyResult& study, const fs::path& 
   return names;
 }
 
-std::vector<Picture> pictures(const std::vector<Chart>& charts, const fs::path& folder) {
-  std::vector<Picture> result;
-  for (const auto& c : charts)
-    result.push_back({c.name, c.caption, c.notes, read_file(folder / (c.name + ".svg")).value_or("")});
-  return result;
-}
-
 }  // namespace
 
 ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
@@ -80,8 +74,8 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
 
   std::vector<Section> sections;
   for (std::size_t i = 0; i < input.studies.size(); ++i)
-    sections.push_back(
-        {&input.studies[i], pictures(charts[i], figures), write_tables(input.studies[i], tables, summary)});
+    sections.push_back({&input.studies[i], pictures_of(charts[i], out_dir, "figures"),
+                        write_tables(input.studies[i], tables, summary)});
   if (input.benchmark) {
     const auto text = latex_tables("Benchmark", benchmark_tables(*input.benchmark));
     ++summary.tables;
@@ -89,6 +83,7 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
   }
   progress(fmt::format("tables: {} of {} written", summary.tables_written, summary.tables));
 
+  if (has_trends(input)) write_trends(input, out_dir, summary);
   write_if_changed(out_dir / "index.html", render_page(input, sections));
   progress(fmt::format("report: {}", (out_dir / "index.html").string()));
   return summary;

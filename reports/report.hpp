@@ -8,6 +8,8 @@
 #include "reports/benchmark.hpp"
 #include "studies/provenance.hpp"
 #include "studies/result.hpp"
+#include "studies/trend.hpp"
+#include "studies/version.hpp"
 
 namespace mpmvv {
 
@@ -33,7 +35,14 @@ struct ReportInput {
   std::vector<ClaimLine> claims;
   Provenance provenance;
   std::optional<Benchmark> benchmark = {};
+  std::vector<Version> versions = {};  ///< all of the store, by time
+  std::vector<Trend> trends = {};      ///< over these versions
 };
+
+/// One version alone has no trend.
+inline bool has_trends(const ReportInput& input) {
+  return input.versions.size() >= 2;
+}
 
 /// What a call wrote: files whose content is already right are left alone.
 struct ReportSummary {
@@ -42,8 +51,8 @@ struct ReportSummary {
 };
 
 /// Writes OUT/index.html (one page, nothing outside it), OUT/figures/NAME.{gp,dat,svg,pdf} and OUT/tables/STUDY*.csv,
-/// STUDY.tex and, with a benchmark, benchmark.tex. Throws UsageError when a file cannot be written, two figures share a
-/// name, or gnuplot is missing or fails.
+/// STUDY.tex and, with a benchmark, benchmark.tex; with trends OUT/trend.html and OUT/trends/NAME.* too. Throws
+/// UsageError when a file cannot be written, two figures share a name, or gnuplot is missing or fails.
 ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
                            const std::function<void(const std::string&)>& progress);
 

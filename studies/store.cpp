@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "studies/error.hpp"
 #include "studies/store/run_rows.hpp"
 #include "studies/store/schema.hpp"
@@ -66,6 +68,24 @@ std::vector<StudyResult> Store::studies(const std::string& digest) const {
   std::vector<StudyResult> results;
   for (db::StoredStudy& study : db::load_studies(impl_->database, digest)) results.push_back(std::move(study.result));
   return results;
+}
+
+std::vector<Version> Store::versions() const {
+  std::vector<Version> versions;
+  impl_->database.each(
+      "SELECT digest, git_commit, dirty, min(kept_at) AS first FROM provenance JOIN "
+      "(SELECT provenance, kept_at FROM runs UNION ALL SELECT provenance, kept_at FROM studies) AS kept "
+      "ON kept.provenance = provenance.id WHERE digest IN (SELECT digest FROM studies) "
+      "GROUP BY digest, git_commit, dirty ORDER BY first, min(provenance.id)",
+      {}, [&](const db::Row& row) {
+        const std::string commit = row["git_commit"].text() + (row["dirty"].flag() ? "-dirty" : "");
+        const auto known = std::ranges::find(versions, row["digest"].text(), &Version::digest);
+        if (known == versions.end())
+          versions.push_back({row["digest"].text(), {commit}, row["first"].text()});
+        else
+          known->commits.push_back(commit);
+      });
+  return versions;
 }
 
 std::optional<Provenance> Store::study_provenance(const std::string& study, const std::string& digest) const {

@@ -11,6 +11,7 @@
 #include "studies/provenance.hpp"
 #include "studies/record.hpp"
 #include "studies/result.hpp"
+#include "studies/version.hpp"
 
 namespace mpmvv {
 
@@ -43,6 +44,9 @@ class Store {
 
   /// Studies of this digest by name, in name order. Empty when there is none.
   std::vector<StudyResult> studies(const std::string& digest) const;
+
+  /// The versions that studies were kept of, by the time of their first result.
+  std::vector<Version> versions() const;
 
   /// Provenance of the study's last keeping; nullopt when absent.
   std::optional<Provenance> study_provenance(const std::string& study, const std::string& digest) const;

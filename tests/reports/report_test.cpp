@@ -118,6 +118,46 @@ TEST(Report, ClaimsLeadToTheirStudies) {
   EXPECT_THAT(page_of(input(), folder), HasSubstr("<a href=\"#study-bar-bases\">bar-bases</a>"));
 }
 
+ReportInput input_with_trends() {
+  auto in = input();
+  in.versions = {{"00ff", {"8be1f2c0"}, "2026-01-01T00:00:00Z"}, {"11aa", {"<7>", "9cd"}, "2026-01-02T00:00:00Z"}};
+  in.trends = {{"bar-bases", Finding::Kind::order, "order of 'a' & 'b'", {2, 1.9}},
+               {"bar-bases", Finding::Kind::error, "error of 'a'", {1e-3, not_measured}},
+               {"bar-cfl", Finding::Kind::limit, "limit of 'a'", {0.8, 0.8}},
+               {"weights", Finding::Kind::value, "value 'gap'", {1, 1}}};
+  return in;
+}
+
+TEST(Report, OneVersionHasNoTrends) {
+  const TempFolder folder;
+  auto in = input_with_trends();
+  in.versions.pop_back();
+  EXPECT_THAT(page_of(in, folder), Not(HasSubstr("trend.html")));
+  EXPECT_FALSE(fs::exists(folder / "out" / "trend.html"));
+}
+
+TEST(Report, TrendsHaveAPageOfTheirOwn) {
+  const TempFolder folder;
+  EXPECT_THAT(page_of(input_with_trends(), folder), HasSubstr("<a href=\"trend.html\">"));
+  const auto page = content(folder / "out" / "trend.html");
+  EXPECT_EQ(matches(page, "(<svg)").size(), 3u) << "orders, errors, limits; no values";
+  EXPECT_THAT(page, AllOf(HasSubstr("<code>&lt;7&gt;</code>"), HasSubstr("href=\"index.html\""), Not(HasSubstr("src=")),
+                          Not(HasSubstr("<link")), Not(HasSubstr("<script"))));
+  const auto ids = matches(page, " id=[\"']([^\"']*)[\"']");
+  const std::set<std::string> known(ids.begin(), ids.end());
+  EXPECT_EQ(known.size(), ids.size());
+  for (const auto& target : matches(page, "href=[\"']#([^\"']*)[\"']")) EXPECT_TRUE(known.contains(target)) << target;
+  const auto files = matches(page, "href=\"(trends/[^\"]*)\"");
+  EXPECT_EQ(files.size(), 12u);
+  for (const auto& file : files) EXPECT_TRUE(fs::exists(folder / "out" / file)) << file;
+}
+
+TEST(Report, TrendsAreDrawnOnce) {
+  const TempFolder folder;
+  EXPECT_EQ(write_report(input_with_trends(), folder / "out", silent).figures_drawn, 6);
+  EXPECT_EQ(write_report(input_with_trends(), folder / "out", silent).figures_drawn, 0);
+}
+
 TEST(Report, EmptyInputGivesAPage) {
   const TempFolder folder;
   const auto page = page_of({}, folder);

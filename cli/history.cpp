@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/results.hpp"
+#include "goldens/comparison.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+nlohmann::json version_json(const Version& version) {
+  return {{"digest", version.digest}, {"commits", version.commits}, {"time", version.time}};
+}
+
+nlohmann::json change_json(const Change& change) {
+  const auto side = [](const Finding& finding) -> nlohmann::json {
+    return finding.word.empty() ? nlohmann::json(finding.number) : nlohmann::json(finding.word);
+  };
+  nlohmann::json json{{"study", change.before.study},
+                      {"kind", to_string(change.before.kind)},
+                      {"name", change.before.name},
+                      {"before", side(change.before)},
+                      {"after", side(change.after)}};
+  if (!std::isnan(change.before.at)) json["at"] = {{"before", change.before.at}, {"after", change.after.at}};
+  if (change.largest)
+    json["largest"] = {{"x", change.largest->x}, {"before", change.largest->before}, {"after", change.largest->after}};
+  return json;
+}
+
+/// Empty where the two are not of the same kind or not of the same level.
+std::string difference(const Finding& before, const Finding& after) {
+  const double a = before.number, b = after.number;
+  const bool same_level = before.at == after.at || std::isnan(before.at);
+  if (!before.word.empty() || !after.word.empty() || !same_level) return "";
+  if (before.kind == Finding::Kind::order || a == 0) return fmt::format(" ({:+.3g})", b - a);
+  if (before.kind == Finding::Kind::cost) return fmt::format(" (x {:.3f})", b / a);
+  return fmt::format(" ({:+.3g} %)", 100 * (b - a) / std::abs(a));
+}
+
+void print_change(const Change& change) {
+  fmt::print("{:<12} {}: {} -> {}{}", change.before.study, change.before.name, text(change.before), text(change.after),
+             difference(change.before, change.after));
+  if (change.largest && change.largest->x != change.before.at)
+    fmt::print(", most at {:g}: {:.6g} -> {:.6g}", change.largest->x, change.largest->before, change.largest->after);
+  fmt::print("\n");
+}
+
+struct CompareOptions {
+  std::string db, a, b;
+  bool json = false, all = false;
+};
+
+void print_comparison(const Comparison& comparison, const Version& a, const Version& b, bool all) {
+  fmt::print("from {}, {}\nto   {}, {}\n", label(a), a.time, label(b), b.time);
+  for (const Change& change : comparison.changes)
+    if (all || change.bands != 0) print_change(change);
+  for (const Change& cost : comparison.costs) print_change(cost);
+  for (const std::string& what : comparison.only_before) fmt::print("only in the first: {}\n", what);
+  for (const std::string& what : comparison.only_after) fmt::print("only in the second: {}\n", what);
+  fmt::print(
+      "{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} costs shown as ratios\n",
+      comparison.changed(), comparison.changes.size(), relative_round_off, absolute_round_off, comparison.costs.size());
+}
+
+nlohmann::json comparison_json(const Comparison& comparison, const Version& a, const Version& b, bool all) {
+  nlohmann::json changes = nlohmann::json::array(), costs = nlohmann::json::array();
+  for (const Change& change : comparison.changes)
+    if (all || change.bands != 0) changes.push_back(change_json(change));
+  for (const Change& cost : comparison.costs) costs.push_back(change_json(cost));
+  return {{"from", version_json(a)},
+          {"to", version_json(b)},
+          {"round_off", {{"relative", relative_round_off}, {"absolute", absolute_round_off}}},
+          {"compared", comparison.changes.size()},
+          {"changed", comparison.changed()},
+          {"changes", changes},
+          {"costs", costs},
+          {"only_from", comparison.only_before},
+          {"only_to", comparison.only_after}};
+}
+
+int compare_versions(const CompareOptions& options) {
+  const Store store(options.db, Store::Mode::read);
+  const auto versions = store.versions();
+  const Version& a = find_version(versions, options.a);
+  const Version& b = find_version(versions, options.b.empty() ? current_provenance().digest : options.b);
+  const Comparison comparison = compare(findings_of(store.studies(a.digest)), findings_of(store.studies(b.digest)));
+  if (options.json)
+    print_json(comparison_json(comparison, a, b, options.all));
+  else
+    print_comparison(comparison, a, b, options.all);
+  return 0;
+}
+
+struct TrendOptions {
+  std::string db;
+  bool json = false;
+};
+
+nlohmann::json trends_json(const std::vector<Version>& versions, const std::vector<Trend>& trends) {
+  nlohmann::json all_versions = nlohmann::json::array(), all_trends = nlohmann::json::array();
+  for (const Version& version : versions) all_versions.push_back(version_json(version));
+  for (const Trend& trend : trends)
+    all_trends.push_back(
+        {{"study", trend.study}, {"kind", to_string(trend.kind)}, {"name", trend.name}, {"values", trend.numbers}});
+  return {{"versions", all_versions}, {"trends", all_trends}};
+}
+
+void print_trends(const std::vector<Version>& versions, const std::vector<Trend>& trends) {
+  for (std::size_t v = 0; v < versions.size(); ++v)
+    fmt::print("{:>3}  {}, {}\n", v + 1, label(versions[v]), versions[v].time);
+  for (const Trend& trend : trends) {
+    fmt::print("{:<12} {}:", trend.study, trend.name);
+    for (const double number : trend.numbers)
+      fmt::print(" {}", std::isnan(number) ? "-" : fmt::format("{:.5g}", number));
+    fmt::print("\n");
+  }
+}
+
+int trend(const TrendOptions& options) {
+  const Store store(options.db, Store::Mode::read);
+  const auto versions = store.versions();
+  const auto trends = trends_in(store, versions);
+  if (options.json)
+    print_json(trends_json(versions, trends));
+  else
+    print_trends(versions, trends);
+  return 0;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = app.add_subcommand("compare", "Print what changed between two versions in a store, worst first");
+  command->add_option("from", options->a, "first letters of a commit or digest")->required();
+  command->add_option("to", options->b, "the same (default: the running program's digest)");
+  command->add_option("--db", options->db, "results store")->required();
+  command->add_flag("--all", options->all, "print what did not change, too");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options, &exit_code] { exit_code = compare_versions(*options); });
+}
+
+void add_trend(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<TrendOptions>();
+  CLI::App* command =
+      app.add_subcommand("trend", "Print orders, finest errors, limits and values over all versions in a store");
+  command->add_option("--db", options->db, "results store")->required();
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options, &exit_code] { exit_code = trend(*options); });
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,122 @@
+#include "goldens/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "goldens/golden.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+using Key = std::pair<std::string, std::string>;
+
+Key key_of(const Finding& finding) {
+  return {finding.study, finding.name};
+}
+
+bool same_up_to_round_off(double a, double b) {
+  const double size = std::max(std::abs(a), std::abs(b));
+  return size <= absolute_round_off || std::abs(a - b) <= relative_round_off * size;
+}
+
+/// The size of a change in widths of the goldens' band for such a number.
+double bands_between(Finding::Kind kind, double before, double after) {
+  if (same_up_to_round_off(before, after)) return 0;
+  const double step = std::abs(after - before);
+  if (kind == Finding::Kind::order) return step / order_band;
+  return step / std::abs(before) / (kind == Finding::Kind::limit ? limit_band : error_band);
+}
+
+/// The level with the largest change among those that both have.
+void compare_levels(Change& change) {
+  const auto& a = change.before.levels;
+  const auto& b = change.after.levels;
+  double most = 0;
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    if (a[i].x == b[j].x) {
+      const double bands = bands_between(Finding::Kind::error, a[i].y, b[j].y);
+      if (bands > most) {
+        most = bands;
+        change.largest = {a[i].x, a[i].y, b[j].y};
+      }
+      ++i, ++j;
+    } else {
+      ++(a[i].x < b[j].x ? i : j);
+    }
+  }
+  if (most == 0) return;
+  const bool better = change.before.better * (change.largest->after - change.largest->before) > 0;
+  change.bands = better ? -most : most;
+}
+
+/// The weight of another word.
+constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
+
+bool is_improvement(const Finding& before, const Finding& after) {
+  return after.word == "ok" || after.word == "confirmed" || (after.word.empty() && !before.word.empty());
+}
+
+Change change_between(const Finding& before, const Finding& after) {
+  Change change{before, after, {}, 0};
+  if (before.word != after.word) {
+    change.bands = is_improvement(before, after) ? -beyond_any_number : beyond_any_number;
+  } else if (!before.levels.empty()) {
+    compare_levels(change);
+  } else if (before.word.empty()) {
+    const double bands = bands_between(before.kind, before.number, after.number);
+    change.bands = before.better * (after.number - before.number) > 0 ? -bands : bands;
+  }
+  return change;
+}
+
+std::map<Key, const Finding*> by_key(const std::vector<Finding>& findings) {
+  std::map<Key, const Finding*> all;
+  for (const Finding& finding : findings) all.try_emplace(key_of(finding), &finding);
+  return all;
+}
+
+/// What the others lack: a whole study by its name, else "study: finding".
+std::vector<std::string> only_in(const std::vector<Finding>& findings, const std::map<Key, const Finding*>& others) {
+  std::set<std::string> studies;
+  for (const auto& [key, finding] : others) studies.insert(key.first);
+  std::vector<std::string> only;
+  for (const Finding& finding : findings) {
+    if (others.contains(key_of(finding))) continue;
+    const bool has_study = finding.study.empty() || studies.contains(finding.study);
+    const std::string what = finding.study.empty() ? finding.name
+                             : has_study           ? finding.study + ": " + finding.name
+                                                   : "study " + finding.study;
+    if (only.empty() || only.back() != what) only.push_back(what);
+  }
+  return only;
+}
+
+}  // namespace
+
+std::size_t Comparison::changed() const {
+  return static_cast<std::size_t>(std::ranges::count_if(changes, [](const Change& c) { return c.bands != 0; }));
+}
+
+Comparison compare(const std::vector<Finding>& before, const std::vector<Finding>& after) {
+  const auto earlier = by_key(before), later = by_key(after);
+  Comparison comparison;
+  for (const auto& [key, finding] : earlier) {
+    const auto found = later.find(key);
+    if (found == later.end()) continue;
+    const bool cost = finding->kind == Finding::Kind::cost;
+    (cost ? comparison.costs : comparison.changes).push_back(change_between(*finding, *found->second));
+  }
+  std::ranges::stable_sort(comparison.changes, std::greater{}, &Change::bands);
+  std::ranges::stable_sort(comparison.costs, std::greater{},
+                           [](const Change& c) { return c.after.number / c.before.number; });
+  comparison.only_before = only_in(before, later);
+  comparison.only_after = only_in(after, earlier);
+  return comparison;
+}
+
+}  // namespace mpmvv

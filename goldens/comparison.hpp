@@ -1,0 +1,37 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/finding.hpp"
+
+namespace mpmvv {
+
+/// Two numbers that differ by no more than this are the same up to round-off: |a - b| <= relative max(|a|, |b|), or
+/// both are at most `absolute` in size.
+inline constexpr double relative_round_off = 1e-9, absolute_round_off = 1e-13;
+
+/// One finding in both versions.
+struct Change {
+  /// Of an error or curve: where it changed most.
+  struct AtLevel {
+    double x = 0, before = 0, after = 0;
+  };
+
+  Finding before, after;
+  std::optional<AtLevel> largest;  ///< when any level changed
+  double bands = 0;                ///< in widths of the goldens' bands; positive: worse, or no one knows; 0: unchanged
+};
+
+/// What differs between the findings of two versions.
+struct Comparison {
+  std::vector<Change> changes;                       ///< of all findings but cost, worst first, unchanged ones too
+  std::vector<Change> costs;                         ///< largest ratio first; never judged
+  std::vector<std::string> only_before, only_after;  ///< studies, and findings of studies that both have
+
+  std::size_t changed() const;
+};
+
+Comparison compare(const std::vector<Finding>& before, const std::vector<Finding>& after);
+
+}  // namespace mpmvv

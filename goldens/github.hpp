@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "goldens/gate.hpp"
+
+namespace mpmvv {
+
+/// Workflow commands of GitHub Actions, a line each, that mark the goldens in a change: `::error` for what failed,
+/// `::warning` for what is inconclusive.
+std::string github_annotations(const GateReport& report);
+
+}  // namespace mpmvv

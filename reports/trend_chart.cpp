@@ -1,0 +1,76 @@
+#include "reports/trend_chart.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+namespace mpmvv {
+
+namespace {
+
+constexpr std::size_t commit_letters = 7;
+constexpr std::size_t most_commits = 10;  ///< as texts below the axis
+
+struct TrendKind {
+  Finding::Kind kind;
+  const char* name;  ///< of the file, behind the study's
+  const char* label;
+  bool log;
+};
+
+constexpr TrendKind trend_kinds[] = {{Finding::Kind::order, "orders", "observed order", false},
+                                     {Finding::Kind::error, "errors", "error at the finest level", true},
+                                     {Finding::Kind::limit, "limits", "stability limit", false}};
+
+Axis version_axis(const std::vector<Version>& versions) {
+  Axis axis;
+  axis.label = "commit";
+  axis.names = true;
+  axis.from = 0.5;
+  axis.to = static_cast<double>(versions.size()) + 0.5;
+  const std::size_t step = 1 + (versions.size() - 1) / most_commits;
+  for (std::size_t v = 0; v < versions.size(); v += step)
+    axis.tics.push_back({static_cast<double>(v + 1), versions[v].commits.front().substr(0, commit_letters)});
+  return axis;
+}
+
+Curve trend_curve(const Trend& trend, int style, bool log) {
+  Curve curve{trend.name, trend.name, style, true, true, true, {}};
+  for (std::size_t v = 0; v < trend.numbers.size(); ++v) {
+    const double number = trend.numbers[v];
+    const bool drawable = std::isfinite(number) && (!log || number > 0);
+    curve.dots.push_back({static_cast<double>(v + 1), number, number, drawable ? Mark::inside : Mark::absent});
+  }
+  return curve;
+}
+
+std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind, const std::vector<Trend>& trends,
+                                 const std::vector<Version>& versions) {
+  Chart chart;
+  chart.name = fmt::format("{}-{}", study, kind.name);
+  chart.caption = fmt::format("Study {}: {} in each version.", study, kind.label);
+  chart.height = 240;
+  std::vector<double> numbers;
+  for (const Trend& trend : trends) {
+    if (trend.kind != kind.kind) continue;
+    chart.curves.push_back(trend_curve(trend, static_cast<int>(chart.curves.size()), kind.log));
+    numbers.insert(numbers.end(), trend.numbers.begin(), trend.numbers.end());
+  }
+  if (chart.curves.empty()) return std::nullopt;
+  chart.x = version_axis(versions);
+  chart.y = make_axis({kind.label, kind.log, {}, {}, 0.1, 0.1}, numbers);
+  return chart;
+}
+
+}  // namespace
+
+std::vector<Chart> trend_charts(const std::string& study, const std::vector<Trend>& trends,
+                                const std::vector<Version>& versions) {
+  std::vector<Chart> charts;
+  for (const TrendKind& kind : trend_kinds)
+    if (auto chart = trend_chart(study, kind, trends, versions)) charts.push_back(std::move(*chart));
+  return charts;
+}
+
+}  // namespace mpmvv

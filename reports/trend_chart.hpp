@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "reports/chart.hpp"
+#include "studies/trend.hpp"
+#include "studies/version.hpp"
+
+namespace mpmvv {
+
+/// The trends of one study against the versions: a small figure of its orders, one of its finest errors and one of its
+/// limits, where it has any.
+std::vector<Chart> trend_charts(const std::string& study, const std::vector<Trend>& trends,
+                                const std::vector<Version>& versions);
+
+}  // namespace mpmvv

@@ -1,0 +1,64 @@
+#include "reports/trend_page.hpp"
+
+#include <map>
+
+#include "page_template.hpp"
+#include "reports/file.hpp"
+#include "reports/plot.hpp"
+#include "reports/template_data.hpp"
+#include "reports/trend_chart.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+using template_data::data;
+
+constexpr const char* trends_folder = "trends";
+
+data version_data(const Version& version, std::size_t number) {
+  return template_data::object({{"number", std::to_string(number)},
+                                {"time", version.time},
+                                {"commits", template_data::text_list(version.commits)},
+                                {"digest", version.digest}});
+}
+
+data trend_section_data(const std::string& study, const std::vector<Picture>& pictures) {
+  return template_data::object({{"study", study},
+                                {"study_anchor", template_data::anchor(study)},
+                                {"pictures", template_data::list_of(pictures, template_data::picture_data)}});
+}
+
+std::map<std::string, std::vector<Chart>> charts_by_study(const ReportInput& input) {
+  std::map<std::string, std::vector<Trend>> trends;
+  for (const Trend& trend : input.trends) trends[trend.study].push_back(trend);
+  std::map<std::string, std::vector<Chart>> charts;
+  for (const auto& [study, of_study] : trends)
+    if (auto drawn = trend_charts(study, of_study, input.versions); !drawn.empty()) charts[study] = std::move(drawn);
+  return charts;
+}
+
+}  // namespace
+
+void write_trends(const ReportInput& input, const std::filesystem::path& out_dir, ReportSummary& summary) {
+  const auto charts = charts_by_study(input);
+  std::vector<Plot> plots;
+  for (const auto& [study, of_study] : charts)
+    for (const Chart& chart : of_study) plots.push_back(plot_of(chart));
+  make_folder(out_dir / trends_folder);
+  summary.figures += static_cast<int>(plots.size());
+  summary.figures_drawn += draw(plots, out_dir / trends_folder);
+
+  data versions{data::type::list}, sections{data::type::list};
+  for (std::size_t v = 0; v < input.versions.size(); ++v) versions << version_data(input.versions[v], v + 1);
+  for (const auto& [study, of_study] : charts)
+    sections << trend_section_data(study, pictures_of(of_study, out_dir, trends_folder));
+  kainjow::mustache::mustache page{std::string(trend_template)};
+  write_if_changed(out_dir / "trend.html",
+                   page.render(template_data::object({{"style", template_data::partial(style_template)},
+                                                      {"picture_list", template_data::partial(pictures_template)},
+                                                      {"versions", versions},
+                                                      {"sections", sections}})));
+}
+
+}  // namespace mpmvv

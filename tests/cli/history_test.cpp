@@ -1,0 +1,154 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "studies/store.hpp"
+#include "tests/cli/program.hpp"
+
+namespace mpmvv {
+namespace history_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+StudyResult bar_study(double order, double finest) {
+  StudyResult study;
+  study.name = "bar";
+  study.kind = "convergence";
+  study.sweep = "cells";
+  Series series{"linear", {}, {}, {}};
+  series.points = {{8, Status::ok, "", {{"l2", 1e-2}}}, {16, Status::ok, "", {{"l2", finest}}}};
+  series.orders.resize(1);
+  series.orders[0].norm = "l2";
+  series.orders[0].from = 8;
+  series.orders[0].to = 16;
+  series.orders[0].points = 2;
+  series.orders[0].order = order;
+  study.series = {series};
+  study.values = {{"gap", 1, ""}};
+  return study;
+}
+
+void keep(const std::string& db, const StudyResult& study, const std::string& digest, const std::string& commit,
+          const std::string& time) {
+  const Provenance p{digest, commit, false, "GNU 12.2.0", "-O3", "Release", "CPU", time};
+  Store(db, Store::Mode::create_or_write).keep_study(study, {}, p);
+}
+
+/// Two versions in one store: the order drops, the finest error grows.
+class History : public testing::Test {
+ protected:
+  void SetUp() override {
+    keep(db_, bar_study(2, 2.5e-3), "00ff11", "c0ffee", "2026-01-01T00:00:00Z");
+    keep(db_, bar_study(1, 5e-3), "00aa22", "c0de00", "2026-01-02T00:00:00Z");
+  }
+
+  Answer ask(const std::string& arguments) { return call(folder_, arguments + " --db " + db_); }
+
+  Folder folder_;
+  std::string db_ = folder_ / "r.db";
+};
+
+TEST_F(History, CompareShowsWhatChangedWorstFirst) {
+  const Answer answer = ask("compare c0f c0d");
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, AllOf(HasSubstr("from c0ffee (digest 00ff11)"), HasSubstr("to   c0de00 (digest 00aa22)"),
+                                HasSubstr("order of 'linear' in l2 over [8, 16]: 2 -> 1 (-1)"),
+                                HasSubstr("error of 'linear' in l2: 0.0025 at 16 -> 0.005 at 16 (+100 %)"),
+                                HasSubstr("2 of 5 results changed by more than round-off"), Not(HasSubstr("gap"))));
+  EXPECT_LT(answer.out.find("error of"), answer.out.find("order of")) << "ten bands before less than seven";
+  EXPECT_THAT(ask("compare c0f c0d --all").out, HasSubstr("value 'gap': 1 -> 1"));
+}
+
+TEST_F(History, CompareAsJson) {
+  const auto json = ask("compare 00ff 00aa --json").json();
+  EXPECT_EQ(json["from"]["commits"][0], "c0ffee");
+  EXPECT_EQ(json["compared"], 5);
+  ASSERT_EQ(json["changes"].size(), 2U);
+  EXPECT_EQ(json["changes"][0]["kind"], "error");
+  EXPECT_EQ(json["changes"][0]["at"]["after"], 16);
+  EXPECT_EQ(json["changes"][0]["largest"]["after"], 5e-3);
+  EXPECT_EQ(json["changes"][1]["before"], 2);
+}
+
+TEST_F(History, AVersionAgainstItselfIsUnchanged) {
+  const auto json = ask("compare c0ffee c0ffee --json").json();
+  EXPECT_EQ(json["changed"], 0);
+  EXPECT_TRUE(json["changes"].empty());
+}
+
+TEST_F(History, VersionsThatAreNoneOrTwoAreRefused) {
+  for (const char* bad : {"compare c0 c0ffee", "compare dead c0ffee", "compare c0ffee"}) {
+    const Answer answer = ask(bad);
+    EXPECT_EQ(answer.code, 2) << bad;
+    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+    EXPECT_THAT(answer.err, AllOf(HasSubstr("c0ffee (digest 00ff11)"), HasSubstr("c0de00 (digest 00aa22)"))) << bad;
+  }
+  EXPECT_EQ(ask("compare").code, 2);
+  EXPECT_EQ(call(folder_, "compare a b --db " + (folder_ / "absent.db")).code, 2);
+}
+
+TEST_F(History, TrendFollowsTheTime) {
+  const auto json = ask("trend --json").json();
+  EXPECT_EQ(json["versions"][0]["digest"], "00ff11");
+  ASSERT_EQ(json["trends"].size(), 3U);
+  EXPECT_EQ(json["trends"][0]["values"], nlohmann::json::parse("[2.0, 1.0]"));
+  const Answer answer = ask("trend");
+  EXPECT_THAT(answer.out, AllOf(StartsWith("  1  c0ffee (digest 00ff11)"), HasSubstr("over [8, 16]: 2 1\n")));
+}
+
+TEST_F(History, GateAnnotatesForGithub) {
+  const std::string own = folder_ / "own.db";
+  const std::string study = folder_.write("small.toml", R"(title = "Small"
+claims = []
+[fixed]
+problem = "bar"
+integrator = "cd"
+boundary = "periodic"
+basis = "linear"
+ppc = 4
+cfl = 0.3
+[[series]]
+name = "linear"
+[sweep]
+cells = [8]
+)");
+  ASSERT_EQ(call(folder_, "study " + study + " --db " + own).code, 0);
+  std::filesystem::create_directories(folder_ / "goldens");
+  folder_.write("goldens/small.toml",
+                "study = \"small\"\n[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"unstable\"\n");
+  const std::string gate = "gate --db " + own + " --goldens " + (folder_ / "goldens");
+  const std::string mark = "::error file=" + (folder_ / "goldens/small.toml") + ",line=2,title=small%3A status";
+  EXPECT_THAT(call(folder_, gate + " --github").out, AllOf(HasSubstr("0 pass, 1 fail"), HasSubstr(mark)));
+  EXPECT_EQ(call(folder_, gate + " --github --json").code, 2);
+  setenv("GITHUB_ACTIONS", "true", 1);
+  EXPECT_THAT(call(folder_, gate).out, HasSubstr(mark));
+  EXPECT_EQ(call(folder_, gate + " --json").json()["fail"], 1);
+  unsetenv("GITHUB_ACTIONS");
+  EXPECT_THAT(call(folder_, gate).out, Not(HasSubstr("::error")));
+}
+
+/// The words of the front door that the workflow calls.
+TEST(Workflow, RunsWordsThatThereAre) {
+  const std::string workflow = read_text(MPMVV_SOURCE_DIR "/.github/workflows/nightly.yml");
+  const std::string door = read_text(MPMVV_SOURCE_DIR "/run");
+  int calls = 0;
+  for (auto at = workflow.find("./run "); at != std::string::npos; at = workflow.find("./run ", at + 1)) {
+    const auto word = workflow.substr(at + 6, workflow.find('\n', at) - at - 6);
+    EXPECT_THAT(door, HasSubstr("\n  " + word + " ")) << word;
+    ++calls;
+  }
+  EXPECT_EQ(calls, 3);
+  EXPECT_THAT(workflow, Not(HasSubstr("\t")));
+  for (const char* kept : {"results/nightly.db", "results/report", "results/gate.xml"}) {
+    EXPECT_THAT(workflow, HasSubstr(kept));
+    EXPECT_THAT(door, HasSubstr(kept));
+  }
+}
+
+}  // namespace history_test
+}  // namespace mpmvv

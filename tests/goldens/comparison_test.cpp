@@ -1,0 +1,97 @@
+#include "goldens/comparison.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace mpmvv {
+namespace comparison_test {
+
+using Kind = Finding::Kind;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+Finding number(Kind kind, const std::string& name, double value, int better = 0) {
+  return {"s", kind, name, value, "", better, {}};
+}
+Finding word(const std::string& name, const std::string& text) {
+  return {"s", Kind::status, name, not_measured, text, 0, {}};
+}
+Finding error(const std::vector<Finding::Level>& levels) {
+  return {"s", Kind::error, "error", levels.back().y, "", -1, levels};
+}
+
+double bands(const Finding& before, const Finding& after) {
+  return compare({before}, {after}).changes.at(0).bands;
+}
+
+TEST(Compare, AVersionWithItselfShowsNothing) {
+  const std::vector<Finding> findings{number(Kind::order, "o", 2, 1), word("w", "ok"), error({{8, 1}, {16, 0.25}}),
+                                      number(Kind::value, "v", 0)};
+  const Comparison same = compare(findings, findings);
+  EXPECT_EQ(same.changes.size(), 4U);
+  EXPECT_EQ(same.changed(), 0U);
+  EXPECT_THAT(same.only_before, IsEmpty());
+  EXPECT_THAT(same.only_after, IsEmpty());
+}
+
+TEST(Compare, RoundOffIsNoChange) {
+  EXPECT_EQ(bands(number(Kind::value, "v", 1), number(Kind::value, "v", 1 + 1e-10)), 0);
+  EXPECT_EQ(bands(number(Kind::value, "v", 2e-16), number(Kind::value, "v", -7e-14)), 0);
+  EXPECT_GT(bands(number(Kind::value, "v", 1), number(Kind::value, "v", 1 + 1e-8)), 0);
+  EXPECT_GT(bands(number(Kind::value, "v", 0), number(Kind::value, "v", 1e-12)), 0);
+}
+
+TEST(Compare, MeasuresInTheGoldensBands) {
+  EXPECT_NEAR(bands(number(Kind::order, "o", 2, 1), number(Kind::order, "o", 1.7, 1)), 2, 1e-12);
+  EXPECT_NEAR(bands(number(Kind::order, "o", 2, 1), number(Kind::order, "o", 2.15, 1)), -1, 1e-12);
+  EXPECT_NEAR(bands(number(Kind::limit, "l", 0.8, -1), number(Kind::limit, "l", 0.88, -1)), 2, 1e-12);
+  EXPECT_NEAR(bands(error({{8, 1}, {16, 0.2}}), error({{8, 1}, {16, 0.26}})), 3, 1e-12);
+}
+
+TEST(Compare, FindsTheLevelThatChangedMost) {
+  const Change change = compare({error({{4, 4}, {8, 1}, {16, 0.2}})}, {error({{8, 2}, {16, 0.2}, {32, 9}})}).changes[0];
+  ASSERT_TRUE(change.largest);
+  EXPECT_EQ(change.largest->x, 8);
+  EXPECT_EQ(change.largest->after, 2);
+  EXPECT_NEAR(change.bands, 10, 1e-12);
+}
+
+TEST(Compare, WorstStandsFirst) {
+  const std::vector<Finding> before{number(Kind::order, "drop", 2, 1), number(Kind::order, "rise", 1, 1),
+                                    number(Kind::order, "same", 1, 1), word("worse", "ok"), word("better", "unstable")};
+  const std::vector<Finding> after{number(Kind::order, "drop", 1, 1), number(Kind::order, "rise", 2, 1),
+                                   number(Kind::order, "same", 1, 1), word("worse", "unstable"), word("better", "ok")};
+  std::vector<std::string> names;
+  for (const Change& change : compare(before, after).changes) names.push_back(change.before.name);
+  EXPECT_THAT(names, ElementsAre("worse", "drop", "same", "rise", "better"));
+}
+
+TEST(Compare, ANumberThatIsLostIsTheWorst) {
+  Finding lost = number(Kind::order, "o", not_measured, 1);
+  lost.word = "not measured";
+  EXPECT_EQ(bands(number(Kind::order, "o", 2, 1), lost), INFINITY);
+  EXPECT_EQ(bands(lost, number(Kind::order, "o", 2, 1)), -INFINITY);
+  EXPECT_EQ(bands(lost, lost), 0);
+}
+
+TEST(Compare, CostIsShownApart) {
+  const std::vector<Finding> before{number(Kind::cost, "a", 10, -1), number(Kind::cost, "b", 10, -1)};
+  const Comparison comparison = compare(before, {number(Kind::cost, "a", 11, -1), number(Kind::cost, "b", 20, -1)});
+  EXPECT_THAT(comparison.changes, IsEmpty());
+  ASSERT_EQ(comparison.costs.size(), 2U);
+  EXPECT_EQ(comparison.costs[0].before.name, "b");
+}
+
+TEST(Compare, ListsWhatOnlyOneHas) {
+  Finding elsewhere = number(Kind::value, "v", 1), twice = number(Kind::value, "w", 1);
+  elsewhere.study = twice.study = "t";
+  const Comparison comparison = compare({number(Kind::value, "v", 1), number(Kind::value, "gone", 1)},
+                                        {number(Kind::value, "v", 1), elsewhere, twice});
+  EXPECT_THAT(comparison.only_before, ElementsAre("s: gone"));
+  EXPECT_THAT(comparison.only_after, ElementsAre("study t"));
+}
+
+}  // namespace comparison_test
+}  // namespace mpmvv

@@ -1,0 +1,25 @@
+#include "goldens/github.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mpmvv {
+namespace github_test {
+
+TEST(Github, MarksTheLinesOfGoldensThatDoNotPass) {
+  const GateReport report{{{"s", "order of 'a' in l2", Verdict::pass, "2", "2.01", "", "goldens/s.toml:3"},
+                           {"s", "limit of 'b'", Verdict::fail, "1", "2", "above", "goldens/s.toml:7"},
+                           {"s", "value 'c'", Verdict::inconclusive, "at most 1", "", "missing", "goldens/s.toml:9"}}};
+  EXPECT_EQ(github_annotations(report),
+            "::error file=goldens/s.toml,line=7,title=s%3A limit of 'b'::expected 1, measured 2 (above)\n"
+            "::warning file=goldens/s.toml,line=9,title=s%3A value 'c'::expected at most 1, measured  (missing)\n");
+}
+
+TEST(Github, NoTextEndsTheCommand) {
+  const GateReport report{{{"s", "a, b: c%", Verdict::fail, "1 ± 10 %", "2", "x\ny::z", "goldens/a,b.toml:1"}}};
+  EXPECT_EQ(github_annotations(report),
+            "::error file=goldens/a%2Cb.toml,line=1,title=s%3A a%2C b%3A c%25::expected 1 ± 10 %25, measured 2 "
+            "(x%0Ay::z)\n");
+}
+
+}  // namespace github_test
+}  // namespace mpmvv
