@@ -22,7 +22,8 @@ void update_with_remapped_velocity(Mpm<D>& s, double dt, double dt_stress) {
   s.fold(grid.p);
   s.set_stress_velocity();
 
-  s.sweep_and_settle(MoveByRate<D>{particles, dt}, UpdateDeformation<D>{particles, grid, s.deformation_step(dt_stress)});
+  s.sweep_and_settle(MoveByRate<D>{particles, dt},
+                     UpdateDeformation<D>{particles, grid, s.deformation_step(dt_stress)});
 }
 
 }  // namespace mpmvv::solver
