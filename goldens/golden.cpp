@@ -38,22 +38,8 @@ std::string word(const TomlTable& table, const std::string& key) {
 }
 
 std::string norm(const TomlTable& table) {
-  constexpr std::array known = {"l1",
-                                "l2",
-                                "linf",
-                                "l1_all_steps",
-                                "l2_all_steps",
-                                "linf_all_steps",
-                                "nodal_l1",
-                                "nodal_l2",
-                                "nodal_linf",
-                                "energy_loss",
-                                "velocity_error",
-                                "stress_error",
-                                "mass_change",
-                                "momentum_change",
-                                "angular_momentum_change",
-                                "y"};
+  std::vector<std::string> known = norm_words();
+  known.emplace_back("y");
   const std::string text = table.text("norm");
   if (std::ranges::find(known, text) == known.end()) {
     reject(fmt::format("unknown norm '{}'", text), table.where("norm"),

@@ -27,6 +27,25 @@ Enum from_word(const std::array<const char*, N>& words, const std::string& word,
 
 }  // namespace
 
+const std::vector<std::string>& norm_words() {
+  static const std::vector<std::string> words{"l1",
+                                              "l2",
+                                              "linf",
+                                              "l1_all_steps",
+                                              "l2_all_steps",
+                                              "linf_all_steps",
+                                              "nodal_l1",
+                                              "nodal_l2",
+                                              "nodal_linf",
+                                              "velocity_error",
+                                              "stress_error",
+                                              "energy_loss",
+                                              "mass_change",
+                                              "momentum_change",
+                                              "angular_momentum_change"};
+  return words;
+}
+
 std::string to_string(Status s) {
   return status_words.at(static_cast<std::size_t>(s));
 }

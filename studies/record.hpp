@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "studies/case.hpp"
 
@@ -40,10 +41,14 @@ struct Energy {
   double kinetic = not_measured, strain = not_measured, initial_total = not_measured;
 };
 
-/// The fraction of the initial energy that is gone at the end; negative where energy was gained.
+/// The fraction of the initial energy that is gone at the end; negative where energy was gained, NaN where there was
+/// none to lose.
 inline double energy_loss(const Energy& e) {
-  return 1 - (e.kinetic + e.strain) / e.initial_total;
+  return e.initial_total > 0 ? 1 - (e.kinetic + e.strain) / e.initial_total : not_measured;
 }
+
+/// What fits, criteria and goldens may ask of a run: its errors, its energy loss, its balances.
+const std::vector<std::string>& norm_words();
 
 /// Measured alone on the machine, on one thread, in its processor time: median over the repetitions, and their range
 /// over the median.

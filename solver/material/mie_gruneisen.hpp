@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 
 #include "solver/material/thermal_state.hpp"
@@ -29,10 +30,11 @@ struct MieGruneisen {
 
   ThermalState state_at_rest() const { return {.temperature = temperature}; }
 
-  /// p at e = 0, Pa.
+  /// p at e = 0, Pa; infinite from the Hugoniot's pole on, which ends a run.
   double cold_pressure(double eta) const {
     if (eta <= 0) return bulk_modulus * eta;
     const double room = 1 - hugoniot_slope * eta;
+    if (room <= 0) return std::numeric_limits<double>::infinity();
     return bulk_modulus * eta * (1 - 0.5 * gamma * eta) / (room * room);
   }
   double cold_slope(double eta) const {

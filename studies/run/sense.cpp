@@ -127,6 +127,10 @@ void require_sense(const Case& c) {
   require_sense_of_mass(c, ghosts, has("mirror"));
   require_sense_of_velocity_update(s);
   require_sense_of_deformation(s);
+  if (s.material == solver::MieGruneisen::word && s.integrator == "rk4")
+    throw UsageError(
+        "material 'mie-gruneisen' with integrator 'rk4', whose stages go back in time (use another: its history goes "
+        "forward)");
   require_sense_of_walls(c, problem, faces);
   if (const int least = std::max(4, 2 * ghosts); (has("symmetry") || has("mirror")) && c.resolution.cells < least)
     throw UsageError(

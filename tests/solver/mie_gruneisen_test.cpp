@@ -73,6 +73,12 @@ TEST(MieGruneisen, ViscosityResistsCompressionAndHeats) {
   EXPECT_GT(state.temperature, plain.temperature);
 }
 
+TEST(MieGruneisen, EndsAtTheHugoniotsPole) {
+  EXPECT_TRUE(std::isfinite(nickel().cold_pressure(0.99 / 1.44)));
+  EXPECT_FALSE(std::isfinite(nickel().cold_pressure(1.01 / 1.44)));
+  EXPECT_FALSE(std::isfinite(compressed(nickel(), 0.2, 10).pressure));
+}
+
 TEST(MieGruneisen, PushesEquallyInAllDirections) {
   const MieGruneisen material = nickel(0.4, 4);
   Mat<2> F;
