@@ -127,6 +127,8 @@ int run(const RunOptions& options) {
   const Case c = make_case(settings);
   if (c.measure.repeat > 0 && options.threads > 1)
     throw UsageError("--threads beside --repeat (cost is measured on one thread)");
+  if (c.measure.repeat > 0 && !options.vtu.empty())
+    throw UsageError("--vtu beside --repeat (cost is measured without writing; run twice)");
   const Record record = run_case(c, options.threads, options.vtu);
   if (options.json)
     print_json(record_json(record));

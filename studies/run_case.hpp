@@ -1,15 +1,18 @@
 #pragma once
 #include <filesystem>
+#include <vector>
 
 #include "studies/record.hpp"
 
 namespace mpmvv {
 
 /// Runs one case to its end, or until it blows up. What goes wrong on the way (memory, say) is a record with status
-/// `failed`. Records do not depend on `threads` but for the cost; a case that asks for its cost runs on one thread,
-/// as often as it says, and is the caller's to run alone. Particle states go to the directory `vtu`, unless
-/// it is empty; a UsageError when that cannot be written.
+/// `failed`. Records do not depend on `threads` but for the cost; a case that asks for its cost is `run_timed`.
+/// Particle states of others go to the directory `vtu`, unless it is empty; a UsageError when that cannot be written.
 Record run_case(const Case& c, int threads, const std::filesystem::path& vtu = {});
+
+/// Runs cases that ask for their cost: on one thread, as often as they say, taking turns; the caller's to run alone.
+std::vector<Record> run_timed(const std::vector<Case>& cases);
 
 /// Number of particles times steps, to run long cases first.
 double work_estimate(const Case& c);

@@ -64,6 +64,10 @@ bool CasePool::known(const Case& c) {
 }
 
 void CasePool::run_all(std::vector<Case> missing) {
+  const auto timed =
+      std::stable_partition(missing.begin(), missing.end(), [](const Case& c) { return c.measure.repeat == 0; });
+  if (timed != missing.end()) time_all({timed, missing.end()});
+  missing.erase(timed, missing.end());
   std::stable_sort(missing.begin(), missing.end(),
                    [](const Case& a, const Case& b) { return work_estimate(a) > work_estimate(b); });
   double work_of_all = 0;
@@ -71,11 +75,22 @@ void CasePool::run_all(std::vector<Case> missing) {
   for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run_one(missing[k], work_of_all); });
 }
 
-/// The place is held until the record is kept: nothing is written while a case runs alone.
+/// Nothing else runs, and nothing is written, meanwhile.
+void CasePool::time_all(const std::vector<Case>& cases) {
+  double memory = 0;
+  for (const Case& c : cases) memory = std::max(memory, memory_estimate(c));
+  std::vector<Record> records;
+  {
+    const Admission::Place place(admission_, options_.jobs, memory);
+    records = run_timed(cases);
+  }
+  for (const Record& record : records) keep(record);
+}
+
 void CasePool::run_one(const Case& c, double work_of_all) {
-  const bool big = is_big(c, work_of_all, options_.jobs), alone = big || c.measure.repeat > 0;
-  const Admission::Place place(admission_, alone ? options_.jobs : 1, memory_estimate(c));
-  keep(run_case(c, big ? options_.jobs : 1));
+  const int threads = is_big(c, work_of_all, options_.jobs) ? options_.jobs : 1;
+  const Admission::Place place(admission_, threads, memory_estimate(c));
+  keep(run_case(c, threads));
 }
 
 /// One thread at a time writes to the store, all that has finished in one transaction; the others go on running.

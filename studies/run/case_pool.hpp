@@ -13,8 +13,8 @@
 namespace mpmvv {
 
 /// Gets records of cases: from memory, from the store, or by running them, each one once. Cases run in parallel, the
-/// long ones first, as far as the memory of the machine allows. Alone run those that ask for their cost, on one thread,
-/// and the big ones, on all threads.
+/// long ones first, as far as the memory of the machine allows. Alone run those that ask for their cost, first, on one
+/// thread and taking turns, and the big ones, on all threads.
 class CasePool {
  public:
   CasePool(Store& store, const RunnerOptions& options);
@@ -27,6 +27,7 @@ class CasePool {
  private:
   bool known(const Case& c);
   void run_all(std::vector<Case> missing);
+  void time_all(const std::vector<Case>& cases);
   void run_one(const Case& c, double work_of_all);
   void keep(const Record& record);
 

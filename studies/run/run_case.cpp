@@ -224,28 +224,52 @@ Record run_once(const Case& c, const Problem& problem, int threads, VtuSeries* v
   return record;
 }
 
-/// Repeats a sound run and takes the median cost of all.
-void measure_cost(const Problem& problem, Record& record) {
-  std::vector<double> costs{record.ns_per_particle_step};
-  for (int k = 1; k < record.the_case.measure.repeat; ++k)
-    costs.push_back(run_once(record.the_case, problem, 1, nullptr).ns_per_particle_step);
-  std::sort(costs.begin(), costs.end());
-  const double median = (costs[(costs.size() - 1) / 2] + costs[costs.size() / 2]) / 2;
-  record.ns_per_particle_step = median;
-  record.cost.step_seconds = 1e-9 * median * static_cast<double>(record.particles * record.steps);
-  record.cost.spread = (costs.back() - costs.front()) / median;
+double median_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+}
+
+/// Repeats each sound run as often as its case says, in rounds, so that a slow spell of the machine meets all alike,
+/// and takes the median of each cost.
+void measure_costs(std::vector<Record>& records) {
+  std::vector<std::vector<double>> costs(records.size());
+  bool due = true;
+  for (int round = 0; due; ++round) {
+    due = false;
+    for (std::size_t k = 0; k < records.size(); ++k) {
+      const Case& c = records[k].the_case;
+      if (records[k].status != Status::ok || round >= c.measure.repeat) continue;
+      const Record repeated =
+          round > 0 ? run_once(c, find_problem(c.problem.name, "the case"), 1, nullptr) : records[k];
+      costs[k].push_back(repeated.ns_per_particle_step);
+      due = true;
+    }
+  }
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    Record& record = records[k];
+    if (costs[k].empty()) continue;
+    const auto [least, most] = std::minmax_element(costs[k].begin(), costs[k].end());
+    record.ns_per_particle_step = median_of(costs[k]);
+    record.cost.step_seconds =
+        1e-9 * record.ns_per_particle_step * static_cast<double>(record.particles * record.steps);
+    record.cost.spread = (*most - *least) / record.ns_per_particle_step;
+  }
 }
 
 }  // namespace
 
 Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
-  const Problem& problem = find_problem(c.problem.name, "the case");
-  const bool costs = c.measure.repeat > 0;
+  if (c.measure.repeat > 0) return run_timed({c}).front();
   std::optional<VtuSeries> frames;
   if (!vtu.empty()) frames.emplace(vtu);
-  Record record = run_once(c, problem, costs ? 1 : threads, frames ? &*frames : nullptr);
-  if (costs && record.status == Status::ok) measure_cost(problem, record);
-  return record;
+  return run_once(c, find_problem(c.problem.name, "the case"), threads, frames ? &*frames : nullptr);
+}
+
+std::vector<Record> run_timed(const std::vector<Case>& cases) {
+  std::vector<Record> records;
+  for (const Case& c : cases) records.push_back(run_once(c, find_problem(c.problem.name, "the case"), 1, nullptr));
+  measure_costs(records);
+  return records;
 }
 
 double work_estimate(const Case& c) {

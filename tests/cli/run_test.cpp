@@ -208,6 +208,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"run --problem bar --cells 8 --ppc 2", "neither cfl nor dt"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --repeat 2", "repeat = 2 in --repeat (a whole number"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --repeat 3 --threads 2", "--threads beside --repeat"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --repeat 3 --vtu frames", "--vtu beside --repeat"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --dt 1e-5", "both cfl and dt"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --dt 3e-6",
                  "does not divide the end time 0.01 s (the nearest that does: 3.00"},
