@@ -17,6 +17,7 @@ namespace {
 struct StudyOptions {
   std::vector<std::string> files;
   std::string db;
+  std::vector<std::string> settings;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
 
@@ -63,6 +64,11 @@ void print_errors(const StudyResult& study, const std::string& quantity) {
   }
 }
 
+void print_replicates(const ReplicateFit& fit) {
+  fmt::print("    replicates: {} runs that scatter by {:.2g} of the error, order ± {:.2f}, lack of fit p = {:.2g}\n",
+             fit.observations, fit.scatter, fit.half_width, fit.lack_of_fit);
+}
+
 void print_order(const Series& series, const ObservedOrder& order) {
   const std::string interval = std::isnan(order.half_width) ? "" : fmt::format(" ± {:.2f}", order.half_width);
   fmt::print("  order {:.2f}{} of '{}' in {} over [{:g}, {:g}], {}\n", order.order, interval, series.name, order.norm,
@@ -70,6 +76,14 @@ void print_order(const Series& series, const ObservedOrder& order) {
   if (order.floor)
     fmt::print("    floor {} ({})\n", order.floor->accepted ? fmt::format("{:.3e}", order.floor->floor) : "none",
                order.floor->reason);
+  if (order.replicates) print_replicates(*order.replicates);
+}
+
+void print_extrapolation(const Series& series, const Extrapolation& e) {
+  fmt::print(
+      "  '{}' in {} over [{:g}, {:g}]: {}, free order {:.2f}, limit {:.5g}, finest grid {:.5g} ± {:.2g} (GCI "
+      "{:.2g})\n",
+      series.name, e.norm, e.from, e.to, e.model, e.order, e.limit, e.finest, e.uncertainty, e.convergence_index);
 }
 
 void print_limit(const Series& series) {
@@ -87,6 +101,7 @@ void print_study(const StudyResult& study) {
   for (const std::string& quantity : quantities_of(study)) print_errors(study, quantity);
   for (const Series& series : study.series) {
     for (const ObservedOrder& order : series.orders) print_order(series, order);
+    for (const Extrapolation& extrapolation : series.extrapolations) print_extrapolation(series, extrapolation);
     print_limit(series);
   }
   for (const Value& value : study.values) fmt::print("  {} = {:.6g}  {}\n", value.name, value.value, value.meaning);
@@ -94,10 +109,19 @@ void print_study(const StudyResult& study) {
     fmt::print("  {} {}: {}\n    {}\n", part.claim, to_string(part.verdict), part.statement, part.evidence);
 }
 
+Setting overriding_setting(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos)
+    throw UsageError(fmt::format("--set {} (key=value, as in --set shuffle=1)", text));
+  return {text.substr(0, equals), text.substr(equals + 1), "--set"};
+}
+
 int study(const StudyOptions& options) {
+  std::vector<Setting> overriding;
+  for (const std::string& text : options.settings) overriding.push_back(overriding_setting(text));
   std::vector<StudyPlan> plans;
   for (const std::string& file : options.files) {
-    plans.push_back(read_study(file));
+    plans.push_back(read_study(file, overriding));
     for (std::size_t k = 0; k + 1 < plans.size(); ++k)
       if (plans[k].name == plans.back().name)
         throw UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
@@ -121,6 +145,10 @@ void add_study(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("study", "Run what study files describe and the store does not hold yet");
   command->add_option("files", options->files, "study files (TOML)")->required();
   command->add_option("--db", options->db, "results store (SQLite)")->required();
+  command
+      ->add_option("--set", options->settings,
+                   "key=value for every case of the studies (repeatable): a trial, to be kept in a store of its own")
+      ->allow_extra_args(false);
   command->add_option("--jobs", options->jobs, "cases at once (default: all cores)")->check(CLI::Range(1, 1024));
   command->callback([options, &exit_code] { exit_code = study(*options); });
 }

@@ -23,9 +23,14 @@ target_compile_features(mpmvv_flags INTERFACE cxx_std_20)
 # NaN and infinity keep their meaning: neither of these two flags assumes that they do not occur.
 target_compile_options(mpmvv_flags INTERFACE
   ${mpmvv_arch_flag} -ffp-contract=fast -fno-math-errno -fno-trapping-math
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
-  -Wno-restrict  # g++ 12 sees an overlap in "text" + std::string() that is not there (GCC bug 105651)
-  -Wno-subobject-linkage)  # in a batch of files g++ takes what one of them keeps to itself for a header's
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(mpmvv_flags INTERFACE
+    -Wno-restrict  # g++ 12 sees an overlap in "text" + std::string() that is not there (GCC bug 105651)
+    -Wno-subobject-linkage)  # in a batch of files g++ takes what one of them keeps to itself for a header's
+else()
+  target_compile_options(mpmvv_flags INTERFACE -Wno-sign-conversion)  # g++'s -Wconversion leaves it out in C++
+endif()
 if(MPMVV_SANITIZE)
   # A sanitizer's own code raises false warnings: they are left to the other builds. The checks left out cost a quarter of
   # the time to compile; most of what they find, the address sanitizer finds too.

@@ -67,16 +67,47 @@ const ObservedOrder* find_order(const OrderGolden& golden, const Series& series)
   return found == series.orders.end() ? nullptr : &*found;
 }
 
+/// Whether the error at the finest level has grown by more than its band: an order can hold all the same.
+bool has_grown(const OrderGolden& golden, const Series& series) {
+  if (golden.finest.empty()) return false;
+  const Point* point = find_point(series, golden.finest[0]);
+  if (!point || !point->y.contains(golden.norm)) return false;
+  return point->y.at(golden.norm) > golden.finest[1] * (1 + error_band);
+}
+
+/// 95 % of the order: by replicates where there are some, else by the residuals; 0 where neither says anything.
+double half_width(const ObservedOrder& fit) {
+  const double width = fit.replicates ? fit.replicates->half_width : fit.half_width;
+  return std::isnan(width) ? 0 : width;
+}
+
+/// An order inside the band, or outside it with an interval that reaches in.
+Judgement judge_interval(const OrderGolden& golden, const ObservedOrder& fit, const std::string& measured) {
+  const double width = half_width(fit), widest = std::max(golden.upper - golden.lower, 1.5 * golden.interval);
+  if (fit.order < golden.lower || fit.order > golden.upper)
+    return inconclusive(measured, fmt::format("outside the band, but its interval of ± {:.2g} reaches in", width));
+  if (width > widest) return inconclusive(measured, fmt::format("its interval of ± {:.2g} is too wide", width));
+  if (golden.asymptotic && !fit.asymptotic) return inconclusive(measured, "the window is not asymptotic any more");
+  return pass(measured);
+}
+
 Judgement judge(const OrderGolden& golden, const Series& series) {
+  constexpr double absurd = 1;  // above any band: no scatter brings an order there
   const ObservedOrder* fit = find_order(golden, series);
   if (!fit) return missing(fmt::format("no order of '{}' in {} over that window", golden.series, golden.norm));
   const std::string measured = order_text(*fit, series);
   if (std::isnan(fit->order)) return inconclusive(measured, "no order could be fitted");
   if (fit->points < 3) return inconclusive(measured, "fewer than 3 usable points in the window");
   if (fit->points < golden.points) return fail(measured, fmt::format("fewer usable points than {}", golden.points));
-  if (fit->order < golden.lower) return fail(measured, "order below the golden's band");
-  if (fit->order > golden.upper) return fail(measured, "order above the golden's band");
-  return pass(measured);
+  const double width = half_width(*fit);
+  if (fit->order + width < golden.lower) return fail(measured, "order below the golden's band");
+  if (fit->order - width > golden.upper) return fail(measured, "order above the golden's band");
+  if (fit->order > golden.upper + absurd) return fail(measured, "order absurdly high");
+  if (has_grown(golden, series))
+    return fail(measured,
+                fmt::format("the order holds, but the error at {:g} is larger than {:.4g} by more than {:g} %",
+                            golden.finest[0], golden.finest[1], 100 * error_band));
+  return judge_interval(golden, *fit, measured);
 }
 
 Judgement judge(const ErrorGolden& golden, const Series& series) {

@@ -64,18 +64,26 @@ double relative_band(const TomlTable& table, double allowed, const std::string& 
 }
 
 OrderGolden read_order(const TomlTable& table) {
-  table.allow_only({"series", "norm", "expected", "lower", "upper", "window", "points", "why"});
+  table.allow_only(
+      {"series", "norm", "expected", "lower", "upper", "window", "points", "asymptotic", "interval", "finest", "why"});
   OrderGolden golden{word(table, "series"),
                      norm(table),
                      table.number("expected"),
                      table.number("lower"),
                      table.number("upper"),
                      {},
-                     static_cast<int>(table.number("points", 0))};
+                     static_cast<int>(table.number("points", 0)),
+                     table.flag("asymptotic", false),
+                     table.number("interval", 0)};
   if (table.has("window")) {
     golden.window = table.numbers("window");
     if (golden.window.size() != 2 || !(golden.window[0] < golden.window[1]))
       reject("a window that is none", table.where("window"), "two swept values, the smaller first");
+  }
+  if (table.has("finest")) {
+    golden.finest = table.numbers("finest");
+    if (golden.finest.size() != 2 || !(golden.finest[1] > 0))
+      reject("a finest level that is none", table.where("finest"), "a swept value and the error there");
   }
   if (!(golden.lower < golden.upper && golden.lower <= golden.expected && golden.expected <= golden.upper)) {
     reject(fmt::format("expected {} with lower {} and upper {}", golden.expected, golden.lower, golden.upper),

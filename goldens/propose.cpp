@@ -53,7 +53,25 @@ class Draft {
   int tables_ = 0;
 };
 
-void propose_order(Draft& draft, const Series& series, const ObservedOrder& fit) {
+bool finer(const std::string& sweep, double a, double b) {
+  return sweep == "cells" || sweep == "ppc" ? a > b : a < b;
+}
+
+/// Among the swept values from `from` to `to`.
+const Point* finest_stable(const std::string& sweep, const Series& series, const std::string& norm,
+                           double from = -INFINITY, double to = INFINITY) {
+  const Point* finest = nullptr;
+  for (const Point& point : series.points) {
+    if (point.x < from || point.x > to) continue;
+    const auto error = point.y.find(norm);
+    if (point.status != Status::ok || error == point.y.end()) continue;
+    if (!std::isfinite(error->second) || error->second <= 0) continue;
+    if (!finest || finer(sweep, point.x, finest->x)) finest = &point;
+  }
+  return finest;
+}
+
+void propose_order(Draft& draft, const std::string& sweep, const Series& series, const ObservedOrder& fit) {
   if (!std::isfinite(fit.order) || fit.points < 3) {
     draft.refusal(fmt::format("No order of {} in {}: {} usable points in [{:g}, {:g}], at least 3 are needed.",
                               quoted(series.name), fit.norm, fit.points, fit.from, fit.to));
@@ -63,27 +81,16 @@ void propose_order(Draft& draft, const Series& series, const ObservedOrder& fit)
   draft.remark(fmt::format("Measured {:.4f}{} over [{:g}, {:g}], {} points, {}.", fit.order, interval, fit.from, fit.to,
                            fit.points, fit.asymptotic ? "asymptotic" : "not asymptotic"));
   const double expected = std::round(fit.order * 1000) / 1000;
+  const Point* finest = finest_stable(sweep, series, fit.norm, fit.from, fit.to);
+  const std::string level = finest ? fmt::format("\nfinest = [{}, {:.4g}]", finest->x, finest->y.at(fit.norm)) : "";
+  const std::string asymptotic = fit.asymptotic ? "\nasymptotic = true" : "";
+  const std::string wide = fit.half_width > 2 * order_band ? fmt::format("\ninterval = {:.2f}", fit.half_width) : "";
   draft.table(
       "order",
       fmt::format("series = {}\nnorm = \"{}\"\nwindow = [{}, {}]\npoints = {}\nexpected = {:.3f}\nlower = {:.3f}\n"
-                  "upper = {:.3f}",
+                  "upper = {:.3f}{}{}{}",
                   quoted(series.name), fit.norm, fit.from, fit.to, fit.points, expected, expected - order_band,
-                  expected + order_band));
-}
-
-bool finer(const std::string& sweep, double a, double b) {
-  return sweep == "cells" || sweep == "ppc" ? a > b : a < b;
-}
-
-const Point* finest_stable(const std::string& sweep, const Series& series, const std::string& norm) {
-  const Point* finest = nullptr;
-  for (const Point& point : series.points) {
-    const auto error = point.y.find(norm);
-    if (point.status != Status::ok || error == point.y.end()) continue;
-    if (!std::isfinite(error->second) || error->second <= 0) continue;
-    if (!finest || finer(sweep, point.x, finest->x)) finest = &point;
-  }
-  return finest;
+                  expected + order_band, level, asymptotic, wide));
 }
 
 void propose_error(Draft& draft, const std::string& sweep, const Series& series, const std::string& norm) {
@@ -132,7 +139,7 @@ void propose_value(Draft& draft, const Value& value) {
 }
 
 void propose_series(Draft& draft, const std::string& sweep, const Series& series) {
-  for (const ObservedOrder& fit : series.orders) propose_order(draft, series, fit);
+  for (const ObservedOrder& fit : series.orders) propose_order(draft, sweep, series, fit);
   std::set<std::string> norms;
   for (const ObservedOrder& fit : series.orders)
     if (norms.insert(fit.norm).second) propose_error(draft, sweep, series, fit.norm);

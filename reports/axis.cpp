@@ -82,7 +82,7 @@ bool value_tics(Axis& axis, std::span<const double> values) {
   std::vector<double> distinct;
   std::ranges::copy_if(values, std::back_inserter(distinct), [&](double v) { return axis.holds(v); });
   std::ranges::sort(distinct);
-  distinct.erase(std::ranges::unique(distinct).begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   if (distinct.size() < 2 || static_cast<double>(distinct.size()) > few_tics) return false;
   for (std::size_t i = 1; i < distinct.size(); ++i)
     if (axis.fraction(distinct[i]) - axis.fraction(distinct[i - 1]) < least_gap) return false;

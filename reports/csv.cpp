@@ -52,17 +52,75 @@ Csv points_csv(const StudyResult& study) {
 }
 
 Csv fits_csv(const StudyResult& study) {
-  Csv csv({"series", "norm", "from", "to", "points", "order", "half_width", "constant", "r_squared", "asymptotic",
-           "asymptotic_from", "asymptotic_to", "floor_accepted", "floor", "floor_order", "floor_constant",
-           "floor_residual", "floor_reason"});
+  Csv csv({"series",
+           "norm",
+           "from",
+           "to",
+           "points",
+           "order",
+           "half_width",
+           "constant",
+           "r_squared",
+           "asymptotic",
+           "asymptotic_from",
+           "asymptotic_to",
+           "floor_accepted",
+           "floor",
+           "floor_order",
+           "floor_constant",
+           "floor_residual",
+           "floor_reason",
+           "replicate_observations",
+           "replicate_scatter",
+           "replicate_half_width",
+           "lack_of_fit"});
   for (const auto& series : study.series)
     for (const auto& o : series.orders) {
       const FloorFit floor = o.floor.value_or(FloorFit{});
-      csv.add({series.name, o.norm, exact(o.from), exact(o.to), fmt::format("{}", o.points), exact(o.order),
-               exact(o.half_width), exact(o.constant), exact(o.r_squared), fmt::format("{}", o.asymptotic),
-               exact(o.asymptotic_from), exact(o.asymptotic_to), o.floor ? fmt::format("{}", floor.accepted) : "",
-               exact(floor.floor), exact(floor.order), exact(floor.constant), exact(floor.residual), floor.reason});
+      const ReplicateFit replicates = o.replicates.value_or(ReplicateFit{});
+      csv.add({series.name,
+               o.norm,
+               exact(o.from),
+               exact(o.to),
+               fmt::format("{}", o.points),
+               exact(o.order),
+               exact(o.half_width),
+               exact(o.constant),
+               exact(o.r_squared),
+               fmt::format("{}", o.asymptotic),
+               exact(o.asymptotic_from),
+               exact(o.asymptotic_to),
+               o.floor ? fmt::format("{}", floor.accepted) : "",
+               exact(floor.floor),
+               exact(floor.order),
+               exact(floor.constant),
+               exact(floor.residual),
+               floor.reason,
+               o.replicates ? fmt::format("{}", replicates.observations) : "",
+               exact(replicates.scatter),
+               exact(replicates.half_width),
+               exact(replicates.lack_of_fit)});
     }
+  return csv;
+}
+
+Csv replicates_csv(const StudyResult& study) {
+  Csv csv({"series", "x", "quantity", "replicate", "value"});
+  for (const auto& series : study.series)
+    for (const auto& point : series.points)
+      for (const auto& [quantity, values] : point.replicates)
+        for (std::size_t k = 0; k < values.size(); ++k)
+          csv.add({series.name, exact(point.x), quantity, fmt::format("{}", k + 1), exact(values[k])});
+  return csv;
+}
+
+Csv extrapolations_csv(const StudyResult& study) {
+  Csv csv({"series", "quantity", "from", "to", "points", "model", "order", "limit", "deviation", "finest",
+           "uncertainty", "convergence_index"});
+  for (const auto& series : study.series)
+    for (const auto& e : series.extrapolations)
+      csv.add({series.name, e.norm, exact(e.from), exact(e.to), fmt::format("{}", e.points), e.model, exact(e.order),
+               exact(e.limit), exact(e.deviation), exact(e.finest), exact(e.uncertainty), exact(e.convergence_index)});
   return csv;
 }
 
@@ -99,6 +157,8 @@ std::map<std::string, std::string> csv_tables(const StudyResult& study) {
     if (csv.has_rows()) files[study.name + "-" + what + ".csv"] = csv.text();
   };
   add("fits", fits_csv(study));
+  add("replicates", replicates_csv(study));
+  add("extrapolations", extrapolations_csv(study));
   add("limits", limits_csv(study));
   add("probes", probes_csv(study));
   add("values", values_csv(study));

@@ -104,6 +104,43 @@ Table fits_table(const StudyResult& study) {
   return table;
 }
 
+/// The orders again, with what replicates say of them.
+Table replicates_table(const StudyResult& study) {
+  Table table{
+      "Orders by replicates: their interval is that of the scatter alone; a small p of the lack of fit says that "
+      "no one power law fits the means",
+      {"norm", "window", "runs", "order", "scatter", "lack of fit p"},
+      {}};
+  for (const auto& series : study.series) {
+    Table::Group group{series.name, {}};
+    for (const auto& o : series.orders)
+      if (o.replicates)
+        group.rows.push_back({o.norm, fmt::format("{} to {}", brief(o.from), brief(o.to)),
+                              fmt::format("{}", o.replicates->observations),
+                              order_text(o.order, o.replicates->half_width), brief(o.replicates->scatter),
+                              brief(o.replicates->lack_of_fit)});
+    if (!group.rows.empty()) table.groups.push_back(std::move(group));
+  }
+  return table;
+}
+
+Table extrapolations_table(const StudyResult& study) {
+  Table table{
+      "Extrapolated to h = 0, with the uncertainty of the finest grid's value (Eça and Hoekstra) and its grid "
+      "convergence index",
+      {"quantity", "window", "grids", "model", "free order", "limit", "finest grid", "uncertainty", "GCI"},
+      {}};
+  for (const auto& series : study.series) {
+    Table::Group group{series.name, {}};
+    for (const auto& e : series.extrapolations)
+      group.rows.push_back({e.norm, fmt::format("{} to {}", brief(e.from), brief(e.to)), fmt::format("{}", e.points),
+                            e.model, order_text(e.order, not_measured), brief(e.limit), brief(e.finest),
+                            brief(e.uncertainty), brief(e.convergence_index)});
+    if (!group.rows.empty()) table.groups.push_back(std::move(group));
+  }
+  return table;
+}
+
 Table limits_table(const StudyResult& study) {
   Table table{"Stability limits", {"series", "key", "limit", "stable at", "unstable at", "monotone", "probes"}, {}};
   Table::Group group;
@@ -177,7 +214,8 @@ Table cheapest_table(const StudyResult& study) {
 }
 
 std::vector<Table> tables_of(const StudyResult& study) {
-  std::vector<Table> tables{points_table(study), cheapest_table(study), fits_table(study), limits_table(study),
+  std::vector<Table> tables{points_table(study),     cheapest_table(study),       fits_table(study),
+                            replicates_table(study), extrapolations_table(study), limits_table(study),
                             values_table(study)};
   std::erase_if(tables, &Table::empty);
   return tables;

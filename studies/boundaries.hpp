@@ -11,4 +11,7 @@ std::vector<std::string> boundary_faces(const std::string& text, int dimension, 
 /// The shortest text for the same faces: one word when all are equal.
 std::string canonical_boundary(const std::string& text, int dimension, const std::string& where);
 
+/// By axis, whether the grid may be shifted along it against the body: both faces are periodic or free.
+std::vector<bool> movable_axes(const std::vector<std::string>& faces);
+
 }  // namespace mpmvv

@@ -33,7 +33,7 @@ std::string canonical_text(const Case& c) {
   const auto& [basis, smoothing_length, integrator, start, velocity_update, order, cfl_x, position, wall_method,
                wall_depth, wall_gradient, mass, boundary, wall_acceleration, deformation, body_force, fill, material] =
       scheme;
-  const auto& [cells, ppc, dt, steps] = resolution;
+  const auto& [cells, ppc, grid_offset, shuffle, dt, steps] = resolution;
   const auto& [every_step, nodal_error, velocity_error, stress_error, blowup_error, blowup_energy, repeat] = measure;
 
   CanonicalLine line;
@@ -61,6 +61,8 @@ std::string canonical_text(const Case& c) {
       .add("material", material)
       .add("cells", cells)
       .add("ppc", ppc)
+      .add("grid_offset", grid_offset)
+      .add("shuffle", shuffle)
       .add("dt", dt)
       .add("steps", steps)
       .add("every_step", every_step)

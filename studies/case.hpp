@@ -21,6 +21,8 @@ struct ProblemChoice {
 struct Resolution {
   int cells = 0;           ///< n; h = L/n
   int ppc = 0;             ///< particles per cell and direction
+  double grid_offset = 0;  ///< of the grid against the body, in cells, along every axis on which nothing holds it
+  int shuffle = 0;         ///< seed of the order in which the particles start; 0: as they fill the body
   double dt = 0;           ///< s
   std::int64_t steps = 0;  ///< number of steps taken; steps * dt is the time reached
 

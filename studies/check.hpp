@@ -50,6 +50,7 @@ CheckResult check_full_mass_inverse();
 CheckResult check_high_order_spectra();
 CheckResult check_pic_updates();
 CheckResult check_shock_profiles();
+CheckResult check_shock_grids();
 CheckResult check_pulse_profiles();
 CheckResult check_elongation();
 CheckResult check_wall_spectra();

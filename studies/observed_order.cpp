@@ -13,7 +13,7 @@ namespace mpmvv {
 namespace {
 
 bool usable(const ErrorSample& s) {
-  return std::isfinite(s.h) && s.h > 0 && std::isfinite(s.e) && s.e > 0;
+  return std::isfinite(s.h) && s.h > 0 && std::isfinite(s.e);
 }
 
 struct Window {
@@ -109,6 +109,12 @@ std::span<const SegmentOrder> longest_agreeing(std::span<const SegmentOrder> seg
 }  // namespace
 
 std::vector<ErrorSample> usable_samples(std::span<const ErrorSample> samples, double from, double to) {
+  std::vector<ErrorSample> chosen = samples_within(samples, from, to);
+  std::erase_if(chosen, [](const ErrorSample& s) { return !(s.e > 0); });
+  return chosen;
+}
+
+std::vector<ErrorSample> samples_within(std::span<const ErrorSample> samples, double from, double to) {
   if (!(from <= to))
     throw UsageError(fmt::format("fit window from {} to {} is empty (from must not be greater than to)", from, to));
   const Window window{from, to};

@@ -22,6 +22,9 @@ inline constexpr double asymptotic_spread = 0.2;
 /// has no logarithm), in increasing x. Throws UsageError unless from <= to.
 std::vector<ErrorSample> usable_samples(std::span<const ErrorSample> samples, double from, double to);
 
+/// The samples with from <= x <= to that have a finite positive h and a finite e of any sign, in increasing x.
+std::vector<ErrorSample> samples_within(std::span<const ErrorSample> samples, double from, double to);
+
 /// Fits log e = log C + p log h by least squares over the usable samples of the declared window [from, to]. Needs two
 /// of them with different h, else the order is NaN. The 95 % interval is Student's t with n - 2 degrees of freedom, NaN
 /// under four points; residuals of a deterministic method are bias and not noise, so it is no test of p.

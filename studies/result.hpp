@@ -22,6 +22,14 @@ struct FloorFit {
   std::string reason;  ///< why it was accepted or not
 };
 
+/// What true replicates say of a fitted order (replicates.hpp).
+struct ReplicateFit {
+  int observations = 0;
+  double scatter = not_measured;      ///< of log e within a level, standard deviation
+  double half_width = not_measured;   ///< 95 % of the order, from that scatter
+  double lack_of_fit = not_measured;  ///< probability; small: the power law is no law of the means
+};
+
 /// Observed order of one series in one norm. The window is declared by the study file, in swept values.
 struct ObservedOrder {
   std::string norm;
@@ -35,7 +43,22 @@ struct ObservedOrder {
   double asymptotic_from = not_measured,
          asymptotic_to = not_measured;  ///< widest asymptotic run of points found; only reported
   std::vector<SegmentOrder> segments;
-  std::optional<FloorFit> floor;  ///< when the study asks for it
+  std::optional<FloorFit> floor;                ///< when the study asks for it
+  std::optional<ReplicateFit> replicates = {};  ///< when the study has some
+};
+
+/// A quantity without an exact value, extrapolated over the grids of a window (extrapolation.hpp).
+struct Extrapolation {
+  std::string norm;  ///< the quantity
+  double from = 0, to = 0;
+  int points = 0;
+  std::string model;                        ///< the form taken, or why there is none
+  double order = not_measured;              ///< p that the free fit finds
+  double limit = not_measured;              ///< φ0
+  double deviation = not_measured;          ///< σ
+  double finest = not_measured;             ///< φ of the finest grid
+  double uncertainty = not_measured;        ///< U of that, 95 %
+  double convergence_index = not_measured;  ///< Roache's GCI of that, absolute
 };
 
 /// One point of a series: a run at one value of the swept key, or a point of a curve made by a check.
@@ -45,6 +68,7 @@ struct Point {
   std::string reason;
   std::map<std::string, double>
       y;  ///< by quantity: `l1`, `l2`, `linf`, `..._all_steps`, `wall_seconds`, ...; curves: `y`
+  std::map<std::string, std::vector<double>> replicates = {};  ///< by quantity, where `y` is their mean
 };
 
 /// One probe of a limit search.
@@ -71,6 +95,7 @@ struct Series {
   std::vector<Point> points;  ///< in the order of the sweep
   std::vector<ObservedOrder> orders;
   std::optional<StabilityLimit> limit;
+  std::vector<Extrapolation> extrapolations = {};
 };
 
 /// A named number measured by a check.

@@ -31,6 +31,20 @@ struct FitPlan {
   std::vector<std::string> series;  ///< empty: all
 };
 
+/// Runs that differ in what should not matter, made at each swept value; a point is their mean.
+struct ReplicatePlan {
+  std::string key;
+  std::vector<double> values;
+  std::string where;
+};
+
+/// A quantity to extrapolate over the grids of a window, for which series.
+struct ExtrapolationPlan {
+  std::string norm;
+  Window window;
+  std::vector<std::string> series;  ///< empty: all
+};
+
 /// What a claim asks of the results, as a number with bounds. Committed before the claim's first full run.
 struct Criterion {
   enum class Kind {
@@ -76,7 +90,9 @@ struct StudyPlan {
   std::string sweep_where;     ///< for messages about a swept value
   std::optional<LimitSearch> limit;
   std::string limit_where;
+  std::optional<ReplicatePlan> replicates;
   std::vector<FitPlan> fits;
+  std::vector<ExtrapolationPlan> extrapolations;
   std::vector<Figure> figures;
   std::vector<Criterion> criteria;
 
@@ -85,12 +101,16 @@ struct StudyPlan {
 };
 
 /// Reads and checks a study file: every mistake is a UsageError with file and line, also one in a case that only
-/// a combination of series and swept value makes wrong.
-StudyPlan read_study(const std::filesystem::path& file);
+/// a combination of series and swept value makes wrong. Every series gets the `overriding` settings on top of its own;
+/// a check has no series.
+StudyPlan read_study(const std::filesystem::path& file, const std::vector<Setting>& overriding = {});
 
 /// The case of a series at a value of the swept (or searched) key, the same at every `order` when the series' velocity
 /// update has none; `where` goes into messages about the value.
 Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where);
+
+/// The cases of a series at a swept value: one, or its replicates.
+std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series, double value);
 
 /// Judges one criterion by the results.
 ClaimPart judge(const Criterion& criterion, const StudyResult& result);

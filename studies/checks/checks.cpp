@@ -29,6 +29,7 @@ const std::vector<Check>& checks() {
       {"high-order-spectra", "order", &check_high_order_spectra},
       {"pic-updates", "x", &check_pic_updates},
       {"shock-profiles", "x", &check_shock_profiles},
+      {"shock-grids", "cells", &check_shock_grids},
       {"pulse-profiles", "x", &check_pulse_profiles},
       {"elongation", "elongation", &check_elongation},
       {"wall-spectra", "order", &check_wall_spectra},

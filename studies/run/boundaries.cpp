@@ -64,4 +64,13 @@ std::string canonical_boundary(const std::string& text, int dimension, const std
   return fmt::format("{}", fmt::join(parts, ","));
 }
 
+std::vector<bool> movable_axes(const std::vector<std::string>& faces) {
+  const auto is_movable = [](const std::string& word) {
+    return word == solver::Periodic::word || word == solver::Free::word;
+  };
+  std::vector<bool> movable;
+  for (std::size_t k = 0; k < faces.size(); k += 2) movable.push_back(is_movable(faces[k]) && is_movable(faces[k + 1]));
+  return movable;
+}
+
 }  // namespace mpmvv

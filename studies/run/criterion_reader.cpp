@@ -54,7 +54,6 @@ bool is_fit(Criterion::Kind kind) {
 }  // namespace
 
 Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
-  using Kind = Criterion::Kind;
   table.allow_only({"claim", "statement", "measure", "series", "over", "name", "norm", "over_norm", "window",
                     "at_least", "at_most", "reason"});
   Criterion c;
@@ -63,7 +62,7 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   c.statement = table.text("statement");
   c.kind = criterion_kind(table);
   c.reason = table.text("reason", "");
-  if (c.kind == Kind::shown || c.kind == Kind::awaited) return c;
+  if (c.kind == Criterion::Kind::shown || c.kind == Criterion::Kind::awaited) return c;
   if (table.has("at_least")) c.at_least = table.number("at_least");
   if (table.has("at_most")) c.at_most = table.number("at_most");
   if (!c.at_least && !c.at_most)
@@ -71,7 +70,7 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   if (c.at_least && c.at_most && *c.at_least > *c.at_most)
     throw UsageError(fmt::format("criterion in {} asks at least {} and at most {} (nothing can be both)", table.where(),
                                  *c.at_least, *c.at_most));
-  if (c.kind == Kind::value) {
+  if (c.kind == Criterion::Kind::value) {
     c.name = table.text("name");
     return c;
   }
@@ -82,21 +81,21 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
     if (plan.check.empty() && !plan.has_series(c.over))
       throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
   }
-  if (c.kind == Kind::limit || c.kind == Kind::limit_ratio) {
+  if (c.kind == Criterion::Kind::limit || c.kind == Criterion::Kind::limit_ratio) {
     if (!plan.limit)
       throw UsageError(fmt::format("criterion on a limit in {}, but the study searches none", table.where()));
     return c;
   }
-  if (c.kind != Kind::status) {
+  if (c.kind != Criterion::Kind::status) {
     c.norm = norm_of(table, "norm");
     require_measured(plan, c.norm, table.where("norm"));
   }
-  if (c.kind == Kind::order_difference) {
+  if (c.kind == Criterion::Kind::order_difference) {
     c.over_norm = norm_of(table, "over_norm");
     require_measured(plan, c.over_norm, table.where("over_norm"));
   }
   c.window = read_window(table, "window");
-  if (c.kind == Kind::cost_ratio) {
+  if (c.kind == Criterion::Kind::cost_ratio) {
     require_cost(plan, table.where("measure"));
     if (!(c.window.from > 0) || decades(c.window.from, c.window.to).empty())
       throw UsageError(

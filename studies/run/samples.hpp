@@ -16,4 +16,14 @@ inline std::vector<ErrorSample> samples_of(const Series& series, const std::stri
   return samples;
 }
 
+/// The same of every replicate.
+inline std::vector<ErrorSample> replicate_samples_of(const Series& series, const std::string& norm,
+                                                     const std::string& sweep) {
+  std::vector<ErrorSample> samples;
+  for (const Point& point : series.points)
+    if (const auto all = point.replicates.find(norm); all != point.replicates.end())
+      for (const double e : all->second) samples.push_back({point.x, sweep == "cells" ? 1 / point.x : point.x, e});
+  return samples;
+}
+
 }  // namespace mpmvv

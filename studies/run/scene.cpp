@@ -1,6 +1,9 @@
 #include "studies/run/scene.hpp"
 
 #include <cmath>
+#include <numeric>
+#include <random>
+#include <utility>
 
 #include "studies/boundaries.hpp"
 #include "studies/run/fill.hpp"
@@ -93,6 +96,29 @@ void set_boundaries(Stage<D>& stage, const Scheme& scheme) {
   }
 }
 
+/// Moves the grid down by the offset along the axes where nothing holds it, with a cell more where the body ends.
+template <int D>
+void shift_grid(solver::Scene<D>& scene, const Case& c) {
+  const auto faces = boundary_faces(c.scheme.boundary, D, "the case");
+  const auto movable = movable_axes(faces);
+  for (std::size_t d = 0; d < D; ++d) {
+    if (c.resolution.grid_offset == 0 || !movable[d]) continue;
+    scene.lower[static_cast<int>(d)] -= c.resolution.grid_offset * scene.h;
+    if (faces[2 * d] == solver::Free::word) ++scene.cells[d];
+  }
+}
+
+/// A permutation of the particles by Fisher and Yates, the same on every machine.
+template <int D>
+void shuffle(solver::Particles<D>& particles, int seed) {
+  if (seed == 0) return;
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+  std::vector<std::uint32_t> order(particles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  for (std::size_t left = order.size(); left > 1; --left) std::swap(order[left - 1], order[random() % left]);
+  particles.permute(order);
+}
+
 }  // namespace
 
 template <int D>
@@ -104,6 +130,7 @@ Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
   const auto all = std::visit([&scene](const auto& body) { return domain(body, scene.h); }, stage.setup.body);
   scene.lower = all.lower;
   scene.cells = all.cells;
+  shift_grid(scene, c);
   scene.material = stage.setup.material;
   scene.integrator = c.scheme.integrator;
   scene.velocity_update =
@@ -132,6 +159,7 @@ Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
       scene.surface_load = stage.traction.get();
     }
   }
+  shuffle(scene.particles, c.resolution.shuffle);
   return stage;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "solver/mpm.hpp"
 #include "studies/boundaries.hpp"
@@ -132,6 +133,12 @@ void require_sense(const Case& c) {
         "material 'mie-gruneisen' with integrator 'rk4', whose stages go back in time (use another: its history goes "
         "forward)");
   require_sense_of_walls(c, problem, faces);
+  if (c.resolution.grid_offset > 0 && std::ranges::none_of(movable_axes(faces), std::identity{}))
+    throw UsageError(
+        fmt::format("grid_offset with boundary '{}', whose faces have their place among the nodes (periodic or free on "
+                    "both faces of "
+                    "an axis)",
+                    s.boundary));
   if (const int least = std::max(4, 2 * ghosts); (has("symmetry") || has("mirror")) && c.resolution.cells < least)
     throw UsageError(
         fmt::format("{} cells are too few for boundary '{}' (at least {}: ghosts and their images must differ)",

@@ -60,6 +60,8 @@ const std::vector<SettingKey>& setting_keys() {
       {"material", "constitutive law"},
       {"cells", "cells per length L of the problem"},
       {"ppc", "particles per cell and direction"},
+      {"grid_offset", "shift of the grid against the body where nothing holds it, in cells"},
+      {"shuffle", "seed of another order of the particles"},
       {"cfl", "wave speed times time step over cell width"},
       {"dt", "time step in s; must divide the end time"},
       {"end_time", "in s"},

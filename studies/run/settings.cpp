@@ -191,6 +191,15 @@ Scheme make_scheme(const Settings& settings, const Problem& problem, bool quarte
   return scheme;
 }
 
+void set_grid_offset(const Settings& settings, Case& c) {
+  const auto it = settings.find("grid_offset");
+  if (it == settings.end()) return;
+  c.resolution.grid_offset = not_negative(it->second);
+  if (!(c.resolution.grid_offset < 1))
+    throw UsageError(
+        fmt::format("grid_offset = {} in {} (in cells, from 0 to below 1)", it->second.value, it->second.where));
+}
+
 /// Δt from `cfl` or `dt`, and the number of steps.
 void set_time_step(const Settings& settings, const Problem& problem, Case& c) {
   const bool has_cfl = settings.contains("cfl"), has_dt = settings.contains("dt");
@@ -241,6 +250,9 @@ Case make_case(std::span<const Setting> given) {
   c.scheme = make_scheme(settings, problem, c.problem.quarter);
   c.resolution.cells = count<int>(required(settings, "cells"), 1, 1'000'000);
   c.resolution.ppc = count<int>(required(settings, "ppc"), 1, 100);
+  set_grid_offset(settings, c);
+  if (const auto it = settings.find("shuffle"); it != settings.end())
+    c.resolution.shuffle = count<int>(it->second, 0, 1'000'000'000);
   if (problem.lead_time && !settings.contains("end_time"))
     c.problem.end_time +=
         problem.lead_time(c.problem.parameters, problem.length(c.problem.parameters) / c.resolution.cells);

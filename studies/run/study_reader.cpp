@@ -73,6 +73,19 @@ void read_series(const TomlTable& root, StudyPlan& plan) {
   }
 }
 
+/// Puts the settings on top of every series', and into the text that the store keeps.
+void override_series(const std::vector<Setting>& overriding, StudyPlan& plan) {
+  for (const Setting& setting : overriding) {
+    require_known_key(setting.key, setting.where);
+    if (setting.key == plan.sweep || (plan.replicates && setting.key == plan.replicates->key) ||
+        (plan.limit && setting.key == plan.limit->key))
+      throw UsageError(fmt::format("{} in {} for study '{}', which varies it itself (another key)", setting.key,
+                                   setting.where, plan.name));
+    for (SeriesPlan& series : plan.series) series.settings.push_back(setting);
+    plan.text += fmt::format("# Run with {} = {}\n", setting.key, setting.value);
+  }
+}
+
 void read_limit(const TomlTable& root, StudyPlan& plan) {
   const auto table = root.table("limit");
   if (!table) return;
@@ -94,6 +107,29 @@ void read_limit(const TomlTable& root, StudyPlan& plan) {
   }
   plan.limit_where = table->where();
   plan.limit = search;
+}
+
+void read_replicates(const TomlTable& root, StudyPlan& plan) {
+  const auto table = root.table("replicates");
+  if (!table) return;
+  const auto keys = table->keys();
+  if (keys.size() != 1 || plan.sweep.empty() || keys[0] == plan.sweep)
+    throw UsageError(
+        fmt::format("replicates in {} (one key with its values, beside a sweep over another)", table->where()));
+  require_known_key(keys[0], table->where(keys[0]));
+  plan.replicates = ReplicatePlan{keys[0], table->numbers(keys[0]), table->where(keys[0])};
+  if (plan.replicates->values.size() < 2)
+    throw UsageError(fmt::format("fewer than two replicates in {}", plan.replicates->where));
+}
+
+void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
+  for (const TomlTable& table : root.tables("extrapolate")) {
+    table.allow_only({"norm", "window", "series"});
+    ExtrapolationPlan wanted{norm_of(table, "norm"), read_window(table, "window"), series_names(table, "series", plan)};
+    require_points(plan, wanted.window, 4, table.where("window"));
+    require_measured(plan, wanted.norm, table.where("norm"));
+    plan.extrapolations.push_back(wanted);
+  }
 }
 
 /// What the figure's kind asks of the study.
@@ -161,7 +197,7 @@ void read_figures(const TomlTable& root, StudyPlan& plan) {
 /// Makes every case of the study once, so that a mistake shows before the first run.
 void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
   for (const SeriesPlan& series : plan.series) try {
-      for (const double value : plan.values) case_at(series, plan.sweep, value, plan.sweep_where);
+      for (const double value : plan.values) replicates_at(plan, series, value);
       if (plan.limit) case_at(series, plan.limit->key, plan.limit->to, plan.limit_where);
     } catch (const UsageError& e) {
       const std::string message = e.what();
@@ -190,9 +226,21 @@ Case case_at(const SeriesPlan& series, const std::string& key, double value, con
   return make_case(settings);
 }
 
-StudyPlan read_study(const std::filesystem::path& file) {
+std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series, double value) {
+  if (!plan.replicates) return {case_at(series, plan.sweep, value, plan.sweep_where)};
+  std::vector<Case> cases;
+  for (const double replicate : plan.replicates->values) {
+    SeriesPlan one = series;
+    one.settings.push_back({plan.replicates->key, fmt::format("{}", replicate), plan.replicates->where});
+    cases.push_back(case_at(one, plan.sweep, value, plan.sweep_where));
+  }
+  return cases;
+}
+
+StudyPlan read_study(const std::filesystem::path& file, const std::vector<Setting>& overriding) {
   const TomlTable root = TomlTable::read(file);
-  root.allow_only({"title", "claims", "check", "fixed", "series", "sweep", "limit", "fit", "figure", "criterion"});
+  root.allow_only({"title", "claims", "check", "fixed", "series", "sweep", "limit", "replicates", "fit", "extrapolate",
+                   "figure", "criterion"});
   StudyPlan plan;
   plan.name = file.stem().string();
   std::stringstream text;
@@ -204,19 +252,22 @@ StudyPlan read_study(const std::filesystem::path& file) {
   plan.check = root.text("check", "");
   if (!plan.check.empty()) {
     find_check(plan.check, root.where("check"));
-    for (const char* key : {"fixed", "series", "sweep", "limit"})
+    for (const char* key : {"fixed", "series", "sweep", "limit", "replicates"})
       if (root.has(key))
         throw UsageError(fmt::format("'{}' in {} beside a check (a check brings its own)", key, root.where(key)));
   }
   read_series(root, plan);
   read_sweep(root, plan);
   read_limit(root, plan);
+  read_replicates(root, plan);
+  if (plan.check.empty()) override_series(overriding, plan);
   if (plan.check.empty() && plan.series.empty())
     throw UsageError(
         fmt::format("{} describes nothing to run (series with a sweep or a limit, or a check)", file.string()));
   if (plan.check.empty() && plan.sweep.empty() && !plan.limit)
     throw UsageError(fmt::format("{} has series but neither sweep nor limit", file.string()));
   read_fits(root, plan);
+  read_extrapolations(root, plan);
   read_figures(root, plan);
   for (const TomlTable& table : root.tables("criterion")) plan.criteria.push_back(read_criterion(table, plan));
   try_cases(plan, file);

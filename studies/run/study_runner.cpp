@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <span>
 
 #include "studies/check.hpp"
 #include "studies/error.hpp"
+#include "studies/extrapolation.hpp"
 #include "studies/observed_order.hpp"
+#include "studies/replicates.hpp"
 #include "studies/run/case_pool.hpp"
 #include "studies/run/parallel.hpp"
 #include "studies/run/samples.hpp"
@@ -43,10 +46,49 @@ Point point_of(double x, const Record& r) {
   return point;
 }
 
+/// The geometric mean of what is positive, with which a line through logarithms goes through them all; else the mean.
+double mean(const std::vector<double>& values) {
+  const bool positive = std::ranges::all_of(values, [](double value) { return value > 0; });
+  double sum = 0;
+  for (const double value : values) sum += positive ? std::log(value) : value;
+  sum /= static_cast<double>(values.size());
+  return positive ? std::exp(sum) : sum;
+}
+
+/// The point of one run, or the mean of replicates; a replicate that is not ok speaks for all.
+Point point_of(double x, std::span<const Record> records) {
+  Point point = point_of(x, records.front());
+  if (records.size() == 1) return point;
+  for (const Record& r : records)
+    if (r.status != Status::ok) return {x, r.status, r.reason, {}};
+  for (const Record& r : records)
+    for (const auto& [quantity, value] : point_of(x, r).y) point.replicates[quantity].push_back(value);
+  for (const auto& [quantity, values] : point.replicates) point.y[quantity] = mean(values);
+  return point;
+}
+
+/// The cases of a series, those of one swept value together.
 std::vector<Case> sweep_cases(const StudyPlan& plan, const SeriesPlan& series) {
   std::vector<Case> cases;
-  for (const double value : plan.values) cases.push_back(case_at(series, plan.sweep, value, plan.sweep_where));
+  for (const double value : plan.values)
+    for (const Case& c : replicates_at(plan, series, value)) cases.push_back(c);
   return cases;
+}
+
+/// Those of all series.
+std::vector<Case> sweep_cases(const StudyPlan& plan) {
+  std::vector<Case> cases;
+  for (const SeriesPlan& series : plan.series)
+    for (const Case& c : sweep_cases(plan, series)) cases.push_back(c);
+  return cases;
+}
+
+Series swept_series(const StudyPlan& plan, const SeriesPlan& series, std::span<const Record> records) {
+  Series result{series.name, {}, {}, {}};
+  const std::size_t each = plan.replicates ? plan.replicates->values.size() : 1;
+  for (std::size_t k = 0; k < plan.values.size(); ++k)
+    result.points.push_back(point_of(plan.values[k], records.subspan(k * each, each)));
+  return result;
 }
 
 Probe probe_of(double value, const Record& r) {
@@ -65,16 +107,33 @@ StabilityLimit search_limit(const LimitSearch& search, const SeriesPlan& series,
   });
 }
 
+bool is_wanted(const std::vector<std::string>& names, const Series& series) {
+  return names.empty() || std::find(names.begin(), names.end(), series.name) != names.end();
+}
+
 void fit(const StudyPlan& plan, StudyResult& result) {
   for (Series& series : result.series)
     for (const FitPlan& wanted : plan.fits) {
-      const auto& names = wanted.series;
-      if (!names.empty() && std::find(names.begin(), names.end(), series.name) == names.end()) continue;
+      if (!is_wanted(wanted.series, series)) continue;
       const auto samples = samples_of(series, wanted.norm, result.sweep);
       ObservedOrder order = fit_order(samples, wanted.window.from, wanted.window.to);
       order.norm = wanted.norm;
       if (wanted.floor) order.floor = fit_floor(samples, wanted.floor->from, wanted.floor->to);
+      if (plan.replicates)
+        order.replicates = fit_replicates(replicate_samples_of(series, wanted.norm, result.sweep), wanted.window.from,
+                                          wanted.window.to);
       series.orders.push_back(order);
+    }
+}
+
+void extrapolate_series(const StudyPlan& plan, StudyResult& result) {
+  for (Series& series : result.series)
+    for (const ExtrapolationPlan& wanted : plan.extrapolations) {
+      if (!is_wanted(wanted.series, series)) continue;
+      Extrapolation extrapolation =
+          extrapolate(samples_of(series, wanted.norm, result.sweep), wanted.window.from, wanted.window.to);
+      extrapolation.norm = wanted.norm;
+      series.extrapolations.push_back(extrapolation);
     }
 }
 
@@ -83,7 +142,7 @@ CheckResult check_result(const StudyPlan& plan, const std::vector<StudyResult>& 
   for (const StudyResult& s : stored)
     if (s.name == plan.name && s.text == plan.text) {
       CheckResult result{s.values, s.series};
-      for (Series& series : result.series) series.orders.clear();
+      for (Series& series : result.series) series.orders.clear(), series.extrapolations.clear();
       return result;
     }
   return find_check(plan.check, plan.name).run();
@@ -96,11 +155,11 @@ std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, Store
   const Provenance provenance = current_provenance();
   const auto stored = store.studies(provenance.digest);
   CasePool pool(store, options);
-  std::vector<Case> all;
+  std::vector<Case> untimed;
   for (const StudyPlan& plan : plans)
-    for (const SeriesPlan& series : plan.series)
-      for (const Case& c : sweep_cases(plan, series)) all.push_back(c);
-  pool.get(all);
+    for (const Case& c : sweep_cases(plan))
+      if (c.measure.repeat == 0) untimed.push_back(c);
+  pool.get(untimed);
 
   std::vector<StudyOutcome> outcomes;
   for (const StudyPlan& plan : plans) {
@@ -115,21 +174,20 @@ std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, Store
       result.series = checked.series;
       cases.resize(result.series.size());
     }
+    pool.get(sweep_cases(plan));  // what is timed takes turns within its study
     for (const SeriesPlan& series : plan.series) {
-      cases.push_back(sweep_cases(plan, series));
-      const auto records = pool.get(cases.back());
-      Series points{series.name, {}, {}, {}};
-      for (std::size_t k = 0; k < records.size(); ++k) {
-        points.points.push_back(point_of(plan.values[k], records[k]));
-        outcome.failed += records[k].status == Status::failed ? 1 : 0;
-      }
-      result.series.push_back(points);
+      const std::vector<Case> own = sweep_cases(plan, series);
+      const std::vector<Record> records = pool.get(own);
+      outcome.failed += static_cast<std::size_t>(std::ranges::count(records, Status::failed, &Record::status));
+      result.series.push_back(swept_series(plan, series, records));
+      cases.push_back(plan.replicates ? std::vector<Case>{} : own);
     }
     if (plan.limit)
       for_each_parallel(plan.series.size(), options.jobs, [&](std::size_t k) {
         result.series[k].limit = search_limit(*plan.limit, plan.series[k], pool);
       });
     fit(plan, result);
+    extrapolate_series(plan, result);
     for (const Criterion& criterion : plan.criteria) result.parts.push_back(judge(criterion, result));
     store.keep_study(result, cases, provenance);
     outcomes.push_back(outcome);

@@ -42,6 +42,10 @@ void insert_point(Database& database, std::int64_t series, std::size_t ordinal, 
   for (const auto& [quantity, value] : point.y)
     if (const auto it = from_run.find(quantity); it == from_run.end() || it->second != value)
       database.insert("point_values", {{"point", id}, {"quantity", quantity}, {"value", value}});
+  for (const auto& [quantity, values] : point.replicates)
+    insert_items(database, "point_replicates", {"point", id}, values, [&quantity = quantity](double value) {
+      return Columns{{"quantity", quantity}, {"value", value}};
+    });
 }
 
 void insert_order(Database& database, std::int64_t series, std::size_t ordinal, const ObservedOrder& order) {
@@ -63,6 +67,11 @@ void insert_order(Database& database, std::int64_t series, std::size_t ordinal, 
                                    {"floor_residual", order.floor->residual},
                                    {"floor_accepted", order.floor->accepted},
                                    {"floor_reason", order.floor->reason}});
+  if (order.replicates)
+    columns.insert(columns.end(), {{"replicate_observations", order.replicates->observations},
+                                   {"replicate_scatter", order.replicates->scatter},
+                                   {"replicate_half_width", order.replicates->half_width},
+                                   {"lack_of_fit", order.replicates->lack_of_fit}});
   const std::int64_t id = insert_item(database, "fits", {"series", series}, ordinal, columns);
   insert_items(database, "segments", {"fit", id}, order.segments, [](const SegmentOrder& s) {
     return Columns{{"x_from", s.from}, {"x_to", s.to}, {"segment_order", s.order}};
@@ -88,6 +97,19 @@ void insert_series(Database& database, std::int64_t study, std::size_t ordinal, 
     insert_point(database, id, k, series.points[k], k < cases.size() ? cases[k] : "", digest);
   for (std::size_t k = 0; k < series.orders.size(); ++k) insert_order(database, id, k, series.orders[k]);
   if (series.limit) insert_limit(database, id, *series.limit);
+  insert_items(database, "extrapolations", {"series", id}, series.extrapolations, [](const Extrapolation& e) {
+    return Columns{{"norm", e.norm},
+                   {"window_from", e.from},
+                   {"window_to", e.to},
+                   {"points", e.points},
+                   {"model", e.model},
+                   {"free_order", e.order},
+                   {"limit_value", e.limit},
+                   {"deviation", e.deviation},
+                   {"finest", e.finest},
+                   {"uncertainty", e.uncertainty},
+                   {"convergence_index", e.convergence_index}};
+  });
 }
 
 void insert_figure(Database& database, std::int64_t study, std::size_t ordinal, const Figure& figure) {

@@ -44,6 +44,11 @@ ObservedOrder load_order(const Database& database, const Row& row) {
                            .residual = row["floor_residual"].real(),
                            .accepted = row["floor_accepted"].flag(),
                            .reason = row["floor_reason"].text()};
+  if (!row["replicate_observations"].null())
+    order.replicates = ReplicateFit{.observations = static_cast<int>(row["replicate_observations"].integer()),
+                                    .scatter = row["replicate_scatter"].real(),
+                                    .half_width = row["replicate_half_width"].real(),
+                                    .lack_of_fit = row["lack_of_fit"].real()};
   return order;
 }
 
@@ -56,6 +61,20 @@ StabilityLimit load_limit(const Database& database, const Row& row) {
           .probes = load_items(database, "probes", "series", row["series"], [](const Row& p) {
             return Probe{.value = p["value"].real(), .stable = p["stable"].flag(), .reason = p["reason"].text()};
           })};
+}
+
+Extrapolation load_extrapolation(const Row& row) {
+  return {.norm = row["norm"].text(),
+          .from = row["window_from"].real(),
+          .to = row["window_to"].real(),
+          .points = static_cast<int>(row["points"].integer()),
+          .model = row["model"].text(),
+          .order = row["free_order"].real(),
+          .limit = row["limit_value"].real(),
+          .deviation = row["deviation"].real(),
+          .finest = row["finest"].real(),
+          .uncertainty = row["uncertainty"].real(),
+          .convergence_index = row["convergence_index"].real()};
 }
 
 /// A point and the text of its case.
@@ -71,6 +90,9 @@ std::pair<Point, std::string> load_point(const Database& database, const Row& ro
   }
   database.each("SELECT quantity, value FROM point_values WHERE point = ?", {row["point"]},
                 [&](const Row& own) { point.y[own["quantity"].text()] = own["value"].real(); });
+  database.each("SELECT quantity, value FROM point_replicates WHERE point = ? ORDER BY quantity, ordinal",
+                {row["point"]},
+                [&](const Row& one) { point.replicates[one["quantity"].text()].push_back(one["value"].real()); });
   return {point, case_text};
 }
 
@@ -90,6 +112,7 @@ std::pair<Series, std::vector<std::string>> load_series(const Database& database
   series.orders = load_items(database, "fits", "series", id, [&](const Row& r) { return load_order(database, r); });
   database.each("SELECT * FROM limits WHERE series = ?", {id},
                 [&](const Row& r) { series.limit = load_limit(database, r); });
+  series.extrapolations = load_items(database, "extrapolations", "series", id, load_extrapolation);
   return {series, cases};
 }
 

@@ -243,7 +243,42 @@ constexpr const char* schema_4 = R"sql(
   ALTER TABLE runs ADD COLUMN angular_momentum_change REAL;
 )sql";
 
-constexpr std::array all_migrations{schema_1, schema_2, schema_3, schema_4};
+constexpr const char* schema_5 = R"sql(
+  -- Quantities of replicates, of which a point has the mean.
+  CREATE TABLE point_replicates (
+    point INTEGER NOT NULL REFERENCES points ON DELETE CASCADE,
+    quantity TEXT NOT NULL,
+    ordinal INTEGER NOT NULL,
+    value REAL,
+    PRIMARY KEY (point, quantity, ordinal)
+  ) STRICT, WITHOUT ROWID;
+
+  -- What they say of an order, where replicate_observations is not NULL.
+  ALTER TABLE fits ADD COLUMN replicate_observations INTEGER;
+  ALTER TABLE fits ADD COLUMN replicate_scatter REAL;
+  ALTER TABLE fits ADD COLUMN replicate_half_width REAL;
+  ALTER TABLE fits ADD COLUMN lack_of_fit REAL;
+
+  -- A quantity without an exact value, extrapolated to h = 0.
+  CREATE TABLE extrapolations (
+    series INTEGER NOT NULL REFERENCES series ON DELETE CASCADE,
+    ordinal INTEGER NOT NULL,
+    norm TEXT NOT NULL,
+    window_from REAL,
+    window_to REAL,
+    points INTEGER NOT NULL,
+    model TEXT NOT NULL,
+    free_order REAL,
+    limit_value REAL,
+    deviation REAL,
+    finest REAL,
+    uncertainty REAL,
+    convergence_index REAL,
+    PRIMARY KEY (series, ordinal)
+  ) STRICT, WITHOUT ROWID;
+)sql";
+
+constexpr std::array all_migrations{schema_1, schema_2, schema_3, schema_4, schema_5};
 
 }  // namespace
 

@@ -98,6 +98,66 @@ TEST(Gate, OrdersFailOnEitherSideOfTheBand) {
   EXPECT_EQ(judge_order(-2).verdict, Verdict::fail);
 }
 
+GateResult judge_interval(double order, double half_width, const OrderGolden& golden = {"a", "l2", 2, 1.85, 2.15}) {
+  return judge(Golden{"s", "s.toml:9", golden}, [&](StudyResult& s) {
+    s.series[0].orders[0].order = order;
+    s.series[0].orders[0].half_width = half_width;
+  });
+}
+
+TEST(Gate, AnOrderFailsWhenItsWholeIntervalLeavesTheBand) {
+  EXPECT_EQ(judge_interval(1.7, 0.1).verdict, Verdict::fail);
+  EXPECT_EQ(judge_interval(1.7, 0.2).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge_interval(2.3, 0.1).verdict, Verdict::fail);
+  EXPECT_EQ(judge_interval(2.3, 0.2).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge_interval(4, 3).verdict, Verdict::fail) << "absurdly high, whatever its interval";
+}
+
+TEST(Gate, AWideIntervalDecidesNothingUnlessItWasReviewed) {
+  EXPECT_EQ(judge_interval(2, 0.29).verdict, Verdict::pass);
+  EXPECT_EQ(judge_interval(2, 0.31).verdict, Verdict::inconclusive);
+  OrderGolden golden{"a", "l2", 2, 1.85, 2.15};
+  golden.interval = 0.4;
+  EXPECT_EQ(judge_interval(2, 0.59, golden).verdict, Verdict::pass);
+  EXPECT_EQ(judge_interval(2, 0.61, golden).verdict, Verdict::inconclusive);
+}
+
+TEST(Gate, IntervalsOfReplicatesComeBeforeThoseOfResiduals) {
+  const GateResult result = judge(Golden{"s", "s.toml:9", OrderGolden{"a", "l2", 2, 1.85, 2.15}}, [](StudyResult& s) {
+    s.series[0].orders[0].order = 1.7;
+    s.series[0].orders[0].half_width = 1;
+    s.series[0].orders[0].replicates = ReplicateFit{12, 0.01, 0.02, 0.5};
+  });
+  EXPECT_EQ(result.verdict, Verdict::fail);
+}
+
+TEST(Gate, AWindowThatWasAsymptoticHasToStaySo) {
+  OrderGolden golden{"a", "l2", 2, 1.85, 2.15};
+  golden.asymptotic = true;
+  const auto with = [&](bool asymptotic) {
+    return judge(Golden{"s", "s.toml:9", golden},
+                 [&](StudyResult& s) { s.series[0].orders[0].asymptotic = asymptotic; })
+        .verdict;
+  };
+  EXPECT_EQ(with(true), Verdict::pass);
+  EXPECT_EQ(with(false), Verdict::inconclusive);
+}
+
+TEST(Gate, AnErrorThatGrowsFailsThoughTheOrderHolds) {
+  OrderGolden golden{"a", "l2", 2, 1.85, 2.15};
+  golden.finest = {64, 1e-3};
+  const auto with = [&](double error) {
+    return judge(Golden{"s", "s.toml:9", golden}, [&](StudyResult& s) {
+      for (Point& point : s.series[0].points)
+        if (point.x == 64) point.y["l2"] = error;
+    });
+  };
+  EXPECT_EQ(with(1.09e-3).verdict, Verdict::pass);
+  EXPECT_EQ(with(0.5e-3).verdict, Verdict::pass) << "an error golden's matter";
+  EXPECT_EQ(with(1.11e-3).verdict, Verdict::fail);
+  EXPECT_NE(with(1.11e-3).reason.find("the order holds, but"), std::string::npos);
+}
+
 TEST(Gate, OrdersWithoutEvidenceAreInconclusive) {
   EXPECT_EQ(judge_order(not_measured).verdict, Verdict::inconclusive);
   EXPECT_EQ(judge_order(2, 2).verdict, Verdict::inconclusive);

@@ -27,7 +27,8 @@ TEST(CanonicalText, IsOneLineOfEveryChoiceInAFixedOrder) {
       "problem=bar param.amplitude=0.05 param.density=1 end_time=0.01 quarter=false basis=bspline2 smoothing_length=0 "
       "integrator=cd start=half velocity_update=flip order=0 cfl_x=0 position=first-order wall_method=none "
       "wall_depth=0 wall_gradient=none mass=lumped boundary=periodic wall_acceleration=zero "
-      "deformation=linear body_force=particles fill=lattice material=neo-hookean-log cells=64 ppc=4 "
+      "deformation=linear body_force=particles fill=lattice material=neo-hookean-log cells=64 ppc=4 grid_offset=0 "
+      "shuffle=0 "
       "dt=0.3333333333333333 steps=800 "
       "every_step=false nodal_error=false velocity_error=false stress_error=false blowup_error=1 blowup_energy=10 "
       "repeat=0");
@@ -74,6 +75,8 @@ TEST(CanonicalText, EveryMemberMakesADifference) {
   EXPECT_TRUE(differs([](Case& c) { c.scheme.wall_depth = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.resolution.cells = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.resolution.ppc = 7; }));
+  EXPECT_TRUE(differs([](Case& c) { c.resolution.grid_offset = 0.5; }));
+  EXPECT_TRUE(differs([](Case& c) { c.resolution.shuffle = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.resolution.dt = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.resolution.steps = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.every_step = true; }));

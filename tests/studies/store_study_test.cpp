@@ -26,6 +26,17 @@ struct Text {
     return fmt::format("floor {} {} {} {} {} '{}'", constant, order, floor, residual, accepted, reason);
   }
 
+  static std::string of(const ReplicateFit& r) {
+    const auto& [observations, scatter, half_width, lack_of_fit] = r;
+    return fmt::format("replicates {} {} {} {}", observations, scatter, half_width, lack_of_fit);
+  }
+
+  static std::string of(const Extrapolation& e) {
+    const auto& [norm, from, to, points, model, order, limit, deviation, finest, uncertainty, index] = e;
+    return fmt::format("extrapolation {} {} {} {} '{}' {} {} {} {} {} {}", norm, from, to, points, model, order, limit,
+                       deviation, finest, uncertainty, index);
+  }
+
   template <class T>
   static std::string of(const std::vector<T>& items) {
     std::string text;
@@ -42,15 +53,15 @@ struct Text {
   static std::string of(const std::string& text) { return "'" + text + "'"; }
 
   static std::string of(const ObservedOrder& o) {
-    const auto& [norm, from, to, points, order, half_width, constant, r2, asymptotic, a_from, a_to, segments, floor] =
-        o;
-    return fmt::format("order {} {} {} {} {} {} {} {} {} {} {}\n{}{}", norm, from, to, points, order, half_width,
-                       constant, r2, asymptotic, a_from, a_to, of(segments), of(floor));
+    const auto& [norm, from, to, points, order, half_width, constant, r2, asymptotic, a_from, a_to, segments, floor,
+                 replicates] = o;
+    return fmt::format("order {} {} {} {} {} {} {} {} {} {} {}\n{}{}{}", norm, from, to, points, order, half_width,
+                       constant, r2, asymptotic, a_from, a_to, of(segments), of(floor), of(replicates));
   }
 
   static std::string of(const Point& p) {
-    const auto& [x, status, reason, y] = p;
-    return fmt::format("point {} {} '{}' {}", x, to_string(status), reason, y);
+    const auto& [x, status, reason, y, replicates] = p;
+    return fmt::format("point {} {} '{}' {} {}", x, to_string(status), reason, y, replicates);
   }
 
   static std::string of(const Probe& p) {
@@ -64,8 +75,8 @@ struct Text {
   }
 
   static std::string of(const Series& s) {
-    const auto& [name, points, orders, limit] = s;
-    return fmt::format("series {}\n{}{}{}", name, of(points), of(orders), of(limit));
+    const auto& [name, points, orders, limit, extrapolations] = s;
+    return fmt::format("series {}\n{}{}{}{}", name, of(points), of(orders), of(limit), of(extrapolations));
   }
 
   static std::string of(const Value& v) {
@@ -146,7 +157,8 @@ ObservedOrder order_with_floor() {
           .asymptotic_from = 16,
           .asymptotic_to = 64,
           .segments = {{8, 16, 1.9}, {16, 32, not_measured}},
-          .floor = FloorFit{1, 2, 1e-4, 0.01, true, "small and clearly below"}};
+          .floor = FloorFit{1, 2, 1e-4, 0.01, true, "small and clearly below"},
+          .replicates = ReplicateFit{25, 0.04, not_measured, 0.3}};
 }
 
 ObservedOrder order_without_values(std::optional<FloorFit> floor) {
@@ -173,6 +185,9 @@ Series curve() {
                            .monotone = false,
                            .found = true,
                            .probes = {{0.5, true, ""}, {1.1, false, "energy"}}};
+  s.points.front().replicates = {{"y", {0.9, 1.1}}, {"z", {not_measured}}};
+  s.extrapolations = {{"y", 4, 64, 5, "φ0 + α h", 1.1, -0.5, 1e-3, 0.02, 1.0 / 3, not_measured},
+                      {"z", 1, 2, 0, "none", not_measured, not_measured}};
   return s;
 }
 

@@ -1,0 +1,79 @@
+#include "studies/extrapolation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace mpmvv::extrapolation_test {
+
+using testing::HasSubstr;
+
+std::vector<ErrorSample> sampled(const std::vector<double>& cells, const std::function<double(double)>& phi) {
+  std::vector<ErrorSample> samples;
+  for (const double n : cells) samples.push_back({n, 1 / n, phi(1 / n)});
+  return samples;
+}
+
+const std::vector<double> doubled{8, 16, 32, 64}, many{8, 11, 16, 23, 32, 45, 64};
+
+TEST(Extrapolation, FindsTheLimitOfAPowerLaw) {
+  for (const double p : {0.7, 1.0, 1.6}) {
+    const auto samples = sampled(doubled, [&](double h) { return -3 + 5 * std::pow(h, p); });
+    const Extrapolation e = extrapolate(samples, 8, 64);
+    EXPECT_NEAR(e.limit, -3, 1e-7);
+    EXPECT_NEAR(e.order, p, 1e-4);
+    EXPECT_NEAR(e.uncertainty, 1.25 * (e.finest + 3), 1e-6) << "the safety factor alone";
+    EXPECT_NEAR(e.convergence_index, e.uncertainty, 1e-5) << "the same on an exact power law";
+  }
+}
+
+TEST(Extrapolation, UncertaintyCoversTheErrorOfMixedOrders) {
+  const auto phi = [](double h) { return 1 + 0.3 * h - 4 * h * h + 0.02 * std::sin(40 / h) * h; };
+  const Extrapolation e = extrapolate(sampled(many, phi), 8, 64);
+  EXPECT_LT(std::abs(e.finest - 1), e.uncertainty);
+  EXPECT_LT(e.uncertainty, 0.1);
+}
+
+TEST(Extrapolation, HighAndLowOrdersAreNotTrusted) {
+  const Extrapolation high = extrapolate(sampled(doubled, [](double h) { return h * h * h; }), 8, 64);
+  EXPECT_NEAR(high.order, 3, 1e-3);
+  EXPECT_EQ(high.model, "φ0 + α h²");
+  const Extrapolation low = extrapolate(sampled(many, [](double h) { return std::pow(h, 0.2); }), 8, 64);
+  EXPECT_LT(low.order, 0.5);
+  EXPECT_GT(low.uncertainty, 1.25 * std::abs(low.finest - low.limit)) << "three times, not one and a quarter";
+}
+
+TEST(Extrapolation, ScatterWidensTheUncertainty) {
+  int k = 0;
+  const auto noisy = sampled(many, [&](double h) { return 1 + h + (++k % 2 ? 0.05 : -0.05); });
+  const Extrapolation e = extrapolate(noisy, 8, 64);
+  EXPECT_GT(e.uncertainty, 0.05);
+  EXPECT_LT(std::abs(e.finest - 1), e.uncertainty);
+}
+
+TEST(Extrapolation, OscillationHasNoConvergenceIndex) {
+  int k = 0;
+  const auto samples = sampled(doubled, [&](double h) { return ++k % 2 ? h : -h; });
+  EXPECT_TRUE(std::isnan(extrapolate(samples, 8, 64).convergence_index));
+}
+
+TEST(Extrapolation, NeedsFourGridsOfTheWindow) {
+  const auto samples = sampled(many, [](double h) { return h; });
+  const Extrapolation e = extrapolate(samples, 30, 64);
+  EXPECT_EQ(e.points, 3);
+  EXPECT_THAT(e.model, HasSubstr("3 usable points"));
+  EXPECT_TRUE(std::isnan(e.limit));
+  EXPECT_EQ(extrapolate(samples, 16, 64).points, 5);
+}
+
+TEST(Extrapolation, OrderOfTheSamplesDoesNotMatter) {
+  auto samples = sampled(many, [](double h) { return 2 + h + 0.1 * std::sin(9 * h); });
+  const double before = extrapolate(samples, 8, 64).uncertainty;
+  std::swap(samples.front(), samples.back());
+  EXPECT_DOUBLE_EQ(extrapolate(samples, 8, 64).uncertainty, before);
+}
+
+}  // namespace mpmvv::extrapolation_test
