@@ -8,9 +8,9 @@
 #include <map>
 
 #include "page_template.hpp"
-#include "reports/file.hpp"
 #include "reports/table.hpp"
 #include "reports/template_data.hpp"
+#include "studies/file.hpp"
 
 namespace mpmvv {
 

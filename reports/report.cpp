@@ -6,13 +6,13 @@
 
 #include "reports/chart.hpp"
 #include "reports/csv.hpp"
-#include "reports/file.hpp"
 #include "reports/page.hpp"
 #include "reports/plot.hpp"
 #include "reports/table.hpp"
 #include "reports/text.hpp"
 #include "reports/trend_page.hpp"
 #include "studies/error.hpp"
+#include "studies/file.hpp"
 
 namespace mpmvv {
 
