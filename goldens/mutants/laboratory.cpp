@@ -34,6 +34,7 @@ Laboratory::Laboratory(const fs::path& source, const fs::path& work, const std::
     if (is_within(place, part))
       throw UsageError(fmt::format("work folder '{}' lies in the tree's '{}' (another folder)", work.string(), part));
   }
+  lock();
   for (const std::string& part : parts) copy(source, part);
   std::ranges::sort(files_);
   remove_strays();
@@ -69,6 +70,14 @@ ProcessEnd Laboratory::run(const std::vector<std::string>& command, std::chrono:
     throw UsageError(fmt::format("cannot start '{}' in {} (a program that is installed or was built)", command.front(),
                                  tree().string()));
   return end;
+}
+
+void Laboratory::lock() {
+  make_folder(work_);
+  write_if_changed(work_ / "lock", "One process at a time works here.\n");
+  lock_ = boost::interprocess::file_lock((work_ / "lock").c_str());
+  if (!lock_.try_lock())
+    throw UsageError(fmt::format("another process works in '{}' (wait for it, or another folder)", work_.string()));
 }
 
 void Laboratory::copy(const fs::path& source, const std::string& part) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <boost/interprocess/sync/file_lock.hpp>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -16,7 +17,7 @@ namespace mpmvv {
 class Laboratory {
  public:
   /// Brings WORK/tree in line with these parts (files and folders) of the source, whatever an earlier run has left
-  /// there. UsageError when a part is not there or the work would lie within one.
+  /// there. UsageError when a part is not there, the work would lie within one, or another process works there.
   Laboratory(const std::filesystem::path& source, const std::filesystem::path& work,
              const std::vector<std::string>& parts);
 
@@ -35,10 +36,12 @@ class Laboratory {
   ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit) const;
 
  private:
+  void lock();
   void copy(const std::filesystem::path& source, const std::string& part);
   void remove_strays() const;
 
   std::filesystem::path work_;
+  boost::interprocess::file_lock lock_;
   std::vector<std::string> files_;
   std::optional<std::pair<std::string, std::string>> original_;  ///< of the edited file: name and text
 };

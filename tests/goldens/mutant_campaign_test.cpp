@@ -179,6 +179,20 @@ TEST_F(Laboratories, WhatNeverEndsIsStopped) {
   EXPECT_THROW(laboratory().run({"./no-such-program"}, seconds(1)), UsageError);
 }
 
+TEST_F(Laboratories, OneProcessWorksThereAtATime) {
+  const Laboratory lab = laboratory();
+  EXPECT_EXIT(
+      {
+        try {
+          laboratory();
+          std::exit(0);
+        } catch (const UsageError&) {
+          std::exit(3);
+        }
+      },
+      testing::ExitedWithCode(3), "");
+}
+
 TEST_F(Laboratories, BadPlacesAreRefused) {
   EXPECT_THROW(Laboratory(source_, folder_ / "work", {"absent"}), UsageError);
   EXPECT_THROW(Laboratory(source_, source_ / "code/work", {"code"}), UsageError);
