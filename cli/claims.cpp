@@ -11,7 +11,8 @@ namespace mpmvv {
 namespace {
 
 int claims(const std::string& db, bool json) {
-  const auto judged = judge_claims(own_results(db));
+  const auto mutants = own_mutants(Store(db, Store::Mode::read), "goldens");
+  const auto judged = judge_claims(with_mutants(own_results(db), mutants));
   if (json) {
     nlohmann::json all = nlohmann::json::array();
     for (const Claim& c : judged)

@@ -17,6 +17,7 @@ void add_report(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
 void add_trend(CLI::App& app, int& exit_code);
 void add_claims(CLI::App& app, int& exit_code);
+void add_mutants(CLI::App& app, int& exit_code);
 void add_list(CLI::App& app, int& exit_code);
 void add_db(CLI::App& app, int& exit_code);
 

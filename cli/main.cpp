@@ -44,6 +44,7 @@ int run_program(int argc, char** argv) {
   add_compare(app, exit_code);
   add_trend(app, exit_code);
   add_claims(app, exit_code);
+  add_mutants(app, exit_code);
   add_list(app, exit_code);
   add_db(app, exit_code);
   try {

@@ -38,9 +38,10 @@ int report(const ReportOptions& options) {
   if (std::filesystem::is_directory(options.goldens))
     for (const GateResult& r : run_gate(read_goldens(options.goldens), input.studies).results)
       input.gate.push_back({r.study + ": " + r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
-  for (const Claim& claim : judge_claims(input.studies))
-    input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
   const Store store(options.db, Store::Mode::read);
+  input.mutants = own_mutants(store, options.goldens);
+  for (const Claim& claim : judge_claims(with_mutants(input.studies, input.mutants)))
+    input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
   input.versions = store.versions();
   if (has_trends(input)) input.trends = trends_in(store, input.versions);
   input.benchmark = own_benchmark(options.db, input.provenance.digest);

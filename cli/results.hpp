@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "goldens/mutants/mistake.hpp"
 #include "studies/provenance.hpp"
 #include "studies/store.hpp"
 #include "studies/trend.hpp"
@@ -11,6 +12,19 @@ namespace mpmvv {
 /// What the store holds of the running program's own digest.
 inline std::vector<StudyResult> own_results(const std::string& db) {
   return Store(db, Store::Mode::read).studies(current_provenance().digest);
+}
+
+/// How the gate took this program's mutants, with the reasons in the goldens' folder.
+inline std::vector<Mutant> own_mutants(const Store& store, const std::string& goldens) {
+  std::vector<Mutant> mutants = newest(store.mutants(current_provenance().digest));
+  explain(mutants, std::filesystem::path(goldens) / "mutants");
+  return mutants;
+}
+
+/// The studies, and what the mutants say on their claim.
+inline std::vector<StudyResult> with_mutants(std::vector<StudyResult> studies, const std::vector<Mutant>& mutants) {
+  studies.push_back(mutant_study(mutants));
+  return studies;
 }
 
 /// The trends over these versions of a store.

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "reports/file.hpp"
 #include "reports/text.hpp"
 #include "studies/error.hpp"
+#include "studies/file.hpp"
 #include "studies/record.hpp"
 
 namespace mpmvv {

@@ -8,9 +8,10 @@
 #include <map>
 
 #include "page_template.hpp"
-#include "reports/file.hpp"
+#include "reports/mutant_table.hpp"
 #include "reports/table.hpp"
 #include "reports/template_data.hpp"
+#include "studies/file.hpp"
 
 namespace mpmvv {
 
@@ -88,6 +89,10 @@ data benchmark_data(const Benchmark& benchmark) {
   return object({{"tables", list_of(benchmark_tables(benchmark), table_data)}});
 }
 
+data mutants_data(const std::vector<Mutant>& mutants) {
+  return object({{"tables", list_of(mutant_tables(mutants), table_data)}});
+}
+
 data gate_data(const GateLine& g) {
   return object({{"name", g.name},
                  {"verdict", g.verdict},
@@ -134,6 +139,7 @@ std::string render_page(const ReportInput& input, const std::vector<Section>& se
   kainjow::mustache::mustache page{std::string(page_template)};
   const auto gate = verdicts(input.gate);
   const std::vector<Benchmark> benchmark_list(input.benchmark ? 1 : 0, input.benchmark.value_or(Benchmark{}));
+  const std::vector<std::vector<Mutant>> mutant_lists(input.mutants.empty() ? 0 : 1, input.mutants);
   return page.render(
       object({{"overall", overall(gate)},
               {"gate_counts", counts(gate, {"pass", "fail", "inconclusive"})},
@@ -144,6 +150,7 @@ std::string render_page(const ReportInput& input, const std::vector<Section>& se
               {"claims", list_of(input.claims, [&](const ClaimLine& c) { return claim_data(c, sections); })},
               {"has_claims", !input.claims.empty()},
               {"benchmark", list_of(benchmark_list, benchmark_data)},
+              {"mutants", list_of(mutant_lists, mutants_data)},
               {"table_list", partial(tables_template)},
               {"picture_list", partial(pictures_template)},
               {"style", partial(style_template)},

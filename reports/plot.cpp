@@ -9,9 +9,9 @@
 #include <iterator>
 #include <system_error>
 
-#include "reports/file.hpp"
-#include "reports/process.hpp"
 #include "studies/error.hpp"
+#include "studies/file.hpp"
+#include "studies/process.hpp"
 
 namespace mpmvv {
 

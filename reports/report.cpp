@@ -6,13 +6,14 @@
 
 #include "reports/chart.hpp"
 #include "reports/csv.hpp"
-#include "reports/file.hpp"
+#include "reports/mutant_table.hpp"
 #include "reports/page.hpp"
 #include "reports/plot.hpp"
 #include "reports/table.hpp"
 #include "reports/text.hpp"
 #include "reports/trend_page.hpp"
 #include "studies/error.hpp"
+#include "studies/file.hpp"
 
 namespace mpmvv {
 
@@ -80,6 +81,11 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
     const auto text = latex_tables("Benchmark", benchmark_tables(*input.benchmark));
     ++summary.tables;
     summary.tables_written += write_if_changed(tables / "benchmark.tex", text) ? 1 : 0;
+  }
+  if (!input.mutants.empty()) {
+    const auto text = latex_tables("Planted mistakes", mutant_tables(input.mutants));
+    ++summary.tables;
+    summary.tables_written += write_if_changed(tables / "mutants.tex", text) ? 1 : 0;
   }
   progress(fmt::format("tables: {} of {} written", summary.tables_written, summary.tables));
 

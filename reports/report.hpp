@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reports/benchmark.hpp"
+#include "studies/mutant.hpp"
 #include "studies/provenance.hpp"
 #include "studies/result.hpp"
 #include "studies/trend.hpp"
@@ -37,6 +38,7 @@ struct ReportInput {
   std::optional<Benchmark> benchmark = {};
   std::vector<Version> versions = {};  ///< all of the store, by time
   std::vector<Trend> trends = {};      ///< over these versions
+  std::vector<Mutant> mutants = {};    ///< how the gate took them
 };
 
 /// One version alone has no trend.
@@ -51,8 +53,8 @@ struct ReportSummary {
 };
 
 /// Writes OUT/index.html (one page, nothing outside it), OUT/figures/NAME.{gp,dat,svg,pdf} and OUT/tables/STUDY*.csv,
-/// STUDY.tex and, with a benchmark, benchmark.tex; with trends OUT/trend.html and OUT/trends/NAME.* too. Throws
-/// UsageError when a file cannot be written, two figures share a name, or gnuplot is missing or fails.
+/// STUDY.tex and, where there are any, benchmark.tex and mutants.tex; with trends OUT/trend.html and OUT/trends/NAME.*
+/// too. Throws UsageError when a file cannot be written, two figures share a name, or gnuplot is missing or fails.
 ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
                            const std::function<void(const std::string&)>& progress);
 

@@ -3,10 +3,10 @@
 #include <map>
 
 #include "page_template.hpp"
-#include "reports/file.hpp"
 #include "reports/plot.hpp"
 #include "reports/template_data.hpp"
 #include "reports/trend_chart.hpp"
+#include "studies/file.hpp"
 
 namespace mpmvv {
 

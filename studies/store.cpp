@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "studies/error.hpp"
+#include "studies/store/mutant_rows.hpp"
 #include "studies/store/run_rows.hpp"
 #include "studies/store/schema.hpp"
 #include "studies/store/study_rows.hpp"
@@ -68,6 +69,20 @@ std::vector<StudyResult> Store::studies(const std::string& digest) const {
   std::vector<StudyResult> results;
   for (db::StoredStudy& study : db::load_studies(impl_->database, digest)) results.push_back(std::move(study.result));
   return results;
+}
+
+void Store::keep_mutant(const Mutant& mutant, const Provenance& p) {
+  db::Transaction transaction(impl_->database, Kind::write);
+  db::insert_mutant(impl_->database, {mutant, p});
+  transaction.commit();
+}
+
+std::vector<Mutant> Store::mutants(const std::string& digest) const {
+  db::Transaction one_state(impl_->database, Kind::read);
+  std::vector<Mutant> mutants;
+  for (db::StoredMutant& stored : db::load_mutants(impl_->database, digest))
+    mutants.push_back(std::move(stored.mutant));
+  return mutants;
 }
 
 std::vector<Version> Store::versions() const {
@@ -145,6 +160,7 @@ std::int64_t Store::merge(const std::filesystem::path& other) {
   db::Transaction transaction(impl_->database, Kind::write);
   const std::int64_t copied = db::copy_runs(from, impl_->database);
   db::copy_studies(from, impl_->database);
+  db::copy_mutants(from, impl_->database);
   transaction.commit();
   return copied;
 }

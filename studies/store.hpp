@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "studies/mutant.hpp"
 #include "studies/provenance.hpp"
 #include "studies/record.hpp"
 #include "studies/result.hpp"
@@ -45,6 +46,12 @@ class Store {
   /// Studies of this digest by name, in name order. Empty when there is none.
   std::vector<StudyResult> studies(const std::string& digest) const;
 
+  /// Keeps how far the gate has taken a mutant, in the place of the one with this name, digest and gate.
+  void keep_mutant(const Mutant& mutant, const Provenance& p);
+
+  /// Mutants of this digest, in the order of their last keeping.
+  std::vector<Mutant> mutants(const std::string& digest) const;
+
   /// The versions that studies were kept of, by the time of their first result.
   std::vector<Version> versions() const;
 
@@ -57,7 +64,7 @@ class Store {
   /// For `db check`: integrity_check and foreign_key_check; what is wrong, empty when sound.
   std::vector<std::string> check() const;
 
-  /// Copies every record and study of another store that this one lacks; the number of records copied.
+  /// Copies every record, study and mutant of another store that this one lacks; the number of records copied.
   std::int64_t merge(const std::filesystem::path& other);
 
   /// All records as CSV (17 digits, NaN empty), with digest and commit.

@@ -243,7 +243,39 @@ constexpr const char* schema_4 = R"sql(
   ALTER TABLE runs ADD COLUMN angular_momentum_change REAL;
 )sql";
 
+/// How the gate takes mistakes.
 constexpr const char* schema_5 = R"sql(
+  -- A variant of the program with one mistake. `gate` names the tests, studies and goldens that it met.
+  CREATE TABLE mutants (
+    id INTEGER PRIMARY KEY,
+    name TEXT NOT NULL,
+    digest TEXT NOT NULL,
+    provenance INTEGER NOT NULL,
+    kept_at TEXT NOT NULL,
+    gate TEXT NOT NULL,
+    kind TEXT NOT NULL CHECK (kind IN ('baseline', 'planted', 'random')),
+    what TEXT NOT NULL,
+    file TEXT NOT NULL,
+    line INTEGER NOT NULL,
+    before_edit TEXT NOT NULL,
+    after_edit TEXT NOT NULL,
+    builds INTEGER NOT NULL CHECK (builds IN (0, 1)),
+    UNIQUE (name, digest, gate),
+    FOREIGN KEY (provenance, digest) REFERENCES provenance (id, digest)
+  ) STRICT;
+
+  CREATE TABLE mutant_trials (
+    mutant INTEGER NOT NULL REFERENCES mutants ON DELETE CASCADE,
+    stage TEXT NOT NULL CHECK (stage IN ('unit tests', 'quick', 'nightly')),
+    caught INTEGER NOT NULL CHECK (caught IN (0, 1)),
+    caught_by TEXT NOT NULL,
+    seconds REAL,
+    UNIQUE (mutant, stage)
+  ) STRICT;
+)sql";
+
+/// Replicates, and extrapolation to h = 0.
+constexpr const char* schema_6 = R"sql(
   -- Quantities of replicates, of which a point has the mean.
   CREATE TABLE point_replicates (
     point INTEGER NOT NULL REFERENCES points ON DELETE CASCADE,
@@ -278,7 +310,7 @@ constexpr const char* schema_5 = R"sql(
   ) STRICT, WITHOUT ROWID;
 )sql";
 
-constexpr std::array all_migrations{schema_1, schema_2, schema_3, schema_4, schema_5};
+constexpr std::array all_migrations{schema_1, schema_2, schema_3, schema_4, schema_5, schema_6};
 
 }  // namespace
 

@@ -56,6 +56,16 @@ TEST(Report, WritesPageFiguresAndTables) {
   EXPECT_THAT(told, testing::Contains("figures: 3 of 3 redrawn"));
 }
 
+TEST(Report, PlantedMistakesHaveAPlaceOfTheirOwn) {
+  const TempFolder folder;
+  ReportInput in = input();
+  EXPECT_THAT(page_of(in, folder), Not(HasSubstr("id=\"mutants\"")));
+  in.mutants.emplace_back();
+  in.mutants.back().name = "a <sign>";
+  EXPECT_THAT(page_of(in, folder), AllOf(HasSubstr("id=\"mutants\""), HasSubstr("a &lt;sign&gt;")));
+  EXPECT_TRUE(fs::exists(folder / "out/tables/mutants.tex"));
+}
+
 TEST(Report, SecondCallWritesNothing) {
   const TempFolder folder;
   write_report(input(), folder / "out", silent);

@@ -1,4 +1,4 @@
-#include "reports/file.hpp"
+#include "studies/file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "cli/command.hpp"
+#include "cli/results.hpp"
+#include "goldens/mutants/campaign.hpp"
+#include "goldens/mutants/mistake.hpp"
+#include "goldens/mutants/mutation.hpp"
+#include "goldens/mutants/program_bench.hpp"
+#include "studies/error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+struct MutantsOptions {
+  std::string db, source = ".", work;
+  std::vector<std::string> only;
+  int random = 100;
+  std::uint64_t seed = 1;
+  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  bool list = false, json = false;
+
+  std::filesystem::path planted() const { return std::filesystem::path(source) / "goldens/mutants/planted.toml"; }
+};
+
+Candidate candidate_of(const std::string& name, Mutant::Kind kind, const std::string& what, const Edit& edit,
+                       const std::string& text, const std::string& gate) {
+  const std::string mutated = edited(edit, text);
+  return {{.name = name,
+           .kind = kind,
+           .what = what,
+           .file = edit.file,
+           .line = line_of(text, edit.at),
+           .before = lines_at(text, edit.at, edit.before.size()),
+           .after = lines_at(mutated, edit.at, edit.after.size()),
+           .gate = gate},
+          edit};
+}
+
+std::vector<Candidate> planted_candidates(const std::vector<Mistake>& mistakes, const Laboratory& laboratory,
+                                          const std::string& gate) {
+  std::vector<Candidate> candidates;
+  for (const Mistake& mistake : mistakes) {
+    if (std::ranges::find(laboratory.files(), mistake.file) == laboratory.files().end())
+      throw UsageError(fmt::format("no file '{}' for mistake '{}' in {} (a file of the tree)", mistake.file,
+                                   mistake.name, mistake.where));
+    const std::string text = laboratory.text(mistake.file);
+    candidates.push_back(
+        candidate_of(mistake.name, Mutant::Kind::planted, mistake.what, edit_of(mistake, text), text, gate));
+  }
+  return candidates;
+}
+
+std::vector<Candidate> random_candidates(std::uint64_t seed, const Laboratory& laboratory, const std::string& gate) {
+  std::vector<Edit> edits;
+  for (const std::string& file : mutated_files(laboratory.files()))
+    for (Edit& edit : mutations_of(file, laboratory.text(file))) edits.push_back(std::move(edit));
+  std::vector<Candidate> candidates;
+  for (const Edit& edit : shuffled(std::move(edits), seed))
+    candidates.push_back(candidate_of(fmt::format("random-{}", candidates.size() + 1), Mutant::Kind::random,
+                                      fmt::format("'{}' becomes '{}'", edit.before, edit.after), edit,
+                                      laboratory.text(edit.file), gate));
+  return candidates;
+}
+
+/// Leaves only what is named, if anything is.
+void keep_named(CampaignPlan& plan, const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  const auto is_named = [&](const Candidate& c) { return std::ranges::find(names, c.mutant.name) != names.end(); };
+  for (const std::string& name : names) {
+    const auto has_name = [&](const Candidate& c) { return c.mutant.name == name; };
+    if (std::ranges::none_of(plan.planted, has_name) && std::ranges::none_of(plan.draws, has_name))
+      throw UsageError(fmt::format("no mutant '{}' (see `mpmvv mutants --list`, or random-1, random-2, ...)", name));
+  }
+  std::erase_if(plan.planted, std::not_fn(is_named));
+  std::erase_if(plan.draws, std::not_fn(is_named));
+  plan.random = static_cast<int>(plan.draws.size());
+}
+
+nlohmann::json trial_json(const Mutant& mutant, GateStage stage) {
+  const Trial* trial = mutant.trial(stage);
+  if (!trial) return nullptr;
+  return {{"caught", trial->caught}, {"by", trial->by}, {"seconds", trial->seconds}};
+}
+
+nlohmann::json mutants_json(const std::vector<Mutant>& mutants) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const Mutant& m : mutants)
+    all.push_back({{"name", m.name},
+                   {"kind", to_string(m.kind)},
+                   {"what", m.what},
+                   {"file", m.file},
+                   {"line", m.line},
+                   {"before", m.before},
+                   {"after", m.after},
+                   {"reason", m.reason},
+                   {"builds", m.builds},
+                   {"unit_tests", trial_json(m, GateStage::unit_tests)},
+                   {"quick", trial_json(m, GateStage::quick)},
+                   {"nightly", trial_json(m, GateStage::nightly)}});
+  return {{"mutants", all}};
+}
+
+void print_score(const std::vector<Mutant>& mutants) {
+  const MutantScore score = score_of(mutants);
+  fmt::print("planted: {} that should show, {} caught: {} by the unit tests, {} by the quick gate, {} by the gate\n",
+             score.planted, score.by_any, score.by_unit_tests, score.by_quick, score.by_gate);
+  if (score.silent > 0) fmt::print("planted: {} that change efficiency or robustness only\n", score.silent);
+  if (!score.missed.empty()) fmt::print("not caught: {}\n", fmt::join(score.missed, ", "));
+  if (score.random > 0)
+    fmt::print("random: {}, {} caught, {} explained{}{}\n", score.random, score.random_caught, score.random_explained,
+               score.unexplained.empty() ? "" : ", not explained: ", fmt::join(score.unexplained, ", "));
+}
+
+int list(const MutantsOptions& options) {
+  const auto mistakes = read_mistakes(options.planted());
+  nlohmann::json json = nlohmann::json::array();
+  for (const Mistake& m : mistakes) {
+    json.push_back({{"name", m.name}, {"what", m.what}, {"file", m.file}, {"reason", m.reason}});
+    if (!options.json) fmt::print("{:<44} {:<40} {}\n", m.name, m.file, m.what);
+  }
+  if (options.json) print_json({{"mistakes", json}});
+  return 0;
+}
+
+int mutants(const MutantsOptions& options) {
+  if (options.list) return list(options);
+  if (options.db.empty()) throw UsageError("no --db given (a results store)");
+  const auto mistakes = read_mistakes(options.planted());
+  const std::string work = options.work.empty() ? options.source + "/build/laboratory" : options.work;
+  Laboratory laboratory(options.source, work, program_parts());
+  const std::string gate = laboratory.digest(indifferent_parts());
+  CampaignPlan plan{planted_candidates(mistakes, laboratory, gate), random_candidates(options.seed, laboratory, gate),
+                    options.random};
+  keep_named(plan, options.only);
+
+  Store store(options.db, Store::Mode::create_or_write);
+  const std::vector<Mutant> kept = store.mutants(current_provenance().digest);
+  ProgramBench bench(laboratory, options.jobs);
+  auto results = run_campaign(plan, gate, bench,
+                              {.find = [&](const Mutant& wanted) { return find_mutant(kept, wanted); },
+                               .keep = [&](const Mutant& mutant) { store.keep_mutant(mutant, current_provenance()); },
+                               .tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); }});
+  explain(results, options.planted().parent_path());
+  if (options.json)
+    print_json(mutants_json(results));
+  else
+    print_score(results);
+  return score_of(results).missed.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_mutants(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<MutantsOptions>();
+  CLI::App* command =
+      app.add_subcommand("mutants", "Plant mistakes in a copy of the sources and see what catches them");
+  command->add_option("--db", options->db, "results store");
+  command->add_option("--source", options->source, "top of the source tree (default: .)");
+  command->add_option("--work", options->work, "scratch folder (default: build/laboratory in the source tree)");
+  command->add_option("--only", options->only, "only these mutants");
+  command->add_option("--random", options->random, "how many random mutations beside the planted ones (default: 100)")
+      ->check(CLI::Range(0, 100'000));
+  command->add_option("--seed", options->seed, "of their draw (default: 1)");
+  command->add_option("--jobs", options->jobs, "compilers and cases at once (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--list", options->list, "print the planted mistakes");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options, &exit_code] { exit_code = mutants(*options); });
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,49 @@
+#pragma once
+#include <boost/interprocess/sync/file_lock.hpp>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "goldens/mutants/edit.hpp"
+#include "studies/process.hpp"
+
+namespace mpmvv {
+
+/// A scratch copy of a source tree in which one edit at a time is made, beside a folder to build it in. The tree itself
+/// is only read, and only at the start.
+class Laboratory {
+ public:
+  /// Brings WORK/tree in line with these parts (files and folders) of the source, whatever an earlier run has left
+  /// there. UsageError when a part is not there, the work would lie within one, or another process works there.
+  Laboratory(const std::filesystem::path& source, const std::filesystem::path& work,
+             const std::vector<std::string>& parts);
+
+  const std::vector<std::string>& files() const { return files_; }  ///< of the copy, sorted, from its top
+  std::string text(const std::string& file) const;                  ///< without any edit
+  std::filesystem::path tree() const { return work_ / "tree"; }
+  std::filesystem::path build() const { return work_ / "build"; }
+
+  /// A digest of the files, without any edit, but for those within these parts.
+  std::string digest(const std::vector<std::string>& without) const;
+
+  void apply(const Edit& edit);  ///< in the place of the one before
+  void undo();
+
+  /// Runs a command in the copy's top.
+  ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit) const;
+
+ private:
+  void lock();
+  void copy(const std::filesystem::path& source, const std::string& part);
+  void remove_strays() const;
+
+  std::filesystem::path work_;
+  boost::interprocess::file_lock lock_;
+  std::vector<std::string> files_;
+  std::optional<std::pair<std::string, std::string>> original_;  ///< of the edited file: name and text
+};
+
+}  // namespace mpmvv

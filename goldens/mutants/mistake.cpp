@@ -1,0 +1,104 @@
+#include "goldens/mutants/mistake.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "studies/error.hpp"
+#include "studies/toml_file.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& wrong, const std::string& where, const std::string& right) {
+  throw UsageError(fmt::format("{} in {} ({})", wrong, where, right));
+}
+
+std::string filled(const TomlTable& table, const std::string& key) {
+  const std::string text = table.text(key);
+  if (text.find_first_not_of(" \t\n") == std::string::npos)
+    refuse(fmt::format("'{}' is blank", key), table.where(key), "a text");
+  return text;
+}
+
+std::string kebab_name(const TomlTable& table) {
+  const std::string name = filled(table, "name");
+  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos)
+    refuse(fmt::format("name '{}'", name), table.where("name"), "lower-case letters, digits and '-'");
+  return name;
+}
+
+/// The reason of what nothing can show; empty for the others.
+std::string silence(const TomlTable& table) {
+  if (!table.has("shows")) {
+    if (table.has("reason")) refuse("'reason' without 'shows'", table.where("reason"), "shows = \"nothing\" beside it");
+    return {};
+  }
+  if (const std::string shows = table.text("shows"); shows != "nothing")
+    refuse(fmt::format("shows = '{}'", shows), table.where("shows"), "nothing, or no such key");
+  return filled(table, "reason");
+}
+
+Mistake read_mistake(const TomlTable& table) {
+  table.allow_only({"name", "what", "file", "find", "replace", "shows", "reason"});
+  Mistake mistake{kebab_name(table),     filled(table, "what"), filled(table, "file"), filled(table, "find"),
+                  table.text("replace"), silence(table),        table.where()};
+  if (mistake.find == mistake.replace)
+    refuse(fmt::format("mistake '{}' changes nothing", mistake.name), mistake.where, "another 'replace' than 'find'");
+  return mistake;
+}
+
+}  // namespace
+
+std::vector<Mistake> read_mistakes(const std::filesystem::path& file) {
+  const TomlTable document = TomlTable::read(file);
+  document.allow_only({"mistake"});
+  std::vector<Mistake> mistakes;
+  std::set<std::string> names;
+  for (const TomlTable& table : document.tables("mistake")) {
+    mistakes.push_back(read_mistake(table));
+    if (!names.insert(mistakes.back().name).second)
+      refuse(fmt::format("a second mistake '{}'", mistakes.back().name), mistakes.back().where, "another name");
+  }
+  if (mistakes.empty()) refuse("no mistake", file.string(), "at least one [[mistake]]");
+  return mistakes;
+}
+
+Edit edit_of(const Mistake& mistake, const std::string& text) {
+  const std::size_t at = text.find(mistake.find);
+  const auto reject = [&](const char* how_often) {
+    refuse(fmt::format("'find' of mistake '{}' occurs {} in {}", mistake.name, how_often, mistake.file), mistake.where,
+           "a text that occurs there exactly once");
+  };
+  if (at == std::string::npos) reject("nowhere");
+  if (text.find(mistake.find, at + 1) != std::string::npos) reject("more than once");
+  return {mistake.file, at, mistake.find, mistake.replace};
+}
+
+std::vector<Explanation> read_explanations(const std::filesystem::path& file) {
+  const TomlTable document = TomlTable::read(file);
+  document.allow_only({"survivor"});
+  std::vector<Explanation> explanations;
+  for (const TomlTable& table : document.tables("survivor")) {
+    table.allow_only({"file", "before", "after", "reason"});
+    explanations.push_back(
+        {filled(table, "file"), filled(table, "before"), filled(table, "after"), filled(table, "reason")});
+  }
+  return explanations;
+}
+
+void explain(std::vector<Mutant>& mutants, const std::filesystem::path& folder) {
+  if (const auto planted = folder / "planted.toml"; std::filesystem::exists(planted))
+    for (const Mistake& mistake : read_mistakes(planted))
+      for (Mutant& mutant : mutants)
+        if (mutant.kind == Mutant::Kind::planted && mutant.name == mistake.name) mutant.reason = mistake.reason;
+  if (const auto explained = folder / "explained.toml"; std::filesystem::exists(explained))
+    for (const Explanation& e : read_explanations(explained))
+      for (Mutant& mutant : mutants)
+        if (mutant.kind == Mutant::Kind::random && mutant.file == e.file && mutant.before == e.before &&
+            mutant.after == e.after)
+          mutant.reason = e.reason;
+}
+
+}  // namespace mpmvv

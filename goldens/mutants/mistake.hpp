@@ -1,0 +1,42 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "goldens/mutants/edit.hpp"
+#include "studies/mutant.hpp"
+
+namespace mpmvv {
+
+/// A realistic mistake that someone has chosen: an exact text of one file, and what stands there with the mistake.
+struct Mistake {
+  std::string name;  ///< kebab-case
+  std::string what;  ///< one sentence in the field's words
+  std::string file;  ///< from the top of the tree
+  std::string find, replace;
+  std::string reason;  ///< why no order, error or limit can show it; empty when one should
+  std::string where;   ///< FILE:LINE of the entry
+};
+
+/// The [[mistake]] tables of a file, `shows = "nothing"` with its `reason` where a mistake changes efficiency or
+/// robustness only. UsageError on every mistake in the file itself, with FILE:LINE.
+std::vector<Mistake> read_mistakes(const std::filesystem::path& file);
+
+/// As an edit of the file's text; UsageError unless `find` occurs there exactly once.
+Edit edit_of(const Mistake& mistake, const std::string& text);
+
+/// Why a random mutation survives: equivalent, or beyond what the gate can show. Lines are named by their text, so that
+/// an explanation stays when they move.
+struct Explanation {
+  std::string file;
+  std::string before, after;  ///< the line without and with the mutation
+  std::string reason;
+};
+
+/// Gives mutants their reasons, from `planted.toml` and `explained.toml` in a folder, as far as they are there.
+void explain(std::vector<Mutant>& mutants, const std::filesystem::path& folder);
+
+/// The [[survivor]] tables of a file. UsageError on every mistake in it, with FILE:LINE.
+std::vector<Explanation> read_explanations(const std::filesystem::path& file);
+
+}  // namespace mpmvv

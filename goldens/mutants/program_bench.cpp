@@ -1,0 +1,191 @@
+#include "goldens/mutants/program_bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "studies/error.hpp"
+
+namespace mpmvv {
+
+namespace fs = std::filesystem;
+using std::chrono::seconds;
+
+namespace {
+
+constexpr seconds build_limit = std::chrono::hours(2);
+constexpr seconds gate_limit = std::chrono::minutes(2);
+
+/// A mutant may ask for all the memory there is.
+const std::string memory_limit = "--as=8589934592";
+
+/// Far too large for every mutant.
+const std::vector<std::string> cubes{"s-fig12"};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string how_it_ended(const ProcessEnd& end, seconds limit) {
+  if (end.timed_out) return fmt::format("not at its end after {} s", limit.count());
+  return end.exit_code > 128 ? fmt::format("ended by signal {}", end.exit_code - 128)
+                             : fmt::format("exit code {}", end.exit_code);
+}
+
+std::string last_lines(const std::string& output) {
+  constexpr std::size_t most = 2000;
+  return output.substr(output.size() > most ? output.size() - most : 0);
+}
+
+/// What stands behind the mark up to the next space or comma.
+std::string word_behind(const std::string& text, std::size_t mark, std::size_t length) {
+  const std::size_t begin = mark + length;
+  return text.substr(begin, text.find_first_of(" ,\n", begin) - begin);
+}
+
+/// Studies with goldens, by the goldens' files.
+std::vector<std::string> studies_with_goldens(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
+  for (const fs::path file : files)
+    if (file.parent_path() == "goldens" && file.extension() == ".toml") names.push_back(file.stem().string());
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> program_parts() {
+  return {".github", "CMakeLists.txt", "CMakePresets.json", "README.md", "cli", "cmake", "goldens", "mms", "reports",
+          "run",     "solver",         "studies",           "tests"};
+}
+
+std::vector<std::string> indifferent_parts() {
+  return {".github", "README.md", "cli", "goldens/mutants", "reports", "run", "tests/benchmark", "tests/reports"};
+}
+
+std::vector<std::string> listed_studies(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    if (std::string name; words >> name) names.push_back(fs::path(name).stem().string());
+  }
+  return names;
+}
+
+std::vector<std::string> test_programs(const std::string& file) {
+  if (file.starts_with("mms/")) return {"test_cli", "test_mms", "test_studies", "test_solver"};
+  if (file.starts_with("solver/")) return {"test_cli", "test_studies", "test_solver"};
+  return {"test_cli", "test_goldens", "test_reports", "test_mms", "test_studies", "test_solver"};
+}
+
+std::string failed_test(const std::string& output) {
+  constexpr std::string_view failed = "[  FAILED  ] ", running = "[ RUN      ] ";
+  if (const auto mark = output.find(failed); mark != std::string::npos) return word_behind(output, mark, failed.size());
+  const auto mark = output.rfind(running);
+  return mark == std::string::npos ? "before the first test" : word_behind(output, mark, running.size());
+}
+
+std::vector<std::string> goldens_not_passed(const std::string& json) {
+  std::vector<std::string> names;
+  const auto report = nlohmann::json::parse(json, nullptr, false);
+  if (report.is_discarded()) return {"the gate prints no JSON"};
+  for (const auto& result : report.at("results")) {
+    const std::string verdict = result.at("verdict");
+    if (verdict != "pass")
+      names.push_back(fmt::format("{}: {}{}", result.at("study").get<std::string>(),
+                                  result.at("name").get<std::string>(), verdict == "fail" ? "" : " (" + verdict + ")"));
+  }
+  return names;
+}
+
+ProgramBench::ProgramBench(Laboratory& laboratory, int jobs)
+    : laboratory_(laboratory), jobs_(jobs), quick_(listed_studies(laboratory.text("studies/quick.txt"))) {
+  const auto is_in = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  for (const std::string& name : studies_with_goldens(laboratory.files()))
+    if (!is_in(quick_, name) && !is_in(cubes, name)) nightly_.push_back(name);
+}
+
+ProcessEnd ProgramBench::make(const std::string& target) const {
+  return laboratory_.run(
+      {"cmake", "--build", laboratory_.build().string(), "--parallel", std::to_string(jobs_), "--target", target},
+      build_limit);
+}
+
+bool ProgramBench::build(const Edit* edit) {
+  tests_ = test_programs(edit ? edit->file : "");
+  if (edit)
+    laboratory_.apply(*edit);
+  else
+    laboratory_.undo();
+  if (!fs::exists(laboratory_.build() / "build.ninja")) {
+    const ProcessEnd end = laboratory_.run(
+        {"cmake", "--preset", "mutants", "-B", laboratory_.build().string(), "--log-level=WARNING"}, build_limit);
+    if (!end.good())
+      throw UsageError(fmt::format("cmake cannot configure {}: {}", laboratory_.tree().string(), end.output));
+  }
+  const ProcessEnd end = make("mpmvv");
+  if (!end.good()) complaint_ = last_lines(end.output);
+  return end.good();
+}
+
+Trial ProgramBench::meet(GateStage stage, seconds limit) {
+  const auto start = std::chrono::steady_clock::now();
+  Trial trial = stage == GateStage::unit_tests ? run_unit_tests(limit)
+                : stage == GateStage::quick    ? run_gate(stage, quick_, limit)
+                                               : run_gate(stage, nightly_, limit);
+  trial.seconds = seconds_since(start);
+  return trial;
+}
+
+/// Test programs are built one by one: most mistakes need no more than the first.
+Trial ProgramBench::run_unit_tests(seconds limit) const {
+  Trial trial{.stage = GateStage::unit_tests};
+  for (const std::string& test : tests_) {
+    if (!make(test).good()) {
+      trial.caught = true;
+      trial.by = {test + ": does not compile"};
+      return trial;
+    }
+    const ProcessEnd end = laboratory_.run({"prlimit", memory_limit, program(test), "--gtest_fail_fast",
+                                            "--gtest_color=no", "--gtest_filter=-*Nightly*:PlantedMistakes.*"},
+                                           limit);
+    if (end.good()) continue;
+    trial.caught = true;
+    const std::string ending =
+        end.exit_code == 1 && !end.timed_out ? "" : fmt::format(" ({})", how_it_ended(end, limit));
+    trial.by = {fmt::format("{}: {}{}", test, failed_test(end.output), ending)};
+    return trial;
+  }
+  return trial;
+}
+
+Trial ProgramBench::run_gate(GateStage stage, const std::vector<std::string>& studies, seconds limit) const {
+  const std::string db = (laboratory_.build() / (to_string(stage) + ".db")).string();
+  fs::remove(db);
+  fs::remove(db + "-journal");
+  std::vector<std::string> study{"prlimit", memory_limit, program("mpmvv"), "study",
+                                 "--db",    db,           "--jobs",         std::to_string(jobs_)};
+  std::vector<std::string> gate{program("mpmvv"), "gate", "--db", db, "--json"};
+  for (const std::string& name : studies) {
+    study.push_back(fmt::format("studies/{}.toml", name));
+    gate.insert(gate.end(), {"--only", name});
+  }
+  Trial trial{.stage = stage};
+  const ProcessEnd run = laboratory_.run(study, limit);
+  if (run.timed_out || run.exit_code > 1) {
+    trial.caught = true;
+    trial.by = {"the studies: " + how_it_ended(run, limit)};
+    return trial;
+  }
+  const ProcessEnd judged = laboratory_.run(gate, gate_limit);
+  trial.caught = !run.good() || !judged.good();
+  if (trial.caught) trial.by = goldens_not_passed(judged.output);
+  if (trial.caught && trial.by.empty()) trial.by = {"the studies: " + how_it_ended(run, limit)};
+  return trial;
+}
+
+}  // namespace mpmvv

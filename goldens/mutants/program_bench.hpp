@@ -1,0 +1,52 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "goldens/mutants/bench.hpp"
+#include "goldens/mutants/laboratory.hpp"
+
+namespace mpmvv {
+
+/// The program's own gate in a laboratory: CMake with the preset `mutants`, the test programs, the studies as
+/// `./run quick` and `./run nightly` run them.
+class ProgramBench final : public Bench {
+ public:
+  /// jobs: compilers and cases at once.
+  ProgramBench(Laboratory& laboratory, int jobs);
+
+  bool build(const Edit* edit) override;
+  Trial meet(GateStage stage, std::chrono::seconds limit) override;
+  std::string complaint() const override { return complaint_; }
+
+ private:
+  ProcessEnd make(const std::string& target) const;
+  Trial run_unit_tests(std::chrono::seconds limit) const;
+  Trial run_gate(GateStage stage, const std::vector<std::string>& studies, std::chrono::seconds limit) const;
+  std::string program(const std::string& name) const { return (laboratory_.build() / name).string(); }
+
+  Laboratory& laboratory_;
+  int jobs_;
+  std::vector<std::string> quick_, nightly_;  ///< names of studies
+  std::vector<std::string> tests_;            ///< test programs that the edit can reach
+  std::string complaint_;
+};
+
+/// The parts of the tree that a laboratory of the program needs.
+std::vector<std::string> program_parts();
+
+/// The parts that do not decide how a mutant fares.
+std::vector<std::string> indifferent_parts();
+
+/// The names of the studies in a list such as studies/quick.txt.
+std::vector<std::string> listed_studies(const std::string& text);
+
+/// The test programs that a change of this file reaches, what is least to build first; all for an empty name.
+std::vector<std::string> test_programs(const std::string& file);
+
+/// The first test that failed by what a test program printed; with none, the one in which it ended.
+std::string failed_test(const std::string& output);
+
+/// "study: golden" of what does not pass, from `mpmvv gate --json`; what is inconclusive is marked.
+std::vector<std::string> goldens_not_passed(const std::string& json);
+
+}  // namespace mpmvv

@@ -1,0 +1,103 @@
+#include "reports/mutant_table.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+namespace mpmvv {
+
+namespace {
+
+std::string of_all(int part, int all) {
+  return all == 0 ? "–" : fmt::format("{} of {} ({:.0f} %)", part, all, 100.0 * part / all);
+}
+
+Table score_table(const std::vector<Mutant>& mutants) {
+  const MutantScore score = score_of(mutants);
+  Table table{"Score: how many mistakes each part of the gate catches",
+              {"mistakes", "unit tests", "quick gate", "quick or nightly gate", "any of them", "explained"},
+              {}};
+  Table::Group group;
+  group.rows.push_back({"planted, should show", of_all(score.by_unit_tests, score.planted),
+                        of_all(score.by_quick, score.planted), of_all(score.by_gate, score.planted),
+                        of_all(score.by_any, score.planted), ""});
+  if (score.silent > 0)
+    group.rows.push_back({fmt::format("planted, efficiency or robustness only: {}", score.silent), "", "", "", "", ""});
+  if (score.random > 0)
+    group.rows.push_back({"random", "", "", "", of_all(score.random_caught, score.random),
+                          of_all(score.random_explained, score.random - score.random_caught)});
+  table.groups.push_back(std::move(group));
+  return table;
+}
+
+std::string trial_text(const Mutant& mutant, GateStage stage) {
+  const Trial* trial = mutant.trial(stage);
+  if (!mutant.builds) return "does not compile";
+  if (!trial) return "–";
+  if (!trial->caught) return "passes";
+  const std::string more = trial->by.size() > 1 ? fmt::format(" and {} more", trial->by.size() - 1) : "";
+  return trial->by.empty() ? "caught" : trial->by.front() + more;
+}
+
+/// Results of an older gate stay until they are tried anew.
+std::string name_text(const Mutant& mutant, const std::string& gate) {
+  return mutant.gate == gate ? mutant.name : mutant.name + " (earlier gate)";
+}
+
+std::string place(const Mutant& mutant) {
+  return fmt::format("{}:{}", mutant.file, mutant.line);
+}
+
+/// A table of those that belong to one of two titled groups.
+Table grouped(Table table, const std::vector<Mutant>& mutants, const std::function<bool(const Mutant&)>& belongs,
+              const std::function<std::vector<std::string>(const Mutant&)>& row, const char* without_reason,
+              const char* with_reason) {
+  Table::Group open{without_reason, {}}, explained{with_reason, {}};
+  for (const Mutant& mutant : mutants)
+    if (belongs(mutant)) (mutant.reason.empty() ? open : explained).rows.push_back(row(mutant));
+  for (Table::Group* group : {&open, &explained})
+    if (!group->rows.empty()) table.groups.push_back(std::move(*group));
+  return table;
+}
+
+Table planted_table(const std::vector<Mutant>& mutants) {
+  const std::string& gate = mutants.back().gate;
+  return grouped(
+      {"Planted mistakes, and what catches them: the first test, the goldens",
+       {"mistake", "what", "where", "unit tests", "quick gate", "nightly gate", "reason"},
+       {}},
+      mutants, [](const Mutant& m) { return m.kind == Mutant::Kind::planted; },
+      [&](const Mutant& m) -> std::vector<std::string> {
+        return {name_text(m, gate),
+                m.what,
+                place(m),
+                trial_text(m, GateStage::unit_tests),
+                trial_text(m, GateStage::quick),
+                trial_text(m, GateStage::nightly),
+                m.reason};
+      },
+      "that an order, an error or a limit can show", "that change efficiency or robustness only");
+}
+
+Table survivor_table(const std::vector<Mutant>& mutants) {
+  const std::string& gate = mutants.back().gate;
+  return grouped(
+      {"Random mutations that nothing catches", {"mutation", "where", "line", "with the mutation", "reason"}, {}},
+      mutants, [](const Mutant& m) { return m.kind == Mutant::Kind::random && m.builds && !m.caught(); },
+      [&](const Mutant& m) -> std::vector<std::string> {
+        return {name_text(m, gate), place(m), m.before, m.after, m.reason};
+      },
+      "not explained", "explained");
+}
+
+}  // namespace
+
+std::vector<Table> mutant_tables(const std::vector<Mutant>& mutants) {
+  std::vector<Table> tables;
+  if (mutants.empty()) return tables;
+  for (Table table : {score_table(mutants), planted_table(mutants), survivor_table(mutants)})
+    if (!table.empty()) tables.push_back(std::move(table));
+  return tables;
+}
+
+}  // namespace mpmvv

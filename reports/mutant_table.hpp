@@ -1,0 +1,12 @@
+#pragma once
+#include <vector>
+
+#include "reports/table.hpp"
+#include "studies/mutant.hpp"
+
+namespace mpmvv {
+
+/// The score; the planted mistakes, and what caught them; the random ones that nothing has caught. Empty without any.
+std::vector<Table> mutant_tables(const std::vector<Mutant>& mutants);
+
+}  // namespace mpmvv

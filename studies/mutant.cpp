@@ -1,0 +1,137 @@
+#include "studies/mutant.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <tuple>
+
+namespace mpmvv {
+
+namespace {
+
+constexpr std::array stage_words{"unit tests", "quick", "nightly"};
+constexpr std::array mutant_kind_words{"baseline", "planted", "random"};
+
+template <class Enum>
+Enum enum_of(const auto& words, const std::string& word) {
+  const auto found = std::ranges::find(words, word);
+  if (found == words.end()) throw std::invalid_argument("unknown word '" + word + "'");
+  return static_cast<Enum>(found - words.begin());
+}
+
+void count_planted(MutantScore& score, const Mutant& mutant) {
+  if (!mutant.reason.empty()) {
+    ++score.silent;
+    return;
+  }
+  ++score.planted;
+  score.by_unit_tests += mutant.caught_by(GateStage::unit_tests);
+  score.by_quick += mutant.caught_by(GateStage::quick);
+  score.by_any += mutant.caught();
+  if (!mutant.caught()) score.missed.push_back(mutant.name);
+  if (mutant.caught_by(GateStage::quick) || mutant.caught_by(GateStage::nightly))
+    ++score.by_gate;
+  else
+    score.missed_by_gate.push_back(mutant.name);
+}
+
+void count_random(MutantScore& score, const Mutant& mutant) {
+  if (!mutant.builds) return;
+  ++score.random;
+  if (mutant.caught())
+    ++score.random_caught;
+  else if (!mutant.reason.empty())
+    ++score.random_explained;
+  else
+    score.unexplained.push_back(mutant.name);
+}
+
+ClaimPart part(const char* statement, bool holds, const std::string& evidence) {
+  return {"X-mutants", statement, holds ? PartVerdict::holds : PartVerdict::fails, evidence, ""};
+}
+
+}  // namespace
+
+std::string to_string(GateStage stage) {
+  return stage_words[static_cast<std::size_t>(stage)];
+}
+
+GateStage gate_stage_from(const std::string& word) {
+  return enum_of<GateStage>(stage_words, word);
+}
+
+std::string to_string(Mutant::Kind kind) {
+  return mutant_kind_words[static_cast<std::size_t>(kind)];
+}
+
+Mutant::Kind mutant_kind_from(const std::string& word) {
+  return enum_of<Mutant::Kind>(mutant_kind_words, word);
+}
+
+const Trial* Mutant::trial(GateStage stage) const {
+  const auto found = std::ranges::find(trials, stage, &Trial::stage);
+  return found == trials.end() ? nullptr : &*found;
+}
+
+bool Mutant::caught() const {
+  return std::ranges::any_of(trials, &Trial::caught);
+}
+
+bool Mutant::caught_by(GateStage stage) const {
+  const Trial* met = trial(stage);
+  return met && met->caught;
+}
+
+const Mutant* find_mutant(const std::vector<Mutant>& mutants, const Mutant& wanted) {
+  const auto identity = [](const Mutant& m) { return std::tie(m.name, m.gate, m.file, m.line, m.before, m.after); };
+  const auto found = std::ranges::find_if(mutants, [&](const Mutant& m) { return identity(m) == identity(wanted); });
+  return found == mutants.end() ? nullptr : &*found;
+}
+
+std::vector<Mutant> newest(const std::vector<Mutant>& mutants) {
+  std::vector<Mutant> latest;
+  for (const Mutant& mutant : mutants) {
+    const auto earlier = std::ranges::find(latest, mutant.name, &Mutant::name);
+    if (earlier == latest.end())
+      latest.push_back(mutant);
+    else
+      *earlier = mutant;
+  }
+  return latest;
+}
+
+MutantScore score_of(const std::vector<Mutant>& mutants) {
+  MutantScore score;
+  for (const Mutant& mutant : mutants) {
+    if (mutant.kind == Mutant::Kind::planted) count_planted(score, mutant);
+    if (mutant.kind == Mutant::Kind::random) count_random(score, mutant);
+    if (mutant.kind != Mutant::Kind::baseline) continue;
+    score.has_baseline = true;
+    score.passes_baseline = score.passes_baseline && !mutant.caught();
+  }
+  return score;
+}
+
+StudyResult mutant_study(const std::vector<Mutant>& mutants) {
+  const MutantScore score = score_of(mutants);
+  StudyResult study;
+  study.name = "mutants";
+  study.title = "Planted mistakes";
+  study.kind = "check";
+  study.claims = {"X-mutants"};
+  if (score.planted == 0) return study;
+  const std::string missed =
+      score.missed_by_gate.empty() ? "" : fmt::format("; not {}", fmt::join(score.missed_by_gate, ", "));
+  study.parts.push_back(part("the goldens catch every planted mistake that an order, an error or a limit can show",
+                             score.missed_by_gate.empty(),
+                             fmt::format("{} of {}, {} by the quick gate{}; {} with the tests", score.by_gate,
+                                         score.planted, score.by_quick, missed, score.by_any)));
+  if (score.has_baseline)
+    study.parts.push_back(part("they raise no false alarm", score.passes_baseline, "the tree without a mistake"));
+  return study;
+}
+
+}  // namespace mpmvv

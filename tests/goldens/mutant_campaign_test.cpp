@@ -1,0 +1,202 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "goldens/mutants/campaign.hpp"
+#include "goldens/mutants/laboratory.hpp"
+#include "studies/error.hpp"
+
+namespace mpmvv {
+namespace mutant_campaign_test {
+
+namespace fs = std::filesystem;
+using std::chrono::seconds;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A gate that catches by name.
+class FakeBench final : public Bench {
+ public:
+  bool build(const Edit* edit) override {
+    edit_ = edit ? edit->file : "";
+    return !broken.contains(edit_);
+  }
+  Trial meet(GateStage stage, seconds limit) override {
+    log.push_back(edit_ + " " + to_string(stage));
+    limits.push_back(limit);
+    const auto found = catches.find(edit_);
+    const bool caught = found != catches.end() && found->second == stage;
+    return {stage, caught, caught ? std::vector<std::string>{"golden"} : std::vector<std::string>{}, 2};
+  }
+  std::string complaint() const override { return "no compiler"; }
+
+  std::map<std::string, GateStage> catches;
+  std::set<std::string> broken;
+  std::vector<std::string> log;
+  std::vector<seconds> limits;
+
+ private:
+  std::string edit_;
+};
+
+Candidate candidate(const std::string& name, Mutant::Kind kind) {
+  Candidate c;
+  c.mutant.name = c.mutant.file = c.edit.file = name;
+  c.mutant.kind = kind;
+  c.mutant.gate = "gate";
+  return c;
+}
+
+class Campaigns : public testing::Test {
+ protected:
+  std::vector<Mutant> run(const CampaignPlan& plan) {
+    const std::vector<Mutant> known = kept_;
+    return run_campaign(plan, "gate", bench_,
+                        {.find = [&](const Mutant& wanted) { return find_mutant(known, wanted); },
+                         .keep =
+                             [&](const Mutant& mutant) {
+                               std::erase_if(kept_, [&](const Mutant& m) { return m.name == mutant.name; });
+                               kept_.push_back(mutant);
+                             },
+                         .tell = [](const std::string&) {}});
+  }
+
+  FakeBench bench_;
+  std::vector<Mutant> kept_;
+  const Candidate planted_ = candidate("p", Mutant::Kind::planted), silent_ = candidate("q", Mutant::Kind::planted);
+  const Candidate first_ = candidate("r1", Mutant::Kind::random), second_ = candidate("r2", Mutant::Kind::random),
+                  third_ = candidate("r3", Mutant::Kind::random);
+};
+
+TEST_F(Campaigns, StagesComeInTheirOrderAndTheUnchangedTreeFirst) {
+  bench_.catches = {{"p", GateStage::unit_tests}, {"r1", GateStage::quick}, {"r2", GateStage::unit_tests}};
+  const auto results = run({{planted_, silent_}, {first_, second_, third_}, 2});
+  EXPECT_THAT(bench_.log, ElementsAre(" unit tests", "p unit tests", " quick", "p quick", "q unit tests", "q quick",
+                                      "r1 quick", "r2 quick", "r2 unit tests", " nightly", "q nightly"));
+  ASSERT_EQ(results.size(), 5U);
+  EXPECT_EQ(results[0].name, "baseline");
+  EXPECT_TRUE(results[1].caught_by(GateStage::unit_tests));
+  EXPECT_FALSE(results[2].caught());
+  EXPECT_THAT(bench_.limits, testing::Contains(seconds(130))) << "several times the unchanged tree's 2 s";
+}
+
+TEST_F(Campaigns, WhatDoesNotCompileIsNoMutant) {
+  bench_.broken = {"r1"};
+  bench_.catches = {{"r2", GateStage::quick}};
+  const auto results = run({{}, {first_, second_, third_}, 1});
+  ASSERT_EQ(results.size(), 3U);
+  EXPECT_FALSE(results[1].builds);
+  EXPECT_EQ(results[2].name, "r2");
+}
+
+TEST_F(Campaigns, WhatIsKnownIsNotDoneAgain) {
+  bench_.catches = {{"p", GateStage::quick}};
+  run({{planted_}, {}, 0});
+  bench_.log.clear();
+  EXPECT_EQ(run({{planted_}, {}, 0}).size(), 2U);
+  EXPECT_THAT(bench_.log, testing::IsEmpty());
+
+  kept_.back().trials.pop_back();  // as if killed between two stages
+  run({{planted_}, {}, 0});
+  EXPECT_THAT(bench_.log, testing::Contains("p quick"));
+  EXPECT_THAT(bench_.log, testing::Not(testing::Contains("p unit tests")));
+}
+
+TEST_F(Campaigns, AGateThatFailsOnTheUnchangedTreeProvesNothing) {
+  bench_.catches = {{"", GateStage::quick}};
+  try {
+    run({{planted_}, {}, 0});
+    ADD_FAILURE();
+  } catch (const UsageError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("does not pass its quick: golden"));
+  }
+  bench_.broken = {""};
+  EXPECT_THROW(run({{silent_}, {}, 0}), UsageError);
+}
+
+class Laboratories : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(source_ / "code/inner");
+    write("code/a.txt", "one + two\n");
+    write("code/inner/b.txt", "three\n");
+    write("notes", "four\n");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& file, const std::string& text) const { std::ofstream(source_ / file) << text; }
+  Laboratory laboratory() const { return Laboratory(source_, folder_ / "work", {"code", "notes"}); }
+  static std::string read(const fs::path& file) { return (std::stringstream() << std::ifstream(file).rdbuf()).str(); }
+
+  fs::path folder_ = fs::temp_directory_path() /
+                     (std::string("mpmvv_laboratory_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
+                      std::to_string(getpid()));
+  fs::path source_ = folder_ / "source";
+  const Edit edit_{"code/a.txt", 4, "+", "-"};
+};
+
+TEST_F(Laboratories, AnEditIsMadeInTheCopyAlone) {
+  Laboratory lab = laboratory();
+  EXPECT_THAT(lab.files(), ElementsAre("code/a.txt", "code/inner/b.txt", "notes"));
+  lab.apply(edit_);
+  EXPECT_EQ(lab.run({"cat", "code/a.txt"}, seconds(10)).output, "one - two\n");
+  EXPECT_EQ(lab.text("code/a.txt"), "one + two\n");
+  EXPECT_EQ(read(source_ / "code/a.txt"), "one + two\n");
+  lab.apply({"notes", 0, "four", "five"});
+  EXPECT_EQ(read(lab.tree() / "code/a.txt"), "one + two\n") << "one edit at a time";
+  lab.undo();
+  EXPECT_EQ(read(lab.tree() / "notes"), "four\n");
+}
+
+TEST_F(Laboratories, ANewOneUndoesWhatAKilledOneLeft) {
+  laboratory().apply(edit_);
+  std::ofstream(folder_ / "work/tree/code/stray.txt") << "five";
+  fs::remove(source_ / "code/inner/b.txt");
+  const Laboratory lab = laboratory();
+  EXPECT_EQ(read(lab.tree() / "code/a.txt"), "one + two\n");
+  EXPECT_FALSE(fs::exists(lab.tree() / "code/stray.txt"));
+  EXPECT_FALSE(fs::exists(lab.tree() / "code/inner/b.txt"));
+}
+
+TEST_F(Laboratories, TheDigestIsThatOfTheUneditedFiles) {
+  Laboratory lab = laboratory();
+  const std::string digest = lab.digest({"notes"});
+  lab.apply(edit_);
+  EXPECT_EQ(lab.digest({"notes"}), digest);
+  write("notes", "changed\n");
+  EXPECT_EQ(laboratory().digest({"notes"}), digest);
+  write("code/a.txt", "changed\n");
+  EXPECT_NE(laboratory().digest({"notes"}), digest);
+}
+
+TEST_F(Laboratories, WhatNeverEndsIsStopped) {
+  EXPECT_TRUE(laboratory().run({"sleep", "60"}, seconds(0)).timed_out);
+  EXPECT_THROW(laboratory().run({"./no-such-program"}, seconds(1)), UsageError);
+}
+
+TEST_F(Laboratories, OneProcessWorksThereAtATime) {
+  const Laboratory lab = laboratory();
+  EXPECT_EXIT(
+      {
+        try {
+          laboratory();
+          std::exit(0);
+        } catch (const UsageError&) {
+          std::exit(3);
+        }
+      },
+      testing::ExitedWithCode(3), "");
+}
+
+TEST_F(Laboratories, BadPlacesAreRefused) {
+  EXPECT_THROW(Laboratory(source_, folder_ / "work", {"absent"}), UsageError);
+  EXPECT_THROW(Laboratory(source_, source_ / "code/work", {"code"}), UsageError);
+}
+
+}  // namespace mutant_campaign_test
+}  // namespace mpmvv
