@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 
@@ -77,7 +78,7 @@ int gate(const GateOptions& options) {
 }
 
 struct ProposeOptions {
-  std::string db, study, out;
+  std::string db, study, out, goldens = "goldens";
 };
 
 int propose(const ProposeOptions& options) {
@@ -89,7 +90,9 @@ int propose(const ProposeOptions& options) {
         fmt::format("no results of study '{}' in {} (run `mpmvv study` on it first)", options.study, options.db));
   const auto provenance =
       Store(options.db, Store::Mode::read).study_provenance(study->name, current_provenance().digest);
-  const std::string text = propose_goldens(*study, *provenance);
+  const bool none = !std::filesystem::is_directory(options.goldens) || std::filesystem::is_empty(options.goldens);
+  const std::string text =
+      propose_goldens(*study, *provenance, none ? std::vector<Golden>{} : read_goldens(options.goldens));
   if (options.out.empty()) {
     fmt::print("{}", text);
     return 0;
@@ -121,6 +124,7 @@ void add_propose(CLI::App& app, int& exit_code) {
       app.add_subcommand("propose", "Write goldens for review from the store's results of a clean tree");
   command->add_option("--db", options->db, "results store")->required();
   command->add_option("--study", options->study, "name of the study")->required();
+  command->add_option("--goldens", options->goldens, "directory of the goldens that stand (default: goldens)");
   command->add_option("--out", options->out, "a file that does not exist yet (default: standard output)");
   command->callback([options, &exit_code] { exit_code = propose(*options); });
 }

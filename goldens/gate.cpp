@@ -16,6 +16,7 @@ namespace {
 struct Judgement {
   Verdict verdict;
   std::string measured, reason;
+  bool better = false;
 };
 
 Judgement pass(std::string measured) {
@@ -23,6 +24,9 @@ Judgement pass(std::string measured) {
 }
 Judgement fail(std::string measured, std::string reason) {
   return {Verdict::fail, std::move(measured), std::move(reason)};
+}
+Judgement better(std::string measured, std::string reason) {
+  return {Verdict::fail, std::move(measured), std::move(reason), true};
 }
 Judgement inconclusive(std::string measured, std::string reason) {
   return {Verdict::inconclusive, std::move(measured), std::move(reason)};
@@ -101,8 +105,8 @@ Judgement judge(const OrderGolden& golden, const Series& series) {
   if (fit->points < golden.points) return fail(measured, fmt::format("fewer usable points than {}", golden.points));
   const double width = half_width(*fit);
   if (fit->order + width < golden.lower) return fail(measured, "order below the golden's band");
-  if (fit->order - width > golden.upper) return fail(measured, "order above the golden's band");
   if (fit->order > golden.upper + absurd) return fail(measured, "order absurdly high");
+  if (fit->order - width > golden.upper) return better(measured, "order above the golden's band");
   if (has_grown(golden, series))
     return fail(measured,
                 fmt::format("the order holds, but the error at {:g} is larger than {:.4g} by more than {:g} %",
@@ -120,7 +124,7 @@ Judgement judge(const ErrorGolden& golden, const Series& series) {
   const std::string measured = fmt::format("{:.6g}", error);
   if (std::isnan(error)) return inconclusive(measured, "the error was not measured");
   if (error > golden.expected * (1 + golden.band)) return fail(measured, "error larger than the golden's band");
-  if (error < golden.expected * (1 - golden.band)) return fail(measured, "better than the golden: propose a new one");
+  if (error < golden.expected * (1 - golden.band)) return better(measured, "better than the golden: propose a new one");
   return pass(measured);
 }
 
@@ -148,8 +152,10 @@ Judgement judge(const LimitGolden& golden, const Series& series) {
 
   const auto [low, high] = std::minmax(limit.stable, limit.unstable);
   const std::string measured = fmt::format("{:.6g} in [{:.6g}, {:.6g}]", limit.value(), low, high);
-  if (high < band.lower) return fail(measured, "limit below the golden's band");
-  if (low > band.upper) return fail(measured, "limit above the golden's band");
+  if (high < band.lower)
+    return {Verdict::fail, measured, "limit below the golden's band", limit.key == "smoothing_length"};
+  if (low > band.upper)
+    return {Verdict::fail, measured, "limit above the golden's band", limit.key != "smoothing_length"};
   if (!limit.monotone) return inconclusive(measured, "stability is not monotone");
   if (!band.contains(limit.value())) return inconclusive(measured, "the bracket straddles the edge of the band");
   return pass(measured);
@@ -189,7 +195,8 @@ GateResult judge(const Golden& golden, const std::vector<StudyResult>& studies) 
           expected_text(golden),
           std::move(judgement.measured),
           std::move(judgement.reason),
-          golden.where};
+          golden.where,
+          judgement.better};
 }
 
 }  // namespace

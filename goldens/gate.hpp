@@ -16,6 +16,7 @@ struct GateResult {
   std::string expected, measured;
   std::string reason;      ///< empty for `pass`
   std::string where = {};  ///< of the golden, FILE:LINE
+  bool better = false;     ///< a failure to the better side: the golden is to be renewed
 };
 
 /// All goldens, judged, in their order.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "goldens/golden.hpp"
+#include "goldens/gate.hpp"
 #include "studies/error.hpp"
 
 namespace mpmvv {
@@ -146,15 +146,28 @@ void propose_series(Draft& draft, const std::string& sweep, const Series& series
   if (series.limit) propose_limit(draft, series, *series.limit);
 }
 
+void refuse_worse(const StudyResult& study, std::vector<Golden> standing) {
+  std::erase_if(standing, [&](const Golden& golden) { return golden.study != study.name; });
+  if (standing.empty()) return;
+  for (const GateResult& result : run_gate(standing, {study}).results)
+    if (result.verdict == Verdict::fail && !result.better)
+      throw UsageError(
+          fmt::format("{} of study '{}' is worse than its golden in {}: expected {}, measured {} (mend it, or delete "
+                      "that golden with the reason in the commit)",
+                      result.name, study.name, result.where, result.expected, result.measured));
+}
+
 }  // namespace
 
-std::string propose_goldens(const StudyResult& study, const Provenance& provenance) {
+std::string propose_goldens(const StudyResult& study, const Provenance& provenance,
+                            const std::vector<Golden>& standing) {
   if (provenance.dirty) {
     throw UsageError(
         fmt::format("the results of study '{}' come from a dirty tree at commit {} (commit, build and run "
                     "the study again)",
                     study.name, provenance.commit));
   }
+  refuse_worse(study, standing);
   Draft draft;
   draft.remark(
       fmt::format("Proposed from commit {}, digest {}, {}.", provenance.commit, provenance.digest, provenance.time));

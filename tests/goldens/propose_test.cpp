@@ -75,6 +75,26 @@ TEST(Propose, OrdersAndErrorsRoundTripWithTheBandsOfTheHouse) {
   EXPECT_EQ(error.band, 0.1);
 }
 
+TEST(Propose, AWorseResultTakesNoGoldensPlace) {
+  const std::vector<Golden> standing = proposed(study_with(convergent()));
+  const auto propose_again = [&](double order, double error) {
+    Series series = convergent();
+    series.orders[0].order = order;
+    series.points[2].y["l2"] = error;
+    return propose_goldens(study_with(series), clean, standing);
+  };
+  EXPECT_NO_THROW(propose_again(2, 1e-4));
+  EXPECT_NO_THROW(propose_again(2.5, 1e-5)) << "better";
+  EXPECT_THROW(propose_again(1.5, 1e-4), UsageError);
+  try {
+    propose_again(2, 2e-4);
+    FAIL() << "accepted";
+  } catch (const UsageError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("is worse than its golden in new.toml:"));
+  }
+  EXPECT_NO_THROW(propose_goldens(study_with(convergent()), clean, {Golden{"another", "x:1", ErrorGolden{}}}));
+}
+
 TEST(Propose, TheFinestLevelOfATimeStepSweepIsItsSmallest) {
   const auto goldens = proposed(study_with(convergent(), "cfl"));
   EXPECT_EQ(std::get<ErrorGolden>(goldens[1].expectation).at, 16);
