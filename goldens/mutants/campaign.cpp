@@ -61,12 +61,11 @@ class Campaign {
 
   /// The stages in this order that it has not met; where one is enough, until it is caught.
   void try_through(Mutant& mutant, const Edit& edit, std::initializer_list<GateStage> stages, bool one_is_enough) {
-    for (const GateStage stage : stages) {
-      if (!mutant.builds || (one_is_enough && mutant.caught())) return;
-      if (mutant.trial(stage)) continue;
-      const seconds limit = limit_of(stage);
-      meet(mutant, &edit, stage, limit);
-    }
+    const auto is_done = [&] { return !mutant.builds || (one_is_enough && mutant.caught()); };
+    for (const GateStage stage : stages)
+      if (!is_done() && !mutant.trial(stage)) limit_of(stage);  // before anything is built with the edit
+    for (const GateStage stage : stages)
+      if (!is_done() && !mutant.trial(stage)) meet(mutant, &edit, stage, limit_of(stage));
   }
 
   void meet(Mutant& mutant, const Edit* edit, GateStage stage, seconds limit) {
@@ -79,14 +78,14 @@ class Campaign {
   }
 
   std::string line(const Mutant& mutant, double build_seconds) const {
-    const std::string start =
-        fmt::format("{}{} ({}:{}): built in {:.0f} s", progress_, mutant.name, mutant.file, mutant.line, build_seconds);
-    if (!mutant.builds)
-      return fmt::format("{}{} ({}:{}): does not compile", progress_, mutant.name, mutant.file, mutant.line);
+    const std::string place = mutant.file.empty() ? "" : fmt::format(" ({}:{})", mutant.file, mutant.line);
+    const std::string start = progress_ + mutant.name + place;
+    if (!mutant.builds) return start + ": does not compile";
     const Trial& trial = mutant.trials.back();
     const std::string more = trial.by.size() > 1 ? fmt::format(" and {} more", trial.by.size() - 1) : "";
     const std::string by = trial.caught ? fmt::format("caught by {}{}", trial.by.front(), more) : "passes";
-    return fmt::format("{}, {} in {:.0f} s: {}", start, to_string(trial.stage), trial.seconds, by);
+    return fmt::format("{}: built in {:.0f} s, {} in {:.0f} s: {}", start, build_seconds, to_string(trial.stage),
+                       trial.seconds, by);
   }
 
   /// Several times what the tree without a mistake takes, which therefore goes first.

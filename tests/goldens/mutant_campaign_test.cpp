@@ -76,7 +76,7 @@ class Campaigns : public testing::Test {
 TEST_F(Campaigns, StagesComeInTheirOrderAndTheUnchangedTreeFirst) {
   bench_.catches = {{"p", GateStage::unit_tests}, {"r1", GateStage::quick}, {"r2", GateStage::unit_tests}};
   const auto results = run({{planted_, silent_}, {first_, second_, third_}, 2});
-  EXPECT_THAT(bench_.log, ElementsAre(" unit tests", "p unit tests", " quick", "p quick", "q unit tests", "q quick",
+  EXPECT_THAT(bench_.log, ElementsAre(" unit tests", " quick", "p unit tests", "p quick", "q unit tests", "q quick",
                                       "r1 quick", "r2 quick", "r2 unit tests", " nightly", "q nightly"));
   ASSERT_EQ(results.size(), 5U);
   EXPECT_EQ(results[0].name, "baseline");
