@@ -14,7 +14,7 @@ Record run_case(const Case& c, int threads, const std::filesystem::path& vtu = {
 /// Runs cases that ask for their cost: on one thread, as often as they say, taking turns; the caller's to run alone.
 std::vector<Record> run_timed(const std::vector<Case>& cases);
 
-/// Number of particles times steps, to run long cases first.
+/// Number of particles times steps, more for an expanded inverse: to run long cases first.
 double work_estimate(const Case& c);
 
 /// Upper estimate of the memory that a run of this case takes, in bytes.

@@ -3,7 +3,7 @@
 namespace mpmvv {
 
 CheckResult check_shock_grids() {
-  const std::vector<double> cells{5, 7, 10, 14, 20};
+  const std::vector<double> cells{8, 10, 13, 16, 20};
   const mms::Hugoniot shock = theoretical_shock();
   std::vector<double> plateau, front, temperature;
   for (const double n : cells) {

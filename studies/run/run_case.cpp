@@ -274,7 +274,9 @@ std::vector<Record> run_timed(const std::vector<Case>& cases) {
 
 double work_estimate(const Case& c) {
   const int dimension = find_problem(c.problem.name, "the case").dimension();
-  return extent(c).cells_of_body * std::pow(c.resolution.ppc, dimension) * static_cast<double>(c.resolution.steps);
+  const double expansion = c.scheme.order > 0 ? 1 + 0.2 * (c.scheme.order - 1) : 1;
+  return expansion * extent(c).cells_of_body * std::pow(c.resolution.ppc, dimension) *
+         static_cast<double>(c.resolution.steps);
 }
 
 double memory_estimate(const Case& c) {

@@ -99,6 +99,38 @@ TEST(StudyCommand, ACostCaseIsAnotherCaseAndPrintsItsCost) {
   EXPECT_EQ(answer.out.find("step_seconds by cells", printed + 1), std::string::npos) << "only where it was measured";
 }
 
+TEST(StudyCommand, ReplicatesMakeAMeanAnIntervalAndATestOfTheLine) {
+  const Folder folder;
+  std::string text = small_study;
+  text.replace(text.find("[[fit]]"), 7, "[replicates]\ngrid_offset = [0, 0.3, 0.7]\n[[fit]]");
+  const std::string file = folder.write("small.toml", text), db = folder / "r.db";
+  const Answer answer = call(folder, "study " + file + " --db " + db);
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("24 cases run"));
+  EXPECT_THAT(answer.out, HasSubstr("replicates: 12 runs that scatter by"));
+  ASSERT_EQ(call(folder, "report --db " + db + " --out " + (folder / "report")).code, 0);
+  EXPECT_THAT(read_text(folder / "report/tables/small-replicates.csv"), HasSubstr("linear,8,l2,3,"));
+}
+
+TEST(StudyCommand, ExtrapolatesWhatHasNoExactValue) {
+  const Folder folder;
+  std::string text = small_study;
+  text.replace(text.find("[[fit]]"), 7, "[[extrapolate]]\nnorm = \"energy_loss\"\nwindow = [8, 64]\n[[fit]]");
+  const Answer answer = call(folder, "study " + folder.write("small.toml", text) + " --db " + (folder / "r.db"));
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("'bspline2' in energy_loss over [8, 64]: "));
+}
+
+TEST(StudyCommand, SetOverridesEverySeriesAndSaysSoInTheStore) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
+  ASSERT_EQ(call(folder, "study --set shuffle=3 --set ppc=2 " + file + " --db " + db).code, 0);
+  EXPECT_THAT(call(folder, "db export --db " + db).out, HasSubstr("ppc=2 grid_offset=0 shuffle=3"));
+  for (const char* wrong : {"cells=8", "pcp=4", "ppc", "=4"})
+    EXPECT_EQ(call(folder, "study " + file + " --set " + wrong + " --db " + (folder / "other.db")).code, 2) << wrong;
+  EXPECT_FALSE(std::filesystem::exists(folder / "other.db"));
+}
+
 TEST(StudyCommand, JobsDoNotChangeOneBit) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study);
@@ -185,6 +217,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "without every_step"},
         BadFile{"[sweep]\n", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nscan_ratio = 1.0000001\n[sweep]\n",
                 "scan_ratio"},
+        BadFile{"[[fit]]", "[replicates]\ncells = [1, 2]\n[[fit]]", "beside a sweep over another"},
+        BadFile{"[[fit]]", "[replicates]\nshuffle = [1]\n[[fit]]", "fewer than two replicates"},
+        BadFile{"[[fit]]", "[[extrapolate]]\nnorm = \"l2\"\nwindow = [8, 32]\n[[fit]]", "holds 3 swept values"},
         BadFile{"ppc = 4", "ppc = 4\nrepeat = 1", "repeat = 1"},
         BadFile{"caption", "kind = \"pie\"\ncaption", "unknown figure kind 'pie'"},
         BadFile{"caption", "kind = \"work-precision\"\ncaption", "`repeat` in every series"},
