@@ -7,7 +7,7 @@ CheckResult check_shock_grids() {
   const mms::Hugoniot shock = theoretical_shock();
   std::vector<double> plateau, front, temperature;
   for (const double n : cells) {
-    const ShockedBar bar({"FMPM(4)", "fmpm", "4", true}, static_cast<int>(n), shock);
+    const ShockedBar bar({"FMPM(4)", "fmpm", "4", true}, static_cast<int>(n), "2.4e-6", shock);
     plateau.push_back(bar.plateau(bar.pressure).mean / shock.pressure());
     temperature.push_back(bar.plateau(bar.temperature).mean / shock.temperature());
     front.push_back(bar.front / bar.expected_front);

@@ -7,7 +7,7 @@ namespace mpmvv {
 namespace {
 
 void add_method(const ShockMethod& method, const mms::Hugoniot& shock, CheckResult& result) {
-  const ShockedBar bar(method, 10, shock);
+  const ShockedBar bar(method, 10, "4e-6", shock);
   const std::string label = method.label();
   result.add_curve("pressure, " + label, bar.pressure.x, bar.pressure.y);
   result.add_curve("temperature, " + label, bar.temperature.x, bar.temperature.y);

@@ -16,8 +16,8 @@ struct ShockMethod {
 
   std::string label() const { return std::string(name) + (viscous ? "" : ", no artificial viscosity"); }
 
-  /// `cells` per 2.5 mm
-  std::vector<Setting> settings(int cells) const {
+  /// `cells` per 2.5 mm; the end time in s
+  std::vector<Setting> settings(int cells, const char* end_time) const {
     std::vector<Setting> all{{"problem", "shock", ""},
                              {"basis", "b2cpdi", ""},
                              {"integrator", "usl", ""},
@@ -27,6 +27,7 @@ struct ShockMethod {
                              {"wall_gradient", "estimated", ""},
                              {"cells", std::to_string(cells), ""},
                              {"ppc", "2", ""},
+                             {"end_time", end_time, ""},
                              {"cfl", "0.2", ""}};
     if (*order)
       all.push_back({"order", order, ""});
@@ -75,7 +76,8 @@ struct ShockedBar {
   Profile pressure, temperature;
   double front, expected_front, first, last;  ///< m
 
-  ShockedBar(const ShockMethod& method, int cells, const mms::Hugoniot& shock) : body(method.settings(cells)) {
+  ShockedBar(const ShockMethod& method, int cells, const char* end_time, const mms::Hugoniot& shock)
+      : body(method.settings(cells, end_time)) {
     constexpr double end = 0.05;
     body.step_to(body.resolution().steps);
     const auto& particles = body.mpm().particles();
