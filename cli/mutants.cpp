@@ -108,8 +108,9 @@ nlohmann::json mutants_json(const std::vector<Mutant>& mutants) {
 
 void print_score(const std::vector<Mutant>& mutants) {
   const MutantScore score = score_of(mutants);
-  fmt::print("planted: {} that should show, {} caught: {} by the unit tests, {} by the quick gate, {} by the gate\n",
-             score.planted, score.by_any, score.by_unit_tests, score.by_quick, score.by_gate);
+  fmt::print(
+      "planted: {} that should show, {} caught: {} by the unit tests, {} by the quick gate, {} by the nightly gate\n",
+      score.planted, score.by_any, score.by_unit_tests, score.by_quick, score.by_nightly);
   if (score.silent > 0) fmt::print("planted: {} that change efficiency or robustness only\n", score.silent);
   if (!score.missed.empty()) fmt::print("not caught: {}\n", fmt::join(score.missed, ", "));
   if (score.random > 0)

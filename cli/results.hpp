@@ -14,11 +14,9 @@ inline std::vector<StudyResult> own_results(const std::string& db) {
   return Store(db, Store::Mode::read).studies(current_provenance().digest);
 }
 
-/// How the gate took this program's mutants, with the reasons in the goldens' folder.
+/// How the gate took this program's mutants, by the lists in the goldens' folder.
 inline std::vector<Mutant> own_mutants(const Store& store, const std::string& goldens) {
-  std::vector<Mutant> mutants = newest(store.mutants(current_provenance().digest));
-  explain(mutants, std::filesystem::path(goldens) / "mutants");
-  return mutants;
+  return reviewed(newest(store.mutants(current_provenance().digest)), std::filesystem::path(goldens) / "mutants");
 }
 
 /// The studies, and what the mutants say on their claim.

@@ -15,12 +15,12 @@ std::string of_all(int part, int all) {
 Table score_table(const std::vector<Mutant>& mutants) {
   const MutantScore score = score_of(mutants);
   Table table{"Score: how many mistakes each part of the gate catches",
-              {"mistakes", "unit tests", "quick gate", "quick or nightly gate", "any of them", "explained"},
+              {"mistakes", "unit tests", "quick gate", "nightly gate, of what these miss", "any of them", "explained"},
               {}};
   Table::Group group;
-  group.rows.push_back({"planted, should show", of_all(score.by_unit_tests, score.planted),
-                        of_all(score.by_quick, score.planted), of_all(score.by_gate, score.planted),
-                        of_all(score.by_any, score.planted), ""});
+  group.rows.push_back(
+      {"planted, should show", of_all(score.by_unit_tests, score.planted), of_all(score.by_quick, score.planted),
+       score.by_nightly == 0 ? "–" : fmt::format("{}", score.by_nightly), of_all(score.by_any, score.planted), ""});
   if (score.silent > 0)
     group.rows.push_back({fmt::format("planted, efficiency or robustness only: {}", score.silent), "", "", "", "", ""});
   if (score.random > 0)
@@ -39,9 +39,17 @@ std::string trial_text(const Mutant& mutant, GateStage stage) {
   return trial->by.empty() ? "caught" : trial->by.front() + more;
 }
 
+/// The one that the unchanged tree has passed last.
+std::string newest_gate(const std::vector<Mutant>& mutants) {
+  std::string gate;
+  for (const Mutant& mutant : mutants)
+    if (mutant.kind == Mutant::Kind::baseline) gate = mutant.gate;
+  return gate;
+}
+
 /// Results of an older gate stay until they are tried anew.
 std::string name_text(const Mutant& mutant, const std::string& gate) {
-  return mutant.gate == gate ? mutant.name : mutant.name + " (earlier gate)";
+  return mutant.trials.empty() || mutant.gate == gate ? mutant.name : mutant.name + " (earlier gate)";
 }
 
 std::string place(const Mutant& mutant) {
@@ -61,7 +69,7 @@ Table grouped(Table table, const std::vector<Mutant>& mutants, const std::functi
 }
 
 Table planted_table(const std::vector<Mutant>& mutants) {
-  const std::string& gate = mutants.back().gate;
+  const std::string gate = newest_gate(mutants);
   return grouped(
       {"Planted mistakes, and what catches them: the first test, the goldens",
        {"mistake", "what", "where", "unit tests", "quick gate", "nightly gate", "reason"},
@@ -80,7 +88,7 @@ Table planted_table(const std::vector<Mutant>& mutants) {
 }
 
 Table survivor_table(const std::vector<Mutant>& mutants) {
-  const std::string& gate = mutants.back().gate;
+  const std::string gate = newest_gate(mutants);
   return grouped(
       {"Random mutations that nothing catches", {"mutation", "where", "line", "with the mutation", "reason"}, {}},
       mutants, [](const Mutant& m) { return m.kind == Mutant::Kind::random && m.builds && !m.caught(); },

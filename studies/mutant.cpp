@@ -30,12 +30,10 @@ void count_planted(MutantScore& score, const Mutant& mutant) {
   ++score.planted;
   score.by_unit_tests += mutant.caught_by(GateStage::unit_tests);
   score.by_quick += mutant.caught_by(GateStage::quick);
+  score.by_nightly += mutant.caught_by(GateStage::nightly);
   score.by_any += mutant.caught();
-  if (!mutant.caught()) score.missed.push_back(mutant.name);
-  if (mutant.caught_by(GateStage::quick) || mutant.caught_by(GateStage::nightly))
-    ++score.by_gate;
-  else
-    score.missed_by_gate.push_back(mutant.name);
+  score.open += mutant.open();
+  if (!mutant.caught() && !mutant.open()) score.missed.push_back(mutant.name);
 }
 
 void count_random(MutantScore& score, const Mutant& mutant) {
@@ -45,12 +43,20 @@ void count_random(MutantScore& score, const Mutant& mutant) {
     ++score.random_caught;
   else if (!mutant.reason.empty())
     ++score.random_explained;
-  else
+  else if (!mutant.open())
     score.unexplained.push_back(mutant.name);
 }
 
-ClaimPart part(const char* statement, bool holds, const std::string& evidence) {
-  return {"X-mutants", statement, holds ? PartVerdict::holds : PartVerdict::fails, evidence, ""};
+PartVerdict catch_verdict(const MutantScore& score) {
+  if (!score.missed.empty()) return PartVerdict::fails;
+  return score.open > 0 ? PartVerdict::inconclusive : PartVerdict::holds;
+}
+
+std::string catch_evidence(const MutantScore& score) {
+  const std::string open = score.open == 0 ? "" : fmt::format(", {} not tried to the end", score.open);
+  const std::string missed = score.missed.empty() ? "" : fmt::format(", not {}", fmt::join(score.missed, ", "));
+  return fmt::format("{} of {}{}{}; {} by the quick gate alone, {} by the unit tests alone", score.by_any,
+                     score.planted, open, missed, score.by_quick, score.by_unit_tests);
 }
 
 }  // namespace
@@ -78,6 +84,11 @@ const Trial* Mutant::trial(GateStage stage) const {
 
 bool Mutant::caught() const {
   return std::ranges::any_of(trials, &Trial::caught);
+}
+
+bool Mutant::open() const {
+  constexpr std::array all{GateStage::unit_tests, GateStage::quick, GateStage::nightly};
+  return builds && !caught() && std::ranges::any_of(all, [this](GateStage stage) { return !trial(stage); });
 }
 
 bool Mutant::caught_by(GateStage stage) const {
@@ -123,14 +134,14 @@ StudyResult mutant_study(const std::vector<Mutant>& mutants) {
   study.kind = "check";
   study.claims = {"X-mutants"};
   if (score.planted == 0) return study;
-  const std::string missed =
-      score.missed_by_gate.empty() ? "" : fmt::format("; not {}", fmt::join(score.missed_by_gate, ", "));
-  study.parts.push_back(part("the goldens catch every planted mistake that an order, an error or a limit can show",
-                             score.missed_by_gate.empty(),
-                             fmt::format("{} of {}, {} by the quick gate{}; {} with the tests", score.by_gate,
-                                         score.planted, score.by_quick, missed, score.by_any)));
+  const auto add = [&study](const char* statement, PartVerdict verdict, const std::string& evidence) {
+    study.parts.push_back({"X-mutants", statement, verdict, evidence, ""});
+  };
+  add("tests and goldens catch every planted mistake that an order, an error or a limit can show", catch_verdict(score),
+      catch_evidence(score));
   if (score.has_baseline)
-    study.parts.push_back(part("they raise no false alarm", score.passes_baseline, "the tree without a mistake"));
+    add("they raise no false alarm", score.passes_baseline ? PartVerdict::holds : PartVerdict::fails,
+        "the tree without a mistake");
   return study;
 }
 

@@ -31,17 +31,18 @@ struct Mutant {
 
   std::string name;
   Kind kind = Kind::planted;
-  std::string what;           ///< the mistake in one sentence
-  std::string file;           ///< from the top of the tree
-  int line = 0;               ///< the first one changed
-  std::string before, after;  ///< its text, without and with the mistake
-  std::string gate;           ///< digest of the sources, tests, studies and goldens
+  std::string what;                     ///< the mistake in one sentence
+  std::string file;                     ///< from the top of the tree
+  int line = 0;                         ///< the first one changed
+  std::string before = {}, after = {};  ///< its text, without and with the mistake
+  std::string gate = {};                ///< digest of the sources, tests, studies and goldens
   bool builds = true;
   std::vector<Trial> trials = {};
   std::string reason = {};  ///< why nothing shows it, as someone explains; not kept in a store
 
   const Trial* trial(GateStage stage) const;  ///< null when it has not met this stage
   bool caught() const;                        ///< by any
+  bool open() const;                          ///< not caught, and some stage has not been met
   bool caught_by(GateStage stage) const;
 };
 
@@ -54,13 +55,14 @@ const Mutant* find_mutant(const std::vector<Mutant>& mutants, const Mutant& want
 /// Of several results under one name the last.
 std::vector<Mutant> newest(const std::vector<Mutant>& mutants);
 
-/// Of the planted mistakes those without a `reason` should show; what does not compile is no mutant.
+/// Of the planted mistakes those without a `reason` should show; what does not compile is no mutant. One that nothing
+/// has caught is open until it has met every stage.
 struct MutantScore {
-  int planted = 0, silent = 0;                                   ///< that should show; that nothing can show
-  int by_unit_tests = 0, by_quick = 0, by_gate = 0, by_any = 0;  ///< of those that should show; gate: quick or nightly
-  int random = 0, random_caught = 0, random_explained = 0;       ///< explained: survivors with a reason
-  std::vector<std::string> missed, unexplained, missed_by_gate;  ///< names; the last: should show, tests or not
-  bool has_baseline = false, passes_baseline = true;             ///< no false alarm
+  int planted = 0, silent = 0, open = 0;                            ///< that should show; that nothing can show; open
+  int by_unit_tests = 0, by_quick = 0, by_nightly = 0, by_any = 0;  ///< of those that should show
+  int random = 0, random_caught = 0, random_explained = 0;          ///< explained: survivors with a reason
+  std::vector<std::string> missed, unexplained;                     ///< names of planted and of random ones
+  bool has_baseline = false, passes_baseline = true;                ///< no false alarm
 };
 
 MutantScore score_of(const std::vector<Mutant>& mutants);

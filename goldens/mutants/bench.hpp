@@ -15,7 +15,7 @@ class Bench {
   /// Builds the program with an edit or, where null, without; false when it does not compile.
   virtual bool build(const Edit* edit) = 0;
 
-  /// Takes what was built last through the stage; what goes on after the limit is stopped, and caught.
+  /// Takes what was built last through the stage; what takes more than the limit is stopped, and caught.
   virtual Trial meet(GateStage stage, std::chrono::seconds limit) = 0;
 
   virtual std::string complaint() const = 0;  ///< the end of what the last build that failed printed

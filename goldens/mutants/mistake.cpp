@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "studies/error.hpp"
@@ -86,6 +88,21 @@ std::vector<Explanation> read_explanations(const std::filesystem::path& file) {
         {filled(table, "file"), filled(table, "before"), filled(table, "after"), filled(table, "reason")});
   }
   return explanations;
+}
+
+std::vector<Mutant> reviewed(std::vector<Mutant> mutants, const std::filesystem::path& folder) {
+  if (mutants.empty() || !std::filesystem::exists(folder / "planted.toml")) return mutants;
+  std::vector<Mutant> all;
+  const auto is_planted = [](const Mutant& m) { return m.kind == Mutant::Kind::planted; };
+  std::ranges::remove_copy_if(mutants, std::back_inserter(all), is_planted);
+  for (const Mistake& mistake : read_mistakes(folder / "planted.toml")) {
+    const auto tried =
+        std::ranges::find_if(mutants, [&](const Mutant& m) { return is_planted(m) && m.name == mistake.name; });
+    all.push_back(tried != mutants.end() ? *tried
+                                         : Mutant{.name = mistake.name, .what = mistake.what, .file = mistake.file});
+  }
+  explain(all, folder);
+  return all;
 }
 
 void explain(std::vector<Mutant>& mutants, const std::filesystem::path& folder) {

@@ -33,6 +33,10 @@ struct Explanation {
   std::string reason;
 };
 
+/// Mutants as someone reviews them: with their reasons; planted ones in the order of the folder's list, without what it
+/// does not name any more, and with what has not been tried. None where no mutant is given.
+std::vector<Mutant> reviewed(std::vector<Mutant> mutants, const std::filesystem::path& folder);
+
 /// Gives mutants their reasons, from `planted.toml` and `explained.toml` in a folder, as far as they are there.
 void explain(std::vector<Mutant>& mutants, const std::filesystem::path& folder);
 

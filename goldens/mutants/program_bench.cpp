@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -15,11 +16,17 @@ using std::chrono::seconds;
 
 namespace {
 
-constexpr seconds build_limit = std::chrono::hours(2);
-constexpr seconds gate_limit = std::chrono::minutes(2);
+constexpr seconds build_limit = std::chrono::hours(6);
+constexpr seconds gate_limit = std::chrono::hours(1);
+constexpr int out_of_time = 128 + SIGXCPU;
 
-/// A mutant may ask for all the memory there is.
-const std::string memory_limit = "--as=8589934592";
+/// A command that gets so much of the processors, whatever else they do, and not all the memory that it may ask for.
+std::vector<std::string> confined_command(seconds limit, const std::vector<std::string>& command) {
+  std::vector<std::string> confined{"prlimit", "--as=8589934592",
+                                    fmt::format("--cpu={}:{}", limit.count(), limit.count() + 10)};
+  confined.insert(confined.end(), command.begin(), command.end());
+  return confined;
+}
 
 /// Far too large for every mutant.
 const std::vector<std::string> cubes{"s-fig12"};
@@ -29,7 +36,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 std::string how_it_ended(const ProcessEnd& end, seconds limit) {
-  if (end.timed_out) return fmt::format("not at its end after {} s", limit.count());
+  if (end.timed_out || end.exit_code == out_of_time) return fmt::format("not at its end after {} s", limit.count());
   return end.exit_code > 128 ? fmt::format("ended by signal {}", end.exit_code - 128)
                              : fmt::format("exit code {}", end.exit_code);
 }
@@ -109,10 +116,17 @@ ProgramBench::ProgramBench(Laboratory& laboratory, int jobs)
     if (!is_in(quick_, name) && !is_in(cubes, name)) nightly_.push_back(name);
 }
 
+/// A compiler that ends without having found an error has told nothing of the mutant.
 ProcessEnd ProgramBench::make(const std::string& target) const {
-  return laboratory_.run(
+  ProcessEnd end = laboratory_.run(
       {"cmake", "--build", laboratory_.build().string(), "--parallel", std::to_string(jobs_), "--target", target},
       build_limit);
+  const bool is_error = end.output.find(" error: ") != std::string::npos;
+  const bool is_killed = end.output.find("Killed signal") != std::string::npos;
+  if (!end.good() && (!is_error || is_killed))
+    throw UsageError(
+        fmt::format("cannot build {}: {} (memory and disk for a compiler)", target, last_lines(end.output)));
+  return end;
 }
 
 bool ProgramBench::build(const Edit* edit) {
@@ -141,6 +155,11 @@ Trial ProgramBench::meet(GateStage stage, seconds limit) {
   return trial;
 }
 
+/// Of what waits for ever, instead of working, the processors see nothing.
+ProcessEnd ProgramBench::run(const std::vector<std::string>& command, seconds limit) const {
+  return laboratory_.run(confined_command(jobs_ * limit, command), 20 * limit);
+}
+
 /// Test programs are built one by one: most mistakes need no more than the first.
 Trial ProgramBench::run_unit_tests(seconds limit) const {
   Trial trial{.stage = GateStage::unit_tests};
@@ -150,9 +169,8 @@ Trial ProgramBench::run_unit_tests(seconds limit) const {
       trial.by = {test + ": does not compile"};
       return trial;
     }
-    const ProcessEnd end = laboratory_.run({"prlimit", memory_limit, program(test), "--gtest_fail_fast",
-                                            "--gtest_color=no", "--gtest_filter=-*Nightly*:PlantedMistakes.*"},
-                                           limit);
+    const ProcessEnd end = run(
+        {program(test), "--gtest_fail_fast", "--gtest_color=no", "--gtest_filter=-*Nightly*:PlantedMistakes.*"}, limit);
     if (end.good()) continue;
     trial.caught = true;
     const std::string ending =
@@ -167,24 +185,23 @@ Trial ProgramBench::run_gate(GateStage stage, const std::vector<std::string>& st
   const std::string db = (laboratory_.build() / (to_string(stage) + ".db")).string();
   fs::remove(db);
   fs::remove(db + "-journal");
-  std::vector<std::string> study{"prlimit", memory_limit, program("mpmvv"), "study",
-                                 "--db",    db,           "--jobs",         std::to_string(jobs_)};
+  std::vector<std::string> study{program("mpmvv"), "study", "--db", db, "--jobs", std::to_string(jobs_)};
   std::vector<std::string> gate{program("mpmvv"), "gate", "--db", db, "--json"};
   for (const std::string& name : studies) {
     study.push_back(fmt::format("studies/{}.toml", name));
     gate.insert(gate.end(), {"--only", name});
   }
   Trial trial{.stage = stage};
-  const ProcessEnd run = laboratory_.run(study, limit);
-  if (run.timed_out || run.exit_code > 1) {
+  const ProcessEnd ran = run(study, limit);
+  if (ran.timed_out || ran.exit_code > 1) {
     trial.caught = true;
-    trial.by = {"the studies: " + how_it_ended(run, limit)};
+    trial.by = {"the studies: " + how_it_ended(ran, limit)};
     return trial;
   }
   const ProcessEnd judged = laboratory_.run(gate, gate_limit);
-  trial.caught = !run.good() || !judged.good();
+  trial.caught = !ran.good() || !judged.good();
   if (trial.caught) trial.by = goldens_not_passed(judged.output);
-  if (trial.caught && trial.by.empty()) trial.by = {"the studies: " + how_it_ended(run, limit)};
+  if (trial.caught && trial.by.empty()) trial.by = {"the studies: " + how_it_ended(ran, limit)};
   return trial;
 }
 

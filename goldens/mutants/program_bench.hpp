@@ -20,6 +20,7 @@ class ProgramBench final : public Bench {
 
  private:
   ProcessEnd make(const std::string& target) const;
+  ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit) const;
   Trial run_unit_tests(std::chrono::seconds limit) const;
   Trial run_gate(GateStage stage, const std::vector<std::string>& studies, std::chrono::seconds limit) const;
   std::string program(const std::string& name) const { return (laboratory_.build() / name).string(); }

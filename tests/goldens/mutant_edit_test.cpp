@@ -104,6 +104,19 @@ TEST_F(MutantFiles, ReasonsReachTheirMutants) {
   EXPECT_EQ(mutants[2].reason, "");
 }
 
+TEST_F(MutantFiles, WhatIsReviewedFollowsTheList) {
+  std::ofstream(folder_ / "planted.toml") << sign;
+  EXPECT_TRUE(reviewed({}, folder_).empty());
+  std::vector<Mutant> mutants(2);
+  mutants[0].name = "no longer planted";
+  mutants[1].kind = Mutant::Kind::random;
+  const auto all = reviewed(mutants, folder_);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].kind, Mutant::Kind::random);
+  EXPECT_EQ(all[1].name, "sign");
+  EXPECT_TRUE(all[1].open());
+}
+
 TEST(Edits, LinesAreWholeWithoutTheirIndentation) {
   const std::string text = "first\n  second line\n  third\n";
   EXPECT_EQ(line_of(text, text.find("line")), 2);

@@ -23,7 +23,7 @@ Mutant mutant(const std::string& name, std::vector<Trial> trials, const std::str
           .trials = std::move(trials)};
 }
 
-const Trial passes{GateStage::unit_tests, false, {}, 1.5};
+const Trial passes{GateStage::unit_tests, false, {}, 1.5}, quick{GateStage::quick}, nightly{GateStage::nightly};
 const Trial caught{GateStage::quick, true, {"s-fig10: order of 'linear' in l2", "w-one: value 'x'"}, 60};
 
 using MutantStore = StoreTest;
@@ -72,30 +72,33 @@ TEST_F(MutantStore, MergingCopiesWhatIsNotThere) {
 }
 
 std::vector<Mutant> sample() {
-  std::vector<Mutant> all{mutant("baseline", {passes}), mutant("seen", {passes, caught}),
-                          mutant("by tests", {{GateStage::unit_tests, true, {"A.B"}, 1}}), mutant("missed", {passes}),
+  std::vector<Mutant> all{mutant("baseline", {passes}),
+                          mutant("seen", {passes, caught}),
+                          mutant("by tests", {{GateStage::unit_tests, true, {"A.B"}, 1}}),
+                          mutant("missed", {passes, quick, nightly}),
+                          mutant("open", {passes, quick}),
                           mutant("silent", {passes})};
   all[0].kind = Mutant::Kind::baseline;
-  all[4].reason = "efficiency only";
+  all[5].reason = "efficiency only";
   for (const char* name : {"caught", "equal", "hole", "broken"}) {
-    all.push_back(mutant(name, {passes}));
+    all.push_back(mutant(name, {passes, quick, nightly}));
     all.back().kind = Mutant::Kind::random;
   }
-  all[5].trials.push_back(caught);
-  all[6].reason = "equivalent";
-  all[8].builds = false;
+  all[6].trials[1] = caught;
+  all[7].reason = "equivalent";
+  all[9].builds = false;
   return all;
 }
 
 TEST(MutantScores, CountWhatCatchesWhat) {
   const MutantScore score = score_of(sample());
-  EXPECT_EQ(score.planted, 3);
+  EXPECT_EQ(score.planted, 4);
   EXPECT_EQ(score.silent, 1);
   EXPECT_EQ(score.by_unit_tests, 1);
   EXPECT_EQ(score.by_quick, 1);
   EXPECT_EQ(score.by_any, 2);
   EXPECT_THAT(score.missed, testing::ElementsAre("missed"));
-  EXPECT_THAT(score.missed_by_gate, testing::ElementsAre("by tests", "missed"));
+  EXPECT_EQ(score.open, 1);
   EXPECT_EQ(score.random, 3);
   EXPECT_EQ(score.random_caught, 1);
   EXPECT_EQ(score.random_explained, 1);
@@ -112,7 +115,9 @@ TEST(MutantScores, JudgeTheirClaim) {
   EXPECT_EQ(verdict_on_mutants({}), "open");
   EXPECT_EQ(verdict_on_mutants(sample()), "partly");
   std::vector<Mutant> all = sample();
-  std::erase_if(all, [](const Mutant& m) { return m.name == "missed" || m.name == "by tests"; });
+  std::erase_if(all, [](const Mutant& m) { return m.name == "missed"; });
+  EXPECT_EQ(verdict_on_mutants(all), "partly") << "one has not met every stage";
+  std::erase_if(all, [](const Mutant& m) { return m.name == "open"; });
   EXPECT_EQ(verdict_on_mutants(all), "confirmed");
 }
 
