@@ -15,11 +15,11 @@ namespace mpmvv {
 
 namespace {
 
-constexpr std::array analysis_files{"studies/norms.hpp",        "studies/observed_order.cpp",
-                                    "studies/floor_model.cpp",  "studies/stability_limit.cpp",
-                                    "studies/run/fill.cpp",     "studies/run/nodal_error.cpp",
-                                    "studies/run/run_case.cpp", "studies/run/scene.cpp",
-                                    "studies/run/settings.cpp", "studies/run/sphere_patch.hpp"};
+constexpr std::array analysis_files{
+    "studies/norms.hpp",           "studies/observed_order.cpp",  "studies/floor_model.cpp",
+    "studies/stability_limit.cpp", "studies/extrapolation.cpp",   "studies/replicates.cpp",
+    "studies/run/fill.cpp",        "studies/run/nodal_error.cpp", "studies/run/run_case.cpp",
+    "studies/run/scene.cpp",       "studies/run/settings.cpp",    "studies/run/sphere_patch.hpp"};
 
 /// Collects the mutations of one text.
 class MutationFinder {
