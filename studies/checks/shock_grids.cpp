@@ -2,20 +2,38 @@
 
 namespace mpmvv {
 
+namespace {
+
+/// How far apart neighbouring columns of the plateau's particles are, over det F of the particles between them: 1 where
+/// positions and deformation gradients tell of one motion.
+double spacing_over_volume_ratio(const ShockedBar& bar) {
+  const auto& particles = bar.body.mpm().particles();
+  const Profile J = profile(bar.body, [&](std::size_t p) { return particles.thermal[p].J; });
+  const double column = bar.body.mpm().grid().h() / bar.body.resolution().ppc;
+  Profile ratio;
+  for (std::size_t k = 1; k + 1 < J.x.size(); ++k)
+    ratio.x.push_back(J.x[k]), ratio.y.push_back((J.x[k + 1] - J.x[k - 1]) / (2 * column * J.y[k]));
+  return bar.plateau(ratio).mean;
+}
+
+}  // namespace
+
 CheckResult check_shock_grids() {
   const std::vector<double> cells{8, 10, 13, 16, 20};
   const mms::Hugoniot shock = theoretical_shock();
-  std::vector<double> plateau, front, temperature;
+  std::vector<double> plateau, front, temperature, spacing;
   for (const double n : cells) {
     const ShockedBar bar({"FMPM(4)", "fmpm", "4", true}, static_cast<int>(n), "2.4e-6", shock);
     plateau.push_back(bar.plateau(bar.pressure).mean / shock.pressure());
     temperature.push_back(bar.plateau(bar.temperature).mean / shock.temperature());
     front.push_back(bar.front / bar.expected_front);
+    spacing.push_back(spacing_over_volume_ratio(bar));
   }
   CheckResult result;
   result.add_curve("plateau pressure", cells, plateau);
   result.add_curve("plateau temperature", cells, temperature);
   result.add_curve("way of the front", cells, front);
+  result.add_curve("spacing over det F", cells, spacing);
   return result;
 }
 
