@@ -134,13 +134,16 @@ TEST(Gate, IntervalsOfReplicatesComeBeforeThoseOfResiduals) {
 TEST(Gate, AWindowThatWasAsymptoticHasToStaySo) {
   OrderGolden golden{"a", "l2", 2, 1.85, 2.15};
   golden.asymptotic = true;
-  const auto with = [&](bool asymptotic) {
+  const auto with = [&](double last_segment) {
     return judge(Golden{"s", "s.toml:9", golden},
-                 [&](StudyResult& s) { s.series[0].orders[0].asymptotic = asymptotic; })
+                 [&](StudyResult& s) {
+                   s.series[0].orders[0].segments = {{8, 16, 1}, {16, 32, 2}, {32, 64, last_segment}};
+                 })
         .verdict;
   };
-  EXPECT_EQ(with(true), Verdict::pass);
-  EXPECT_EQ(with(false), Verdict::inconclusive);
+  EXPECT_EQ(with(2.1), Verdict::pass);
+  EXPECT_EQ(with(1.65), Verdict::pass) << "just not asymptotic is no alarm";
+  EXPECT_EQ(with(1.5), Verdict::inconclusive);
 }
 
 TEST(Gate, AnErrorThatGrowsFailsThoughTheOrderHolds) {
