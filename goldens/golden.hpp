@@ -16,9 +16,9 @@ inline constexpr double limit_band = 0.05;  ///< relative
 
 /// The fitted order of a series in a norm. Where a window is given, the fit over that window is meant; where a number
 /// of points is given, a fit over fewer fails; in a window that was asymptotic when reviewed segment orders may scatter
-/// twice as much as that allows. An interval wider than the band, and wider than half as much again as the one reviewed,
-/// decides nothing. An error at the finest level that has grown by more than the band of errors fails, although the
-/// order holds.
+/// twice as much as that allows. An interval wider than the band, and wider than half as much again as the one
+/// reviewed, decides nothing. An error at the finest level that has grown by more than the band of errors fails,
+/// although the order holds.
 struct OrderGolden {
   std::string series, norm;
   double expected = 0, lower = 0, upper = 0;
