@@ -131,11 +131,15 @@ int study(const StudyOptions& options) {
   const auto outcomes = run_studies(plans, store, {options.jobs, progress_line()}, counts);
   std::size_t failed = 0;
   for (const StudyOutcome& outcome : outcomes) {
-    print_study(outcome.result);
     failed += outcome.failed;
+    if (outcome.trouble.empty())
+      print_study(outcome.result);
+    else
+      fmt::print(stderr, "study {} is not kept: {}\n", outcome.result.name, outcome.trouble);
   }
   fmt::print("{} cases run, {} taken from {}, {} failed\n", counts.ran, counts.reused, options.db, failed);
-  return failed == 0 ? 0 : 1;
+  const bool all_kept = std::ranges::all_of(outcomes, [](const auto& outcome) { return outcome.trouble.empty(); });
+  return failed == 0 && all_kept ? 0 : 1;
 }
 
 }  // namespace

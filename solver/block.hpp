@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "solver/basis/basis.hpp"
 #include "solver/grid.hpp"
@@ -33,20 +34,27 @@ struct Block {
   Vec<D> b[block_size<D>];          ///< body acceleration, by EvaluateBodyForce
 };
 
+/// What a sweep evaluates at its particles' nodes. Gradients are a third of the work, and many operations use none.
+enum class Evaluates { weights, weights_and_gradients };
+
 /// A block with the nodes that each of its particles reaches. Weights and gradients are kept per axis; a `Stencil`
 /// forms their products.
-template <int D, int K>
+template <int D, int K, Evaluates evaluates = Evaluates::weights_and_gradients>
 struct PointBlock : Block<D> {
   int first[block_size<D>];        ///< storage index of the first node
   double N[D][K][block_size<D>];   ///< weights
   double dN[D][K][block_size<D>];  ///< gradients, per length
 
-  Stencil<D, K> stencil(int k, const Grid<D>& grid) const {
-    Stencil<D, K> s;
+  auto stencil(int k, const Grid<D>& grid) const {
+    constexpr bool gradients = evaluates == Evaluates::weights_and_gradients;
+    std::conditional_t<gradients, Stencil<D, K>, Weights<D, K>> s;
     s.first = static_cast<std::size_t>(first[k]);
     for (int d = 0; d < D; ++d) {
       s.stride[static_cast<std::size_t>(d)] = grid.stride(d);
-      for (int i = 0; i < K; ++i) s.N[d][i] = N[d][i][k], s.dN[d][i] = dN[d][i][k];
+      for (int i = 0; i < K; ++i) {
+        s.N[d][i] = N[d][i][k];
+        if constexpr (gradients) s.dN[d][i] = dN[d][i][k];
+      }
     }
     return s;
   }
@@ -61,9 +69,9 @@ inline double confined(double value, double least, double most, int& strays) {
 
 /// Evaluates the stencils of a block at its particles' positions. A particle out of reach of the grid, or a NaN, is
 /// a fault; its stencil then lies somewhere inside storage, and the caller stops the run.
-template <int D, class B>
+template <int D, class B, Evaluates evaluates>
 Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
-                        PointBlock<D, B::support>& block) {
+                        PointBlock<D, B::support, evaluates>& block) {
   const double inverse_h = 1 / grid.h();
   const int count = block.count;
   int outside = 0, outgrown = 0;
@@ -85,7 +93,7 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
       block.first[k] += stride * basis.evaluate({xi, cells, width[k]}, N, dN);
       for (int i = 0; i < B::support; ++i) {
         block.N[d][i][k] = N[i];
-        block.dN[d][i][k] = dN[i] * inverse_h;
+        if constexpr (evaluates == Evaluates::weights_and_gradients) block.dN[d][i][k] = dN[i] * inverse_h;
       }
     }
   }

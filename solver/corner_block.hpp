@@ -7,7 +7,7 @@
 namespace mpmvv::solver {
 
 /// A block with the nodes that the corners of each particle's domain reach; a `CornerStencil` puts them together.
-template <int D, int K>
+template <int D, int K, Evaluates evaluates = Evaluates::weights_and_gradients>
 struct CornerBlock : Block<D> {
   static constexpr int corners = CornerStencil<D, K>::corners;
   int first[corners][block_size<D>];       ///< storage index of the first node
@@ -23,16 +23,16 @@ struct CornerBlock : Block<D> {
         for (int i = 0; i < K; ++i) s.at[c].N[d][i] = S[c][d][i][k];
       }
     }
-    s.slope.template topRows<D>() = slope[k];
+    if constexpr (evaluates == Evaluates::weights_and_gradients) s.slope.template topRows<D>() = slope[k];
     return s;
   }
 };
 
 /// Evaluates the basis at the corners of the domains of a block's particles. Faults as for a block of points; a corner
 /// more than `domain_reach` cells from its particle is one, too.
-template <int D, class B>
+template <int D, class B, Evaluates evaluates>
 Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
-                        CornerBlock<D, B::support>& block) {
+                        CornerBlock<D, B::support, evaluates>& block) {
   using Corners = CornerStencil<D, B::support>;
   const double inverse_h = 1 / grid.h();
   const int count = block.count;
@@ -62,8 +62,10 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
         for (int i = 0; i < B::support; ++i) block.S[c][d][i][k] = N[i];
       }
   }
-  const double factor = 2 * inverse_h / Corners::corners;
-  for (int k = 0; k < count; ++k) block.slope[k] = factor * R[k].inverse().transpose();
+  if constexpr (evaluates == Evaluates::weights_and_gradients) {
+    const double factor = 2 * inverse_h / Corners::corners;
+    for (int k = 0; k < count; ++k) block.slope[k] = factor * R[k].inverse().transpose();
+  }
   return (outside > 0 ? Fault::outside : Fault::none) | (outgrown > 0 ? Fault::outgrown : Fault::none);
 }
 

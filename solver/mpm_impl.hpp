@@ -322,7 +322,10 @@ template <int D>
 void Mpm<D>::update_particles(double dt, double dt_deformation) {
   const auto* flip = std::get_if<Flip>(&scene_.velocity_update);
   const UpdateVelocity<D> velocity{particles_, grid_, dt};
-  if (!flip || flip->position != FlipPosition::first_order)
+  const bool is_plain = flip && flip->position == FlipPosition::first_order;
+  if (!is_plain && dt_deformation == 0)
+    sweep_and_settle(UpdateVelocityAndPosition<D>{particles_, grid_, velocity_fields(dt), dt});
+  else if (!is_plain)
     sweep_and_settle(UpdateParticle<D>{particles_, grid_, velocity_fields(dt), dt, deformation_step(dt_deformation)});
   else if (dt_deformation == 0)
     sweep_and_settle(velocity, UpdatePosition<D>{particles_, grid_, dt});

@@ -40,6 +40,7 @@ struct MapMomentum {
 /// f_i = -Σ_p V_p σ_p ∇N_ip = -Σ_p V⁰_p τ_p ∇N_ip              S (4), W (14)
 template <int D>
 struct MapInternalForce {
+  static constexpr bool uses_gradients = true;
   const Particles<D>& particles;
   Grid<D>& grid;
 
@@ -51,6 +52,7 @@ struct MapInternalForce {
 /// f_i = Σ_p (N_ip m_p b_p - V⁰_p τ_p ∇N_ip)                   S (4), (16)
 template <int D>
 struct MapForces {
+  static constexpr bool uses_gradients = true;
   const Particles<D>& particles;
   Grid<D>& grid;
 
@@ -87,6 +89,7 @@ struct UpdatePosition {
 /// F_p follows L_p = Σ_i v_i ⊗ ∇N_ip                           S (7), (8), W (10), (11)
 template <int D>
 struct UpdateDeformation {
+  static constexpr bool uses_gradients = true;
   Particles<D>& particles;
   const Grid<D>& grid;
   DeformationStep<D> deform;
@@ -99,6 +102,7 @@ struct UpdateDeformation {
 /// Position and deformation by the same grid velocity, gathered once.
 template <int D>
 struct UpdatePositionAndDeformation {
+  static constexpr bool uses_gradients = true;
   Particles<D>& particles;
   const Grid<D>& grid;
   double dt;

@@ -42,6 +42,14 @@ NodeLoop<Ops...> node_loop(const Ops&... ops) {
     return {std::tuple<Ops...>{ops...}};
 }
 
+template <class Op>
+inline constexpr bool uses_gradients = false;
+template <class Op>
+  requires Op::uses_gradients
+inline constexpr bool uses_gradients<Op> = true;
+template <class... Ops>
+inline constexpr bool uses_gradients<NodeLoop<Ops...>> = (uses_gradients<Ops> || ...);
+
 /// A stage either returns nothing or the faults that it found.
 template <int D, class Stage>
 Fault run_stage(Stage& stage, auto& block, const Grid<D>& grid) {
@@ -54,25 +62,28 @@ Fault run_stage(Stage& stage, auto& block, const Grid<D>& grid) {
 }
 
 /// The block of a basis.
-template <int D, class B>
-using BlockFor =
-    std::conditional_t<B::width == ParticleWidth::domain, CornerBlock<D, B::support>, PointBlock<D, B::support>>;
+template <int D, class B, Evaluates evaluates = Evaluates::weights_and_gradients>
+using BlockFor = std::conditional_t<B::width == ParticleWidth::domain, CornerBlock<D, B::support, evaluates>,
+                                    PointBlock<D, B::support, evaluates>>;
 
 /// Whether the stages of a sweep add to nodes.
 enum class Adds { nothing, to_nodes };
 
-/// One visit to all particles: per block the stencils once, then every stage in turn. Where stages add to nodes, slabs
+/// One visit to all particles: per block the stencils once, then every stage in turn, gradients where one says that it
+/// `uses_gradients`. Where stages add to nodes, slabs
 /// of one colour, which share none, run at once; the order of additions on a node does not depend on the number of
 /// threads.
 template <Adds adds, int D, class B, class... Stages>
 Fault sweep(const B& basis, const Particles<D>& particles, const Grid<D>& grid, const Slabs<D>& slabs, Team& team,
             const Stages&... stages) {
+  constexpr Evaluates evaluates =
+      (uses_gradients<Stages> || ...) ? Evaluates::weights_and_gradients : Evaluates::weights;
   constexpr int colours = adds == Adds::to_nodes ? 2 : 1;
   std::atomic<unsigned> faults{0};
   for (int colour = 0; colour < colours; ++colour) {
     team.run((slabs.count() - colour + colours - 1) / colours, [&](int task) {
       std::tuple<Stages...> own{stages...};
-      BlockFor<D, B> block;
+      BlockFor<D, B, evaluates> block;
       block.slab = colours * task + colour;
       const auto [begin, end] = slabs.particles(block.slab);
       Fault found = Fault::none;

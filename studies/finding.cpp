@@ -14,21 +14,11 @@ namespace mpmvv {
 
 namespace {
 
-/// Quantities of a point that are no errors.
-constexpr std::array by_products{"wall_seconds",
-                                 "ns_per_particle_step",
-                                 "step_seconds",
-                                 "step_seconds_spread",
-                                 "kinetic",
-                                 "strain",
-                                 "initial_total",
-                                 "particles",
-                                 "steps",
-                                 "dt",
-                                 "cfl"};
-
+/// Also of what a check's curves are called.
 bool is_error(const std::string& quantity) {
-  return std::ranges::find(by_products, quantity) == by_products.end();
+  const auto has_its_name = [&](const RunNumber& number) { return quantity == number.name; };
+  return std::ranges::none_of(run_by_products(), has_its_name) && quantity != "particles" && quantity != "steps" &&
+         quantity != "dt";
 }
 
 /// What is fitted or drawn of a series against the swept value.

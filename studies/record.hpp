@@ -47,9 +47,6 @@ inline double energy_loss(const Energy& e) {
   return e.initial_total > 0 ? 1 - (e.kinetic + e.strain) / e.initial_total : not_measured;
 }
 
-/// What fits, criteria and goldens may ask of a run: its errors, its energy loss, its balances.
-const std::vector<std::string>& norm_words();
-
 /// Measured alone on the machine, on one thread, in its processor time: median over the repetitions, and their range
 /// over the median.
 struct Cost {
@@ -72,5 +69,22 @@ struct Record {
   double ns_per_particle_step = not_measured;  ///< step loop alone; of a cost case the median
   Cost cost = {};                              ///< where the case asks for it
 };
+
+/// A number of a run under the name by which stores, fits and figures know it.
+struct RunNumber {
+  const char* name;
+  const double& (*get)(const Record&);
+  double& (*set)(Record&);
+
+  template <class Member>
+  RunNumber(const char* its_name, Member member) : name(its_name), get(member), set(member) {}
+};
+
+/// Errors and balances; what is measured besides. The one place where a new number of a run gets its name.
+const std::vector<RunNumber>& run_errors();
+const std::vector<RunNumber>& run_by_products();
+
+/// What fits, criteria and goldens may ask of a run: its errors and balances, and the energy loss.
+const std::vector<std::string>& norm_words();
 
 }  // namespace mpmvv

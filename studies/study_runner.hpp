@@ -23,6 +23,7 @@ struct RunnerOptions {
 struct StudyOutcome {
   StudyResult result;
   std::size_t failed = 0;  ///< cases with status `failed`
+  std::string trouble;     ///< why it could not be brought to its end and was not kept; else empty
 };
 
 struct RunnerCounts {

@@ -181,28 +181,32 @@ Trial ProgramBench::run_unit_tests(seconds limit) const {
   return trial;
 }
 
+/// Study by study: most mistakes need no more than the first few.
 Trial ProgramBench::run_gate(GateStage stage, const std::vector<std::string>& studies, seconds limit) const {
   const std::string db = (laboratory_.build() / (to_string(stage) + ".db")).string();
   fs::remove(db);
   fs::remove(db + "-journal");
-  std::vector<std::string> study{program("mpmvv"), "study", "--db", db, "--jobs", std::to_string(jobs_)};
-  std::vector<std::string> gate{program("mpmvv"), "gate", "--db", db, "--json"};
-  for (const std::string& name : studies) {
-    study.push_back(fmt::format("studies/{}.toml", name));
-    gate.insert(gate.end(), {"--only", name});
-  }
   Trial trial{.stage = stage};
-  const ProcessEnd ran = run(study, limit);
-  if (ran.timed_out || ran.exit_code > 1) {
-    trial.caught = true;
-    trial.by = {"the studies: " + how_it_ended(ran, limit)};
-    return trial;
+  for (const std::string& study : studies) {
+    trial.by = complaints_of(study, db, limit);
+    trial.caught = !trial.by.empty();
+    if (trial.caught) break;
   }
-  const ProcessEnd judged = laboratory_.run(gate, gate_limit);
-  trial.caught = !ran.good() || !judged.good();
-  if (trial.caught) trial.by = goldens_not_passed(judged.output);
-  if (trial.caught && trial.by.empty()) trial.by = {"the studies: " + how_it_ended(ran, limit)};
   return trial;
+}
+
+std::vector<std::string> ProgramBench::complaints_of(const std::string& study, const std::string& db,
+                                                     seconds limit) const {
+  const ProcessEnd ran = run({program("mpmvv"), "study", "--db", db, "--jobs", std::to_string(jobs_),
+                              fmt::format("studies/{}.toml", study)},
+                             limit);
+  const std::string ending = fmt::format("{}: {}", study, how_it_ended(ran, limit));
+  if (ran.timed_out || ran.exit_code > 1) return {ending};
+  const ProcessEnd judged =
+      laboratory_.run({program("mpmvv"), "gate", "--db", db, "--json", "--only", study}, gate_limit);
+  if (ran.good() && judged.good()) return {};
+  const auto goldens = goldens_not_passed(judged.output);
+  return goldens.empty() ? std::vector{ending} : goldens;
 }
 
 }  // namespace mpmvv

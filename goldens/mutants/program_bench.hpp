@@ -23,6 +23,9 @@ class ProgramBench final : public Bench {
   ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit) const;
   Trial run_unit_tests(std::chrono::seconds limit) const;
   Trial run_gate(GateStage stage, const std::vector<std::string>& studies, std::chrono::seconds limit) const;
+  /// What does not pass of one study, run and judged; empty when all of it passes.
+  std::vector<std::string> complaints_of(const std::string& study, const std::string& db,
+                                         std::chrono::seconds limit) const;
   std::string program(const std::string& name) const { return (laboratory_.build() / name).string(); }
 
   Laboratory& laboratory_;

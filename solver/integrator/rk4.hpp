@@ -9,6 +9,7 @@ namespace mpmvv::solver {
 /// stage (`next` = 0) y = y^{n+1}, the sum.
 template <int D>
 struct AdvanceStage {
+  static constexpr bool uses_gradients = true;
   Particles<D>& particles;
   const Grid<D>& grid;
   double weight, next;  ///< s

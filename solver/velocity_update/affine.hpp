@@ -18,7 +18,7 @@ template <int D, int K>
 struct Arms {
   double length[D][K];
 
-  Arms(const Stencil<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x) {
+  Arms(const Weights<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x) {
     const Index<D> first = grid.index(nodes.first);
     for (int d = 0; d < D; ++d)
       for (int i = 0; i < K; ++i)
@@ -28,7 +28,7 @@ struct Arms {
 
 /// Calls visit(n, N_ip, x_i - x_p) for each node.
 template <int D, int K, class Visit>
-void for_arms(const Stencil<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x, const Visit& visit) {
+void for_arms(const Weights<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x, const Visit& visit) {
   const Arms<D, K> arms(nodes, grid, x);
   Index<D> i{};
   do {
@@ -49,7 +49,7 @@ void for_arms(const Stencil<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x, 
 
 /// p_i += N_ip m_p (v_p + C_p (x_i - x_p)), and the mass.
 template <int D, int K>
-[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, std::size_t p, const Stencil<D, K>& nodes,
+[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, std::size_t p, const Weights<D, K>& nodes,
                                       Grid<D>& grid) {
   for_arms(nodes, grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
     const Vec<D> v = particles.v[p] + particles.C[p] * arm;
@@ -59,7 +59,7 @@ template <int D, int K>
 
 /// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹
 template <int D, int K>
-[[gnu::noinline]] void gather_affine(Particles<D>& particles, std::size_t p, const Stencil<D, K>& nodes,
+[[gnu::noinline]] void gather_affine(Particles<D>& particles, std::size_t p, const Weights<D, K>& nodes,
                                      const Grid<D>& grid) {
   Mat<D> moment = Mat<D>::Zero();
   Vec<D> inertia = Vec<D>::Zero();

@@ -21,9 +21,11 @@ class ExpandedInverse {
   /// w = m̃_k⁻¹ m w₁, from the lumped velocities w₁ given. Walls hold nothing meanwhile; or, held nodes eliminated, they
   /// keep w₁ there, and the rest of w tends to the solution of (m̃ w)_i = m_i w₁_i on the nodes i that are free.
   void apply(Mpm<D>& s, int order, bool eliminates, Field& w) {
-    start_ = w;
+    s.for_nodes([&](std::size_t n) {
+      start_[n] = w[n];
+      image_[n].setZero();
+    });
     for (int term = 1; term < order; ++term) {
-      s.for_nodes([&](std::size_t n) { image_[n].setZero(); });
       s.sweep(node_loop(MapRoundTrip<D>{s.particles(), w, image_}));
       s.fold(image_);
       s.for_nodes([&](std::size_t n) {
@@ -31,7 +33,10 @@ class ExpandedInverse {
         image_[n] = start_[n] - share * image_[n];
       });
       if (eliminates) s.constrain(image_);
-      s.for_nodes([&](std::size_t n) { w[n] += image_[n]; });
+      s.for_nodes([&](std::size_t n) {
+        w[n] += image_[n];
+        image_[n].setZero();
+      });
     }
   }
 

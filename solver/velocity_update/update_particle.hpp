@@ -27,6 +27,7 @@ void keep_affine(Particles<D>& particles, std::size_t p, const auto& nodes, cons
 /// Tasks 4 and 5 of N table 1.
 template <int D>
 struct UpdateParticle {
+  static constexpr bool uses_gradients = true;
   Particles<D>& particles;
   const Grid<D>& grid;
   VelocityFields<D> fields;
@@ -40,6 +41,22 @@ struct UpdateParticle {
     particles.x[p] += dt * advance.rate;
     particles.v[p] = advance.velocity;
     deform(particles.F[p], v.gradient);
+  }
+};
+
+/// Task 4 alone, where F has gone before.
+template <int D>
+struct UpdateVelocityAndPosition {
+  Particles<D>& particles;
+  const Grid<D>& grid;
+  VelocityFields<D> fields;
+  double dt;
+
+  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+    const Advance<D> advance(fields, particles.v[p], nodes.gather(grid.v).template head<D>(), nodes);
+    keep_affine(particles, p, nodes, grid);
+    particles.x[p] += dt * advance.rate;
+    particles.v[p] = advance.velocity;
   }
 };
 

@@ -19,30 +19,19 @@ namespace mpmvv {
 
 namespace {
 
+/// What its check or its search for a limit could not do.
+struct StudyTrouble : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 Point point_of(double x, const Record& r) {
   Point point{x, r.status, r.reason, {}};
   const auto add = [&point](const char* name, double value) {
     if (!std::isnan(value)) point.y[name] = value;
   };
-  add("l1", r.error.l1);
-  add("l2", r.error.l2);
-  add("linf", r.error.linf);
-  add("l1_all_steps", r.error.l1_all_steps);
-  add("l2_all_steps", r.error.l2_all_steps);
-  add("linf_all_steps", r.error.linf_all_steps);
+  for (const RunNumber& number : run_errors()) add(number.name, number.get(r));
+  for (const RunNumber& number : run_by_products()) add(number.name, number.get(r));
   add("energy_loss", energy_loss(r.energy));
-  add("nodal_l1", r.error.nodal_l1);
-  add("nodal_l2", r.error.nodal_l2);
-  add("nodal_linf", r.error.nodal_linf);
-  add("velocity_error", r.error.velocity);
-  add("stress_error", r.error.stress);
-  add("mass_change", r.balance.mass);
-  add("momentum_change", r.balance.momentum);
-  add("angular_momentum_change", r.balance.angular_momentum);
-  add("wall_seconds", r.wall_seconds);
-  add("ns_per_particle_step", r.ns_per_particle_step);
-  add("step_seconds", r.cost.step_seconds);
-  add("step_seconds_spread", r.cost.spread);
   return point;
 }
 
@@ -92,7 +81,7 @@ Series swept_series(const StudyPlan& plan, const SeriesPlan& series, std::span<c
 }
 
 Probe probe_of(double value, const Record& r) {
-  if (r.status == Status::failed) throw std::runtime_error(fmt::format("a probe at {} failed: {}", value, r.reason));
+  if (r.status == Status::failed) throw StudyTrouble(fmt::format("a probe at {} failed: {}", value, r.reason));
   return {value, r.status == Status::ok, r.reason};
 }
 
@@ -145,54 +134,86 @@ CheckResult check_result(const StudyPlan& plan, const std::vector<StudyResult>& 
       for (Series& series : result.series) series.orders.clear(), series.extrapolations.clear();
       return result;
     }
-  return find_check(plan.check, plan.name).run();
+  try {
+    return find_check(plan.check, plan.name).run();
+  } catch (const std::exception& e) {
+    throw StudyTrouble(fmt::format("its check ended early: {}", e.what()));
+  }
 }
 
-}  // namespace
+class StudyRunner {
+ public:
+  StudyRunner(Store& store, const RunnerOptions& options)
+      : store_(store), options_(options), stored_(store.studies(provenance_.digest)), pool_(store, options) {}
 
-std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, Store& store, const RunnerOptions& options,
-                                      RunnerCounts& counts) {
-  const Provenance provenance = current_provenance();
-  const auto stored = store.studies(provenance.digest);
-  CasePool pool(store, options);
-  std::vector<Case> untimed;
-  for (const StudyPlan& plan : plans)
-    for (const Case& c : sweep_cases(plan))
-      if (c.measure.repeat == 0) untimed.push_back(c);
-  pool.get(untimed);
+  void run_untimed(const std::vector<StudyPlan>& plans) {
+    std::vector<Case> untimed;
+    for (const StudyPlan& plan : plans)
+      for (const Case& c : sweep_cases(plan))
+        if (c.measure.repeat == 0) untimed.push_back(c);
+    pool_.get(untimed);
+  }
 
-  std::vector<StudyOutcome> outcomes;
-  for (const StudyPlan& plan : plans) {
+  StudyOutcome run(const StudyPlan& plan) {
     StudyOutcome outcome;
     StudyResult& result = outcome.result;
     result = {plan.name, plan.title, plan.kind(), plan.sweep, plan.text, plan.claims, {}, {}, plan.figures, {}};
-    std::vector<std::vector<Case>> cases;
+    try {
+      const auto cases = measure(plan, outcome);
+      fit(plan, result);
+      extrapolate_series(plan, result);
+      for (const Criterion& criterion : plan.criteria) result.parts.push_back(judge(criterion, result));
+      store_.keep_study(result, cases, provenance_);
+    } catch (const StudyTrouble& trouble) {
+      outcome.trouble = trouble.what();
+    }
+    return outcome;
+  }
+
+  RunnerCounts counts() const { return pool_.counts(); }
+
+ private:
+  /// Series and values of the outcome; the cases of each series.
+  std::vector<std::vector<Case>> measure(const StudyPlan& plan, StudyOutcome& outcome) {
+    StudyResult& result = outcome.result;
     if (!plan.check.empty()) {
-      const CheckResult checked = check_result(plan, stored);
+      const CheckResult checked = check_result(plan, stored_);
       result.sweep = find_check(plan.check, plan.name).abscissa;
       result.values = checked.values;
       result.series = checked.series;
-      cases.resize(result.series.size());
     }
-    pool.get(sweep_cases(plan));  // what is timed takes turns within its study
+    std::vector<std::vector<Case>> cases(result.series.size());
+    pool_.get(sweep_cases(plan));  // what is timed takes turns within its study
     for (const SeriesPlan& series : plan.series) {
       const std::vector<Case> own = sweep_cases(plan, series);
-      const std::vector<Record> records = pool.get(own);
+      const std::vector<Record> records = pool_.get(own);
       outcome.failed += static_cast<std::size_t>(std::ranges::count(records, Status::failed, &Record::status));
       result.series.push_back(swept_series(plan, series, records));
       cases.push_back(plan.replicates ? std::vector<Case>{} : own);
     }
     if (plan.limit)
-      for_each_parallel(plan.series.size(), options.jobs, [&](std::size_t k) {
-        result.series[k].limit = search_limit(*plan.limit, plan.series[k], pool);
+      for_each_parallel(plan.series.size(), options_.jobs, [&](std::size_t k) {
+        result.series[k].limit = search_limit(*plan.limit, plan.series[k], pool_);
       });
-    fit(plan, result);
-    extrapolate_series(plan, result);
-    for (const Criterion& criterion : plan.criteria) result.parts.push_back(judge(criterion, result));
-    store.keep_study(result, cases, provenance);
-    outcomes.push_back(outcome);
+    return cases;
   }
-  counts = pool.counts();
+
+  Store& store_;
+  const RunnerOptions& options_;
+  const Provenance provenance_ = current_provenance();
+  const std::vector<StudyResult> stored_;
+  CasePool pool_;
+};
+
+}  // namespace
+
+std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, Store& store, const RunnerOptions& options,
+                                      RunnerCounts& counts) {
+  StudyRunner runner(store, options);
+  runner.run_untimed(plans);
+  std::vector<StudyOutcome> outcomes;
+  for (const StudyPlan& plan : plans) outcomes.push_back(runner.run(plan));
+  counts = runner.counts();
   return outcomes;
 }
 

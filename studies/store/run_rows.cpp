@@ -7,44 +7,31 @@ namespace mpmvv::db {
 
 namespace {
 
+/// Calls visit(number) for each that has a column of its name.
+template <class Visit>
+void for_numbers(const Visit& visit) {
+  for (const auto* numbers : {&run_errors(), &run_by_products()})
+    for (const RunNumber& number : *numbers) visit(number);
+}
+
 Columns run_columns(const Record& r) {
   const auto& [problem, scheme, resolution, measure] = r.the_case;
-  return {{"case_text", canonical_text(r.the_case)},
-          {"problem", problem.name},
-          {"basis", scheme.basis},
-          {"integrator", scheme.integrator},
-          {"velocity_update", scheme.velocity_update},
-          {"boundary", scheme.boundary},
-          {"cells", resolution.cells},
-          {"ppc", resolution.ppc},
-          {"dt", resolution.dt},
-          {"end_time", problem.end_time},
-          {"particles", r.particles},
-          {"steps", r.steps},
-          {"cfl", r.cfl},
-          {"status", to_string(r.status)},
-          {"reason", r.reason},
-          {"l1", r.error.l1},
-          {"l2", r.error.l2},
-          {"linf", r.error.linf},
-          {"l1_all_steps", r.error.l1_all_steps},
-          {"l2_all_steps", r.error.l2_all_steps},
-          {"linf_all_steps", r.error.linf_all_steps},
-          {"nodal_l1", r.error.nodal_l1},
-          {"nodal_l2", r.error.nodal_l2},
-          {"nodal_linf", r.error.nodal_linf},
-          {"velocity_error", r.error.velocity},
-          {"stress_error", r.error.stress},
-          {"mass_change", r.balance.mass},
-          {"momentum_change", r.balance.momentum},
-          {"angular_momentum_change", r.balance.angular_momentum},
-          {"kinetic", r.energy.kinetic},
-          {"strain", r.energy.strain},
-          {"initial_total", r.energy.initial_total},
-          {"wall_seconds", r.wall_seconds},
-          {"ns_per_particle_step", r.ns_per_particle_step},
-          {"step_seconds", r.cost.step_seconds},
-          {"step_seconds_spread", r.cost.spread}};
+  Columns columns{{"case_text", canonical_text(r.the_case)},
+                  {"problem", problem.name},
+                  {"basis", scheme.basis},
+                  {"integrator", scheme.integrator},
+                  {"velocity_update", scheme.velocity_update},
+                  {"boundary", scheme.boundary},
+                  {"cells", resolution.cells},
+                  {"ppc", resolution.ppc},
+                  {"dt", resolution.dt},
+                  {"end_time", problem.end_time},
+                  {"particles", r.particles},
+                  {"steps", r.steps},
+                  {"status", to_string(r.status)},
+                  {"reason", r.reason}};
+  for_numbers([&](const RunNumber& number) { columns.emplace_back(number.name, number.get(r)); });
+  return columns;
 }
 
 /// Inserts a row of `runs`; 1 when it was kept.
@@ -99,65 +86,26 @@ std::optional<Record> find_run(const Database& database, const Case& c, const st
   std::optional<Record> found;
   database.each(
       "SELECT * FROM runs WHERE case_text = ? AND digest = ?", {canonical_text(c), digest}, [&](const Row& row) {
-        found =
-            Record{.the_case = c,
-                   .particles = row["particles"].integer(),
-                   .steps = row["steps"].integer(),
-                   .cfl = row["cfl"].real(),
-                   .status = status_from(row["status"].text()),
-                   .reason = row["reason"].text(),
-                   .error = {.l1 = row["l1"].real(),
-                             .l2 = row["l2"].real(),
-                             .linf = row["linf"].real(),
-                             .l1_all_steps = row["l1_all_steps"].real(),
-                             .l2_all_steps = row["l2_all_steps"].real(),
-                             .linf_all_steps = row["linf_all_steps"].real(),
-                             .nodal_l1 = row["nodal_l1"].real(),
-                             .nodal_l2 = row["nodal_l2"].real(),
-                             .nodal_linf = row["nodal_linf"].real(),
-                             .velocity = row["velocity_error"].real(),
-                             .stress = row["stress_error"].real()},
-                   .energy = {.kinetic = row["kinetic"].real(),
-                              .strain = row["strain"].real(),
-                              .initial_total = row["initial_total"].real()},
-                   .balance = {.mass = row["mass_change"].real(),
-                               .momentum = row["momentum_change"].real(),
-                               .angular_momentum = row["angular_momentum_change"].real()},
-                   .wall_seconds = row["wall_seconds"].real(),
-                   .ns_per_particle_step = row["ns_per_particle_step"].real(),
-                   .cost = {.step_seconds = row["step_seconds"].real(), .spread = row["step_seconds_spread"].real()}};
+        found = Record{.the_case = c,
+                       .particles = row["particles"].integer(),
+                       .steps = row["steps"].integer(),
+                       .status = status_from(row["status"].text()),
+                       .reason = row["reason"].text(),
+                       .error = {},
+                       .energy = {},
+                       .balance = {}};
+        for_numbers([&](const RunNumber& number) { number.set(*found) = row[number.name].real(); });
       });
   return found;
 }
 
 std::map<std::string, double> run_quantities(const Row& row) {
   std::map<std::string, double> quantities;
-  for (const char* name : {"l1",
-                           "l2",
-                           "linf",
-                           "l1_all_steps",
-                           "l2_all_steps",
-                           "linf_all_steps",
-                           "nodal_l1",
-                           "nodal_l2",
-                           "nodal_linf",
-                           "velocity_error",
-                           "stress_error",
-                           "mass_change",
-                           "momentum_change",
-                           "angular_momentum_change",
-                           "wall_seconds",
-                           "ns_per_particle_step",
-                           "step_seconds",
-                           "step_seconds_spread",
-                           "kinetic",
-                           "strain",
-                           "initial_total",
-                           "particles",
-                           "steps",
-                           "dt",
-                           "cfl"})
+  const auto add = [&](const char* name) {
     if (const Value& value = row[name]; !value.null()) quantities[name] = value.real();
+  };
+  for_numbers([&](const RunNumber& number) { add(number.name); });
+  for (const char* name : {"particles", "steps", "dt"}) add(name);
   return quantities;
 }
 

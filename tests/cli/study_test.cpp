@@ -69,6 +69,33 @@ std::string physical(const std::string& csv) {
   return result;
 }
 
+// Its particles alone would take more than any address space.
+constexpr const char* hopeless_study = R"(title = "Hopeless"
+claims = []
+[fixed]
+problem = "square"
+cells = 1000000
+ppc = 4
+steps = 1
+[[series]]
+name = "quadratic"
+basis = "bspline2"
+[limit]
+key = "cfl"
+from = 0.1
+to = 1
+)";
+
+TEST(StudyProgram, AStudyThatCannotEndLeavesTheOthersTheirs) {
+  const Folder folder;
+  const auto db = folder / "r.db";
+  const auto hopeless = folder.write("hopeless.toml", hopeless_study), small = folder.write("small.toml", small_study);
+  const Answer answer = call(folder, "study '" + hopeless + "' '" + small + "' --db '" + db + "'");
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.err, HasSubstr("study hopeless is not kept: a probe at 0.1 failed: std::bad_alloc"));
+  EXPECT_THAT(answer.out, HasSubstr("S-fig10 holds: second order"));
+}
+
 TEST(StudyCommand, RunsOnceAndReusesAfterwards) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
