@@ -45,8 +45,7 @@ NodeLoop<Ops...> node_loop(const Ops&... ops) {
 template <class Op>
 inline constexpr bool uses_gradients = false;
 template <class Op>
-  requires Op::uses_gradients
-inline constexpr bool uses_gradients<Op> = true;
+requires Op::uses_gradients inline constexpr bool uses_gradients<Op> = true;
 template <class... Ops>
 inline constexpr bool uses_gradients<NodeLoop<Ops...>> = (uses_gradients<Ops> || ...);
 

@@ -28,35 +28,85 @@ Enum from_word(const std::array<const char*, N>& words, const std::string& word,
 }  // namespace
 
 const std::vector<RunNumber>& run_errors() {
-  static const std::vector<RunNumber> numbers{
-      {"l1", [](auto& r) -> auto& { return r.error.l1; }},
-      {"l2", [](auto& r) -> auto& { return r.error.l2; }},
-      {"linf", [](auto& r) -> auto& { return r.error.linf; }},
-      {"l1_all_steps", [](auto& r) -> auto& { return r.error.l1_all_steps; }},
-      {"l2_all_steps", [](auto& r) -> auto& { return r.error.l2_all_steps; }},
-      {"linf_all_steps", [](auto& r) -> auto& { return r.error.linf_all_steps; }},
-      {"nodal_l1", [](auto& r) -> auto& { return r.error.nodal_l1; }},
-      {"nodal_l2", [](auto& r) -> auto& { return r.error.nodal_l2; }},
-      {"nodal_linf", [](auto& r) -> auto& { return r.error.nodal_linf; }},
-      {"velocity_error", [](auto& r) -> auto& { return r.error.velocity; }},
-      {"stress_error", [](auto& r) -> auto& { return r.error.stress; }},
-      {"mass_change", [](auto& r) -> auto& { return r.balance.mass; }},
-      {"momentum_change", [](auto& r) -> auto& { return r.balance.momentum; }},
-      {"angular_momentum_change", [](auto& r) -> auto& { return r.balance.angular_momentum; }}};
-  return numbers;
+  static const std::vector<RunNumber> numbers{{"l1", [](auto& r) -> auto& {return r.error.l1;
+}
+}  // namespace mpmvv
+, {"l2", [](auto& r) -> auto& {return r.error.l2;
+}
+}
+, {"linf", [](auto& r) -> auto& {return r.error.linf;
+}
+}
+, {"l1_all_steps", [](auto& r) -> auto& {return r.error.l1_all_steps;
+}
+}
+, {"l2_all_steps", [](auto& r) -> auto& {return r.error.l2_all_steps;
+}
+}
+, {"linf_all_steps", [](auto& r) -> auto& {return r.error.linf_all_steps;
+}
+}
+, {"nodal_l1", [](auto& r) -> auto& {return r.error.nodal_l1;
+}
+}
+, {"nodal_l2", [](auto& r) -> auto& {return r.error.nodal_l2;
+}
+}
+, {"nodal_linf", [](auto& r) -> auto& {return r.error.nodal_linf;
+}
+}
+, {"velocity_error", [](auto& r) -> auto& {return r.error.velocity;
+}
+}
+, {"stress_error", [](auto& r) -> auto& {return r.error.stress;
+}
+}
+, {"mass_change", [](auto& r) -> auto& {return r.balance.mass;
+}
+}
+, {"momentum_change", [](auto& r) -> auto& {return r.balance.momentum;
+}
+}
+, {
+  "angular_momentum_change", [](auto& r) -> auto& {
+    return r.balance.angular_momentum;
+  }
+}
+}
+;
+return numbers;
 }
 
 const std::vector<RunNumber>& run_by_products() {
-  static const std::vector<RunNumber> numbers{
-      {"kinetic", [](auto& r) -> auto& { return r.energy.kinetic; }},
-      {"strain", [](auto& r) -> auto& { return r.energy.strain; }},
-      {"initial_total", [](auto& r) -> auto& { return r.energy.initial_total; }},
-      {"wall_seconds", [](auto& r) -> auto& { return r.wall_seconds; }},
-      {"ns_per_particle_step", [](auto& r) -> auto& { return r.ns_per_particle_step; }},
-      {"step_seconds", [](auto& r) -> auto& { return r.cost.step_seconds; }},
-      {"step_seconds_spread", [](auto& r) -> auto& { return r.cost.spread; }},
-      {"cfl", [](auto& r) -> auto& { return r.cfl; }}};
-  return numbers;
+  static const std::vector<RunNumber> numbers{{"kinetic", [](auto& r) -> auto& {return r.energy.kinetic;
+}
+}
+, {"strain", [](auto& r) -> auto& {return r.energy.strain;
+}
+}
+, {"initial_total", [](auto& r) -> auto& {return r.energy.initial_total;
+}
+}
+, {"wall_seconds", [](auto& r) -> auto& {return r.wall_seconds;
+}
+}
+, {"ns_per_particle_step", [](auto& r) -> auto& {return r.ns_per_particle_step;
+}
+}
+, {"step_seconds", [](auto& r) -> auto& {return r.cost.step_seconds;
+}
+}
+, {"step_seconds_spread", [](auto& r) -> auto& {return r.cost.spread;
+}
+}
+, {
+  "cfl", [](auto& r) -> auto& {
+    return r.cfl;
+  }
+}
+}
+;
+return numbers;
 }
 
 const std::vector<std::string>& norm_words() {

@@ -197,9 +197,9 @@ Trial ProgramBench::run_gate(GateStage stage, const std::vector<std::string>& st
 
 std::vector<std::string> ProgramBench::complaints_of(const std::string& study, const std::string& db,
                                                      seconds limit) const {
-  const ProcessEnd ran = run({program("mpmvv"), "study", "--db", db, "--jobs", std::to_string(jobs_),
-                              fmt::format("studies/{}.toml", study)},
-                             limit);
+  const ProcessEnd ran = run(
+      {program("mpmvv"), "study", "--db", db, "--jobs", std::to_string(jobs_), fmt::format("studies/{}.toml", study)},
+      limit);
   const std::string ending = fmt::format("{}: {}", study, how_it_ended(ran, limit));
   if (ran.timed_out || ran.exit_code > 1) return {ending};
   const ProcessEnd judged =

@@ -84,18 +84,18 @@ void insert_run(Database& database, const Record& r, const Provenance& p) {
 
 std::optional<Record> find_run(const Database& database, const Case& c, const std::string& digest) {
   std::optional<Record> found;
-  database.each(
-      "SELECT * FROM runs WHERE case_text = ? AND digest = ?", {canonical_text(c), digest}, [&](const Row& row) {
-        found = Record{.the_case = c,
-                       .particles = row["particles"].integer(),
-                       .steps = row["steps"].integer(),
-                       .status = status_from(row["status"].text()),
-                       .reason = row["reason"].text(),
-                       .error = {},
-                       .energy = {},
-                       .balance = {}};
-        for_numbers([&](const RunNumber& number) { number.set(*found) = row[number.name].real(); });
-      });
+  database.each("SELECT * FROM runs WHERE case_text = ? AND digest = ?", {canonical_text(c), digest},
+                [&](const Row& row) {
+                  found = Record{.the_case = c,
+                                 .particles = row["particles"].integer(),
+                                 .steps = row["steps"].integer(),
+                                 .status = status_from(row["status"].text()),
+                                 .reason = row["reason"].text(),
+                                 .error = {},
+                                 .energy = {},
+                                 .balance = {}};
+                  for_numbers([&](const RunNumber& number) { number.set(*found) = row[number.name].real(); });
+                });
   return found;
 }
 

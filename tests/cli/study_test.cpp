@@ -86,7 +86,7 @@ from = 0.1
 to = 1
 )";
 
-TEST(StudyProgram, AStudyThatCannotEndLeavesTheOthersTheirs) {
+TEST(StudyCommand, AStudyThatCannotEndLeavesTheOthersTheirs) {
   const Folder folder;
   const auto db = folder / "r.db";
   const auto hopeless = folder.write("hopeless.toml", hopeless_study), small = folder.write("small.toml", small_study);
