@@ -25,88 +25,44 @@ Enum from_word(const std::array<const char*, N>& words, const std::string& word,
   return static_cast<Enum>(it - words.begin());
 }
 
+/// The number that these members of members lead to.
+template <auto... members>
+RunNumber number(const char* name) {
+  return {name, [](const Record& r) -> const double& { return (r.*....*members); },
+          [](Record& r) -> double& { return (r.*....*members); }};
+}
+
 }  // namespace
 
 const std::vector<RunNumber>& run_errors() {
-  static const std::vector<RunNumber> numbers{{"l1", [](auto& r) -> auto& {return r.error.l1;
-}
-}  // namespace mpmvv
-, {"l2", [](auto& r) -> auto& {return r.error.l2;
-}
-}
-, {"linf", [](auto& r) -> auto& {return r.error.linf;
-}
-}
-, {"l1_all_steps", [](auto& r) -> auto& {return r.error.l1_all_steps;
-}
-}
-, {"l2_all_steps", [](auto& r) -> auto& {return r.error.l2_all_steps;
-}
-}
-, {"linf_all_steps", [](auto& r) -> auto& {return r.error.linf_all_steps;
-}
-}
-, {"nodal_l1", [](auto& r) -> auto& {return r.error.nodal_l1;
-}
-}
-, {"nodal_l2", [](auto& r) -> auto& {return r.error.nodal_l2;
-}
-}
-, {"nodal_linf", [](auto& r) -> auto& {return r.error.nodal_linf;
-}
-}
-, {"velocity_error", [](auto& r) -> auto& {return r.error.velocity;
-}
-}
-, {"stress_error", [](auto& r) -> auto& {return r.error.stress;
-}
-}
-, {"mass_change", [](auto& r) -> auto& {return r.balance.mass;
-}
-}
-, {"momentum_change", [](auto& r) -> auto& {return r.balance.momentum;
-}
-}
-, {
-  "angular_momentum_change", [](auto& r) -> auto& {
-    return r.balance.angular_momentum;
-  }
-}
-}
-;
-return numbers;
+  static const std::vector<RunNumber> numbers{
+      number<&Record::error, &Errors::l1>("l1"),
+      number<&Record::error, &Errors::l2>("l2"),
+      number<&Record::error, &Errors::linf>("linf"),
+      number<&Record::error, &Errors::l1_all_steps>("l1_all_steps"),
+      number<&Record::error, &Errors::l2_all_steps>("l2_all_steps"),
+      number<&Record::error, &Errors::linf_all_steps>("linf_all_steps"),
+      number<&Record::error, &Errors::nodal_l1>("nodal_l1"),
+      number<&Record::error, &Errors::nodal_l2>("nodal_l2"),
+      number<&Record::error, &Errors::nodal_linf>("nodal_linf"),
+      number<&Record::error, &Errors::velocity>("velocity_error"),
+      number<&Record::error, &Errors::stress>("stress_error"),
+      number<&Record::balance, &Balance::mass>("mass_change"),
+      number<&Record::balance, &Balance::momentum>("momentum_change"),
+      number<&Record::balance, &Balance::angular_momentum>("angular_momentum_change")};
+  return numbers;
 }
 
 const std::vector<RunNumber>& run_by_products() {
-  static const std::vector<RunNumber> numbers{{"kinetic", [](auto& r) -> auto& {return r.energy.kinetic;
-}
-}
-, {"strain", [](auto& r) -> auto& {return r.energy.strain;
-}
-}
-, {"initial_total", [](auto& r) -> auto& {return r.energy.initial_total;
-}
-}
-, {"wall_seconds", [](auto& r) -> auto& {return r.wall_seconds;
-}
-}
-, {"ns_per_particle_step", [](auto& r) -> auto& {return r.ns_per_particle_step;
-}
-}
-, {"step_seconds", [](auto& r) -> auto& {return r.cost.step_seconds;
-}
-}
-, {"step_seconds_spread", [](auto& r) -> auto& {return r.cost.spread;
-}
-}
-, {
-  "cfl", [](auto& r) -> auto& {
-    return r.cfl;
-  }
-}
-}
-;
-return numbers;
+  static const std::vector<RunNumber> numbers{number<&Record::energy, &Energy::kinetic>("kinetic"),
+                                              number<&Record::energy, &Energy::strain>("strain"),
+                                              number<&Record::energy, &Energy::initial_total>("initial_total"),
+                                              number<&Record::wall_seconds>("wall_seconds"),
+                                              number<&Record::ns_per_particle_step>("ns_per_particle_step"),
+                                              number<&Record::cost, &Cost::step_seconds>("step_seconds"),
+                                              number<&Record::cost, &Cost::spread>("step_seconds_spread"),
+                                              number<&Record::cfl>("cfl")};
+  return numbers;
 }
 
 const std::vector<std::string>& norm_words() {

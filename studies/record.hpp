@@ -75,9 +75,6 @@ struct RunNumber {
   const char* name;
   const double& (*get)(const Record&);
   double& (*set)(Record&);
-
-  template <class Member>
-  RunNumber(const char* its_name, Member member) : name(its_name), get(member), set(member) {}
 };
 
 /// Errors and balances; what is measured besides. The one place where a new number of a run gets its name.
