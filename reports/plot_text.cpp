@@ -230,7 +230,7 @@ set xlabel offset 0,0.5
 set key outside below center vertical maxcols {2} maxrows {3} Left reverse noenhanced samplen 2.5 spacing 1.2
 )";
 
-constexpr std::string_view svg = R"(set key font ',11.5'
+constexpr std::string_view svg_output = R"(set key font ',11.5'
 set terminal svg size {1:g},{2:g} dynamic font 'Arial,13' background '#FFFFFF'
 set output '{0}.svg'
 plot \
@@ -257,7 +257,7 @@ std::string script_text(const Chart& chart) {
     text += "set label 'nothing to draw' at graph 0.5,0.5 center\n";
     elements = "  NaN notitle";
   }
-  text += fmt::format(svg, chart.name, chart.width, height, elements);
+  text += fmt::format(svg_output, chart.name, chart.width, height, elements);
   text += fmt::format(pdf, chart.name, chart.width / 96, height / 96);
   return text;
 }

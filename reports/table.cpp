@@ -7,9 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "reports/chart.hpp"
 #include "reports/text.hpp"
-#include "studies/work_precision.hpp"
 
 namespace mpmvv {
 
@@ -57,6 +55,25 @@ std::string floor_text(const FloorFit& floor) {
   return fmt::format("E0 = {}, order {}: {}", brief(floor.floor), order_text(floor.order, not_measured), floor.reason);
 }
 
+/// "16 to 128", of a fit or an extrapolation.
+std::string window_text(const auto& fitted) {
+  return fmt::format("{} to {}", brief(fitted.from), brief(fitted.to));
+}
+
+/// The table with a group for each series that has rows.
+template <class RowsOf>
+Table with_series(Table table, const StudyResult& study, const RowsOf& rows_of) {
+  for (const Series& series : study.series)
+    if (auto rows = rows_of(series); !rows.empty()) table.groups.push_back({series.name, std::move(rows)});
+  return table;
+}
+
+/// The table with these rows under no title.
+Table with_rows(Table table, Table::Rows rows) {
+  if (!rows.empty()) table.groups.push_back({"", std::move(rows)});
+  return table;
+}
+
 }  // namespace
 
 Table points_table(const StudyResult& study) {
@@ -67,150 +84,89 @@ Table points_table(const StudyResult& study) {
     table.columns.push_back(q);
     if (norms.contains(q)) table.columns.push_back("order");
   }
-  for (const auto& series : study.series) {
-    if (series.points.empty() || series.points.size() > longest_series) continue;
-    Table::Group group{series.name, {}};
+  return with_series(table, study, [&](const Series& series) {
+    Table::Rows rows;
+    if (series.points.size() > longest_series) return rows;
     for (const auto& point : series.points) {
       const std::string why = point.reason.empty() ? "" : ": " + point.reason;
-      std::vector<std::string> row{brief(point.x), to_string(point.status) + why};
+      std::vector<std::string>& row = rows.emplace_back();
+      row = {brief(point.x), to_string(point.status) + why};
       for (const auto& q : quantities) {
         const auto y = point.y.find(q);
         row.push_back(y == point.y.end() ? "–" : aligned(y->second));
         if (norms.contains(q)) row.push_back(segment_order(series, q, point.x));
       }
-      group.rows.push_back(std::move(row));
     }
-    table.groups.push_back(std::move(group));
-  }
-  return table;
+    return rows;
+  });
 }
 
 Table fits_table(const StudyResult& study) {
-  Table table{"Fitted orders",
-              {"norm", "window", "points", "order", "C", "R²", "asymptotic", "asymptotic range found", "floor"},
-              {}};
-  for (const auto& series : study.series) {
-    Table::Group group{series.name, {}};
+  const Table table{"Fitted orders",
+                    {"norm", "window", "points", "order", "C", "R²", "asymptotic", "asymptotic range found", "floor"},
+                    {}};
+  return with_series(table, study, [](const Series& series) {
+    Table::Rows rows;
     for (const auto& o : series.orders) {
       const bool found = std::isfinite(o.asymptotic_from);
-      group.rows.push_back({o.norm, fmt::format("{} to {}", brief(o.from), brief(o.to)), fmt::format("{}", o.points),
-                            order_text(o.order, o.half_width), brief(o.constant), fmt::format("{:.5f}", o.r_squared),
-                            yes(o.asymptotic),
-                            found ? fmt::format("{} to {}", brief(o.asymptotic_from), brief(o.asymptotic_to)) : "none",
-                            o.floor ? floor_text(*o.floor) : "–"});
+      rows.push_back({o.norm, window_text(o), fmt::format("{}", o.points), order_text(o.order, o.half_width),
+                      brief(o.constant), fmt::format("{:.5f}", o.r_squared), yes(o.asymptotic),
+                      found ? fmt::format("{} to {}", brief(o.asymptotic_from), brief(o.asymptotic_to)) : "none",
+                      o.floor ? floor_text(*o.floor) : "–"});
     }
-    if (!group.rows.empty()) table.groups.push_back(std::move(group));
-  }
-  return table;
+    return rows;
+  });
 }
 
 /// The orders again, with what replicates say of them.
 Table replicates_table(const StudyResult& study) {
-  Table table{
+  const Table table{
       "Orders by replicates: their interval is that of the scatter alone; a small p of the lack of fit says that "
       "no one power law fits the means",
       {"norm", "window", "runs", "order", "scatter", "lack of fit p"},
       {}};
-  for (const auto& series : study.series) {
-    Table::Group group{series.name, {}};
+  return with_series(table, study, [](const Series& series) {
+    Table::Rows rows;
     for (const auto& o : series.orders)
       if (o.replicates)
-        group.rows.push_back({o.norm, fmt::format("{} to {}", brief(o.from), brief(o.to)),
-                              fmt::format("{}", o.replicates->observations),
-                              order_text(o.order, o.replicates->half_width), brief(o.replicates->scatter),
-                              brief(o.replicates->lack_of_fit)});
-    if (!group.rows.empty()) table.groups.push_back(std::move(group));
-  }
-  return table;
+        rows.push_back({o.norm, window_text(o), fmt::format("{}", o.replicates->observations),
+                        order_text(o.order, o.replicates->half_width), brief(o.replicates->scatter),
+                        brief(o.replicates->lack_of_fit)});
+    return rows;
+  });
 }
 
 Table extrapolations_table(const StudyResult& study) {
-  Table table{
+  const Table table{
       "Extrapolated to h = 0, with the uncertainty of the finest grid's value (Eça and Hoekstra) and its grid "
       "convergence index",
       {"quantity", "window", "grids", "model", "free order", "limit", "finest grid", "uncertainty", "GCI"},
       {}};
-  for (const auto& series : study.series) {
-    Table::Group group{series.name, {}};
+  return with_series(table, study, [](const Series& series) {
+    Table::Rows rows;
     for (const auto& e : series.extrapolations)
-      group.rows.push_back({e.norm, fmt::format("{} to {}", brief(e.from), brief(e.to)), fmt::format("{}", e.points),
-                            e.model, order_text(e.order, not_measured), brief(e.limit), brief(e.finest),
-                            brief(e.uncertainty), brief(e.convergence_index)});
-    if (!group.rows.empty()) table.groups.push_back(std::move(group));
-  }
-  return table;
+      rows.push_back({e.norm, window_text(e), fmt::format("{}", e.points), e.model, order_text(e.order, not_measured),
+                      brief(e.limit), brief(e.finest), brief(e.uncertainty), brief(e.convergence_index)});
+    return rows;
+  });
 }
 
 Table limits_table(const StudyResult& study) {
-  Table table{"Stability limits", {"series", "key", "limit", "stable at", "unstable at", "monotone", "probes"}, {}};
-  Table::Group group;
+  Table::Rows rows;
   for (const auto& series : study.series) {
     if (!series.limit) continue;
     const auto& l = *series.limit;
-    group.rows.push_back({series.name, l.key, l.found ? brief(l.value()) : "not found", brief(l.stable),
-                          brief(l.unstable), yes(l.monotone), fmt::format("{}", l.probes.size())});
+    rows.push_back({series.name, l.key, l.found ? brief(l.value()) : "not found", brief(l.stable), brief(l.unstable),
+                    yes(l.monotone), fmt::format("{}", l.probes.size())});
   }
-  if (!group.rows.empty()) table.groups.push_back(std::move(group));
-  return table;
+  return with_rows(
+      {"Stability limits", {"series", "key", "limit", "stable at", "unstable at", "monotone", "probes"}, {}}, rows);
 }
 
 Table values_table(const StudyResult& study) {
-  Table table{"Measured values", {"name", "value", "meaning"}, {}};
-  Table::Group group;
-  for (const auto& v : study.values) group.rows.push_back({v.name, brief(v.value), v.meaning});
-  if (!group.rows.empty()) table.groups.push_back(std::move(group));
-  return table;
-}
-
-namespace {
-
-/// A series and what it costs to come down to some error.
-struct Bid {
-  std::string name;
-  double cost = 0;
-};
-
-/// Series that reach the error, cheapest first.
-std::vector<Bid> bids(double error, const StudyResult& study, const Figure& figure) {
-  std::vector<Bid> result;
-  for (const Series* series : figure_series(study, figure)) {
-    const double cost = cost_to_reach(error, pareto_front(work_points(*series, figure.quantity)));
-    if (std::isfinite(cost)) result.push_back({series->name, cost});
-  }
-  std::ranges::stable_sort(result, {}, &Bid::cost);
-  return result;
-}
-
-/// The powers of ten among a figure's errors.
-std::vector<double> error_decades(const StudyResult& study, const Figure& figure) {
-  double least = INFINITY, largest = 0;
-  for (const Series* series : figure_series(study, figure))
-    for (const WorkPoint& p : work_points(*series, figure.quantity))
-      least = std::min(least, p.error), largest = std::max(largest, p.error);
-  return largest > 0 ? decades(least, largest) : std::vector<double>{};
-}
-
-}  // namespace
-
-Table cheapest_table(const StudyResult& study) {
-  Table table{"Cheapest series for a given error (step seconds on one core, power laws between measured runs)",
-              {"error", "cheapest", "s", "next", "s", "times as much", "do not reach it"},
-              {}};
-  for (const Figure& figure : study.figures) {
-    if (figure.kind != "work-precision") continue;
-    const std::size_t all = figure_series(study, figure).size();
-    Table::Group group{fmt::format("{}: {}", figure.name, figure.quantity), {}};
-    for (const double error : error_decades(study, figure)) {
-      const auto ranked = bids(error, study, figure);
-      const bool rival = ranked.size() > 1;
-      group.rows.push_back({fmt::format("{:.0e}", error), ranked[0].name, brief(ranked[0].cost),
-                            rival ? ranked[1].name : "–", rival ? brief(ranked[1].cost) : "–",
-                            rival ? fmt::format("{:.2f}", ranked[1].cost / ranked[0].cost) : "–",
-                            fmt::format("{} of {}", all - ranked.size(), all)});
-    }
-    if (!group.rows.empty()) table.groups.push_back(std::move(group));
-  }
-  return table;
+  Table::Rows rows;
+  for (const auto& v : study.values) rows.push_back({v.name, brief(v.value), v.meaning});
+  return with_rows({"Measured values", {"name", "value", "meaning"}, {}}, rows);
 }
 
 std::vector<Table> tables_of(const StudyResult& study) {

@@ -8,9 +8,10 @@ namespace mpmvv {
 
 /// A table for people: texts in columns, rows in titled groups.
 struct Table {
+  using Rows = std::vector<std::vector<std::string>>;
   struct Group {
     std::string title;
-    std::vector<std::vector<std::string>> rows;
+    Rows rows;
   };
   std::string caption;
   std::vector<std::string> columns;
@@ -21,6 +22,8 @@ struct Table {
 
 Table points_table(const StudyResult& study);  ///< with the order of each segment; no series too long to be read
 Table fits_table(const StudyResult& study);
+Table replicates_table(const StudyResult& study);
+Table extrapolations_table(const StudyResult& study);
 Table limits_table(const StudyResult& study);
 Table values_table(const StudyResult& study);
 Table cheapest_table(const StudyResult& study);  ///< of each power of ten of the error, where cost was measured
