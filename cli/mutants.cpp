@@ -135,7 +135,7 @@ int mutants(const MutantsOptions& options) {
   const auto mistakes = read_mistakes(options.planted());
   const std::string work = options.work.empty() ? options.source + "/build/laboratory" : options.work;
   Laboratory laboratory(options.source, work, program_parts());
-  const std::string gate = laboratory.digest(indifferent_parts());
+  const std::string gate = gate_version(laboratory);
   CampaignPlan plan{planted_candidates(mistakes, laboratory, gate), random_candidates(options.seed, laboratory, gate),
                     options.random};
   keep_named(plan, options.only);
@@ -144,7 +144,7 @@ int mutants(const MutantsOptions& options) {
   const std::vector<Mutant> kept = store.mutants(current_provenance().digest);
   ProgramBench bench(laboratory, options.jobs);
   auto results = run_campaign(plan, gate, bench,
-                              {.find = [&](const Mutant& wanted) { return find_mutant(kept, wanted); },
+                              {.find = [&](const Mutant& wanted) { return known_result(kept, wanted); },
                                .keep = [&](const Mutant& mutant) { store.keep_mutant(mutant, current_provenance()); },
                                .tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); }});
   explain(results, options.planted().parent_path());

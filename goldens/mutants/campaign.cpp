@@ -22,7 +22,7 @@ class Campaign {
     baseline_.name = "baseline";
     baseline_.kind = Mutant::Kind::baseline;
     baseline_.gate = gate;
-    if (const Mutant* known = store_.find(baseline_)) baseline_ = *known;
+    if (const auto known = store_.find(baseline_)) baseline_ = *known;
     std::erase_if(baseline_.trials, [](const Trial& trial) { return trial.caught; });  // another try
   }
 
@@ -43,9 +43,8 @@ class Campaign {
  private:
   /// The result so far of a candidate, which is added to those of the campaign.
   Mutant& begin(const Candidate& candidate) {
-    const Mutant* known = store_.find(candidate.mutant);
     edits_.push_back(&candidate.edit);
-    return results_.emplace_back(known ? *known : candidate.mutant);
+    return results_.emplace_back(store_.find(candidate.mutant).value_or(candidate.mutant));
   }
 
   void draw() {
@@ -70,6 +69,7 @@ class Campaign {
 
   void meet(Mutant& mutant, const Edit* edit, GateStage stage, seconds limit) {
     const auto start = std::chrono::steady_clock::now();
+    mutant.gate = baseline_.gate;
     mutant.builds = bench_.build(edit);
     const double build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (mutant.builds) mutant.trials.push_back(bench_.meet(stage, limit));
@@ -111,7 +111,24 @@ class Campaign {
   std::string progress_;
 };
 
+std::string sources_of(const std::string& gate) {
+  return gate.substr(0, gate.find('/'));
+}
+
 }  // namespace
+
+std::optional<Mutant> known_result(const std::vector<Mutant>& kept, const Mutant& wanted) {
+  if (const Mutant* same = find_mutant(kept, wanted)) return *same;
+  for (auto earlier = kept.rbegin(); earlier != kept.rend(); ++earlier) {
+    Mutant moved = *earlier;
+    moved.gate = wanted.gate;
+    if (sources_of(earlier->gate) != sources_of(wanted.gate) || !find_mutant({moved}, wanted)) continue;
+    moved.gate = earlier->gate;
+    std::erase_if(moved.trials, [](const Trial& trial) { return !trial.caught; });
+    return moved;
+  }
+  return std::nullopt;
+}
 
 std::vector<Mutant> run_campaign(const CampaignPlan& plan, const std::string& gate, Bench& bench,
                                  const CampaignStore& store) {

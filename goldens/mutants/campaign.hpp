@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,15 @@ struct CampaignPlan {
 
 /// Where a campaign's results come from and go to.
 struct CampaignStore {
-  std::function<const Mutant*(const Mutant&)> find;  ///< what is known of a mutant with this name, gate and edit
-  std::function<void(const Mutant&)> keep;           ///< called after every trial
-  std::function<void(const std::string&)> tell;      ///< progress, a line
+  std::function<std::optional<Mutant>(const Mutant&)> find;  ///< what is known of it
+  std::function<void(const Mutant&)> keep;                   ///< called after every trial
+  std::function<void(const std::string&)> tell;              ///< progress, a line
 };
+
+/// What a store knows of a mutant: its trials by this gate; failing that, what an earlier version of the gate has
+/// caught it with, the sources being the same: tests and goldens are there to grow. What they let pass has to meet them
+/// anew.
+std::optional<Mutant> known_result(const std::vector<Mutant>& kept, const Mutant& wanted);
 
 /// Takes the tree without a mistake through the stages, then planted mistakes through the unit tests and the quick
 /// gate, random ones through the quick gate and, those that it does not catch, the unit tests; at last whatever has

@@ -19,11 +19,11 @@ std::string content_of(const fs::path& file) {
   throw UsageError(fmt::format("cannot read '{}' (a file of the tree)", file.string()));
 }
 
+}  // namespace
+
 bool is_within(const std::string& file, const std::string& part) {
   return file == part || file.starts_with(part + "/");
 }
-
-}  // namespace
 
 Laboratory::Laboratory(const fs::path& source, const fs::path& work, const std::vector<std::string>& parts)
     : work_(fs::absolute(work).lexically_normal()) {
@@ -44,11 +44,10 @@ std::string Laboratory::text(const std::string& file) const {
   return original_ && original_->first == file ? original_->second : content_of(tree() / file);
 }
 
-std::string Laboratory::digest(const std::vector<std::string>& without) const {
+std::string Laboratory::digest(const std::function<bool(const std::string&)>& is_wanted) const {
   std::string all;
   for (const std::string& file : files_)
-    if (std::ranges::none_of(without, [&](const std::string& part) { return is_within(file, part); }))
-      all += fmt::format("{} {}\n", file, fingerprint(text(file)));
+    if (is_wanted(file)) all += fmt::format("{} {}\n", file, fingerprint(text(file)));
   return fingerprint(all);
 }
 

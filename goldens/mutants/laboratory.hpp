@@ -2,6 +2,7 @@
 #include <boost/interprocess/sync/file_lock.hpp>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,9 @@
 #include "studies/process.hpp"
 
 namespace mpmvv {
+
+/// Whether it is this part of a tree, a file or a folder, or lies in it.
+bool is_within(const std::string& file, const std::string& part);
 
 /// A scratch copy of a source tree in which one edit at a time is made, beside a folder to build it in. The tree itself
 /// is only read, and only at the start.
@@ -26,8 +30,8 @@ class Laboratory {
   std::filesystem::path tree() const { return work_ / "tree"; }
   std::filesystem::path build() const { return work_ / "build"; }
 
-  /// A digest of the files, without any edit, but for those within these parts.
-  std::string digest(const std::vector<std::string>& without) const;
+  /// A digest of the files that are wanted, without any edit.
+  std::string digest(const std::function<bool(const std::string& file)>& is_wanted) const;
 
   void apply(const Edit& edit);  ///< in the place of the one before
   void undo();

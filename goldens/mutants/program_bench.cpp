@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -67,8 +68,19 @@ std::vector<std::string> program_parts() {
           "run",     "solver",         "studies",           "tests"};
 }
 
-std::vector<std::string> indifferent_parts() {
-  return {".github", "README.md", "cli", "goldens/mutants", "reports", "run", "tests/benchmark", "tests/reports"};
+std::string gate_version(const Laboratory& laboratory) {
+  const auto decides = [](const std::string& file) {
+    constexpr std::array indifferent{".github", "README.md",       "cli",          "goldens/mutants", "reports",
+                                     "run",     "tests/benchmark", "tests/reports"};
+    return std::ranges::none_of(indifferent, [&](const char* part) { return is_within(file, part); });
+  };
+  const auto expects = [](const std::string& file) {
+    return is_within(file, "tests") || file.ends_with(".toml") || file == "studies/quick.txt";
+  };
+  const auto digest = [&](bool expecting) {
+    return laboratory.digest([&](const std::string& file) { return decides(file) && expects(file) == expecting; });
+  };
+  return digest(false) + "/" + digest(true);
 }
 
 std::vector<std::string> listed_studies(const std::string& text) {

@@ -38,8 +38,8 @@ class ProgramBench final : public Bench {
 /// The parts of the tree that a laboratory of the program needs.
 std::vector<std::string> program_parts();
 
-/// The parts that do not decide how a mutant fares.
-std::vector<std::string> indifferent_parts();
+/// A digest of what decides how a mutant fares: of the sources, a slash, and of the tests, goldens and studies.
+std::string gate_version(const Laboratory& laboratory);
 
 /// The names of the studies in a list such as studies/quick.txt.
 std::vector<std::string> listed_studies(const std::string& text);
