@@ -12,8 +12,14 @@ std::string of_all(int part, int all) {
   return all == 0 ? "–" : fmt::format("{} of {} ({:.0f} %)", part, all, 100.0 * part / all);
 }
 
+bool is_untried(const Mutant& mutant) {
+  return mutant.kind == Mutant::Kind::planted && mutant.builds && mutant.trials.empty();
+}
+
 Table score_table(const std::vector<Mutant>& mutants) {
-  const MutantScore score = score_of(mutants);
+  std::vector<Mutant> tried = mutants;
+  const std::size_t untried = std::erase_if(tried, is_untried);
+  const MutantScore score = score_of(tried);
   Table table{"Score: how many mistakes each part of the gate catches",
               {"mistakes", "unit tests", "quick gate", "nightly gate, of what these miss", "any of them", "explained"},
               {}};
@@ -21,6 +27,7 @@ Table score_table(const std::vector<Mutant>& mutants) {
   group.rows.push_back(
       {"planted, should show", of_all(score.by_unit_tests, score.planted), of_all(score.by_quick, score.planted),
        score.by_nightly == 0 ? "–" : fmt::format("{}", score.by_nightly), of_all(score.by_any, score.planted), ""});
+  if (untried > 0) group.rows.push_back({fmt::format("planted, not tried yet: {}", untried), "", "", "", "", ""});
   if (score.silent > 0)
     group.rows.push_back({fmt::format("planted, efficiency or robustness only: {}", score.silent), "", "", "", "", ""});
   if (score.random > 0)
@@ -33,7 +40,7 @@ Table score_table(const std::vector<Mutant>& mutants) {
 std::string trial_text(const Mutant& mutant, GateStage stage) {
   const Trial* trial = mutant.trial(stage);
   if (!mutant.builds) return "does not compile";
-  if (!trial) return "–";
+  if (!trial) return is_untried(mutant) ? "not tried yet" : "–";
   if (!trial->caught) return "passes";
   const std::string more = trial->by.size() > 1 ? fmt::format(" and {} more", trial->by.size() - 1) : "";
   return trial->by.empty() ? "caught" : trial->by.front() + more;
@@ -53,7 +60,7 @@ std::string name_text(const Mutant& mutant, const std::string& gate) {
 }
 
 std::string place(const Mutant& mutant) {
-  return fmt::format("{}:{}", mutant.file, mutant.line);
+  return is_untried(mutant) ? mutant.file : fmt::format("{}:{}", mutant.file, mutant.line);
 }
 
 /// A table of those that belong to one of two titled groups.
