@@ -5,21 +5,12 @@
 #include <type_traits>
 
 #include "solver/basis/basis.hpp"
+#include "solver/fault.hpp"
 #include "solver/grid.hpp"
 #include "solver/particles.hpp"
 #include "solver/stencil.hpp"
 
 namespace mpmvv::solver {
-
-/// Why a run has blown up. Bits, since several particles can fail in one sweep.
-enum class Fault : unsigned { none = 0, outside = 1, outgrown = 2, inverted = 4 };
-
-constexpr Fault operator|(Fault a, Fault b) {
-  return static_cast<Fault>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
-}
-constexpr bool contains(Fault faults, Fault one) {
-  return (static_cast<unsigned>(faults) & static_cast<unsigned>(one)) != 0;
-}
 
 template <int D>
 inline constexpr int block_size = 256 >> D;
@@ -34,7 +25,7 @@ struct Block {
   Vec<D> b[block_size<D>];          ///< body acceleration, by EvaluateBodyForce
 };
 
-/// What a sweep evaluates at its particles' nodes. Gradients are a third of the work, and many operations use none.
+/// What a sweep evaluates at its particles' nodes: many operations use no gradients.
 enum class Evaluates { weights, weights_and_gradients };
 
 /// A block with the nodes that each of its particles reaches. Weights and gradients are kept per axis; a `Stencil`

@@ -5,19 +5,12 @@
 #include <vector>
 
 #include "solver/operations.hpp"
+#include "solver/scene.hpp"
 
 namespace mpmvv::solver {
 
 template <int D>
 class Mpm;
-
-/// How the consistent mass matrix is kept from being singular, and how far its systems are solved. Displacement errors
-/// of the bar and the square change by a few per cent at most with ε <= 1e-2 or θ from 0.1 to 0.3 (tests show it).
-struct ConsistentMassSettings {
-  double lumped_share = 1e-2;  ///< ε
-  double covered = 0.25;       ///< θ, of a full cell's mass
-  double tolerance = 1e-5;     ///< residual over that of the lumped solution, both in the norm of diag(m)⁻¹
-};
 
 /// The consistent mass matrix of the particles' quadrature, M_ij = Σ_p m_p N_ip N_jp, SᵀMS in N §2.1. Its row sums are
 /// the lumped masses m_i, from which it differs by what couples two nodes,
@@ -198,5 +191,9 @@ Packed<D> ConsistentMass<D>::residual_norm() const {
     sum += share_[n] * residual_[n].cwiseProduct(inverse_[n]).cwiseProduct(residual_[n]);
   return sum;
 }
+
+extern template class ConsistentMass<1>;
+extern template class ConsistentMass<2>;
+extern template class ConsistentMass<3>;
 
 }  // namespace mpmvv::solver

@@ -1,66 +1,23 @@
 #pragma once
 #include <array>
 #include <atomic>
-#include <optional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "solver/body_force.hpp"
-#include "solver/consistent_mass.hpp"
+#include "solver/fault.hpp"
 #include "solver/grid.hpp"
-#include "solver/operations.hpp"
-#include "solver/particles.hpp"
+#include "solver/scene.hpp"
 #include "solver/slabs.hpp"
-#include "solver/surface_load.hpp"
 #include "solver/team.hpp"
-#include "solver/velocity_update/expanded_inverse.hpp"
-#include "solver/words.hpp"
 
 namespace mpmvv::solver {
 
-/// Where the body force is evaluated.
-enum class BodyForceOn {
-  particles,  ///< S (16)
-  grid        ///< f_i = m_i b(x_i)
-};
-
-/// How walls hold velocities found by the expanded inverse, N §2.4.
-enum class WallMethod {
-  velocity,    ///< those found
-  lumped,      ///< those that the expansion starts from
-  combined,    ///< both
-  elimination  ///< throughout: the expansion is that of the matrix without the nodes held
-};
-
-/// Everything a run is made from. Faces are ordered xmin, xmax, ymin, ...
 template <int D>
-struct Scene {
-  Vec<D> lower = Vec<D>::Zero();
-  double h = 1;
-  Index<D> cells{};
-  Particles<D> particles;
-  AnyBasis basis;
-  AnyMaterial material;
-  std::array<AnyBoundary, 2 * D> boundary;
-  const BodyForce<D>* body_force = nullptr;  ///< none when null; must outlive the run
-  BodyForceOn body_force_on = BodyForceOn::particles;
-  const SurfaceLoad<D>* surface_load = nullptr;  ///< none when null; must outlive the run
-  bool difference_acceleration = false;          ///< wall acceleration by S (30) instead of zero
-  bool half_start = false;                       ///< the first grid acceleration halved, W §4
-  std::string_view integrator = "usl";
-  AnyVelocityUpdate velocity_update;
-  Deformation deformation = Deformation::linear;
-  WallMethod wall_method = WallMethod::combined;
-  int threads = 1;
-  /// A node is accelerated when its mass exceeds this fraction of a full cell's (the mean particle mass density times
-  /// h^D); every node with mass has a velocity. Between 1e-14 and 1e-10 it does not decide a result where the motion
-  /// meets the walls squarely (tests show it). GIMP sheared along a symmetry wall does depend on it: a particle that
-  /// overlaps the wall by e gives a ghost node a mass of order e² and a shear force of order e. With CPDI both are of
-  /// order e, and the cutoff changes results in proportion to itself.
-  double mass_cutoff = 1e-12;
-  std::optional<ConsistentMassSettings> consistent_mass;  ///< lumped when empty
-};
+class ConsistentMass;
+template <int D>
+class ExpandedInverse;
 
 /// The Material Point Method: owns particles and grid, advances them step by step. Members below "for integrators"
 /// are the phases that an integrator's page puts in order.
@@ -69,6 +26,7 @@ class Mpm {
  public:
   /// Throws std::invalid_argument on an unknown integrator word.
   explicit Mpm(Scene<D> scene);
+  ~Mpm();
 
   /// Advances by dt. False when the run has blown up: `fault` then says why and the state is of no use.
   bool step(double dt);
@@ -101,13 +59,7 @@ class Mpm {
 
   /// One sweep over all particles with these stages.
   template <Adds adds = Adds::to_nodes, class... Stages>
-  void sweep(const Stages&... stages) {
-    std::visit(
-        [&](const auto& basis) {
-          note(solver::sweep<adds>(swept(basis), particles_, grid_, slabs_, team_, stages...));
-        },
-        scene_.basis);
-  }
+  void sweep(const Stages&... stages);
 
   /// Calls visit(n) for every node, on all threads where there are many.
   template <class Visit>
@@ -157,10 +109,7 @@ class Mpm {
 
   /// The last sweep of a step: these gathers, then what must hold and be ready for the next step.
   template <class... Ops>
-  void sweep_and_settle(const Ops&... ops) {
-    sweep<Adds::nothing>(node_loop(ops...), CheckDeformation<D>{particles_}, UpdateWidth<D>{particles_},
-                         WrapPosition<D>{particles_, periodic_}, WatchSlab<D>{particles_, slabs_, must_sort_});
-  }
+  void sweep_and_settle(const Ops&... ops);
 
  private:
   /// quotient = field / m_i where a node's mass exceeds `least_mass`, else zero.
@@ -188,8 +137,8 @@ class Mpm {
   void (*advance_)(Mpm&, double);
   std::array<bool, D> periodic_{};
   std::vector<MovingWall<D>> walls_;
-  std::optional<ConsistentMass<D>> consistent_mass_;
-  std::optional<ExpandedInverse<D>> expanded_inverse_;
+  std::unique_ptr<ConsistentMass<D>> consistent_mass_;
+  std::unique_ptr<ExpandedInverse<D>> expanded_inverse_;
   double least_mass_ = 0;
   double time_ = 0;
   double dt_ = 0;  ///< of the last step
@@ -200,16 +149,6 @@ class Mpm {
   std::vector<Vec<D>> load_;          ///< its forces
 };
 
-/// Words of the integrators, in the order of the table.
-std::vector<std::string_view> integrator_words();
-/// Whether particle velocities live half a step before the positions.
-bool is_staggered(std::string_view integrator);
-/// Whether it keeps two more states of the particles.
-bool is_staged(std::string_view integrator);
-
-extern template class ConsistentMass<1>;
-extern template class ConsistentMass<2>;
-extern template class ConsistentMass<3>;
 extern template class Mpm<1>;
 extern template class Mpm<2>;
 extern template class Mpm<3>;

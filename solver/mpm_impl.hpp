@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "solver/integrator/integrators.hpp"
-#include "solver/mpm.hpp"
-#include "solver/velocity_update/update_particle.hpp"
+#include "solver/mpm_grid.hpp"
+#include "solver/mpm_sweeps.hpp"
 
 namespace mpmvv::solver {
 
@@ -57,10 +57,13 @@ Mpm<D>::Mpm(Scene<D> scene)
   sort();
   add_walls();
   if (scene_.consistent_mass)
-    consistent_mass_.emplace(*this, *scene_.consistent_mass, cell_mass);
+    consistent_mass_ = std::make_unique<ConsistentMass<D>>(*this, *scene_.consistent_mass, cell_mass);
   else if (expands_inverse(scene_.velocity_update))
-    expanded_inverse_.emplace(grid_);
+    expanded_inverse_ = std::make_unique<ExpandedInverse<D>>(grid_);
 }
+
+template <int D>
+Mpm<D>::~Mpm() = default;
 
 template <int D>
 void Mpm<D>::add_walls() {
@@ -100,14 +103,6 @@ bool Mpm<D>::step(double dt) {
 template <int D>
 void Mpm<D>::sort_strays() {
   if (must_sort_.exchange(false)) sort();
-}
-
-template <int D>
-void Mpm<D>::map_acceleration() {
-  grid_.clear();
-  sweep_with_forces(node_loop(), MapMass<D>{particles_, grid_});
-  fold(grid_.p);
-  set_grid_acceleration();
 }
 
 template <int D>
@@ -174,178 +169,6 @@ double Mpm<D>::strain_energy() const {
         return energy;
       },
       scene_.material);
-}
-
-template <int D>
-template <class Before, class... Map>
-void Mpm<D>::sweep_with_forces(const Before& before, const Map&... map) {
-  const EvaluateStress<D> stress{particles_, scene_.material, dt_};
-  if (scene_.body_force && scene_.body_force_on == BodyForceOn::particles)
-    sweep(before, stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
-          node_loop(map..., MapForces<D>{particles_, grid_}));
-  else
-    sweep(before, stress, node_loop(map..., MapInternalForce<D>{particles_, grid_}));
-  if (scene_.surface_load) add_surface_load();
-  fold(grid_.f);
-}
-
-template <int D>
-template <class Visit>
-void Mpm<D>::for_faces(const Visit& visit) {
-  for (int d = 0; d < D; ++d)
-    for (const bool upper : {false, true})
-      std::visit(
-          [&](const auto& boundary) {
-            visit(boundary, Face{d, upper});
-          },
-          scene_.boundary[static_cast<std::size_t>(2 * d + (upper ? 1 : 0))]);
-}
-
-template <int D>
-template <class V>
-void Mpm<D>::fold(std::vector<V>& field) {
-  for_faces([&](const auto& boundary, Face face) { boundary.fold(grid_, face, field); });
-}
-
-template <int D>
-void Mpm<D>::constrain(std::vector<Packed<D>>& field) {
-  for_faces([&](const auto& boundary, Face face) { boundary.constrain(grid_, face, field); });
-  for (const auto& wall : walls_) wall.clear(grid_, field);
-}
-
-template <int D>
-void Mpm<D>::hold(std::vector<Packed<D>>& velocity) {
-  constrain(velocity);
-  for (const auto& wall : walls_) wall.hold(grid_, velocity);
-}
-
-template <int D>
-void Mpm<D>::constrain_transposed(std::vector<Packed<D>>& field) {
-  for_faces([&]<class Boundary>(const Boundary& boundary, Face face) {
-    if constexpr (Boundary::holds) boundary.constrain_transposed(grid_, face, field);
-  });
-  for (const auto& wall : walls_) wall.clear(grid_, field);
-}
-
-template <int D>
-template <class V>
-void Mpm<D>::divide_by_mass(const std::vector<V>& field, double least_mass, std::vector<Packed<D>>& quotient) {
-  for_nodes([&](std::size_t n) {
-    const double share = grid_.m(n) > least_mass ? 1 / grid_.m(n) : 0.0;
-    quotient[n] = share * field[n].template head<lanes<D>>();
-  });
-}
-
-template <int D>
-void Mpm<D>::set_grid_velocity() {
-  divide_by_mass(grid_.p, 0, grid_.v);
-  for (auto& wall : walls_) wall.meet(grid_);
-  if (holds_lumped()) hold(grid_.v);
-  if (consistent_mass_) consistent_mass_->solve(*this, grid_.p, 0, grid_.v);
-}
-
-template <int D>
-void Mpm<D>::set_grid_acceleration() {
-  if (scene_.body_force && scene_.body_force_on == BodyForceOn::grid) add_grid_body_force();
-  divide_by_mass(grid_.f, least_mass_, grid_.a);
-  if (!scene_.difference_acceleration && holds_lumped()) constrain(grid_.a);
-  if (consistent_mass_) consistent_mass_->solve(*this, grid_.f, least_mass_, grid_.a);
-  if (scene_.half_start && steps_ == 0)
-    for (auto& a : grid_.a) a *= 0.5;
-}
-
-template <int D>
-void Mpm<D>::add_surface_load() {
-  scene_.surface_load->forces(time_, load_.data());
-  std::visit(
-      [this](const auto& basis) {
-        note(map_surface_load(swept(basis), *scene_.surface_load, load_.data(), place_, particles_, grid_));
-      },
-      scene_.basis);
-}
-
-template <int D>
-void Mpm<D>::add_grid_body_force() {
-  for_nodes([&](std::size_t n) {
-    if (is_accelerated(n))
-      grid_.f[n] += grid_.m(n) * packed<D>(scene_.body_force->at_position(node_position(n), time_));
-  });
-}
-
-template <int D>
-void Mpm<D>::advance_grid_velocity(double dt) {
-  for_nodes([&](std::size_t n) { grid_.v[n] += dt * grid_.a[n]; });
-  if (!holds_lumped()) return;
-  hold(grid_.v);
-  if (scene_.difference_acceleration) set_wall_acceleration(dt);
-  for (const auto& wall : walls_) wall.set_acceleration(grid_, dt);
-}
-
-template <int D>
-bool Mpm<D>::holds_lumped() const {
-  const auto* fmpm = std::get_if<Fmpm>(&scene_.velocity_update);
-  return !expanded_inverse_ || !fmpm || !fmpm->is_due(*this) || scene_.wall_method != WallMethod::velocity;
-}
-
-template <int D>
-void Mpm<D>::expand_inverse(int order, std::vector<Packed<D>>& velocity) {
-  if (expanded_inverse_)
-    expanded_inverse_->apply(*this, order, scene_.wall_method == WallMethod::elimination, velocity);
-}
-
-template <int D>
-void Mpm<D>::hold_expanded(std::vector<Packed<D>>& velocity) {
-  if (expanded_inverse_ && scene_.wall_method != WallMethod::lumped) hold(velocity);
-}
-
-template <int D>
-void Mpm<D>::set_stress_velocity() {
-  set_grid_velocity();
-  if (const auto* fmpm = std::get_if<Fmpm>(&scene_.velocity_update)) fmpm->sharpen(*this);
-}
-
-template <int D>
-void Mpm<D>::update_stress_first(double dt_stress, double dt) {
-  set_stress_velocity();
-  sweep_with_forces(node_loop(UpdateDeformation<D>{particles_, grid_, deformation_step(dt_stress)}));
-  if (expanded_inverse_) set_grid_velocity();
-  set_grid_acceleration();
-  advance_grid_velocity(dt);
-}
-
-template <int D>
-VelocityFields<D> Mpm<D>::velocity_fields(double dt) {
-  return std::visit([&](const auto& update) { return update.fields(*this, dt); }, scene_.velocity_update);
-}
-
-template <int D>
-void Mpm<D>::update_particles(double dt, double dt_deformation) {
-  const auto* flip = std::get_if<Flip>(&scene_.velocity_update);
-  const UpdateVelocity<D> velocity{particles_, grid_, dt};
-  const bool is_plain = flip && flip->position == FlipPosition::first_order;
-  if (!is_plain && dt_deformation == 0)
-    sweep_and_settle(UpdateVelocityAndPosition<D>{particles_, grid_, velocity_fields(dt), dt});
-  else if (!is_plain)
-    sweep_and_settle(UpdateParticle<D>{particles_, grid_, velocity_fields(dt), dt, deformation_step(dt_deformation)});
-  else if (dt_deformation == 0)
-    sweep_and_settle(velocity, UpdatePosition<D>{particles_, grid_, dt});
-  else
-    sweep_and_settle(velocity,
-                     UpdatePositionAndDeformation<D>{particles_, grid_, dt, deformation_step(dt_deformation)});
-}
-
-template <int D>
-void Mpm<D>::set_wall_acceleration(double dt) {
-  const auto difference = [&](int n, int) {  // a_i = (v_i^{k+1} - v_i^k)/Δt, v^k as mapped                     S (30)
-    const auto i = static_cast<std::size_t>(n);
-    if (is_accelerated(i)) grid_.a[i] = (grid_.v[i] - grid_.p[i].template head<lanes<D>>() / grid_.m(i)) / dt;
-  };
-  for_faces([&](const auto& boundary, Face face) {
-    if (!boundary.holds) return;
-    const FaceNodes<D> nodes{grid_, face};
-    for (int layer = 0; layer <= nodes.layers(); ++layer)
-      grid_.for_plane(face.axis, nodes.ghost(layer), nodes.ghost(layer), difference);
-  });
 }
 
 }  // namespace mpmvv::solver

@@ -5,9 +5,9 @@
 
 #include "solver/body_force.hpp"
 #include "solver/deformation.hpp"
+#include "solver/material/materials.hpp"
 #include "solver/sweep.hpp"
 #include "solver/velocity_update/affine.hpp"
-#include "solver/words.hpp"
 
 /// What a sweep can do. Scatter operations map particles to nodes, gather operations nodes to particles, stages act on
 /// a block of particles at once.

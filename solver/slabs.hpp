@@ -12,6 +12,9 @@
 
 namespace mpmvv::solver {
 
+/// Whether the stages of a sweep add to nodes: slabs that share some then have to take turns.
+enum class Adds { nothing, to_nodes };
+
 /// The domain cut into slabs across its last axis with about as many particles each, and the particles sorted so that
 /// each slab's are contiguous. A particle may stray one cell out of its slab before it must be sorted again; slabs are
 /// so thick that even then two with one between them share no node: a basis reaches three nodes at most from where it

@@ -65,13 +65,9 @@ template <int D, class B, Evaluates evaluates = Evaluates::weights_and_gradients
 using BlockFor = std::conditional_t<B::width == ParticleWidth::domain, CornerBlock<D, B::support, evaluates>,
                                     PointBlock<D, B::support, evaluates>>;
 
-/// Whether the stages of a sweep add to nodes.
-enum class Adds { nothing, to_nodes };
-
 /// One visit to all particles: per block the stencils once, then every stage in turn, gradients where one says that it
-/// `uses_gradients`. Where stages add to nodes, slabs
-/// of one colour, which share none, run at once; the order of additions on a node does not depend on the number of
-/// threads.
+/// `uses_gradients`. Where stages add to nodes, slabs of one colour, which share none, run at once; the order of
+/// additions on a node does not depend on the number of threads.
 template <Adds adds, int D, class B, class... Stages>
 Fault sweep(const B& basis, const Particles<D>& particles, const Grid<D>& grid, const Slabs<D>& slabs, Team& team,
             const Stages&... stages) {

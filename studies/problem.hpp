@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "mms/solution.hpp"
-#include "solver/mpm.hpp"
+#include "solver/boundary/wall_motion.hpp"
+#include "solver/material/materials.hpp"
 #include "studies/body.hpp"
 #include "studies/case.hpp"
 

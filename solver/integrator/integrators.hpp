@@ -9,6 +9,7 @@
 #include "solver/integrator/usl.hpp"
 #include "solver/integrator/usl_plus.hpp"
 #include "solver/integrator/uvf.hpp"
+#include "solver/integrator/words.hpp"
 
 namespace mpmvv::solver {
 

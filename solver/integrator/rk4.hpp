@@ -2,6 +2,7 @@
 #include <array>
 
 #include "solver/mpm.hpp"
+#include "solver/operations.hpp"
 
 namespace mpmvv::solver {
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "solver/mpm.hpp"
+#include "solver/operations.hpp"
 
 namespace mpmvv::solver {
 

@@ -1,7 +1,8 @@
+#include "solver/basis/bases.hpp"
+
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "solver/words.hpp"
 #include "studies/check.hpp"
 #include "studies/checks/basis_function.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/words.hpp"
+#include "solver/basis/bases.hpp"
 #include "studies/check.hpp"
 #include "studies/checks/basis_function.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/words.hpp"
+#include "solver/basis/open_bspline.hpp"
 #include "studies/check.hpp"
 #include "studies/checks/basis_function.hpp"
 

@@ -1,10 +1,10 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "solver/mpm.hpp"
 #include "studies/check.hpp"
+#include "studies/checks/mapping/spectrum.hpp"
 
 namespace mpmvv {
 
@@ -63,10 +63,6 @@ class ForceFreeBar {
   Standing left_, right_;
   solver::Scene<1> scene_;
 };
-
-double spectral_radius(const Eigen::MatrixXd& map) {
-  return map.eigenvalues().cwiseAbs().maxCoeff();
-}
 
 /// The largest over walls at several places in their cells.
 double largest_radius(const solver::AnyBasis& basis, double depth, WallMethod method, int order) {

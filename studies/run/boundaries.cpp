@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "solver/boundary/boundaries.hpp"
 #include "solver/words.hpp"
 #include "studies/error.hpp"
 #include "studies/problem.hpp"

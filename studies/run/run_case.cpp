@@ -10,6 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "solver/integrator/words.hpp"
+#include "solver/words.hpp"
 #include "studies/error.hpp"
 #include "studies/norms.hpp"
 #include "studies/run/balance.hpp"

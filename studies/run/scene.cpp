@@ -5,6 +5,7 @@
 #include <random>
 #include <utility>
 
+#include "solver/words.hpp"
 #include "studies/boundaries.hpp"
 #include "studies/run/fill.hpp"
 

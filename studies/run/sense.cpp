@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <functional>
 
-#include "solver/mpm.hpp"
+#include "solver/basis/bases.hpp"
+#include "solver/boundary/wall.hpp"
+#include "solver/integrator/words.hpp"
+#include "solver/velocity_update/affine.hpp"
+#include "solver/words.hpp"
 #include "studies/boundaries.hpp"
 #include "studies/error.hpp"
 #include "studies/problem.hpp"

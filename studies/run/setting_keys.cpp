@@ -1,7 +1,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "solver/mpm.hpp"
+#include "solver/basis/bases.hpp"
+#include "solver/boundary/boundaries.hpp"
+#include "solver/integrator/words.hpp"
+#include "solver/material/materials.hpp"
+#include "solver/velocity_update/velocity_updates.hpp"
+#include "solver/words.hpp"
 #include "studies/error.hpp"
 #include "studies/run/word_keys.hpp"
 #include "studies/settings.hpp"

@@ -8,7 +8,8 @@
 #include <map>
 #include <optional>
 
-#include "solver/mpm.hpp"
+#include "solver/boundary/wall.hpp"
+#include "solver/integrator/words.hpp"
 #include "studies/boundaries.hpp"
 #include "studies/error.hpp"
 #include "studies/problem.hpp"

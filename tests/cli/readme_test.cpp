@@ -79,8 +79,8 @@ class ReadmeNightly : public testing::Test {
 /// A basis: one file, one line, and everything takes it.
 TEST_F(ReadmeNightly, TheBasisIsOneFileAndOneLine) {
   write("solver/basis/bspline4.hpp", block("basis"));
-  insert("solver/words.hpp", "                              UGimp,", block("line"));
-  insert("solver/words.hpp", "#include \"solver/basis/gimp.hpp\"", "#include \"solver/basis/bspline4.hpp\"\n");
+  insert("solver/basis/bases.hpp", "                              UGimp,", block("line"));
+  insert("solver/basis/bases.hpp", "#include \"solver/basis/gimp.hpp\"", "#include \"solver/basis/bspline4.hpp\"\n");
   const std::string out = build_and("mpmvv test_solver",
                                     "./mpmvv list bases && ./test_solver && ./mpmvv run --problem bar --basis bspline4 "
                                     "--boundary periodic --integrator cd --cells 32 --ppc 4 --cfl 0.2");

@@ -1,3 +1,5 @@
+#include "solver/consistent_mass.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <random>
 

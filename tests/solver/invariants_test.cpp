@@ -1,5 +1,6 @@
 #include <random>
 
+#include "solver/operations.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 

@@ -2,6 +2,8 @@
 #include <random>
 
 #include "mms/derived.hpp"
+#include "solver/material/materials.hpp"
+#include "solver/words.hpp"
 #include "tests/solver/stencils.hpp"
 
 namespace mpmvv::solver::material_test {

@@ -3,7 +3,9 @@
 #include <string_view>
 #include <utility>
 
+#include "solver/integrator/words.hpp"
 #include "solver/mpm.hpp"
+#include "solver/words.hpp"
 
 /// Small scenes for the solver's tests and its benchmark.
 namespace mpmvv::solver {

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "solver/basis/bases.hpp"
 #include "solver/sweep.hpp"
-#include "solver/words.hpp"
 
 /// Bases as the solver sees them: through the stencil of one particle on a grid.
 namespace mpmvv::solver {

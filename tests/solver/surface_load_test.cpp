@@ -1,7 +1,6 @@
-#include "solver/surface_load.hpp"
-
 #include <gtest/gtest.h>
 
+#include "solver/map_surface_load.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 

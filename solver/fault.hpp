@@ -1,0 +1,15 @@
+#pragma once
+
+namespace mpmvv::solver {
+
+/// Why a run has blown up. Bits, since several particles can fail in one sweep.
+enum class Fault : unsigned { none = 0, outside = 1, outgrown = 2, inverted = 4 };
+
+constexpr Fault operator|(Fault a, Fault b) {
+  return static_cast<Fault>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool contains(Fault faults, Fault one) {
+  return (static_cast<unsigned>(faults) & static_cast<unsigned>(one)) != 0;
+}
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,12 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace mpmvv {
+
+/// The largest modulus of an eigenvalue.
+double spectral_radius(const Eigen::MatrixXd& map);
+
+/// In ascending order.
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& symmetric);
+
+}  // namespace mpmvv
