@@ -49,7 +49,7 @@ Mpm<D>::Mpm(Scene<D> scene)
   double mass = 0, volume = 0;
   for (std::size_t p = 0; p < particles_.size(); ++p) mass += particles_.m[p], volume += particles_.V0[p];
   const double cell_mass = mass / volume * std::pow(grid_.h(), D);
-  least_mass_ = scene_.mass_cutoff * cell_mass;
+  least_mass_ = scene_.mass_cutoff.value_or(mass_cutoff_of(scene_.basis)) * cell_mass;
   if (scene_.surface_load) {
     place_.resize(particles_.size());
     load_.resize(scene_.surface_load->parts().size());

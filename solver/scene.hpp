@@ -57,11 +57,11 @@ struct Scene {
   WallMethod wall_method = WallMethod::combined;
   int threads = 1;
   /// A node is accelerated when its mass exceeds this fraction of a full cell's (the mean particle mass density times
-  /// h^D); every node with mass has a velocity. Between 1e-14 and 1e-10 it does not decide a result where the motion
-  /// meets the walls squarely (tests show it). GIMP sheared along a symmetry wall does depend on it: a particle that
-  /// overlaps the wall by e gives a ghost node a mass of order e² and a shear force of order e. With CPDI both are of
-  /// order e, and the cutoff changes results in proportion to itself.
-  double mass_cutoff = 1e-12;
+  /// h^D), by default `mass_cutoff_of` the basis; every node with mass has a velocity. Up to 1e-10 it does not decide a
+  /// result where the motion meets the walls squarely (tests show it). GIMP sheared along a symmetry wall does depend on
+  /// it: a particle that overlaps the wall by e gives a ghost node a mass of order e² and a shear force of order e. With
+  /// CPDI both are of order e, and the cutoff changes results in proportion to itself.
+  std::optional<double> mass_cutoff;
   std::optional<ConsistentMassSettings> consistent_mass;  ///< lumped when empty
 };
 

@@ -17,6 +17,7 @@ struct Linear {
   static constexpr int ghost = 2;
   static constexpr ParticleWidth width = ParticleWidth::none;
   static constexpr double least_weight = 1e-60;
+  static constexpr double mass_cutoff = 1e-12;
 
   static double position(int i, int) { return i; }
 

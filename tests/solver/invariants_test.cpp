@@ -84,7 +84,7 @@ TYPED_TEST(Invariants, AngularMomentumReachesTheGridWholeAndForcesHaveNoMoment) 
 }
 
 template <int D>
-void expect_momentum_conserved(Scene<D> scene, std::string_view integrator) {
+void expect_momentum_conserved(Scene<D> scene, std::string_view integrator, double tolerance = 1e-13) {
   set_random_velocities(scene, 2);
   scene.integrator = integrator;
   Mpm<D> mpm(scene);
@@ -93,7 +93,7 @@ void expect_momentum_conserved(Scene<D> scene, std::string_view integrator) {
   for (int k = 0; k < 100; ++k) ASSERT_TRUE(mpm.step(0.1 * scene.h / 120)) << mpm.fault();
   EXPECT_GT(mpm.strain_energy(), strain + 1e-3);  // there were forces
   const double scale = 2 * static_cast<double>(mpm.particles().size()) * mpm.particles().m[0];
-  EXPECT_LT((momentum(mpm.particles()) - before).norm(), 1e-13 * scale);
+  EXPECT_LT((momentum(mpm.particles()) - before).norm(), tolerance * scale);
 }
 
 TYPED_TEST(Invariants, FreeBodyKeepsItsMomentum) {
@@ -102,6 +102,16 @@ TYPED_TEST(Invariants, FreeBodyKeepsItsMomentum) {
     expect_momentum_conserved(free_body<2>(TypeParam{}), integrator);
     expect_momentum_conserved(with_consistent_mass(free_body<1>(TypeParam{})), integrator);
   }
+}
+
+/// The body's ends lie where a basis just begins to reach a node: its mass is tiny, the force on it is not as tiny.
+TYPED_TEST(Invariants, FreeBodyKeepsItsMomentumHoweverLittleMassNodesHave) {
+  for (const double edge : {0.0, 0.25, 0.5, 0.75})
+    for (const double overlap : {-1e-4, -1e-6, 1e-6, 1e-4}) {
+      Scene<1> scene = free_body<1>(TypeParam{});
+      for (auto& x : scene.particles.x) x[0] += (edge + overlap - 0.13 - 0.25) * scene.h;
+      expect_momentum_conserved(scene, "usl", 1e-12);
+    }
 }
 
 TYPED_TEST(Invariants, FreeBodyKeepsItsMomentumHoweverRoughlyMassIsInverted) {
