@@ -137,9 +137,10 @@ int study(const StudyOptions& options) {
     else
       fmt::print(stderr, "study {} is not kept: {}\n", outcome.result.name, outcome.trouble);
   }
-  fmt::print("{} cases run, {} taken from {}, {} failed\n", counts.ran, counts.reused, options.db, failed);
-  const bool all_kept = std::ranges::all_of(outcomes, [](const auto& outcome) { return outcome.trouble.empty(); });
-  return failed == 0 && all_kept ? 0 : 1;
+  const auto lost = std::ranges::count_if(outcomes, [](const auto& outcome) { return !outcome.trouble.empty(); });
+  fmt::print("{} cases run, {} taken from {}, {} failed{}\n", counts.ran, counts.reused, options.db, failed,
+             lost > 0 ? fmt::format("; studies not kept: {}", lost) : "");
+  return failed == 0 && lost == 0 ? 0 : 1;
 }
 
 }  // namespace

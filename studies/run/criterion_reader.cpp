@@ -88,11 +88,13 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   }
   if (c.kind != Criterion::Kind::status) {
     c.norm = norm_of(table, "norm");
-    require_measured(plan, c.norm, table.where("norm"));
+    std::vector<std::string> measured = c.series;
+    if (is_ratio(c.kind)) measured.push_back(c.over);
+    require_measured(plan, c.norm, measured, table.where("norm"));
   }
   if (c.kind == Criterion::Kind::order_difference) {
     c.over_norm = norm_of(table, "over_norm");
-    require_measured(plan, c.over_norm, table.where("over_norm"));
+    require_measured(plan, c.over_norm, c.series, table.where("over_norm"));
   }
   c.window = read_window(table, "window");
   if (c.kind == Criterion::Kind::cost_ratio) {

@@ -77,13 +77,15 @@ void require_cost(const StudyPlan& plan, const std::string& where) {
                     where));
 }
 
-void require_measured(const StudyPlan& plan, const std::string& norm, const std::string& where) {
+void require_measured(const StudyPlan& plan, const std::string& norm, const std::vector<std::string>& names,
+                      const std::string& where) {
   if ((norm == "y") == plan.check.empty())
     throw UsageError(fmt::format("norm '{}' in {} (y for the curves of a check, an error norm for runs)", norm, where));
   if (norm == "ns_per_particle_step") require_cost(plan, where);
   const std::string setting = setting_of(norm);
   if (setting.empty()) return;
   for (const SeriesPlan& series : plan.series) {
+    if (!names.empty() && std::ranges::find(names, series.name) == names.end()) continue;
     const auto asks = [&setting](const Setting& s) { return s.key == setting && s.value == "true"; };
     if (std::none_of(series.settings.begin(), series.settings.end(), asks))
       throw UsageError(

@@ -26,7 +26,9 @@ void require_points(const StudyPlan& plan, const Window& window, int least, cons
 /// Cost is there when every series asks for it.
 void require_cost(const StudyPlan& plan, const std::string& where);
 
-/// `y` is what a check's curves have; errors over all steps and of nodes are there when every series asks for them.
-void require_measured(const StudyPlan& plan, const std::string& norm, const std::string& where);
+/// `y` is what a check's curves have; errors over all steps, of nodes, velocities and stresses are there when each of
+/// these series (all, where none is named) asks for them.
+void require_measured(const StudyPlan& plan, const std::string& norm, const std::vector<std::string>& names,
+                      const std::string& where);
 
 }  // namespace mpmvv

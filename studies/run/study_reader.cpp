@@ -127,7 +127,7 @@ void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
     table.allow_only({"norm", "window", "series"});
     ExtrapolationPlan wanted{norm_of(table, "norm"), read_window(table, "window"), series_names(table, "series", plan)};
     require_points(plan, wanted.window, 4, table.where("window"));
-    require_measured(plan, wanted.norm, table.where("norm"));
+    require_measured(plan, wanted.norm, wanted.series, table.where("norm"));
     plan.extrapolations.push_back(wanted);
   }
 }
@@ -148,7 +148,7 @@ void read_fits(const TomlTable& root, StudyPlan& plan) {
     table.allow_only({"norm", "window", "floor_window", "series"});
     FitPlan fit{norm_of(table, "norm"), read_window(table, "window"), {}, series_names(table, "series", plan)};
     require_points(plan, fit.window, 3, table.where("window"));
-    require_measured(plan, fit.norm, table.where("norm"));
+    require_measured(plan, fit.norm, fit.series, table.where("norm"));
     if (table.has("floor_window")) fit.floor = read_window(table, "floor_window");
     plan.fits.push_back(fit);
   }

@@ -94,6 +94,7 @@ TEST(StudyCommand, AStudyThatCannotEndLeavesTheOthersTheirs) {
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.err, HasSubstr("study hopeless is not kept: a probe at 0.1 failed: std::bad_alloc"));
   EXPECT_THAT(answer.out, HasSubstr("S-fig10 holds: second order"));
+  EXPECT_THAT(answer.out, HasSubstr("0 failed; studies not kept: 1"));
 }
 
 TEST(StudyCommand, RunsOnceAndReusesAfterwards) {
@@ -194,6 +195,19 @@ TEST(StudyCommand, AKilledRunLosesNoFinishedCase) {
   const Answer again = call(folder, "study " + file + " --db " + db);
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_THAT(again.out, HasSubstr(std::to_string(12 - kept) + " cases run, " + std::to_string(kept) + " taken"));
+}
+
+TEST(StudyCommand, ANormIsAskedOfTheSeriesThatTheFitNames) {
+  const Folder folder;
+  std::string text = small_study;
+  const auto insert_behind = [&text](const std::string& place, const std::string& more) {
+    text.insert(text.find(place) + place.size(), more);
+  };
+  insert_behind("basis = \"bspline2\"\n", "every_step = true\n");
+  insert_behind("window = [8, 64]\n", "[[fit]]\nnorm = \"l2_all_steps\"\nseries = [\"bspline2\"]\nwindow = [8, 64]\n");
+  const Answer answer = call(folder, "study " + folder.write("small.toml", text) + " --db " + folder / "r.db");
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("l2_all_steps"));
 }
 
 struct BadFile {
