@@ -7,14 +7,22 @@ string(REGEX REPLACE "(^| )-W[^ ]*" "" FLAGS "${FLAGS}")
 string(REGEX REPLACE " +" " " FLAGS "${FLAGS}")
 string(STRIP "${FLAGS}" FLAGS)
 
-# The sources that decide a result: solutions, solver, problems, checks, and what carries a case out and measures it.
-set(patterns studies/norms*.hpp studies/run/run_case*.?pp studies/run/scene*.?pp studies/run/boundaries*.?pp
-  studies/run/nodal_error*.?pp)
-foreach(folder mms solver studies/problems studies/checks)
-  list(APPEND patterns ${folder}/*.hpp ${folder}/*.cpp)
+# The sources that decide a result: solutions, solver, problems, checks, and what carries a case out and measures it. That
+# is the rest of studies/ but for the records, nouns with a source of their own there, and for what plans, reads and judges.
+set(others admission case_pool criterion criterion_reader parallel plan_rules result samples sense setting_keys study
+  study_reader study_runner vtu word_keys)
+file(GLOB records "${SOURCE_DIR}/studies/*.cpp")
+foreach(record IN LISTS records)
+  get_filename_component(noun "${record}" NAME_WE)
+  list(APPEND others ${noun})
 endforeach()
-list(TRANSFORM patterns PREPEND "${SOURCE_DIR}/")
-file(GLOB_RECURSE sources RELATIVE "${SOURCE_DIR}" ${patterns})
+list(JOIN others "|" others)
+file(GLOB sources RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/studies/*.hpp" "${SOURCE_DIR}/studies/run/*.?pp")
+list(FILTER sources EXCLUDE REGEX "/(${others})[.].pp$")
+foreach(folder mms solver studies/problems studies/checks)
+  file(GLOB_RECURSE more RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/${folder}/*.?pp")
+  list(APPEND sources ${more})
+endforeach()
 list(SORT sources)
 
 set(summary "compiler ${COMPILER}\nbuild type ${BUILD_TYPE}\nflags ${FLAGS}\n")

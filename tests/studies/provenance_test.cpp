@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace mpmvv {
 namespace provenance_test {
@@ -70,6 +71,26 @@ TEST_F(BuildInfo, DigestFollowsTheSourcesThatDecideAResult) {
     write(source, "changed");
     EXPECT_NE(digest(), before) << source;
   }
+}
+
+TEST_F(BuildInfo, DigestFollowsWhatCarriesACaseOut) {
+  const auto over = fs::copy_options::recursive | fs::copy_options::overwrite_existing;
+  fs::copy(fs::path(MPMVV_SOURCE_DIR) / "studies", source_ / "studies", over);
+  std::string before = digest();
+  const auto changes = [&](const std::string& source) {
+    EXPECT_TRUE(fs::exists(source_ / source)) << source;
+    write(source, "changed");
+    const std::string now = digest();
+    return now != std::exchange(before, now);
+  };
+  for (const char* source : {"body.hpp", "problem.hpp", "norms.hpp", "run/settings.cpp", "run/boundaries.cpp",
+                             "run/scene.hpp", "run/scene.cpp", "run/fill.hpp", "run/fill.cpp", "run/sphere_patch.hpp",
+                             "run/balance.hpp", "run/nodal_error.cpp", "run/run_case.cpp"})
+    EXPECT_TRUE(changes(fmt::format("studies/{}", source))) << source;
+  for (const char* source : {"store.hpp", "run/study_runner.cpp", "run/criterion.cpp", "run/vtu.cpp"})
+    EXPECT_FALSE(changes(fmt::format("studies/{}", source))) << source;
+  write("studies/run/initial_state.cpp", "new");
+  EXPECT_NE(digest(), before) << "a source that nothing is known of decides";
 }
 
 TEST_F(BuildInfo, DigestFollowsTheNameOfASource) {
