@@ -8,6 +8,7 @@
 #include "solver/words.hpp"
 #include "studies/boundaries.hpp"
 #include "studies/run/fill.hpp"
+#include "studies/run/named.hpp"
 
 namespace mpmvv {
 
@@ -60,17 +61,23 @@ void set_current_widths(solver::Particles<D>& particles, const solver::AnyBasis&
   particles.update_widths(0, particles.size());
 }
 
-/// The velocity update with its choices; `cfl` is the time step's.
+solver::FlipPosition flip_position(const std::string& word) {
+  return word == "second-order" ? solver::FlipPosition::second_order
+         : word == "particle"   ? solver::FlipPosition::particle
+                                : solver::FlipPosition::first_order;
+}
+
+/// The velocity update with those choices that it has; `cfl` is the time step's.
 solver::AnyVelocityUpdate velocity_update(const Scheme& scheme, double cfl) {
-  if (scheme.velocity_update == "pic") return solver::Pic{};
-  if (scheme.velocity_update == "apic") return solver::Apic{};
-  if (scheme.velocity_update == "xpic") return solver::Xpic{scheme.order};
-  if (scheme.velocity_update == "fmpm")
-    return solver::Fmpm{scheme.order, std::max<std::int64_t>(1, std::llround(std::min(scheme.cfl_x / cfl, 1e15)))};
-  using solver::FlipPosition;
-  return solver::Flip{scheme.position == "second-order" ? FlipPosition::second_order
-                      : scheme.position == "particle"   ? FlipPosition::particle
-                                                        : FlipPosition::first_order};
+  auto update = named<solver::AnyVelocityUpdate>(scheme.velocity_update);
+  const auto choose = [&](auto& u) {
+    if constexpr (requires { u.order; }) u.order = scheme.order;
+    if constexpr (requires { u.interval; })
+      u.interval = std::max<std::int64_t>(1, std::llround(std::min(scheme.cfl_x / cfl, 1e15)));
+    if constexpr (requires { u.position; }) u.position = flip_position(scheme.position);
+  };
+  std::visit(choose, update);
+  return update;
 }
 
 solver::WallMethod wall_method(const std::string& word) {
@@ -144,7 +151,7 @@ Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
   scene.threads = threads;
   set_boundaries(stage, c.scheme);
 
-  solver::from_word(c.scheme.basis, scene.basis);
+  scene.basis = named<solver::AnyBasis>(c.scheme.basis);
   if (auto* ugimp = std::get_if<solver::UGimp>(&scene.basis)) ugimp->smoothing_length = c.scheme.smoothing_length;
   fill(stage, c);
   set_initial_state(stage, c);

@@ -10,9 +10,11 @@
 
 #include "solver/boundary/wall.hpp"
 #include "solver/integrator/words.hpp"
+#include "solver/velocity_update/velocity_updates.hpp"
 #include "studies/boundaries.hpp"
 #include "studies/error.hpp"
 #include "studies/problem.hpp"
+#include "studies/run/named.hpp"
 #include "studies/run/word_keys.hpp"
 #include "studies/sense.hpp"
 
@@ -114,26 +116,48 @@ ProblemChoice make_choice(const Settings& settings, const Problem& problem) {
   return choice;
 }
 
-void require_absent(const Settings& settings, const std::string& key, const Scheme& scheme, const char* takers) {
-  if (const auto it = settings.find(key); it != settings.end())
-    throw UsageError(fmt::format("{} in {} has no meaning for velocity_update '{}' (only {} takes it)", key,
-                                 it->second.where, scheme.velocity_update, takers));
+using Takes = bool (*)(const solver::AnyVelocityUpdate&);
+
+bool takes_position(const solver::AnyVelocityUpdate& update) {
+  return std::visit(
+      [](const auto& u) {
+        return requires {
+          u.position;
+        };
+      },
+      update);
+}
+
+bool takes_interval(const solver::AnyVelocityUpdate& update) {
+  return std::visit(
+      [](const auto& u) {
+        return requires {
+          u.interval;
+        };
+      },
+      update);
+}
+
+/// Refuses a key that the scheme's velocity update does not take.
+void require_taken(const Settings& settings, const std::string& key, const Scheme& scheme, Takes takes) {
+  const auto it = settings.find(key);
+  if (it == settings.end() || takes(named<solver::AnyVelocityUpdate>(scheme.velocity_update))) return;
+  throw UsageError(fmt::format("{} in {} has no meaning for velocity_update '{}' (only {} takes it)", key,
+                               it->second.where, scheme.velocity_update,
+                               fmt::join(words_with<solver::AnyVelocityUpdate>(takes), " or ")));
 }
 
 /// What goes with the velocity update: k, periodic FMPM, positions, walls.
 void set_velocity_update(const Settings& settings, Scheme& scheme) {
-  const bool expands = scheme.velocity_update == "xpic" || scheme.velocity_update == "fmpm";
-  if (scheme.velocity_update != "flip") {
-    require_absent(settings, "position", scheme, "flip");
-    scheme.position = "none";
-  }
-  if (!expands) {
-    for (const char* key : {"order", "wall_method"}) require_absent(settings, key, scheme, "xpic or fmpm");
-  } else if (scheme.mass == "lumped" || settings.contains("order")) {
+  const auto update = named<solver::AnyVelocityUpdate>(scheme.velocity_update);
+  require_taken(settings, "position", scheme, takes_position);
+  if (!takes_position(update)) scheme.position = "none";
+  for (const char* key : {"order", "wall_method"}) require_taken(settings, key, scheme, solver::expands_inverse);
+  if (solver::expands_inverse(update) && (scheme.mass == "lumped" || settings.contains("order"))) {
     scheme.order = count<int>(required(settings, "order"), 1, 10'000);
     if (!settings.contains("wall_method")) scheme.wall_method = "combined";
   }
-  if (scheme.velocity_update != "fmpm") require_absent(settings, "cfl_x", scheme, "fmpm");
+  require_taken(settings, "cfl_x", scheme, takes_interval);
   if (const auto it = settings.find("cfl_x"); it != settings.end()) scheme.cfl_x = positive(it->second);
 }
 

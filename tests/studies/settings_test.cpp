@@ -1,5 +1,6 @@
 #include "studies/settings.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "studies/boundaries.hpp"
@@ -47,6 +48,17 @@ TEST(Settings, AnErrorNamesTheLineOfTheSetting) {
   } catch (const UsageError& e) {
     EXPECT_NE(std::string(e.what()).find("unknown basis 'bspline4' in a.toml:9 (known: linear, "), std::string::npos)
         << e.what();
+  }
+}
+
+TEST(Settings, ChoicesOfVelocityUpdatesNameThoseThatHaveThem) {
+  using Pair = std::pair<const char*, const char*>;
+  for (const auto& [setting, takers] : {std::pair{Pair{"order", "2"}, "xpic or fmpm"},
+                                        {Pair{"cfl_x", "1"}, "fmpm"},
+                                        {Pair{"position", "particle"}, "flip"}}) {
+    const auto settings = bar_settings({{"cfl", "0.1"}, {"velocity_update", "pic"}, setting});
+    EXPECT_THAT([&] { make_case(settings); },
+                testing::ThrowsMessage<UsageError>(testing::HasSubstr(std::string("only ") + takers + " takes it")));
   }
 }
 

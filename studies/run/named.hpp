@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/words.hpp"
+
+/// What words of the solver name, for rules that hold for all alternatives with a property and not for listed ones.
+namespace mpmvv {
+
+/// The alternative with this word, which must be one.
+template <class Any>
+Any named(std::string_view word) {
+  Any any;
+  solver::from_word(word, any);
+  return any;
+}
+
+/// The words of the alternatives that have a property: what a message offers.
+template <class Any, class Property>
+std::vector<std::string> words_with(const Property& property) {
+  std::vector<std::string> words;
+  for (const std::string_view word : solver::words<Any>())
+    if (property(named<Any>(word))) words.emplace_back(word);
+  return words;
+}
+
+}  // namespace mpmvv
