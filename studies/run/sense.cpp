@@ -1,6 +1,7 @@
 #include "studies/sense.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -9,19 +10,18 @@
 #include "solver/boundary/wall.hpp"
 #include "solver/integrator/words.hpp"
 #include "solver/velocity_update/affine.hpp"
-#include "solver/words.hpp"
+#include "solver/velocity_update/velocity_updates.hpp"
 #include "studies/boundaries.hpp"
 #include "studies/error.hpp"
 #include "studies/problem.hpp"
+#include "studies/run/named.hpp"
 
 namespace mpmvv {
 
 namespace {
 
-solver::AnyBasis basis_named(const std::string& word) {
-  solver::AnyBasis basis;
-  solver::from_word(word, basis);
-  return basis;
+bool is_affine(const solver::AnyBasis& basis) {
+  return std::visit([]<class B>(const B&) { return solver::has_affine_fields<B>; }, basis);
 }
 
 void require_sense_of_mass(const Case& c, int ghosts, bool mirrored) {
@@ -48,13 +48,10 @@ void require_sense_of_velocity_update(const Scheme& s) {
         "velocity_update '{}' with integrator '{}' (flip with position 'first-order', or an integrator whose "
         "steps have positions and velocities at their ends: usl, usf, usavg, usl+, usavg+)",
         s.velocity_update, s.integrator));
-  const bool affine = std::visit([]<class B>(const B&) { return solver::has_affine_fields<B>; }, basis_named(s.basis));
-  if (s.velocity_update == "apic" && !affine)
-    throw UsageError(
-        fmt::format("velocity_update 'apic' with basis '{}' (bspline2, bspline3, b2gimp or a gimp: nodes a cell apart, "
-                    "whose weights "
-                    "spread wherever the particle is)",
-                    s.basis));
+  if (s.velocity_update == solver::Apic::word && !is_affine(named<solver::AnyBasis>(s.basis)))
+    throw UsageError(fmt::format(
+        "velocity_update '{}' with basis '{}' ({}: nodes a cell apart, whose weights spread wherever the particle is)",
+        s.velocity_update, s.basis, fmt::join(words_with<solver::AnyBasis>(is_affine), ", ")));
   if (s.mass == "consistent" && s.velocity_update != "flip" && s.velocity_update != "fmpm")
     throw UsageError(
         fmt::format("mass 'consistent' with velocity_update '{}', which lumped masses define (use flip or fmpm)",
@@ -105,7 +102,8 @@ void require_sense(const Case& c) {
   const auto faces = boundary_faces(s.boundary, dimension, "the case");
   const auto has = [&faces](const char* word) { return std::find(faces.begin(), faces.end(), word) != faces.end(); };
 
-  const int ghosts = ghosts_of(basis_named(s.basis));
+  const auto basis = named<solver::AnyBasis>(s.basis);
+  const int ghosts = ghosts_of(basis);
   if (ghosts == 0 && (has("periodic") || has("mirror")))
     throw UsageError(
         fmt::format("basis '{}' has no ghost nodes, so boundary '{}' has nothing to act on (use dirichlet, "
@@ -147,7 +145,8 @@ void require_sense(const Case& c) {
     throw UsageError(
         fmt::format("{} cells are too few for boundary '{}' (at least {}: ghosts and their images must differ)",
                     c.resolution.cells, s.boundary, least));
-  if ((s.basis == "gimp" || s.basis == "cpgimp" || s.basis == "b2gimp") && c.resolution.ppc < 2)
+  const auto width = width_of(basis);
+  if ((width == solver::ParticleWidth::reference || width == solver::ParticleWidth::current) && c.resolution.ppc < 2)
     throw UsageError(
         fmt::format("basis '{}' with ppc = 1 (at least 2: a particle's width must stay below the cell's)", s.basis));
   const bool is_curved = problem.is_curved(c.problem.parameters);

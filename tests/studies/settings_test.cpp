@@ -62,6 +62,19 @@ TEST(Settings, ChoicesOfVelocityUpdatesNameThoseThatHaveThem) {
   }
 }
 
+TEST(Settings, WhatABasisDoesNotGoWith) {
+  const auto of = [](const char* basis, const char* key, const char* value) {
+    return bar_settings({{"cfl", "0.1"}, {"basis", basis}, {key, value}});
+  };
+  for (const char* basis : {"bspline2", "b2gimp"}) EXPECT_NO_THROW(make_case(of(basis, "velocity_update", "apic")));
+  for (const char* basis : {"linear", "cpdi", "bspline2-open"})
+    EXPECT_THAT([&] { make_case(of(basis, "velocity_update", "apic")); },
+                testing::ThrowsMessage<UsageError>(
+                    testing::HasSubstr("(bspline2, bspline3, ugimp, gimp, cpgimp, b2gimp: nodes a cell apart")));
+  for (const char* basis : {"bspline2", "cpdi"}) EXPECT_NO_THROW(make_case(of(basis, "ppc", "1")));
+  for (const char* basis : {"gimp", "cpgimp", "b2gimp"}) EXPECT_THROW(make_case(of(basis, "ppc", "1")), UsageError);
+}
+
 TEST(Settings, WhatTheConsistentMassDoesNotGoWith) {
   EXPECT_EQ(make_case(bar_settings({{"cfl", "0.1"}, {"mass", "consistent"}})).scheme.mass, "consistent");
   using Pairs = std::initializer_list<std::pair<const char*, const char*>>;
