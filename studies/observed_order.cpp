@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "studies/error.hpp"
+#include "studies/window.hpp"
 
 namespace mpmvv {
 namespace {
@@ -15,15 +16,6 @@ namespace {
 bool usable(const ErrorSample& s) {
   return std::isfinite(s.h) && s.h > 0 && std::isfinite(s.e);
 }
-
-struct Window {
-  double from = 0, to = 0;
-
-  bool contains(double x) const {
-    constexpr double slack = 1e-9;
-    return x >= from - slack * std::abs(from) && x <= to + slack * std::abs(to);
-  }
-};
 
 struct Line {
   double slope = not_measured, intercept = not_measured, slope_error = not_measured, r_squared = not_measured;
@@ -88,7 +80,7 @@ bool agree(std::span<const SegmentOrder> segments) {
 }
 
 std::span<const SegmentOrder> inside(std::span<const SegmentOrder> segments, const Window& window) {
-  const auto is_inside = [&](const SegmentOrder& s) { return window.contains(s.from) && window.contains(s.to); };
+  const auto is_inside = [&](const SegmentOrder& s) { return window.holds(s.from) && window.holds(s.to); };
   const auto first = std::find_if(segments.begin(), segments.end(), is_inside);
   const auto last = std::find_if_not(first, segments.end(), is_inside);
   return {first, last};
@@ -120,7 +112,7 @@ std::vector<ErrorSample> samples_within(std::span<const ErrorSample> samples, do
   const Window window{from, to};
   std::vector<ErrorSample> chosen;
   std::copy_if(samples.begin(), samples.end(), std::back_inserter(chosen),
-               [&](const ErrorSample& s) { return usable(s) && window.contains(s.x); });
+               [&](const ErrorSample& s) { return usable(s) && window.holds(s.x); });
   std::stable_sort(chosen.begin(), chosen.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
   return chosen;
 }

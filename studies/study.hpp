@@ -8,6 +8,7 @@
 #include "studies/result.hpp"
 #include "studies/settings.hpp"
 #include "studies/stability_limit.hpp"
+#include "studies/window.hpp"
 
 namespace mpmvv {
 
@@ -16,11 +17,9 @@ struct SeriesPlan {
   std::string name;
   std::vector<Setting> settings;  ///< the fixed ones, overwritten by its own
   std::string where;
-};
 
-/// A declared window of swept values.
-struct Window {
-  double from = 0, to = 0;
+  /// The setting that counts, the last one of its key; null without one.
+  const Setting* setting(const std::string& key) const;
 };
 
 /// What to fit: which norm, over which window, for which series; and the window of a fit with a floor, if any.

@@ -30,10 +30,6 @@ const Series* find_series(const StudyResult& result, const std::string& name) {
   return nullptr;
 }
 
-bool inside(const Criterion& c, double x) {
-  return x >= c.window.from * (1 - 1e-9) && x <= c.window.to * (1 + 1e-9);
-}
-
 /// The norm at a point; an unstable point counts as an infinite error.
 double error_at(const Point& point, const std::string& norm) {
   if (point.status == Status::unstable) return std::numeric_limits<double>::infinity();
@@ -52,7 +48,7 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
                            Measured& out) {
   const ObservedOrder fit = fit_order(samples_of(series, norm, result.sweep), c.window.from, c.window.to);
   const auto stable = std::count_if(series.points.begin(), series.points.end(), [&](const Point& point) {
-    return inside(c, point.x) && point.status != Status::unstable;
+    return c.window.holds(point.x) && point.status != Status::unstable;
   });
   if (fit.points < stable)
     out.missing = fmt::format("'{}': {} of {} stable points are no use", series.name, stable - fit.points, stable);
@@ -65,7 +61,7 @@ void measure_order(const Criterion& c, const StudyResult& result, const Series& 
   const ObservedOrder fit = stable_order(c, result, series, c.norm, out);
   std::vector<double> unstable;
   for (const Point& point : series.points)
-    if (inside(c, point.x) && point.status == Status::unstable) unstable.push_back(point.x);
+    if (c.window.holds(point.x) && point.status == Status::unstable) unstable.push_back(point.x);
   const std::string interval = std::isnan(fit.half_width) ? "" : fmt::format(" (±{:.2f})", fit.half_width);
   const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
   out.add(fmt::format("order of '{}' in {} over [{}, {}]{}{}", series.name, c.norm, c.window.from, c.window.to,
@@ -85,14 +81,14 @@ void measure_order_difference(const Criterion& c, const StudyResult& result, con
 
 void measure_errors(const Criterion& c, const Series& series, Measured& out) {
   for (const Point& point : series.points)
-    if (inside(c, point.x))
+    if (c.window.holds(point.x))
       out.add(fmt::format("{} of '{}' at {}", c.norm, series.name, point.x), error_at(point, c.norm));
 }
 
 /// Two unstable runs are as bad as each other: W gives either an error of one.
 void measure_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
   for (const Point& point : series.points) {
-    if (!inside(c, point.x)) continue;
+    if (!c.window.holds(point.x)) continue;
     const double own = error_at(point, c.norm), other = error_at(over, point.x, c.norm);
     out.add(fmt::format("{} of '{}' over '{}' at {}", c.norm, series.name, over.name, point.x),
             std::isinf(own) && std::isinf(other) ? 1 : own / other);
@@ -102,7 +98,7 @@ void measure_ratios(const Criterion& c, const Series& series, const Series& over
 void measure_spread(const Criterion& c, const Series& series, Measured& out) {
   double least = std::numeric_limits<double>::infinity(), largest = 0;
   for (const Point& point : series.points) {
-    if (!inside(c, point.x)) continue;
+    if (!c.window.holds(point.x)) continue;
     const double error = error_at(point, c.norm);
     if (std::isnan(error)) out.missing = fmt::format("'{}' has no {} at {}", series.name, c.norm, point.x);
     least = std::min(least, error), largest = std::max(largest, error);
@@ -116,13 +112,13 @@ void measure_spread(const Criterion& c, const Series& series, Measured& out) {
 double slope_of(const Criterion& c, const Series& series) {
   std::vector<double> x, y;
   for (const Point& point : series.points)
-    if (inside(c, point.x)) x.push_back(point.x), y.push_back(error_at(point, c.norm));
+    if (c.window.holds(point.x)) x.push_back(point.x), y.push_back(error_at(point, c.norm));
   return boost::math::statistics::simple_ordinary_least_squares(x, y).second;
 }
 
 double first_value(const Criterion& c, const Series& series) {
   for (const Point& point : series.points)
-    if (inside(c, point.x)) return error_at(point, c.norm);
+    if (c.window.holds(point.x)) return error_at(point, c.norm);
   return not_measured;
 }
 
@@ -136,7 +132,7 @@ void measure_slope(const Criterion& c, const Series& series, const Series& over,
 void measure_status(const Criterion& c, const Series& series, Measured& out) {
   double ok = 0, all = 0;
   for (const Point& point : series.points)
-    if (inside(c, point.x)) ok += point.status == Status::ok ? 1 : 0, ++all;
+    if (c.window.holds(point.x)) ok += point.status == Status::ok ? 1 : 0, ++all;
   out.add(fmt::format("stable share of '{}' over [{}, {}]", series.name, c.window.from, c.window.to), ok / all);
 }
 

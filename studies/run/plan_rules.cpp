@@ -12,11 +12,8 @@ namespace mpmvv {
 
 namespace {
 
-/// Whether the setting stands in every series.
 bool every_series_has(const StudyPlan& plan, const std::string& key) {
-  return std::all_of(plan.series.begin(), plan.series.end(), [&](const SeriesPlan& series) {
-    return std::any_of(series.settings.begin(), series.settings.end(), [&](const Setting& s) { return s.key == key; });
-  });
+  return std::ranges::all_of(plan.series, [&](const SeriesPlan& series) { return series.setting(key) != nullptr; });
 }
 
 /// The setting that a norm needs; empty for those at the end of a run, which are always measured.
@@ -61,9 +58,7 @@ Window read_window(const TomlTable& table, const char* key) {
 
 void require_points(const StudyPlan& plan, const Window& window, int least, const std::string& where) {
   if (!plan.check.empty()) return;
-  const auto count = std::count_if(plan.values.begin(), plan.values.end(), [&](double x) {
-    return x >= window.from * (1 - 1e-9) && x <= window.to * (1 + 1e-9);
-  });
+  const auto count = std::ranges::count_if(plan.values, [&](double x) { return window.holds(x); });
   if (count < least)
     throw UsageError(fmt::format("window [{}, {}] in {} holds {} swept values (at least {})", window.from, window.to,
                                  where, count, least));
@@ -86,11 +81,20 @@ void require_measured(const StudyPlan& plan, const std::string& norm, const std:
   if (setting.empty()) return;
   for (const SeriesPlan& series : plan.series) {
     if (!names.empty() && std::ranges::find(names, series.name) == names.end()) continue;
-    const auto asks = [&setting](const Setting& s) { return s.key == setting && s.value == "true"; };
-    if (std::none_of(series.settings.begin(), series.settings.end(), asks))
+    if (const Setting* asked = series.setting(setting); !asked || asked->value != "true")
       throw UsageError(
           fmt::format("norm '{}' in {} without {} = true in series '{}'", norm, where, setting, series.name));
   }
+}
+
+std::vector<std::string> measured_series(const StudyPlan& plan, const std::string& norm, std::vector<std::string> names,
+                                         const std::string& where) {
+  if (const std::string setting = setting_of(norm); names.empty() && !setting.empty())
+    for (const SeriesPlan& series : plan.series)
+      if (const Setting* asked = series.setting(setting); !asked || asked->value != "false")
+        names.push_back(series.name);
+  require_measured(plan, norm, names, where);
+  return names;
 }
 
 }  // namespace mpmvv

@@ -31,4 +31,8 @@ void require_cost(const StudyPlan& plan, const std::string& where);
 void require_measured(const StudyPlan& plan, const std::string& norm, const std::vector<std::string>& names,
                       const std::string& where);
 
+/// The series named, held against the same; where none is, all but those whose setting says that they do without.
+std::vector<std::string> measured_series(const StudyPlan& plan, const std::string& norm, std::vector<std::string> names,
+                                         const std::string& where);
+
 }  // namespace mpmvv

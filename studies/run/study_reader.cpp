@@ -4,10 +4,12 @@
 #include <fstream>
 #include <sstream>
 
+#include "solver/velocity_update/velocity_updates.hpp"
 #include "studies/check.hpp"
 #include "studies/claim.hpp"
 #include "studies/error.hpp"
 #include "studies/run/criterion_reader.hpp"
+#include "studies/run/named.hpp"
 #include "studies/run/plan_rules.hpp"
 #include "studies/study.hpp"
 #include "studies/toml_file.hpp"
@@ -125,9 +127,9 @@ void read_replicates(const TomlTable& root, StudyPlan& plan) {
 void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("extrapolate")) {
     table.allow_only({"norm", "window", "series"});
-    ExtrapolationPlan wanted{norm_of(table, "norm"), read_window(table, "window"), series_names(table, "series", plan)};
+    ExtrapolationPlan wanted{norm_of(table, "norm"), read_window(table, "window"), {}};
     require_points(plan, wanted.window, 4, table.where("window"));
-    require_measured(plan, wanted.norm, wanted.series, table.where("norm"));
+    wanted.series = measured_series(plan, wanted.norm, series_names(table, "series", plan), table.where("norm"));
     plan.extrapolations.push_back(wanted);
   }
 }
@@ -146,9 +148,9 @@ void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTab
 void read_fits(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("fit")) {
     table.allow_only({"norm", "window", "floor_window", "series"});
-    FitPlan fit{norm_of(table, "norm"), read_window(table, "window"), {}, series_names(table, "series", plan)};
+    FitPlan fit{norm_of(table, "norm"), read_window(table, "window"), {}, {}};
     require_points(plan, fit.window, 3, table.where("window"));
-    require_measured(plan, fit.norm, fit.series, table.where("norm"));
+    fit.series = measured_series(plan, fit.norm, series_names(table, "series", plan), table.where("norm"));
     if (table.has("floor_window")) fit.floor = read_window(table, "floor_window");
     plan.fits.push_back(fit);
   }
@@ -176,8 +178,9 @@ void read_figures(const TomlTable& root, StudyPlan& plan) {
       require_word(key, scale, {"log", "linear"}, table.where(key));
       *log = scale == "log";
     }
-    figure.quantity = table.text("quantity", plan.check.empty() ? "l2" : "y");
-    figure.series = series_names(table, "series", plan);
+    figure.quantity = table.has("quantity") ? norm_of(table, "quantity") : plan.check.empty() ? "l2" : "y";
+    figure.series =
+        measured_series(plan, figure.quantity, series_names(table, "series", plan), table.where("quantity"));
     figure.marks = series_names(table, "marks", plan);
     if (table.has("slopes")) figure.slopes = table.numbers("slopes");
     const auto range = [&table](const char* key, std::optional<double>& low, std::optional<double>& high) {
@@ -209,12 +212,16 @@ void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
 
 /// Whether the series' velocity update is an expansion; one without stands beside a sweep over `order` as a level line.
 bool has_order(const SeriesPlan& series) {
-  return std::any_of(series.settings.begin(), series.settings.end(), [](const Setting& setting) {
-    return setting.key == "velocity_update" && (setting.value == "xpic" || setting.value == "fmpm");
-  });
+  const Setting* update = series.setting("velocity_update");
+  return update && solver::expands_inverse(named<solver::AnyVelocityUpdate>(update->value));
 }
 
 }  // namespace
+
+const Setting* SeriesPlan::setting(const std::string& key) const {
+  const auto last = std::find_if(settings.rbegin(), settings.rend(), [&](const Setting& s) { return s.key == key; });
+  return last == settings.rend() ? nullptr : &*last;
+}
 
 bool StudyPlan::has_series(const std::string& wanted) const {
   return std::any_of(series.begin(), series.end(), [&](const SeriesPlan& s) { return s.name == wanted; });

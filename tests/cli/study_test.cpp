@@ -10,6 +10,7 @@ namespace mpmvv {
 namespace study_test {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* small_study = R"(title = "Small"
 claims = ["S-fig10"]
@@ -210,6 +211,26 @@ TEST(StudyCommand, ANormIsAskedOfTheSeriesThatTheFitNames) {
   EXPECT_THAT(answer.out, HasSubstr("l2_all_steps"));
 }
 
+TEST(StudyCommand, AFitOfAllSeriesLeavesOutThoseThatDoWithoutItsNorm) {
+  const Folder folder;
+  std::string text = small_study;
+  const auto insert_behind = [&text](const std::string& place, const std::string& more) {
+    text.insert(text.find(place) + place.size(), more);
+  };
+  insert_behind("ppc = 4\n", "every_step = true\n");
+  insert_behind("basis = \"linear\"\n", "every_step = false\n");
+  insert_behind("window = [8, 64]\n", "[[fit]]\nnorm = \"l2_all_steps\"\nwindow = [8, 64]\n");
+  const std::string study = "study --db " + (folder / "r.db") + " ";
+  const Answer answer = call(folder, study + folder.write("small.toml", text));
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("of 'bspline2' in l2_all_steps"));
+  EXPECT_THAT(answer.out, Not(HasSubstr("of 'linear' in l2_all_steps")));
+  insert_behind("norm = \"l2_all_steps\"\n", "series = [\"linear\"]\n");
+  const Answer named = call(folder, study + folder.write("small.toml", text));
+  EXPECT_EQ(named.code, 2);
+  EXPECT_THAT(named.err, HasSubstr("without every_step = true in series 'linear'"));
+}
+
 struct BadFile {
   const char* from;  ///< text of the small study to replace
   const char* to;
@@ -262,6 +283,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"[[fit]]", "[replicates]\nshuffle = [1]\n[[fit]]", "fewer than two replicates"},
         BadFile{"[[fit]]", "[[extrapolate]]\nnorm = \"l2\"\nwindow = [8, 32]\n[[fit]]", "holds 3 swept values"},
         BadFile{"ppc = 4", "ppc = 4\nrepeat = 1", "repeat = 1"},
+        BadFile{"caption", "quantity = \"l3\"\ncaption", "unknown quantity 'l3'"},
+        BadFile{"caption", "quantity = \"nodal_l2\"\ncaption", "without nodal_error"},
+        BadFile{"caption", "quantity = \"y\"\ncaption", "y for the curves of a check"},
         BadFile{"caption", "kind = \"pie\"\ncaption", "unknown figure kind 'pie'"},
         BadFile{"caption", "kind = \"work-precision\"\ncaption", "`repeat` in every series"},
         BadFile{"caption", "kind = \"particles\"\ncaption", "without a check"},

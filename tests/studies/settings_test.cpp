@@ -5,6 +5,7 @@
 
 #include "studies/boundaries.hpp"
 #include "studies/error.hpp"
+#include "studies/study.hpp"
 
 namespace mpmvv {
 namespace settings_test {
@@ -39,6 +40,13 @@ TEST(Settings, DefaultsAreFilledInAndPartOfTheCase) {
 
 TEST(Settings, LaterOnesOverwriteEarlierOnes) {
   EXPECT_EQ(make_case(bar_settings({{"cfl", "0.3"}, {"cells", "64"}})).resolution.cells, 64);
+}
+
+TEST(Settings, AVelocityUpdateWithoutOrderIsTheSameAtEveryOrder) {
+  SeriesPlan series{"flip", bar_settings({{"cfl", "0.3"}, {"velocity_update", "xpic"}}), ""};
+  EXPECT_EQ(case_at(series, "order", 3, "").scheme.order, 3);
+  series.settings.push_back({"velocity_update", "flip", "a.toml:9"});
+  EXPECT_EQ(case_at(series, "order", 3, "").scheme.order, 0);
 }
 
 TEST(Settings, AnErrorNamesTheLineOfTheSetting) {
