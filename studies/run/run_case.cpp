@@ -10,8 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "solver/integrator/words.hpp"
-#include "solver/words.hpp"
 #include "studies/error.hpp"
 #include "studies/norms.hpp"
 #include "studies/run/balance.hpp"
@@ -44,7 +42,6 @@ template <int D>
 ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
   constexpr std::size_t chunk = 256;
   const auto& particles = mpm.particles();
-  const double period = mpm.grid().h() * mpm.grid().cells()[0];
   ErrorNorms norms;
   solver::Vec<D> u[chunk];
   for (std::size_t begin = 0; begin < particles.size(); begin += chunk) {
@@ -53,8 +50,10 @@ ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const Stage<D>& stage)
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t p = begin + k;
       solver::Vec<D> delta = (particles.x[p] - stage.X[particles.id[p]]) - u[k];
-      for (int d = 0; d < D; ++d)
+      for (int d = 0; d < D; ++d) {
+        const double period = mpm.grid().h() * mpm.grid().cells()[static_cast<std::size_t>(d)];
         if (mpm.periodic()[static_cast<std::size_t>(d)]) delta[d] = nearest_image(delta[d], period);
+      }
       norms.add(delta.norm());
     }
   }
@@ -272,32 +271,6 @@ std::vector<Record> run_timed(const std::vector<Case>& cases) {
   for (const Case& c : cases) records.push_back(run_once(c, find_problem(c.problem.name, "the case"), 1, nullptr));
   measure_costs(records);
   return records;
-}
-
-double work_estimate(const Case& c) {
-  const int dimension = find_problem(c.problem.name, "the case").dimension();
-  const double expansion = c.scheme.order > 0 ? 1 + 0.2 * (c.scheme.order - 1) : 1;
-  return expansion * extent(c).cells_of_body * std::pow(c.resolution.ppc, dimension) *
-         static_cast<double>(c.resolution.steps);
-}
-
-double memory_estimate(const Case& c) {
-  const int D = find_problem(c.problem.name, "the case").dimension();
-  solver::AnyBasis basis;
-  solver::from_word(c.scheme.basis, basis);
-  // Positions (with the reference ones), velocities, F, widths or edges, mass, volume, identity, and twice a field
-  // while sorting.
-  const double stages = solver::is_staged(c.scheme.integrator) ? 2 * (2 * D + D * D) : 0;
-  const double widths = width_of(basis) == solver::ParticleWidth::domain ? 2 * D * D : 2 * D;
-  const double rate = c.scheme.integrator.ends_with('+') ? D : 0;
-  const double affine = c.scheme.velocity_update == "apic" ? D * D : 0;
-  const double history = c.scheme.material == solver::MieGruneisen::word ? sizeof(solver::ThermalState) / 8.0 : 0;
-  const double per_particle = 8.0 * (3 * D + 2 * D * D + widths + 4 + stages + rate + affine + history) + 64;
-  const double expansion = c.scheme.order > 0 ? 2 * D : 0;
-  const double per_node = 8.0 * (4 * D + 1 + expansion);
-  const auto [cells_of_body, cells_of_domain] = extent(c);
-  const double nodes = std::pow(std::pow(cells_of_domain, 1.0 / D) + 1 + 2 * ghosts_of(basis), D);
-  return per_particle * cells_of_body * std::pow(c.resolution.ppc, D) + per_node * nodes;
 }
 
 }  // namespace mpmvv

@@ -54,6 +54,14 @@ TEST(Stretch, IsTheSameInEveryDimension) {
   }
 }
 
+/// At this offset the sides' particles lie on the faces of the grid and come back on the other side, 4 m away.
+TEST(Stretch, ErrorsOfPeriodicSidesAreTakenByTheirOwnPeriod) {
+  const Pairs sides{{"boundary", "xmin=wall,xmax=wall,ymin=periodic,ymax=periodic"}, {"grid_offset", "0.25"}};
+  const Record record = run("stretch", sides), plain = run("stretch", {});
+  EXPECT_EQ(record.status, Status::ok) << record.reason;
+  EXPECT_NEAR(record.error.l2, plain.error.l2, 1e-6 * plain.error.l2);
+}
+
 /// In per cent of the speed of the ends, so that a bar that the walls have lost errs by about 100.
 TEST(Stretch, VelocityErrorsAreThoseOfABarHeldOrNot) {
   const double held = run("stretch-1d", {{"velocity_update", "fmpm"}, {"order", "2"}}).error.velocity;

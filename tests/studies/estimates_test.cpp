@@ -1,0 +1,25 @@
+#include <gtest/gtest.h>
+
+#include "studies/run_case.hpp"
+#include "studies/settings.hpp"
+
+namespace mpmvv {
+namespace estimates_test {
+
+double memory(const std::vector<Setting>& more) {
+  std::vector<Setting> settings{
+      {"problem", "cube", ""}, {"cells", "8", ""}, {"ppc", "2", ""}, {"cfl", "0.2", ""}, {"basis", "bspline2", ""}};
+  settings.insert(settings.end(), more.begin(), more.end());
+  return memory_estimate(make_case(settings));
+}
+
+/// Vectors in space are padded to four components.
+TEST(MemoryEstimate, CountsWhatSystemsOfMassesKeepOnEachNode) {
+  constexpr double nodes = 13 * 13 * 13, field = 8 * 4 * nodes, scalar = 8 * nodes;
+  const double plain = memory({});
+  EXPECT_NEAR(memory({{"velocity_update", "fmpm", ""}, {"order", "2", ""}}) - plain, 2 * field, 1);
+  EXPECT_NEAR(memory({{"mass", "consistent", ""}}) - plain, 6 * field + 3 * scalar, 1);
+}
+
+}  // namespace estimates_test
+}  // namespace mpmvv
