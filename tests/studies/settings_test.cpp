@@ -75,7 +75,7 @@ TEST(Settings, WhatABasisDoesNotGoWith) {
     return bar_settings({{"cfl", "0.1"}, {"basis", basis}, {key, value}});
   };
   for (const char* basis : {"bspline2", "b2gimp"}) EXPECT_NO_THROW(make_case(of(basis, "velocity_update", "apic")));
-  for (const char* basis : {"linear", "cpdi", "bspline2-open"})
+  for (const char* basis : {"linear", "cpdi"})
     EXPECT_THAT([&] { make_case(of(basis, "velocity_update", "apic")); },
                 testing::ThrowsMessage<UsageError>(
                     testing::HasSubstr("(bspline2, bspline3, ugimp, gimp, cpgimp, b2gimp: nodes a cell apart")));
