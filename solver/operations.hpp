@@ -30,9 +30,9 @@ struct MapMomentum {
   const Particles<D>& particles;
   Grid<D>& grid;
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
-    if constexpr (requires { scatter_affine(particles, p, nodes, grid); })
-      if (!particles.C.empty()) return scatter_affine(particles, p, nodes, grid);
+  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
+    if constexpr (requires { scatter_affine(particles, p, block, k, grid); })
+      if (!particles.C.empty()) return scatter_affine(particles, p, block, k, grid);
     nodes.scatter(packed<D>(particles.m[p] * particles.v[p], particles.m[p]), grid.p);
   }
 };

@@ -1,8 +1,5 @@
 #pragma once
-#include "solver/basis/basis.hpp"
-#include "solver/grid.hpp"
-#include "solver/particles.hpp"
-#include "solver/stencil.hpp"
+#include "solver/block.hpp"
 
 /// The affine velocity field about a particle, v_p + C_p (x - x_p), that APIC carries: Jiang, Schroeder, Selle, Teran,
 /// Stomakhin 2015, equations (6) to (8) there, and N §2.6. For bases with nodes a cell apart and weights that spread,
@@ -47,23 +44,26 @@ void for_arms(const Weights<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x, 
   } while (i[D - 1] < K);
 }
 
+// What follows takes the block and the particle's place in it, not its stencil: a call with that, though seldom made,
+// would have every particle's stencil written to memory.
+
 /// p_i += N_ip m_p (v_p + C_p (x_i - x_p)), and the mass.
-template <int D, int K>
-[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, std::size_t p, const Weights<D, K>& nodes,
-                                      Grid<D>& grid) {
-  for_arms(nodes, grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
+template <int D, int K, Evaluates evaluates>
+[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, std::size_t p,
+                                      const PointBlock<D, K, evaluates>& block, int k, Grid<D>& grid) {
+  for_arms<D, K>(block.stencil(k, grid), grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
     const Vec<D> v = particles.v[p] + particles.C[p] * arm;
     grid.p[n] += N * packed<D>(particles.m[p] * v, particles.m[p]);
   });
 }
 
 /// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹
-template <int D, int K>
-[[gnu::noinline]] void gather_affine(Particles<D>& particles, std::size_t p, const Weights<D, K>& nodes,
-                                     const Grid<D>& grid) {
+template <int D, int K, Evaluates evaluates>
+[[gnu::noinline]] void gather_affine(Particles<D>& particles, std::size_t p, const PointBlock<D, K, evaluates>& block,
+                                     int k, const Grid<D>& grid) {
   Mat<D> moment = Mat<D>::Zero();
   Vec<D> inertia = Vec<D>::Zero();
-  for_arms(nodes, grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
+  for_arms<D, K>(block.stencil(k, grid), grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
     moment += N * grid.v[n].template head<D>() * arm.transpose();
     inertia += N * arm.cwiseAbs2();
   });

@@ -19,9 +19,9 @@ struct Advance {
 
 /// C_p, where particles have one.
 template <int D>
-void keep_affine(Particles<D>& particles, std::size_t p, const auto& nodes, const Grid<D>& grid) {
-  if constexpr (requires { gather_affine(particles, p, nodes, grid); })
-    if (!particles.C.empty()) gather_affine(particles, p, nodes, grid);
+void keep_affine(Particles<D>& particles, std::size_t p, const auto& block, int k, const Grid<D>& grid) {
+  if constexpr (requires { gather_affine(particles, p, block, k, grid); })
+    if (!particles.C.empty()) gather_affine(particles, p, block, k, grid);
 }
 
 /// Tasks 4 and 5 of N table 1.
@@ -34,10 +34,10 @@ struct UpdateParticle {
   double dt;
   DeformationStep<D> deform;
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
     const auto v = nodes.gather_with_gradient(grid.v);
     const Advance<D> advance(fields, particles.v[p], v.value.template head<D>(), nodes);
-    keep_affine(particles, p, nodes, grid);
+    keep_affine(particles, p, block, k, grid);
     particles.x[p] += dt * advance.rate;
     particles.v[p] = advance.velocity;
     deform(particles.F[p], v.gradient);
@@ -52,9 +52,9 @@ struct UpdateVelocityAndPosition {
   VelocityFields<D> fields;
   double dt;
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
     const Advance<D> advance(fields, particles.v[p], nodes.gather(grid.v).template head<D>(), nodes);
-    keep_affine(particles, p, nodes, grid);
+    keep_affine(particles, p, block, k, grid);
     particles.x[p] += dt * advance.rate;
     particles.v[p] = advance.velocity;
   }
@@ -67,9 +67,9 @@ struct UpdateVelocityAndRate {
   const Grid<D>& grid;
   VelocityFields<D> fields;
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
     const Advance<D> advance(fields, particles.v[p], nodes.gather(grid.v).template head<D>(), nodes);
-    keep_affine(particles, p, nodes, grid);
+    keep_affine(particles, p, block, k, grid);
     particles.rate[p] = advance.rate;
     particles.v[p] = advance.velocity;
   }

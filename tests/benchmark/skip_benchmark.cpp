@@ -19,7 +19,7 @@ namespace {
 
 using namespace solver;
 
-constexpr int steps = 20;
+constexpr int steps_measured = 20;
 
 void compare(const std::string& name, const std::string& meaning, const std::function<void(benchmark::State&)>& paid,
              const std::function<void(benchmark::State&)>& skipped) {
@@ -34,7 +34,7 @@ template <int D>
 void logarithm(benchmark::State& state, double lambda) {
   auto scene = waving_block<D>("bspline2", D == 2 ? 64 : 16, 2);
   scene.material = NeoHookeanLog{lambda, 4000};
-  measure_steps(state, scene, 0.1 * scene.h / block_wave_speed, steps);
+  measure_steps(state, scene, 0.1 * scene.h / block_wave_speed, steps_measured);
 }
 
 /// A solution's body force at the particles' reference positions.
@@ -76,7 +76,7 @@ template <int D, class Force>
 void body_force(benchmark::State& state, const mms::ManufacturedSolution<D>& solution, Scene<D> scene) {
   const Force force(solution, scene.particles.x);
   scene.body_force = &force;
-  measure_steps(state, scene, 0.1 * scene.h / block_wave_speed, steps);
+  measure_steps(state, scene, 0.1 * scene.h / block_wave_speed, steps_measured);
 }
 
 template <class Force>
@@ -105,7 +105,7 @@ void grid_filled_by(benchmark::State& state, bool ring) {
     scene.particles = particles_at<2>(x, std::pow(scene.h / 2, 2));
   }
   set_wave(scene, 0.01);
-  measure_steps(state, scene, 0.1 * scene.h / block_wave_speed, steps);
+  measure_steps(state, scene, 0.1 * scene.h / block_wave_speed, steps_measured);
 }
 
 /// Widths that a basis without widths takes no notice of, but that are kept up to date and sorted along.
@@ -113,7 +113,7 @@ void fields(benchmark::State& state, bool unused) {
   auto scene = waving_block<3>("bspline2", 16, 2);
   if (unused) scene.particles.l.assign(scene.particles.size(), Vec<3>::Constant(0.5));
   if (unused) scene.particles.l0 = scene.particles.l;
-  measure_steps(state, scene, 0.1 * scene.h / block_wave_speed, steps);
+  measure_steps(state, scene, 0.1 * scene.h / block_wave_speed, steps_measured);
 }
 
 using Words = std::vector<std::pair<std::string, std::string>>;
