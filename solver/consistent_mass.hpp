@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "solver/consistent_mass_settings.hpp"
 #include "solver/operations.hpp"
-#include "solver/scene.hpp"
 
 namespace mpmvv::solver {
 

@@ -41,10 +41,16 @@ struct DeformationStep {
   double dt;
   Deformation rule = Deformation::linear;
 
-  void operator()(Mat<D>& F, const PackedMat<D>& L) const {
-    const PackedMat<D> dt_L = dt * L;
-    const PackedMat<D> increment = rule == Deformation::linear ? dt_L : exponential_less_identity<D>(dt_L);
+  [[gnu::always_inline]] void operator()(Mat<D>& F, const PackedMat<D>& L) const {
+    PackedMat<D> increment;
+    for (int d = 0; d < D; ++d) increment.col(d) = dt * L.col(d);  // at once, a plane's would go through memory
+    if (rule == Deformation::exponential) return advance_exponentially(F, PackedMat<D>(increment));
     F = plus_product<D>(F, increment, F).template topRows<D>();
+  }
+
+ private:
+  [[gnu::noinline]] static void advance_exponentially(Mat<D>& F, const PackedMat<D>& dt_L) {
+    F = plus_product<D>(F, exponential_less_identity<D>(dt_L), F).template topRows<D>();
   }
 };
 

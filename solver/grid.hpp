@@ -51,7 +51,8 @@ class Grid {
     return i;
   }
 
-  /// Calls visit(n, n + shift * stride) for every node n whose index along `axis` is i: the plane i and its partner.
+  /// Calls visit(n, m) for every node n whose index along `axis` is i and the node m that differs from it in being on
+  /// the plane `partner`.
   template <class Visit>
   void for_plane(int axis, int i, int partner, const Visit& visit) const {
     const int step = stride_[axis];

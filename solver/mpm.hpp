@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -24,7 +26,8 @@ class ExpandedInverse;
 template <int D>
 class Mpm {
  public:
-  /// Throws std::invalid_argument on an unknown integrator word.
+  /// Throws std::invalid_argument on what makes no scene: an unknown integrator, no particles or threads, particles
+  /// without the widths that the basis takes, a wall without a motion.
   explicit Mpm(Scene<D> scene);
   ~Mpm();
 
@@ -48,7 +51,7 @@ class Mpm {
   Vec<D> node_position(std::size_t n) const;  ///< of the node at a storage index
   bool is_accelerated(std::size_t n) const { return grid_.m(n) > least_mass_; }
 
-  // For integrators.
+  // For integrators. Sweeps are defined in solver/mpm_sweeps.hpp, `fold` in solver/mpm_grid.hpp.
   Particles<D>& particles() { return particles_; }
   Grid<D>& grid() { return grid_; }
   void set_time(double t) { time_ = t; }  ///< of the body force, for stages within a step

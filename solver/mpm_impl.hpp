@@ -1,4 +1,6 @@
 #pragma once
+#include <Eigen/LU>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -18,6 +20,24 @@ Grid<D> make_grid(const Scene<D>& scene) {
 }
 
 template <int D>
+Scene<D> sound(Scene<D> scene) {
+  const auto require = [](bool holds, const char* what) {
+    if (!holds) throw std::invalid_argument(what);
+  };
+  const Particles<D>& particles = scene.particles;
+  const ParticleWidth width = width_of(scene.basis);
+  const bool is_wide = width == ParticleWidth::reference || width == ParticleWidth::current;
+  require(particles.size() > 0, "a scene without particles");
+  require(scene.threads > 0, "a scene without threads");
+  require(!is_wide || particles.l.size() == particles.size(), "particles without the widths that the basis takes");
+  require(width != ParticleWidth::domain || particles.R.size() == particles.size(),
+          "particles without the domains that the basis takes");
+  for (const AnyBoundary& boundary : scene.boundary)
+    if (const auto* wall = std::get_if<Wall>(&boundary)) require(wall->motion, "a wall without a motion");
+  return scene;
+}
+
+template <int D>
 const Integrator<D>& find_integrator(std::string_view word) {
   for (const Integrator<D>& integrator : integrators<D>)
     if (integrator.word == word) return integrator;
@@ -28,7 +48,7 @@ const Integrator<D>& find_integrator(std::string_view word) {
 
 template <int D>
 Mpm<D>::Mpm(Scene<D> scene)
-    : scene_(std::move(scene)),
+    : scene_(detail::sound(std::move(scene))),
       particles_(std::move(scene_.particles)),
       grid_(detail::make_grid(scene_)),
       slabs_(grid_, reach(width_of(scene_.basis))),
@@ -69,7 +89,6 @@ template <int D>
 void Mpm<D>::add_walls() {
   for_faces([this]<class Boundary>(const Boundary& boundary, Face face) {
     if constexpr (std::is_same_v<Boundary, Wall>) {
-      if (!boundary.motion) throw std::invalid_argument("a wall without a motion");
       std::vector<double> places;
       for (int i = -grid_.ghost(); i < grid_.nodes(face.axis) - grid_.ghost(); ++i) {
         Index<D> index{};
@@ -124,7 +143,7 @@ std::string Mpm<D>::fault() const {
   if (contains(fault_, Fault::outgrown))
     return width_of(scene_.basis) == ParticleWidth::domain
                ? "a corner of a particle is more than " + std::to_string(domain_reach) + " cells from it"
-               : "a particle is wider than a cell";
+               : "the width of a particle is not between zero and a cell";
   if (contains(fault_, Fault::inverted)) return "det F <= 0 on a particle";
   return "";
 }

@@ -6,6 +6,7 @@
 #include "solver/basis/bases.hpp"
 #include "solver/body_force.hpp"
 #include "solver/boundary/boundaries.hpp"
+#include "solver/consistent_mass_settings.hpp"
 #include "solver/deformation.hpp"
 #include "solver/material/materials.hpp"
 #include "solver/particles.hpp"
@@ -13,14 +14,6 @@
 #include "solver/velocity_update/velocity_updates.hpp"
 
 namespace mpmvv::solver {
-
-/// How the consistent mass matrix is kept from being singular, and how far its systems are solved. Displacement errors
-/// of the bar and the square change by a few per cent at most with ε <= 1e-2 or θ from 0.1 to 0.3 (tests show it).
-struct ConsistentMassSettings {
-  double lumped_share = 1e-2;  ///< ε
-  double covered = 0.25;       ///< θ, of a full cell's mass
-  double tolerance = 1e-5;     ///< residual over that of the lumped solution, both in the norm of diag(m)⁻¹
-};
 
 /// Where the body force is evaluated.
 enum class BodyForceOn {
@@ -58,9 +51,9 @@ struct Scene {
   int threads = 1;
   /// A node is accelerated when its mass exceeds this fraction of a full cell's (the mean particle mass density times
   /// h^D), by default `mass_cutoff_of` the basis; every node with mass has a velocity. Up to 1e-10 it does not decide a
-  /// result where the motion meets the walls squarely (tests show it). GIMP sheared along a symmetry wall does depend on
-  /// it: a particle that overlaps the wall by e gives a ghost node a mass of order e² and a shear force of order e. With
-  /// CPDI both are of order e, and the cutoff changes results in proportion to itself.
+  /// result where the motion meets the walls squarely (tests show it). GIMP sheared along a symmetry wall does depend
+  /// on it: a particle that overlaps the wall by e gives a ghost node a mass of order e² and a shear force of order e.
+  /// With CPDI both are of order e, and the cutoff changes results in proportion to itself.
   std::optional<double> mass_cutoff;
   std::optional<ConsistentMassSettings> consistent_mass;  ///< lumped when empty
 };

@@ -36,8 +36,6 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  int size() const { return size_; }
-
   /// Calls task(k) for every k in [0, tasks); returns when all are done. `task` must not throw.
   template <class Task>
   void run(int tasks, const Task& task) {

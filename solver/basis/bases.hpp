@@ -3,6 +3,7 @@
 
 #include "solver/basis/b2cpdi.hpp"
 #include "solver/basis/b2gimp.hpp"
+#include "solver/basis/bspline.hpp"
 #include "solver/basis/cpdi.hpp"
 #include "solver/basis/gimp.hpp"
 #include "solver/basis/linear.hpp"
@@ -23,13 +24,18 @@ using AnyBasis = std::variant<Linear,        //
                               B2Gimp,        //
                               B2Cpdi>;
 
+template <Basis... B>
+constexpr void require_bases(const std::variant<B...>*) {}
+static_assert((require_bases(static_cast<const AnyBasis*>(nullptr)), true));
+
 inline ParticleWidth width_of(const AnyBasis& basis) {
   return std::visit([]<class B>(const B&) { return B::width; }, basis);
 }
 
-/// The mass, as a fraction of a full cell's, up to which a node has no acceleration. What a particle gives a node that
-/// its support overlaps by e cells vanishes with e² or faster, and the force with e: up to e = 1e-8 it is lost to the
-/// body's momentum, which is round-off. With hats mass vanishes with e, and force not at all.
+/// The mass, as a fraction of a full cell's, up to which a node has no acceleration: the force on it is then lost to
+/// the body's momentum. A particle whose support overlaps a node by e cells gives it a mass of order e² and a force of
+/// order e, or of higher powers, by which at most 1e-8 of a force is lost and that seldom. The hats' mass is of order e
+/// and their force of order one: they say another, well above the round-off of a position.
 inline double mass_cutoff_of(const AnyBasis& basis) {
   return std::visit(
       []<class B>(const B&) {

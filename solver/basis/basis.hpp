@@ -27,7 +27,8 @@ struct AxisPoint {
   double width;  ///< width of the particle, for bases that take one
 };
 
-/// What a basis must offer. It is one-dimensional; the solver forms tensor products, S (18).
+/// What a basis must offer, and at the end what it may. It is one-dimensional; the solver forms tensor products, S
+/// (18).
 ///   word          its name in study files and on the command line
 ///   support       number of nodes that reach a point
 ///   extra_inside  degrees of freedom in the domain beyond one per cell
@@ -36,6 +37,8 @@ struct AxisPoint {
 ///   width         which particle width it takes
 ///   position      where the i-th degree of freedom sits, in cells: with these Σ_i x_i ∇N_i = I
 ///   evaluate      weights N and gradients dN (per cell width) of the `support` nodes; returns the first node's index
+///   mass_cutoff   see `mass_cutoff_of` in bases.hpp; needed where gradients jump from cell to cell
+///   SweptAs       another basis that it evaluates as: see `swept`
 template <class B>
 concept Basis = requires(const B basis, AxisPoint point, double* N, double* dN) {
   { B::word } -> std::convertible_to<std::string_view>;

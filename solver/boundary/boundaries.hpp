@@ -18,4 +18,8 @@ using AnyBoundary = std::variant<Periodic,   //
                                  Free,       //
                                  Wall>;
 
+template <Boundary... B>
+constexpr void require_boundaries(const std::variant<B...>*) {}
+static_assert((require_boundaries(static_cast<const AnyBoundary*>(nullptr)), true));
+
 }  // namespace mpmvv::solver

@@ -10,7 +10,7 @@ namespace mpmvv::solver {
 /// N does not say which shape functions; Sulsky, Zhou and Schreyer (1995) and Nairn's code keep those of the step's
 /// start, and so does this. Positions follow v⁺, S (10). In N's notation v̄ = v + Δt S⁺S a where v⁺ = v + Δt a: what the
 /// round trip S⁺S filters out of the acceleration never reaches F. With another velocity update V' and X' are its own,
-/// and v̄ is m̃_k⁻¹ p of those V'.
+/// and v̄ is m⁻¹ p, for `fmpm` m̃_k⁻¹ p, of those V'.
 template <int D>
 void update_with_remapped_velocity(Mpm<D>& s, double dt, double dt_stress) {
   auto& particles = s.particles();

@@ -2,6 +2,7 @@
 #include <variant>
 
 #include "solver/velocity_update/apic.hpp"
+#include "solver/velocity_update/flip.hpp"
 #include "solver/velocity_update/fmpm.hpp"
 #include "solver/velocity_update/pic.hpp"
 #include "solver/velocity_update/xpic.hpp"

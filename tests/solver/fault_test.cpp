@@ -90,7 +90,7 @@ TYPED_TEST(Faults, TooLongAStepIsReported) {
 TEST(Fault, OutgrownParticlesAreReported) {
   Scene<1> scene = full_scene<1>(CpGimp{}, 8, 1);
   set_wave(scene, 1);
-  EXPECT_EQ(fault_of(scene, 0.1 * scene.h / 120), "a particle is wider than a cell");
+  EXPECT_EQ(fault_of(scene, 0.1 * scene.h / 120), "the width of a particle is not between zero and a cell");
 }
 
 TEST(Fault, UnknownIntegratorIsRefused) {

@@ -104,12 +104,13 @@ TYPED_TEST(Invariants, FreeBodyKeepsItsMomentum) {
   }
 }
 
-/// The body's ends lie where a basis just begins to reach a node: its mass is tiny, the force on it is not as tiny.
+/// The strained body's ends lie where a basis just begins to reach a node: its mass is tiny, the force on it less so.
 TYPED_TEST(Invariants, FreeBodyKeepsItsMomentumHoweverLittleMassNodesHave) {
   for (const double edge : {0.0, 0.25, 0.5, 0.75})
     for (const double overlap : {-1e-4, -1e-6, 1e-6, 1e-4}) {
       Scene<1> scene = free_body<1>(TypeParam{});
       for (auto& x : scene.particles.x) x[0] += (edge + overlap - 0.13 - 0.25) * scene.h;
+      for (auto& F : scene.particles.F) F *= 1.05;
       expect_momentum_conserved(scene, "usl", 1e-12);
     }
 }

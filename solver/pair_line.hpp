@@ -1,0 +1,79 @@
+#pragma once
+#include <array>
+#include <cstring>
+
+#include "solver/types.hpp"
+
+namespace mpmvv::solver {
+
+/// K >= 2 neighbouring nodes along the first axis of a plane with two components each, two nodes to a register and the
+/// last one, where K is odd, in half of one.
+template <int K>
+class PairLine {
+ public:
+  /// c φ_i
+  [[gnu::always_inline]] PairLine(double c, const Packed<2>* nodes) {
+    load(nodes);
+    for (Quad& q : quads_) q *= c;
+    if constexpr (is_odd) last_ *= c;
+  }
+
+  /// N_i value
+  [[gnu::always_inline]] PairLine(const double* N, const Packed<2>& value) {
+    for (std::size_t k = 0; k < quads_.size(); ++k)
+      quads_[k] = Quad{N[2 * k], N[2 * k], N[2 * k + 1], N[2 * k + 1]} * Quad{value[0], value[1], value[0], value[1]};
+    if constexpr (is_odd) last_ = N[K - 1] * Pair{value[0], value[1]};
+  }
+
+  [[gnu::always_inline]] void operator+=(const PairLine& other) {
+    for (std::size_t k = 0; k < quads_.size(); ++k) quads_[k] += other.quads_[k];
+    if constexpr (is_odd) last_ += other.last_;
+  }
+
+  /// φ_i += c times this
+  [[gnu::always_inline]] void add_to(Packed<2>* nodes, double c) const {
+    PairLine sum(nodes);
+    for (std::size_t k = 0; k < quads_.size(); ++k) sum.quads_[k] += c * quads_[k];
+    if constexpr (is_odd) sum.last_ += c * last_;
+    sum.store(nodes);
+  }
+
+  /// φ_i += c times this + d times another
+  [[gnu::always_inline]] void add_to(Packed<2>* nodes, double c, double d, const PairLine& other) const {
+    PairLine sum(nodes);
+    for (std::size_t k = 0; k < quads_.size(); ++k) sum.quads_[k] += c * quads_[k] + d * other.quads_[k];
+    if constexpr (is_odd) sum.last_ += c * last_ + d * other.last_;
+    sum.store(nodes);
+  }
+
+  /// Σ_i N_i times the i-th of this
+  [[gnu::always_inline]] Packed<2> weighted(const double* N) const {
+    Quad wide = Quad{N[0], N[0], N[1], N[1]} * quads_[0];
+    for (std::size_t k = 1; k < quads_.size(); ++k)
+      wide += Quad{N[2 * k], N[2 * k], N[2 * k + 1], N[2 * k + 1]} * quads_[k];
+    Pair narrow = __builtin_shufflevector(wide, wide, 0, 1) + __builtin_shufflevector(wide, wide, 2, 3);
+    if constexpr (is_odd) narrow += N[K - 1] * last_;
+    return {narrow[0], narrow[1]};
+  }
+
+ private:
+  using Pair [[gnu::vector_size(16)]] = double;
+  using Quad [[gnu::vector_size(32)]] = double;
+  static constexpr bool is_odd = K % 2 == 1;
+
+  [[gnu::always_inline]] explicit PairLine(const Packed<2>* nodes) { load(nodes); }
+
+  [[gnu::always_inline]] void load(const Packed<2>* nodes) {
+    std::memcpy(quads_.data(), nodes->data(), sizeof quads_);
+    if constexpr (is_odd) std::memcpy(&last_, nodes[K - 1].data(), sizeof last_);
+  }
+  [[gnu::always_inline]] void store(Packed<2>* nodes) const {
+    std::memcpy(nodes->data(), quads_.data(), sizeof quads_);
+    if constexpr (is_odd) std::memcpy(nodes[K - 1].data(), &last_, sizeof last_);
+  }
+
+  std::array<Quad, K / 2> quads_;
+  Pair last_;
+};
+
+}  // namespace mpmvv::solver
