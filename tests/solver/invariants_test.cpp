@@ -84,7 +84,7 @@ TYPED_TEST(Invariants, AngularMomentumReachesTheGridWholeAndForcesHaveNoMoment) 
 }
 
 template <int D>
-void expect_momentum_conserved(Scene<D> scene, std::string_view integrator, double tolerance = 1e-13) {
+void expect_momentum_conserved(Scene<D> scene, std::string_view integrator) {
   set_random_velocities(scene, 2);
   scene.integrator = integrator;
   Mpm<D> mpm(scene);
@@ -93,7 +93,7 @@ void expect_momentum_conserved(Scene<D> scene, std::string_view integrator, doub
   for (int k = 0; k < 100; ++k) ASSERT_TRUE(mpm.step(0.1 * scene.h / 120)) << mpm.fault();
   EXPECT_GT(mpm.strain_energy(), strain + 1e-3);  // there were forces
   const double scale = 2 * static_cast<double>(mpm.particles().size()) * mpm.particles().m[0];
-  EXPECT_LT((momentum(mpm.particles()) - before).norm(), tolerance * scale);
+  EXPECT_LT((momentum(mpm.particles()) - before).norm(), 1e-13 * scale);
 }
 
 TYPED_TEST(Invariants, FreeBodyKeepsItsMomentum) {
@@ -110,8 +110,11 @@ TYPED_TEST(Invariants, FreeBodyKeepsItsMomentumHoweverLittleMassNodesHave) {
     for (const double overlap : {-1e-4, -1e-6, 1e-6, 1e-4}) {
       Scene<1> scene = free_body<1>(TypeParam{});
       for (auto& x : scene.particles.x) x[0] += (edge + overlap - 0.13 - 0.25) * scene.h;
-      for (auto& F : scene.particles.F) F *= 1.05;
-      expect_momentum_conserved(scene, "usl", 1e-12);
+      for (auto& F : scene.particles.F) F *= 1 + 1e-6;
+      Mpm<1> mpm(scene);
+      const double dt = 0.1 * scene.h / 120, impulse = dt * mpm.stress(0)(0, 0);
+      ASSERT_TRUE(mpm.step(dt)) << mpm.fault();
+      EXPECT_LT(momentum(mpm.particles()).norm(), 1e-9 * impulse) << edge << " and " << overlap;
     }
 }
 
