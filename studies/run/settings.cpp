@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "solver/boundary/wall.hpp"
@@ -15,64 +13,13 @@
 #include "studies/error.hpp"
 #include "studies/problem.hpp"
 #include "studies/run/named.hpp"
+#include "studies/run/setting_values.hpp"
 #include "studies/run/word_keys.hpp"
 #include "studies/sense.hpp"
 
 namespace mpmvv {
 
 namespace {
-
-using Settings = std::map<std::string, Setting>;
-
-double number(const Settings& settings, const std::string& key, double absent) {
-  const auto it = settings.find(key);
-  return it == settings.end() ? absent : parse_number(it->second);
-}
-
-double positive(const Setting& setting) {
-  const double value = parse_number(setting);
-  if (!(value > 0))
-    throw UsageError(fmt::format("{} = {} in {} (a number > 0)", setting.key, setting.value, setting.where));
-  return value;
-}
-
-double not_negative(const Setting& setting) {
-  const double value = parse_number(setting);
-  if (value < 0)
-    throw UsageError(fmt::format("{} = {} in {} (a number >= 0)", setting.key, setting.value, setting.where));
-  return value;
-}
-
-template <class Integer>
-Integer count(const Setting& setting, Integer least, Integer most) {
-  Integer value = 0;
-  const char* end = setting.value.data() + setting.value.size();
-  const auto [stop, error] = std::from_chars(setting.value.data(), end, value);
-  if (error != std::errc{} || stop != end || value < least || value > most)
-    throw UsageError(fmt::format("{} = {} in {} (a whole number from {} to {})", setting.key, setting.value,
-                                 setting.where, least, most));
-  return value;
-}
-
-const Setting& required(const Settings& settings, const std::string& key) {
-  const auto it = settings.find(key);
-  if (it == settings.end()) throw UsageError(fmt::format("no {} given (it is required)", key));
-  return it->second;
-}
-
-bool flag(const Setting& setting) {
-  if (setting.value == "true" || setting.value == "false") return setting.value == "true";
-  throw UsageError(fmt::format("{} = {} in {} (true or false)", setting.key, setting.value, setting.where));
-}
-
-Settings by_key(std::span<const Setting> given) {
-  Settings settings;
-  for (const Setting& setting : given) {
-    require_known_key(setting.key, setting.where);
-    settings[setting.key] = setting;
-  }
-  return settings;
-}
 
 const Problem& chosen_problem(const Settings& settings) {
   const Setting& name = required(settings, "problem");
@@ -251,15 +198,6 @@ void set_time_step(const Settings& settings, const Problem& problem, Case& c) {
 }
 
 }  // namespace
-
-double parse_number(const Setting& setting) {
-  double value = 0;
-  const char* end = setting.value.data() + setting.value.size();
-  const auto [stop, error] = std::from_chars(setting.value.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value))
-    throw UsageError(fmt::format("{} = '{}' in {} (a finite number)", setting.key, setting.value, setting.where));
-  return value;
-}
 
 ProblemChoice make_choice(std::span<const Setting> given) {
   const Settings settings = by_key(given);
