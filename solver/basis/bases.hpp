@@ -24,9 +24,7 @@ using AnyBasis = std::variant<Linear,        //
                               B2Gimp,        //
                               B2Cpdi>;
 
-template <Basis... B>
-constexpr void require_bases(const std::variant<B...>*) {}
-static_assert((require_bases(static_cast<const AnyBasis*>(nullptr)), true));
+static_assert([]<Basis... B>(const std::variant<B...>*) { return true; }(static_cast<const AnyBasis*>(nullptr)));
 
 inline ParticleWidth width_of(const AnyBasis& basis) {
   return std::visit([]<class B>(const B&) { return B::width; }, basis);

@@ -27,8 +27,8 @@ struct AxisPoint {
   double width;  ///< width of the particle, for bases that take one
 };
 
-/// What a basis must offer, and at the end what it may. It is one-dimensional; the solver forms tensor products, S
-/// (18).
+/// What a basis must offer, and in the last two lines what it may. It is one-dimensional; the solver forms tensor
+/// products, S (18).
 ///   word          its name in study files and on the command line
 ///   support       number of nodes that reach a point
 ///   extra_inside  degrees of freedom in the domain beyond one per cell

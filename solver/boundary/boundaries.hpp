@@ -18,8 +18,6 @@ using AnyBoundary = std::variant<Periodic,   //
                                  Free,       //
                                  Wall>;
 
-template <Boundary... B>
-constexpr void require_boundaries(const std::variant<B...>*) {}
-static_assert((require_boundaries(static_cast<const AnyBoundary*>(nullptr)), true));
+static_assert([]<Boundary... B>(const std::variant<B...>*) { return true; }(static_cast<const AnyBoundary*>(nullptr)));
 
 }  // namespace mpmvv::solver
