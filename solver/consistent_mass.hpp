@@ -1,11 +1,13 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "solver/consistent_mass_settings.hpp"
 #include "solver/operations.hpp"
+#include "solver/quartet.hpp"
 
 namespace mpmvv::solver {
 
@@ -69,7 +71,7 @@ class ConsistentMass {
   Field covered_;                         ///< c u, for the product
 };
 
-/// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j: to the particles, and their momenta back to the nodes
+/// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j: to the particles, and their momenta back to the nodes. For a `QuartetLoop`.
 template <int D>
 struct MapRoundTrip {
   const Particles<D>& particles;
@@ -78,6 +80,14 @@ struct MapRoundTrip {
 
   void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
     nodes.scatter(Packed<D>(particles.m[p] * nodes.gather(u)), field);
+  }
+  template <int K, int W>
+  [[gnu::always_inline]] void operator()(const std::size_t* p, const Quartets<D, K, W>& nodes) const {
+    const auto& m = particles.m;
+    typename Quartets<D, K, W>::Values momenta;
+    for (int w = 0; w < W; ++w, p += 4)
+      momenta[static_cast<std::size_t>(w)] = Quad{m[p[0]], m[p[1]], m[p[2]], m[p[3]]} * nodes.gather(u, w);
+    nodes.scatter(momenta, field);
   }
 };
 
@@ -132,7 +142,7 @@ template <int D>
 void ConsistentMass<D>::multiply(Mpm<D>& s, const Field& u, Field& q) {
   for (std::size_t n = 0; n < u.size(); ++n) covered_[n] = coverage_[n] * u[n];
   std::fill(q.begin(), q.end(), Packed<D>::Zero());
-  s.sweep(node_loop(MapRoundTrip<D>{s.particles(), covered_, q}));
+  s.sweep(QuartetLoop{MapRoundTrip<D>{s.particles(), covered_, q}});
   s.fold(q);
   for (std::size_t n = 0; n < u.size(); ++n)
     q[n] = s.grid().m(n) * u[n] - coverage_[n] * (couplings_[n][D] * u[n] - q[n]);

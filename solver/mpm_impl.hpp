@@ -51,7 +51,7 @@ Mpm<D>::Mpm(Scene<D> scene)
     : scene_(detail::sound(std::move(scene))),
       particles_(std::move(scene_.particles)),
       grid_(detail::make_grid(scene_)),
-      slabs_(grid_, reach(width_of(scene_.basis))),
+      slabs_(std::visit([this](const auto& basis) { return Slabs<D>(grid_, basis); }, scene_.basis)),
       team_(scene_.threads),
       advance_(detail::find_integrator<D>(scene_.integrator).advance) {
   if (is_staged(scene_.integrator)) particles_.start_stages();

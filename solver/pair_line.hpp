@@ -30,14 +30,6 @@ class PairLine {
     if constexpr (is_odd) last_ += other.last_;
   }
 
-  /// φ_i += c times this
-  [[gnu::always_inline]] void add_to(Packed<2>* nodes, double c) const {
-    PairLine sum(nodes);
-    for (std::size_t k = 0; k < quads_.size(); ++k) sum.quads_[k] += c * quads_[k];
-    if constexpr (is_odd) sum.last_ += c * last_;
-    sum.store(nodes);
-  }
-
   /// φ_i += c times this + d times another
   [[gnu::always_inline]] void add_to(Packed<2>* nodes, double c, double d, const PairLine& other) const {
     PairLine sum(nodes);

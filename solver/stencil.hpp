@@ -69,9 +69,6 @@ struct Weights {
     if constexpr (axis == 0) {
       nodes = start_of_line(nodes);
       for (int i = 0; i < K; ++i) nodes[i] += N[0][i] * value;
-    } else if constexpr (axis == 1 && std::is_same_v<V, Packed<2>>) {
-      const PairLine<K> line(N[0], value);
-      for (int j = 0; j < K; ++j) line.add_to(nodes + j * stride[1], N[1][j]);
     } else {
       for (int i = 0; i < K; ++i) add<axis - 1>(V(N[axis][i] * value), nodes + i * stride[axis]);
     }

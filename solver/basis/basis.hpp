@@ -50,6 +50,11 @@ concept Basis = requires(const B basis, AxisPoint point, double* N, double* dN) 
   { basis.evaluate(point, N, dN) } -> std::same_as<int>;
 };
 
+/// Whether the nodes that a point reaches change half-way between nodes, and not on nodes: so it is where an odd number
+/// of functions, centred on nodes, overlap. Particles are sorted by that: to be wrong costs time alone.
+template <class B>
+inline constexpr bool changes_between_nodes = B::ghost > 0 && B::support % 2 == 1;
+
 /// The basis as the sweeps take it: one that names another as `SweptAs`, with which it shares `evaluate`, shares its
 /// sweeps, too.
 template <class B>

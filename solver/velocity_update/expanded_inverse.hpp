@@ -21,22 +21,27 @@ class ExpandedInverse {
   /// w = m̃_k⁻¹ m w₁, from the lumped velocities w₁ given. Walls hold nothing meanwhile; or, held nodes eliminated, they
   /// keep w₁ there, and the rest of w tends to the solution of (m̃ w)_i = m_i w₁_i on the nodes i that are free.
   void apply(Mpm<D>& s, int order, bool eliminates, Field& w) {
-    s.for_nodes([&](std::size_t n) {
-      start_[n] = w[n];
-      image_[n].setZero();
+    const Packed<D + 1>* const lumped = s.grid().p.data();
+    Packed<D>*const start = start_.data(), *const image = image_.data(), *const sum = w.data();
+    s.for_nodes([=](std::size_t n) {
+      start[n] = sum[n];
+      image[n].setZero();
     });
+    const auto add = [=](std::size_t n) {
+      sum[n] += image[n];
+      image[n].setZero();
+    };
     for (int term = 1; term < order; ++term) {
-      s.sweep(node_loop(MapRoundTrip<D>{s.particles(), w, image_}));
+      s.sweep(QuartetLoop{MapRoundTrip<D>{s.particles(), w, image_}});
       s.fold(image_);
-      s.for_nodes([&](std::size_t n) {
-        const double share = s.grid().m(n) > 0 ? 1 / s.grid().m(n) : 0.0;
-        image_[n] = start_[n] - share * image_[n];
+      s.for_nodes([=](std::size_t n) {
+        const double m = lumped[n][D], share = m > 0 ? 1 / m : 0.0;
+        image[n] = start[n] - share * image[n];
+        if (!eliminates) add(n);
       });
-      if (eliminates) s.constrain(image_);
-      s.for_nodes([&](std::size_t n) {
-        w[n] += image_[n];
-        image_[n].setZero();
-      });
+      if (!eliminates) continue;
+      s.constrain(image_);
+      s.for_nodes(add);
     }
   }
 

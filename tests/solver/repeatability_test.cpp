@@ -157,7 +157,7 @@ Particles<1> crowd(int cells) {
 
 TYPED_TEST(Repeatability, SlabsNextButOneShareNoNode) {
   const auto grid = grid_for<TypeParam, 1>(Vec<1>::Zero(), 1, {100});
-  Slabs<1> slabs(grid, reach(TypeParam::width));
+  Slabs<1> slabs(grid, TypeParam{});
   Particles<1> particles = crowd(100);
   slabs.sort(particles, grid);
   ASSERT_GT(slabs.count(), 4);
@@ -172,7 +172,7 @@ TYPED_TEST(Repeatability, SlabsNextButOneShareNoNode) {
 TEST(Slabs, HoldAboutAsManyParticlesEach) {
   Particles<1> particles = crowd(80);
   const Grid<1> grid(Vec<1>::Zero(), 1, {80}, 1, 2);
-  Slabs<1> slabs(grid, 0);
+  Slabs<1> slabs(grid, Linear{});
   slabs.sort(particles, grid);
   ASSERT_EQ(slabs.count(), 10);
   std::size_t most = 0, sum = 0;
@@ -193,7 +193,7 @@ TEST(Slabs, SortKeepsTheOrderWithinACell) {
   Scene<1> scene = full_scene<1>(Linear{}, 40, 3);
   std::shuffle(scene.particles.x.begin(), scene.particles.x.end(), std::mt19937(2));
   const Grid<1> grid(scene.lower, scene.h, scene.cells, 1, 2);
-  Slabs<1> slabs(grid, 0);
+  Slabs<1> slabs(grid, Linear{});
   slabs.sort(scene.particles, grid);
   EXPECT_EQ(slabs.count(), 5);
   EXPECT_EQ(slabs.particles(0).first, 0U);
