@@ -141,4 +141,7 @@ struct QuartetLoop {
   }
 };
 
+template <class Op>
+QuartetLoop(const Op&) -> QuartetLoop<Op>;
+
 }  // namespace mpmvv::solver
