@@ -24,7 +24,7 @@ class Quartets {
     for (int d = 0; d < D; ++d) stride_[static_cast<std::size_t>(d)] = D * grid.stride(d);
   }
 
-  /// Σ_i N_ip φ_i
+  /// Σ_i N_ip φ_i, of the w-th four
   [[gnu::always_inline]] Quads<D> gather(const std::vector<Packed<D>>& field, int w) const {
     const double* const nodes = field[first_].data();
     if constexpr (D == 1)
