@@ -2,6 +2,7 @@
 #include <array>
 #include <cstring>
 
+#include "solver/quad.hpp"
 #include "solver/types.hpp"
 
 namespace mpmvv::solver {
@@ -49,8 +50,6 @@ class PairLine {
   }
 
  private:
-  using Pair [[gnu::vector_size(16)]] = double;
-  using Quad [[gnu::vector_size(32)]] = double;
   static constexpr bool is_odd = K % 2 == 1;
 
   [[gnu::always_inline]] explicit PairLine(const Packed<2>* nodes) { load(nodes); }

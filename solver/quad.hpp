@@ -4,7 +4,7 @@
 
 namespace mpmvv::solver {
 
-/// One number of each of four particles, in a vector register where the processor has such wide ones.
+/// Four and two numbers in a vector register, where the processor has such wide ones.
 using Quad [[gnu::vector_size(32)]] = double;
 using Pair [[gnu::vector_size(16)]] = double;
 

@@ -81,7 +81,7 @@ class Quartets {
 };
 
 /// The particles of a block in the order of their first nodes; those of one keep theirs. The block's nodes and weights
-/// follow.
+/// follow. By insertion: they are nearly in order, and nothing may be allocated.
 template <int D, int K>
 void sort_by_nodes(PointBlock<D, K, Evaluates::weights>& block, std::size_t* particle) {
   const int count = block.count;

@@ -9,8 +9,8 @@
 
 namespace mpmvv::solver::quartet_test {
 
-/// Particles on their way through a sorted body: places up to a cell from where they were sorted, so that runs of
-/// particles with the same nodes have all lengths, and masses of their own.
+/// Particles on their way: up to 0.4 cells along each axis from where they were sorted, so that runs of particles with
+/// the same nodes have all lengths, and with masses of their own.
 template <int D, class B>
 struct MovedBody {
   Scene<D> scene = full_scene<D>(B{}, 12, D == 1 ? 12 : 3, Free{});
@@ -62,7 +62,7 @@ TYPED_TEST(QuartetLoops, MapAsEachParticleAloneDoes) {
 }
 
 template <int D>
-using Block2 = PointBlock<D, BSpline2::support, Evaluates::weights>;
+using SplineBlock = PointBlock<D, BSpline2::support, Evaluates::weights>;
 
 template <class B>
 void expect_sorted_by_nodes() {
@@ -108,7 +108,7 @@ struct Census {
 TEST(Quartets, TakeEightThenFourThenEachAlone) {
   Scene<1> scene = full_scene<1>(BSpline2{}, 4, 15, Free{});
   const auto grid = grid_for<BSpline2, 1>(scene.lower, scene.h, scene.cells);
-  Block2<1> block;
+  SplineBlock<1> block;
   block.begin = 7, block.count = 30;  // the second and the third fifteen with the same nodes
   ASSERT_EQ(evaluate_stencils(BSpline2{}, scene.particles, grid, block), Fault::none);
   int alone = 0, fours = 0, eights = 0;
@@ -121,7 +121,7 @@ TEST(Quartets, TakeEightThenFourThenEachAlone) {
 TEST(Quartets, StandTogetherInTheOrderOfTheirNodes) {
   Scene<2> scene = full_scene<2>(BSpline2{}, 4, 2, Free{});
   const auto grid = grid_for<BSpline2, 2>(scene.lower, scene.h, scene.cells);
-  Block2<2> block, sorted;
+  SplineBlock<2> block, sorted;
   block.begin = 0, block.count = 40;  // row by row, as the lattice makes them
   ASSERT_EQ(evaluate_stencils(BSpline2{}, scene.particles, grid, block), Fault::none);
   sorted = block;
