@@ -23,9 +23,11 @@ struct MutantsOptions {
   int random = 100;
   std::uint64_t seed = 1;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  bool list = false, json = false;
+  bool list = false, known = false, json = false;
 
-  std::filesystem::path planted() const { return std::filesystem::path(source) / "goldens/mutants/planted.toml"; }
+  std::string goldens() const { return source + "/goldens"; }
+  std::filesystem::path planted() const { return goldens() + "/mutants/planted.toml"; }
+  std::filesystem::path tried() const { return goldens() + "/mutants/tried.json"; }
 };
 
 Candidate candidate_of(const std::string& name, Mutant::Kind kind, const std::string& what, const Edit& edit,
@@ -82,30 +84,6 @@ void keep_named(CampaignPlan& plan, const std::vector<std::string>& names) {
   plan.random = static_cast<int>(plan.draws.size());
 }
 
-nlohmann::json trial_json(const Mutant& mutant, GateStage stage) {
-  const Trial* trial = mutant.trial(stage);
-  if (!trial) return nullptr;
-  return {{"caught", trial->caught}, {"by", trial->by}, {"seconds", trial->seconds}};
-}
-
-nlohmann::json mutants_json(const std::vector<Mutant>& mutants) {
-  nlohmann::json all = nlohmann::json::array();
-  for (const Mutant& m : mutants)
-    all.push_back({{"name", m.name},
-                   {"kind", to_string(m.kind)},
-                   {"what", m.what},
-                   {"file", m.file},
-                   {"line", m.line},
-                   {"before", m.before},
-                   {"after", m.after},
-                   {"reason", m.reason},
-                   {"builds", m.builds},
-                   {"unit_tests", trial_json(m, GateStage::unit_tests)},
-                   {"quick", trial_json(m, GateStage::quick)},
-                   {"nightly", trial_json(m, GateStage::nightly)}});
-  return {{"mutants", all}};
-}
-
 void print_score(const std::vector<Mutant>& mutants) {
   const MutantScore score = score_of(mutants);
   fmt::print(
@@ -129,9 +107,26 @@ int list(const MutantsOptions& options) {
   return 0;
 }
 
+int answer(const std::vector<Mutant>& mutants, bool json) {
+  const Provenance own = current_provenance();
+  if (json)
+    print_json(to_json({own.digest, own.commit, mutants}));
+  else
+    print_score(mutants);
+  return score_of(mutants).missed.empty() ? 0 : 1;
+}
+
+/// What the store knows of mutants, and what was published.
+std::vector<Mutant> known_mutants(const MutantsOptions& options, const Store& store) {
+  std::vector<Mutant> known = store.mutants(current_provenance().digest);
+  std::ranges::move(read_tried(options.tried()).mutants, std::back_inserter(known));
+  return known;
+}
+
 int mutants(const MutantsOptions& options) {
   if (options.list) return list(options);
   if (options.db.empty()) throw UsageError("no --db given (a results store)");
+  if (options.known) return answer(own_mutants(Store(options.db, Store::Mode::read), options.goldens()), options.json);
   const auto mistakes = read_mistakes(options.planted());
   const std::string work = options.work.empty() ? options.source + "/build/laboratory" : options.work;
   Laboratory laboratory(options.source, work, program_parts());
@@ -141,18 +136,14 @@ int mutants(const MutantsOptions& options) {
   keep_named(plan, options.only);
 
   Store store(options.db, Store::Mode::create_or_write);
-  const std::vector<Mutant> kept = store.mutants(current_provenance().digest);
+  const std::vector<Mutant> known = known_mutants(options, store);
   ProgramBench bench(laboratory, options.jobs);
   auto results = run_campaign(plan, gate, bench,
-                              {.find = [&](const Mutant& wanted) { return known_result(kept, wanted); },
+                              {.find = [&](const Mutant& wanted) { return known_result(known, wanted); },
                                .keep = [&](const Mutant& mutant) { store.keep_mutant(mutant, current_provenance()); },
                                .tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); }});
   explain(results, options.planted().parent_path());
-  if (options.json)
-    print_json(mutants_json(results));
-  else
-    print_score(results);
-  return score_of(results).missed.empty() ? 0 : 1;
+  return answer(results, options.json);
 }
 
 }  // namespace
@@ -171,6 +162,7 @@ void add_mutants(CLI::App& app, int& exit_code) {
   command->add_option("--jobs", options->jobs, "compilers and cases at once (default: all cores)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--list", options->list, "print the planted mistakes");
+  command->add_flag("--known", options->known, "print what is known of this program's mutants, try none");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options, &exit_code] { exit_code = mutants(*options); });
 }

@@ -29,6 +29,14 @@ std::optional<Benchmark> own_benchmark(const std::string& db, const std::string&
   return std::nullopt;
 }
 
+/// Those of the version that was published last: this one has not met any.
+void show_published_mutants(ReportInput& input, const std::string& goldens) {
+  const auto folder = std::filesystem::path(goldens) / "mutants";
+  TriedMutants tried = read_tried(folder / "tried.json");
+  input.mutants = reviewed(std::move(tried.mutants), folder);
+  input.mutants_commit = tried.commit;
+}
+
 int report(const ReportOptions& options) {
   ReportInput input;
   input.provenance = current_provenance();
@@ -42,6 +50,7 @@ int report(const ReportOptions& options) {
   input.mutants = own_mutants(store, options.goldens);
   for (const Claim& claim : judge_claims(with_mutants(input.studies, input.mutants)))
     input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
+  if (input.mutants.empty()) show_published_mutants(input, options.goldens);
   input.versions = store.versions();
   if (has_trends(input)) input.trends = trends_in(store, input.versions);
   input.benchmark = own_benchmark(options.db, input.provenance.digest);

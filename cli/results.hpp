@@ -1,8 +1,11 @@
 #pragma once
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "goldens/mutants/mistake.hpp"
+#include "goldens/mutants/tried.hpp"
 #include "studies/provenance.hpp"
 #include "studies/store.hpp"
 #include "studies/trend.hpp"
@@ -14,9 +17,15 @@ inline std::vector<StudyResult> own_results(const std::string& db) {
   return Store(db, Store::Mode::read).studies(current_provenance().digest);
 }
 
-/// How the gate took this program's mutants, by the lists in the goldens' folder.
+/// How the gate took this program's mutants: what its store knows and the goldens' folder publishes, by the lists
+/// there.
 inline std::vector<Mutant> own_mutants(const Store& store, const std::string& goldens) {
-  return reviewed(newest(store.mutants(current_provenance().digest)), std::filesystem::path(goldens) / "mutants");
+  const auto folder = std::filesystem::path(goldens) / "mutants";
+  const std::string digest = current_provenance().digest;
+  TriedMutants tried = read_tried(folder / "tried.json");
+  if (tried.digest != digest) tried.mutants.clear();
+  std::ranges::move(store.mutants(digest), std::back_inserter(tried.mutants));
+  return reviewed(newest(tried.mutants), folder);
 }
 
 /// The studies, and what the mutants say on their claim.

@@ -89,8 +89,10 @@ data benchmark_data(const Benchmark& benchmark) {
   return object({{"tables", list_of(benchmark_tables(benchmark), table_data)}});
 }
 
-data mutants_data(const std::vector<Mutant>& mutants) {
-  return object({{"tables", list_of(mutant_tables(mutants), table_data)}});
+data mutants_data(const ReportInput& input) {
+  return object({{"tables", list_of(mutant_tables(input.mutants), table_data)},
+                 {"is_earlier", !input.mutants_commit.empty()},
+                 {"commit", input.mutants_commit}});
 }
 
 data gate_data(const GateLine& g) {
@@ -139,7 +141,7 @@ std::string render_page(const ReportInput& input, const std::vector<Section>& se
   kainjow::mustache::mustache page{std::string(page_template)};
   const auto gate = verdicts(input.gate);
   const std::vector<Benchmark> benchmark_list(input.benchmark ? 1 : 0, input.benchmark.value_or(Benchmark{}));
-  const std::vector<std::vector<Mutant>> mutant_lists(input.mutants.empty() ? 0 : 1, input.mutants);
+  const std::vector<ReportInput> with_mutants(input.mutants.empty() ? 0 : 1, input);
   return page.render(
       object({{"overall", overall(gate)},
               {"gate_counts", counts(gate, {"pass", "fail", "inconclusive"})},
@@ -150,7 +152,7 @@ std::string render_page(const ReportInput& input, const std::vector<Section>& se
               {"claims", list_of(input.claims, [&](const ClaimLine& c) { return claim_data(c, sections); })},
               {"has_claims", !input.claims.empty()},
               {"benchmark", list_of(benchmark_list, benchmark_data)},
-              {"mutants", list_of(mutant_lists, mutants_data)},
+              {"mutants", list_of(with_mutants, mutants_data)},
               {"table_list", partial(tables_template)},
               {"picture_list", partial(pictures_template)},
               {"style", partial(style_template)},

@@ -10,7 +10,6 @@ namespace mpmvv {
 
 namespace {
 
-using solver::Vec;
 using solver::WallMethod;
 
 /// A wall at rest.
@@ -49,7 +48,7 @@ class ForceFreeBar {
     const std::size_t n = scene_.particles.size();
     Eigen::MatrixXd map(n, n);
     for (std::size_t q = 0; q < n; ++q) {
-      scene_.particles.v.assign(n, Vec<1>::Zero());
+      scene_.particles.v.assign(n, solver::Vec<1>::Zero());
       scene_.particles.v[q][0] = 1;
       solver::Mpm<1> mpm(scene_);
       mpm.step(1e-9);

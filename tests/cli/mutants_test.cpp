@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "studies/store.hpp"
 #include "tests/cli/program.hpp"
 
 namespace mpmvv {
@@ -29,6 +30,51 @@ TEST(MutantsCommand, BadInputIsNamed) {
   EXPECT_THAT(complaint(db + " --source '" + (folder / "none") + "'"), HasSubstr("planted.toml"));
   EXPECT_THAT(complaint(db + " --random -1" + tree), HasSubstr("--random"));
   EXPECT_FALSE(std::filesystem::exists(folder / "m.db"));
+}
+
+/// A store with one planted mistake that the quick gate has caught, tried by this program.
+class KnownMutants : public testing::Test {
+ protected:
+  KnownMutants() {
+    std::filesystem::create_directories(folder_ / "goldens/mutants");
+    folder_.write(
+        "goldens/mutants/planted.toml",
+        "[[mistake]]\nname = \"sign\"\nwhat = \"A sign.\"\nfile = \"a.hpp\"\nfind = \"+\"\nreplace = \"-\"\n"
+        "[[mistake]]\nname = \"factor\"\nwhat = \"A factor.\"\nfile = \"a.hpp\"\nfind = \"2\"\nreplace = \"3\"\n");
+    Mutant sign{.name = "sign", .what = "A sign.", .file = "a.hpp", .line = 1, .gate = "g"};
+    sign.trials = {{GateStage::quick, true, {"s-fig10: order"}, 1}};
+    Store(db_, Store::Mode::create_or_write)
+        .keep_mutant(sign, {known(db_empty())["digest"], "c", false, "", "", "", "", ""});
+  }
+
+  /// What is printed of a store and the goldens beside it.
+  nlohmann::json known(const std::string& db) {
+    return call(folder_, "mutants --known --json --db '" + db + "' --source '" + (folder_ / "") + "'").json();
+  }
+  std::string db_empty() {
+    const std::string db = folder_ / "empty.db";
+    Store(db, Store::Mode::create_or_write);
+    return db;
+  }
+
+  Folder folder_;
+  std::string db_ = folder_ / "m.db";
+};
+
+TEST_F(KnownMutants, ArePrintedAndNoneIsTried) {
+  const auto mutants = known(db_)["mutants"];
+  ASSERT_EQ(mutants.size(), 2U);
+  EXPECT_EQ(mutants[0]["name"], "sign");
+  EXPECT_TRUE(mutants[0]["quick"]["caught"]);
+  EXPECT_TRUE(mutants[0]["unit_tests"].is_null());
+  EXPECT_TRUE(mutants[1]["quick"].is_null());
+}
+
+TEST_F(KnownMutants, ThoseThatAreInPublishedResultsCountWithoutAStore) {
+  folder_.write("goldens/mutants/tried.json", known(db_).dump());
+  const auto mutants = known(db_empty())["mutants"];
+  ASSERT_EQ(mutants.size(), 2U);
+  EXPECT_TRUE(mutants[0]["quick"]["caught"]);
 }
 
 }  // namespace mutants_test
