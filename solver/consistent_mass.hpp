@@ -5,13 +5,9 @@
 #include <vector>
 
 #include "solver/consistent_mass_settings.hpp"
-#include "solver/operations.hpp"
-#include "solver/quartet.hpp"
+#include "solver/round_trip.hpp"
 
 namespace mpmvv::solver {
-
-template <int D>
-class Mpm;
 
 /// The consistent mass matrix of the particles' quadrature, M_ij = Σ_p m_p N_ip N_jp, SᵀMS in N §2.1. Its row sums are
 /// the lumped masses m_i, from which it differs by what couples two nodes,
@@ -60,6 +56,7 @@ class ConsistentMass {
   Packed<D> residual_norm() const;  ///< squared
 
   ConsistentMassSettings settings_;
+  RoundTrip<D> round_trip_;
   int most_iterations_;
   std::vector<double> share_;             ///< one over the number of nodes that folding makes one
   std::vector<double> covered_mass_;      ///< θ m_full
@@ -70,27 +67,7 @@ class ConsistentMass {
   Field covered_;                         ///< c u, for the product
 };
 
-/// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j: to the particles, and their momenta back to the nodes. For a `QuartetLoop`.
-template <int D>
-struct MapRoundTrip {
-  const Particles<D>& particles;
-  const std::vector<Packed<D>>& u;
-  std::vector<Packed<D>>& field;
-
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
-    nodes.scatter(Packed<D>(particles.m[p] * nodes.gather(u)), field);
-  }
-  template <int K, int W>
-  [[gnu::always_inline]] void operator()(const std::size_t* p, const Quartets<D, K, W>& nodes) const {
-    const auto& m = particles.m;
-    typename Quartets<D, K, W>::Values momenta;
-    for (int w = 0; w < W; ++w, p += 4)
-      momenta[static_cast<std::size_t>(w)] = Quad{m[p[0]], m[p[1]], m[p[2]], m[p[3]]} * nodes.gather(u, w);
-    nodes.scatter(momenta, field);
-  }
-};
-
-/// The same of a scalar, to where masses are.
+/// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j of a scalar, to where masses are.
 template <int D>
 struct MapScalarRoundTrip {
   const Particles<D>& particles;
@@ -105,6 +82,7 @@ struct MapScalarRoundTrip {
 template <int D>
 ConsistentMass<D>::ConsistentMass(Mpm<D>& s, const ConsistentMassSettings& settings, double cell_mass)
     : settings_(settings),
+      round_trip_(s),
       most_iterations_(
           static_cast<int>(std::ceil(0.5 / std::sqrt(settings.lumped_share) *
                                      std::log(2 / settings.tolerance / std::sqrt(settings.lumped_share))))) {
@@ -135,13 +113,14 @@ void ConsistentMass<D>::set_couplings(Mpm<D>& s) {
   std::fill(couplings_.begin(), couplings_.end(), Packed<D + 1>::Zero());
   s.sweep(node_loop(MapScalarRoundTrip<D>{s.particles(), coverage_, couplings_}));
   s.fold(couplings_);
+  round_trip_.prepare(s, most_iterations_);
 }
 
 template <int D>
 void ConsistentMass<D>::multiply(Mpm<D>& s, const Field& u, Field& q) {
   for (std::size_t n = 0; n < u.size(); ++n) covered_[n] = coverage_[n] * u[n];
   std::fill(q.begin(), q.end(), Packed<D>::Zero());
-  s.sweep(QuartetLoop{MapRoundTrip<D>{s.particles(), covered_, q}});
+  round_trip_.map(s, covered_, q);
   s.fold(q);
   for (std::size_t n = 0; n < u.size(); ++n)
     q[n] = s.grid().m(n) * u[n] - coverage_[n] * (couplings_[n][D] * u[n] - q[n]);

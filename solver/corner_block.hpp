@@ -10,7 +10,8 @@ namespace mpmvv::solver {
 template <int D, int K, Evaluates evaluates = Evaluates::weights_and_gradients>
 struct CornerBlock : Block<D> {
   static constexpr int corners = CornerStencil<D, K>::corners;
-  int first[corners][block_size<D>];       ///< storage index of the first node
+  int node[corners][D][block_size<D>];     ///< first node along each axis
+  int first[corners][block_size<D>];       ///< its storage index
   double S[corners][D][K][block_size<D>];  ///< weights per axis
   Mat<D> slope[block_size<D>];             ///< 2^(1-D) R^-T, per length
 
@@ -58,7 +59,8 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
         double xi = centre[k];
         for (int e = 0; e < D; ++e) xi += Corners::sign(c, e) * half[e][k];
         double N[B::support], dN[B::support];
-        block.first[c][k] += stride * basis.evaluate({xi, cells, 0}, N, dN);
+        block.node[c][d][k] = basis.evaluate({xi, cells, 0}, N, dN);
+        block.first[c][k] += stride * block.node[c][d][k];
         for (int i = 0; i < B::support; ++i) block.S[c][d][i][k] = N[i];
       }
   }

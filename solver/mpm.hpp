@@ -36,6 +36,7 @@ class Mpm {
 
   const Particles<D>& particles() const { return particles_; }
   const Grid<D>& grid() const { return grid_; }
+  const AnyBasis& basis() const { return scene_.basis; }
   const std::array<bool, D>& periodic() const { return periodic_; }
   double time() const { return time_; }
   std::int64_t steps() const { return steps_; }  ///< finished ones
@@ -63,6 +64,15 @@ class Mpm {
   /// One sweep over all particles with these stages.
   template <Adds adds = Adds::to_nodes, class... Stages>
   void sweep(const Stages&... stages);
+
+  /// Calls visit(begin, end) for the particles of every slab; where slabs share nodes they take turns.
+  template <class Visit>
+  void for_slabs(const Visit& visit) {
+    solver::for_slabs<Adds::to_nodes>(slabs_, team_, [&](int slab) {
+      const auto [begin, end] = slabs_.particles(slab);
+      visit(begin, end);
+    });
+  }
 
   /// Calls visit(n) for every node, on all threads where there are many.
   template <class Visit>

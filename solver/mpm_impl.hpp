@@ -79,7 +79,7 @@ Mpm<D>::Mpm(Scene<D> scene)
   if (scene_.consistent_mass)
     consistent_mass_ = std::make_unique<ConsistentMass<D>>(*this, *scene_.consistent_mass, cell_mass);
   else if (expands_inverse(scene_.velocity_update))
-    expanded_inverse_ = std::make_unique<ExpandedInverse<D>>(grid_);
+    expanded_inverse_ = std::make_unique<ExpandedInverse<D>>(*this);
 }
 
 template <int D>

@@ -10,6 +10,7 @@
 #include "solver/basis/basis.hpp"
 #include "solver/grid.hpp"
 #include "solver/particles.hpp"
+#include "solver/team.hpp"
 
 namespace mpmvv::solver {
 
@@ -114,5 +115,14 @@ class Slabs {
   std::vector<std::size_t> bounds_;  ///< layer of bins where each slab begins, and the end
   std::vector<std::size_t> first_;   ///< first particle of each slab, and the end
 };
+
+/// Visits all slabs. Where that adds to nodes, those of one colour, which share none, run at once: the order of
+/// additions on a node does not depend on the number of threads.
+template <Adds adds, int D, class Visit>
+void for_slabs(const Slabs<D>& slabs, Team& team, const Visit& visit) {
+  constexpr int colours = adds == Adds::to_nodes ? 2 : 1;
+  for (int colour = 0; colour < colours; ++colour)
+    team.run((slabs.count() - colour + colours - 1) / colours, [&](int task) { visit(colours * task + colour); });
+}
 
 }  // namespace mpmvv::solver

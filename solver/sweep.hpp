@@ -6,25 +6,30 @@
 
 #include "solver/corner_block.hpp"
 #include "solver/slabs.hpp"
-#include "solver/team.hpp"
 
 namespace mpmvv::solver {
 
-/// Operations on one particle and its nodes, fused into one loop over the block. Neighbours add to the same nodes, one
-/// having to wait for the other; the block is therefore visited in four interleaved parts.
+/// Visits the particles of a block in four interleaved parts: neighbours add to the same nodes, and one would have to
+/// wait for the other.
+template <class Visit>
+[[gnu::always_inline]] inline void for_interleaved(int count, const Visit& visit) {
+  const int stride = (count + 3) / 4;
+  for (int start = 0; start < stride; ++start)
+    for (int k = start; k < count; k += stride) visit(k);
+}
+
+/// Operations on one particle and its nodes, fused into one loop over the block.
 template <class... Ops>
 struct NodeLoop {
   std::tuple<Ops...> ops;
 
   template <int D>
   void operator()(const auto& block, const Grid<D>& grid) const {
-    const int stride = (block.count + 3) / 4;
-    for (int start = 0; start < stride; ++start)
-      for (int k = start; k < block.count; k += stride) {
-        const auto nodes = block.stencil(k, grid);
-        const std::size_t p = block.begin + static_cast<std::size_t>(k);
-        std::apply([&](const Ops&... op) { (op(p, nodes, block, k), ...); }, ops);
-      }
+    for_interleaved(block.count, [&](int k) {
+      const auto nodes = block.stencil(k, grid);
+      const std::size_t p = block.begin + static_cast<std::size_t>(k);
+      std::apply([&](const Ops&... op) { (op(p, nodes, block, k), ...); }, ops);
+    });
   }
 };
 
@@ -66,32 +71,28 @@ using BlockFor = std::conditional_t<B::width == ParticleWidth::domain, CornerBlo
                                     PointBlock<D, B::support, evaluates>>;
 
 /// One visit to all particles: per block the stencils once, then every stage in turn, gradients where one says that it
-/// `uses_gradients`. Where stages add to nodes, slabs of one colour, which share none, run at once; the order of
-/// additions on a node does not depend on the number of threads.
+/// `uses_gradients`.
 template <Adds adds, int D, class B, class... Stages>
 Fault sweep(const B& basis, const Particles<D>& particles, const Grid<D>& grid, const Slabs<D>& slabs, Team& team,
             const Stages&... stages) {
   constexpr Evaluates evaluates =
       (uses_gradients<Stages> || ...) ? Evaluates::weights_and_gradients : Evaluates::weights;
-  constexpr int colours = adds == Adds::to_nodes ? 2 : 1;
   std::atomic<unsigned> faults{0};
-  for (int colour = 0; colour < colours; ++colour) {
-    team.run((slabs.count() - colour + colours - 1) / colours, [&](int task) {
-      std::tuple<Stages...> own{stages...};
-      BlockFor<D, B, evaluates> block;
-      block.slab = colours * task + colour;
-      const auto [begin, end] = slabs.particles(block.slab);
-      Fault found = Fault::none;
-      for (block.begin = begin; block.begin < end; block.begin += block_size<D>) {
-        block.count = static_cast<int>(std::min<std::size_t>(block_size<D>, end - block.begin));
-        const Fault unreached = evaluate_stencils(basis, particles, grid, block);
-        found = found | unreached;
-        if (unreached != Fault::none) continue;  // the run is over, and these nodes may be another slab's
-        std::apply([&](Stages&... stage) { ((found = found | run_stage(stage, block, grid)), ...); }, own);
-      }
-      faults |= static_cast<unsigned>(found);
-    });
-  }
+  for_slabs<adds>(slabs, team, [&](int slab) {
+    std::tuple<Stages...> own{stages...};
+    BlockFor<D, B, evaluates> block;
+    block.slab = slab;
+    const auto [begin, end] = slabs.particles(slab);
+    Fault found = Fault::none;
+    for (block.begin = begin; block.begin < end; block.begin += block_size<D>) {
+      block.count = static_cast<int>(std::min<std::size_t>(block_size<D>, end - block.begin));
+      const Fault unreached = evaluate_stencils(basis, particles, grid, block);
+      found = found | unreached;
+      if (unreached != Fault::none) continue;  // the run is over, and these nodes may be another slab's
+      std::apply([&](Stages&... stage) { ((found = found | run_stage(stage, block, grid)), ...); }, own);
+    }
+    faults |= static_cast<unsigned>(found);
+  });
   return static_cast<Fault>(faults.load());
 }
 

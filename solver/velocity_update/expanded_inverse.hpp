@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "solver/consistent_mass.hpp"
+#include "solver/round_trip.hpp"
 
 namespace mpmvv::solver {
 
@@ -16,7 +16,7 @@ class ExpandedInverse {
  public:
   using Field = std::vector<Packed<D>>;
 
-  explicit ExpandedInverse(const Grid<D>& grid) : start_(grid.size()), image_(grid.size()) {}
+  explicit ExpandedInverse(const Mpm<D>& s) : round_trip_(s), start_(s.grid().size()), image_(s.grid().size()) {}
 
   /// w = m̃_k⁻¹ m w₁, from the lumped velocities w₁ given. Walls hold nothing meanwhile; or, held nodes eliminated, they
   /// keep w₁ there, and the rest of w tends to the solution of (m̃ w)_i = m_i w₁_i on the nodes i that are free.
@@ -31,8 +31,9 @@ class ExpandedInverse {
       sum[n] += image[n];
       image[n].setZero();
     };
+    round_trip_.prepare(s, order - 1);
     for (int term = 1; term < order; ++term) {
-      s.sweep(QuartetLoop{MapRoundTrip<D>{s.particles(), w, image_}});
+      round_trip_.map(s, w, image_);
       s.fold(image_);
       s.for_nodes([=](std::size_t n) {
         const double m = lumped[n][D], share = m > 0 ? 1 / m : 0.0;
@@ -46,6 +47,7 @@ class ExpandedInverse {
   }
 
  private:
+  RoundTrip<D> round_trip_;
   Field start_, image_;
 };
 

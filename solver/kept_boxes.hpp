@@ -1,0 +1,155 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include "solver/sweep.hpp"
+
+namespace mpmvv::solver {
+
+constexpr int power(int base, int exponent) {
+  return exponent == 0 ? 1 : base * power(base, exponent - 1);
+}
+
+/// The nodes that the corners of a particle's domain reach, put together: a box, W along each axis, with N_ip on each.
+template <int D, int W>
+struct BoxStencil {
+  std::size_t first;  ///< storage index of the first node
+  std::array<std::ptrdiff_t, D> stride;
+  const double* N;  ///< W^D, the first axis fastest
+
+  /// Σ_i N_ip φ_i
+  template <class V>
+  [[gnu::always_inline]] V gather(const std::vector<V>& field) const {
+    return value<D - 1>(N, field.data() + first);
+  }
+
+  /// φ_i += N_ip value
+  template <class V>
+  [[gnu::always_inline]] void scatter(const V& value, std::vector<V>& field) const {
+    add<D - 1>(N, value, field.data() + first);
+  }
+
+ private:
+  template <int axis, class V>
+  [[gnu::always_inline]] V value(const double* weights, const V* nodes) const {
+    if constexpr (axis == 0) {
+      V sum = weights[0] * nodes[0];
+      for (int i = 1; i < W; ++i) sum += weights[i] * nodes[i];
+      return sum;
+    } else {
+      V sum = value<axis - 1>(weights, nodes);
+      for (int i = 1; i < W; ++i) sum += value<axis - 1>(weights + i * power(W, axis), nodes + i * stride[axis]);
+      return sum;
+    }
+  }
+
+  template <int axis, class V>
+  [[gnu::always_inline]] void add(const double* weights, const V& value, V* nodes) const {
+    nodes = start_of_line(nodes);
+    for (int i = 0; i < W; ++i)
+      if constexpr (axis == 0)
+        nodes[i] += weights[i] * value;
+      else
+        add<axis - 1>(weights + i * power(W, axis), value, nodes + i * stride[axis]);
+  }
+};
+
+/// The boxes of all particles' domains, kept for a step that visits them again and again. They are one node wider than
+/// the nodes of a corner: enough while no two corners of a particle lie more than a cell apart along an axis.
+template <int D>
+class KeptBoxes {
+ public:
+  /// For a basis of so many nodes to a corner.
+  KeptBoxes(int support, std::size_t particles)
+      : width_(support + 1), first_(particles), N_(particles * static_cast<std::size_t>(power(width_, D))) {}
+
+  int width() const { return width_; }
+
+  /// Whether every particle fitted since `clear`; without that they are of no use.
+  bool are_complete() const { return !is_short_; }
+  void clear() { is_short_ = false; }
+
+  /// Of the particles of a block.
+  template <int K, Evaluates evaluates>
+  void keep(const CornerBlock<D, K, evaluates>& block, const Grid<D>& grid) {
+    constexpr int size = power(K + 1, D);
+    const PerAxis lowest = lowest_nodes(block);
+    double box[size][block_size<D>] = {};
+    for (int c = 0; c < block.corners; ++c) add_corner(block, c, lowest, box);
+    for (int k = 0; k < block.count; ++k) {
+      const std::size_t p = block.begin + static_cast<std::size_t>(k);
+      Index<D> node;
+      for (std::size_t d = 0; d < D; ++d) node[d] = lowest[d][static_cast<std::size_t>(k)];
+      first_[p] = static_cast<std::uint32_t>(grid.node(node));
+      for (int i = 0; i < size; ++i) N_[p * size + static_cast<std::size_t>(i)] = box[i][k];
+    }
+  }
+
+  template <int W>
+  BoxStencil<D, W> stencil(std::size_t p, const Grid<D>& grid) const {
+    BoxStencil<D, W> box{first_[p], {}, &N_[p * static_cast<std::size_t>(power(W, D))]};
+    for (int d = 0; d < D; ++d) box.stride[static_cast<std::size_t>(d)] = grid.stride(d);
+    return box;
+  }
+
+ private:
+  using PerAxis = std::array<std::array<int, block_size<D>>, D>;
+
+  template <int K, Evaluates evaluates>
+  PerAxis lowest_nodes(const CornerBlock<D, K, evaluates>& block) {
+    PerAxis lowest;
+    int too_wide = 0;
+    for (std::size_t d = 0; d < D; ++d) {
+      int* const least = lowest[d].data();
+      std::copy_n(block.node[0][d], block.count, least);
+      for (int c = 1; c < block.corners; ++c)
+        for (int k = 0; k < block.count; ++k) least[k] = std::min(least[k], block.node[c][d][k]);
+      for (int c = 0; c < block.corners; ++c)
+        for (int k = 0; k < block.count; ++k) too_wide += block.node[c][d][k] - least[k] > 1 ? 1 : 0;
+    }
+    if (too_wide > 0) is_short_ = true;
+    return lowest;
+  }
+
+  /// The corner's share of each node in the box, nodes that it does not reach having none.
+  template <int K, Evaluates evaluates>
+  static void add_corner(const CornerBlock<D, K, evaluates>& block, int c, const PerAxis& lowest,
+                         double (&box)[power(K + 1, D)][block_size<D>]) {
+    constexpr int W = K + 1;
+    double S[D][W][block_size<D>];
+    for (std::size_t d = 0; d < D; ++d)
+      for (int i = 0; i < W; ++i)
+        for (int k = 0; k < block.count; ++k) {
+          const double near = i < K ? block.S[c][d][i][k] : 0, far = i > 0 ? block.S[c][d][i - 1][k] : 0;
+          S[d][i][k] = block.node[c][d][k] == lowest[d][static_cast<std::size_t>(k)] ? near : far;
+        }
+    for (int i = 0; i < power(W, D); ++i)
+      for (int k = 0; k < block.count; ++k) {
+        double product = 1.0 / block.corners;
+        for (int d = 0; d < D; ++d) product *= S[d][i / power(W, d) % W][k];
+        box[i][k] += product;
+      }
+  }
+
+  int width_;
+  std::vector<std::uint32_t> first_;  ///< storage index of the first node
+  std::vector<double> N_;             ///< of one particle after the other
+  std::atomic<bool> is_short_{false};
+};
+
+/// Keeps the boxes of particles that have domains. A stage.
+template <int D>
+struct KeepBoxes {
+  KeptBoxes<D>& boxes;
+
+  void operator()(const Block<D>&, const Grid<D>&) const {}
+  template <int K, Evaluates evaluates>
+  void operator()(const CornerBlock<D, K, evaluates>& block, const Grid<D>& grid) const {
+    boxes.keep(block, grid);
+  }
+};
+
+}  // namespace mpmvv::solver

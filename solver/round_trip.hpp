@@ -1,0 +1,87 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "solver/basis/bases.hpp"
+#include "solver/kept_boxes.hpp"
+#include "solver/quartet.hpp"
+
+namespace mpmvv::solver {
+
+template <int D>
+class Mpm;
+
+/// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j: to the particles, and their momenta back to the nodes. For a `QuartetLoop`.
+template <int D>
+struct MapRoundTrip {
+  const Particles<D>& particles;
+  const std::vector<Packed<D>>& u;
+  std::vector<Packed<D>>& field;
+
+  void operator()(std::size_t p, const auto& nodes, const auto&, int) const { alone(p, nodes); }
+  template <int K, int W>
+  [[gnu::always_inline]] void operator()(const std::size_t* p, const Quartets<D, K, W>& nodes) const {
+    const auto& m = particles.m;
+    typename Quartets<D, K, W>::Values momenta;
+    for (int w = 0; w < W; ++w, p += 4)
+      momenta[static_cast<std::size_t>(w)] = Quad{m[p[0]], m[p[1]], m[p[2]], m[p[3]]} * nodes.gather(u, w);
+    nodes.scatter(momenta, field);
+  }
+  [[gnu::always_inline]] void alone(std::size_t p, const auto& nodes) const {
+    nodes.scatter(Packed<D>(particles.m[p] * nodes.gather(u)), field);
+  }
+};
+
+/// SᵀM S of N §2.1 times fields of nodes: round trips to the particles and back, many by the same positions. Where
+/// particles have domains their nodes are put together and kept for them.
+template <int D>
+class RoundTrip {
+ public:
+  using Field = std::vector<Packed<D>>;
+
+  explicit RoundTrip(const Mpm<D>& s) {
+    std::visit(
+        [&]<class B>(const B&) {
+          if constexpr (B::width == ParticleWidth::domain) boxes_.emplace(B::support, s.particles().size());
+        },
+        s.basis());
+  }
+
+  /// To be called when positions have changed, before so many calls of `map`.
+  void prepare(Mpm<D>& s, int times) {
+    uses_boxes_ = boxes_ && times > 1;
+    if (!uses_boxes_) return;
+    boxes_->clear();
+    s.template sweep<Adds::nothing>(KeepBoxes<D>{*boxes_});
+    uses_boxes_ = boxes_->are_complete();
+  }
+
+  /// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j
+  void map(Mpm<D>& s, const Field& u, Field& field) const {
+    const MapRoundTrip<D> trip{s.particles(), u, field};
+    if (!uses_boxes_)
+      s.sweep(QuartetLoop{trip});
+    else if (boxes_->width() == 3)
+      map_boxes<3>(s, trip);
+    else
+      map_boxes<4>(s, trip);
+  }
+
+ private:
+  template <int W>
+  void map_boxes(Mpm<D>& s, const MapRoundTrip<D>& trip) const {
+    s.for_slabs([&](std::size_t begin, std::size_t end) {
+      for (; begin < end; begin += block_size<D>)
+        for_interleaved(static_cast<int>(std::min<std::size_t>(block_size<D>, end - begin)), [&](int k) {
+          const std::size_t p = begin + static_cast<std::size_t>(k);
+          trip.alone(p, boxes_->template stencil<W>(p, s.grid()));
+        });
+    });
+  }
+
+  std::optional<KeptBoxes<D>> boxes_;
+  bool uses_boxes_ = false;
+};
+
+}  // namespace mpmvv::solver

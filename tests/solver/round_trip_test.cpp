@@ -1,0 +1,104 @@
+#include "solver/round_trip.hpp"
+
+#include <random>
+
+#include "solver/mpm_sweeps.hpp"
+#include "tests/solver/scenes.hpp"
+#include "tests/solver/stencils.hpp"
+
+namespace mpmvv::solver::round_trip_test {
+
+/// A body whose particles have masses, domains and velocities on the nodes of their own.
+template <int D, class B>
+class TurnedBody {
+ public:
+  /// Domains up to so many cells wide along each axis.
+  explicit TurnedBody(double extent) : mpm_(scene(extent)), u_(mpm_.grid().size()) {
+    std::mt19937 random(5);
+    for (auto& velocity : u_) velocity = Packed<D>::NullaryExpr([&] { return some_(random); });
+  }
+
+  /// SᵀM S u, announced as the first of so many.
+  std::vector<Packed<D>> map(int times) {
+    RoundTrip<D> round_trip(mpm_);
+    round_trip.prepare(mpm_, times);
+    std::vector<Packed<D>> image(u_.size(), Packed<D>::Zero());
+    round_trip.map(mpm_, u_, image);
+    return image;
+  }
+
+ private:
+  static Scene<D> scene(double extent) {
+    Scene<D> scene = full_scene<D>(B{}, 6, 2, Free{});
+    std::mt19937 random(3);
+    auto& particles = scene.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+      particles.m[p] *= 1 + 0.5 * some_(random);
+      particles.x[p] += 0.2 * scene.h * Vec<D>::NullaryExpr([&] { return some_(random); });
+      if (!particles.R.empty()) particles.R[p] = Mat<D>::NullaryExpr([&] { return extent / D * some_(random); });
+    }
+    return scene;
+  }
+
+  static inline std::uniform_real_distribution<double> some_{-1, 1};
+  Mpm<D> mpm_;
+  std::vector<Packed<D>> u_;
+};
+
+template <int D, class B>
+void expect_kept_boxes_to_change_nothing(double extent) {
+  TurnedBody<D, B> body(extent);
+  const auto once = body.map(1), often = body.map(2);
+  const double cell_mass = std::pow(1.0 / 6, D);
+  for (std::size_t n = 0; n < once.size(); ++n)
+    EXPECT_LT((once[n] - often[n]).template head<D>().norm(), 1e-14 * cell_mass) << D << "D, node " << n;
+}
+
+template <class B>
+class RoundTrips : public ::testing::Test {};
+TYPED_TEST_SUITE(RoundTrips, TestedBases);
+
+TYPED_TEST(RoundTrips, AreTheSameOnceAndOften) {
+  for (const double extent : {0.5, 1.0, 3.0}) {  // the last: wider than boxes
+    expect_kept_boxes_to_change_nothing<1, TypeParam>(extent);
+    expect_kept_boxes_to_change_nothing<2, TypeParam>(extent);
+    expect_kept_boxes_to_change_nothing<3, TypeParam>(extent);
+  }
+}
+
+/// Keeps the box of one particle in the plane, so many cells wide.
+template <class B>
+void keep_one(KeptBoxes<2>& boxes, double extent, const Grid<2>& grid) {
+  Particles<2> particles;
+  particles.resize(1);
+  particles.x[0] = {0.47, 0.52};
+  particles.R = {extent * Mat<2>::Identity()};
+  CornerBlock<2, B::support, Evaluates::weights> block;
+  block.begin = 0, block.count = 1;
+  EXPECT_EQ(evaluate_stencils(B{}, particles, grid, block), Fault::none);
+  boxes.keep(block, grid);
+}
+
+template <class B>
+void expect_a_partition_of_unity() {
+  const auto grid = grid_for<B, 2>(Vec<2>::Zero(), 0.125, {8, 8});
+  KeptBoxes<2> boxes(B::support, 1);
+  for (const double extent : {0.1, 0.5, 1.0}) {
+    keep_one<B>(boxes, extent, grid);
+    EXPECT_TRUE(boxes.are_complete());
+    const auto box = boxes.template stencil<B::support + 1>(0, grid);
+    const std::vector<Packed<2>> ones(grid.size(), Packed<2>::Ones());
+    EXPECT_LT((box.gather(ones) - Packed<2>::Ones()).norm(), 1e-15);
+  }
+  keep_one<B>(boxes, 2.5, grid);
+  EXPECT_FALSE(boxes.are_complete());
+  boxes.clear();
+  EXPECT_TRUE(boxes.are_complete());
+}
+
+TEST(KeptBoxesOfDomains, AreAPartitionOfUnityWhileTheyFit) {
+  expect_a_partition_of_unity<Cpdi>();
+  expect_a_partition_of_unity<B2Cpdi>();
+}
+
+}  // namespace mpmvv::solver::round_trip_test
