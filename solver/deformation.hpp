@@ -1,4 +1,7 @@
 #pragma once
+#include <Eigen/LU>
+#include <array>
+
 #include "solver/types.hpp"
 
 namespace mpmvv::solver {
@@ -21,18 +24,47 @@ inline PackedMat<D> plus_product(const auto& C, const PackedMat<D>& A, const aut
   return result;
 }
 
-/// exp(A) - I by twelve terms, in powers of A³ (Paterson and Stockmeyer): the rest, |A|¹³/13!, is round-off up to
-/// |A| = 0.4, and 2e-13 at 0.6.
+/// The c_j of A^D = Σ_{j<D} c_j A^j, by the theorem of Cayley and Hamilton.
 template <int D>
-[[gnu::noinline]] PackedMat<D> exponential_less_identity(const PackedMat<D>& A) {
+inline std::array<double, D> characteristic(const PackedMat<D>& A) {
+  const auto minor = [&A](int i, int j) { return A(i, i) * A(j, j) - A(i, j) * A(j, i); };
+  if constexpr (D == 1)
+    return {A(0, 0)};
+  else if constexpr (D == 2)
+    return {-minor(0, 1), A(0, 0) + A(1, 1)};
+  else
+    return {Mat<3>(A.template topRows<3>()).determinant(), -(minor(0, 1) + minor(0, 2) + minor(1, 2)),
+            A(0, 0) + A(1, 1) + A(2, 2)};
+}
+
+/// a A + b I, column by column: at once it would go through memory.
+template <int D>
+inline PackedMat<D> sum_with_identity(double a, const PackedMat<D>& A, double b) {
+  PackedMat<D> sum;
+  for (int d = 0; d < D; ++d) sum.col(d) = a * A.col(d) + Packed<D>(b * Packed<D>::Unit(d));
+  return sum;
+}
+
+/// exp(A) - I by twelve terms, Horner's scheme on the multiples of I, A and A² that powers come down to: the rest,
+/// |A|¹³/13!, is round-off up to |A| = 0.4, and 2e-13 at 0.6.
+template <int D>
+inline PackedMat<D> exponential_less_identity(const PackedMat<D>& A) {
   constexpr double share[] = {1,         1. / 2,     1. / 6,      1. / 24,      1. / 120,      1. / 720,
                               1. / 5040, 1. / 40320, 1. / 362880, 1. / 3628800, 1. / 39916800, 1. / 479001600};
-  const PackedMat<D> zero = PackedMat<D>::Zero();
-  const PackedMat<D> A2 = plus_product<D>(zero, A, A), A3 = plus_product<D>(zero, A, A2);
-  const auto three = [&](const double* c) -> PackedMat<D> { return c[0] * A + c[1] * A2 + c[2] * A3; };
-  PackedMat<D> sum = three(share + 9);
-  for (int k = 6; k >= 0; k -= 3) sum = plus_product<D>(three(share + k), A3, sum);
-  return sum;
+  const auto c = characteristic<D>(A);
+  std::array<double, D> x{};
+  for (int k = 11; k >= 0; --k) {
+    x[0] += share[k];
+    const double highest = x[D - 1];
+    for (std::size_t j = D - 1; j > 0; --j) x[j] = x[j - 1] + c[j] * highest;
+    x[0] = c[0] * highest;
+  }
+  if constexpr (D == 1) return PackedMat<D>(x[0]);
+  if constexpr (D == 2) return sum_with_identity<D>(x[1], A, x[0]);
+  if constexpr (D == 3) {
+    const PackedMat<D> linear = sum_with_identity<D>(x[2], A, x[1]), zero = PackedMat<D>::Zero();
+    return sum_with_identity<D>(1, plus_product<D>(zero, A, linear), x[0]);
+  }
 }
 
 /// A step of F, of a length of its own.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/active_nodes.hpp"
 #include "solver/fault.hpp"
 #include "solver/grid.hpp"
 #include "solver/scene.hpp"
@@ -74,15 +75,10 @@ class Mpm {
     });
   }
 
-  /// Calls visit(n) for every node, on all threads where there are many.
+  /// Calls visit(n) for every node with mass: without, none of its fields is ever asked for.
   template <class Visit>
   void for_nodes(const Visit& visit) {
-    constexpr std::size_t chunk = 16384;
-    const std::size_t nodes = grid_.size();
-    team_.run(static_cast<int>((nodes + chunk - 1) / chunk), [&](int task) {
-      const std::size_t begin = chunk * static_cast<std::size_t>(task), end = std::min(begin + chunk, nodes);
-      for (std::size_t n = begin; n < end; ++n) visit(n);
-    });
+    active_nodes_.visit(team_, visit);
   }
 
   /// One sweep of `before` and then of stress and forces: f_i, and whatever else `map` scatters with it.
@@ -92,6 +88,7 @@ class Mpm {
   /// Adds up what the boundaries identify, after a scatter.
   template <class V>
   void fold(std::vector<V>& field);
+  void fold_momentum();  ///< likewise after one of masses, which decides what `for_nodes` visits from then on
   void constrain(std::vector<Packed<D>>& field);             ///< v = C v, where walls stand still
   void constrain_transposed(std::vector<Packed<D>>& field);  ///< f = Cᵀ f
 
@@ -147,6 +144,7 @@ class Mpm {
   Grid<D> grid_;
   Slabs<D> slabs_;
   Team team_;
+  ActiveNodes active_nodes_;
   void (*advance_)(Mpm&, double);
   std::array<bool, D> periodic_{};
   std::vector<MovingWall<D>> walls_;

@@ -25,6 +25,12 @@ void Mpm<D>::fold(std::vector<V>& field) {
 }
 
 template <int D>
+void Mpm<D>::fold_momentum() {
+  fold(grid_.p);
+  active_nodes_.find(team_, [this](std::size_t n) { return grid_.m(n) > 0; });
+}
+
+template <int D>
 void Mpm<D>::constrain(std::vector<Packed<D>>& field) {
   for_faces([&](const auto& boundary, Face face) { boundary.constrain(grid_, face, field); });
   for (const auto& wall : walls_) wall.clear(grid_, field);

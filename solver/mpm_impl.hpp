@@ -53,6 +53,7 @@ Mpm<D>::Mpm(Scene<D> scene)
       grid_(detail::make_grid(scene_)),
       slabs_(std::visit([this](const auto& basis) { return Slabs<D>(grid_, basis); }, scene_.basis)),
       team_(scene_.threads),
+      active_nodes_(grid_.size()),
       advance_(detail::find_integrator<D>(scene_.integrator).advance) {
   if (is_staged(scene_.integrator)) particles_.start_stages();
   if (detail::find_integrator<D>(scene_.integrator).kind == IntegratorKind::remapped)

@@ -49,7 +49,7 @@ template <int D>
 void Mpm<D>::map_acceleration() {
   grid_.clear();
   sweep_with_forces(node_loop(), MapMass<D>{particles_, grid_});
-  fold(grid_.p);
+  fold_momentum();
   set_grid_acceleration();
 }
 

@@ -19,7 +19,7 @@ void update_with_remapped_velocity(Mpm<D>& s, double dt, double dt_stress) {
   const VelocityFields<D> fields = s.velocity_fields(dt);
   grid.clear_momentum();
   s.sweep(node_loop(UpdateVelocityAndRate<D>{particles, grid, fields}), node_loop(MapMomentum<D>{particles, grid}));
-  s.fold(grid.p);
+  s.fold_momentum();
   s.set_stress_velocity();
 
   s.sweep_and_settle(MoveByRate<D>{particles, dt},

@@ -61,7 +61,7 @@ void rk4(Mpm<D>& s, double dt) {
     s.set_time(t + stage.time * dt);
     grid.clear();
     s.sweep_with_forces(node_loop(), MapMomentum<D>{particles, grid});
-    s.fold(grid.p);
+    s.fold_momentum();
     s.set_grid_velocity();
     s.set_grid_acceleration();
 

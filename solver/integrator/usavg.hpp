@@ -19,7 +19,7 @@ void usavg(Mpm<D>& s, double dt) {
 
   grid.clear();
   s.sweep(node_loop(MapMomentum<D>{particles, grid}));
-  s.fold(grid.p);
+  s.fold_momentum();
   s.update_stress_first(dt / 2, dt);
   s.update_particles(dt, dt / 2);
 }

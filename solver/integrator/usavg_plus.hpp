@@ -13,7 +13,7 @@ void usavg_plus(Mpm<D>& s, double dt) {
 
   grid.clear();
   s.sweep(node_loop(MapMomentum<D>{particles, grid}));
-  s.fold(grid.p);
+  s.fold_momentum();
   s.update_stress_first(dt / 2, dt);
   update_with_remapped_velocity(s, dt, dt / 2);
 }

@@ -12,7 +12,7 @@ void usf(Mpm<D>& s, double dt) {
 
   grid.clear();
   s.sweep(node_loop(MapMomentum<D>{particles, grid}));
-  s.fold(grid.p);
+  s.fold_momentum();
   s.update_stress_first(dt, dt);
   s.update_particles(dt, 0);
 }

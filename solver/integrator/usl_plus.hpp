@@ -11,7 +11,7 @@ void usl_plus(Mpm<D>& s, double dt) {
 
   grid.clear();
   s.sweep_with_forces(node_loop(), MapMomentum<D>{particles, grid});
-  s.fold(grid.p);
+  s.fold_momentum();
   s.set_grid_velocity();
   s.set_grid_acceleration();
   s.advance_grid_velocity(dt);

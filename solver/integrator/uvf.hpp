@@ -13,12 +13,12 @@ void uvf(Mpm<D>& s, double dt) {
 
   grid.clear();
   s.sweep_with_forces(node_loop(), MapMass<D>{particles, grid});
-  s.fold(grid.p);
+  s.fold_momentum();
   s.set_grid_acceleration();
 
   grid.clear_momentum();
   s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}), node_loop(MapMomentum<D>{particles, grid}));
-  s.fold(grid.p);
+  s.fold_momentum();
   s.set_grid_velocity();
 
   s.sweep_and_settle(UpdatePositionAndDeformation<D>{particles, grid, dt, s.deformation_step(dt)});

@@ -16,18 +16,20 @@ class ExpandedInverse {
  public:
   using Field = std::vector<Packed<D>>;
 
-  explicit ExpandedInverse(const Mpm<D>& s) : round_trip_(s), start_(s.grid().size()), image_(s.grid().size()) {}
+  explicit ExpandedInverse(const Mpm<D>& s)
+      : round_trip_(s), start_(s.grid().size()), image_(s.grid().size(), Packed<D>::Zero()), share_(s.grid().size()) {}
 
   /// w = m̃_k⁻¹ m w₁, from the lumped velocities w₁ given. Walls hold nothing meanwhile; or, held nodes eliminated, they
   /// keep w₁ there, and the rest of w tends to the solution of (m̃ w)_i = m_i w₁_i on the nodes i that are free.
   void apply(Mpm<D>& s, int order, bool eliminates, Field& w) {
-    const Packed<D + 1>* const lumped = s.grid().p.data();
     Packed<D>*const start = start_.data(), *const image = image_.data(), *const sum = w.data();
-    s.for_nodes([=](std::size_t n) {
+    double* const share = share_.data();
+    s.for_nodes([&s, start, image, share, sum](std::size_t n) {
       start[n] = sum[n];
       image[n].setZero();
+      share[n] = 1 / s.grid().m(n);
     });
-    const auto add = [=](std::size_t n) {
+    const auto add = [image, sum](std::size_t n) {
       sum[n] += image[n];
       image[n].setZero();
     };
@@ -36,8 +38,7 @@ class ExpandedInverse {
       round_trip_.map(s, w, image_);
       s.fold(image_);
       s.for_nodes([=](std::size_t n) {
-        const double m = lumped[n][D], share = m > 0 ? 1 / m : 0.0;
-        image[n] = start[n] - share * image[n];
+        image[n] = start[n] - share[n] * image[n];
         if (!eliminates) add(n);
       });
       if (!eliminates) continue;
@@ -48,7 +49,8 @@ class ExpandedInverse {
 
  private:
   RoundTrip<D> round_trip_;
-  Field start_, image_;
+  Field start_, image_;        ///< w₁; S⁺S w
+  std::vector<double> share_;  ///< 1/m
 };
 
 }  // namespace mpmvv::solver

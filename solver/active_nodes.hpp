@@ -1,0 +1,50 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "solver/team.hpp"
+
+namespace mpmvv::solver {
+
+/// The nodes that have mass, as runs along the storage: all that a step has to visit. They are found and visited by all
+/// threads where there are many.
+class ActiveNodes {
+ public:
+  explicit ActiveNodes(std::size_t nodes) : nodes_(nodes), runs_((nodes + chunk - 1) / chunk) {
+    for (auto& runs : runs_) runs.reserve(std::min(nodes, chunk) / 2 + 1);
+  }
+
+  template <class HasMass>
+  void find(Team& team, const HasMass& has_mass) {
+    team.run(static_cast<int>(runs_.size()), [&](int task) {
+      const std::size_t begin = chunk * static_cast<std::size_t>(task), end = std::min(begin + chunk, nodes_);
+      auto& runs = runs_[static_cast<std::size_t>(task)];
+      runs.clear();
+      for (std::size_t n = begin; n < end; ++n) {
+        if (!has_mass(n)) continue;
+        const std::size_t first = n;
+        while (n < end && has_mass(n)) ++n;
+        runs.emplace_back(first, n);
+      }
+    });
+  }
+
+  /// Calls visit(n) for each.
+  template <class Visit>
+  void visit(Team& team, const Visit& visit) const {
+    team.run(static_cast<int>(runs_.size()), [&](int task) {
+      for (const auto& [first, last] : runs_[static_cast<std::size_t>(task)])
+        for (std::size_t n = first; n < last; ++n) visit(n);
+    });
+  }
+
+ private:
+  static constexpr std::size_t chunk = 16384;
+  std::size_t nodes_;
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> runs_;  ///< of each chunk: the first, past the last
+};
+
+}  // namespace mpmvv::solver

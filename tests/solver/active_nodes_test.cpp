@@ -1,0 +1,85 @@
+#include "solver/active_nodes.hpp"
+
+#include <mutex>
+
+#include "tests/solver/scenes.hpp"
+#include "tests/solver/stencils.hpp"
+
+namespace mpmvv::solver::active_nodes_test {
+
+/// What is visited of nodes that have mass where they say so.
+std::vector<std::size_t> visited(std::size_t nodes, int threads, const auto& has_mass) {
+  Team team(threads);
+  ActiveNodes active(nodes);
+  active.find(team, [](std::size_t) { return true; });
+  active.find(team, has_mass);
+  std::vector<std::size_t> found;
+  std::mutex mutex;
+  active.visit(team, [&](std::size_t n) {
+    const std::lock_guard lock(mutex);
+    found.push_back(n);
+  });
+  std::ranges::sort(found);
+  return found;
+}
+
+TEST(ActiveNodesOfAGrid, AreThoseWithMassAlone) {
+  const std::size_t nodes = 40'000;  // several chunks
+  const auto every_third = [](std::size_t n) { return n % 3 == 0; };
+  const auto all = [](std::size_t) { return true; };
+  const auto none = [](std::size_t) { return false; };
+  for (const int threads : {1, 2}) {
+    const auto thirds = visited(nodes, threads, every_third);
+    EXPECT_EQ(thirds.size(), nodes / 3 + 1);
+    EXPECT_TRUE(std::ranges::all_of(thirds, every_third));
+    EXPECT_EQ(visited(nodes, threads, all).size(), nodes);
+    EXPECT_TRUE(visited(nodes, threads, none).empty());
+  }
+}
+
+/// A block that crosses an empty grid as it is stretched.
+template <int D, class B>
+Scene<D> travelling_block(const AnyVelocityUpdate& update, std::string_view integrator) {
+  Scene<D> scene = full_scene<D>(B{}, 10, 2, Free{});
+  Particles<D>& particles = scene.particles;
+  scene.particles = particles_at<D>(lattice<D>(Vec<D>::Constant(0.2), 0.05,
+                                               [] {
+                                                 Index<D> count;
+                                                 count.fill(6);
+                                                 return count;
+                                               }()),
+                                    std::pow(0.05, D));
+  set_widths(scene, 0.5);
+  for (std::size_t p = 0; p < particles.size(); ++p) particles.v[p] = Vec<D>::Constant(8) + 4 * particles.x[p];
+  scene.velocity_update = update;
+  scene.integrator = integrator;
+  return scene;
+}
+
+/// The energy after some steps, nodes without mass holding a large number in between.
+template <int D, class B>
+double energy(const Scene<D>& scene, double elsewhere) {
+  Mpm<D> mpm(scene);
+  for (int step = 0; step < 100; ++step) {
+    EXPECT_TRUE(mpm.step(2e-4)) << mpm.fault();
+    for (std::size_t n = 0; n < mpm.grid().size(); ++n)
+      if (mpm.grid().m(n) == 0)
+        for (auto* field : {&mpm.grid().v, &mpm.grid().a}) (*field)[n].setConstant(elsewhere);
+  }
+  return mpm.kinetic_energy() + mpm.strain_energy();
+}
+
+template <class B>
+class NodesWithoutMass : public ::testing::Test {};
+TYPED_TEST_SUITE(NodesWithoutMass, TestedBases);
+
+TYPED_TEST(NodesWithoutMass, AreNeverAskedForTheirFields) {
+  for (const AnyVelocityUpdate& update :
+       {AnyVelocityUpdate(Flip{}), AnyVelocityUpdate(Fmpm{3}), AnyVelocityUpdate(Xpic{2})})
+    for (const std::string_view integrator : {"usl", "usf", "usavg+", "uvf"}) {
+      const auto scene = travelling_block<2, TypeParam>(update, integrator);
+      EXPECT_EQ((energy<2, TypeParam>(scene, 1e30)), (energy<2, TypeParam>(scene, 0))) << integrator;
+    }
+}
+
+}  // namespace mpmvv::solver::active_nodes_test
