@@ -23,11 +23,11 @@ struct MutantsOptions {
   int random = 100;
   std::uint64_t seed = 1;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  bool list = false, known = false, json = false;
+  bool list = false, known = false, publish = false, json = false;
 
   std::string goldens() const { return source + "/goldens"; }
-  std::filesystem::path planted() const { return goldens() + "/mutants/planted.toml"; }
-  std::filesystem::path tried() const { return goldens() + "/mutants/tried.json"; }
+  std::filesystem::path lists() const { return goldens() + "/mutants"; }
+  std::filesystem::path planted() const { return lists() / "planted.toml"; }
 };
 
 Candidate candidate_of(const std::string& name, Mutant::Kind kind, const std::string& what, const Edit& edit,
@@ -116,17 +116,20 @@ int answer(const std::vector<Mutant>& mutants, bool json) {
   return score_of(mutants).missed.empty() ? 0 : 1;
 }
 
-/// What the store knows of mutants, and what was published.
-std::vector<Mutant> known_mutants(const MutantsOptions& options, const Store& store) {
-  std::vector<Mutant> known = store.mutants(current_provenance().digest);
-  std::ranges::move(read_tried(options.tried()).mutants, std::back_inserter(known));
-  return known;
+int tell_known(const MutantsOptions& options) {
+  const auto mutants = own_mutants(Store(options.db, Store::Mode::read), options.goldens());
+  if (!options.publish) return answer(mutants, options.json);
+  const Provenance own = current_provenance();
+  if (mutants.empty()) throw UsageError(fmt::format("{} knows no mutant of this program (try some)", options.db));
+  const auto file = publish({own.digest, own.commit + (own.dirty ? " with changes" : ""), mutants}, options.lists());
+  fmt::print(stderr, "published in {}\n", file.string());
+  return answer(mutants, options.json);
 }
 
 int mutants(const MutantsOptions& options) {
   if (options.list) return list(options);
   if (options.db.empty()) throw UsageError("no --db given (a results store)");
-  if (options.known) return answer(own_mutants(Store(options.db, Store::Mode::read), options.goldens()), options.json);
+  if (options.known || options.publish) return tell_known(options);
   const auto mistakes = read_mistakes(options.planted());
   const std::string work = options.work.empty() ? options.source + "/build/laboratory" : options.work;
   Laboratory laboratory(options.source, work, program_parts());
@@ -136,13 +139,14 @@ int mutants(const MutantsOptions& options) {
   keep_named(plan, options.only);
 
   Store store(options.db, Store::Mode::create_or_write);
-  const std::vector<Mutant> known = known_mutants(options, store);
+  const std::vector<Mutant> known =
+      with_published(store.mutants(current_provenance().digest), read_tried(options.lists()).mutants);
   ProgramBench bench(laboratory, options.jobs);
   auto results = run_campaign(plan, gate, bench,
                               {.find = [&](const Mutant& wanted) { return known_result(known, wanted); },
                                .keep = [&](const Mutant& mutant) { store.keep_mutant(mutant, current_provenance()); },
                                .tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); }});
-  explain(results, options.planted().parent_path());
+  explain(results, options.lists());
   return answer(results, options.json);
 }
 
@@ -163,6 +167,7 @@ void add_mutants(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1024));
   command->add_flag("--list", options->list, "print the planted mistakes");
   command->add_flag("--known", options->known, "print what is known of this program's mutants, try none");
+  command->add_flag("--publish", options->publish, "write that into goldens/mutants/tried.json, too");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options, &exit_code] { exit_code = mutants(*options); });
 }

@@ -29,10 +29,10 @@ std::optional<Benchmark> own_benchmark(const std::string& db, const std::string&
   return std::nullopt;
 }
 
-/// Those of the version that was published last: this one has not met any.
+/// Those of the build that has been published: this one has not met any.
 void show_published_mutants(ReportInput& input, const std::string& goldens) {
   const auto folder = std::filesystem::path(goldens) / "mutants";
-  TriedMutants tried = read_tried(folder / "tried.json");
+  TriedMutants tried = read_tried(folder);
   input.mutants = reviewed(std::move(tried.mutants), folder);
   input.mutants_commit = tried.commit;
 }

@@ -1,6 +1,4 @@
 #pragma once
-#include <algorithm>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -22,10 +20,9 @@ inline std::vector<StudyResult> own_results(const std::string& db) {
 inline std::vector<Mutant> own_mutants(const Store& store, const std::string& goldens) {
   const auto folder = std::filesystem::path(goldens) / "mutants";
   const std::string digest = current_provenance().digest;
-  TriedMutants tried = read_tried(folder / "tried.json");
+  TriedMutants tried = read_tried(folder);
   if (tried.digest != digest) tried.mutants.clear();
-  std::ranges::move(store.mutants(digest), std::back_inserter(tried.mutants));
-  return reviewed(newest(tried.mutants), folder);
+  return reviewed(newest(with_published(store.mutants(digest), tried.mutants)), folder);
 }
 
 /// The studies, and what the mutants say on their claim.

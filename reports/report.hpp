@@ -39,7 +39,7 @@ struct ReportInput {
   std::vector<Version> versions = {};  ///< all of the store, by time
   std::vector<Trend> trends = {};      ///< over these versions
   std::vector<Mutant> mutants = {};    ///< how the gate took them
-  std::string mutants_commit = {};     ///< of the earlier version that met them; empty for this one
+  std::string mutants_commit = {};     ///< of the other build that met them; empty for this one
 };
 
 /// One version alone has no trend.

@@ -56,8 +56,8 @@ class ConsistentMass {
   Packed<D> residual_norm() const;  ///< squared
 
   ConsistentMassSettings settings_;
-  RoundTrip<D> round_trip_;
   int most_iterations_;
+  RoundTrip<D> round_trip_;
   std::vector<double> share_;             ///< one over the number of nodes that folding makes one
   std::vector<double> covered_mass_;      ///< θ m_full
   std::vector<double> coverage_;          ///< c
@@ -82,10 +82,10 @@ struct MapScalarRoundTrip {
 template <int D>
 ConsistentMass<D>::ConsistentMass(Mpm<D>& s, const ConsistentMassSettings& settings, double cell_mass)
     : settings_(settings),
-      round_trip_(s),
       most_iterations_(
           static_cast<int>(std::ceil(0.5 / std::sqrt(settings.lumped_share) *
-                                     std::log(2 / settings.tolerance / std::sqrt(settings.lumped_share))))) {
+                                     std::log(2 / settings.tolerance / std::sqrt(settings.lumped_share))))),
+      round_trip_(s, most_iterations_) {
   const std::size_t nodes = s.grid().size();
   for (Field* field : {&inverse_, &residual_, &direction_, &image_, &covered_}) field->resize(nodes, Packed<D>::Zero());
   coverage_.resize(nodes);
@@ -113,7 +113,7 @@ void ConsistentMass<D>::set_couplings(Mpm<D>& s) {
   std::fill(couplings_.begin(), couplings_.end(), Packed<D + 1>::Zero());
   s.sweep(node_loop(MapScalarRoundTrip<D>{s.particles(), coverage_, couplings_}));
   s.fold(couplings_);
-  round_trip_.prepare(s, most_iterations_);
+  round_trip_.prepare(s);
 }
 
 template <int D>

@@ -9,10 +9,6 @@
 
 namespace mpmvv::solver {
 
-constexpr int power(int base, int exponent) {
-  return exponent == 0 ? 1 : base * power(base, exponent - 1);
-}
-
 /// The nodes that the corners of a particle's domain reach, put together: a box, W along each axis, with N_ip on each.
 template <int D, int W>
 struct BoxStencil {
@@ -64,19 +60,18 @@ class KeptBoxes {
  public:
   /// For a basis of so many nodes to a corner.
   KeptBoxes(int support, std::size_t particles)
-      : width_(support + 1), first_(particles), N_(particles * static_cast<std::size_t>(power(width_, D))) {}
+      : first_(particles), N_(particles * static_cast<std::size_t>(power(support + 1, D))) {}
 
-  int width() const { return width_; }
-
-  /// Whether every particle fitted since `clear`; without that they are of no use.
-  bool are_complete() const { return !is_short_; }
-  void clear() { is_short_ = false; }
+  /// Whether all particles' have been kept since `clear`: the nodes of each fitted. Else they are of no use.
+  bool are_complete() const { return kept_ == first_.size(); }
+  void clear() { kept_ = 0; }
 
   /// Of the particles of a block.
   template <int K, Evaluates evaluates>
   void keep(const CornerBlock<D, K, evaluates>& block, const Grid<D>& grid) {
     constexpr int size = power(K + 1, D);
-    const PerAxis lowest = lowest_nodes(block);
+    PerAxis lowest;
+    if (!find_lowest_nodes(block, lowest)) return;
     double box[size][block_size<D>] = {};
     for (int c = 0; c < block.corners; ++c) add_corner(block, c, lowest, box);
     for (int k = 0; k < block.count; ++k) {
@@ -86,6 +81,7 @@ class KeptBoxes {
       first_[p] = static_cast<std::uint32_t>(grid.node(node));
       for (int i = 0; i < size; ++i) N_[p * size + static_cast<std::size_t>(i)] = box[i][k];
     }
+    kept_ += static_cast<std::size_t>(block.count);
   }
 
   template <int W>
@@ -98,9 +94,9 @@ class KeptBoxes {
  private:
   using PerAxis = std::array<std::array<int, block_size<D>>, D>;
 
+  /// Of each particle's corners; false when they reach too far for a box.
   template <int K, Evaluates evaluates>
-  PerAxis lowest_nodes(const CornerBlock<D, K, evaluates>& block) {
-    PerAxis lowest;
+  static bool find_lowest_nodes(const CornerBlock<D, K, evaluates>& block, PerAxis& lowest) {
     int too_wide = 0;
     for (std::size_t d = 0; d < D; ++d) {
       int* const least = lowest[d].data();
@@ -110,8 +106,7 @@ class KeptBoxes {
       for (int c = 0; c < block.corners; ++c)
         for (int k = 0; k < block.count; ++k) too_wide += block.node[c][d][k] - least[k] > 1 ? 1 : 0;
     }
-    if (too_wide > 0) is_short_ = true;
-    return lowest;
+    return too_wide == 0;
   }
 
   /// The corner's share of each node in the box, nodes that it does not reach having none.
@@ -134,10 +129,9 @@ class KeptBoxes {
       }
   }
 
-  int width_;
   std::vector<std::uint32_t> first_;  ///< storage index of the first node
   std::vector<double> N_;             ///< of one particle after the other
-  std::atomic<bool> is_short_{false};
+  std::atomic<std::size_t> kept_{0};
 };
 
 /// Keeps the boxes of particles that have domains. A stage.

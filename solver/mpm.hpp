@@ -75,7 +75,7 @@ class Mpm {
     });
   }
 
-  /// Calls visit(n) for every node with mass: without, none of its fields is ever asked for.
+  /// Calls visit(n) for every node with mass. Those without have no velocity and acceleration but what boundaries hold.
   template <class Visit>
   void for_nodes(const Visit& visit) {
     active_nodes_.visit(team_, visit);
@@ -89,6 +89,8 @@ class Mpm {
   template <class V>
   void fold(std::vector<V>& field);
   void fold_momentum();  ///< likewise after one of masses, which decides what `for_nodes` visits from then on
+
+  std::int64_t moves() const { return moves_; }              ///< how often particles have moved or been sorted
   void constrain(std::vector<Packed<D>>& field);             ///< v = C v, where walls stand still
   void constrain_transposed(std::vector<Packed<D>>& field);  ///< f = Cᵀ f
 
@@ -154,6 +156,7 @@ class Mpm {
   double time_ = 0;
   double dt_ = 0;  ///< of the last step
   std::int64_t steps_ = 0;
+  std::int64_t moves_ = 0;
   std::atomic<bool> must_sort_{false};
   Fault fault_ = Fault::none;
   std::vector<std::uint32_t> place_;  ///< of the particle with each id, for the surface load

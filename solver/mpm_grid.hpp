@@ -27,6 +27,11 @@ void Mpm<D>::fold(std::vector<V>& field) {
 template <int D>
 void Mpm<D>::fold_momentum() {
   fold(grid_.p);
+  for_nodes([this](std::size_t n) {
+    if (grid_.m(n) > 0) return;
+    grid_.v[n].setZero();
+    grid_.a[n].setZero();
+  });
   active_nodes_.find(team_, [this](std::size_t n) { return grid_.m(n) > 0; });
 }
 

@@ -79,8 +79,8 @@ Mpm<D>::Mpm(Scene<D> scene)
   add_walls();
   if (scene_.consistent_mass)
     consistent_mass_ = std::make_unique<ConsistentMass<D>>(*this, *scene_.consistent_mass, cell_mass);
-  else if (expands_inverse(scene_.velocity_update))
-    expanded_inverse_ = std::make_unique<ExpandedInverse<D>>(*this);
+  else if (const int order = expansion_order(scene_.velocity_update); order > 0)
+    expanded_inverse_ = std::make_unique<ExpandedInverse<D>>(*this, order);
 }
 
 template <int D>
@@ -104,6 +104,7 @@ void Mpm<D>::add_walls() {
 template <int D>
 void Mpm<D>::sort() {
   slabs_.sort(particles_, grid_);
+  ++moves_;
   if (!scene_.surface_load) return;
   for (std::uint32_t p = 0; p < particles_.size(); ++p) place_[particles_.id[p]] = p;
 }

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -40,32 +42,35 @@ class RoundTrip {
  public:
   using Field = std::vector<Packed<D>>;
 
-  explicit RoundTrip(const Mpm<D>& s) {
+  /// For at most so many by the same positions.
+  RoundTrip(const Mpm<D>& s, int most) {
     std::visit(
         [&]<class B>(const B&) {
-          if constexpr (B::width == ParticleWidth::domain) boxes_.emplace(B::support, s.particles().size());
+          if constexpr (B::width == ParticleWidth::domain)
+            if (most > 1) boxes_.emplace(B::support, s.particles().size());
         },
         s.basis());
   }
 
-  /// To be called when positions have changed, before so many calls of `map`.
-  void prepare(Mpm<D>& s, int times) {
-    uses_boxes_ = boxes_ && times > 1;
-    if (!uses_boxes_) return;
+  /// To be called before some calls of `map` by the same positions.
+  void prepare(Mpm<D>& s) {
+    if (!boxes_ || kept_after_ == s.moves()) return;
+    kept_after_ = s.moves();
     boxes_->clear();
     s.template sweep<Adds::nothing>(KeepBoxes<D>{*boxes_});
-    uses_boxes_ = boxes_->are_complete();
   }
+
+  bool uses_boxes() const { return boxes_ && boxes_->are_complete(); }
 
   /// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j
   void map(Mpm<D>& s, const Field& u, Field& field) const {
     const MapRoundTrip<D> trip{s.particles(), u, field};
-    if (!uses_boxes_)
-      s.sweep(QuartetLoop{trip});
-    else if (boxes_->width() == 3)
-      map_boxes<3>(s, trip);
-    else
-      map_boxes<4>(s, trip);
+    if (!uses_boxes()) return s.sweep(QuartetLoop{trip});
+    std::visit(
+        [&]<class B>(const B&) {
+          if constexpr (B::width == ParticleWidth::domain) map_boxes<B::support + 1>(s, trip);
+        },
+        s.basis());
   }
 
  private:
@@ -81,7 +86,7 @@ class RoundTrip {
   }
 
   std::optional<KeptBoxes<D>> boxes_;
-  bool uses_boxes_ = false;
+  std::int64_t kept_after_ = -1;  ///< as many moves
 };
 
 }  // namespace mpmvv::solver

@@ -13,6 +13,10 @@ using Mat = Eigen::Matrix<double, D, D>;
 template <int D>
 using Index = std::array<int, D>;
 
+constexpr int power(int base, int exponent) {
+  return exponent == 0 ? 1 : base * power(base, exponent - 1);
+}
+
 /// N components padded to whole vector registers, as the grid keeps them and the particle loops use them. What the
 /// padding holds does not matter.
 template <int N>

@@ -48,6 +48,10 @@ Mutant mutant_from(const json& all) {
   return mutant;
 }
 
+std::filesystem::path file_in(const std::filesystem::path& folder) {
+  return folder / "tried.json";
+}
+
 TriedMutants tried_from(const json& all) {
   TriedMutants tried{all.at("digest"), all.at("commit"), {}};
   for (const json& mutant : all.at("mutants")) tried.mutants.push_back(mutant_from(mutant));
@@ -62,10 +66,11 @@ json to_json(const TriedMutants& tried) {
   return {{"digest", tried.digest}, {"commit", tried.commit}, {"mutants", mutants}};
 }
 
-TriedMutants read_tried(const std::filesystem::path& file) {
+TriedMutants read_tried(const std::filesystem::path& folder) {
+  const auto file = file_in(folder);
   if (!std::filesystem::exists(file)) return {};
   const auto refuse = [&file](const char* why) {
-    throw UsageError(fmt::format("{}: {} (what `mpmvv mutants --json` prints)", file.string(), why));
+    throw UsageError(fmt::format("{}: {} (what `mpmvv mutants --publish` writes)", file.string(), why));
   };
   const auto text = read_file(file);
   if (!text) refuse("cannot be read");
@@ -77,6 +82,25 @@ TriedMutants read_tried(const std::filesystem::path& file) {
     refuse(e.what());
   }
   return {};
+}
+
+std::filesystem::path publish(const TriedMutants& tried, const std::filesystem::path& folder) {
+  const auto file = file_in(folder);
+  write_if_changed(file, to_json(tried).dump(1) + "\n");
+  return file;
+}
+
+std::vector<Mutant> with_published(std::vector<Mutant> stored, const std::vector<Mutant>& published) {
+  std::vector<Mutant> all;
+  for (const Mutant& mutant : published)
+    if (!find_mutant(stored, mutant)) all.push_back(mutant);
+  for (Mutant& mutant : stored) {
+    if (const Mutant* same = find_mutant(published, mutant))
+      for (const Trial& trial : same->trials)
+        if (!mutant.trial(trial.stage)) mutant.trials.push_back(trial);
+    all.push_back(std::move(mutant));
+  }
+  return all;
 }
 
 }  // namespace mpmvv

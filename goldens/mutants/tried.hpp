@@ -17,7 +17,14 @@ struct TriedMutants {
 
 nlohmann::json to_json(const TriedMutants& tried);
 
-/// Reads what `to_json` has written; none where there is no such file. UsageError when it holds anything else.
-TriedMutants read_tried(const std::filesystem::path& file);
+/// What is published in the folder of the mutants' lists; none where nothing is. UsageError when the file holds
+/// anything else than `publish` has written.
+TriedMutants read_tried(const std::filesystem::path& folder);
+
+/// Writes the folder's file; returns its name.
+std::filesystem::path publish(const TriedMutants& tried, const std::filesystem::path& folder);
+
+/// What a store knows and what is published: of the same mutant in the same gate the trials of both, the store's first.
+std::vector<Mutant> with_published(std::vector<Mutant> stored, const std::vector<Mutant>& published);
 
 }  // namespace mpmvv

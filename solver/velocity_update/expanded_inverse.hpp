@@ -16,8 +16,12 @@ class ExpandedInverse {
  public:
   using Field = std::vector<Packed<D>>;
 
-  explicit ExpandedInverse(const Mpm<D>& s)
-      : round_trip_(s), start_(s.grid().size()), image_(s.grid().size(), Packed<D>::Zero()), share_(s.grid().size()) {}
+  /// Of at most so many terms.
+  ExpandedInverse(const Mpm<D>& s, int order)
+      : round_trip_(s, order - 1),
+        start_(s.grid().size()),
+        image_(s.grid().size(), Packed<D>::Zero()),
+        share_(s.grid().size()) {}
 
   /// w = m̃_k⁻¹ m w₁, from the lumped velocities w₁ given. Walls hold nothing meanwhile; or, held nodes eliminated, they
   /// keep w₁ there, and the rest of w tends to the solution of (m̃ w)_i = m_i w₁_i on the nodes i that are free.
@@ -33,7 +37,7 @@ class ExpandedInverse {
       sum[n] += image[n];
       image[n].setZero();
     };
-    round_trip_.prepare(s, order - 1);
+    round_trip_.prepare(s);
     for (int term = 1; term < order; ++term) {
       round_trip_.map(s, w, image_);
       s.fold(image_);
@@ -49,7 +53,7 @@ class ExpandedInverse {
 
  private:
   RoundTrip<D> round_trip_;
-  Field start_, image_;        ///< w₁; S⁺S w
+  Field start_, image_;        ///< w₁; w₁ - S⁺S w, zero before that
   std::vector<double> share_;  ///< 1/m
 };
 

@@ -16,14 +16,20 @@ using AnyVelocityUpdate = std::variant<Flip,  //
                                        Pic,   //
                                        Apic>;
 
-inline bool expands_inverse(const AnyVelocityUpdate& update) {
+/// How many terms of the expanded inverse it takes; 0 when it takes none.
+inline int expansion_order(const AnyVelocityUpdate& update) {
   return std::visit(
-      []<class U>(const U&) {
-        return requires(U u) {
-          u.order;
-        };
+      []<class U>(const U& u) {
+        if constexpr (requires { u.order; })
+          return u.order;
+        else
+          return 0;
       },
       update);
+}
+
+inline bool expands_inverse(const AnyVelocityUpdate& update) {
+  return expansion_order(update) > 0;
 }
 
 }  // namespace mpmvv::solver

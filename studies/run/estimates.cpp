@@ -20,7 +20,17 @@ int padded(int components) {
 int doubles_per_node(const Scheme& scheme, int D) {
   const int grid = padded(D + 1) + 3 * padded(D);
   if (scheme.mass == "consistent") return grid + 3 + padded(D + 1) + 5 * padded(D);
-  return grid + (scheme.order > 0 ? 2 * padded(D) : 0);
+  return grid + (scheme.order > 0 ? 2 * padded(D) + 1 : 0);
+}
+
+/// Doubles of each particle that systems of masses keep: the nodes of its domain.
+double doubles_per_domain(const Scheme& scheme, int D) {
+  if (scheme.mass != "consistent" && scheme.order < 3) return 0;
+  return std::visit(
+      [D]<class B>(const B&) {
+        return B::width == solver::ParticleWidth::domain ? solver::power(B::support + 1, D) + 0.5 : 0.0;
+      },
+      named<solver::AnyBasis>(scheme.basis));
 }
 
 /// Doubles of each particle: positions (with the reference ones), velocities, F, widths or edges, mass, volume,
@@ -32,7 +42,7 @@ double doubles_per_particle(const Scheme& scheme, int D) {
   const double rate = scheme.integrator.ends_with('+') ? D : 0;
   const double affine = scheme.velocity_update == solver::Apic::word ? D * D : 0;
   const double history = scheme.material == solver::MieGruneisen::word ? sizeof(solver::ThermalState) / 8.0 : 0;
-  return 3 * D + 2 * D * D + widths + 4 + stages + rate + affine + history;
+  return 3 * D + 2 * D * D + widths + 4 + stages + rate + affine + history + doubles_per_domain(scheme, D);
 }
 
 }  // namespace

@@ -28,19 +28,20 @@ const Mutant sign{.name = "sign",
 
 class TriedFile : public testing::Test {
  protected:
-  ~TriedFile() override { std::filesystem::remove(file_); }
+  TriedFile() { std::filesystem::create_directories(folder_); }
+  ~TriedFile() override { std::filesystem::remove_all(folder_); }
 
   TriedMutants read(const std::string& text) const {
-    std::ofstream(file_) << text;
-    return read_tried(file_);
+    std::ofstream(folder_ / "tried.json") << text;
+    return read_tried(folder_);
   }
 
-  std::filesystem::path file_ =
-      std::filesystem::temp_directory_path() / ("mpmvv-tried-" + std::to_string(getpid()) + ".json");
+  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("mpmvv-tried-" + std::to_string(getpid()));
 };
 
-TEST_F(TriedFile, GivesBackWhatWasWritten) {
-  const TriedMutants tried = read(to_json({"d1", "c0ffee", {sign, Mutant{}}}).dump());
+TEST_F(TriedFile, GivesBackWhatWasPublished) {
+  publish({"d1", "c0ffee", {sign, Mutant{}}}, folder_);
+  const TriedMutants tried = read_tried(folder_);
   EXPECT_EQ(tried.digest, "d1");
   EXPECT_EQ(tried.commit, "c0ffee");
   ASSERT_EQ(tried.mutants.size(), 2U);
@@ -59,7 +60,7 @@ TEST_F(TriedFile, GivesBackWhatWasWritten) {
 }
 
 TEST_F(TriedFile, MayBeAbsent) {
-  EXPECT_TRUE(read_tried(file_).mutants.empty());
+  EXPECT_TRUE(read_tried(folder_).mutants.empty());
 }
 
 TEST_F(TriedFile, AnythingElseIsRefused) {
@@ -72,10 +73,21 @@ TEST_F(TriedFile, AnythingElseIsRefused) {
     return "";
   };
   for (const char* text : {"", "[]", "{\"digest\": \"d\"}", "{\"digest\": 1, \"commit\": \"\", \"mutants\": []}"})
-    EXPECT_THAT(complaint(text), HasSubstr(file_.string())) << text;
+    EXPECT_THAT(complaint(text), HasSubstr((folder_ / "tried.json").string())) << text;
   nlohmann::json unknown = to_json({"d", "c", {sign}});
   unknown["mutants"][0]["kind"] = "rare";
   EXPECT_THAT(complaint(unknown.dump()), HasSubstr("unknown word 'rare'"));
+}
+
+TEST(PublishedMutants, AddWhatTheStoreDoesNotKnow) {
+  Mutant stored = sign, published = sign, other = sign;
+  stored.trials = {{GateStage::quick, false, {}, 1}};
+  other.name = "other";
+  const auto all = with_published({stored}, {published, other});
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].name, "other");
+  EXPECT_FALSE(all[1].caught_by(GateStage::quick)) << "the store's own";
+  EXPECT_NE(all[1].trial(GateStage::unit_tests), nullptr);
 }
 
 }  // namespace tried_test

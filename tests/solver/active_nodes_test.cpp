@@ -76,10 +76,27 @@ TYPED_TEST_SUITE(NodesWithoutMass, TestedBases);
 TYPED_TEST(NodesWithoutMass, AreNeverAskedForTheirFields) {
   for (const AnyVelocityUpdate& update :
        {AnyVelocityUpdate(Flip{}), AnyVelocityUpdate(Fmpm{3}), AnyVelocityUpdate(Xpic{2})})
-    for (const std::string_view integrator : {"usl", "usf", "usavg+", "uvf"}) {
+    for (const std::string_view integrator : {"usl", "usf", "usavg+", "uvf", "rk4"}) {
       const auto scene = travelling_block<2, TypeParam>(update, integrator);
       EXPECT_EQ((energy<2, TypeParam>(scene, 1e30)), (energy<2, TypeParam>(scene, 0))) << integrator;
     }
+}
+
+TYPED_TEST(NodesWithoutMass, LoseTheirVelocityAndAcceleration) {
+  Mpm<2> mpm(travelling_block<2, TypeParam>(Flip{}, "usl"));
+  std::vector<bool> had_mass(mpm.grid().size());
+  int losses = 0;
+  for (int step = 0; step < 100; ++step) {
+    ASSERT_TRUE(mpm.step(2e-4)) << mpm.fault();
+    for (std::size_t n = 0; n < had_mass.size(); ++n) {
+      const bool has_mass = mpm.grid().m(n) > 0;
+      losses += had_mass[n] && !has_mass ? 1 : 0;
+      had_mass[n] = has_mass;
+      if (has_mass) continue;
+      EXPECT_EQ(mpm.grid().v[n].norm() + mpm.grid().a[n].norm(), 0) << "node " << n;
+    }
+  }
+  EXPECT_GT(losses, 0);
 }
 
 }  // namespace mpmvv::solver::active_nodes_test
