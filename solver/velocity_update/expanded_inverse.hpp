@@ -18,20 +18,16 @@ class ExpandedInverse {
 
   /// Of at most so many terms.
   ExpandedInverse(const Mpm<D>& s, int order)
-      : round_trip_(s, order - 1),
-        start_(s.grid().size()),
-        image_(s.grid().size(), Packed<D>::Zero()),
-        share_(s.grid().size()) {}
+      : round_trip_(s, order - 1), start_(s.grid().size()), image_(s.grid().size(), Packed<D>::Zero()) {}
 
   /// w = m̃_k⁻¹ m w₁, from the lumped velocities w₁ given. Walls hold nothing meanwhile; or, held nodes eliminated, they
   /// keep w₁ there, and the rest of w tends to the solution of (m̃ w)_i = m_i w₁_i on the nodes i that are free.
   void apply(Mpm<D>& s, int order, bool eliminates, Field& w) {
     Packed<D>*const start = start_.data(), *const image = image_.data(), *const sum = w.data();
-    double* const share = share_.data();
-    s.for_nodes([&s, start, image, share, sum](std::size_t n) {
+    const Packed<D + 1>* const lumped = s.grid().p.data();
+    s.for_nodes([start, image, sum](std::size_t n) {
       start[n] = sum[n];
       image[n].setZero();
-      share[n] = 1 / s.grid().m(n);
     });
     const auto add = [image, sum](std::size_t n) {
       sum[n] += image[n];
@@ -42,7 +38,7 @@ class ExpandedInverse {
       round_trip_.map(s, w, image_);
       s.fold(image_);
       s.for_nodes([=](std::size_t n) {
-        image[n] = start[n] - share[n] * image[n];
+        image[n] = start[n] - 1 / lumped[n][D] * image[n];
         if (!eliminates) add(n);
       });
       if (!eliminates) continue;
@@ -53,8 +49,7 @@ class ExpandedInverse {
 
  private:
   RoundTrip<D> round_trip_;
-  Field start_, image_;        ///< w₁; w₁ - S⁺S w, zero before that
-  std::vector<double> share_;  ///< 1/m
+  Field start_, image_;  ///< w₁; w₁ - S⁺S w, zero before that
 };
 
 }  // namespace mpmvv::solver

@@ -20,7 +20,7 @@ int padded(int components) {
 int doubles_per_node(const Scheme& scheme, int D) {
   const int grid = padded(D + 1) + 3 * padded(D);
   if (scheme.mass == "consistent") return grid + 3 + padded(D + 1) + 5 * padded(D);
-  return grid + (scheme.order > 0 ? 2 * padded(D) + 1 : 0);
+  return grid + (scheme.order > 0 ? 2 * padded(D) : 0);
 }
 
 /// Doubles of each particle that systems of masses keep: the nodes of its domain.
