@@ -159,15 +159,16 @@ void add_mutants(CLI::App& app, int& exit_code) {
   command->add_option("--db", options->db, "results store");
   command->add_option("--source", options->source, "top of the source tree (default: .)");
   command->add_option("--work", options->work, "scratch folder (default: build/laboratory in the source tree)");
-  command->add_option("--only", options->only, "only these mutants");
+  CLI::Option* only = command->add_option("--only", options->only, "only these mutants");
   command->add_option("--random", options->random, "how many random mutations beside the planted ones (default: 100)")
       ->check(CLI::Range(0, 100'000));
   command->add_option("--seed", options->seed, "of their draw (default: 1)");
   command->add_option("--jobs", options->jobs, "compilers and cases at once (default: all cores)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--list", options->list, "print the planted mistakes");
-  command->add_flag("--known", options->known, "print what is known of this program's mutants, try none");
-  command->add_flag("--publish", options->publish, "write that into goldens/mutants/tried.json, too");
+  command->add_flag("--known", options->known, "print what is known of this program's mutants, try none")
+      ->excludes(only);
+  command->add_flag("--publish", options->publish, "write that into goldens/mutants/tried.json, too")->excludes(only);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options, &exit_code] { exit_code = mutants(*options); });
 }

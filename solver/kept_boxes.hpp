@@ -3,55 +3,13 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "solver/sweep.hpp"
+#include "solver/box_stencil.hpp"
+#include "solver/corner_block.hpp"
 
 namespace mpmvv::solver {
-
-/// The nodes that the corners of a particle's domain reach, put together: a box, W along each axis, with N_ip on each.
-template <int D, int W>
-struct BoxStencil {
-  std::size_t first;  ///< storage index of the first node
-  std::array<std::ptrdiff_t, D> stride;
-  const double* N;  ///< W^D, the first axis fastest
-
-  /// Σ_i N_ip φ_i
-  template <class V>
-  [[gnu::always_inline]] V gather(const std::vector<V>& field) const {
-    return value<D - 1>(N, field.data() + first);
-  }
-
-  /// φ_i += N_ip value
-  template <class V>
-  [[gnu::always_inline]] void scatter(const V& value, std::vector<V>& field) const {
-    add<D - 1>(N, value, field.data() + first);
-  }
-
- private:
-  template <int axis, class V>
-  [[gnu::always_inline]] V value(const double* weights, const V* nodes) const {
-    if constexpr (axis == 0) {
-      V sum = weights[0] * nodes[0];
-      for (int i = 1; i < W; ++i) sum += weights[i] * nodes[i];
-      return sum;
-    } else {
-      V sum = value<axis - 1>(weights, nodes);
-      for (int i = 1; i < W; ++i) sum += value<axis - 1>(weights + i * power(W, axis), nodes + i * stride[axis]);
-      return sum;
-    }
-  }
-
-  template <int axis, class V>
-  [[gnu::always_inline]] void add(const double* weights, const V& value, V* nodes) const {
-    nodes = start_of_line(nodes);
-    for (int i = 0; i < W; ++i)
-      if constexpr (axis == 0)
-        nodes[i] += weights[i] * value;
-      else
-        add<axis - 1>(weights + i * power(W, axis), value, nodes + i * stride[axis]);
-  }
-};
 
 /// The boxes of all particles' domains, kept for a step that visits them again and again. They are one node wider than
 /// the nodes of a corner: enough while no two corners of a particle lie more than a cell apart along an axis.

@@ -41,6 +41,7 @@ class Mpm {
   const std::array<bool, D>& periodic() const { return periodic_; }
   double time() const { return time_; }
   std::int64_t steps() const { return steps_; }  ///< finished ones
+  std::int64_t moves() const { return moves_; }  ///< how often particles have moved or been sorted
   std::string fault() const;
   double mass() const;                 ///< Σ m_p
   Mat<D> stress(std::size_t p) const;  ///< Cauchy stress of a particle
@@ -89,8 +90,6 @@ class Mpm {
   template <class V>
   void fold(std::vector<V>& field);
   void fold_momentum();  ///< likewise after one of masses, which decides what `for_nodes` visits from then on
-
-  std::int64_t moves() const { return moves_; }              ///< how often particles have moved or been sorted
   void constrain(std::vector<Packed<D>>& field);             ///< v = C v, where walls stand still
   void constrain_transposed(std::vector<Packed<D>>& field);  ///< f = Cᵀ f
 

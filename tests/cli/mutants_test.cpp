@@ -29,6 +29,7 @@ TEST(MutantsCommand, BadInputIsNamed) {
   EXPECT_THAT(complaint(tree), HasSubstr("no --db given"));
   EXPECT_THAT(complaint(db + " --source '" + (folder / "none") + "'"), HasSubstr("planted.toml"));
   EXPECT_THAT(complaint(db + " --random -1" + tree), HasSubstr("--random"));
+  EXPECT_THAT(complaint(db + " --publish --only hat-without-its-far-node" + tree), HasSubstr("--only"));
   EXPECT_FALSE(std::filesystem::exists(folder / "m.db"));
 }
 
