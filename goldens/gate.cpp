@@ -168,6 +168,7 @@ Judgement judge(const LimitGolden& golden, const Series& series) {
     return {Verdict::fail, measured, "limit above the golden's band", limit.key != "smoothing_length"};
   if (!limit.monotone) return inconclusive(measured, "stability is not monotone");
   if (!band.contains(limit.value())) return inconclusive(measured, "the bracket straddles the edge of the band");
+  if (high - low > band.upper - band.lower) return inconclusive(measured, "the bracket is wider than the band");
   return pass(measured);
 }
 

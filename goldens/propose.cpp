@@ -112,8 +112,14 @@ void propose_limit(Draft& draft, const Series& series, const StabilityLimit& lim
     return;
   }
   draft.remark(fmt::format("Stable at {} = {:.6g}, unstable at {:.6g}.", limit.key, limit.stable, limit.unstable));
-  draft.table("limit",
-              fmt::format("series = {}\nexpected = {:.4g}\nband = {}", quoted(series.name), limit.value(), limit_band));
+  std::string golden = fmt::format("series = {}\nexpected = {:.4g}\n", quoted(series.name), limit.value());
+  const double half_bracket = std::abs(limit.unstable - limit.stable) / 2 / limit.value();
+  if (half_bracket > limit_band / 2)  // other replicates' may lie as far on either side
+    golden += fmt::format("band = {:.2g}\nwhy = \"replicates lie between {:.4g} and {:.4g}; the band is twice that\"",
+                          std::ceil(200 * half_bracket) / 100, limit.stable, limit.unstable);
+  else
+    golden += fmt::format("band = {}", limit_band);
+  draft.table("limit", golden);
 }
 
 /// A power of ten, at least one decade away from a number that is nearly zero.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <stdexcept>
 
 #include "studies/error.hpp"
@@ -89,6 +90,22 @@ StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe) {
   if (limit.found) bisect(limit, search.tolerance, probe);
   std::sort(limit.probes.begin(), limit.probes.end(), [](const Probe& a, const Probe& b) { return a.value < b.value; });
   return limit;
+}
+
+StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates) {
+  StabilityLimit common = replicates.front();
+  const bool stable_below = common.stable < common.unstable;
+  const auto outermost = [stable_below](double a, double b) { return stable_below ? std::min(a, b) : std::max(a, b); };
+  const auto innermost = [stable_below](double a, double b) { return stable_below ? std::max(a, b) : std::min(a, b); };
+  for (const StabilityLimit& one : std::span(replicates).subspan(1)) {
+    common.stable = outermost(common.stable, one.stable);
+    common.unstable = innermost(common.unstable, one.unstable);
+    common.monotone = common.monotone && one.monotone && one.found == common.found;
+    common.found = common.found && one.found;
+    common.probes.insert(common.probes.end(), one.probes.begin(), one.probes.end());
+  }
+  std::ranges::stable_sort(common.probes, {}, &Probe::value);
+  return common;
 }
 
 }  // namespace mpmvv

@@ -32,4 +32,9 @@ using ProbeBatch = std::function<std::vector<Probe>(const std::vector<double>&)>
 /// cannot be carried out.
 StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe);
 
+/// The limit that replicates of a run have together: below the bracket all of them are stable, above it none is (for
+/// `smoothing_length` the other way round), as far as each one's limit says. Not found unless each is; not monotone
+/// when only some are. At least one limit of one key.
+StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates);
+
 }  // namespace mpmvv

@@ -30,7 +30,8 @@ struct FitPlan {
   std::vector<std::string> series;  ///< empty: all
 };
 
-/// Runs that differ in what should not matter, made at each swept value; a point is their mean.
+/// Runs that differ in what should not matter, made at each swept value, whose point is their mean; of a limit, each
+/// searched.
 struct ReplicatePlan {
   std::string key;
   std::vector<double> values;
@@ -108,7 +109,10 @@ StudyPlan read_study(const std::filesystem::path& file, const std::vector<Settin
 /// update has none; `where` goes into messages about the value.
 Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where);
 
-/// The cases of a series at a swept value: one, or its replicates.
+/// A series by itself, or its replicates.
+std::vector<SeriesPlan> replicates_of(const StudyPlan& plan, const SeriesPlan& series);
+
+/// The cases of a series at a swept value: one, or its replicates'.
 std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series, double value);
 
 /// Judges one criterion by the results.

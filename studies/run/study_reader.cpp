@@ -115,9 +115,10 @@ void read_replicates(const TomlTable& root, StudyPlan& plan) {
   const auto table = root.table("replicates");
   if (!table) return;
   const auto keys = table->keys();
-  if (keys.size() != 1 || plan.sweep.empty() || keys[0] == plan.sweep)
-    throw UsageError(
-        fmt::format("replicates in {} (one key with its values, beside a sweep over another)", table->where()));
+  const bool varied = (plan.limit && keys[0] == plan.limit->key) || keys[0] == plan.sweep;
+  if (keys.size() != 1 || (plan.sweep.empty() && !plan.limit) || varied)
+    throw UsageError(fmt::format("replicates in {} (one key with its values, beside a sweep or a limit of another)",
+                                 table->where()));
   require_known_key(keys[0], table->where(keys[0]));
   plan.replicates = ReplicatePlan{keys[0], table->numbers(keys[0]), table->where(keys[0])};
   if (plan.replicates->values.size() < 2)
@@ -201,7 +202,9 @@ void read_figures(const TomlTable& root, StudyPlan& plan) {
 void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
   for (const SeriesPlan& series : plan.series) try {
       for (const double value : plan.values) replicates_at(plan, series, value);
-      if (plan.limit) case_at(series, plan.limit->key, plan.limit->to, plan.limit_where);
+      if (plan.limit)
+        for (const SeriesPlan& one : replicates_of(plan, series))
+          case_at(one, plan.limit->key, plan.limit->to, plan.limit_where);
     } catch (const UsageError& e) {
       const std::string message = e.what();
       const bool has_place = message.find(file.string()) != std::string::npos;
@@ -233,14 +236,20 @@ Case case_at(const SeriesPlan& series, const std::string& key, double value, con
   return make_case(settings);
 }
 
-std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series, double value) {
-  if (!plan.replicates) return {case_at(series, plan.sweep, value, plan.sweep_where)};
-  std::vector<Case> cases;
-  for (const double replicate : plan.replicates->values) {
-    SeriesPlan one = series;
-    one.settings.push_back({plan.replicates->key, fmt::format("{}", replicate), plan.replicates->where});
-    cases.push_back(case_at(one, plan.sweep, value, plan.sweep_where));
+std::vector<SeriesPlan> replicates_of(const StudyPlan& plan, const SeriesPlan& series) {
+  if (!plan.replicates) return {series};
+  std::vector<SeriesPlan> replicates;
+  for (const double value : plan.replicates->values) {
+    replicates.push_back(series);
+    replicates.back().settings.push_back({plan.replicates->key, fmt::format("{}", value), plan.replicates->where});
   }
+  return replicates;
+}
+
+std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series, double value) {
+  std::vector<Case> cases;
+  for (const SeriesPlan& one : replicates_of(plan, series))
+    cases.push_back(case_at(one, plan.sweep, value, plan.sweep_where));
   return cases;
 }
 

@@ -96,6 +96,12 @@ StabilityLimit search_limit(const LimitSearch& search, const SeriesPlan& series,
   });
 }
 
+StabilityLimit search_limit(const StudyPlan& plan, const SeriesPlan& series, CasePool& pool) {
+  std::vector<StabilityLimit> limits;
+  for (const SeriesPlan& one : replicates_of(plan, series)) limits.push_back(search_limit(*plan.limit, one, pool));
+  return common_limit(limits);
+}
+
 bool is_wanted(const std::vector<std::string>& names, const Series& series) {
   return names.empty() || std::find(names.begin(), names.end(), series.name) != names.end();
 }
@@ -192,9 +198,8 @@ class StudyRunner {
       cases.push_back(plan.replicates ? std::vector<Case>{} : own);
     }
     if (plan.limit)
-      for_each_parallel(plan.series.size(), options_.jobs, [&](std::size_t k) {
-        result.series[k].limit = search_limit(*plan.limit, plan.series[k], pool_);
-      });
+      for_each_parallel(plan.series.size(), options_.jobs,
+                        [&](std::size_t k) { result.series[k].limit = search_limit(plan, plan.series[k], pool_); });
     return cases;
   }
 

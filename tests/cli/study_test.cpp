@@ -141,6 +141,33 @@ TEST(StudyCommand, ReplicatesMakeAMeanAnIntervalAndATestOfTheLine) {
   EXPECT_THAT(read_text(folder / "report/tables/small-replicates.csv"), HasSubstr("linear,8,l2,3,"));
 }
 
+TEST(StudyCommand, ReplicatesOfALimitAreSearchedEach) {
+  const Folder folder;
+  const std::string text = R"(title = "Limit"
+claims = []
+[fixed]
+problem = "bar"
+cells = 8
+ppc = 2
+[[series]]
+name = "linear"
+basis = "linear"
+[limit]
+key = "cfl"
+from = 0.2
+to = 4
+scan_ratio = 2
+[replicates]
+grid_offset = [0, 0.25]
+)";
+  const auto file = folder.write("limit.toml", text), db = folder / "r.db";
+  const Answer answer = call(folder, "study " + file + " --db " + db);
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  ASSERT_EQ(call(folder, "report --db " + db + " --out " + (folder / "report")).code, 0);
+  const std::string probes = read_text(folder / "report/tables/limit-probes.csv");
+  EXPECT_NE(probes.find("linear,cfl,4,"), probes.rfind("linear,cfl,4,")) << "one of each replicate:\n" << probes;
+}
+
 TEST(StudyCommand, ExtrapolatesWhatHasNoExactValue) {
   const Folder folder;
   std::string text = small_study;
@@ -279,7 +306,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "without every_step"},
         BadFile{"[sweep]\n", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nscan_ratio = 1.0000001\n[sweep]\n",
                 "scan_ratio"},
-        BadFile{"[[fit]]", "[replicates]\ncells = [1, 2]\n[[fit]]", "beside a sweep over another"},
+        BadFile{"[[fit]]", "[replicates]\ncells = [1, 2]\n[[fit]]", "beside a sweep or a limit of another"},
         BadFile{"[[fit]]", "[replicates]\nshuffle = [1]\n[[fit]]", "fewer than two replicates"},
         BadFile{"[[fit]]", "[[extrapolate]]\nnorm = \"l2\"\nwindow = [8, 32]\n[[fit]]", "holds 3 swept values"},
         BadFile{"ppc = 4", "ppc = 4\nrepeat = 1", "repeat = 1"},

@@ -208,6 +208,8 @@ TEST(Gate, ALimitIsJudgedByItsBracket) {
   EXPECT_EQ(judge_limit(bracket(0.755, 0.77)).verdict, Verdict::pass);
   EXPECT_EQ(judge_limit(bracket(0.707, 0.70)).verdict, Verdict::fail);
   EXPECT_EQ(judge_limit(bracket(0.804, 0.798)).verdict, Verdict::pass);
+  EXPECT_EQ(judge_limit(bracket(0.77, 0.845)).verdict, Verdict::pass) << "replicates' bracket, within the band's width";
+  EXPECT_EQ(judge_limit(bracket(0.75, 0.85)).verdict, Verdict::inconclusive) << "a bracket wider than the band";
 }
 
 TEST(Gate, ANonMonotoneLimitIsInconclusiveUnlessItsBracketIsOutside) {

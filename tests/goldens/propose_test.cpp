@@ -116,6 +116,19 @@ TEST(Propose, LimitsAndCheckValuesRoundTrip) {
   EXPECT_EQ(std::get<ValueGolden>(goldens[4].expectation).lower, -1e-10);
 }
 
+TEST(Propose, ALimitThatReplicatesDisagreeOnGetsAWiderBandAndSaysWhy) {
+  Series series;
+  series.name = "k = 16";
+  series.limit = cfl_limit(0.19, 0.21);
+  const StudyResult study = study_with(series);
+  const auto goldens = proposed(study);
+  ASSERT_EQ(goldens.size(), 1U);
+  EXPECT_EQ(std::get<LimitGolden>(goldens[0].expectation).expected, 0.2);
+  EXPECT_EQ(std::get<LimitGolden>(goldens[0].expectation).band, 0.1);
+  EXPECT_THAT(propose_goldens(study, clean), HasSubstr("why = \"replicates lie between 0.19 and 0.21"));
+  EXPECT_EQ(run_gate(goldens, {study}).exit_code(), 0);
+}
+
 TEST(Propose, WhatWasMeasuredPassesItsOwnProposal) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> exponent(-17, 3), order(-1, 4);

@@ -173,6 +173,30 @@ TEST(StabilityLimit, AnUnstableStableEndIsNotFoundAndNotMonotone) {
   EXPECT_EQ(prober.batches.size(), 1u);
 }
 
+TEST(StabilityLimit, OfReplicatesReachesFromWhereAllAreStableToWhereNoneIs) {
+  const auto limit_at = [](double least, bool below) {
+    LimitSearch search = cfl_search();
+    search.stable_below = below;
+    Prober prober{[=](double v) { return (v < least) == below; }};
+    return find_limit(search, prober.batch());
+  };
+  for (const bool below : {true, false}) {
+    const StabilityLimit low = limit_at(0.4, below), high = limit_at(0.6, below), middle = limit_at(0.5, below);
+    const StabilityLimit common = common_limit({middle, low, high});
+    EXPECT_EQ(common.stable, below ? low.stable : high.stable);
+    EXPECT_EQ(common.unstable, below ? high.unstable : low.unstable);
+    EXPECT_TRUE(common.found);
+    EXPECT_TRUE(common.monotone);
+    EXPECT_EQ(common.probes.size(), low.probes.size() + high.probes.size() + middle.probes.size());
+    EXPECT_TRUE(std::ranges::is_sorted(common.probes, {}, &Probe::value));
+  }
+  const StabilityLimit alone = limit_at(0.4, true), calm = limit_at(10, true);
+  EXPECT_EQ(common_limit({alone}).stable, alone.stable);
+  EXPECT_FALSE(common_limit({alone, calm}).found);
+  EXPECT_FALSE(common_limit({calm, alone}).monotone);
+  EXPECT_TRUE(common_limit({calm, calm}).monotone);
+}
+
 TEST(StabilityLimit, IsDeterministic) {
   Prober a{[](double v) { return v < 0.123; }}, b{a.stable};
   const StabilityLimit first = find_limit(cfl_search(), a.batch()), second = find_limit(cfl_search(), b.batch());
