@@ -1,0 +1,90 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/cli/program.hpp"
+#include "tests/cli/small_study.hpp"
+
+namespace mpmvv {
+namespace study_refusal_test {
+
+using testing::HasSubstr;
+
+struct BadFile {
+  const char* from;  ///< text of the small study to replace
+  const char* to;
+  const char* message;
+};
+
+void PrintTo(const BadFile& bad, std::ostream* out) {
+  *out << bad.message;
+}
+
+class BadStudy : public testing::TestWithParam<BadFile> {};
+
+TEST_P(BadStudy, NamesFileAndLineAndWritesNothing) {
+  const Folder folder;
+  std::string text = small_study;
+  text.replace(text.find(GetParam().from), std::string(GetParam().from).size(), GetParam().to);
+  const std::string file = folder.write("bad.toml", text), db = folder / "r.db";
+  const Answer answer = call(folder, "study " + file + " --db " + db);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+  EXPECT_THAT(answer.err, HasSubstr("bad.toml:"));
+  EXPECT_THAT(answer.err, HasSubstr(GetParam().message));
+  EXPECT_FALSE(std::filesystem::exists(db));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , BadStudy,
+    testing::Values(
+        BadFile{"ppc = 4", "pcp = 4", "unknown key 'pcp'"},
+        BadFile{"\"bspline2\"\n[sweep]", "\"bspline7\"\n[sweep]", "unknown basis 'bspline7'"},
+        BadFile{"[8, 16, 32, 64]\n[[fit", "[]\n[[fit", "empty sweep"},
+        BadFile{"[8, 16, 32, 64]\n[[fit", "[8, 16, 32, 64, -16]\n[[fit", "cells = -16"},
+        BadFile{"[8, 16, 32, 64]\n[[fit", "[8, nan]\n[[fit", "nan"}, BadFile{"ppc = 4", "ppc = 0", "ppc = 0"},
+        BadFile{"cfl = 0.3", "cfl = \"fast\"", "cfl = 'fast'"},
+        BadFile{"name = \"bspline2\"", "name = \"linear\"", "series 'linear' twice"},
+        BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure", "norm = \"l3\"\nwindow = [8, 64]\n[[figure",
+                "unknown norm 'l3'"},
+        BadFile{"window = [8, 64]\n[[figure", "window = [64, 8]\n[[figure", "window"},
+        BadFile{"measure = \"order\"", "measure = \"ordre\"", "unknown measure 'ordre'"},
+        BadFile{"claim = \"S-fig10\"", "claim = \"S-fig99\"", "unknown claim"},
+        BadFile{"at_least = 1.5", "", "asks nothing"},
+        BadFile{"at_least = 1.5", "at_least = 3\nat_most = 1", "nothing can be both"},
+        BadFile{"claims = [\"S-fig10\"]", "claims = [\"S-foo\"]", "unknown claim 'S-foo'"},
+        BadFile{"window = [8, 64]\n[[figure", "window = [100, 200]\n[[figure", "holds 0 swept values"},
+        BadFile{"norm = \"l2\"\nwindow = [8, 64]\n[[figure", "norm = \"linf_all_steps\"\nwindow = [8, 64]\n[[figure",
+                "without every_step"},
+        BadFile{"[sweep]\n", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nscan_ratio = 1.0000001\n[sweep]\n",
+                "scan_ratio"},
+        BadFile{"[[fit]]", "[replicates]\ncells = [1, 2]\n[[fit]]", "beside a sweep or a limit of another"},
+        BadFile{"[[fit]]", "[replicates]\nshuffle = [1]\n[[fit]]", "fewer than two replicates"},
+        BadFile{"[[fit]]", "[[extrapolate]]\nnorm = \"l2\"\nwindow = [8, 32]\n[[fit]]", "holds 3 swept values"},
+        BadFile{"ppc = 4", "ppc = 4\nrepeat = 1", "repeat = 1"},
+        BadFile{"caption", "quantity = \"l3\"\ncaption", "unknown quantity 'l3'"},
+        BadFile{"caption", "quantity = \"nodal_l2\"\ncaption", "without nodal_error"},
+        BadFile{"caption", "quantity = \"y\"\ncaption", "y for the curves of a check"},
+        BadFile{"caption", "kind = \"pie\"\ncaption", "unknown figure kind 'pie'"},
+        BadFile{"caption", "kind = \"work-precision\"\ncaption", "`repeat` in every series"},
+        BadFile{"caption", "kind = \"particles\"\ncaption", "without a check"},
+        BadFile{"measure = \"order\"", "measure = \"cost-ratio\"\nover = \"linear\"", "`repeat` in every series"},
+        BadFile{"title = \"Small\"", "title = 'Small", "bad.toml"}));
+
+TEST(StudyCommand, RefusesStoresThatAreNone) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study);
+  const std::string foreign =
+      folder.write("foreign.db", "this is no database, but long enough to look like a file of its own");
+  const Answer answer = call(folder, "study " + file + " --db " + foreign);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+  EXPECT_EQ(read_text(foreign), "this is no database, but long enough to look like a file of its own");
+  EXPECT_EQ(call(folder, "gate --db " + (folder / "absent.db")).code, 2);
+  EXPECT_EQ(call(folder, "study " + file + " --db " + (folder / "no/such/folder.db")).code, 2);
+}
+
+}  // namespace study_refusal_test
+}  // namespace mpmvv
