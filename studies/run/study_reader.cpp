@@ -9,6 +9,7 @@
 #include "studies/claim.hpp"
 #include "studies/error.hpp"
 #include "studies/run/criterion_reader.hpp"
+#include "studies/run/figure_reader.hpp"
 #include "studies/run/named.hpp"
 #include "studies/run/plan_rules.hpp"
 #include "studies/study.hpp"
@@ -135,17 +136,6 @@ void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
   }
 }
 
-/// What the figure's kind asks of the study.
-void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTable& table) {
-  if (figure.kind == "work-precision") require_cost(plan, table.where("kind"));
-  if (figure.kind == "particles" && plan.check.empty())
-    throw UsageError(fmt::format("particles in {} without a check (it brings the particles)", table.where("kind")));
-  for (const char* key : {"marks", "slopes"})
-    if (figure.kind != "curves" && table.has(key))
-      throw UsageError(
-          fmt::format("'{}' in {} has no meaning in a figure of kind '{}'", key, table.where(key), figure.kind));
-}
-
 void read_fits(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("fit")) {
     table.allow_only({"norm", "window", "floor_window", "series"});
@@ -154,47 +144,6 @@ void read_fits(const TomlTable& root, StudyPlan& plan) {
     fit.series = measured_series(plan, fit.norm, series_names(table, "series", plan), table.where("norm"));
     if (table.has("floor_window")) fit.floor = read_window(table, "floor_window");
     plan.fits.push_back(fit);
-  }
-}
-
-void read_figures(const TomlTable& root, StudyPlan& plan) {
-  for (const TomlTable& table : root.tables("figure")) {
-    table.allow_only({"name", "caption", "xlabel", "ylabel", "xscale", "yscale", "quantity", "series", "marks",
-                      "slopes", "x_range", "y_range", "kind"});
-    Figure figure;
-    figure.kind = table.text("kind", "curves");
-    require_word("figure kind", figure.kind, {"curves", "work-precision", "particles"}, table.where("kind"));
-    figure.name = table.text("name", plan.name);
-    if (figure.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos)
-      throw UsageError(
-          fmt::format("figure name '{}' in {} (lower-case letters, digits and '-')", figure.name, table.where("name")));
-    for (const Figure& other : plan.figures)
-      if (other.name == figure.name)
-        throw UsageError(fmt::format("figure '{}' twice in {} (names must differ)", figure.name, table.where("name")));
-    figure.caption = table.text("caption");
-    figure.xlabel = table.text("xlabel");
-    figure.ylabel = table.text("ylabel");
-    for (const auto& [key, log] : {std::pair{"xscale", &figure.log_x}, std::pair{"yscale", &figure.log_y}}) {
-      const std::string scale = table.text(key, "log");
-      require_word(key, scale, {"log", "linear"}, table.where(key));
-      *log = scale == "log";
-    }
-    figure.quantity = table.has("quantity") ? norm_of(table, "quantity") : plan.check.empty() ? "l2" : "y";
-    figure.series =
-        measured_series(plan, figure.quantity, series_names(table, "series", plan), table.where("quantity"));
-    figure.marks = series_names(table, "marks", plan);
-    if (table.has("slopes")) figure.slopes = table.numbers("slopes");
-    const auto range = [&table](const char* key, std::optional<double>& low, std::optional<double>& high) {
-      if (!table.has(key)) return;
-      const auto ends = table.numbers(key);
-      if (ends.size() != 2 || !(ends[0] < ends[1]))
-        throw UsageError(fmt::format("{} in {} (two numbers, the smaller first)", key, table.where(key)));
-      low = ends[0], high = ends[1];
-    };
-    range("x_range", figure.x_min, figure.x_max);
-    range("y_range", figure.y_min, figure.y_max);
-    require_drawable(plan, figure, table);
-    plan.figures.push_back(figure);
   }
 }
 
@@ -284,7 +233,7 @@ StudyPlan read_study(const std::filesystem::path& file, const std::vector<Settin
     throw UsageError(fmt::format("{} has series but neither sweep nor limit", file.string()));
   read_fits(root, plan);
   read_extrapolations(root, plan);
-  read_figures(root, plan);
+  for (const TomlTable& table : root.tables("figure")) plan.figures.push_back(read_figure(table, plan));
   for (const TomlTable& table : root.tables("criterion")) plan.criteria.push_back(read_criterion(table, plan));
   try_cases(plan, file);
   return plan;
