@@ -17,6 +17,13 @@ std::vector<const Series*> probed_series(const StudyResult& study, const Figure&
   return result;
 }
 
+/// Around the final bracket.
+std::vector<Place> frame(const StabilityLimit& limit, double row) {
+  const double low = row - 0.32, high = row + 0.32;
+  return {
+      {limit.stable, low}, {limit.stable, high}, {limit.unstable, high}, {limit.unstable, low}, {limit.stable, low}};
+}
+
 std::string limit_text(const StabilityLimit& limit) {
   const std::string text = limit.found ? fmt::format("{:#.3g}", limit.value()) : "not found";
   return limit.monotone ? text : text + ", not monotone";
@@ -43,10 +50,7 @@ Chart stability_map(const StudyResult& study, const Figure& figure) {
       values.push_back(probe.value);
     }
     if (limit.found)
-      chart.rules.push_back({Rule::Kind::limit,
-                             plain_style,
-                             series[i]->name + ": stability limit",
-                             {{limit.value(), row - 0.32}, {limit.value(), row + 0.32}}});
+      chart.rules.push_back({Rule::Kind::limit, plain_style, series[i]->name + ": stability limit", frame(limit, row)});
   }
   const bool log = figure.log_x && !values.empty() && std::ranges::min(values) > 0;
   const std::string key = series.empty() ? study.sweep : series.front()->limit->key;
@@ -64,7 +68,8 @@ Chart stability_map(const StudyResult& study, const Figure& figure) {
   }
   chart.curves = {std::move(stable), std::move(unstable)};
   chart.notes.push_back(
-      "Every probe of the search; the limit, marked and on the right, is the middle of its final bracket.");
+      "Every probe of the search, framed its final bracket, from where all are stable to where none is; the limit, on "
+      "the right, is its middle.");
   return chart;
 }
 
