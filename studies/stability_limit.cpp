@@ -93,14 +93,16 @@ StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe) {
 }
 
 StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates) {
-  StabilityLimit common = replicates.front();
-  const bool stable_below = common.stable < common.unstable;
+  const StabilityLimit& first = replicates.front();
+  const bool stable_below = first.stable < first.unstable;
   const auto outermost = [stable_below](double a, double b) { return stable_below ? std::min(a, b) : std::max(a, b); };
   const auto innermost = [stable_below](double a, double b) { return stable_below ? std::max(a, b) : std::min(a, b); };
+  StabilityLimit common = first;
   for (const StabilityLimit& one : std::span(replicates).subspan(1)) {
     common.stable = outermost(common.stable, one.stable);
     common.unstable = innermost(common.unstable, one.unstable);
-    common.monotone = common.monotone && one.monotone && one.found == common.found;
+    const bool agrees = one.found == first.found && std::isnan(one.stable) == std::isnan(first.stable);
+    common.monotone = common.monotone && one.monotone && agrees;
     common.found = common.found && one.found;
     common.probes.insert(common.probes.end(), one.probes.begin(), one.probes.end());
   }

@@ -34,7 +34,7 @@ StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe);
 
 /// The limit that replicates of a run have together: below the bracket all of them are stable, above it none is (for
 /// `smoothing_length` the other way round), as far as each one's limit says. Not found unless each is; not monotone
-/// when only some are. At least one limit of one key.
+/// where some are found and others are not, or some are stable throughout and others nowhere. At least one limit.
 StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates);
 
 }  // namespace mpmvv

@@ -116,8 +116,10 @@ void read_replicates(const TomlTable& root, StudyPlan& plan) {
   const auto table = root.table("replicates");
   if (!table) return;
   const auto keys = table->keys();
-  const bool varied = (plan.limit && keys[0] == plan.limit->key) || keys[0] == plan.sweep;
-  if (keys.size() != 1 || (plan.sweep.empty() && !plan.limit) || varied)
+  const auto is_varied = [&plan](const std::string& key) {
+    return key == plan.sweep || (plan.limit && key == plan.limit->key);
+  };
+  if (keys.size() != 1 || (plan.sweep.empty() && !plan.limit) || is_varied(keys[0]))
     throw UsageError(fmt::format("replicates in {} (one key with its values, beside a sweep or a limit of another)",
                                  table->where()));
   require_known_key(keys[0], table->where(keys[0]));

@@ -195,6 +195,10 @@ TEST(StabilityLimit, OfReplicatesReachesFromWhereAllAreStableToWhereNoneIs) {
   EXPECT_FALSE(common_limit({alone, calm}).found);
   EXPECT_FALSE(common_limit({calm, alone}).monotone);
   EXPECT_TRUE(common_limit({calm, calm}).monotone);
+  const StabilityLimit wild = limit_at(0.01, true);
+  EXPECT_TRUE(common_limit({wild, wild}).monotone);
+  EXPECT_FALSE(common_limit({calm, wild}).monotone) << "neither all stable nor all unstable";
+  EXPECT_FALSE(common_limit({wild, calm}).monotone);
 }
 
 TEST(StabilityLimit, IsDeterministic) {
