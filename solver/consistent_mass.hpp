@@ -72,10 +72,11 @@ template <int D>
 struct MapScalarRoundTrip {
   const Particles<D>& particles;
   const std::vector<double>& u;
-  std::vector<Packed<D + 1>>& field;
+  std::vector<Packed<D + 1>>& product;
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
-    nodes.scatter(packed<D>(Vec<D>::Zero(), particles.m[p] * nodes.gather(u)), field);
+  auto& field() const { return product; }
+  [[gnu::always_inline]] auto operator()(const auto& who, const auto& nodes, const auto&) const {
+    return packed_alone<D>(who.of(particles.m) * nodes.gather(u));
   }
 };
 

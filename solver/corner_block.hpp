@@ -1,8 +1,12 @@
 #pragma once
 #include <Eigen/LU>
 
+#include "solver/basis/basis.hpp"
 #include "solver/block.hpp"
 #include "solver/corner_stencil.hpp"
+#include "solver/fault.hpp"
+#include "solver/grid.hpp"
+#include "solver/particles.hpp"
 
 namespace mpmvv::solver {
 
@@ -10,6 +14,7 @@ namespace mpmvv::solver {
 template <int D, int K, Evaluates evaluates = Evaluates::weights_and_gradients>
 struct CornerBlock : Block<D> {
   static constexpr int corners = CornerStencil<D, K>::corners;
+  static constexpr int most = 256 >> D;    ///< particles, so that all of it stays near
   int node[corners][D][block_size<D>];     ///< first node along each axis
   int first[corners][block_size<D>];       ///< its storage index
   double S[corners][D][K][block_size<D>];  ///< weights per axis
@@ -69,6 +74,13 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
     for (int k = 0; k < count; ++k) block.slope[k] = factor * R[k].inverse().transpose();
   }
   return (outside > 0 ? Fault::outside : Fault::none) | (outgrown > 0 ? Fault::outgrown : Fault::none);
+}
+
+template <int D, class B, Evaluates evaluates>
+Fault prepare(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
+              CornerBlock<D, B::support, evaluates>& block) {
+  block.in_companies = false;
+  return evaluate_stencils(basis, particles, grid, block);
 }
 
 }  // namespace mpmvv::solver

@@ -2,7 +2,7 @@
 #include <Eigen/LU>
 #include <array>
 
-#include "solver/types.hpp"
+#include "solver/four.hpp"
 
 namespace mpmvv::solver {
 
@@ -14,7 +14,7 @@ enum class Deformation {
 
 /// C + A B
 template <int D>
-inline PackedMat<D> plus_product(const auto& C, const PackedMat<D>& A, const auto& B) {
+[[gnu::always_inline]] inline PackedMat<D> plus_product(const auto& C, const PackedMat<D>& A, const auto& B) {
   PackedMat<D> result;
   for (int c = 0; c < D; ++c) {
     Packed<D> column = packed<D>(C.col(c));
@@ -24,16 +24,27 @@ inline PackedMat<D> plus_product(const auto& C, const PackedMat<D>& A, const aut
   return result;
 }
 
-/// The c_j of A^D = Σ_{j<D} c_j A^j, by the theorem of Cayley and Hamilton.
 template <int D>
-inline std::array<double, D> characteristic(const PackedMat<D>& A) {
+[[gnu::always_inline]] inline FourMat<D> plus_product(const FourMat<D>& C, const FourMat<D>& A, const FourMat<D>& B) {
+  FourMat<D> result;
+  for (int c = 0; c < D; ++c)
+    for (int r = 0; r < D; ++r) {
+      result(r, c) = C(r, c);
+      for (int k = 0; k < D; ++k) result(r, c) += A(r, k) * B(k, c);
+    }
+  return result;
+}
+
+/// The c_j of A^D = Σ_{j<D} c_j A^j, by the theorem of Cayley and Hamilton.
+template <int D, class Matrix>
+inline std::array<typename Matrix::Scalar, D> characteristic(const Matrix& A) {
   const auto minor = [&A](int i, int j) { return A(i, i) * A(j, j) - A(i, j) * A(j, i); };
   if constexpr (D == 1)
     return {A(0, 0)};
   else if constexpr (D == 2)
     return {-minor(0, 1), A(0, 0) + A(1, 1)};
   else
-    return {Mat<3>(A.template topRows<3>()).determinant(), -(minor(0, 1) + minor(0, 2) + minor(1, 2)),
+    return {A.template topRows<3>().eval().determinant(), -(minor(0, 1) + minor(0, 2) + minor(1, 2)),
             A(0, 0) + A(1, 1) + A(2, 2)};
 }
 
@@ -45,24 +56,31 @@ inline PackedMat<D> sum_with_identity(double a, const PackedMat<D>& A, double b)
   return sum;
 }
 
+template <int D>
+[[gnu::always_inline]] inline FourMat<D> sum_with_identity(const Four& a, const FourMat<D>& A, const Four& b) {
+  FourMat<D> sum = a * A;
+  sum.diagonal().array() += b;
+  return sum;
+}
+
 /// exp(A) - I by twelve terms, Horner's scheme on the multiples of I, A and A² that powers come down to: the rest,
 /// |A|¹³/13!, is round-off up to |A| = 0.4, and 2e-13 at 0.6.
-template <int D>
-inline PackedMat<D> exponential_less_identity(const PackedMat<D>& A) {
+template <int D, class Matrix>
+inline Matrix exponential_less_identity(const Matrix& A) {
   constexpr double share[] = {1,         1. / 2,     1. / 6,      1. / 24,      1. / 120,      1. / 720,
                               1. / 5040, 1. / 40320, 1. / 362880, 1. / 3628800, 1. / 39916800, 1. / 479001600};
   const auto c = characteristic<D>(A);
-  std::array<double, D> x{};
+  std::array<typename Matrix::Scalar, D> x{};
   for (int k = 11; k >= 0; --k) {
     x[0] += share[k];
-    const double highest = x[D - 1];
+    const auto highest = x[D - 1];
     for (std::size_t j = D - 1; j > 0; --j) x[j] = x[j - 1] + c[j] * highest;
     x[0] = c[0] * highest;
   }
-  if constexpr (D == 1) return PackedMat<D>(x[0]);
+  if constexpr (D == 1) return Matrix(x[0]);
   if constexpr (D == 2) return sum_with_identity<D>(x[1], A, x[0]);
   if constexpr (D == 3) {
-    const PackedMat<D> linear = sum_with_identity<D>(x[2], A, x[1]), zero = PackedMat<D>::Zero();
+    const Matrix linear = sum_with_identity<D>(x[2], A, x[1]), zero = Matrix::Zero();
     return sum_with_identity<D>(1, plus_product<D>(zero, A, linear), x[0]);
   }
 }
@@ -73,16 +91,19 @@ struct DeformationStep {
   double dt;
   Deformation rule = Deformation::linear;
 
-  [[gnu::always_inline]] void operator()(Mat<D>& F, const PackedMat<D>& L) const {
-    PackedMat<D> increment;
+  /// F', of one particle or of four
+  template <class Gradient>
+  [[gnu::always_inline]] Gradient operator()(const auto& F, const Gradient& L) const {
+    Gradient increment;
     for (int d = 0; d < D; ++d) increment.col(d) = dt * L.col(d);  // at once, a plane's would go through memory
-    if (rule == Deformation::exponential) return advance_exponentially(F, PackedMat<D>(increment));
-    F = plus_product<D>(F, increment, F).template topRows<D>();
+    if (rule == Deformation::exponential) increment = far_exponential(Gradient(increment));
+    return plus_product<D>(F, increment, F);
   }
 
  private:
-  [[gnu::noinline]] static void advance_exponentially(Mat<D>& F, const PackedMat<D>& dt_L) {
-    F = plus_product<D>(F, exponential_less_identity<D>(dt_L), F).template topRows<D>();
+  template <class Matrix>
+  [[gnu::noinline]] static Matrix far_exponential(const Matrix& dt_L) {
+    return exponential_less_identity<D>(dt_L);
   }
 };
 

@@ -161,11 +161,8 @@ Mat<D> Mpm<D>::stress(std::size_t p) const {
       [&]<class M>(const M& material) -> Mat<D> {
         if constexpr (has_history<M>)
           return -particles_.thermal[p].total_pressure() * Mat<D>::Identity();
-        else {
-          PackedMat<D> tau;
-          material.kirchhoff(&particles_.F[p], &tau, 1);
-          return tau.template topRows<D>() / particles_.F[p].determinant();
-        }
+        else
+          return material.kirchhoff(particles_.F[p]) / particles_.F[p].determinant();
       },
       scene_.material);
 }

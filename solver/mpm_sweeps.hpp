@@ -2,6 +2,7 @@
 #include "solver/map_surface_load.hpp"
 #include "solver/mpm.hpp"
 #include "solver/operations.hpp"
+#include "solver/stages.hpp"
 #include "solver/velocity_update/update_particle.hpp"
 
 /// The phases of a step that visit particles.

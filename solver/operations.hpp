@@ -1,17 +1,29 @@
 #pragma once
-#include <array>
-#include <atomic>
-#include <variant>
+#include <type_traits>
 
-#include "solver/body_force.hpp"
 #include "solver/deformation.hpp"
-#include "solver/material/materials.hpp"
 #include "solver/sweep.hpp"
 #include "solver/velocity_update/affine.hpp"
 
-/// What a sweep can do. Scatter operations map particles to nodes, gather operations nodes to particles, stages act on
-/// a block of particles at once.
+/// What a sweep does on particles and their nodes, one by one or in companies: see node_loop.hpp.
 namespace mpmvv::solver {
+
+/// gradient ∇N_ip, for one particle or four
+template <int D>
+[[gnu::always_inline]] inline auto mapped(const auto& gradient) {
+  if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(gradient)>::Scalar, Four>)
+    return FourGradients<D>{gradient};
+  else
+    return ValueAndGradient<D>{Packed<D>::Zero(), gradient};
+}
+/// N_ip value + gradient ∇N_ip
+template <int D>
+[[gnu::always_inline]] inline auto mapped(const auto& value, const auto& gradient) {
+  if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(gradient)>::Scalar, Four>)
+    return FourValuesAndGradients<D>{value, gradient};
+  else
+    return ValueAndGradient<D>{value, gradient};
+}
 
 /// m_i = Σ_p N_ip m_p                                          S (1), W (8)
 template <int D>
@@ -19,8 +31,9 @@ struct MapMass {
   const Particles<D>& particles;
   Grid<D>& grid;
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
-    nodes.scatter(packed<D>(Vec<D>::Zero(), particles.m[p]), grid.p);
+  auto& field() const { return grid.p; }
+  [[gnu::always_inline]] auto operator()(const auto& who, const auto&, const auto&) const {
+    return packed_alone<D>(who.of(particles.m));
   }
 };
 
@@ -30,10 +43,14 @@ struct MapMomentum {
   const Particles<D>& particles;
   Grid<D>& grid;
 
-  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
-    if constexpr (requires { scatter_affine(particles, p, block, k, grid); })
-      if (!particles.C.empty()) return scatter_affine(particles, p, block, k, grid);
-    nodes.scatter(packed<D>(particles.m[p] * particles.v[p], particles.m[p]), grid.p);
+  auto& field() const { return grid.p; }
+  void prepare(const auto& block, const Grid<D>&) const {
+    if constexpr (requires { scatter_affine(particles, block, grid); })
+      if (!particles.C.empty()) scatter_affine(particles, block, grid);
+  }
+  [[gnu::always_inline]] auto operator()(const auto& who, const auto&, const auto&) const {
+    const auto m = who.of(particles.m);
+    return packed<D>(m * who.of(particles.v), m);
   }
 };
 
@@ -44,8 +61,9 @@ struct MapInternalForce {
   const Particles<D>& particles;
   Grid<D>& grid;
 
-  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
-    nodes.scatter(ValueAndGradient<D>{Packed<D>::Zero(), -particles.V0[p] * block.tau[k]}, grid.f);
+  auto& field() const { return grid.f; }
+  [[gnu::always_inline]] auto operator()(const auto& who, const auto&, const auto& block) const {
+    return mapped<D>(-who.of(particles.V0) * who.of(block.tau));
   }
 };
 
@@ -56,9 +74,9 @@ struct MapForces {
   const Particles<D>& particles;
   Grid<D>& grid;
 
-  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
-    const ValueAndGradient<D> force{packed<D>(particles.m[p] * block.b[k]), -particles.V0[p] * block.tau[k]};
-    nodes.scatter(force, grid.f);
+  auto& field() const { return grid.f; }
+  [[gnu::always_inline]] auto operator()(const auto& who, const auto&, const auto& block) const {
+    return mapped<D>(packed<D>(who.of(particles.m) * who.of(block.b)), -who.of(particles.V0) * who.of(block.tau));
   }
 };
 
@@ -69,8 +87,8 @@ struct UpdateVelocity {
   const Grid<D>& grid;
   double dt;
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
-    particles.v[p] += dt * nodes.gather(grid.a).template head<D>();
+  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
+    who.add(particles.v, (dt * nodes.gather(grid.a)).eval());
   }
 };
 
@@ -81,8 +99,8 @@ struct UpdatePosition {
   const Grid<D>& grid;
   double dt;
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
-    particles.x[p] += dt * nodes.gather(grid.v).template head<D>();
+  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
+    who.add(particles.x, (dt * nodes.gather(grid.v)).eval());
   }
 };
 
@@ -94,8 +112,8 @@ struct UpdateDeformation {
   const Grid<D>& grid;
   DeformationStep<D> deform;
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
-    deform(particles.F[p], nodes.gather_with_gradient(grid.v).gradient);
+  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
+    who.set(particles.F, deform(who.of(particles.F), nodes.gather_with_gradient(grid.v).gradient));
   }
 };
 
@@ -108,101 +126,10 @@ struct UpdatePositionAndDeformation {
   double dt;
   DeformationStep<D> deform;
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
     const auto v = nodes.gather_with_gradient(grid.v);
-    particles.x[p] += dt * v.value.template head<D>();
-    deform(particles.F[p], v.gradient);
-  }
-};
-
-/// τ_p = τ(F_p)                                                S (3), W (12); with a history, of Δt since the last time
-template <int D>
-struct EvaluateStress {
-  Particles<D>& particles;
-  const AnyMaterial& material;
-  double dt;
-
-  void operator()(Block<D>& block, const Grid<D>& grid) const {
-    const Mat<D>* F = &particles.F[block.begin];
-    const auto count = static_cast<std::size_t>(block.count);
-    std::visit(
-        [&]<class M>(const M& m) {
-          if constexpr (has_history<M>)
-            m.kirchhoff(F, &particles.thermal[block.begin], StressStep{dt, grid.h()}, block.tau, count);
-          else
-            m.kirchhoff(F, block.tau, count);
-        },
-        material);
-  }
-};
-
-/// b_p = b(X_p, t)
-template <int D>
-struct EvaluateBodyForce {
-  const Particles<D>& particles;
-  const BodyForce<D>& body_force;
-  double t;
-
-  void operator()(Block<D>& block, const Grid<D>&) const {
-    body_force.on_particles(t, {&particles.id[block.begin], static_cast<std::size_t>(block.count)}, block.b);
-  }
-};
-
-/// Finds inverted particles: det F <= 0, or not a number.
-template <int D>
-struct CheckDeformation {
-  const Particles<D>& particles;
-
-  Fault operator()(Block<D>& block, const Grid<D>&) const {
-    const Mat<D>* F = &particles.F[block.begin];
-    int inverted = 0;
-    for (int k = 0; k < block.count; ++k) inverted += F[k].determinant() > 0 ? 0 : 1;
-    return inverted > 0 ? Fault::inverted : Fault::none;
-  }
-};
-
-/// l_p = l_p⁰ diag F, R_p = F R_p⁰                             W (63), N §2.1
-template <int D>
-struct UpdateWidth {
-  Particles<D>& particles;
-
-  void operator()(Block<D>& block, const Grid<D>&) const {
-    particles.update_widths(block.begin, block.begin + static_cast<std::size_t>(block.count));
-  }
-};
-
-/// Brings particles that left through a periodic face back in on the other side.
-template <int D>
-struct WrapPosition {
-  Particles<D>& particles;
-  const std::array<bool, D>& periodic;
-
-  void operator()(Block<D>& block, const Grid<D>& grid) const {
-    Vec<D>* x = &particles.x[block.begin];
-    for (int d = 0; d < D; ++d) {
-      if (!periodic[static_cast<std::size_t>(d)]) continue;
-      const double lower = grid.lower()[d], period = grid.h() * grid.cells()[d], upper = lower + period;
-      for (int k = 0; k < block.count; ++k) {
-        const double x_d = x[k][d];
-        x[k][d] = x_d < lower ? x_d + period : x_d >= upper ? x_d - period : x_d;
-      }
-    }
-  }
-};
-
-/// Notes whether a particle has strayed so far from its slab that the particles must be sorted.
-template <int D>
-struct WatchSlab {
-  const Particles<D>& particles;
-  const Slabs<D>& slabs;
-  std::atomic<bool>& must_sort;
-
-  void operator()(Block<D>& block, const Grid<D>& grid) const {
-    const Vec<D>* x = &particles.x[block.begin];
-    const auto [least, most] = slabs.reach(block.slab, grid);
-    int strays = 0;
-    for (int k = 0; k < block.count; ++k) strays += x[k][D - 1] >= least && x[k][D - 1] <= most ? 0 : 1;
-    if (strays > 0) must_sort = true;
+    who.add(particles.x, (dt * v.value).eval());
+    who.set(particles.F, deform(who.of(particles.F), v.gradient));
   }
 };
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstddef>
 
 namespace mpmvv::solver {
@@ -8,6 +7,9 @@ namespace mpmvv::solver {
 using Quad [[gnu::vector_size(32)]] = double;
 using Pair [[gnu::vector_size(16)]] = double;
 
+/// -1 or 0 for each of four: what comparing two of them gives.
+using Truths [[gnu::vector_size(32)]] = long long;
+
 // In memory, where they need not be aligned; as doubles, so that a store changes nothing but those.
 using StoredQuad [[gnu::vector_size(32), gnu::aligned(8)]] = double;
 using StoredPair [[gnu::vector_size(16), gnu::aligned(8)]] = double;
@@ -15,40 +17,31 @@ using StoredPair [[gnu::vector_size(16), gnu::aligned(8)]] = double;
 [[gnu::always_inline]] inline Quad load_quad(const double* from) {
   return *reinterpret_cast<const StoredQuad*>(from);
 }
-
-/// C components of each of four particles.
-template <int C>
-struct Quads {
-  std::array<Quad, C> c;
-
-  [[gnu::always_inline]] friend Quads operator*(const Quad& factor, const Quads& quads) {
-    if constexpr (C == 1)
-      return {{factor * quads.c[0]}};
-    else
-      return {{factor * quads.c[0], factor * quads.c[1]}};
-  }
-
-  [[gnu::always_inline]] void operator+=(const Quads& other) {
-    c[0] += other.c[0];
-    if constexpr (C == 2) c[1] += other.c[1];
-  }
-
-  /// Adds the sums over the particles to a node's components.
-  [[gnu::always_inline]] void add_sums(double* node) const {
-    if constexpr (C == 1) {
-      const Pair halves = half(c[0], 0) + half(c[0], 1);
-      *node += halves[0] + halves[1];
-    } else {
-      const Quad halves = __builtin_shufflevector(c[0], c[1], 0, 4, 2, 6) +  // x₀ y₀ x₂ y₂
-                          __builtin_shufflevector(c[0], c[1], 1, 5, 3, 7);   // x₁ y₁ x₃ y₃
-      *reinterpret_cast<StoredPair*>(node) += half(halves, 0) + half(halves, 1);
-    }
-  }
-
- private:
-  [[gnu::always_inline]] static Pair half(const Quad& q, int which) {
-    return which == 0 ? __builtin_shufflevector(q, q, 0, 1) : __builtin_shufflevector(q, q, 2, 3);
-  }
-};
+[[gnu::always_inline]] inline void store_quad(const Quad& quad, double* to) {
+  *reinterpret_cast<StoredQuad*>(to) = quad;
+}
+[[gnu::always_inline]] inline Pair load_pair(const double* from) {
+  return *reinterpret_cast<const StoredPair*>(from);
+}
+[[gnu::always_inline]] inline void store_pair(const Pair& pair, double* to) {
+  *reinterpret_cast<StoredPair*>(to) = pair;
+}
+[[gnu::always_inline]] inline Quad joined(const Pair& low, const Pair& high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+}
+[[gnu::always_inline]] inline Pair half(const Quad& q, int which) {
+  return which == 0 ? __builtin_shufflevector(q, q, 0, 1) : __builtin_shufflevector(q, q, 2, 3);
+}
+/// Rows become columns.
+[[gnu::always_inline]] inline void transpose(Quad& a, Quad& b, Quad& c, Quad& d) {
+  const Quad ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Quad cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5), b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7), d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+}
+/// a₀+a₁, b₀+b₁, a₂+a₃, b₂+b₃
+[[gnu::always_inline]] inline Quad sums_of_neighbours(const Quad& a, const Quad& b) {
+  return __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+}
 
 }  // namespace mpmvv::solver

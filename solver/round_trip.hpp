@@ -7,31 +7,23 @@
 
 #include "solver/basis/bases.hpp"
 #include "solver/kept_boxes.hpp"
-#include "solver/quartet.hpp"
+#include "solver/sweep.hpp"
 
 namespace mpmvv::solver {
 
 template <int D>
 class Mpm;
 
-/// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j: to the particles, and their momenta back to the nodes. For a `QuartetLoop`.
+/// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j: to the particles, and their momenta back to the nodes.
 template <int D>
 struct MapRoundTrip {
   const Particles<D>& particles;
   const std::vector<Packed<D>>& u;
-  std::vector<Packed<D>>& field;
+  std::vector<Packed<D>>& product;
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const { alone(p, nodes); }
-  template <int K, int W>
-  [[gnu::always_inline]] void operator()(const std::size_t* p, const Quartets<D, K, W>& nodes) const {
-    const auto& m = particles.m;
-    typename Quartets<D, K, W>::Values momenta;
-    for (int w = 0; w < W; ++w, p += 4)
-      momenta[static_cast<std::size_t>(w)] = Quad{m[p[0]], m[p[1]], m[p[2]], m[p[3]]} * nodes.gather(u, w);
-    nodes.scatter(momenta, field);
-  }
-  [[gnu::always_inline]] void alone(std::size_t p, const auto& nodes) const {
-    nodes.scatter(Packed<D>(particles.m[p] * nodes.gather(u)), field);
+  auto& field() const { return product; }
+  [[gnu::always_inline]] auto operator()(const auto& who, const auto& nodes, const auto&) const {
+    return (who.of(particles.m) * nodes.gather(u)).eval();
   }
 };
 
@@ -65,22 +57,23 @@ class RoundTrip {
   /// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j
   void map(Mpm<D>& s, const Field& u, Field& field) const {
     const MapRoundTrip<D> trip{s.particles(), u, field};
-    if (!uses_boxes()) return s.sweep(QuartetLoop{trip});
+    if (!uses_boxes()) return s.sweep(node_loop(trip));
     std::visit(
         [&]<class B>(const B&) {
-          if constexpr (B::width == ParticleWidth::domain) map_boxes<B::support + 1>(s, trip);
+          if constexpr (B::width == ParticleWidth::domain) map_boxes<B::support + 1>(s, trip, field);
         },
         s.basis());
   }
 
  private:
   template <int W>
-  void map_boxes(Mpm<D>& s, const MapRoundTrip<D>& trip) const {
+  void map_boxes(Mpm<D>& s, const MapRoundTrip<D>& trip, Field& field) const {
     s.for_slabs([&](std::size_t begin, std::size_t end) {
       for (; begin < end; begin += block_size<D>)
         for_interleaved(static_cast<int>(std::min<std::size_t>(block_size<D>, end - begin)), [&](int k) {
-          const std::size_t p = begin + static_cast<std::size_t>(k);
-          trip.alone(p, boxes_->template stencil<W>(p, s.grid()));
+          const One<D> one{begin, k};
+          const auto nodes = boxes_->template stencil<W>(one.particle(), s.grid());
+          nodes.scatter(trip(one, nodes, boxes_), field);
         });
     });
   }

@@ -5,54 +5,11 @@
 #include <type_traits>
 
 #include "solver/corner_block.hpp"
+#include "solver/node_loop.hpp"
+#include "solver/particles.hpp"
 #include "solver/slabs.hpp"
 
 namespace mpmvv::solver {
-
-/// Visits the particles of a block in four interleaved parts: neighbours add to the same nodes, and one would have to
-/// wait for the other.
-template <class Visit>
-[[gnu::always_inline]] inline void for_interleaved(int count, const Visit& visit) {
-  const int stride = (count + 3) / 4;
-  for (int start = 0; start < stride; ++start)
-    for (int k = start; k < count; k += stride) visit(k);
-}
-
-/// Operations on one particle and its nodes, fused into one loop over the block.
-template <class... Ops>
-struct NodeLoop {
-  std::tuple<Ops...> ops;
-
-  template <int D>
-  void operator()(const auto& block, const Grid<D>& grid) const {
-    for_interleaved(block.count, [&](int k) {
-      const auto nodes = block.stencil(k, grid);
-      const std::size_t p = block.begin + static_cast<std::size_t>(k);
-      std::apply([&](const Ops&... op) { (op(p, nodes, block, k), ...); }, ops);
-    });
-  }
-};
-
-template <>
-struct NodeLoop<> {
-  template <int D>
-  void operator()(const Block<D>&, const Grid<D>&) const {}
-};
-
-template <class... Ops>
-NodeLoop<Ops...> node_loop(const Ops&... ops) {
-  if constexpr (sizeof...(Ops) == 0)
-    return {};
-  else
-    return {std::tuple<Ops...>{ops...}};
-}
-
-template <class Op>
-inline constexpr bool uses_gradients = false;
-template <class Op>
-requires Op::uses_gradients inline constexpr bool uses_gradients<Op> = true;
-template <class... Ops>
-inline constexpr bool uses_gradients<NodeLoop<Ops...>> = (uses_gradients<Ops> || ...);
 
 /// A stage either returns nothing or the faults that it found.
 template <int D, class Stage>
@@ -84,9 +41,9 @@ Fault sweep(const B& basis, const Particles<D>& particles, const Grid<D>& grid, 
     block.slab = slab;
     const auto [begin, end] = slabs.particles(slab);
     Fault found = Fault::none;
-    for (block.begin = begin; block.begin < end; block.begin += block_size<D>) {
-      block.count = static_cast<int>(std::min<std::size_t>(block_size<D>, end - block.begin));
-      const Fault unreached = evaluate_stencils(basis, particles, grid, block);
+    for (block.begin = begin; block.begin < end; block.begin += static_cast<std::size_t>(block.count)) {
+      block.count = static_cast<int>(std::min<std::size_t>(block.most, end - block.begin));
+      const Fault unreached = prepare(basis, particles, grid, block);
       found = found | unreached;
       if (unreached != Fault::none) continue;  // the run is over, and these nodes may be another slab's
       std::apply([&](Stages&... stage) { ((found = found | run_stage(stage, block, grid)), ...); }, own);

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <type_traits>
 
 namespace mpmvv::solver {
 
@@ -37,11 +38,13 @@ inline Packed<4> quad(double a, double b, double c, double d) {
 }
 
 template <int D, class Vector>
-Packed<D> packed(const Vector& vector) {
-  if constexpr (D == 3)
+auto packed(const Vector& vector) {
+  if constexpr (!std::is_same_v<typename Vector::Scalar, double>)
+    return vector.eval();
+  else if constexpr (D == 3)
     return quad(vector[0], vector[1], vector[2], 0);
   else
-    return vector;
+    return Packed<D>(vector);
 }
 
 /// The vector with one more component.
@@ -53,6 +56,12 @@ Packed<D + 1> packed(const Vec<D>& vector, double last) {
     return quad(vector[0], vector[1], last, 0);
   else
     return quad(vector[0], vector[1], vector[2], last);
+}
+
+/// Zero with one more component.
+template <int D>
+Packed<D + 1> packed_alone(double last) {
+  return packed<D>(Vec<D>(Vec<D>::Zero()), last);
 }
 
 }  // namespace mpmvv::solver

@@ -15,22 +15,24 @@ struct AdvanceStage {
   const Grid<D>& grid;
   double weight, next;  ///< s
 
-  void operator()(std::size_t p, const auto& nodes, const auto&, int) const {
+  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
     auto& [start, sum] = particles.stages;
     const auto v = nodes.gather_with_gradient(grid.v);
-    const Vec<D> acceleration = nodes.gather(grid.a).template head<D>();
-    const Vec<D> velocity = v.value.template head<D>();
-    const Mat<D> rate_of_F = v.gradient.template topRows<D>() * particles.F[p];
-    advance(particles.x[p], start.x[p], sum.x[p], velocity);
-    advance(particles.v[p], start.v[p], sum.v[p], acceleration);
-    advance(particles.F[p], start.F[p], sum.F[p], rate_of_F);
+    advance(who, particles.F, start.F, sum.F, v.gradient.template topRows<D>() * who.of(particles.F));
+    advance(who, particles.x, start.x, sum.x, v.value.template head<D>());
+    advance(who, particles.v, start.v, sum.v, nodes.gather(grid.a).template head<D>());
   }
 
  private:
   template <class T>
-  void advance(T& now, const T& start, T& sum, const T& rate) const {
-    sum += weight * rate;
-    now = next > 0 ? T(start + next * rate) : sum;
+  void advance(const auto& who, std::vector<T>& now, const std::vector<T>& start, std::vector<T>& sum,
+               const auto& rate_of) const {
+    const auto rate = rate_of.eval();
+    who.add(sum, (weight * rate).eval());
+    if (next > 0)
+      who.set(now, (who.of(start) + next * rate).eval());
+    else
+      who.set(now, who.of(sum));
   }
 };
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <cstddef>
 #include <string_view>
 
 #include "solver/types.hpp"
@@ -15,31 +14,27 @@ struct LinearElastic {
   double lambda = 0;  ///< first Lamé constant, Pa
   double mu = 0;      ///< shear modulus G, Pa
 
-  /// Kirchhoff stress τ = P Fᵀ of `count` deformation gradients; symmetric for a symmetric F alone.
-  template <int D>
-  void kirchhoff(const Mat<D>* F, PackedMat<D>* tau, std::size_t count) const {
-    for (std::size_t k = 0; k < count; ++k) {
-      const Mat<D> strain = small_strain<D>(F[k]);
-      const Mat<D> P = lambda * strain.trace() * Mat<D>::Identity() + 2 * mu * strain;
-      for (int c = 0; c < D; ++c) {
-        Packed<D> column = F[k](c, 0) * packed<D>(P.col(0));
-        for (int d = 1; d < D; ++d) column += F[k](c, d) * packed<D>(P.col(d));
-        tau[k].col(c) = column;
-      }
-    }
+  /// Kirchhoff stress τ = P Fᵀ; symmetric for a symmetric F alone.
+  template <class Scalar, int D>
+  Eigen::Matrix<Scalar, D, D> kirchhoff(const Eigen::Matrix<Scalar, D, D>& F) const {
+    const auto strain = small_strain(F);
+    const Scalar spherical = lambda * strain.trace();
+    Eigen::Matrix<Scalar, D, D> P = (2 * mu) * strain;
+    for (int d = 0; d < D; ++d) P(d, d) += spherical;
+    return P * F.transpose();
   }
 
   /// Strain energy per reference volume, λ/2 (tr ε)² + G ε : ε.
   template <int D>
   double energy(const Mat<D>& F) const {
-    const Mat<D> strain = small_strain<D>(F);
+    const Mat<D> strain = small_strain(F);
     return 0.5 * lambda * strain.trace() * strain.trace() + mu * strain.squaredNorm();
   }
 
  private:
-  template <int D>
-  static Mat<D> small_strain(const Mat<D>& F) {
-    return 0.5 * (F + F.transpose()) - Mat<D>::Identity();
+  template <class Scalar, int D>
+  static Eigen::Matrix<Scalar, D, D> small_strain(const Eigen::Matrix<Scalar, D, D>& F) {
+    return 0.5 * (F + F.transpose()) - Eigen::Matrix<Scalar, D, D>::Identity();
   }
 };
 

@@ -2,7 +2,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <string_view>
 
@@ -70,15 +69,12 @@ struct MieGruneisen {
     s.J = J;
   }
 
-  /// Kirchhoff stress τ = -J (p + q) I of `count` deformation gradients, whose states go along.
+  /// Kirchhoff stress τ = -J (p + q) I; the state goes along.
   template <int D>
-  void kirchhoff(const Mat<D>* F, ThermalState* states, const StressStep& step, PackedMat<D>* tau,
-                 std::size_t count) const {
-    for (std::size_t k = 0; k < count; ++k) {
-      const double J = F[k].determinant();
-      advance(states[k], J, step);
-      tau[k] = -J * states[k].total_pressure() * PackedMat<D>::Identity();
-    }
+  Mat<D> kirchhoff(const Mat<D>& F, ThermalState& state, const StressStep& step) const {
+    const double J = F.determinant();
+    advance(state, J, step);
+    return -J * state.total_pressure() * Mat<D>::Identity();
   }
 };
 

@@ -1,19 +1,20 @@
 #pragma once
-#include "solver/types.hpp"
+#include <Eigen/Core>
 
 namespace mpmvv::solver {
 
 /// τ = μ F Fᵀ + s I: the Kirchhoff stress of every neo-Hookean law, which differ in s.
-template <int D>
-void neo_hookean_stress(const Mat<D>& F, double mu, double s, PackedMat<D>& tau) {
-  const PackedMat<D> identity = PackedMat<D>::Identity();
-  Packed<D> columns[D];
-  for (int c = 0; c < D; ++c) columns[c] = packed<D>(mu * F.col(c));
-  for (int c = 0; c < D; ++c) {
-    Packed<D> column = s * identity.col(c);
-    for (int d = 0; d < D; ++d) column += F(c, d) * columns[d];
-    tau.col(c) = column;
-  }
+template <class Scalar, int D>
+[[gnu::always_inline]] inline Eigen::Matrix<Scalar, D, D> neo_hookean_stress(const Eigen::Matrix<Scalar, D, D>& F,
+                                                                             double mu, const Scalar& s) {
+  Eigen::Matrix<Scalar, D, D> tau;
+  for (int c = 0; c < D; ++c)
+    for (int r = 0; r <= c; ++r) {
+      Scalar product = F(r, 0) * F(c, 0);
+      for (int d = 1; d < D; ++d) product += F(r, d) * F(c, d);
+      tau(r, c) = tau(c, r) = r == c ? Scalar(mu * product + s) : Scalar(mu * product);
+    }
+  return tau;
 }
 
 }  // namespace mpmvv::solver

@@ -1,11 +1,10 @@
 #pragma once
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <string_view>
 
 #include "solver/material/neo_hookean.hpp"
+#include "solver/types.hpp"
 
 namespace mpmvv::solver {
 
@@ -17,23 +16,12 @@ struct NeoHookeanLog {
   double lambda = 0;  ///< first Lamé constant, Pa
   double mu = 0;      ///< shear modulus, Pa
 
-  /// Kirchhoff stress τ = J σ = μ F Fᵀ + (λ ln J - μ) I of `count` deformation gradients. No logarithm when λ = 0.
-  template <int D>
-  void kirchhoff(const Mat<D>* F, PackedMat<D>* tau, std::size_t count) const {
-    constexpr std::size_t most = 64;
-    Eigen::Array<double, most, 1> spherical;
-    for (std::size_t begin = 0; begin < count; begin += most) {
-      const std::size_t n = std::min(most, count - begin);
-      if (lambda == 0) {
-        spherical.setConstant(-mu);
-      } else {
-        for (std::size_t k = 0; k < n; ++k) spherical[static_cast<int>(k)] = F[begin + k].determinant();
-        auto used = spherical.head(static_cast<Eigen::Index>(n));
-        used = lambda * used.log() - mu;
-      }
-      for (std::size_t k = 0; k < n; ++k)
-        neo_hookean_stress(F[begin + k], mu, spherical[static_cast<int>(k)], tau[begin + k]);
-    }
+  /// Kirchhoff stress τ = J σ = μ F Fᵀ + (λ ln J - μ) I. No logarithm when λ = 0.
+  template <class Scalar, int D>
+  Eigen::Matrix<Scalar, D, D> kirchhoff(const Eigen::Matrix<Scalar, D, D>& F) const {
+    using std::log;
+    const Scalar spherical = lambda == 0 ? Scalar(-mu) : Scalar(lambda * log(F.determinant()) - mu);
+    return neo_hookean_stress(F, mu, spherical);
   }
 
   /// Strain energy per reference volume, λ/2 (ln J)² - μ ln J + μ/2 (tr F Fᵀ - D).

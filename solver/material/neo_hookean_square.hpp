@@ -1,10 +1,10 @@
 #pragma once
 #include <Eigen/LU>
 #include <cmath>
-#include <cstddef>
 #include <string_view>
 
 #include "solver/material/neo_hookean.hpp"
+#include "solver/types.hpp"
 
 namespace mpmvv::solver {
 
@@ -16,13 +16,11 @@ struct NeoHookeanSquare {
   double lambda = 0;  ///< first Lamé constant, Pa
   double mu = 0;      ///< shear modulus G, Pa
 
-  /// Kirchhoff stress τ = J σ = G F Fᵀ + (λ/2 (J² - 1) - G) I of `count` deformation gradients.
-  template <int D>
-  void kirchhoff(const Mat<D>* F, PackedMat<D>* tau, std::size_t count) const {
-    for (std::size_t k = 0; k < count; ++k) {
-      const double J = lambda == 0 ? 1 : F[k].determinant();
-      neo_hookean_stress(F[k], mu, 0.5 * lambda * (J * J - 1) - mu, tau[k]);
-    }
+  /// Kirchhoff stress τ = J σ = G F Fᵀ + (λ/2 (J² - 1) - G) I.
+  template <class Scalar, int D>
+  Eigen::Matrix<Scalar, D, D> kirchhoff(const Eigen::Matrix<Scalar, D, D>& F) const {
+    const Scalar J = lambda == 0 ? Scalar(1) : F.determinant();
+    return neo_hookean_stress(F, mu, Scalar(0.5 * lambda * (J * J - 1) - mu));
   }
 
   /// Strain energy per reference volume, λ/2 ((J² - 1)/2 - ln J) + G/2 (I₁ - 3 - 2 ln J).

@@ -1,5 +1,5 @@
 #pragma once
-#include "solver/block.hpp"
+#include "solver/point_block.hpp"
 
 /// The affine velocity field about a particle, v_p + C_p (x - x_p), that APIC carries: Jiang, Schroeder, Selle, Teran,
 /// Stomakhin 2015, equations (6) to (8) there, and N §2.6. For bases with nodes a cell apart and weights that spread,
@@ -44,30 +44,32 @@ void for_arms(const Weights<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x, 
   } while (i[D - 1] < K);
 }
 
-// What follows takes the block and the particle's place in it, not its stencil: a call with that, though seldom made,
-// would have every particle's stencil written to memory.
-
-/// p_i += N_ip m_p (v_p + C_p (x_i - x_p)), and the mass.
+/// p_i += N_ip m_p C_p (x_i - x_p) of a block's particles.
 template <int D, int K, Evaluates evaluates>
-[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, std::size_t p,
-                                      const PointBlock<D, K, evaluates>& block, int k, Grid<D>& grid) {
-  for_arms<D, K>(block.stencil(k, grid), grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
-    const Vec<D> v = particles.v[p] + particles.C[p] * arm;
-    grid.p[n] += N * packed<D>(particles.m[p] * v, particles.m[p]);
-  });
+[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, const PointBlock<D, K, evaluates>& block,
+                                      Grid<D>& grid) {
+  for (int k = 0; k < block.count; ++k) {
+    const std::size_t p = block.begin + static_cast<std::size_t>(k);
+    for_arms<D, K>(block.stencil(k, grid), grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
+      grid.p[n] += N * packed<D>(particles.m[p] * (particles.C[p] * arm), 0);
+    });
+  }
 }
 
-/// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹
+/// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹ of a block's particles.
 template <int D, int K, Evaluates evaluates>
-[[gnu::noinline]] void gather_affine(Particles<D>& particles, std::size_t p, const PointBlock<D, K, evaluates>& block,
-                                     int k, const Grid<D>& grid) {
-  Mat<D> moment = Mat<D>::Zero();
-  Vec<D> inertia = Vec<D>::Zero();
-  for_arms<D, K>(block.stencil(k, grid), grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
-    moment += N * grid.v[n].template head<D>() * arm.transpose();
-    inertia += N * arm.cwiseAbs2();
-  });
-  particles.C[p] = moment * inertia.cwiseInverse().asDiagonal();
+[[gnu::noinline]] void gather_affine(Particles<D>& particles, const PointBlock<D, K, evaluates>& block,
+                                     const Grid<D>& grid) {
+  for (int k = 0; k < block.count; ++k) {
+    const std::size_t p = block.begin + static_cast<std::size_t>(k);
+    Mat<D> moment = Mat<D>::Zero();
+    Vec<D> inertia = Vec<D>::Zero();
+    for_arms<D, K>(block.stencil(k, grid), grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
+      moment += N * grid.v[n].template head<D>() * arm.transpose();
+      inertia += N * arm.cwiseAbs2();
+    });
+    particles.C[p] = moment * inertia.cwiseInverse().asDiagonal();
+  }
 }
 
 }  // namespace mpmvv::solver

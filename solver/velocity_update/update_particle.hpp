@@ -4,24 +4,28 @@
 
 namespace mpmvv::solver {
 
-/// V' and (X' - X)/Δt on a particle, N table 1, task 4.
-template <int D>
+/// V' and (X' - X)/Δt on a particle or a company, N table 1, task 4.
+template <class Vector>
 struct Advance {
-  Vec<D> velocity, rate;
+  Vector velocity, rate;
 
-  Advance(const VelocityFields<D>& fields, const Vec<D>& V, const Vec<D>& v, const auto& nodes) : velocity(v) {
+  template <int D>
+  [[gnu::always_inline]] Advance(const VelocityFields<D>& fields, const Vector& V, const auto& v, const auto& nodes)
+      : velocity(v.template head<D>()) {
     if (fields.added) velocity = V + nodes.gather(*fields.added).template head<D>();
     if (fields.taken) velocity = nodes.gather(*fields.taken).template head<D>();
     rate = fields.before * V + fields.after * velocity;
     if (fields.drift) rate += nodes.gather(*fields.drift).template head<D>();
   }
 };
+template <int D, class Vector>
+Advance(const VelocityFields<D>&, const Vector&, const auto&, const auto&) -> Advance<Vector>;
 
 /// C_p, where particles have one.
 template <int D>
-void keep_affine(Particles<D>& particles, std::size_t p, const auto& block, int k, const Grid<D>& grid) {
-  if constexpr (requires { gather_affine(particles, p, block, k, grid); })
-    if (!particles.C.empty()) gather_affine(particles, p, block, k, grid);
+void keep_affine(Particles<D>& particles, const auto& block, const Grid<D>& grid) {
+  if constexpr (requires { gather_affine(particles, block, grid); })
+    if (!particles.C.empty()) gather_affine(particles, block, grid);
 }
 
 /// Tasks 4 and 5 of N table 1.
@@ -34,13 +38,13 @@ struct UpdateParticle {
   double dt;
   DeformationStep<D> deform;
 
-  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
+  void prepare(const auto& block, const Grid<D>&) const { keep_affine(particles, block, grid); }
+  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
     const auto v = nodes.gather_with_gradient(grid.v);
-    const Advance<D> advance(fields, particles.v[p], v.value.template head<D>(), nodes);
-    keep_affine(particles, p, block, k, grid);
-    particles.x[p] += dt * advance.rate;
-    particles.v[p] = advance.velocity;
-    deform(particles.F[p], v.gradient);
+    const Advance advance(fields, who.of(particles.v), v.value, nodes);
+    who.add(particles.x, (dt * advance.rate).eval());
+    who.set(particles.v, advance.velocity);
+    who.set(particles.F, deform(who.of(particles.F), v.gradient));
   }
 };
 
@@ -52,11 +56,11 @@ struct UpdateVelocityAndPosition {
   VelocityFields<D> fields;
   double dt;
 
-  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
-    const Advance<D> advance(fields, particles.v[p], nodes.gather(grid.v).template head<D>(), nodes);
-    keep_affine(particles, p, block, k, grid);
-    particles.x[p] += dt * advance.rate;
-    particles.v[p] = advance.velocity;
+  void prepare(const auto& block, const Grid<D>&) const { keep_affine(particles, block, grid); }
+  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
+    const Advance advance(fields, who.of(particles.v), nodes.gather(grid.v), nodes);
+    who.add(particles.x, (dt * advance.rate).eval());
+    who.set(particles.v, advance.velocity);
   }
 };
 
@@ -67,11 +71,11 @@ struct UpdateVelocityAndRate {
   const Grid<D>& grid;
   VelocityFields<D> fields;
 
-  void operator()(std::size_t p, const auto& nodes, const auto& block, int k) const {
-    const Advance<D> advance(fields, particles.v[p], nodes.gather(grid.v).template head<D>(), nodes);
-    keep_affine(particles, p, block, k, grid);
-    particles.rate[p] = advance.rate;
-    particles.v[p] = advance.velocity;
+  void prepare(const auto& block, const Grid<D>&) const { keep_affine(particles, block, grid); }
+  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
+    const Advance advance(fields, who.of(particles.v), nodes.gather(grid.v), nodes);
+    who.set(particles.rate, advance.rate);
+    who.set(particles.v, advance.velocity);
   }
 };
 
@@ -81,7 +85,9 @@ struct MoveByRate {
   Particles<D>& particles;
   double dt;
 
-  void operator()(std::size_t p, const auto&, const auto&, int) const { particles.x[p] += dt * particles.rate[p]; }
+  [[gnu::always_inline]] void operator()(const auto& who, const auto&, const auto&) const {
+    who.add(particles.x, (dt * who.of(particles.rate)).eval());
+  }
 };
 
 }  // namespace mpmvv::solver

@@ -20,9 +20,7 @@ PackedMat<D> padded(const Mat<D>& A) {
 
 template <int D>
 Mat<D> stepped(const Mat<D>& F, const Mat<D>& L, double dt, Deformation rule) {
-  Mat<D> result = F;
-  DeformationStep<D>{dt, rule}(result, padded<D>(L));
-  return result;
+  return DeformationStep<D>{dt, rule}(F, padded<D>(L)).template topRows<D>();
 }
 
 template <class Dimension>

@@ -97,8 +97,8 @@ void for_nodes(const CornerBlock<D, K>& block, const Particles<D>& particles, co
   for (int c = 0; c < 1 << D; ++c) {
     PointBlock<D, K> corner;
     std::copy(block.first[c], block.first[c] + 1, corner.first);
-    std::copy(&block.S[c][0][0][0], &block.S[c][0][0][0] + D * K * block_size<D>, &corner.N[0][0][0]);
-    std::fill(&corner.dN[0][0][0], &corner.dN[0][0][0] + D * K * block_size<D>, 0.0);
+    for (int d = 0; d < D; ++d)
+      for (int i = 0; i < K; ++i) corner.N[d][i][0] = block.S[c][d][i][0], corner.dN[d][i][0] = 0;
     Vec<D> s;
     for (int d = 0; d < D; ++d) s[d] = (c >> d) % 2 == 0 ? -1 : 1;
     const Vec<D> slope = 2 / grid.h() * particles.R[0].transpose().inverse() * s;

@@ -1,0 +1,135 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <functional>
+#include <variant>
+
+#include "solver/body_force.hpp"
+#include "solver/extent.hpp"
+#include "solver/material/materials.hpp"
+#include "solver/particles.hpp"
+#include "solver/slabs.hpp"
+
+/// What a sweep does to a block of particles at once.
+namespace mpmvv::solver {
+
+/// τ_p = τ(F_p)                                                S (3), W (12); with a history, of Δt since the last time
+template <int D>
+struct EvaluateStress {
+  Particles<D>& particles;
+  const AnyMaterial& material;
+  double dt;
+
+  void operator()(Block<D>& block, const Grid<D>& grid) const {
+    std::visit(
+        [&]<class M>(const M& m) {
+          if constexpr (has_history<M>)
+            evaluate_each(m, block, StressStep{dt, grid.h()});
+          else
+            evaluate_fours(m, block);
+        },
+        material);
+  }
+
+ private:
+  [[gnu::noinline, gnu::flatten]] void evaluate_fours(const auto& m, Block<D>& block) const {
+    for_fours(block, [&](const Company<D>& company, int k) { put(m.kirchhoff(company.of(particles.F)), block, k); });
+  }
+  void evaluate_each(const auto& m, Block<D>& block, const StressStep& step) const {
+    for_fours(block, [&](const Company<D>& company, int k) {
+      FourMat<D> tau;
+      for (int lane = 0; lane < company.count(); ++lane) {
+        const std::size_t p = block.begin + static_cast<std::size_t>(k + lane);
+        const Mat<D> own = m.kirchhoff(particles.F[p], particles.thermal[p], step);
+        for (int i = 0; i < D * D; ++i) tau(i).of[lane] = own(i);
+      }
+      put(tau, block, k);
+    });
+  }
+  /// Sets the stresses of four particles from the k-th on.
+  [[gnu::always_inline]] static void put(const FourMat<D>& tau, Block<D>& block, int k) {
+    for (int c = 0; c < D; ++c)
+      if (block.in_companies) {
+        for (int r = 0; r < D; ++r) store_quad(tau(r, c).of, &block.tau.entry[r][c][k]);
+      } else {
+        PackedMat<D>* const each = &block.tau.each[k];
+        store_fours<D>(&tau(0, c), {&each[0](0, c), &each[1](0, c), &each[2](0, c), &each[3](0, c)});
+      }
+  }
+};
+
+/// b_p = b(X_p, t)
+template <int D>
+struct EvaluateBodyForce {
+  const Particles<D>& particles;
+  const BodyForce<D>& body_force;
+  double t;
+
+  void operator()(Block<D>& block, const Grid<D>&) const {
+    body_force.on_particles(t, {&particles.id[block.begin], static_cast<std::size_t>(block.count)}, block.b);
+  }
+};
+
+/// Finds inverted particles: det F <= 0, or not a number.
+template <int D>
+struct CheckDeformation {
+  const Particles<D>& particles;
+
+  [[gnu::flatten]] Fault operator()(Block<D>& block, const Grid<D>&) const {
+    Truths positive{-1, -1, -1, -1};
+    for_fours(block, [&](const Company<D>& company, int) {
+      positive &= Truths(company.of(particles.F).determinant().of > Quad{});
+    });
+    const bool all_positive = positive[0] && positive[1] && positive[2] && positive[3];
+    return all_positive ? Fault::none : Fault::inverted;
+  }
+};
+
+/// l_p = l_p⁰ diag F, R_p = F R_p⁰                             W (63), N §2.1
+template <int D>
+struct UpdateWidth {
+  Particles<D>& particles;
+
+  void operator()(Block<D>& block, const Grid<D>&) const {
+    particles.update_widths(block.begin, block.begin + static_cast<std::size_t>(block.count));
+  }
+};
+
+/// Brings particles that left through a periodic face back in on the other side.
+template <int D>
+struct WrapPosition {
+  Particles<D>& particles;
+  const std::array<bool, D>& periodic;
+
+  void operator()(Block<D>& block, const Grid<D>& grid) const {
+    if (std::none_of(periodic.begin(), periodic.end(), std::identity{})) return;
+    const Extent<D> extent(block, particles.x);
+    for (int d = 0; d < D; ++d) {
+      if (!periodic[static_cast<std::size_t>(d)]) continue;
+      const double lower = grid.lower()[d], period = grid.h() * grid.cells()[d], upper = lower + period;
+      if (extent.least[d] >= lower && extent.most[d] < upper) continue;
+      for (std::size_t p = block.begin; p < block.begin + static_cast<std::size_t>(block.count); ++p) {
+        double& x = particles.x[p][d];
+        x = x < lower ? x + period : x >= upper ? x - period : x;
+      }
+    }
+  }
+};
+
+/// Notes whether a particle has strayed so far from its slab that the particles must be sorted.
+template <int D>
+struct WatchSlab {
+  const Particles<D>& particles;
+  const Slabs<D>& slabs;
+  std::atomic<bool>& must_sort;
+
+  void operator()(Block<D>& block, const Grid<D>& grid) const {
+    if (slabs.count() == 1) return;
+    const Extent<D> extent(block, particles.x);
+    const auto [least, most] = slabs.reach(block.slab, grid);
+    if (extent.least[D - 1] < least || extent.most[D - 1] > most) must_sort = true;
+  }
+};
+
+}  // namespace mpmvv::solver
