@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <cstddef>
 
 #include "solver/types.hpp"
@@ -30,12 +29,5 @@ struct Block {
 
 /// What a sweep evaluates at its particles' nodes: many operations use no gradients.
 enum class Evaluates { weights, weights_and_gradients };
-
-/// `value` moved into [least, most], a NaN to `least`; counts in `strays` those that had to be moved.
-inline double confined(double value, double least, double most, int& strays) {
-  const double inside = std::min(std::max(least, value), most);
-  strays += inside == value ? 0 : 1;
-  return inside;
-}
 
 }  // namespace mpmvv::solver

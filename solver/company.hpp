@@ -36,12 +36,13 @@ struct One {
   }
 };
 
-/// Up to four particles of a block, one after the other. Four are read; what those beyond hold decides nothing.
+/// Up to four particles of a block, one after the other. In the place of those that are missing the last is read again,
+/// as particles may end there; what has room for four is read beyond. It decides nothing.
 template <int D>
 class Company {
  public:
   [[gnu::always_inline]] Company(std::size_t begin, int place, int count)
-      : begin_(begin), place_(place), count_(std::min(count, 4)) {}
+      : begin_(begin), place_(place), count_(count) {}
 
   int count() const { return count_; }
 

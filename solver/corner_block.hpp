@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "solver/basis/basis.hpp"
 #include "solver/block.hpp"
@@ -10,15 +11,26 @@
 
 namespace mpmvv::solver {
 
+/// Fewer particles than others have: with their corners all of a block stays near.
+template <int D>
+inline constexpr int corner_block_size = std::min(256 >> D, block_size<D>);
+
+/// `value` moved into [least, most], a NaN to `least`; counts in `strays` those that had to be moved.
+inline double confined(double value, double least, double most, int& strays) {
+  const double inside = std::min(std::max(least, value), most);
+  strays += inside == value ? 0 : 1;
+  return inside;
+}
+
 /// A block with the nodes that the corners of each particle's domain reach; a `CornerStencil` puts them together.
 template <int D, int K, Evaluates evaluates = Evaluates::weights_and_gradients>
 struct CornerBlock : Block<D> {
   static constexpr int corners = CornerStencil<D, K>::corners;
-  static constexpr int most = 256 >> D;    ///< particles, so that all of it stays near
-  int node[corners][D][block_size<D>];     ///< first node along each axis
-  int first[corners][block_size<D>];       ///< its storage index
-  double S[corners][D][K][block_size<D>];  ///< weights per axis
-  Mat<D> slope[block_size<D>];             ///< 2^(1-D) R^-T, per length
+  static constexpr int most = corner_block_size<D>;  ///< particles
+  int node[corners][D][corner_block_size<D>];        ///< first node along each axis
+  int first[corners][corner_block_size<D>];          ///< its storage index
+  double S[corners][D][K][corner_block_size<D>];     ///< weights per axis
+  Mat<D> slope[corner_block_size<D>];                ///< 2^(1-D) R^-T, per length
 
   CornerStencil<D, K> stencil(int k, const Grid<D>& grid) const {
     CornerStencil<D, K> s;
@@ -50,7 +62,7 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
     const double lower = grid.lower()[d];
     const int cells = grid.cells()[d], stride = grid.stride(d);
     const double least = 1 + domain_reach - B::ghost, most = std::nextafter(cells - least, 0.0);
-    double centre[block_size<D>], half[D][block_size<D>];
+    double centre[corner_block_size<D>], half[D][corner_block_size<D>];
     for (int k = 0; k < count; ++k) {
       centre[k] = confined((x[k][d] - lower) * inverse_h, least, most, outside);
       double extent = 0;
@@ -77,8 +89,8 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
 }
 
 template <int D, class B, Evaluates evaluates>
-Fault prepare(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
-              CornerBlock<D, B::support, evaluates>& block) {
+Fault set_up(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
+             CornerBlock<D, B::support, evaluates>& block) {
   block.in_companies = false;
   return evaluate_stencils(basis, particles, grid, block);
 }

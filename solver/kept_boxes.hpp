@@ -30,7 +30,7 @@ class KeptBoxes {
     constexpr int size = power(K + 1, D);
     PerAxis lowest;
     if (!find_lowest_nodes(block, lowest)) return;
-    double box[size][block_size<D>] = {};
+    double box[size][corner_block_size<D>] = {};
     for (int c = 0; c < block.corners; ++c) add_corner(block, c, lowest, box);
     for (int k = 0; k < block.count; ++k) {
       const std::size_t p = block.begin + static_cast<std::size_t>(k);
@@ -50,7 +50,7 @@ class KeptBoxes {
   }
 
  private:
-  using PerAxis = std::array<std::array<int, block_size<D>>, D>;
+  using PerAxis = std::array<std::array<int, corner_block_size<D>>, D>;
 
   /// Of each particle's corners; false when they reach too far for a box.
   template <int K, Evaluates evaluates>
@@ -70,9 +70,9 @@ class KeptBoxes {
   /// The corner's share of each node in the box, nodes that it does not reach having none.
   template <int K, Evaluates evaluates>
   static void add_corner(const CornerBlock<D, K, evaluates>& block, int c, const PerAxis& lowest,
-                         double (&box)[power(K + 1, D)][block_size<D>]) {
+                         double (&box)[power(K + 1, D)][corner_block_size<D>]) {
     constexpr int W = K + 1;
-    double S[D][W][block_size<D>];
+    double S[D][W][corner_block_size<D>];
     for (std::size_t d = 0; d < D; ++d)
       for (int i = 0; i < W; ++i)
         for (int k = 0; k < block.count; ++k) {

@@ -22,7 +22,8 @@ template <class Visit>
 
 /// An operation on particles and their nodes, one by one or in companies: op(who, nodes, block) reads and writes
 /// particles through `who`, a `One` or a `Company`, and nodes through `nodes`. One that maps to nodes returns what the
-/// particles add to those of its `field()`. Before it, op.prepare(block, grid), where there is such a thing.
+/// particles add to those of its `field()`. An op.prepare(block, grid), where there is such a thing, comes before all
+/// operations of the loop; none of these may read on nodes, nor prepare from particles, what another one changes.
 template <class Op>
 inline constexpr bool maps_to_nodes = requires(const Op& op) {
   op.field();

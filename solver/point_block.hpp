@@ -135,21 +135,21 @@ int list_runs(PointBlock<D, K, evaluates>& block) {
 }
 
 /// Decides whether the particles go in companies, and lists their runs then. A last run that is shorter than the one
-/// before it is left to the next block, where it may go on.
+/// before it of a full block is left to the next, where it may go on.
 template <int D, int K, Evaluates evaluates>
 void form_companies(PointBlock<D, K, evaluates>& block) {
   int runs = 1;
   for (int k = 1; k < block.count; ++k) runs += block.first[k] != block.first[k - 1] ? 1 : 0;
   block.in_companies = pays(runs, runs, block.count) && pays(runs, list_runs(block), block.count);
-  if (!block.in_companies || runs == 1) return;
+  if (!block.in_companies || runs == 1 || block.count < block.most) return;
   const int* const last = block.run + runs - 1;
   if (last[1] - last[0] < last[0] - last[-1]) block.count = block.run[--block.runs];
 }
 
 /// Evaluates the stencils of a block and forms its companies.
 template <int D, class B, Evaluates evaluates>
-Fault prepare(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
-              PointBlock<D, B::support, evaluates>& block) {
+Fault set_up(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
+             PointBlock<D, B::support, evaluates>& block) {
   const Fault found = evaluate_stencils(basis, particles, grid, block);
   form_companies(block);
   return found;

@@ -1,6 +1,4 @@
 #pragma once
-#include <cstddef>
-
 namespace mpmvv::solver {
 
 /// Four and two numbers in a vector register, where the processor has such wide ones.

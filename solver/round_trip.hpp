@@ -69,8 +69,8 @@ class RoundTrip {
   template <int W>
   void map_boxes(Mpm<D>& s, const MapRoundTrip<D>& trip, Field& field) const {
     s.for_slabs([&](std::size_t begin, std::size_t end) {
-      for (; begin < end; begin += block_size<D>)
-        for_interleaved(static_cast<int>(std::min<std::size_t>(block_size<D>, end - begin)), [&](int k) {
+      for (; begin < end; begin += corner_block_size<D>)
+        for_interleaved(static_cast<int>(std::min<std::size_t>(corner_block_size<D>, end - begin)), [&](int k) {
           const One<D> one{begin, k};
           const auto nodes = boxes_->template stencil<W>(one.particle(), s.grid());
           nodes.scatter(trip(one, nodes, boxes_), field);

@@ -38,7 +38,7 @@ struct EvaluateStress {
   }
   void evaluate_each(const auto& m, Block<D>& block, const StressStep& step) const {
     for_fours(block, [&](const Company<D>& company, int k) {
-      FourMat<D> tau;
+      FourMat<D> tau = FourMat<D>::Zero();
       for (int lane = 0; lane < company.count(); ++lane) {
         const std::size_t p = block.begin + static_cast<std::size_t>(k + lane);
         const Mat<D> own = m.kirchhoff(particles.F[p], particles.thermal[p], step);
@@ -53,8 +53,10 @@ struct EvaluateStress {
       if (block.in_companies) {
         for (int r = 0; r < D; ++r) store_quad(tau(r, c).of, &block.tau.entry[r][c][k]);
       } else {
+        std::array<Four, lanes<D>> column{};
+        for (int r = 0; r < D; ++r) column[static_cast<std::size_t>(r)] = tau(r, c);
         PackedMat<D>* const each = &block.tau.each[k];
-        store_fours<D>(&tau(0, c), {&each[0](0, c), &each[1](0, c), &each[2](0, c), &each[3](0, c)});
+        store_fours<lanes<D>>(column.data(), {&each[0](0, c), &each[1](0, c), &each[2](0, c), &each[3](0, c)});
       }
   }
 };
@@ -117,7 +119,8 @@ struct WrapPosition {
   }
 };
 
-/// Notes whether a particle has strayed so far from its slab that the particles must be sorted.
+/// Notes whether a particle has strayed so far from its slab that the particles must be sorted. A position that is NaN
+/// is a fault of the next sweep.
 template <int D>
 struct WatchSlab {
   const Particles<D>& particles;

@@ -43,7 +43,7 @@ Fault sweep(const B& basis, const Particles<D>& particles, const Grid<D>& grid, 
     Fault found = Fault::none;
     for (block.begin = begin; block.begin < end; block.begin += static_cast<std::size_t>(block.count)) {
       block.count = static_cast<int>(std::min<std::size_t>(block.most, end - block.begin));
-      const Fault unreached = prepare(basis, particles, grid, block);
+      const Fault unreached = set_up(basis, particles, grid, block);
       found = found | unreached;
       if (unreached != Fault::none) continue;  // the run is over, and these nodes may be another slab's
       std::apply([&](Stages&... stage) { ((found = found | run_stage(stage, block, grid)), ...); }, own);

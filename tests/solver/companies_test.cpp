@@ -46,6 +46,8 @@ struct MovedBody {
       } else {
         block.in_companies = false;
       }
+      for (auto& row : block.tau.entry)
+        for (auto& entries : row) std::fill(std::begin(entries), std::end(entries), std::nan(""));
       stage(block, grid);
       node_loop(ops...)(block, grid);
     }
@@ -151,7 +153,7 @@ PointBlock<1, BSpline3::support> block_in(const std::vector<int>& cells) {
   PointBlock<1, BSpline3::support> block;
   block.begin = 0;
   block.count = static_cast<int>(cells.size());
-  EXPECT_EQ(prepare(BSpline3{}, particles, Grid<1>(Vec<1>(0), 1, {10}, 1, 2), block), Fault::none);
+  EXPECT_EQ(set_up(BSpline3{}, particles, Grid<1>(Vec<1>(0), 1, {10}, 1, 2), block), Fault::none);
   return block;
 }
 
@@ -162,10 +164,21 @@ TEST(Runs, AreOfNeighboursWithTheSameNodes) {
   EXPECT_EQ(std::vector<int>(block.run, block.run + 5), (std::vector{0, 5, 6, 8, 9}));
 }
 
-TEST(Runs, EndABlockWhole) {
-  EXPECT_EQ(block_in({1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2}).count, 8);
-  EXPECT_EQ(block_in({1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2}).count, 16);
-  EXPECT_EQ(block_in({1, 1, 2, 2, 3}).count, 5) << "not in companies";
+/// So many in the first cell, then so many in the next.
+PointBlock<1, BSpline3::support> block_of(int first, int second) {
+  std::vector<int> cells(static_cast<std::size_t>(first + second), 1);
+  std::fill(cells.begin() + first, cells.end(), 2);
+  return block_in(cells);
+}
+
+TEST(Runs, AreLeftToTheNextBlockWhenAFullOneMayCutThem) {
+  EXPECT_EQ(block_of(100, 28).count, 100);
+  EXPECT_EQ(block_of(64, 64).count, 128);
+  EXPECT_EQ(block_of(127, 1).count, 127);
+  EXPECT_EQ(block_of(100, 27).count, 127) << "the block is not full";
+  std::vector<int> cells(128);
+  for (std::size_t p = 0; p < cells.size(); ++p) cells[p] = static_cast<int>(p / 2 % 8);
+  EXPECT_EQ(block_in(cells).count, 128) << "not in companies";
 }
 
 TEST(Runs, GoInCompaniesWhereThatPays) {
