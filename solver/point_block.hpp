@@ -86,8 +86,8 @@ template <class B, int D>
   return (any(outside) ? Fault::outside : Fault::none) | (any(outgrown) ? Fault::outgrown : Fault::none);
 }
 
-/// Evaluates the stencils of a block at its particles' positions. A particle out of reach of the
-/// grid, or a NaN, is a fault; its stencil then lies somewhere inside storage, and the caller stops the run.
+/// Evaluates the stencils of a block at its particles' positions. A particle out of reach of the grid, or a NaN, is a
+/// fault; its stencil then lies somewhere inside storage, and the caller stops the run.
 template <int D, class B, Evaluates evaluates>
 Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
                         PointBlock<D, B::support, evaluates>& block) {
@@ -134,8 +134,8 @@ int list_runs(PointBlock<D, K, evaluates>& block) {
   return companies;
 }
 
-/// Decides whether the particles go in companies, and lists their runs then. A last run that is shorter than the one
-/// before it of a full block is left to the next, where it may go on.
+/// Decides whether the particles go in companies, and lists their runs then. The last run of a full block, where it is
+/// shorter than the one before, is left to the next block, where it may go on.
 template <int D, int K, Evaluates evaluates>
 void form_companies(PointBlock<D, K, evaluates>& block) {
   int runs = 1;
