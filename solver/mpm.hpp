@@ -70,7 +70,7 @@ class Mpm {
   /// Calls visit(begin, end) for the particles of every slab; where slabs share nodes they take turns.
   template <class Visit>
   void for_slabs(const Visit& visit) {
-    solver::for_slabs<Adds::to_nodes>(slabs_, team_, [&](int slab) {
+    solver::for_slabs(Adds::to_nodes, slabs_, team_, [&](int slab) {
       const auto [begin, end] = slabs_.particles(slab);
       visit(begin, end);
     });

@@ -12,7 +12,7 @@ template <int D>
 template <Adds adds, class... Stages>
 void Mpm<D>::sweep(const Stages&... stages) {
   std::visit(
-      [&](const auto& basis) { note(solver::sweep<adds>(swept(basis), particles_, grid_, slabs_, team_, stages...)); },
+      [&](const auto& basis) { note(solver::sweep(adds, swept(basis), particles_, grid_, slabs_, team_, stages...)); },
       scene_.basis);
 }
 

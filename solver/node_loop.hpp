@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <tuple>
 #include <type_traits>
 
 #include "solver/company.hpp"
@@ -45,56 +44,68 @@ void visit_each(const auto& block, const Grid<D>& grid, const Ops&... op) {
   });
 }
 
-/// What the companies of a run add to its nodes; for an operation that does not map, nothing.
-template <int D, class Source>
-struct RunSources {
-  RunSources() {}  // leaves them as they are
-  std::array<Source, block_size<D> / 4> of_company;
+/// An operation on the companies of a run, and what these add to its nodes.
+template <int D, class Op, class Nodes, class Block>
+class OnRun {
+ public:
+  explicit OnRun(const Op& op) : op_(op) {}  // leaves the sources as they are
+
+  void visit(const Company<D>& company, const Nodes& nodes, const Block& block, int place) {
+    if constexpr (maps_to_nodes<Op>)
+      sources_[static_cast<std::size_t>(place)] = first_of(op_(company, nodes, block), company.count());
+    else
+      op_(company, nodes, block);
+  }
+  void scatter(const Nodes& nodes, int companies) const {
+    if constexpr (maps_to_nodes<Op>) nodes.scatter(sources_.data(), companies, op_.field());
+  }
+
+ private:
+  struct None {};
+  using Source = std::invoke_result_t<const Op&, const Company<D>&, const Nodes&, const Block&>;
+  const Op& op_;
+  std::conditional_t<maps_to_nodes<Op>, std::array<Source, block_size<D> / 4>, None> sources_;
 };
-template <int D>
-struct RunSources<D, void> {};
 
 /// Visits four particles at a time, run by run, whose sums are brought to the nodes at its end.
+template <class Nodes, int D, class Block, class... Op>
+void visit_runs(const Block& block, const Grid<D>& grid, OnRun<D, Op, Nodes, Block>&&... on_run) {
+  for (int r = 0; r < block.runs; ++r) {
+    const int begin = block.run[r], end = block.run[r + 1];
+    for (int k = begin; k < end; k += 4) {
+      const Company<D> company(block.begin, k, std::min(end - k, 4));
+      const Nodes nodes(block, grid, k);
+      (on_run.visit(company, nodes, block, (k - begin) / 4), ...);
+    }
+    const Nodes nodes(block, grid, begin);
+    const int companies = (end - begin + 3) / 4;
+    (on_run.scatter(nodes, companies), ...);
+  }
+}
+
 template <int D, int K, Evaluates evaluates, class... Ops>
 [[gnu::noinline, gnu::flatten]] void visit_companies(const PointBlock<D, K, evaluates>& block, const Grid<D>& grid,
                                                      const Ops&... op) {
   using Nodes = SharedNodes<D, K, evaluates>;
-  std::tuple<RunSources<D, std::invoke_result_t<const Ops&, const Company<D>&, const Nodes&, decltype(block)>>...>
-      sources;
-  for (int r = 0; r < block.runs; ++r) {
-    const int begin = block.run[r], end = block.run[r + 1];
-    for (int k = begin; k < end; k += 4) {
-      const int count = std::min(end - k, 4);
-      const Company<D> company(block.begin, k, count);
-      const Nodes nodes(block, grid, k);
-      const auto visit = [&]<class Op>(const Op& own, auto& of_op) {
-        if constexpr (maps_to_nodes<Op>)
-          of_op.of_company[static_cast<std::size_t>((k - begin) / 4)] = first_of(own(company, nodes, block), count);
-        else
-          own(company, nodes, block);
-      };
-      std::apply([&](auto&... of_op) { (visit(op, of_op), ...); }, sources);
-    }
-    const Nodes run(block, grid, begin);
-    const int companies = (end - begin + 3) / 4;
-    const auto scatter = [&]<class Op>(const Op& own, const auto& of_op) {
-      if constexpr (maps_to_nodes<Op>) run.scatter(of_op.of_company.data(), companies, own.field());
-    };
-    std::apply([&](const auto&... of_op) { (scatter(op, of_op), ...); }, sources);
-  }
+  visit_runs<Nodes>(block, grid, OnRun<D, Ops, Nodes, PointBlock<D, K, evaluates>>(op)...);
 }
+
+template <class Op>
+struct Held {
+  Op held;
+};
 
 /// Operations on the particles of a block and their nodes.
 template <class... Ops>
-struct NodeLoop {
-  std::tuple<Ops...> ops;
-
+struct NodeLoop : Held<Ops>... {
   template <int D>
   void operator()(const auto& block, const Grid<D>& grid) const {
-    std::apply([&](const Ops&... op) { (prepare(op, block, grid), ...); }, ops);
-    if constexpr (requires { block.runs; })
-      if (block.in_companies) return std::apply([&](const Ops&... op) { visit_companies(block, grid, op...); }, ops);
-    std::apply([&](const Ops&... op) { visit_each(block, grid, op...); }, ops);
+    if constexpr (sizeof...(Ops) > 0) {
+      (prepare(Held<Ops>::held, block, grid), ...);
+      if constexpr (requires { block.runs; })
+        if (block.in_companies) return visit_companies(block, grid, Held<Ops>::held...);
+      visit_each(block, grid, Held<Ops>::held...);
+    }
   }
 
  private:
@@ -103,18 +114,9 @@ struct NodeLoop {
   }
 };
 
-template <>
-struct NodeLoop<> {
-  template <int D>
-  void operator()(const Block<D>&, const Grid<D>&) const {}
-};
-
 template <class... Ops>
 NodeLoop<Ops...> node_loop(const Ops&... ops) {
-  if constexpr (sizeof...(Ops) == 0)
-    return {};
-  else
-    return {std::tuple<Ops...>{ops...}};
+  return {Held<Ops>{ops}...};
 }
 
 template <class Op>

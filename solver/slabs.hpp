@@ -118,9 +118,9 @@ class Slabs {
 
 /// Visits all slabs. Where that adds to nodes, those of one colour, which share none, run at once: the order of
 /// additions on a node does not depend on the number of threads.
-template <Adds adds, int D, class Visit>
-void for_slabs(const Slabs<D>& slabs, Team& team, const Visit& visit) {
-  constexpr int colours = adds == Adds::to_nodes ? 2 : 1;
+template <int D>
+void for_slabs(Adds adds, const Slabs<D>& slabs, Team& team, const Task& visit) {
+  const int colours = adds == Adds::to_nodes ? 2 : 1;
   for (int colour = 0; colour < colours; ++colour)
     team.run((slabs.count() - colour + colours - 1) / colours, [&](int task) { visit(colours * task + colour); });
 }

@@ -1,12 +1,23 @@
 #pragma once
 #include <atomic>
 #include <barrier>
-#include <functional>
 #include <memory>
 #include <thread>
 #include <vector>
 
 namespace mpmvv::solver {
+
+/// A numbered task of any type, so that what runs it is compiled once. Valid as long as what it is made from.
+class Task {
+ public:
+  template <class Visit>
+  Task(const Visit& visit) : visit_(&visit), call_([](const void* v, int k) { (*static_cast<const Visit*>(v))(k); }) {}
+  void operator()(int k) const { call_(visit_, k); }
+
+ private:
+  const void* visit_;
+  void (*call_)(const void* visit, int k);
+};
 
 /// A fixed team of threads that takes numbered tasks, each the next one left. Which thread runs a task never decides a
 /// result: the tasks of one `run` are independent of each other.
@@ -19,8 +30,8 @@ class Team {
       threads_.emplace_back([this] {
         for (;;) {
           sync_->arrive_and_wait();
-          if (!work_) return;
-          work_();
+          if (task_ == nullptr) return;
+          take();
           sync_->arrive_and_wait();
         }
       });
@@ -29,33 +40,36 @@ class Team {
 
   ~Team() {
     if (size_ == 1) return;
-    work_ = nullptr;
+    task_ = nullptr;
     sync_->arrive_and_wait();
   }
 
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  /// Calls task(k) for every k in [0, tasks); returns when all are done. `task` must not throw.
-  template <class Task>
-  void run(int tasks, const Task& task) {
-    if (size_ == 1 || tasks < 2) {
-      for (int k = 0; k < tasks; ++k) task(k);
+  /// Calls task(k) for every k in [0, count); returns when all are done. `task` must not throw.
+  void run(int count, const Task& task) {
+    if (size_ == 1 || count < 2) {
+      for (int k = 0; k < count; ++k) task(k);
       return;
     }
-    std::atomic<int> next{0};
-    const auto take = [tasks, &task, &next] {
-      for (int k = next++; k < tasks; k = next++) task(k);
-    };
-    work_ = std::ref(take);
+    next_ = 0;
+    count_ = count;
+    task_ = &task;
     sync_->arrive_and_wait();
     take();
     sync_->arrive_and_wait();
   }
 
  private:
+  void take() {
+    for (int k = next_++; k < count_; k = next_++) (*task_)(k);
+  }
+
   int size_;
-  std::function<void()> work_;
+  std::atomic<int> next_{0};
+  int count_ = 0;
+  const Task* task_ = nullptr;
   std::unique_ptr<std::barrier<>> sync_;
   std::vector<std::jthread> threads_;
 };

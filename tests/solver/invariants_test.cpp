@@ -199,8 +199,8 @@ void expect_exact_gradient() {
   slabs.sort(particles, grid);
   Team team(1);
   const double dt = 0.01;
-  sweep<Adds::nothing>(B{}, particles, grid, slabs, team,
-                       node_loop(UpdatePositionAndDeformation<D>{particles, grid, dt, DeformationStep<D>{dt}}));
+  sweep(Adds::nothing, B{}, particles, grid, slabs, team,
+        node_loop(UpdatePositionAndDeformation<D>{particles, grid, dt, DeformationStep<D>{dt}}));
   for (std::size_t p = 0; p < x.size(); ++p) {
     EXPECT_LT((particles.F[p] - Mat<D>::Identity() - dt * G).norm(), 1e-14);
     const Vec<D>& X = x[particles.id[p]];
