@@ -11,6 +11,7 @@
 #include "goldens/mutants/mistake.hpp"
 #include "goldens/mutants/mutation.hpp"
 #include "goldens/mutants/program_bench.hpp"
+#include "goldens/mutants/together_bench.hpp"
 #include "studies/error.hpp"
 
 namespace mpmvv {
@@ -131,7 +132,7 @@ int mutants(const MutantsOptions& options) {
   if (options.db.empty()) throw UsageError("no --db given (a results store)");
   if (options.known || options.publish) return tell_known(options);
   const auto mistakes = read_mistakes(options.planted());
-  const std::string work = options.work.empty() ? options.source + "/build/laboratory" : options.work;
+  const std::filesystem::path work = options.work.empty() ? options.source + "/build/laboratory" : options.work;
   Laboratory laboratory(options.source, work, program_parts());
   const std::string gate = gate_version(laboratory);
   CampaignPlan plan{planted_candidates(mistakes, laboratory, gate), random_candidates(options.seed, laboratory, gate),
@@ -141,11 +142,15 @@ int mutants(const MutantsOptions& options) {
   Store store(options.db, Store::Mode::create_or_write);
   const std::vector<Mutant> known =
       with_published(store.mutants(current_provenance().digest), read_tried(options.lists()).mutants);
-  ProgramBench bench(laboratory, options.jobs);
+  const auto find = [&](const Mutant& wanted) { return known_result(known, wanted); };
+  const auto tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  Laboratory shared(options.source, work / "together", program_parts());
+  ProgramBench alone(laboratory, options.jobs), together(shared, options.jobs);
+  TogetherBench bench(alone, together, edits_to_try(plan, find), tell);
   auto results = run_campaign(plan, gate, bench,
-                              {.find = [&](const Mutant& wanted) { return known_result(known, wanted); },
+                              {.find = find,
                                .keep = [&](const Mutant& mutant) { store.keep_mutant(mutant, current_provenance()); },
-                               .tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); }});
+                               .tell = tell});
   explain(results, options.lists());
   return answer(results, options.json);
 }

@@ -1,8 +1,9 @@
 #pragma once
 #include <chrono>
 #include <string>
+#include <vector>
 
-#include "goldens/mutants/edit.hpp"
+#include "goldens/mutants/side_by_side.hpp"
 #include "studies/mutant.hpp"
 
 namespace mpmvv {
@@ -19,6 +20,19 @@ class Bench {
   virtual Trial meet(GateStage stage, std::chrono::seconds limit) = 0;
 
   virtual std::string complaint() const = 0;  ///< the end of what the last build that failed printed
+};
+
+/// One that can build many mutants at once.
+class ChoiceBench : public Bench {
+ public:
+  using Bench::build;
+
+  /// Builds the program and its tests with edits side by side; the numbers of those that are in it, which leaves out
+  /// what cannot stand so or does not compile.
+  virtual std::vector<int> build(const std::vector<Choice>& choices) = 0;
+
+  /// The mutant that meets stages from then on, one of those that are in what was built; null for none.
+  virtual void choose(const Choice* choice) = 0;
 };
 
 }  // namespace mpmvv

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "studies/error.hpp"
@@ -128,6 +130,20 @@ std::optional<Mutant> known_result(const std::vector<Mutant>& kept, const Mutant
     return moved;
   }
   return std::nullopt;
+}
+
+std::vector<Edit> edits_to_try(const CampaignPlan& plan,
+                               const std::function<std::optional<Mutant>(const Mutant&)>& find) {
+  std::vector<Edit> edits;
+  const auto add = [&](const Candidate& candidate, bool one_is_enough) {
+    const Mutant known = find(candidate.mutant).value_or(candidate.mutant);
+    const bool met_both = known.trial(GateStage::unit_tests) && known.trial(GateStage::quick);
+    if (known.builds && !met_both && !(one_is_enough && known.caught())) edits.push_back(candidate.edit);
+  };
+  for (const Candidate& candidate : plan.planted) add(candidate, false);
+  const auto draws = std::min(plan.draws.size(), static_cast<std::size_t>(plan.random));
+  for (const Candidate& candidate : std::span(plan.draws).first(draws)) add(candidate, true);
+  return edits;
 }
 
 std::vector<Mutant> run_campaign(const CampaignPlan& plan, const std::string& gate, Bench& bench,

@@ -33,6 +33,11 @@ struct CampaignStore {
 /// anew.
 std::optional<Mutant> known_result(const std::vector<Mutant>& kept, const Mutant& wanted);
 
+/// The edits that a campaign will ask for first: of all that is planted and as many random draws as are wanted, those
+/// of which it is not known already how they fare. More draws follow for those that do not compile.
+std::vector<Edit> edits_to_try(const CampaignPlan& plan,
+                               const std::function<std::optional<Mutant>(const Mutant&)>& find);
+
 /// Takes the tree without a mistake through the stages, then planted mistakes through the unit tests and the quick
 /// gate, random ones through the quick gate and, those that it does not catch, the unit tests; at last whatever has
 /// survived through the nightly gate. What is known is not done again. UsageError when the tree does not build or does

@@ -9,6 +9,8 @@ struct Edit {
   std::string file;           ///< from the top of the tree
   std::size_t at = 0;         ///< first byte
   std::string before, after;  ///< what stands there, and what is to stand there
+
+  bool operator==(const Edit&) const = default;
 };
 
 /// The text with the edit; it must hold `before` at that place.

@@ -41,7 +41,8 @@ Laboratory::Laboratory(const fs::path& source, const fs::path& work, const std::
 }
 
 std::string Laboratory::text(const std::string& file) const {
-  return original_ && original_->first == file ? original_->second : content_of(tree() / file);
+  const auto original = originals_.find(file);
+  return original != originals_.end() && original->second ? *original->second : content_of(tree() / file);
 }
 
 std::string Laboratory::digest(const std::function<bool(const std::string&)>& is_wanted) const {
@@ -52,15 +53,24 @@ std::string Laboratory::digest(const std::function<bool(const std::string&)>& is
 }
 
 void Laboratory::apply(const Edit& edit) {
+  apply({{edit.file, edited(edit, text(edit.file))}});
+}
+
+void Laboratory::apply(const std::map<std::string, std::string>& texts) {
   undo();
-  original_ = {edit.file, text(edit.file)};
-  write_if_changed(tree() / edit.file, edited(edit, original_->second));
+  for (const auto& [file, changed] : texts) {
+    originals_[file] = std::ranges::binary_search(files_, file) ? std::optional(text(file)) : std::nullopt;
+    write_if_changed(tree() / file, changed);
+  }
 }
 
 void Laboratory::undo() {
-  if (!original_) return;
-  write_if_changed(tree() / original_->first, original_->second);
-  original_.reset();
+  for (const auto& [file, original] : originals_)
+    if (original)
+      write_if_changed(tree() / file, *original);
+    else
+      fs::remove(tree() / file);
+  originals_.clear();
 }
 
 ProcessEnd Laboratory::run(const std::vector<std::string>& command, std::chrono::seconds limit) const {

@@ -3,9 +3,9 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "goldens/mutants/edit.hpp"
@@ -16,8 +16,8 @@ namespace mpmvv {
 /// Whether it is this part of a tree, a file or a folder, or lies in it.
 bool is_within(const std::string& file, const std::string& part);
 
-/// A scratch copy of a source tree in which one edit at a time is made, beside a folder to build it in. The tree itself
-/// is only read, and only at the start.
+/// A scratch copy of a source tree that is changed in one way at a time, beside a folder to build it in. The tree
+/// itself is only read, and only at the start.
 class Laboratory {
  public:
   /// Brings WORK/tree in line with these parts (files and folders) of the source, whatever an earlier run has left
@@ -33,7 +33,9 @@ class Laboratory {
   /// A digest of the files that are wanted, without any edit.
   std::string digest(const std::function<bool(const std::string& file)>& is_wanted) const;
 
-  void apply(const Edit& edit);  ///< in the place of the one before
+  void apply(const Edit& edit);  ///< in the place of the change before
+  /// Likewise other texts of some files, by their names; a file that the tree has not is new.
+  void apply(const std::map<std::string, std::string>& texts);
   void undo();
 
   /// Runs a command in the copy's top.
@@ -47,7 +49,7 @@ class Laboratory {
   std::filesystem::path work_;
   boost::interprocess::file_lock lock_;
   std::vector<std::string> files_;
-  std::optional<std::pair<std::string, std::string>> original_;  ///< of the edited file: name and text
+  std::map<std::string, std::optional<std::string>> originals_;  ///< texts of changed files; none of new ones
 };
 
 }  // namespace mpmvv

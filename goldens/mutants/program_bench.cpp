@@ -1,11 +1,13 @@
 #include "goldens/mutants/program_bench.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "studies/error.hpp"
@@ -99,6 +101,20 @@ std::vector<std::string> test_programs(const std::string& file) {
   return {"test_cli", "test_goldens", "test_reports", "test_mms", "test_studies", "test_solver"};
 }
 
+std::set<int> choices_named(const std::string& output, const std::map<std::string, std::vector<ChoicePlace>>& places) {
+  static const std::regex line_of_file(R"(([\w./-]+):(\d+):)");
+  std::set<int> named;
+  for (std::sregex_iterator found(output.begin(), output.end(), line_of_file), end; found != end; ++found) {
+    const std::string path = fs::path((*found)[1].str()).lexically_normal().string();
+    const int line = std::stoi((*found)[2].str());
+    for (const auto& [file, of_file] : places)
+      if (path == file || path.ends_with("/" + file))
+        for (const ChoicePlace& place : of_file)
+          if (place.first_line <= line && line <= place.last_line) named.insert(place.number);
+  }
+  return named;
+}
+
 std::string failed_test(const std::string& output) {
   constexpr std::string_view failed = "[  FAILED  ] ", running = "[ RUN      ] ";
   if (const auto mark = output.find(failed); mark != std::string::npos) return word_behind(output, mark, failed.size());
@@ -128,34 +144,71 @@ ProgramBench::ProgramBench(Laboratory& laboratory, int jobs)
     if (!is_in(quick_, name) && !is_in(cubes, name)) nightly_.push_back(name);
 }
 
+void ProgramBench::configure() const {
+  if (fs::exists(laboratory_.build() / "build.ninja")) return;
+  const ProcessEnd end = laboratory_.run(
+      {"cmake", "--preset", "mutants", "-B", laboratory_.build().string(), "--log-level=WARNING"}, build_limit);
+  if (!end.good())
+    throw UsageError(fmt::format("cmake cannot configure {}: {}", laboratory_.tree().string(), end.output));
+}
+
 /// A compiler that ends without having found an error has told nothing of the mutant.
-ProcessEnd ProgramBench::make(const std::string& target) const {
-  ProcessEnd end = laboratory_.run(
-      {"cmake", "--build", laboratory_.build().string(), "--parallel", std::to_string(jobs_), "--target", target},
-      build_limit);
+ProcessEnd ProgramBench::make(const std::vector<std::string>& targets) const {
+  std::vector<std::string> command{
+      "cmake", "--build", laboratory_.build().string(), "--parallel", std::to_string(jobs_), "--target"};
+  command.insert(command.end(), targets.begin(), targets.end());
+  ProcessEnd end = laboratory_.run(command, build_limit);
   const bool is_error = end.output.find(" error: ") != std::string::npos;
   const bool is_killed = end.output.find("Killed signal") != std::string::npos;
   if (!end.good() && (!is_error || is_killed))
-    throw UsageError(
-        fmt::format("cannot build {}: {} (memory and disk for a compiler)", target, last_lines(end.output)));
+    throw UsageError(fmt::format("cannot build {}: {} (memory and disk for a compiler)", fmt::join(targets, ", "),
+                                 last_lines(end.output)));
   return end;
 }
 
 bool ProgramBench::build(const Edit* edit) {
   tests_ = test_programs(edit ? edit->file : "");
+  chosen_ = 0;
   if (edit)
     laboratory_.apply(*edit);
   else
     laboratory_.undo();
-  if (!fs::exists(laboratory_.build() / "build.ninja")) {
-    const ProcessEnd end = laboratory_.run(
-        {"cmake", "--preset", "mutants", "-B", laboratory_.build().string(), "--log-level=WARNING"}, build_limit);
-    if (!end.good())
-      throw UsageError(fmt::format("cmake cannot configure {}: {}", laboratory_.tree().string(), end.output));
-  }
-  const ProcessEnd end = make("mpmvv");
+  configure();
+  const ProcessEnd end = make({"mpmvv"});
   if (!end.good()) complaint_ = last_lines(end.output);
   return end.good();
+}
+
+std::vector<int> ProgramBench::build(const std::vector<Choice>& choices) {
+  std::map<std::string, std::vector<Choice>> by_file;
+  for (const Choice& choice : choices) by_file[choice.edit.file].push_back(choice);
+  std::map<std::string, std::string> texts{{choice_header, choice_header_text()}};
+  std::map<std::string, std::vector<ChoicePlace>> places;
+  std::vector<int> numbers;
+  for (const auto& [file, of_file] : by_file) {
+    SideBySide both = side_by_side(laboratory_.text(file), of_file);
+    for (const ChoicePlace& place : both.places) numbers.push_back(place.number);
+    texts[file] = std::move(both.text);
+    places[file] = std::move(both.places);
+  }
+  if (numbers.empty()) return {};
+  laboratory_.apply(texts);
+  configure();
+  std::vector<std::string> targets = test_programs("");
+  targets.insert(targets.begin(), "mpmvv");
+  const ProcessEnd end = make(targets);
+  if (end.good()) return numbers;
+  complaint_ = last_lines(end.output);
+  const std::set<int> bad = choices_named(end.output, places);
+  if (bad.empty()) return {};
+  std::vector<Choice> left = choices;
+  std::erase_if(left, [&](const Choice& choice) { return bad.contains(choice.number); });
+  return build(left);
+}
+
+void ProgramBench::choose(const Choice* choice) {
+  tests_ = test_programs(choice ? choice->edit.file : "");
+  chosen_ = choice ? choice->number : 0;
 }
 
 Trial ProgramBench::meet(GateStage stage, seconds limit) {
@@ -167,21 +220,27 @@ Trial ProgramBench::meet(GateStage stage, seconds limit) {
   return trial;
 }
 
-/// Of what waits for ever, instead of working, the processors see nothing.
 ProcessEnd ProgramBench::run(const std::vector<std::string>& command, seconds limit) const {
-  return laboratory_.run(confined_command(jobs_ * limit, command), 20 * limit);
+  std::vector<std::string> chosen{"env", fmt::format("{}={}", choice_variable, chosen_)};
+  chosen.insert(chosen.end(), command.begin(), command.end());
+  return laboratory_.run(chosen, limit);
+}
+
+/// Of what waits for ever, instead of working, the processors see nothing.
+ProcessEnd ProgramBench::run_confined(const std::vector<std::string>& command, seconds limit) const {
+  return run(confined_command(jobs_ * limit, command), 20 * limit);
 }
 
 /// Test programs are built one by one: most mistakes need no more than the first.
 Trial ProgramBench::run_unit_tests(seconds limit) const {
   Trial trial{.stage = GateStage::unit_tests};
   for (const std::string& test : tests_) {
-    if (!make(test).good()) {
+    if (!make({test}).good()) {
       trial.caught = true;
       trial.by = {test + ": does not compile"};
       return trial;
     }
-    const ProcessEnd end = run(
+    const ProcessEnd end = run_confined(
         {program(test), "--gtest_fail_fast", "--gtest_color=no", "--gtest_filter=-*Nightly*:PlantedMistakes.*"}, limit);
     if (end.good()) continue;
     trial.caught = true;
@@ -209,13 +268,12 @@ Trial ProgramBench::run_gate(GateStage stage, const std::vector<std::string>& st
 
 std::vector<std::string> ProgramBench::complaints_of(const std::string& study, const std::string& db,
                                                      seconds limit) const {
-  const ProcessEnd ran = run(
+  const ProcessEnd ran = run_confined(
       {program("mpmvv"), "study", "--db", db, "--jobs", std::to_string(jobs_), fmt::format("studies/{}.toml", study)},
       limit);
   const std::string ending = fmt::format("{}: {}", study, how_it_ended(ran, limit));
   if (ran.timed_out || ran.exit_code > 1) return {ending};
-  const ProcessEnd judged =
-      laboratory_.run({program("mpmvv"), "gate", "--db", db, "--json", "--only", study}, gate_limit);
+  const ProcessEnd judged = run({program("mpmvv"), "gate", "--db", db, "--json", "--only", study}, gate_limit);
   if (ran.good() && judged.good()) return {};
   const auto goldens = goldens_not_passed(judged.output);
   return goldens.empty() ? std::vector{ending} : goldens;

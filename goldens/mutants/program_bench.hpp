@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,18 +11,22 @@ namespace mpmvv {
 
 /// The program's own gate in a laboratory: CMake with the preset `mutants`, the test programs, the studies as
 /// `./run quick` and `./run nightly` run them.
-class ProgramBench final : public Bench {
+class ProgramBench final : public ChoiceBench {
  public:
   /// jobs: compilers and cases at once.
   ProgramBench(Laboratory& laboratory, int jobs);
 
   bool build(const Edit* edit) override;
+  std::vector<int> build(const std::vector<Choice>& choices) override;
+  void choose(const Choice* choice) override;
   Trial meet(GateStage stage, std::chrono::seconds limit) override;
   std::string complaint() const override { return complaint_; }
 
  private:
-  ProcessEnd make(const std::string& target) const;
+  void configure() const;
+  ProcessEnd make(const std::vector<std::string>& targets) const;
   ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit) const;
+  ProcessEnd run_confined(const std::vector<std::string>& command, std::chrono::seconds limit) const;
   Trial run_unit_tests(std::chrono::seconds limit) const;
   Trial run_gate(GateStage stage, const std::vector<std::string>& studies, std::chrono::seconds limit) const;
   /// What does not pass of one study, run and judged; empty when all of it passes.
@@ -32,6 +38,7 @@ class ProgramBench final : public Bench {
   int jobs_;
   std::vector<std::string> quick_, nightly_;  ///< names of studies
   std::vector<std::string> tests_;            ///< test programs that the edit can reach
+  int chosen_ = 0;                            ///< number of a choice, 0 for none
   std::string complaint_;
 };
 
@@ -46,6 +53,10 @@ std::vector<std::string> listed_studies(const std::string& text);
 
 /// The test programs that a change of this file reaches, what is least to build first; all for an empty name.
 std::vector<std::string> test_programs(const std::string& file);
+
+/// Where a compiler's output names lines of these files: of choices, by their file, the numbers of those that hold
+/// some.
+std::set<int> choices_named(const std::string& output, const std::map<std::string, std::vector<ChoicePlace>>& places);
 
 /// The first test that failed by what a test program printed; with none, the one in which it ended.
 std::string failed_test(const std::string& output);

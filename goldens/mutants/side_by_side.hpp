@@ -1,0 +1,36 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "goldens/mutants/edit.hpp"
+
+namespace mpmvv {
+
+/// An edit that a program chooses at its start by the number.
+struct Choice {
+  int number = 0;
+  Edit edit;
+};
+
+/// Where an edit has come to stand: between these lines, counted from 1.
+struct ChoicePlace {
+  int number = 0, first_line = 0, last_line = 0;
+};
+
+struct SideBySide {
+  std::string text;
+  std::vector<ChoicePlace> places;  ///< of the choices that are in the text
+};
+
+/// A C++ text with several edits side by side: the smallest statement of a block that holds an edit, or the rest of the
+/// block where that is a declaration, stands twice, with the edit where its number is chosen and without. For edits
+/// within the bodies of functions that are not constexpr; others are left out.
+SideBySide side_by_side(const std::string& text, const std::vector<Choice>& choices);
+
+/// The header that such texts include, and the environment variable that chooses.
+extern const char* const choice_header;
+extern const char* const choice_variable;
+std::string choice_header_text();
+
+}  // namespace mpmvv

@@ -1,0 +1,62 @@
+#include "goldens/mutants/together_bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "studies/error.hpp"
+
+namespace mpmvv {
+
+TogetherBench::TogetherBench(Bench& alone, ChoiceBench& together, std::vector<Edit> coming,
+                             std::function<void(const std::string&)> tell)
+    : alone_(alone), together_(together), tell_(std::move(tell)) {
+  for (Edit& edit : coming) coming_.push_back({static_cast<int>(coming_.size()) + 1, std::move(edit)});
+}
+
+bool TogetherBench::build(const Edit* edit) {
+  edit_ = edit;
+  choice_ = nullptr;
+  if (edit == nullptr) return alone_.build(nullptr);
+  const auto found = std::ranges::find(coming_, *edit, &Choice::edit);
+  if (found == coming_.end()) return alone_.build(edit);
+  const auto place = static_cast<std::size_t>(found - coming_.begin());
+  if (place >= next_) build_group(place);
+  if (group_.contains(found->number)) choice_ = &*found;
+  return choice_ != nullptr || alone_.build(edit);
+}
+
+void TogetherBench::build_group(std::size_t first) {
+  next_ = std::min(first + most, coming_.size());
+  const auto numbers = together_.build(
+      {coming_.begin() + static_cast<std::ptrdiff_t>(first), coming_.begin() + static_cast<std::ptrdiff_t>(next_)});
+  group_ = {numbers.begin(), numbers.end()};
+  sound_.clear();
+  tell_(fmt::format("{} of {} mutants built together", group_.size(), next_ - first));
+}
+
+bool TogetherBench::is_sound(GateStage stage, std::chrono::seconds limit) {
+  if (group_.empty() || sound_.contains(stage)) return !group_.empty();
+  together_.choose(nullptr);
+  const Trial none = together_.meet(stage, limit);
+  if (!none.caught) return sound_.insert(stage).second;
+  tell_(fmt::format("with none of them chosen {} complains of {}: each goes alone", to_string(stage), none.by.front()));
+  group_.clear();
+  return false;
+}
+
+Trial TogetherBench::meet(GateStage stage, std::chrono::seconds limit) {
+  if (choice_ == nullptr) return alone_.meet(stage, limit);
+  if (stage != GateStage::nightly && is_sound(stage, limit)) {
+    together_.choose(choice_);
+    Trial trial = together_.meet(stage, limit);
+    if (trial.caught) return trial;
+  }
+  if (!alone_.build(edit_))
+    throw UsageError(
+        fmt::format("an edit of {} compiles with others, but not alone: {}", edit_->file, alone_.complaint()));
+  return alone_.meet(stage, limit);
+}
+
+}  // namespace mpmvv
