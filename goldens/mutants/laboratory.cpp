@@ -56,21 +56,26 @@ void Laboratory::apply(const Edit& edit) {
   apply({{edit.file, edited(edit, text(edit.file))}});
 }
 
+/// What is the same before and after is not written: it would be compiled anew.
 void Laboratory::apply(const std::map<std::string, std::string>& texts) {
-  undo();
-  for (const auto& [file, changed] : texts) {
-    originals_[file] = std::ranges::binary_search(files_, file) ? std::optional(text(file)) : std::nullopt;
-    write_if_changed(tree() / file, changed);
-  }
+  Originals originals;
+  for (const auto& [file, changed] : texts)
+    originals[file] = std::ranges::binary_search(files_, file) ? std::optional(text(file)) : std::nullopt;
+  for (const auto& [file, original] : originals_)
+    if (!texts.contains(file)) restore(file, original);
+  for (const auto& [file, changed] : texts) write_if_changed(tree() / file, changed);
+  originals_ = std::move(originals);
 }
 
 void Laboratory::undo() {
-  for (const auto& [file, original] : originals_)
-    if (original)
-      write_if_changed(tree() / file, *original);
-    else
-      fs::remove(tree() / file);
-  originals_.clear();
+  apply(std::map<std::string, std::string>{});
+}
+
+void Laboratory::restore(const std::string& file, const std::optional<std::string>& original) const {
+  if (original)
+    write_if_changed(tree() / file, *original);
+  else
+    fs::remove(tree() / file);
 }
 
 ProcessEnd Laboratory::run(const std::vector<std::string>& command, std::chrono::seconds limit) const {

@@ -42,6 +42,9 @@ class Laboratory {
   ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit) const;
 
  private:
+  using Originals = std::map<std::string, std::optional<std::string>>;  ///< texts by file; of new ones none
+
+  void restore(const std::string& file, const std::optional<std::string>& original) const;
   void lock();
   void copy(const std::filesystem::path& source, const std::string& part);
   void remove_strays() const;
@@ -49,7 +52,7 @@ class Laboratory {
   std::filesystem::path work_;
   boost::interprocess::file_lock lock_;
   std::vector<std::string> files_;
-  std::map<std::string, std::optional<std::string>> originals_;  ///< texts of changed files; none of new ones
+  Originals originals_;  ///< of the files that are changed
 };
 
 }  // namespace mpmvv

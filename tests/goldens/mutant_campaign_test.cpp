@@ -108,6 +108,15 @@ TEST_F(Campaigns, WhatIsKnownIsNotDoneAgain) {
   EXPECT_THAT(bench_.log, testing::Not(testing::Contains("p unit tests")));
 }
 
+TEST_F(Campaigns, WhatIsNotKnownIsToBeTried) {
+  bench_.catches = {{"p", GateStage::quick}, {"r1", GateStage::quick}};
+  const CampaignPlan plan{{planted_, silent_}, {first_, second_, third_}, 2};
+  const auto find = [this](const Mutant& wanted) { return known_result(kept_, wanted); };
+  EXPECT_THAT(edits_to_try(plan, find), ElementsAre(planted_.edit, silent_.edit, first_.edit, second_.edit));
+  run({{planted_}, {first_}, 1});
+  EXPECT_THAT(edits_to_try(plan, find), ElementsAre(silent_.edit, second_.edit));
+}
+
 TEST_F(Campaigns, WhatHasBeenCaughtStaysCaughtWhileTheSourcesAreTheSame) {
   bench_.catches = {{"p", GateStage::quick}};
   const auto with_gate = [this](const std::string& gate) {
@@ -168,6 +177,17 @@ TEST_F(Laboratories, AnEditIsMadeInTheCopyAlone) {
   EXPECT_EQ(read(lab.tree() / "code/a.txt"), "one + two\n") << "one edit at a time";
   lab.undo();
   EXPECT_EQ(read(lab.tree() / "notes"), "four\n");
+}
+
+TEST_F(Laboratories, ManyFilesChangeTogetherAndNewOnesGo) {
+  Laboratory lab = laboratory();
+  lab.apply({{"code/a.txt", "six\n"}, {"code/new.txt", "seven\n"}});
+  EXPECT_EQ(read(lab.tree() / "code/a.txt"), "six\n");
+  EXPECT_EQ(read(lab.tree() / "code/new.txt"), "seven\n");
+  EXPECT_EQ(lab.text("code/a.txt"), "one + two\n");
+  lab.apply(edit_);
+  EXPECT_EQ(read(lab.tree() / "code/a.txt"), "one - two\n");
+  EXPECT_FALSE(fs::exists(lab.tree() / "code/new.txt"));
 }
 
 TEST_F(Laboratories, ANewOneUndoesWhatAKilledOneLeft) {
