@@ -78,8 +78,9 @@ void Laboratory::restore(const std::string& file, const std::optional<std::strin
     fs::remove(tree() / file);
 }
 
-ProcessEnd Laboratory::run(const std::vector<std::string>& command, std::chrono::seconds limit) const {
-  ProcessEnd end = run_process(command, tree(), {}, limit);
+ProcessEnd Laboratory::run(const std::vector<std::string>& command, std::chrono::seconds limit,
+                           const std::map<std::string, std::string>& environment) const {
+  ProcessEnd end = run_process(command, tree(), environment, limit);
   if (end.start_error != 0)
     throw UsageError(fmt::format("cannot start '{}' in {} (a program that is installed or was built)", command.front(),
                                  tree().string()));

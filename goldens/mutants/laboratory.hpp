@@ -38,8 +38,9 @@ class Laboratory {
   void apply(const std::map<std::string, std::string>& texts);
   void undo();
 
-  /// Runs a command in the copy's top.
-  ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit) const;
+  /// Runs a command in the copy's top, with these environment variables.
+  ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit,
+                 const std::map<std::string, std::string>& environment = {}) const;
 
  private:
   using Originals = std::map<std::string, std::optional<std::string>>;  ///< texts by file; of new ones none

@@ -102,17 +102,19 @@ std::vector<std::string> test_programs(const std::string& file) {
 }
 
 std::set<int> choices_named(const std::string& output, const std::map<std::string, std::vector<ChoicePlace>>& places) {
-  static const std::regex line_of_file(R"(([\w./-]+):(\d+):)");
-  std::set<int> named;
+  static const std::regex line_of_file(R"(([\w./-]+):(\d+):.*)");
+  std::set<int> edited, both;
   for (std::sregex_iterator found(output.begin(), output.end(), line_of_file), end; found != end; ++found) {
     const std::string path = fs::path((*found)[1].str()).lexically_normal().string();
     const int line = std::stoi((*found)[2].str());
     for (const auto& [file, of_file] : places)
       if (path == file || path.ends_with("/" + file))
-        for (const ChoicePlace& place : of_file)
-          if (place.first_line <= line && line <= place.last_line) named.insert(place.number);
+        for (const ChoicePlace& place : of_file) {
+          if (place.first_line <= line && line <= place.last_line) edited.insert(place.number);
+          if (place.first_line <= line && line <= place.last_line_of_both) both.insert(place.number);
+        }
   }
-  return named;
+  return edited.empty() ? both : edited;
 }
 
 std::string failed_test(const std::string& output) {
@@ -152,18 +154,23 @@ void ProgramBench::configure() const {
     throw UsageError(fmt::format("cmake cannot configure {}: {}", laboratory_.tree().string(), end.output));
 }
 
-/// A compiler that ends without having found an error has told nothing of the mutant.
 ProcessEnd ProgramBench::make(const std::vector<std::string>& targets) const {
   std::vector<std::string> command{
       "cmake", "--build", laboratory_.build().string(), "--parallel", std::to_string(jobs_), "--target"};
   command.insert(command.end(), targets.begin(), targets.end());
-  ProcessEnd end = laboratory_.run(command, build_limit);
+  return laboratory_.run(command, build_limit);
+}
+
+/// A compiler that ends without having found an error has told nothing of the mutant.
+bool ProgramBench::compiles(const std::string& target) {
+  const ProcessEnd end = make({target});
+  if (end.good()) return true;
+  complaint_ = last_lines(end.output);
   const bool is_error = end.output.find(" error: ") != std::string::npos;
   const bool is_killed = end.output.find("Killed signal") != std::string::npos;
-  if (!end.good() && (!is_error || is_killed))
-    throw UsageError(fmt::format("cannot build {}: {} (memory and disk for a compiler)", fmt::join(targets, ", "),
-                                 last_lines(end.output)));
-  return end;
+  if (!is_error || is_killed)
+    throw UsageError(fmt::format("cannot build {}: {} (memory and disk for a compiler)", target, complaint_));
+  return false;
 }
 
 bool ProgramBench::build(const Edit* edit) {
@@ -174,9 +181,7 @@ bool ProgramBench::build(const Edit* edit) {
   else
     laboratory_.undo();
   configure();
-  const ProcessEnd end = make({"mpmvv"});
-  if (!end.good()) complaint_ = last_lines(end.output);
-  return end.good();
+  return compiles("mpmvv");
 }
 
 std::vector<int> ProgramBench::build(const std::vector<Choice>& choices) {
@@ -187,6 +192,7 @@ std::vector<int> ProgramBench::build(const std::vector<Choice>& choices) {
   std::vector<int> numbers;
   for (const auto& [file, of_file] : by_file) {
     SideBySide both = side_by_side(laboratory_.text(file), of_file);
+    if (both.places.empty()) continue;
     for (const ChoicePlace& place : both.places) numbers.push_back(place.number);
     texts[file] = std::move(both.text);
     places[file] = std::move(both.places);
@@ -221,9 +227,7 @@ Trial ProgramBench::meet(GateStage stage, seconds limit) {
 }
 
 ProcessEnd ProgramBench::run(const std::vector<std::string>& command, seconds limit) const {
-  std::vector<std::string> chosen{"env", fmt::format("{}={}", choice_variable, chosen_)};
-  chosen.insert(chosen.end(), command.begin(), command.end());
-  return laboratory_.run(chosen, limit);
+  return laboratory_.run(command, limit, {{choice_variable, std::to_string(chosen_)}});
 }
 
 /// Of what waits for ever, instead of working, the processors see nothing.
@@ -232,10 +236,10 @@ ProcessEnd ProgramBench::run_confined(const std::vector<std::string>& command, s
 }
 
 /// Test programs are built one by one: most mistakes need no more than the first.
-Trial ProgramBench::run_unit_tests(seconds limit) const {
+Trial ProgramBench::run_unit_tests(seconds limit) {
   Trial trial{.stage = GateStage::unit_tests};
   for (const std::string& test : tests_) {
-    if (!make({test}).good()) {
+    if (!compiles(test)) {
       trial.caught = true;
       trial.by = {test + ": does not compile"};
       return trial;

@@ -25,9 +25,10 @@ class ProgramBench final : public ChoiceBench {
  private:
   void configure() const;
   ProcessEnd make(const std::vector<std::string>& targets) const;
+  bool compiles(const std::string& target);
   ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit) const;
   ProcessEnd run_confined(const std::vector<std::string>& command, std::chrono::seconds limit) const;
-  Trial run_unit_tests(std::chrono::seconds limit) const;
+  Trial run_unit_tests(std::chrono::seconds limit);
   Trial run_gate(GateStage stage, const std::vector<std::string>& studies, std::chrono::seconds limit) const;
   /// What does not pass of one study, run and judged; empty when all of it passes.
   std::vector<std::string> complaints_of(const std::string& study, const std::string& db,

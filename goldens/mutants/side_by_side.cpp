@@ -40,16 +40,24 @@ class Statements {
     }
   }
 
-  /// What has to stand twice for a choice of what is in it; nothing where that cannot be.
-  std::optional<Region> around(const Region& edit) const {
+  /// What has to stand twice for a choice of what is in it, at least all that sees what it declares; nothing where that
+  /// cannot be.
+  std::optional<Region> around(const Region& edit, bool declares) const {
     std::optional<Region> found;
     for (std::size_t brace = tokens_.size(); brace-- > 0;) {
       if (at(brace) != "{" || partner_[brace] == none || !inside(brace).holds(edit) || !is_body(brace)) continue;
       if (is_constant(brace)) return std::nullopt;
-      if (!found) found = statement_in(brace, edit);
+      if (!found) found = statement_in(brace, edit, declares);
       if (!found) return std::nullopt;
     }
     return found;
+  }
+
+  /// Whether the statement that begins at a byte declares what others may see.
+  bool declares(std::size_t byte) const {
+    const auto token = std::ranges::lower_bound(tokens_, byte, {}, &Token::at);
+    const auto k = static_cast<std::size_t>(token - tokens_.begin());
+    return k < tokens_.size() && !stands_alone(k, after_statement(k, tokens_.size()));
   }
 
  private:
@@ -61,12 +69,12 @@ class Statements {
 
   /// Whether a brace opens the body of a function, a lambda or a control statement.
   bool is_body(std::size_t brace) const {
-    static constexpr std::array<std::string_view, 7> heads{"const", "noexcept", "override", "mutable",
-                                                           "else",  "do",       "try"};
+    static constexpr std::array<std::string_view, 7> before_body{"const", "noexcept", "override", "mutable",
+                                                                 "else",  "do",       "try"};
     static constexpr std::array<std::string_view, 6> of_types{"::", "<", ">", "&", "*", ","};
     if (brace == 0) return false;
     std::size_t k = brace - 1;
-    if (at(k) == ")" || is_one_of(at(k), heads)) return true;
+    if (at(k) == ")" || is_one_of(at(k), before_body)) return true;
     if (at(k) == "]") return partner_[k] != none && opens_lambda(partner_[k]);
     while (k > 0 && (tokens_[k].kind == Token::Kind::word || is_one_of(at(k), of_types))) --k;
     return at(k) == "->" && k > 0 && at(k - 1) == ")";
@@ -90,13 +98,13 @@ class Statements {
   }
 
   /// In a block, the statement that holds the edit, or from there all of the block.
-  std::optional<Region> statement_in(std::size_t brace, const Region& edit) const {
+  std::optional<Region> statement_in(std::size_t brace, const Region& edit, bool declares) const {
     const std::size_t close = partner_[brace];
     for (std::size_t k = brace + 1; k < close;) {
       const std::size_t end = after_statement(k, close);
       const Region statement{std::min(tokens_[k].at, edit.begin), end_of(end - 1)};
       if (statement.end > edit.begin) {
-        if (statement.holds(edit) && stands_alone(k, end)) return statement;
+        if (statement.holds(edit) && !declares && stands_alone(k, end)) return statement;
         const Region rest{statement.begin, end_of(close - 1)};
         return has_labels(k, close) || !rest.holds(edit) ? std::nullopt : std::optional(rest);
       }
@@ -113,30 +121,32 @@ class Statements {
     return false;
   }
 
-  /// Whether what follows a statement does not see what it declares.
+  /// Whether what follows a statement does not see what it declares: of what is not surely so it is assumed that it
+  /// does.
   bool stands_alone(std::size_t begin, std::size_t end) const {
     static constexpr std::array<std::string_view, 11> words{"if",     "for",   "while",    "do",    "switch", "try",
                                                             "return", "break", "continue", "throw", "{"};
+    return is_one_of(at(begin), words) || is_assignment_or_call(begin, end);
+  }
+
+  /// A chain of names, calls and indices, and then an assignment or the end.
+  bool is_assignment_or_call(std::size_t begin, std::size_t end) const {
     static constexpr std::array<std::string_view, 9> assignments{"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^="};
-    if (is_one_of(at(begin), words)) return true;
+    static constexpr std::array<std::string_view, 6> between_names{".", "->", "::", ",", "++", "--"};
+    if (at(begin) == "auto") return false;
     std::size_t k = begin;
-    while (is_one_of(at(k), std::array<std::string_view, 4>{"*", "++", "--", "("})) {
-      if (at(k) == "(") break;
-      ++k;
-    }
+    while (at(k) == "*" || at(k) == "++" || at(k) == "--") ++k;
     bool wants_name = true;
     for (; k < end; ++k) {
       if (is_one_of(at(k), assignments)) return true;
       if (at(k) == ";") return k > begin && (at(k - 1) == ")" || at(k - 1) == "++" || at(k - 1) == "--");
-      if (at(k) == "," || at(k) == "++" || at(k) == "--") {
+      const bool is_name = tokens_[k].kind == Token::Kind::word;
+      if (is_one_of(at(k), between_names)) {
         wants_name = true;
-      } else if (is_one_of(at(k), std::array<std::string_view, 3>{".", "->", "::"})) {
-        wants_name = true;
-      } else if (at(k) == "(" || at(k) == "[") {
-        if (partner_[k] == none) return false;
+      } else if ((at(k) == "(" || at(k) == "[") && partner_[k] != none) {
         k = partner_[k];
         wants_name = false;
-      } else if (tokens_[k].kind == Token::Kind::word && wants_name) {
+      } else if (is_name && wants_name) {
         wants_name = false;
       } else {
         return false;
@@ -197,6 +207,10 @@ class Writer {
     std::size_t at = part.begin;
     for (auto c = choices.begin(); c != choices.end();) {
       const PlacedChoice& first = *c;
+      if (first.region.begin < at) {  // overlaps what has been written: left out
+        ++c;
+        continue;
+      }
       std::vector<PlacedChoice> within;
       for (++c; c != choices.end() && first.region.holds(c->region); ++c) within.push_back(*c);
       copy({at, first.region.begin});
@@ -218,10 +232,12 @@ class Writer {
     copy({placed.region.begin, edit.at});
     result_.text += edit.after;
     copy({edit.at + edit.before.size(), placed.region.end});
-    result_.places.push_back({placed.choice->number, first_line, line_of(result_.text, result_.text.size())});
+    const std::size_t place = result_.places.size();
+    result_.places.push_back({placed.choice->number, first_line, line_of(result_.text, result_.text.size()), 0});
     result_.text += "\n} else {\n";
     write(placed.region, within);
     result_.text += "\n}";
+    result_.places[place].last_line_of_both = line_of(result_.text, result_.text.size());
   }
 
   const std::string& text_;
@@ -245,7 +261,9 @@ SideBySide side_by_side(const std::string& text, const std::vector<Choice>& choi
   std::vector<PlacedChoice> placed;
   for (const Choice& choice : choices) {
     const Region edit{choice.edit.at, choice.edit.at + choice.edit.before.size()};
-    if (const auto region = statements.around(edit)) placed.push_back({&choice, *region});
+    auto region = statements.around(edit, false);
+    if (region && Statements(edited(choice.edit, text)).declares(region->begin)) region = statements.around(edit, true);
+    if (region) placed.push_back({&choice, *region});
   }
   std::ranges::stable_sort(placed, [](const PlacedChoice& a, const PlacedChoice& b) {
     return a.region.begin != b.region.begin ? a.region.begin < b.region.begin : a.region.end > b.region.end;

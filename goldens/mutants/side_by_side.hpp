@@ -13,9 +13,9 @@ struct Choice {
   Edit edit;
 };
 
-/// Where an edit has come to stand: between these lines, counted from 1.
+/// Lines, counted from 1, of a statement that stands twice: those with the edit, and the last one of both.
 struct ChoicePlace {
-  int number = 0, first_line = 0, last_line = 0;
+  int number = 0, first_line = 0, last_line = 0, last_line_of_both = 0;
 };
 
 struct SideBySide {
@@ -28,7 +28,8 @@ struct SideBySide {
 /// within the bodies of functions that are not constexpr; others are left out.
 SideBySide side_by_side(const std::string& text, const std::vector<Choice>& choices);
 
-/// The header that such texts include, and the environment variable that chooses.
+/// The header that such texts include, and the environment variable that chooses: at the program's start, so that what
+/// runs before, to initialise something static in another file, may see none chosen.
 extern const char* const choice_header;
 extern const char* const choice_variable;
 std::string choice_header_text();

@@ -9,6 +9,17 @@
 
 namespace mpmvv {
 
+namespace {
+
+/// Whether a mutant is caught by more than time, which others beside it cost, or a golden that cannot judge.
+bool is_certain(const Trial& trial) {
+  return trial.caught && std::ranges::any_of(trial.by, [](const std::string& by) {
+           return by.find("not at its end") == std::string::npos && !by.ends_with("(inconclusive)");
+         });
+}
+
+}  // namespace
+
 TogetherBench::TogetherBench(Bench& alone, ChoiceBench& together, std::vector<Edit> coming,
                              std::function<void(const std::string&)> tell)
     : alone_(alone), together_(together), tell_(std::move(tell)) {
@@ -34,10 +45,11 @@ void TogetherBench::build_group(std::size_t first) {
   group_ = {numbers.begin(), numbers.end()};
   sound_.clear();
   tell_(fmt::format("{} of {} mutants built together", group_.size(), next_ - first));
+  if (group_.empty()) tell_(together_.complaint());
 }
 
 bool TogetherBench::is_sound(GateStage stage, std::chrono::seconds limit) {
-  if (group_.empty() || sound_.contains(stage)) return !group_.empty();
+  if (sound_.contains(stage)) return true;
   together_.choose(nullptr);
   const Trial none = together_.meet(stage, limit);
   if (!none.caught) return sound_.insert(stage).second;
@@ -48,10 +60,11 @@ bool TogetherBench::is_sound(GateStage stage, std::chrono::seconds limit) {
 
 Trial TogetherBench::meet(GateStage stage, std::chrono::seconds limit) {
   if (choice_ == nullptr) return alone_.meet(stage, limit);
-  if (stage != GateStage::nightly && is_sound(stage, limit)) {
+  const bool in_group = group_.contains(choice_->number);
+  if (stage != GateStage::nightly && in_group && is_sound(stage, limit)) {
     together_.choose(choice_);
     Trial trial = together_.meet(stage, limit);
-    if (trial.caught) return trial;
+    if (is_certain(trial)) return trial;
   }
   if (!alone_.build(edit_))
     throw UsageError(

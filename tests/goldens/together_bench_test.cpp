@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -38,12 +39,13 @@ class FakeBench final : public ChoiceBench {
   Trial meet(GateStage stage, seconds) override {
     log_.push_back(name_ + " " + to_string(stage) + " " + edit_);
     const bool caught = catches.contains({edit_, stage});
-    return {stage, caught, caught ? std::vector<std::string>{"golden"} : std::vector<std::string>{}, 1};
+    return {stage, caught, caught ? std::vector<std::string>{by} : std::vector<std::string>{}, 1};
   }
   std::string complaint() const override { return "no compiler"; }
 
   std::set<std::pair<std::string, GateStage>> catches;
   std::set<std::string> broken;
+  std::string by = "golden";
 
  private:
   std::string name_, edit_;
@@ -77,6 +79,24 @@ TEST_F(TogetherBenches, WhatPassesMeetsTheStageAlone) {
                                 "alone quick a"));
 }
 
+TEST_F(TogetherBenches, WhatTakesTooLongMeetsTheStageAlone) {
+  together_.catches = {{"a", GateStage::quick}};
+  together_.by = "x-conv: not at its end after 9 s";
+  EXPECT_FALSE(caught(a_, GateStage::quick));
+}
+
+TEST_F(TogetherBenches, AnotherGroupFollows) {
+  std::vector<Edit> coming(TogetherBench::most + 1, a_);
+  for (std::size_t k = 0; k < coming.size(); ++k) coming[k].at = k;
+  TogetherBench bench(alone_, together_, coming, [](const std::string&) {});
+  together_.catches = {{"a", GateStage::quick}};
+  for (const Edit& edit : coming) {
+    ASSERT_TRUE(bench.build(&edit));
+    EXPECT_TRUE(bench.meet(GateStage::quick, seconds(1)).caught);
+  }
+  EXPECT_EQ(std::ranges::count(log_, "together quick none"), 2);
+}
+
 TEST_F(TogetherBenches, WhatCannotBeBuiltTogetherGoesAlone) {
   together_.broken = {"a"};
   together_.catches = {{"b", GateStage::quick}};
@@ -106,11 +126,13 @@ TEST_F(TogetherBenches, WhatCompilesWithOthersHasToCompileAlone) {
 }
 
 TEST(CompilersComplaints, NameTheChoicesWhoseLinesTheyName) {
-  const std::map<std::string, std::vector<ChoicePlace>> places{{"solver/grid.hpp", {{3, 10, 12}, {4, 20, 20}}},
-                                                               {"solver/team.hpp", {{5, 10, 12}}}};
+  const std::map<std::string, std::vector<ChoicePlace>> places{{"solver/grid.hpp", {{3, 10, 12, 15}, {4, 20, 20, 22}}},
+                                                               {"solver/team.hpp", {{5, 10, 12, 14}}}};
   EXPECT_THAT(choices_named("/x/tree/solver/grid.hpp:12:3: error: no\nsolver/team.hpp:13:1: note", places),
               ElementsAre(3));
   EXPECT_THAT(choices_named("../tree/solver/grid.hpp:20:33:   required from here", places), ElementsAre(4));
+  EXPECT_THAT(choices_named("solver/grid.hpp:14:3: error: inconsistent deduction", places), ElementsAre(3));
+  EXPECT_THAT(choices_named("solver/grid.hpp:14:3: error: no\nsolver/team.hpp:11:1: note", places), ElementsAre(5));
   EXPECT_THAT(choices_named("fluid_solver/grid.hpp:20:1 other/solver/grid.cpp:20:1:", places), IsEmpty());
 }
 
