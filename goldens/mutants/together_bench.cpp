@@ -11,10 +11,10 @@ namespace mpmvv {
 
 namespace {
 
-/// Whether a mutant is caught by more than time, which others beside it cost, or a golden that cannot judge.
-bool is_certain(const Trial& trial) {
-  return trial.caught && std::ranges::any_of(trial.by, [](const std::string& by) {
-           return by.find("not at its end") == std::string::npos && !by.ends_with("(inconclusive)");
+/// Whether a mutant is caught by nothing but time, which others beside it cost, or goldens that cannot judge.
+bool is_doubtful(const Trial& trial) {
+  return trial.caught && std::ranges::all_of(trial.by, [](const std::string& by) {
+           return by.find("not at its end") != std::string::npos || by.ends_with("(inconclusive)");
          });
 }
 
@@ -64,7 +64,7 @@ Trial TogetherBench::meet(GateStage stage, std::chrono::seconds limit) {
   if (stage != GateStage::nightly && in_group && is_sound(stage, limit)) {
     together_.choose(choice_);
     Trial trial = together_.meet(stage, limit);
-    if (is_certain(trial)) return trial;
+    if (!is_doubtful(trial)) return trial;
   }
   if (!alone_.build(edit_))
     throw UsageError(
