@@ -55,8 +55,8 @@ std::vector<std::string> listed_studies(const std::string& text);
 /// The test programs that a change of this file reaches, what is least to build first; all for an empty name.
 std::vector<std::string> test_programs(const std::string& file);
 
-/// Where a compiler's output names lines of these files: of choices, by their file, the numbers of those that hold
-/// some.
+/// The numbers of the choices, given by their files, of which a compiler's output names lines with the edit; where
+/// there is none, of those of which it names any line.
 std::set<int> choices_named(const std::string& output, const std::map<std::string, std::vector<ChoicePlace>>& places);
 
 /// The first test that failed by what a test program printed; with none, the one in which it ended.

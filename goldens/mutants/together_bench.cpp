@@ -40,6 +40,8 @@ bool TogetherBench::build(const Edit* edit) {
 
 void TogetherBench::build_group(std::size_t first) {
   next_ = std::min(first + most, coming_.size());
+  group_.clear();
+  if (next_ - first < least) return;
   const auto numbers = together_.build(
       {coming_.begin() + static_cast<std::ptrdiff_t>(first), coming_.begin() + static_cast<std::ptrdiff_t>(next_)});
   group_ = {numbers.begin(), numbers.end()};

@@ -13,7 +13,7 @@ namespace mpmvv {
 /// by goldens that cannot judge does so again, and the nightly gate is met alone.
 class TogetherBench final : public Bench {
  public:
-  static constexpr std::size_t most = 40;  ///< of mutants in one build
+  static constexpr std::size_t least = 2, most = 40;  ///< mutants in one build
 
   /// coming: the edits that will be asked for, in their order. tell: progress, a line.
   TogetherBench(Bench& alone, ChoiceBench& together, std::vector<Edit> coming,

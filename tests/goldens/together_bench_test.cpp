@@ -84,7 +84,7 @@ TEST_F(TogetherBenches, WhatTakesTooLongMeetsTheStageAlone) {
 }
 
 TEST_F(TogetherBenches, AnotherGroupFollows) {
-  std::vector<Edit> coming(TogetherBench::most + 1, a_);
+  std::vector<Edit> coming(TogetherBench::most + TogetherBench::least, a_);
   for (std::size_t k = 0; k < coming.size(); ++k) coming[k].at = k;
   TogetherBench bench(alone_, together_, coming, [](const std::string&) {});
   together_.catches = {{"a", GateStage::quick}};
@@ -93,6 +93,13 @@ TEST_F(TogetherBenches, AnotherGroupFollows) {
     EXPECT_TRUE(bench.meet(GateStage::quick, seconds(1)).caught);
   }
   EXPECT_EQ(std::ranges::count(log_, "together quick none"), 2);
+}
+
+TEST_F(TogetherBenches, ASingleOneGoesAlone) {
+  TogetherBench bench(alone_, together_, {a_}, [](const std::string&) {});
+  EXPECT_TRUE(bench.build(&a_));
+  bench.meet(GateStage::quick, seconds(1));
+  EXPECT_THAT(log_, ElementsAre("alone builds a", "alone quick a"));
 }
 
 TEST_F(TogetherBenches, WhatCannotBeBuiltTogetherGoesAlone) {
