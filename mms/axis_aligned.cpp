@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cmath>
-#include <mutex>
+#include <limits>
 #include <numbers>
 #include <unordered_map>
 
@@ -67,7 +67,7 @@ Vec<D> AxisAligned<D>::b(const Vec<D>& X, double t) const {
 }
 
 /// On a lattice many points share a coordinate. Per axis, whatever depends on one coordinate is kept for each distinct
-/// one: sin and cos for good, the parts of b for the time last asked for; per point only its places in these tables.
+/// one: sin and cos for good, the parts of b for the time last prepared; per point only its places in these tables.
 template <int D>
 class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
  public:
@@ -91,13 +91,18 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
     }
   }
 
+  void prepare(double t) override {
+    if (parts_.t != t) set(parts_, t);
+  }
+
   void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
-    const auto parts = parts_at(t);
+    Parts own;
+    const Parts& parts = parts_.t == t ? parts_ : set(own, t);
     for (const auto id : ids) {
       const Part* at[D];
       double bracket = solution_.lambda_ + solution_.mu_;
       for (std::size_t d = 0; d < D; ++d) {
-        at[d] = &parts->of_axis[d][places_[id][d]];
+        at[d] = &parts.of_axis[d][places_[id][d]];
         bracket -= at[d]->lambda_log_F;
       }
       for (std::size_t d = 0; d < D; ++d) b->data()[d] = at[d]->constant + at[d]->factor * bracket;
@@ -117,36 +122,30 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
     double lambda_log_F;  ///< λ ln F_d
   };
   struct Parts {
-    double t;
+    double t = std::numeric_limits<double>::quiet_NaN();
     std::array<std::vector<Part>, D> of_axis;
   };
 
-  /// The parts of time t, made by the first call that asks for it.
-  std::shared_ptr<const Parts> parts_at(double t) const {
-    const std::lock_guard lock(mutex_);
-    if (!parts_ || parts_->t != t) parts_ = std::make_shared<const Parts>(make_parts(t));
-    return parts_;
-  }
-
-  Parts make_parts(double t) const {
+  const Parts& set(Parts& parts, double t) const {
     const AxisAligned& s = solution_;
     const Vec<D> A_T = s.A_ * s.T(t);
     const double k2 = s.k_pi_ * s.k_pi_;
-    Parts parts{t, {}};
-    for (std::size_t d = 0; d < D; ++d)
+    parts.t = t;
+    for (std::size_t d = 0; d < D; ++d) {
+      parts.of_axis[d].clear();
       for (const Wave& wave : waves_[d]) {
         const double u = A_T.data()[d] * wave.sin, F = 1 + s.k_pi_ * A_T.data()[d] * wave.cos;
         parts.of_axis[d].push_back({u * (k2 * s.mu_ - pi * pi * s.E_) / s.rho_, u * k2 / (F * F) / s.rho_,
                                     s.lambda_ == 0 ? 0 : s.lambda_ * std::log(F)});
       }
+    }
     return parts;
   }
 
   const AxisAligned solution_;
   std::array<std::vector<Wave>, D> waves_;
   std::vector<std::array<std::uint32_t, D>> places_;
-  mutable std::mutex mutex_;
-  mutable std::shared_ptr<const Parts> parts_;
+  Parts parts_;
 };
 
 template <int D>

@@ -20,6 +20,9 @@ template <int D>
 class PointwiseSolution {
  public:
   virtual ~PointwiseSolution() = default;
+
+  /// Computes what points share at time t, so that all calls for body forces at that time find it; none may run.
+  virtual void prepare(double) {}
   virtual void displacement(double t, std::span<const std::uint32_t> ids, Vec<D>* u) const = 0;
   virtual void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const = 0;
 };

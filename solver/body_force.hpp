@@ -13,6 +13,9 @@ class BodyForce {
  public:
   virtual ~BodyForce() = default;
 
+  /// Comes before the blocks of a sweep ask for time t.
+  virtual void prepare(double) {}
+
   /// b of the particles with these ids (order of creation) at time t.
   virtual void on_particles(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const = 0;
 

@@ -111,7 +111,7 @@ void ConsistentMass<D>::set_couplings(Mpm<D>& s) {
     const double m = s.grid().m(n);
     coverage_[n] = m < covered_mass_[n] ? most * m / covered_mass_[n] : most;
   }
-  std::fill(couplings_.begin(), couplings_.end(), Packed<D + 1>::Zero());
+  s.clear(couplings_);
   s.sweep(node_loop(MapScalarRoundTrip<D>{s.particles(), coverage_, couplings_}));
   s.fold(couplings_);
   round_trip_.prepare(s);
@@ -120,7 +120,7 @@ void ConsistentMass<D>::set_couplings(Mpm<D>& s) {
 template <int D>
 void ConsistentMass<D>::multiply(Mpm<D>& s, const Field& u, Field& q) {
   for (std::size_t n = 0; n < u.size(); ++n) covered_[n] = coverage_[n] * u[n];
-  std::fill(q.begin(), q.end(), Packed<D>::Zero());
+  s.clear(q);
   round_trip_.map(s, covered_, q);
   s.fold(q);
   for (std::size_t n = 0; n < u.size(); ++n)

@@ -21,11 +21,10 @@ class Grid {
       stride_[d] = static_cast<int>(count);
       count *= static_cast<std::size_t>(inside_[d] + 2 * ghost);
     }
-    p.resize(count);
-    f.resize(count);
+    p.resize(count, Packed<D + 1>::Zero());
+    f.resize(count, Packed<D>::Zero());
     v.resize(count, Packed<D>::Zero());
     a.resize(count, Packed<D>::Zero());
-    clear();
   }
 
   const Vec<D>& lower() const { return lower_; }
@@ -62,12 +61,6 @@ class Grid {
     for (int outer = (i + ghost_) * step; outer < total; outer += planes * step)
       for (int n = outer; n < outer + step; ++n) visit(n, n + offset);
   }
-
-  void clear() {
-    std::fill(f.begin(), f.end(), Packed<D>::Zero());
-    clear_momentum();
-  }
-  void clear_momentum() { std::fill(p.begin(), p.end(), Packed<D + 1>::Zero()); }
 
   double m(std::size_t n) const { return p[n][D]; }  ///< mass
 

@@ -54,7 +54,7 @@ class Mpm {
   Vec<D> node_position(std::size_t n) const;  ///< of the node at a storage index
   bool is_accelerated(std::size_t n) const { return grid_.m(n) > least_mass_; }
 
-  // For integrators. Sweeps are defined in solver/mpm_sweeps.hpp, `fold` in solver/mpm_grid.hpp.
+  // For integrators. Sweeps are defined in solver/mpm_sweeps.hpp, `clear` and `fold` in solver/mpm_grid.hpp.
   Particles<D>& particles() { return particles_; }
   Grid<D>& grid() { return grid_; }
   void set_time(double t) { time_ = t; }  ///< of the body force, for stages within a step
@@ -85,6 +85,11 @@ class Mpm {
   /// One sweep of `before` and then of stress and forces: f_i, and whatever else `map` scatters with it.
   template <class Before, class... Map>
   void sweep_with_forces(const Before& before, const Map&... map);
+
+  /// Sets a field to zero, before a scatter.
+  template <class V>
+  void clear(std::vector<V>& field);
+  void clear_grid();  ///< masses, momenta and forces
 
   /// Adds up what the boundaries identify, after a scatter.
   template <class V>

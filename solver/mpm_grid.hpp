@@ -20,6 +20,19 @@ void Mpm<D>::for_faces(const Visit& visit) {
 
 template <int D>
 template <class V>
+void Mpm<D>::clear(std::vector<V>& field) {
+  for_pieces(team_, field.size(),
+             [&field](std::size_t begin, std::size_t end) { std::fill(&field[begin], &field[0] + end, V::Zero()); });
+}
+
+template <int D>
+void Mpm<D>::clear_grid() {
+  clear(grid_.p);
+  clear(grid_.f);
+}
+
+template <int D>
+template <class V>
 void Mpm<D>::fold(std::vector<V>& field) {
   for_faces([&](const auto& boundary, Face face) { boundary.fold(grid_, face, field); });
 }

@@ -103,7 +103,7 @@ void Mpm<D>::add_walls() {
 
 template <int D>
 void Mpm<D>::sort() {
-  slabs_.sort(particles_, grid_);
+  slabs_.sort(particles_, grid_, team_);
   ++moves_;
   if (!scene_.surface_load) return;
   for (std::uint32_t p = 0; p < particles_.size(); ++p) place_[particles_.id[p]] = p;

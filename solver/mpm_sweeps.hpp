@@ -28,11 +28,13 @@ template <int D>
 template <class Before, class... Map>
 void Mpm<D>::sweep_with_forces(const Before& before, const Map&... map) {
   const EvaluateStress<D> stress{particles_, scene_.material, dt_};
-  if (scene_.body_force && scene_.body_force_on == BodyForceOn::particles)
+  if (scene_.body_force && scene_.body_force_on == BodyForceOn::particles) {
+    scene_.body_force->prepare(time_);
     sweep(before, stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
           node_loop(map..., MapForces<D>{particles_, grid_}));
-  else
+  } else {
     sweep(before, stress, node_loop(map..., MapInternalForce<D>{particles_, grid_}));
+  }
   if (scene_.surface_load) add_surface_load();
   fold(grid_.f);
 }
@@ -49,7 +51,7 @@ void Mpm<D>::add_surface_load() {
 
 template <int D>
 void Mpm<D>::map_acceleration() {
-  grid_.clear();
+  clear_grid();
   sweep_with_forces(node_loop(), MapMass<D>{particles_, grid_});
   fold_momentum();
   set_grid_acceleration();

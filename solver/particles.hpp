@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/material/thermal_state.hpp"
+#include "solver/team.hpp"
 #include "solver/types.hpp"
 
 namespace mpmvv::solver {
@@ -64,12 +65,13 @@ struct Particles {
   }
 
   /// Reorders every field that is in use: new k = old order[k].
-  void permute(const std::vector<std::uint32_t>& order) {
-    const auto reorder = [&order](auto& field) {
+  void permute(const std::vector<std::uint32_t>& order, Team& team) {
+    const auto reorder = [&](auto& field) {
       if (field.empty()) return;
-      std::remove_reference_t<decltype(field)> sorted;
-      sorted.reserve(field.size());
-      for (const std::uint32_t p : order) sorted.push_back(field[p]);
+      std::remove_reference_t<decltype(field)> sorted(field.size());
+      for_pieces(team, field.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) sorted[p] = field[order[p]];
+      });
       field.swap(sorted);
     };
     reorder(id), reorder(x), reorder(v), reorder(F), reorder(m), reorder(V0), reorder(l), reorder(l0), reorder(R),

@@ -39,7 +39,7 @@ struct Scene {
   AnyBasis basis;
   AnyMaterial material;
   std::array<AnyBoundary, 2 * D> boundary;
-  const BodyForce<D>* body_force = nullptr;  ///< none when null; must outlive the run
+  BodyForce<D>* body_force = nullptr;  ///< none when null; must outlive the run
   BodyForceOn body_force_on = BodyForceOn::particles;
   const SurfaceLoad<D>* surface_load = nullptr;  ///< none when null; must outlive the run
   bool difference_acceleration = false;          ///< wall acceleration by S (30) instead of zero

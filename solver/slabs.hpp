@@ -59,16 +59,18 @@ class Slabs {
   }
 
   /// Sorts the particles by bin (the last axis slowest, so by slab), keeping the order of those in one.
-  void sort(Particles<D>& particles, const Grid<D>& grid) {
+  void sort(Particles<D>& particles, const Grid<D>& grid, Team& team) {
     const std::size_t n = particles.size();
     std::vector<std::uint32_t> bin(n), order(n);
-    for (std::size_t p = 0; p < n; ++p) bin[p] = bin_of(particles.x[p], grid);
+    for_pieces(team, n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) bin[p] = bin_of(particles.x[p], grid);
+    });
     if (!std::is_sorted(bin.begin(), bin.end())) {
       std::vector<std::uint32_t> place(count_of_bins() + 1);  // where the next particle of each bin goes
       for (const std::uint32_t b : bin) ++place[b + 1];
       std::partial_sum(place.begin(), place.end(), place.begin());
       for (std::uint32_t p = 0; p < n; ++p) order[place[bin[p]]++] = p;
-      particles.permute(order);
+      particles.permute(order, team);
     }
     cut(bin, count_of_bins() / bounds_.back());
   }

@@ -1,13 +1,13 @@
 #pragma once
+#include <algorithm>
 #include <atomic>
-#include <barrier>
-#include <memory>
+#include <cstddef>
 #include <thread>
 #include <vector>
 
 namespace mpmvv::solver {
 
-/// A numbered task of any type, so that what runs it is compiled once. Valid as long as what it is made from.
+/// Any callable of a task's number, in one type, so that what runs it is compiled once. Valid as long as the callable.
 class Task {
  public:
   template <class Visit>
@@ -19,20 +19,48 @@ class Task {
   void (*call_)(const void* visit, int k);
 };
 
+/// Where so many threads wait for each other, again and again. They look for a while before they sleep: a phase of a
+/// step often takes less time than to be woken.
+class Meeting {
+ public:
+  explicit Meeting(int size) : size_(size) {}
+
+  /// Returns when all of them have come.
+  void arrive_and_wait() {
+    constexpr int looks = 200;
+    const unsigned meeting = met_.load(std::memory_order_relaxed);
+    if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
+      arrived_.store(0, std::memory_order_relaxed);
+      met_.store(meeting + 1, std::memory_order_release);
+      met_.notify_all();
+      return;
+    }
+    for (int k = 0; k < looks; ++k) {
+      if (met_.load(std::memory_order_acquire) != meeting) return;
+      std::this_thread::yield();
+    }
+    met_.wait(meeting, std::memory_order_acquire);
+  }
+
+ private:
+  int size_;
+  std::atomic<int> arrived_{0};
+  std::atomic<unsigned> met_{0};  ///< meetings so far
+};
+
 /// A fixed team of threads that takes numbered tasks, each the next one left. Which thread runs a task never decides a
 /// result: the tasks of one `run` are independent of each other.
 class Team {
  public:
-  explicit Team(int size) : size_(size) {
+  explicit Team(int size) : size_(size), meeting_(size) {
     if (size_ == 1) return;
-    sync_ = std::make_unique<std::barrier<>>(size_);
     for (int t = 1; t < size_; ++t) {
       threads_.emplace_back([this] {
         for (;;) {
-          sync_->arrive_and_wait();
+          meeting_.arrive_and_wait();
           if (task_ == nullptr) return;
           take();
-          sync_->arrive_and_wait();
+          meeting_.arrive_and_wait();
         }
       });
     }
@@ -41,7 +69,7 @@ class Team {
   ~Team() {
     if (size_ == 1) return;
     task_ = nullptr;
-    sync_->arrive_and_wait();
+    meeting_.arrive_and_wait();
   }
 
   Team(const Team&) = delete;
@@ -56,9 +84,9 @@ class Team {
     next_ = 0;
     count_ = count;
     task_ = &task;
-    sync_->arrive_and_wait();
+    meeting_.arrive_and_wait();
     take();
-    sync_->arrive_and_wait();
+    meeting_.arrive_and_wait();
   }
 
  private:
@@ -70,8 +98,18 @@ class Team {
   std::atomic<int> next_{0};
   int count_ = 0;
   const Task* task_ = nullptr;
-  std::unique_ptr<std::barrier<>> sync_;
+  Meeting meeting_;
   std::vector<std::jthread> threads_;
 };
+
+/// Calls visit(begin, end) for the pieces of [0, count).
+template <class Visit>
+void for_pieces(Team& team, std::size_t count, const Visit& visit) {
+  constexpr std::size_t piece = 16384;
+  team.run(static_cast<int>((count + piece - 1) / piece), [&](int task) {
+    const std::size_t begin = piece * static_cast<std::size_t>(task);
+    visit(begin, std::min(begin + piece, count));
+  });
+}
 
 }  // namespace mpmvv::solver

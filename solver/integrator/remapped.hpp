@@ -17,7 +17,7 @@ void update_with_remapped_velocity(Mpm<D>& s, double dt, double dt_stress) {
   auto& grid = s.grid();
 
   const VelocityFields<D> fields = s.velocity_fields(dt);
-  grid.clear_momentum();
+  s.clear(grid.p);
   s.sweep(node_loop(UpdateVelocityAndRate<D>{particles, grid, fields}), node_loop(MapMomentum<D>{particles, grid}));
   s.fold_momentum();
   s.set_stress_velocity();

@@ -61,7 +61,7 @@ void rk4(Mpm<D>& s, double dt) {
   particles.start_stages();
   for (const Stage& stage : stages) {
     s.set_time(t + stage.time * dt);
-    grid.clear();
+    s.clear_grid();
     s.sweep_with_forces(node_loop(), MapMomentum<D>{particles, grid});
     s.fold_momentum();
     s.set_grid_velocity();

@@ -11,7 +11,7 @@ void usavg_plus(Mpm<D>& s, double dt) {
   auto& particles = s.particles();
   auto& grid = s.grid();
 
-  grid.clear();
+  s.clear_grid();
   s.sweep(node_loop(MapMomentum<D>{particles, grid}));
   s.fold_momentum();
   s.update_stress_first(dt / 2, dt);

@@ -10,7 +10,7 @@ void usf(Mpm<D>& s, double dt) {
   auto& particles = s.particles();
   auto& grid = s.grid();
 
-  grid.clear();
+  s.clear_grid();
   s.sweep(node_loop(MapMomentum<D>{particles, grid}));
   s.fold_momentum();
   s.update_stress_first(dt, dt);

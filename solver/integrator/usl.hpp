@@ -11,7 +11,7 @@ void usl(Mpm<D>& s, double dt) {
   auto& particles = s.particles();
   auto& grid = s.grid();
 
-  grid.clear();
+  s.clear_grid();
   s.sweep_with_forces(node_loop(), MapMomentum<D>{particles, grid});
   s.fold_momentum();
   s.set_grid_velocity();

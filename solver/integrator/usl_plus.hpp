@@ -9,7 +9,7 @@ void usl_plus(Mpm<D>& s, double dt) {
   auto& particles = s.particles();
   auto& grid = s.grid();
 
-  grid.clear();
+  s.clear_grid();
   s.sweep_with_forces(node_loop(), MapMomentum<D>{particles, grid});
   s.fold_momentum();
   s.set_grid_velocity();

@@ -11,12 +11,12 @@ void uvf(Mpm<D>& s, double dt) {
   auto& particles = s.particles();
   auto& grid = s.grid();
 
-  grid.clear();
+  s.clear_grid();
   s.sweep_with_forces(node_loop(), MapMass<D>{particles, grid});
   s.fold_momentum();
   s.set_grid_acceleration();
 
-  grid.clear_momentum();
+  s.clear(grid.p);
   s.sweep(node_loop(UpdateVelocity<D>{particles, grid, dt}), node_loop(MapMomentum<D>{particles, grid}));
   s.fold_momentum();
   s.set_grid_velocity();

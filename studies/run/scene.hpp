@@ -14,9 +14,10 @@ namespace mpmvv {
 template <int D>
 class SolutionBodyForce final : public solver::BodyForce<D> {
  public:
-  SolutionBodyForce(const mms::ManufacturedSolution<D>& solution, const mms::PointwiseSolution<D>& points)
+  SolutionBodyForce(const mms::ManufacturedSolution<D>& solution, mms::PointwiseSolution<D>& points)
       : solution_(solution), points_(points) {}
 
+  void prepare(double t) override { points_.prepare(t); }
   void on_particles(double t, std::span<const std::uint32_t> ids, solver::Vec<D>* b) const override {
     points_.body_force(t, ids, b);
   }
@@ -26,7 +27,7 @@ class SolutionBodyForce final : public solver::BodyForce<D> {
 
  private:
   const mms::ManufacturedSolution<D>& solution_;
-  const mms::PointwiseSolution<D>& points_;
+  mms::PointwiseSolution<D>& points_;
 };
 
 /// The manufactured solution's traction on the body's surface as the solver takes it.

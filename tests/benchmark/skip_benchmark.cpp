@@ -64,6 +64,7 @@ class OnceForce final : public SolutionForce<D> {
  public:
   OnceForce(const mms::ManufacturedSolution<D>& solution, const std::vector<Vec<D>>& X)
       : points_(solution.at_points(X)) {}
+  void prepare(double t) override { points_->prepare(t); }
   void on_particles(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
     points_->body_force(t, ids, b);
   }
@@ -74,7 +75,7 @@ class OnceForce final : public SolutionForce<D> {
 
 template <int D, class Force>
 void body_force(benchmark::State& state, const mms::ManufacturedSolution<D>& solution, Scene<D> scene) {
-  const Force force(solution, scene.particles.x);
+  Force force(solution, scene.particles.x);
   scene.body_force = &force;
   measure_steps(state, scene, 0.1 * scene.h / block_wave_speed, steps_measured);
 }

@@ -63,7 +63,7 @@ void bar(benchmark::State& state, std::string_view basis, int cells) {
     particles.F[p] = solution.F(X[p], 0);
   }
   const auto points = solution.at_points(X);
-  const BarForce force(*points);
+  BarForce force(*points);
   scene.body_force = &force;
   scene.material = NeoHookeanLog{0, E / 2};
   scene.integrator = "cd";

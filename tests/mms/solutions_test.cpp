@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <thread>
 
 #include "tests/mms/differences.hpp"
@@ -121,6 +122,25 @@ TYPED_TEST(Solution, PointwiseEqualsDirect) {
       }
       EXPECT_EQ(u[count], Vec<D>::Constant(-7));
       EXPECT_EQ(b[count], Vec<D>::Constant(-7));
+    }
+  }
+}
+
+TYPED_TEST(Solution, PointwiseServesAnyTimeAlikeWhicheverIsPrepared) {
+  constexpr int D = TypeParam::dimension;
+  const TypeParam sample = samples<TypeParam>().front();
+  const auto closed = sample.closed();
+  const auto X = sample.points();
+  const auto points = closed.at_points(X), never_prepared = closed.at_points(X);
+  std::vector<std::uint32_t> ids(X.size());
+  std::iota(ids.begin(), ids.end(), 0U);
+  std::vector<Vec<D>> b(X.size()), expected(X.size());
+  for (const double prepared : {0.1, 0.4, 0.1}) {
+    points->prepare(prepared * sample.period());
+    for (const double phase : {0.1, 0.4}) {
+      points->body_force(phase * sample.period(), ids, b.data());
+      never_prepared->body_force(phase * sample.period(), ids, expected.data());
+      EXPECT_EQ(b, expected) << "at " << phase << " with " << prepared << " prepared";
     }
   }
 }

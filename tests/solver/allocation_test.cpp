@@ -41,7 +41,7 @@ class Gravity final : public BodyForce<D> {
 
 template <int D>
 void expect_no_allocation(Scene<D> scene) {
-  const Gravity<D> gravity;
+  Gravity<D> gravity;
   set_wave(scene, 0.1);
   scene.body_force = &gravity;
   for (scene.threads = 1; scene.threads <= 2; ++scene.threads) {

@@ -21,7 +21,8 @@ struct MovedBody {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> some(-1, 1);
     const auto any = [&] { return some(random); };
-    Slabs<D>(grid, B{}).sort(particles, grid);
+    Team alone(1);
+    Slabs<D>(grid, B{}).sort(particles, grid, alone);
     for (std::size_t p = 0; p < particles.size(); ++p) {
       particles.m[p] *= 1 + 0.5 * any();
       for (int d = 0; d < D; ++d) particles.x[p][d] = std::clamp(particles.x[p][d] + 0.4 * scene.h * any(), 0.0, 1.0);
@@ -239,7 +240,8 @@ void expect_sorted_by_nodes() {
   std::shuffle(scene.particles.x.begin(), scene.particles.x.end(), random);
   for (auto& x : scene.particles.x) x.array() += 0.01 * scene.h;  // off the places where nodes change
   const auto grid = grid_for<B, 2>(scene.lower, scene.h, scene.cells);
-  Slabs<2>(grid, B{}).sort(scene.particles, grid);
+  Team alone(1);
+  Slabs<2>(grid, B{}).sort(scene.particles, grid, alone);
   PointBlock<2, B::support, Evaluates::weights> block;
   int last = 0;
   for (block.begin = 0; block.begin < scene.particles.size(); ++block.begin) {

@@ -196,8 +196,8 @@ void expect_exact_gradient() {
   }
   auto particles = scene.particles;
   Slabs<D> slabs(grid, B{});
-  slabs.sort(particles, grid);
   Team team(1);
+  slabs.sort(particles, grid, team);
   const double dt = 0.01;
   sweep(Adds::nothing, B{}, particles, grid, slabs, team,
         node_loop(UpdatePositionAndDeformation<D>{particles, grid, dt, DeformationStep<D>{dt}}));

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "solver/map_surface_load.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
@@ -24,7 +26,8 @@ class GivenLoad final : public SurfaceLoad<2> {
   std::vector<Vec<2>> forces_;
 };
 
-/// The middle of the unit square, undeformed, with a load that grows in time on two of its particles.
+/// The middle of the unit square with a load that grows in time on two of its particles, which are turned: that gives
+/// no stress.
 template <class B>
 class SurfaceLoads : public ::testing::Test {
  protected:
@@ -37,12 +40,17 @@ class SurfaceLoads : public ::testing::Test {
     scene.particles = particles_at<2>(lattice<2>({0.25, 0.25}, 0.0625, {8, 8}), 0.0625 * 0.0625);
     std::swap(scene.particles.x.front(), scene.particles.x.back());  // so that sorting moves them
     set_widths(scene, 0.5);
+    scene.particles.F[0] = Eigen::Rotation2Dd(0.4).toRotationMatrix();
+    scene.particles.F[63] = Eigen::Rotation2Dd(-0.7).toRotationMatrix();
     load.add(0, {0.03125, 0.01}, {3, -1});
     load.add(63, {-0.03125, 0}, {0.5, 2});
     scene.surface_load = &load;
   }
 
-  Vec<2> place(int part) const { return scene.particles.x[part == 0 ? 0 : 63] + load.parts()[part].offset; }
+  Vec<2> place(int part) const {
+    const std::size_t p = load.parts()[part].particle;
+    return scene.particles.x[p] + scene.particles.F[p] * load.parts()[part].offset;
+  }
 
   Scene<2> scene;
   GivenLoad load;

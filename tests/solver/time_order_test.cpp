@@ -29,7 +29,7 @@ Particles<1> bar_at_end(std::string_view integrator, int steps, int cells = 8,
   scene.consistent_mass = consistent_mass;
   set_wave(scene, 3);
   const auto X = scene.particles.x;
-  const Swing force(X);
+  Swing force(X);
   scene.body_force = &force;
   scene.integrator = integrator;
   scene.half_start = is_staggered(integrator);
