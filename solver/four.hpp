@@ -27,6 +27,11 @@ struct Four {
   [[gnu::always_inline]] Four& operator*=(const Four& b) { return of *= b.of, *this; }
 };
 
+/// Whether all are true.
+[[gnu::always_inline]] inline bool all(const Truths& truths) {
+  return (truths[0] & truths[1] & truths[2] & truths[3]) != 0;
+}
+
 /// Whether one is true.
 inline bool any(const Truths& truths) {
   return (truths[0] | truths[1] | truths[2] | truths[3]) != 0;
@@ -41,11 +46,30 @@ inline bool any(const Truths& truths) {
   return Four(inside);
 }
 
-[[gnu::always_inline]] inline Four log(const Four& four) {
+/// ln x of four x in [1/2, 2]. With f = x - 1 and s = f/(2 + f) it is 2 artanh s = f - s (f - R), where R = 2 (artanh s
+/// - s)/s is s² times the polynomial in s² that is nearest to it on [0, 1/9], to 2^-59 of ln x.
+[[gnu::always_inline]] inline Quad log_near_one(const Quad& x) {
+  const Quad f = x - 1., s = f / (f + 2.), z = s * s, w = z * z;
+  const Quad even =
+      0.666666666666663038 +
+      w * (0.285714285478537461 + w * (0.181817439246665672 + w * (0.133009735248520771 + w * 0.0834009981938704841)));
+  const Quad odd =
+      0.40000000000157244 +
+      w * (0.222222239697390433 + w * (0.153865599281779019 + w * (0.121060866899222885 + w * 0.170185780516948776)));
+  return f - s * (f - z * (even + z * odd));
+}
+
+[[gnu::noinline]] inline Four log_of_any(const Four& four) {
   Four result;
   Eigen::Map<Eigen::Array4d>(reinterpret_cast<double*>(&result.of)) =
       Eigen::Map<const Eigen::Array4d>(reinterpret_cast<const double*>(&four.of)).log();
   return result;
+}
+
+/// Most often of determinants of F that are near one.
+[[gnu::always_inline]] inline Four log(const Four& four) {
+  if (all((four.of >= 0.5) & (four.of <= 2.))) return Four(log_near_one(four.of));
+  return log_of_any(four);
 }
 
 template <int D>

@@ -83,8 +83,7 @@ struct CheckDeformation {
     for_fours(block, [&](const Company<D>& company, int) {
       positive &= Truths(company.of(particles.F).determinant().of > Quad{});
     });
-    const bool all_positive = positive[0] && positive[1] && positive[2] && positive[3];
-    return all_positive ? Fault::none : Fault::inverted;
+    return all(positive) ? Fault::none : Fault::inverted;
   }
 };
 

@@ -12,7 +12,8 @@ namespace mpmvv::solver::team_test {
 
 class TeamOf : public ::testing::TestWithParam<int> {
  protected:
-  Team team{GetParam()};
+  const int threads = GetParam();
+  Team team{threads};
 };
 
 INSTANTIATE_TEST_SUITE_P(Threads, TeamOf, ::testing::Values(1, 2, 3, 5));
