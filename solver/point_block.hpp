@@ -9,6 +9,7 @@
 #include "solver/fault.hpp"
 #include "solver/grid.hpp"
 #include "solver/particles.hpp"
+#include "solver/runs.hpp"
 #include "solver/stencil.hpp"
 
 namespace mpmvv::solver {
@@ -112,38 +113,6 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
   }
   pad(block);
   return found;
-}
-
-/// Whether visits by companies pay: measured, one costs about as much as five thirds of a visit to a particle by
-/// itself, and so does bringing the sums of a run to its nodes.
-constexpr bool pays(int runs, int companies, int count) {
-  return 5 * (companies + runs) <= 3 * count;
-}
-
-/// Lists the runs of particles that reach the same nodes, and counts their companies.
-template <int D, int K, Evaluates evaluates>
-int list_runs(PointBlock<D, K, evaluates>& block) {
-  int companies = 0;
-  block.runs = block.run[0] = 0;
-  for (int begin = 0; begin < block.count;) {
-    int end = begin + 1;
-    while (end < block.count && block.first[end] == block.first[begin]) ++end;
-    companies += (end - begin + 3) / 4;
-    block.run[++block.runs] = begin = end;
-  }
-  return companies;
-}
-
-/// Decides whether the particles go in companies, and lists their runs then. The last run of a full block, where it is
-/// shorter than the one before, is left to the next block, where it may go on.
-template <int D, int K, Evaluates evaluates>
-void form_companies(PointBlock<D, K, evaluates>& block) {
-  int runs = 1;
-  for (int k = 1; k < block.count; ++k) runs += block.first[k] != block.first[k - 1] ? 1 : 0;
-  block.in_companies = pays(runs, runs, block.count) && pays(runs, list_runs(block), block.count);
-  if (!block.in_companies || runs == 1 || block.count < block.most) return;
-  const int* const last = block.run + runs - 1;
-  if (last[1] - last[0] < last[0] - last[-1]) block.count = block.run[--block.runs];
 }
 
 /// Evaluates the stencils of a block and forms its companies.

@@ -42,8 +42,7 @@ template <int n, class Visit>
 /// The nodes that a run of particles shares, K along each axis, with the weights of each particle. Lanes are particles:
 /// what is gathered is theirs, four at a time, and what a run adds to a node is summed over all of it first.
 ///
-/// Its loops go line by line of nodes along the first axis. They are functions of their own, each with what fits into
-/// the processor's registers.
+/// Its loops go line by line of nodes along the first axis, with what fits into the processor's registers.
 template <int D, int K, Evaluates evaluates>
 class SharedNodes {
  public:
@@ -54,18 +53,17 @@ class SharedNodes {
   }
 
   /// Σ_i N_ip φ_i
-  [[gnu::noinline, gnu::flatten]] FourVec<D> gather(const std::vector<Packed<D>>& field) const {
+  [[gnu::always_inline]] FourVec<D> gather(const std::vector<Packed<D>>& field) const {
     FourVec<D> sum;
     for_constants<D>([&](auto c) { sum[c.value] = Four(value<D - 1, lanes<D>>(field[first_].data() + c)); });
     return sum;
   }
-  [[gnu::noinline, gnu::flatten]] Four gather(const std::vector<double>& field) const {
+  [[gnu::always_inline]] Four gather(const std::vector<double>& field) const {
     return Four(value<D - 1, 1>(&field[first_]));
   }
 
   /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
-  [[gnu::noinline, gnu::flatten]] FourValuesAndGradients<D> gather_with_gradient(
-      const std::vector<Packed<D>>& field) const {
+  [[gnu::always_inline]] FourValuesAndGradients<D> gather_with_gradient(const std::vector<Packed<D>>& field) const {
     FourValuesAndGradients<D> sum;
     for_constants<D>([&](auto c) {
       const auto of_component = value_and_gradient<D - 1>(field[first_].data() + c);
@@ -77,7 +75,7 @@ class SharedNodes {
 
   /// φ_i += Σ_p N_ip value_p of a run of so many fours
   template <int C, class V>
-  [[gnu::noinline, gnu::flatten]] void scatter(const FourVec<C>* source, int fours, std::vector<V>& field) const {
+  [[gnu::always_inline]] void scatter(const FourVec<C>* source, int fours, std::vector<V>& field) const {
     for_lines([&](const Line& line) {
       std::array<Quad, K * C> sum{};
       for (int at = 0; at < 4 * fours; at += 4) {
@@ -95,7 +93,7 @@ class SharedNodes {
   /// φ_i += Σ_p gradient_p ∇N_ip, and with a value Σ_p N_ip value_p, likewise
   template <class Source>
   requires requires(Source source) { source.gradient; }
-  [[gnu::noinline, gnu::flatten]] void scatter(const Source* source, int fours, std::vector<Packed<D>>& field) const {
+  [[gnu::always_inline]] void scatter(const Source* source, int fours, std::vector<Packed<D>>& field) const {
     for_lines([&](const Line& line) {
       std::array<Quad, K * D> sum{};
       for (int at = 0; at < 4 * fours; at += 4) {

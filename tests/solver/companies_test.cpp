@@ -93,7 +93,7 @@ PointBlock<1, BSpline3::support> block_in(const std::vector<int>& cells) {
 
 TEST(Runs, AreOfNeighboursWithTheSameNodes) {
   auto block = block_in({3, 3, 3, 3, 3, 4, 3, 3, 7});
-  EXPECT_EQ(list_runs(block), 2 + 1 + 1 + 1);
+  EXPECT_EQ(list_runs(block, find_run_ends(block)), 2 + 1 + 1 + 1);
   ASSERT_EQ(block.runs, 4);
   EXPECT_EQ(std::vector<int>(block.run, block.run + 5), (std::vector{0, 5, 6, 8, 9}));
 }

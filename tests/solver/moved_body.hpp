@@ -42,8 +42,8 @@ struct MovedBody {
     for (block.begin = 0; block.begin < particles.size(); block.begin += block.most) {
       block.count = static_cast<int>(std::min<std::size_t>(block.most, particles.size() - block.begin));
       ASSERT_EQ(evaluate_stencils(B{}, particles, grid, block), Fault::none);
-      if constexpr (requires { list_runs(block); }) {
-        list_runs(block);
+      if constexpr (requires { block.runs; }) {
+        list_runs(block, find_run_ends(block));
         block.in_companies = in_companies;
       } else {
         block.in_companies = false;
