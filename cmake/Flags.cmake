@@ -20,6 +20,8 @@ endif()
 add_library(mpmvv_flags INTERFACE)
 target_include_directories(mpmvv_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_features(mpmvv_flags INTERFACE cxx_std_20)
+# Matrices of `Four` numbers are as aligned as these, where vector registers are shorter, too.
+target_compile_definitions(mpmvv_flags INTERFACE EIGEN_MAX_STATIC_ALIGN_BYTES=32)
 # NaN and infinity keep their meaning: neither of these two flags assumes that they do not occur.
 target_compile_options(mpmvv_flags INTERFACE
   ${mpmvv_arch_flag} -ffp-contract=fast -fno-math-errno -fno-trapping-math

@@ -98,6 +98,23 @@ TEST(Runs, AreOfNeighboursWithTheSameNodes) {
   EXPECT_EQ(std::vector<int>(block.run, block.run + 5), (std::vector{0, 5, 6, 8, 9}));
 }
 
+TEST(Runs, AreFoundInBlocksOfEverySize) {
+  std::mt19937 random(8);
+  for (int count = 1; count <= block_size<1>; ++count) {
+    std::vector<int> cells(static_cast<std::size_t>(count));
+    for (std::size_t p = 0; p < cells.size(); ++p)
+      cells[p] = p > 0 && random() % 3 > 0 ? cells[p - 1] : static_cast<int>(2 + random() % 6);
+    auto block = block_in(cells);
+    block.count = count;
+    std::vector<int> expected{0};
+    for (int k = 1; k < count; ++k)
+      if (block.first[k] != block.first[k - 1]) expected.push_back(k);
+    expected.push_back(count);
+    list_runs(block, find_run_ends(block));
+    EXPECT_EQ(std::vector<int>(block.run, block.run + block.runs + 1), expected) << count;
+  }
+}
+
 /// So many in the first cell, then so many in the next.
 PointBlock<1, BSpline3::support> block_of(int first, int second) {
   std::vector<int> cells(static_cast<std::size_t>(first + second), 1);

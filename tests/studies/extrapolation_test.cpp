@@ -46,6 +46,19 @@ TEST(Extrapolation, HighAndLowOrdersAreNotTrusted) {
   EXPECT_GT(low.uncertainty, 1.25 * std::abs(low.finest - low.limit)) << "three times, not one and a quarter";
 }
 
+/// With p above 2 the model is φ0 + α h², here fitted by hand with weights 1/h, where the misfit is the lesser.
+TEST(Extrapolation, WeighsGridsByOneOverTheirWidth) {
+  const auto samples = sampled(doubled, [](double h) { return h * h * h; });
+  double sum = 0, x_mean = 0, y_mean = 0, xx = 0, xy = 0;
+  for (const ErrorSample& s : samples) sum += 1 / s.h, x_mean += s.h, y_mean += s.e / s.h;
+  x_mean /= sum, y_mean /= sum;
+  for (const ErrorSample& s : samples) {
+    xx += std::pow(s.h * s.h - x_mean, 2) / s.h;
+    xy += (s.h * s.h - x_mean) * (s.e - y_mean) / s.h;
+  }
+  EXPECT_NEAR(extrapolate(samples, 8, 64).limit, y_mean - xy / xx * x_mean, 1e-14);
+}
+
 TEST(Extrapolation, ScatterWidensTheUncertainty) {
   int k = 0;
   const auto noisy = sampled(many, [&](double h) { return 1 + h + (++k % 2 ? 0.05 : -0.05); });
