@@ -1,5 +1,4 @@
 #include <tuple>
-#include <type_traits>
 
 #include "solver/consistent_mass.hpp"
 #include "solver/integrator/rk4.hpp"
@@ -10,10 +9,10 @@
 /// The operations that take part in fewer schemes than those of companies_test.cpp, with one basis.
 namespace mpmvv::solver::company_operations_test {
 
-template <class Dimension>
+template <class OfSpace>
 class CompanyOperations : public ::testing::Test {
  protected:
-  using Body = MovedBody<Dimension::value, BSpline2>;
+  using Body = MovedBody<OfSpace::value, BSpline2>;
 
   Body together, alone;
 
@@ -24,16 +23,14 @@ class CompanyOperations : public ::testing::Test {
   }
 
   void expect_same_motion() const {
-    constexpr int D = Dimension::value;
+    constexpr int D = OfSpace::value;
     expect_near<D>(together.particles.x, alone.particles.x, "position");
     expect_near<D>(together.particles.v, alone.particles.v, "velocity");
     expect_near<D>(together.particles.F, alone.particles.F, "deformation");
   }
 };
 
-using Dimensions =
-    ::testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(CompanyOperations, Dimensions);
+TYPED_TEST_SUITE(CompanyOperations, TestedDimensions);
 
 TYPED_TEST(CompanyOperations, MapMassAlone) {
   constexpr int D = TypeParam::value;
