@@ -56,12 +56,16 @@ void expect_round_trips_as_each_alone() {
 
 template <class B, int D>
 void expect_all_as_each_alone() {
-  expect_to_map_as_each_alone<B, D>(NeoHookeanLog{3000, 4000});
-  expect_to_map_as_each_alone<B, D>(MieGruneisen{.bulk_modulus = 1e4, .gamma = 1});
-  expect_forces_with_a_body_force_as_each_alone<B, D>();
-  expect_to_move_as_each_alone<B, D>(Deformation::linear);
-  expect_to_move_as_each_alone<B, D>(Deformation::exponential);
-  expect_round_trips_as_each_alone<B, D>();
+  if constexpr (B::width == ParticleWidth::domain) {
+    GTEST_SKIP() << "particles with domains do not go in companies";
+  } else {
+    expect_to_map_as_each_alone<B, D>(NeoHookeanLog{3000, 4000});
+    expect_to_map_as_each_alone<B, D>(MieGruneisen{.bulk_modulus = 1e4, .gamma = 1});
+    expect_forces_with_a_body_force_as_each_alone<B, D>();
+    expect_to_move_as_each_alone<B, D>(Deformation::linear);
+    expect_to_move_as_each_alone<B, D>(Deformation::exponential);
+    expect_round_trips_as_each_alone<B, D>();
+  }
 }
 
 template <class B>

@@ -38,16 +38,12 @@ struct MovedBody {
   template <class Stage, class... Ops>
   void visit(bool in_companies, const Stage& stage, const Ops&... ops) {
     constexpr bool gradients = (uses_gradients<Ops> || ...);
-    BlockFor<D, B, gradients ? Evaluates::weights_and_gradients : Evaluates::weights> block;
+    PointBlock<D, B::support, gradients ? Evaluates::weights_and_gradients : Evaluates::weights> block;
     for (block.begin = 0; block.begin < particles.size(); block.begin += block.most) {
       block.count = static_cast<int>(std::min<std::size_t>(block.most, particles.size() - block.begin));
       ASSERT_EQ(evaluate_stencils(B{}, particles, grid, block), Fault::none);
-      if constexpr (requires { block.runs; }) {
-        list_runs(block, find_run_ends(block));
-        block.in_companies = in_companies;
-      } else {
-        block.in_companies = false;
-      }
+      list_runs(block, find_run_ends(block));
+      block.in_companies = in_companies;
       for (auto& row : block.tau.entry)
         for (auto& entries : row) std::fill(std::begin(entries), std::end(entries), std::nan(""));
       stage(block, grid);

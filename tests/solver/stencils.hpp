@@ -3,6 +3,7 @@
 
 #include <map>
 #include <random>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
