@@ -53,9 +53,10 @@ void TogetherBench::build_group(std::size_t first) {
 bool TogetherBench::is_sound(GateStage stage, std::chrono::seconds limit) {
   if (sound_.contains(stage)) return true;
   together_.choose(nullptr);
-  const Trial none = together_.meet(stage, limit);
-  if (!none.caught) return sound_.insert(stage).second;
-  tell_(fmt::format("with none of them chosen {} complains of {}: each goes alone", to_string(stage), none.by.front()));
+  const Trial unedited = together_.meet(stage, limit);
+  if (!unedited.caught) return sound_.insert(stage).second;
+  tell_(fmt::format("with none of them chosen {} complains of {}: each goes alone", to_string(stage),
+                    unedited.by.front()));
   group_.clear();
   return false;
 }
