@@ -21,7 +21,8 @@ class PointwiseSolution {
  public:
   virtual ~PointwiseSolution() = default;
 
-  /// Computes what points share at time t, so that all calls for body forces at that time find it; none may run.
+  /// Computes what points share at time t for the calls for body forces at that time, none of which may run meanwhile;
+  /// other times are served, too, in more time.
   virtual void prepare(double) {}
   virtual void displacement(double t, std::span<const std::uint32_t> ids, Vec<D>* u) const = 0;
   virtual void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const = 0;

@@ -13,15 +13,14 @@ namespace mpmvv::solver {
 /// threads where there are many.
 class ActiveNodes {
  public:
-  explicit ActiveNodes(std::size_t nodes) : nodes_(nodes), runs_((nodes + chunk - 1) / chunk) {
-    for (auto& runs : runs_) runs.reserve(std::min(nodes, chunk) / 2 + 1);
+  explicit ActiveNodes(std::size_t nodes) : nodes_(nodes), runs_(count_pieces(nodes)) {
+    for (auto& runs : runs_) runs.reserve(std::min(nodes, piece) / 2 + 1);
   }
 
   template <class HasMass>
   void find(Team& team, const HasMass& has_mass) {
-    team.run(static_cast<int>(runs_.size()), [&](int task) {
-      const std::size_t begin = chunk * static_cast<std::size_t>(task), end = std::min(begin + chunk, nodes_);
-      auto& runs = runs_[static_cast<std::size_t>(task)];
+    for_pieces(team, nodes_, [&](std::size_t begin, std::size_t end) {
+      auto& runs = runs_[begin / piece];
       runs.clear();
       for (std::size_t n = begin; n < end; ++n) {
         if (!has_mass(n)) continue;
@@ -42,9 +41,8 @@ class ActiveNodes {
   }
 
  private:
-  static constexpr std::size_t chunk = 16384;
   std::size_t nodes_;
-  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> runs_;  ///< of each chunk: the first, past the last
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> runs_;  ///< of each piece: the first, past the last
 };
 
 }  // namespace mpmvv::solver

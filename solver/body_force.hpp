@@ -13,7 +13,7 @@ class BodyForce {
  public:
   virtual ~BodyForce() = default;
 
-  /// Comes before the blocks of a sweep ask for time t.
+  /// Called before the blocks of a sweep ask for time t, by one thread.
   virtual void prepare(double) {}
 
   /// b of the particles with these ids (order of creation) at time t.

@@ -5,6 +5,8 @@
 #include <thread>
 #include <vector>
 
+#include "solver/meeting.hpp"
+
 namespace mpmvv::solver {
 
 /// Any callable of a task's number, in one type, so that what runs it is compiled once. Valid as long as the callable.
@@ -17,35 +19,6 @@ class Task {
  private:
   const void* visit_;
   void (*call_)(const void* visit, int k);
-};
-
-/// Where so many threads wait for each other, again and again. They look for a while before they sleep: a phase of a
-/// step often takes less time than to be woken.
-class Meeting {
- public:
-  explicit Meeting(int size) : size_(size) {}
-
-  /// Returns when all of them have come.
-  void arrive_and_wait() {
-    constexpr int looks = 200;
-    const unsigned meeting = met_.load(std::memory_order_relaxed);
-    if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
-      arrived_.store(0, std::memory_order_relaxed);
-      met_.store(meeting + 1, std::memory_order_release);
-      met_.notify_all();
-      return;
-    }
-    for (int k = 0; k < looks; ++k) {
-      if (met_.load(std::memory_order_acquire) != meeting) return;
-      std::this_thread::yield();
-    }
-    met_.wait(meeting, std::memory_order_acquire);
-  }
-
- private:
-  int size_;
-  std::atomic<int> arrived_{0};
-  std::atomic<unsigned> met_{0};  ///< meetings so far
 };
 
 /// A fixed team of threads that takes numbered tasks, each the next one left. Which thread runs a task never decides a
@@ -102,11 +75,16 @@ class Team {
   std::vector<std::jthread> threads_;
 };
 
-/// Calls visit(begin, end) for the pieces of [0, count).
+inline constexpr std::size_t piece = 16384;  ///< of a range that a team shares
+
+constexpr std::size_t count_pieces(std::size_t count) {
+  return (count + piece - 1) / piece;
+}
+
+/// Calls visit(begin, end) for the pieces of [0, count); the k-th begins at k times `piece`.
 template <class Visit>
 void for_pieces(Team& team, std::size_t count, const Visit& visit) {
-  constexpr std::size_t piece = 16384;
-  team.run(static_cast<int>((count + piece - 1) / piece), [&](int task) {
+  team.run(static_cast<int>(count_pieces(count)), [&](int task) {
     const std::size_t begin = piece * static_cast<std::size_t>(task);
     visit(begin, std::min(begin + piece, count));
   });
