@@ -2,7 +2,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <type_traits>
 #include <vector>
 
 #include "solver/material/thermal_state.hpp"
@@ -66,18 +65,34 @@ struct Particles {
 
   /// Reorders every field that is in use: new k = old order[k].
   void permute(const std::vector<std::uint32_t>& order, Team& team) {
-    const auto reorder = [&](auto& field) {
-      if (field.empty()) return;
-      std::remove_reference_t<decltype(field)> sorted(field.size());
-      for_pieces(team, field.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = begin; p < end; ++p) sorted[p] = field[order[p]];
-      });
-      field.swap(sorted);
-    };
-    reorder(id), reorder(x), reorder(v), reorder(F), reorder(m), reorder(V0), reorder(l), reorder(l0), reorder(R),
-        reorder(R0), reorder(C), reorder(thermal);
-    for (Motion<D>* motion : {&stages.start, &stages.sum}) reorder(motion->x), reorder(motion->v), reorder(motion->F);
+    const auto reorder = [&](auto& sorted, auto&... fields) { (permute(fields, order, team, sorted), ...); };
+    auto& [start, sum] = stages;
+    reorder(spare_.ids, id);
+    reorder(spare_.numbers, m, V0);
+    reorder(spare_.vectors, x, v, l, l0, start.x, start.v, sum.x, sum.v);
+    reorder(spare_.matrices, F, R, R0, C, start.F, sum.F);
+    reorder(spare_.states, thermal);
   }
+
+ private:
+  template <class T>
+  static void permute(std::vector<T>& field, const std::vector<std::uint32_t>& order, Team& team,
+                      std::vector<T>& sorted) {
+    if (field.empty()) return;
+    sorted.resize(field.size());
+    for_pieces(team, field.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) sorted[p] = field[order[p]];
+    });
+    field.swap(sorted);
+  }
+
+  struct {
+    std::vector<std::uint32_t> ids;
+    std::vector<double> numbers;
+    std::vector<Vec<D>> vectors;
+    std::vector<Mat<D>> matrices;
+    std::vector<ThermalState> states;
+  } spare_;  ///< what fields are sorted into, kept: new memory takes the system longer than the sort
 };
 
 }  // namespace mpmvv::solver

@@ -61,18 +61,19 @@ class Slabs {
   /// Sorts the particles by bin (the last axis slowest, so by slab), keeping the order of those in one.
   void sort(Particles<D>& particles, const Grid<D>& grid, Team& team) {
     const std::size_t n = particles.size();
-    std::vector<std::uint32_t> bin(n), order(n);
+    bin_.resize(n);
     for_pieces(team, n, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t p = begin; p < end; ++p) bin[p] = bin_of(particles.x[p], grid);
+      for (std::size_t p = begin; p < end; ++p) bin_[p] = bin_of(particles.x[p], grid);
     });
-    if (!std::is_sorted(bin.begin(), bin.end())) {
-      std::vector<std::uint32_t> place(count_of_bins() + 1);  // where the next particle of each bin goes
-      for (const std::uint32_t b : bin) ++place[b + 1];
-      std::partial_sum(place.begin(), place.end(), place.begin());
-      for (std::uint32_t p = 0; p < n; ++p) order[place[bin[p]]++] = p;
-      particles.permute(order, team);
+    if (!std::is_sorted(bin_.begin(), bin_.end())) {
+      place_.assign(count_of_bins() + 1, 0);
+      for (const std::uint32_t b : bin_) ++place_[b + 1];
+      std::partial_sum(place_.begin(), place_.end(), place_.begin());
+      order_.resize(n);
+      for (std::uint32_t p = 0; p < n; ++p) order_[place_[bin_[p]]++] = p;
+      particles.permute(order_, team);
     }
-    cut(bin, count_of_bins() / bounds_.back());
+    cut(count_of_bins() / bounds_.back());
   }
 
  private:
@@ -82,22 +83,22 @@ class Slabs {
     return bins;
   }
 
-  /// Sets the bounds where the particles of these bins, so many to a layer, are divided most evenly.
-  void cut(const std::vector<std::uint32_t>& bin, std::size_t layer) {
+  /// Sets the bounds where the particles are divided most evenly, with so many bins to a layer.
+  void cut(std::size_t layer) {
     std::vector<std::size_t> before(bounds_.back() + 1);  // particles in the layers before each
-    for (const std::uint32_t b : bin) ++before[b / layer + 1];
+    for (const std::uint32_t b : bin_) ++before[b / layer + 1];
     std::partial_sum(before.begin(), before.end(), before.begin());
     for (std::size_t s = 1; s < count_; ++s) {
       const std::size_t lowest = bounds_[s - 1] + least_thickness_;
       const std::size_t highest = bounds_.back() - (count_ - s) * least_thickness_;
-      const std::size_t target = s * bin.size() / count_;
+      const std::size_t target = s * bin_.size() / count_;
       std::size_t z = lowest;
       while (z < highest && before[z + 1] <= target) ++z;
       if (z < highest && target > before[z] && before[z + 1] - target < target - before[z]) ++z;
       bounds_[s] = z;
       first_[s] = before[z];
     }
-    first_.back() = bin.size();
+    first_.back() = bin_.size();
   }
 
   /// Bins are cells, or where the nodes that a particle reaches change half-way between nodes, what lies between there.
@@ -116,6 +117,10 @@ class Slabs {
   Index<D> bins_;                    ///< along each axis
   std::vector<std::size_t> bounds_;  ///< layer of bins where each slab begins, and the end
   std::vector<std::size_t> first_;   ///< first particle of each slab, and the end
+
+  std::vector<std::uint32_t> bin_;    ///< of each particle, before the last sort
+  std::vector<std::uint32_t> place_;  ///< where the next particle of each bin goes
+  std::vector<std::uint32_t> order_;  ///< of the particles, old ones in their new places
 };
 
 /// Visits all slabs. Where that adds to nodes, those of one colour, which share none, run at once: the order of
