@@ -34,7 +34,7 @@ double doubles_per_domain(const Scheme& scheme, int D) {
 }
 
 /// Doubles of each particle: positions (with the reference ones), velocities, F, widths or edges, mass, volume,
-/// identity, and what the scheme and the material keep beside.
+/// identity, spatial parts of the body force, and what the scheme and the material keep beside.
 double doubles_per_particle(const Scheme& scheme, int D) {
   const bool has_domain = width_of(named<solver::AnyBasis>(scheme.basis)) == solver::ParticleWidth::domain;
   const double widths = has_domain ? 2 * D * D : 2 * D;
@@ -59,7 +59,7 @@ double memory_estimate(const Case& c) {
   const auto [cells_of_body, cells_of_domain] = extent(c);
   const int beside = 1 + 2 * ghosts_of(named<solver::AnyBasis>(c.scheme.basis));
   const double nodes = std::pow(std::pow(cells_of_domain, 1.0 / D) + beside, D);
-  constexpr double sorting = 64;  // bytes: a field twice
+  const double sorting = 8 * (1 + D + D * D) + 12;  // bytes: a number, a vector, a matrix, three indices
   return (8 * doubles_per_particle(c.scheme, D) + sorting) * cells_of_body * std::pow(c.resolution.ppc, D) +
          8 * doubles_per_node(c.scheme, D) * nodes;
 }
