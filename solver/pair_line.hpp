@@ -1,6 +1,6 @@
 #pragma once
 #include <array>
-#include <cstring>
+#include <cstddef>
 
 #include "solver/quad.hpp"
 #include "solver/types.hpp"
@@ -55,12 +55,12 @@ class PairLine {
   [[gnu::always_inline]] explicit PairLine(const Packed<2>* nodes) { load(nodes); }
 
   [[gnu::always_inline]] void load(const Packed<2>* nodes) {
-    std::memcpy(quads_.data(), nodes->data(), sizeof quads_);
-    if constexpr (is_odd) std::memcpy(&last_, nodes[K - 1].data(), sizeof last_);
+    for (std::size_t k = 0; k < quads_.size(); ++k) quads_[k] = load_quad(nodes[2 * k].data());
+    if constexpr (is_odd) last_ = load_pair(nodes[K - 1].data());
   }
   [[gnu::always_inline]] void store(Packed<2>* nodes) const {
-    std::memcpy(nodes->data(), quads_.data(), sizeof quads_);
-    if constexpr (is_odd) std::memcpy(nodes[K - 1].data(), &last_, sizeof last_);
+    for (std::size_t k = 0; k < quads_.size(); ++k) store_quad(quads_[k], nodes[2 * k].data());
+    if constexpr (is_odd) store_pair(last_, nodes[K - 1].data());
   }
 
   std::array<Quad, K / 2> quads_;
