@@ -20,7 +20,7 @@ template <int D>
 template <class... Ops>
 void Mpm<D>::sweep_and_settle(const Ops&... ops) {
   sweep<Adds::nothing>(node_loop(ops...), CheckDeformation<D>{particles_}, UpdateWidth<D>{particles_},
-                       WrapPosition<D>{particles_, periodic_}, WatchSlab<D>{particles_, slabs_, must_sort_});
+                       SettlePosition<D>{particles_, periodic_, slabs_, must_sort_});
   ++moves_;
 }
 

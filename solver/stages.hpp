@@ -97,40 +97,38 @@ struct UpdateWidth {
   }
 };
 
-/// Brings particles that left through a periodic face back in on the other side.
+/// Brings particles that left through a periodic face back in on the other side, and notes whether one has strayed so
+/// far from its slab that the particles must be sorted. A position that is NaN is a fault of the next sweep.
 template <int D>
-struct WrapPosition {
+struct SettlePosition {
   Particles<D>& particles;
   const std::array<bool, D>& periodic;
+  const Slabs<D>& slabs;
+  std::atomic<bool>& must_sort;
 
   void operator()(Block<D>& block, const Grid<D>& grid) const {
-    if (std::none_of(periodic.begin(), periodic.end(), std::identity{})) return;
-    const Extent<D> extent(block, particles.x);
+    const bool may_wrap = std::any_of(periodic.begin(), periodic.end(), std::identity{});
+    if (!may_wrap && slabs.count() == 1) return;
+    Extent<D> extent(block, particles.x);
+    if (may_wrap && wrap(block, grid, extent)) extent = Extent<D>(block, particles.x);
+    const auto [least, most] = slabs.reach(block.slab, grid);
+    if (extent.least[D - 1] < least || extent.most[D - 1] > most) must_sort = true;
+  }
+
+ private:
+  /// Whether one had left.
+  bool wrap(const Block<D>& block, const Grid<D>& grid, const Extent<D>& extent) const {
+    bool some = false;
     for (int d = 0; d < D; ++d) {
-      if (!periodic[static_cast<std::size_t>(d)]) continue;
       const double lower = grid.lower()[d], period = grid.h() * grid.cells()[d], upper = lower + period;
-      if (extent.least[d] >= lower && extent.most[d] < upper) continue;
+      if (!periodic[static_cast<std::size_t>(d)] || (extent.least[d] >= lower && extent.most[d] < upper)) continue;
+      some = true;
       for (std::size_t p = block.begin; p < block.begin + static_cast<std::size_t>(block.count); ++p) {
         double& x = particles.x[p][d];
         x = x < lower ? x + period : x >= upper ? x - period : x;
       }
     }
-  }
-};
-
-/// Notes whether a particle has strayed so far from its slab that the particles must be sorted. A position that is NaN
-/// is a fault of the next sweep.
-template <int D>
-struct WatchSlab {
-  const Particles<D>& particles;
-  const Slabs<D>& slabs;
-  std::atomic<bool>& must_sort;
-
-  void operator()(Block<D>& block, const Grid<D>& grid) const {
-    if (slabs.count() == 1) return;
-    const Extent<D> extent(block, particles.x);
-    const auto [least, most] = slabs.reach(block.slab, grid);
-    if (extent.least[D - 1] < least || extent.most[D - 1] > most) must_sort = true;
+    return some;
   }
 };
 
