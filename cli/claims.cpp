@@ -12,7 +12,7 @@ namespace {
 
 int claims(const std::string& db, bool json) {
   const auto mutants = own_mutants(Store(db, Store::Mode::read), "goldens");
-  const auto judged = judge_claims(with_mutants(own_results(db), mutants));
+  const auto judged = judge_claims(with_mutants(own_results(db), mutants, own_alarms("goldens")));
   if (json) {
     nlohmann::json all = nlohmann::json::array();
     for (const Claim& c : judged)

@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "cli/command.hpp"
+#include "studies/provenance.hpp"
 
 namespace mpmvv {
 
@@ -25,6 +26,12 @@ int complain(const std::string& message) {
   return usage_error;
 }
 
+std::string version() {
+  const Provenance own = current_provenance();
+  return fmt::format("mpmvv {}{}\ndigest {}\n{}, {}", own.commit, own.dirty ? " with changes" : "", own.digest,
+                     own.compiler, own.build_type);
+}
+
 std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> known;
   for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
@@ -34,6 +41,7 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
 int run_program(int argc, char** argv) {
   CLI::App app{"Verification and validation of the Material Point Method", "mpmvv"};
   app.require_subcommand(1);
+  app.set_version_flag("--version", version, "Print the commit, the digest of what decides a result, and the compiler");
   int exit_code = 0;
   add_run(app, exit_code);
   add_solution(app, exit_code);

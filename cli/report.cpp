@@ -48,9 +48,10 @@ int report(const ReportOptions& options) {
       input.gate.push_back({r.study + ": " + r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
   const Store store(options.db, Store::Mode::read);
   input.mutants = own_mutants(store, options.goldens);
-  for (const Claim& claim : judge_claims(with_mutants(input.studies, input.mutants)))
+  for (const Claim& claim : judge_claims(with_mutants(input.studies, input.mutants, own_alarms(options.goldens))))
     input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
   if (input.mutants.empty()) show_published_mutants(input, options.goldens);
+  input.alarms = read_alarms(std::filesystem::path(options.goldens) / "mutants").runs;
   input.versions = store.versions();
   if (has_trends(input)) input.trends = trends_in(store, input.versions);
   input.benchmark = own_benchmark(options.db, input.provenance.digest);

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "goldens/mutants/alarm_log.hpp"
 #include "goldens/mutants/mistake.hpp"
 #include "goldens/mutants/tried.hpp"
 #include "studies/provenance.hpp"
@@ -25,9 +26,17 @@ inline std::vector<Mutant> own_mutants(const Store& store, const std::string& go
   return reviewed(newest(with_published(store.mutants(digest), tried.mutants)), folder);
 }
 
-/// The studies, and what the mutants say on their claim.
-inline std::vector<StudyResult> with_mutants(std::vector<StudyResult> studies, const std::vector<Mutant>& mutants) {
-  studies.push_back(mutant_study(mutants));
+/// The published runs without a mistake, of this program's sources.
+inline std::vector<AlarmRun> own_alarms(const std::string& goldens) {
+  AlarmLog log = read_alarms(std::filesystem::path(goldens) / "mutants");
+  if (log.digest != current_provenance().digest) log.runs.clear();
+  return log.runs;
+}
+
+/// The studies, and what the mutants and the runs without a mistake say on their claim.
+inline std::vector<StudyResult> with_mutants(std::vector<StudyResult> studies, const std::vector<Mutant>& mutants,
+                                             const std::vector<AlarmRun>& alarms) {
+  studies.push_back(mutant_study(mutants, alarms));
   return studies;
 }
 

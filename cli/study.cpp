@@ -17,7 +17,7 @@ namespace {
 struct StudyOptions {
   std::vector<std::string> files;
   std::string db;
-  std::vector<std::string> settings;
+  std::vector<std::string> settings, where_taken;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 };
 
@@ -109,19 +109,26 @@ void print_study(const StudyResult& study) {
     fmt::print("  {} {}: {}\n    {}\n", part.claim, to_string(part.verdict), part.statement, part.evidence);
 }
 
-Setting overriding_setting(const std::string& text) {
+Setting setting_from(const std::string& text, const char* option) {
   const auto equals = text.find('=');
   if (equals == 0 || equals == std::string::npos)
-    throw UsageError(fmt::format("--set {} (key=value, as in --set shuffle=1)", text));
-  return {text.substr(0, equals), text.substr(equals + 1), "--set"};
+    throw UsageError(fmt::format("{} {} (key=value, as in {} shuffle=1)", option, text, option));
+  return {text.substr(0, equals), text.substr(equals + 1), option};
+}
+
+std::vector<Overriding> overriding_settings(const StudyOptions& options) {
+  std::vector<Overriding> all;
+  for (const std::string& text : options.settings) all.push_back({setting_from(text, "--set")});
+  for (const std::string& text : options.where_taken) all.push_back({setting_from(text, "--set-where-taken"), true});
+  return all;
 }
 
 int study(const StudyOptions& options) {
-  std::vector<Setting> overriding;
-  for (const std::string& text : options.settings) overriding.push_back(overriding_setting(text));
+  const std::vector<Overriding> overriding = overriding_settings(options);
   std::vector<StudyPlan> plans;
   for (const std::string& file : options.files) {
     plans.push_back(read_study(file, overriding));
+    for (const std::string& what : plans.back().overridden) fmt::print(stderr, "{}: {}\n", plans.back().name, what);
     for (std::size_t k = 0; k + 1 < plans.size(); ++k)
       if (plans[k].name == plans.back().name)
         throw UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
@@ -153,6 +160,8 @@ void add_study(CLI::App& app, int& exit_code) {
   command
       ->add_option("--set", options->settings,
                    "key=value for every case of the studies (repeatable): a trial, to be kept in a store of its own")
+      ->allow_extra_args(false);
+  command->add_option("--set-where-taken", options->where_taken, "as --set, in the series alone that take it")
       ->allow_extra_args(false);
   command->add_option("--jobs", options->jobs, "cases at once (default: all cores)")->check(CLI::Range(1, 1024));
   command->callback([options, &exit_code] { exit_code = study(*options); });

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
+#include <map>
 
 namespace mpmvv {
 
@@ -105,12 +107,29 @@ Table survivor_table(const std::vector<Mutant>& mutants) {
       "not explained", "explained");
 }
 
+Table alarm_table(const std::vector<AlarmRun>& runs) {
+  Table table{"False alarms: the quick gate without a mistake, other orders and places of the particles",
+              {"build", "runs", "goldens judged", "false alarms"},
+              {}};
+  std::map<std::string, std::vector<AlarmRun>> by_build;
+  for (const AlarmRun& run : runs) by_build[run.build].push_back(run);
+  Table::Group group;
+  for (const auto& [build, own] : by_build) {
+    int judged = 0;
+    for (const AlarmRun& run : own) judged += run.pass + run.fail + run.inconclusive;
+    group.rows.push_back({build, fmt::format("{}", own.size()), fmt::format("{}", judged),
+                          fmt::format("{}", std::ranges::count_if(own, &AlarmRun::is_alarm))});
+  }
+  if (!group.rows.empty()) table.groups.push_back(std::move(group));
+  return table;
+}
+
 }  // namespace
 
-std::vector<Table> mutant_tables(const std::vector<Mutant>& mutants) {
+std::vector<Table> mutant_tables(const std::vector<Mutant>& mutants, const std::vector<AlarmRun>& alarms) {
   std::vector<Table> tables;
   if (mutants.empty()) return tables;
-  for (Table table : {score_table(mutants), planted_table(mutants), survivor_table(mutants)})
+  for (Table table : {score_table(mutants), planted_table(mutants), survivor_table(mutants), alarm_table(alarms)})
     if (!table.empty()) tables.push_back(std::move(table));
   return tables;
 }

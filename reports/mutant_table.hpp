@@ -6,7 +6,8 @@
 
 namespace mpmvv {
 
-/// The score; the planted mistakes, and what caught them; the random ones that nothing has caught. Empty without any.
-std::vector<Table> mutant_tables(const std::vector<Mutant>& mutants);
+/// The score; the planted mistakes, and what caught them; the random ones that nothing has caught; runs without a
+/// mistake. Empty without any mutant.
+std::vector<Table> mutant_tables(const std::vector<Mutant>& mutants, const std::vector<AlarmRun>& alarms);
 
 }  // namespace mpmvv

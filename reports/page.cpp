@@ -90,7 +90,7 @@ data benchmark_data(const Benchmark& benchmark) {
 }
 
 data mutants_data(const ReportInput& input) {
-  return object({{"tables", list_of(mutant_tables(input.mutants), table_data)},
+  return object({{"tables", list_of(mutant_tables(input.mutants, input.alarms), table_data)},
                  {"is_earlier", !input.mutants_commit.empty()},
                  {"commit", input.mutants_commit}});
 }

@@ -83,7 +83,7 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
     summary.tables_written += write_if_changed(tables / "benchmark.tex", text) ? 1 : 0;
   }
   if (!input.mutants.empty()) {
-    const auto text = latex_tables("Planted mistakes", mutant_tables(input.mutants));
+    const auto text = latex_tables("Planted mistakes", mutant_tables(input.mutants, input.alarms));
     ++summary.tables;
     summary.tables_written += write_if_changed(tables / "mutants.tex", text) ? 1 : 0;
   }

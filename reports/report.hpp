@@ -40,6 +40,7 @@ struct ReportInput {
   std::vector<Trend> trends = {};      ///< over these versions
   std::vector<Mutant> mutants = {};    ///< how the gate took them
   std::string mutants_commit = {};     ///< of the other build that met them; empty for this one
+  std::vector<AlarmRun> alarms = {};   ///< runs of the gate without a mistake
 };
 
 /// One version alone has no trend.

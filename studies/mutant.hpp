@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/alarms.hpp"
 #include "studies/result.hpp"
 
 namespace mpmvv {
@@ -62,12 +63,13 @@ struct MutantScore {
   int by_unit_tests = 0, by_quick = 0, by_nightly = 0, by_any = 0;  ///< of those that should show
   int random = 0, random_caught = 0, random_explained = 0;          ///< explained: survivors with a reason
   std::vector<std::string> missed, unexplained;                     ///< names of planted and of random ones
-  bool has_baseline = false, passes_baseline = true;                ///< no false alarm
+  bool has_baseline = false, passes_baseline = true;                ///< the tree without a mistake
 };
 
 MutantScore score_of(const std::vector<Mutant>& mutants);
 
-/// What they say on claim X-mutants, as the parts of a study; without parts when there are no planted ones.
-StudyResult mutant_study(const std::vector<Mutant>& mutants);
+/// What they and the runs without a mistake say on claim X-mutants, as the parts of a study; without parts when there
+/// are no planted ones.
+StudyResult mutant_study(const std::vector<Mutant>& mutants, const std::vector<AlarmRun>& runs);
 
 }  // namespace mpmvv

@@ -77,6 +77,12 @@ struct Criterion {
   std::string reason;  ///< why it fails, written after the evidence was checked
 };
 
+/// A setting that is put on top of every series', or where it may be, of those alone that take it.
+struct Overriding {
+  Setting setting;
+  bool where_taken = false;
+};
+
 /// A study as its file describes it.
 struct StudyPlan {
   std::string name;  ///< stem of the file
@@ -95,6 +101,7 @@ struct StudyPlan {
   std::vector<ExtrapolationPlan> extrapolations;
   std::vector<Figure> figures;
   std::vector<Criterion> criteria;
+  std::vector<std::string> overridden;  ///< "shuffle = 3 in 2 of 2 series"
 
   std::string kind() const { return !check.empty() ? "check" : limit ? "limit" : "convergence"; }
   bool has_series(const std::string& name) const;
@@ -103,7 +110,7 @@ struct StudyPlan {
 /// Reads and checks a study file: every mistake is a UsageError with file and line, also one in a case that only
 /// a combination of series and swept value makes wrong. Every series gets the `overriding` settings on top of its own;
 /// a check has no series.
-StudyPlan read_study(const std::filesystem::path& file, const std::vector<Setting>& overriding = {});
+StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding = {});
 
 /// The case of a series at a value of the swept (or searched) key, the same at every `order` when the series' velocity
 /// update has none; `where` goes into messages about the value.

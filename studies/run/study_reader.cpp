@@ -11,6 +11,7 @@
 #include "studies/run/criterion_reader.hpp"
 #include "studies/run/figure_reader.hpp"
 #include "studies/run/named.hpp"
+#include "studies/run/overriding.hpp"
 #include "studies/run/plan_rules.hpp"
 #include "studies/study.hpp"
 #include "studies/toml_file.hpp"
@@ -73,19 +74,6 @@ void read_series(const TomlTable& root, StudyPlan& plan) {
       throw UsageError(fmt::format("series '{}' twice in {} (names must differ)", series.name, table.where("name")));
     for (const Setting& setting : settings_of(table, {"name"})) series.settings.push_back(setting);
     plan.series.push_back(series);
-  }
-}
-
-/// Puts the settings on top of every series', and into the text that the store keeps.
-void override_series(const std::vector<Setting>& overriding, StudyPlan& plan) {
-  for (const Setting& setting : overriding) {
-    require_known_key(setting.key, setting.where);
-    if (setting.key == plan.sweep || (plan.replicates && setting.key == plan.replicates->key) ||
-        (plan.limit && setting.key == plan.limit->key))
-      throw UsageError(fmt::format("{} in {} for study '{}', which varies it itself (another key)", setting.key,
-                                   setting.where, plan.name));
-    for (SeriesPlan& series : plan.series) series.settings.push_back(setting);
-    plan.text += fmt::format("# Run with {} = {}\n", setting.key, setting.value);
   }
 }
 
@@ -152,10 +140,7 @@ void read_fits(const TomlTable& root, StudyPlan& plan) {
 /// Makes every case of the study once, so that a mistake shows before the first run.
 void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
   for (const SeriesPlan& series : plan.series) try {
-      for (const double value : plan.values) replicates_at(plan, series, value);
-      if (plan.limit)
-        for (const SeriesPlan& one : replicates_of(plan, series))
-          case_at(one, plan.limit->key, plan.limit->to, plan.limit_where);
+      try_cases(plan, series);
     } catch (const UsageError& e) {
       const std::string message = e.what();
       const bool has_place = message.find(file.string()) != std::string::npos;
@@ -204,7 +189,7 @@ std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series,
   return cases;
 }
 
-StudyPlan read_study(const std::filesystem::path& file, const std::vector<Setting>& overriding) {
+StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding) {
   const TomlTable root = TomlTable::read(file);
   root.allow_only({"title", "claims", "check", "fixed", "series", "sweep", "limit", "replicates", "fit", "extrapolate",
                    "figure", "criterion"});
@@ -227,7 +212,7 @@ StudyPlan read_study(const std::filesystem::path& file, const std::vector<Settin
   read_sweep(root, plan);
   read_limit(root, plan);
   read_replicates(root, plan);
-  if (plan.check.empty()) override_series(overriding, plan);
+  override_series(overriding, plan);
   if (plan.check.empty() && plan.series.empty())
     throw UsageError(
         fmt::format("{} describes nothing to run (series with a sweep or a limit, or a check)", file.string()));

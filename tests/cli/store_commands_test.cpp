@@ -11,6 +11,7 @@ namespace mpmvv {
 namespace store_commands_test {
 
 using testing::HasSubstr;
+using testing::MatchesRegex;
 
 TEST(DbCommand, ABadSourceLeavesNoTarget) {
   const Folder folder;
@@ -43,6 +44,11 @@ TEST(GateCommand, ExitCodesOfTheContract) {
   EXPECT_EQ(call(folder, gate).code, 1);
   golden("bspline9", order);
   EXPECT_EQ(call(folder, gate).code, 3);
+}
+
+TEST(Program, NamesItsVersionWhenAsked) {
+  const Folder folder;
+  EXPECT_THAT(call(folder, "--version").out, MatchesRegex("mpmvv .*\ndigest [0-9a-f]+\n.*\n"));
 }
 
 TEST(ReportCommand, WritesOnePageAndItsFigures) {

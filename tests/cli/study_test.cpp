@@ -10,6 +10,7 @@
 namespace mpmvv {
 namespace study_test {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -153,6 +154,21 @@ TEST(StudyCommand, SetOverridesEverySeriesAndSaysSoInTheStore) {
   for (const char* wrong : {"cells=8", "pcp=4", "ppc", "=4"})
     EXPECT_EQ(call(folder, "study " + file + " --set " + wrong + " --db " + (folder / "other.db")).code, 2) << wrong;
   EXPECT_FALSE(std::filesystem::exists(folder / "other.db"));
+}
+
+TEST(StudyCommand, WhatOnlySomeSeriesTakeReachesThoseAlone) {
+  const Folder folder;
+  std::string text = small_study;
+  text.replace(text.find("[[fit]]"), 7,
+               "[[series]]\nname = \"walls\"\nbasis = \"linear\"\nboundary = \"dirichlet\"\n[[fit]]");
+  const std::string file = folder.write("small.toml", text), db = folder / "r.db";
+  const std::string offset = "grid_offset=0.3";
+  EXPECT_EQ(call(folder, "study --set " + offset + " " + file + " --db " + db).code, 2);
+  const Answer answer =
+      call(folder, "study --set-where-taken " + offset + " --set-where-taken cells=9 " + file + " --db " + db);
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.err,
+              AllOf(HasSubstr("grid_offset = 0.3 in 2 of 3 series"), HasSubstr("cells = 9 in 0 of 3 series")));
 }
 
 TEST(StudyCommand, JobsDoNotChangeOneBit) {

@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "goldens/mutants/alarm_log.hpp"
 #include "goldens/mutants/code_tokens.hpp"
 #include "goldens/mutants/mistake.hpp"
 #include "goldens/mutants/mutation.hpp"
@@ -115,6 +116,27 @@ TEST_F(MutantFiles, WhatIsReviewedFollowsTheList) {
   EXPECT_EQ(all[0].kind, Mutant::Kind::random);
   EXPECT_EQ(all[1].name, "sign");
   EXPECT_TRUE(all[1].open());
+}
+
+TEST_F(MutantFiles, RunsWithoutAMistakeAreRead) {
+  EXPECT_TRUE(read_alarms(folder_).runs.empty());
+  std::ofstream(folder_ / "alarms.toml")
+      << "digest = 'd1'\n[[run]]\nnumber = 3\nbuild = 'g++ -O2'\nshuffle = 7\ngrid_offset = 0.37\npass = 579\n"
+         "fail = 1\ninconclusive = 0\ntold = '''\nfail a: order of 'b''''\n";
+  const AlarmLog log = read_alarms(folder_);
+  EXPECT_EQ(log.digest, "d1");
+  ASSERT_EQ(log.runs.size(), 1U);
+  EXPECT_EQ(log.runs[0].build, "g++ -O2");
+  EXPECT_EQ(log.runs[0].grid_offset, 0.37);
+  EXPECT_TRUE(log.runs[0].is_alarm());
+  std::ofstream(folder_ / "alarms.toml")
+      << "digest = 'd1'\n[[run]]\nbuild = 'g++'\nshuffle = 1\ngrid_offset = 0\npass = -1\n";
+  try {
+    read_alarms(folder_);
+    ADD_FAILURE();
+  } catch (const UsageError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("alarms.toml:6 (a count)"));
+  }
 }
 
 TEST(Edits, LinesAreWholeWithoutTheirIndentation) {

@@ -31,11 +31,11 @@ std::vector<Mutant> both_kinds() {
 }
 
 TEST(MutantTables, ThereAreNoneWithoutMutants) {
-  EXPECT_TRUE(mutant_tables({}).empty());
+  EXPECT_TRUE(mutant_tables({}, {}).empty());
 }
 
 TEST(MutantTables, SayWhatCatchesWhat) {
-  const auto tables = mutant_tables(both_kinds());
+  const auto tables = mutant_tables(both_kinds(), {});
   ASSERT_EQ(tables.size(), 3U);
   EXPECT_THAT(tables[0].groups[0].rows[0],
               ElementsAre("planted, should show", "0 of 1 (0 %)", "1 of 1 (100 %)", "–", "1 of 1 (100 %)", ""));
@@ -46,7 +46,7 @@ TEST(MutantTables, SayWhatCatchesWhat) {
 }
 
 TEST(MutantTables, OfTheRandomOnesSurvivorsAreListed) {
-  const auto tables = mutant_tables(both_kinds());
+  const auto tables = mutant_tables(both_kinds(), {});
   ASSERT_EQ(tables[2].groups.size(), 1U);
   EXPECT_THAT(tables[2].groups[0].rows,
               ElementsAre(ElementsAre("random-1", "solver/grid.hpp:7", "a + b", "a - b", "")));
@@ -57,7 +57,17 @@ TEST(MutantTables, ResultsOfAnotherGateAreMarked) {
   mutants.emplace_back();
   mutants.back().kind = Mutant::Kind::baseline;
   mutants.back().gate = "new";
-  EXPECT_EQ(mutant_tables(mutants)[1].groups[0].rows[0][0], "sign (earlier gate)");
+  EXPECT_EQ(mutant_tables(mutants, {})[1].groups[0].rows[0][0], "sign (earlier gate)");
+}
+
+TEST(MutantTables, RunsWithoutAMistakeAreCountedByBuild) {
+  const auto tables = mutant_tables(both_kinds(), {{.build = "g++", .pass = 7},
+                                                   {.build = "clang++", .pass = 6, .fail = 1},
+                                                   {.build = "clang++", .pass = 7},
+                                                   {.build = "clang++"}});
+  ASSERT_EQ(tables.size(), 4U);
+  EXPECT_THAT(tables[3].groups[0].rows,
+              ElementsAre(ElementsAre("clang++", "3", "14", "2"), ElementsAre("g++", "1", "7", "0")));
 }
 
 }  // namespace mutant_table_test

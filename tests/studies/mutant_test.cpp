@@ -105,20 +105,36 @@ TEST(MutantScores, CountWhatCatchesWhat) {
   EXPECT_THAT(score.unexplained, testing::ElementsAre("hole"));
 }
 
-std::string verdict_on_mutants(const std::vector<Mutant>& mutants) {
-  for (const Claim& claim : judge_claims({mutant_study(mutants)}))
+std::string verdict_on(const std::vector<Mutant>& mutants, const std::vector<AlarmRun>& runs) {
+  for (const Claim& claim : judge_claims({mutant_study(mutants, runs)}))
     if (claim.id == "X-mutants") return claim.verdict;
   return "";
 }
 
 TEST(MutantScores, JudgeTheirClaim) {
-  EXPECT_EQ(verdict_on_mutants({}), "open");
-  EXPECT_EQ(verdict_on_mutants(sample()), "partly");
+  std::vector<AlarmRun> runs(200, {.build = "g++", .pass = 1});
+  EXPECT_EQ(verdict_on({}, runs), "open");
+  EXPECT_EQ(verdict_on(sample(), runs), "partly");
   std::vector<Mutant> all = sample();
   std::erase_if(all, [](const Mutant& m) { return m.name == "missed"; });
-  EXPECT_EQ(verdict_on_mutants(all), "partly") << "one has not met every stage";
+  EXPECT_EQ(verdict_on(all, runs), "partly") << "one has not met every stage";
   std::erase_if(all, [](const Mutant& m) { return m.name == "open"; });
-  EXPECT_EQ(verdict_on_mutants(all), "confirmed");
+  EXPECT_EQ(verdict_on(all, runs), "confirmed");
+  all[0].trials = {caught};
+  EXPECT_EQ(verdict_on(all, runs), "partly") << "the tree without a mistake does not pass";
+}
+
+TEST(MutantScores, AskForManyRunsWithoutAnAlarm) {
+  std::vector<Mutant> all = sample();
+  std::erase_if(all, [](const Mutant& m) { return m.name == "missed" || m.name == "open"; });
+  std::vector<AlarmRun> runs(199, {.build = "g++", .pass = 1});
+  EXPECT_EQ(verdict_on(all, runs), "partly") << "too few";
+  runs.emplace_back();
+  EXPECT_EQ(verdict_on(all, runs), "partly") << "one has judged nothing";
+  runs.back().pass = 1;
+  EXPECT_EQ(verdict_on(all, runs), "confirmed");
+  runs.back().inconclusive = 1;
+  EXPECT_EQ(verdict_on(all, runs), "partly");
 }
 
 }  // namespace mutant_test

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace mpmvv {
+
+/// A run of the quick gate on sources without a mistake.
+struct AlarmRun {
+  std::string build;  ///< compiler, optimisation level, processor
+  int shuffle = 0;    ///< order of the particles
+  double grid_offset = 0;
+  int pass = 0, fail = 0, inconclusive = 0;  ///< goldens
+
+  /// One that judges nothing has failed, too.
+  bool is_alarm() const { return pass == 0 || fail > 0 || inconclusive > 0; }
+};
+
+/// What `./run alarms` publishes.
+struct AlarmLog {
+  std::string digest;  ///< of the release program of these sources, see `Provenance`
+  std::vector<AlarmRun> runs;
+};
+
+}  // namespace mpmvv
