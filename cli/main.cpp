@@ -51,6 +51,7 @@ int run_program(int argc, char** argv) {
   add_report(app, exit_code);
   add_compare(app, exit_code);
   add_trend(app, exit_code);
+  add_cost(app, exit_code);
   add_claims(app, exit_code);
   add_mutants(app, exit_code);
   add_list(app, exit_code);

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "solver/point_block.hpp"
 
 /// The affine velocity field about a particle, v_p + C_p (x - x_p), that APIC carries: Jiang, Schroeder, Selle, Teran,
@@ -10,39 +12,22 @@ namespace mpmvv::solver {
 template <class B>
 inline constexpr bool has_affine_fields = B::ghost > 0 && B::support > 2 && B::width != ParticleWidth::domain;
 
-/// x_i - x_p along each axis of a stencil's nodes.
+/// A particle's stencil with N_ip (x_i - x_p) in the place of the gradients, and D_p.
 template <int D, int K>
-struct Arms {
-  double length[D][K];
+struct ArmStencil : Stencil<D, K> {
+  Vec<D> inertia;
 
-  Arms(const Weights<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x) {
-    const Index<D> first = grid.index(nodes.first);
+  ArmStencil(const Weights<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x) : Stencil<D, K>{nodes, {}} {
+    const Index<D> corner = grid.index(nodes.first);
+    inertia.setZero();
     for (int d = 0; d < D; ++d)
-      for (int i = 0; i < K; ++i)
-        length[d][i] = grid.lower()[d] + grid.h() * (first[static_cast<std::size_t>(d)] + i) - x[d];
+      for (int i = 0; i < K; ++i) {
+        const double arm = grid.lower()[d] + grid.h() * (corner[static_cast<std::size_t>(d)] + i) - x[d];
+        this->dN[d][i] = arm * nodes.N[d][i];
+        inertia[d] += arm * this->dN[d][i];
+      }
   }
 };
-
-/// Calls visit(n, N_ip, x_i - x_p) for each node.
-template <int D, int K, class Visit>
-void for_arms(const Weights<D, K>& nodes, const Grid<D>& grid, const Vec<D>& x, const Visit& visit) {
-  const Arms<D, K> arms(nodes, grid, x);
-  Index<D> i{};
-  do {
-    std::ptrdiff_t n = static_cast<std::ptrdiff_t>(nodes.first);
-    double weight = 1;
-    Vec<D> arm;
-    for (int d = 0; d < D; ++d) {
-      const int k = i[static_cast<std::size_t>(d)];
-      n += k * nodes.stride[static_cast<std::size_t>(d)];
-      weight *= nodes.N[d][k];
-      arm[d] = arms.length[d][k];
-    }
-    visit(static_cast<std::size_t>(n), weight, arm);
-    for (std::size_t d = 0; d < D && ++i[d] == K; ++d)
-      if (d + 1 < D) i[d] = 0;
-  } while (i[D - 1] < K);
-}
 
 /// p_i += N_ip m_p C_p (x_i - x_p) of a block's particles.
 template <int D, int K, Evaluates evaluates>
@@ -50,9 +35,12 @@ template <int D, int K, Evaluates evaluates>
                                       Grid<D>& grid) {
   for (int k = 0; k < block.count; ++k) {
     const std::size_t p = block.begin + static_cast<std::size_t>(k);
-    for_arms<D, K>(block.stencil(k, grid), grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
-      grid.p[n] += N * packed<D>(particles.m[p] * (particles.C[p] * arm), 0);
-    });
+    const ArmStencil<D, K> nodes(block.stencil(k, grid), grid, particles.x[p]);
+    for (int d = 0; d < D; ++d) {
+      Weights<D, K> along = nodes;
+      std::ranges::copy(nodes.dN[d], along.N[d]);
+      along.scatter(packed<D>(particles.m[p] * particles.C[p].col(d), 0), grid.p);
+    }
   }
 }
 
@@ -62,13 +50,9 @@ template <int D, int K, Evaluates evaluates>
                                      const Grid<D>& grid) {
   for (int k = 0; k < block.count; ++k) {
     const std::size_t p = block.begin + static_cast<std::size_t>(k);
-    Mat<D> moment = Mat<D>::Zero();
-    Vec<D> inertia = Vec<D>::Zero();
-    for_arms<D, K>(block.stencil(k, grid), grid, particles.x[p], [&](std::size_t n, double N, const Vec<D>& arm) {
-      moment += N * grid.v[n].template head<D>() * arm.transpose();
-      inertia += N * arm.cwiseAbs2();
-    });
-    particles.C[p] = moment * inertia.cwiseInverse().asDiagonal();
+    const ArmStencil<D, K> nodes(block.stencil(k, grid), grid, particles.x[p]);
+    const auto moment = nodes.gather_with_gradient(grid.v).gradient;
+    particles.C[p] = moment.template topRows<D>() * nodes.inertia.cwiseInverse().asDiagonal();
   }
 }
 

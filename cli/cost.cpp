@@ -1,0 +1,141 @@
+#include "goldens/cost.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include "cli/command.hpp"
+#include "studies/error.hpp"
+#include "studies/process.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+struct CostOptions {
+  std::string baseline, cases = "studies/cost.txt";
+  bool json = false;
+};
+
+/// A case as the options of `mpmvv run`, and what it costs.
+struct CostedCase {
+  std::string name;
+  CostRatio cost;
+};
+
+std::vector<std::string> read_cases(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw UsageError(fmt::format("cannot read {} (a file with the options of a run on each line)", file));
+  std::vector<std::string> cases;
+  for (std::string line; std::getline(in, line);) {
+    line.erase(std::min(line.find('#'), line.size()));
+    if (line.find_first_not_of(" \t") != std::string::npos) cases.push_back(line);
+  }
+  if (cases.empty()) throw UsageError(fmt::format("{} names no case (the options of a run on each line)", file));
+  return cases;
+}
+
+ProcessEnd run_with(const std::string& program, const std::string& options) {
+  std::vector<std::string> command{program, "run", "--json", "--threads", "1"};
+  std::istringstream words(options);
+  for (std::string word; words >> word;) command.push_back(word);
+  return run_process(command, ".", {}, std::chrono::minutes(5));
+}
+
+/// ns per particle and step; none where the program does not carry the run out.
+std::optional<double> cost_of(const ProcessEnd& end) {
+  if (!end.good()) return {};
+  const auto record = nlohmann::json::parse(end.output, nullptr, false);
+  if (record.is_discarded() || record.value("status", "") != "ok") return {};
+  const auto& cost = record.at("ns_per_particle_step");
+  return cost.is_number() ? std::optional<double>(cost) : std::nullopt;
+}
+
+double required_cost(const std::string& program, const std::string& options) {
+  const ProcessEnd end = run_with(program, options);
+  const auto cost = cost_of(end);
+  if (!cost)
+    throw UsageError(fmt::format("{} does not carry out the case '{}' (one that ends ok): {}", program, options,
+                                 end.output.substr(0, 300)));
+  return *cost;
+}
+
+CostRatio beside(const std::string& own, const std::string& baseline, const std::string& options) {
+  bool own_first = false;
+  return measure_cost([&] {
+    own_first = !own_first;
+    CostPair pair;
+    if (own_first) pair.now = required_cost(own, options);
+    pair.baseline = required_cost(baseline, options);
+    if (!own_first) pair.now = required_cost(own, options);
+    return pair;
+  });
+}
+
+nlohmann::json cost_json(const std::vector<CostedCase>& cases) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const auto& [name, cost] : cases)
+    all.push_back({{"case", name},
+                   {"now", cost.now},
+                   {"baseline", cost.baseline},
+                   {"ratio", cost.ratio},
+                   {"least", cost.least},
+                   {"most", cost.most},
+                   {"pairs", cost.pairs},
+                   {"verdict", to_string(cost.verdict())}});
+  return {{"cases", all}};
+}
+
+void print_cost(const CostedCase& costed) {
+  const auto& [name, cost] = costed;
+  fmt::print("{:<12} {:.3f} in [{:.3f}, {:.3f}]  {:6.1f} ns beside {:6.1f}  {}\n", to_string(cost.verdict()),
+             cost.ratio, cost.least, cost.most, cost.now, cost.baseline, name);
+}
+
+std::size_t count(const std::vector<CostedCase>& cases, Verdict verdict) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(cases, [&](const CostedCase& c) { return c.cost.verdict() == verdict; }));
+}
+
+int cost(const CostOptions& options) {
+  const std::string own = std::filesystem::read_symlink("/proc/self/exe");
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  std::vector<CostedCase> costed;
+  const auto cases = read_cases(options.cases);
+  for (const std::string& name : cases) {
+    if (terminal) fmt::print(stderr, "\r\033[K[{}/{}] {}", costed.size(), cases.size(), name);
+    required_cost(own, name);
+    if (const auto known = run_with(options.baseline, name); !cost_of(known)) {
+      fmt::print(stderr, "left out, as {} does not carry it out: {}\n", options.baseline, name);
+      continue;
+    }
+    costed.push_back({name, beside(own, options.baseline, name)});
+    if (terminal) fmt::print(stderr, "\r\033[K");
+    if (!options.json) print_cost(costed.back());
+  }
+  if (options.json)
+    print_json(cost_json(costed));
+  else
+    fmt::print("cost: {} pass, {} fail, {} inconclusive (at most {} of the baseline's)\n", count(costed, Verdict::pass),
+               count(costed, Verdict::fail), count(costed, Verdict::inconclusive), cost_band);
+  return count(costed, Verdict::fail) > 0 ? 1 : count(costed, Verdict::pass) < costed.size() || costed.empty() ? 3 : 0;
+}
+
+}  // namespace
+
+void add_cost(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<CostOptions>();
+  CLI::App* command = app.add_subcommand("cost", "Time cases beside another build of this program, run by run");
+  command->add_option("baseline", options->baseline, "that program")->required()->check(CLI::ExistingFile);
+  command->add_option("--cases", options->cases, "file with a run's options on each line (default: studies/cost.txt)");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options, &exit_code] { exit_code = cost(*options); });
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,57 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/cli/program.hpp"
+
+namespace mpmvv {
+namespace cost_command_test {
+
+using testing::HasSubstr;
+
+/// A baseline that answers as it is told.
+class CostCommand : public testing::Test {
+ protected:
+  Answer beside(const std::string& answer) {
+    const std::string baseline = folder_.write("baseline", "#!/bin/sh\n" + answer + "\n");
+    std::filesystem::permissions(baseline, std::filesystem::perms::owner_all);
+    const std::string cases = folder_.write(
+        "cost.txt", "# one\n\n--problem bar --basis linear --integrator cd --cells 8 --ppc 1 --cfl 0.2 --steps 4\n");
+    return call(folder_, "cost " + baseline + " --cases " + cases + " --json");
+  }
+  static std::string cost(double ns) {
+    return "echo '{\"status\": \"ok\", \"ns_per_particle_step\": " + std::to_string(ns) + "}'";
+  }
+
+  const Folder folder_;
+};
+
+TEST_F(CostCommand, FailsWhatCostsMoreThanTheBaseline) {
+  const Answer slower = beside(cost(1e-3)), faster = beside(cost(1e9));
+  EXPECT_EQ(slower.code, 1);
+  EXPECT_EQ(slower.json()["cases"][0]["verdict"], "fail");
+  EXPECT_EQ(faster.code, 0);
+  EXPECT_EQ(faster.json()["cases"][0]["verdict"], "pass");
+}
+
+TEST_F(CostCommand, LeavesOutWhatTheBaselineDoesNotKnow) {
+  const Answer answer = beside("echo 'mpmvv: unknown basis' >&2; exit 2");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_THAT(answer.err, HasSubstr("left out"));
+  EXPECT_EQ(answer.json()["cases"].size(), 0U);
+}
+
+TEST_F(CostCommand, RefusesWhatIsNoCase) {
+  const std::string program = MPMVV_PROGRAM;
+  for (const auto& [text, said] : {std::pair{"# none\n", "names no case"}, {"--problem bar\n", "does not carry out"}}) {
+    const Answer answer = call(folder_, "cost " + program + " --cases " + folder_.write("cases.txt", text));
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_THAT(answer.err, HasSubstr(said));
+  }
+  EXPECT_EQ(call(folder_, "cost " + program + " --cases nowhere.txt").code, 2);
+  EXPECT_EQ(call(folder_, "cost nowhere").code, 2);
+}
+
+}  // namespace cost_command_test
+}  // namespace mpmvv
