@@ -89,6 +89,25 @@ Table step_table(const Benchmark& benchmark) {
   return table;
 }
 
+Table thread_table(const Benchmark& benchmark) {
+  const std::string one = "/one/real_time", two = "/two/real_time";
+  Table table{"What two threads make of a step, quadratic B-splines: ns per particle and step",
+              {"", "one thread", "range %", "two threads", "range %", "times as fast"},
+              {}};
+  Table::Group group;
+  for (const BenchmarkRow& alone : benchmark.rows) {
+    if (!alone.name.starts_with("threads/") || !alone.name.ends_with(one)) continue;
+    const BenchmarkRow* both = benchmark.find(alone.name.substr(0, alone.name.size() - one.size()) + two);
+    if (!both) continue;
+    const double of_one = alone.median(per_step), of_two = both->median(per_step);
+    group.rows.push_back({alone.name.substr(8, alone.name.size() - one.size() - 8), nanoseconds(of_one),
+                          percent(alone.range(per_step)), nanoseconds(of_two), percent(both->range(per_step)),
+                          fmt::format("{:.2f}", of_one / of_two)});
+  }
+  if (!group.rows.empty()) table.groups.push_back(std::move(group));
+  return table;
+}
+
 Table machine_table(const Benchmark& benchmark) {
   Table table{
       "What one core of the machine can do, and two threads: processors may share a core", {"", "measured"}, {}};
@@ -142,7 +161,8 @@ std::optional<Benchmark> read_benchmark(const std::filesystem::path& file) {
 }
 
 std::vector<Table> benchmark_tables(const Benchmark& benchmark) {
-  std::vector<Table> tables{skip_table(benchmark), step_table(benchmark), machine_table(benchmark)};
+  std::vector<Table> tables{skip_table(benchmark), step_table(benchmark), thread_table(benchmark),
+                            machine_table(benchmark)};
   std::erase_if(tables, [](const Table& t) { return t.empty(); });
   return tables;
 }

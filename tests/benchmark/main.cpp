@@ -10,5 +10,6 @@ int main(int count, char** arguments) {
   mpmvv::add_machine_benchmarks();
   mpmvv::add_step_benchmarks();
   mpmvv::add_skip_benchmarks();
+  mpmvv::add_thread_benchmarks();
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -50,5 +50,6 @@ benchmark::internal::Benchmark* add_benchmark(const std::string& name, Run run) 
 void add_machine_benchmarks();
 void add_step_benchmarks();
 void add_skip_benchmarks();
+void add_thread_benchmarks();
 
 }  // namespace mpmvv

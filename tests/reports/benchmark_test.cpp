@@ -16,8 +16,8 @@ namespace benchmark_test {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Three repetitions of a pair, one of a step, the machine, an aggregate and a failure, as Google Benchmark writes
-/// them.
+/// Three repetitions of a pair, one of a step, the machine, two threads, an aggregate and a failure, as Google
+/// Benchmark writes them.
 constexpr const char* answer = R"({
   "context": {"date": "2026-01-02T03:04:05+00:00", "digest": "d1", "num_cpus": 2},
   "benchmarks": [
@@ -31,6 +31,8 @@ constexpr const char* answer = R"({
     {"run_name": "step/3D, 8 per cell/linear", "run_type": "iteration", "per_particle_step": 50e-9,
      "least_multiply_adds": 100, "least_bytes": 200},
     {"run_name": "step/3D, 8 per cell/broken", "run_type": "iteration", "error_occurred": true},
+    {"run_name": "threads/square/one/real_time", "run_type": "iteration", "per_particle_step": 30e-9},
+    {"run_name": "threads/square/two/real_time", "run_type": "iteration", "per_particle_step": 16e-9},
     {"run_name": "machine/multiply-adds", "run_type": "iteration", "multiply_adds": 2e10},
     {"run_name": "machine/triad", "run_type": "iteration", "bytes": 1e10}
   ]})";
@@ -44,23 +46,24 @@ TEST(Benchmark, MediansOverRepetitionsWithoutAggregatesAndFailures) {
   const TempFolder folder;
   const Benchmark benchmark = benchmark_of(folder, answer);
   EXPECT_EQ(benchmark.digest, "d1");
-  EXPECT_EQ(benchmark.rows.size(), 5u);
+  EXPECT_EQ(benchmark.rows.size(), 7u);
   EXPECT_EQ(benchmark.find("skip/log/paid")->median("per_particle_step"), 21e-9);
   EXPECT_NEAR(benchmark.find("skip/log/paid")->range("per_particle_step"), 10.0 / 21, 1e-12);
   EXPECT_TRUE(std::isnan(benchmark.find("machine/triad")->median("per_particle_step")));
   EXPECT_EQ(benchmark.find("step/3D, 8 per cell/broken"), nullptr);
 }
 
-TEST(Benchmark, TablesOfSkippingStepsAndMachine) {
+TEST(Benchmark, TablesOfSkippingStepsThreadsAndMachine) {
   const TempFolder folder;
   const auto tables = benchmark_tables(benchmark_of(folder, answer));
-  ASSERT_EQ(tables.size(), 3u);
+  ASSERT_EQ(tables.size(), 4u);
   EXPECT_THAT(tables[0].groups[0].rows,
               ElementsAre(ElementsAre("no logarithm", "21", "47.6", "10", "50.0", "11", "52.4")));
   EXPECT_EQ(tables[1].groups[0].title, "3D, 8 per cell");
   // 100 in 50 ns are 2e9 per second, a tenth of the peak; 200 bytes are 4e9 per second, four tenths.
   EXPECT_THAT(tables[1].groups[0].rows, ElementsAre(ElementsAre("linear", "50", "0.0", "100", "10.0", "200", "40.0")));
-  EXPECT_EQ(tables[2].groups[0].rows[0][1], "20");
+  EXPECT_THAT(tables[2].groups[0].rows, ElementsAre(ElementsAre("square", "30", "0.0", "16", "0.0", "1.88")));
+  EXPECT_EQ(tables[3].groups[0].rows[0][1], "20");
 }
 
 TEST(Benchmark, RowsStandInTheProgramsOrder) {
