@@ -14,8 +14,7 @@ if(MPMVV_ARCH STREQUAL "auto")
     set(mpmvv_arch_flag -march=x86-64-v3)
   endif()
 elseif(MPMVV_ARCH)
-  # g++ 12 finds what is not initialized in its own header for AVX-512 (GCC bug 105593).
-  set(mpmvv_arch_flag -march=${MPMVV_ARCH} -Wno-uninitialized -Wno-maybe-uninitialized)
+  set(mpmvv_arch_flag -march=${MPMVV_ARCH})
 endif()
 
 add_library(mpmvv_flags INTERFACE)
@@ -32,6 +31,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(mpmvv_flags INTERFACE
     -Wno-restrict  # g++ 12 sees an overlap in "text" + std::string() that is not there (GCC bug 105651)
     -Wno-subobject-linkage)  # in a batch of files g++ takes what one of them keeps to itself for a header's
+  if(NOT MPMVV_ARCH STREQUAL "auto")
+    # g++ 12 finds what is not initialized in its own header for AVX-512 (GCC bug 105593).
+    target_compile_options(mpmvv_flags INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized)
+  endif()
 else()
   target_compile_options(mpmvv_flags INTERFACE -Wno-sign-conversion)  # g++'s -Wconversion leaves it out in C++
 endif()
