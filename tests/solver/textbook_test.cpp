@@ -191,10 +191,17 @@ class Textbook {
   std::vector<std::vector<Vec<D>>> gradient_;
 };
 
+constexpr int cells_of(int D) {
+  return D == 1 ? 24 : D == 2 ? 16 : 5;
+}
+constexpr int ppc_of(int D) {
+  return D == 1 ? 3 : D == 2 ? 1 : 2;
+}
+
 /// A wave in a body that drifts through several slabs, so that particles are wrapped and sorted on the way.
 template <int D>
 void expect_textbook(std::string_view integrator, void (Textbook<D>::*advance)(double)) {
-  Scene<D> scene = full_scene<D>(BSpline2{}, D == 1 ? 24 : 16, D == 1 ? 3 : 1);
+  Scene<D> scene = full_scene<D>(BSpline2{}, cells_of(D), ppc_of(D));
   set_wave(scene, 4);
   for (auto& v : scene.particles.v) v.array() += 80;
   scene.integrator = integrator;
@@ -224,11 +231,17 @@ TEST(Textbook, UslIn1D) {
 TEST(Textbook, UslIn2D) {
   expect_textbook<2>("usl", &Textbook<2>::usl);
 }
+TEST(Textbook, UslIn3D) {
+  expect_textbook<3>("usl", &Textbook<3>::usl);
+}
 TEST(Textbook, UsfIn1D) {
   expect_textbook<1>("usf", &Textbook<1>::usf);
 }
 TEST(Textbook, UsfIn2D) {
   expect_textbook<2>("usf", &Textbook<2>::usf);
+}
+TEST(Textbook, UsfIn3D) {
+  expect_textbook<3>("usf", &Textbook<3>::usf);
 }
 TEST(Textbook, UvfIn1D) {
   expect_textbook<1>("uvf", &Textbook<1>::uvf);
@@ -236,11 +249,17 @@ TEST(Textbook, UvfIn1D) {
 TEST(Textbook, UvfIn2D) {
   expect_textbook<2>("uvf", &Textbook<2>::uvf);
 }
+TEST(Textbook, UvfIn3D) {
+  expect_textbook<3>("uvf", &Textbook<3>::uvf);
+}
 TEST(Textbook, UsavgIn1D) {
   expect_textbook<1>("usavg", &Textbook<1>::usavg);
 }
 TEST(Textbook, UsavgIn2D) {
   expect_textbook<2>("usavg", &Textbook<2>::usavg);
+}
+TEST(Textbook, UsavgIn3D) {
+  expect_textbook<3>("usavg", &Textbook<3>::usavg);
 }
 TEST(Textbook, UslPlusIn1D) {
   expect_textbook<1>("usl+", &Textbook<1>::usl_plus);
@@ -248,17 +267,26 @@ TEST(Textbook, UslPlusIn1D) {
 TEST(Textbook, UslPlusIn2D) {
   expect_textbook<2>("usl+", &Textbook<2>::usl_plus);
 }
+TEST(Textbook, UslPlusIn3D) {
+  expect_textbook<3>("usl+", &Textbook<3>::usl_plus);
+}
 TEST(Textbook, UsavgPlusIn1D) {
   expect_textbook<1>("usavg+", &Textbook<1>::usavg_plus);
 }
 TEST(Textbook, UsavgPlusIn2D) {
   expect_textbook<2>("usavg+", &Textbook<2>::usavg_plus);
 }
+TEST(Textbook, UsavgPlusIn3D) {
+  expect_textbook<3>("usavg+", &Textbook<3>::usavg_plus);
+}
 TEST(Textbook, RungeKuttaIn1D) {
   expect_textbook<1>("rk4", &Textbook<1>::rk4);
 }
 TEST(Textbook, RungeKuttaIn2D) {
   expect_textbook<2>("rk4", &Textbook<2>::rk4);
+}
+TEST(Textbook, RungeKuttaIn3D) {
+  expect_textbook<3>("rk4", &Textbook<3>::rk4);
 }
 
 }  // namespace mpmvv::solver::textbook_test
