@@ -34,8 +34,8 @@ ClaimPart judge(const Criterion& criterion, const StudyResult& result) {
   const Measured measured = measure(criterion, result);
   std::vector<std::string> texts;
   bool all_hold = true, all_known = measured.missing.empty() && !measured.numbers.empty();
-  for (const auto& [label, value] : measured.numbers) {
-    texts.push_back(fmt::format("{} = {:.4g}", label, value));
+  for (const auto& [label, value, words] : measured.numbers) {
+    texts.push_back(words.empty() ? fmt::format("{} = {:.4g}", label, value) : fmt::format("{}: {}", label, words));
     all_hold = all_hold && holds(criterion, value);
     all_known = all_known && !std::isnan(value);
   }

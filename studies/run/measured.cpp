@@ -144,14 +144,21 @@ void measure_limit(const Series& series, Measured& out) {
           value);
 }
 
+/// Which of two that should get down to an error does not.
+std::string never_there(const Series& series, double cost, const Series& over, double other_cost) {
+  if (std::isinf(cost) && std::isinf(other_cost)) return "neither ever reaches it";
+  if (std::isinf(cost)) return fmt::format("'{}' never reaches it", series.name);
+  return std::isinf(other_cost) ? fmt::format("'{}' never reaches it", over.name) : "";
+}
+
 /// A series that never gets down to an error costs without end there, whatever the other one does.
 void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
   const auto own = pareto_front(work_points(series, c.norm)), other = pareto_front(work_points(over, c.norm));
   if (own.empty() || other.empty()) out.missing = fmt::format("no cost of '{}'", own.empty() ? series.name : over.name);
   for (const double error : decades(c.window.from, c.window.to)) {
-    const double cost = cost_to_reach(error, own);
+    const double cost = cost_to_reach(error, own), other_cost = cost_to_reach(error, other);
     out.add(fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error),
-            std::isinf(cost) ? cost : cost / cost_to_reach(error, other));
+            std::isinf(cost) ? cost : cost / other_cost, never_there(series, cost, over, other_cost));
   }
 }
 

@@ -130,10 +130,16 @@ TEST(Criterion, CostRatioAtEachPowerOfTen) {
   Criterion ratio = criterion(Kind::cost_ratio, "cheap", 0.249999, 0.250001);
   ratio.over = "dear", ratio.window = {0.01, 0.1};
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::holds) << judge(ratio, result).evidence;
-  ratio.series = {"poor"};
+  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02 = 0.25"));
+  ratio.over = "poor", ratio.at_least = {};
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::holds) << judge(ratio, result).evidence;
+  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02: 'poor' never reaches it"));
+  ratio.series = {"poor"}, ratio.over = "dear";
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::fails) << "what never gets there costs without end";
+  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02: 'poor' never reaches it"));
   ratio.over = "poor";
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::fails) << "and so it does beside another that does not either";
+  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02: neither ever reaches it"));
   result.series[2].points.clear();
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive);
 }
