@@ -80,10 +80,10 @@ void print_order(const Series& series, const ObservedOrder& order) {
 }
 
 void print_extrapolation(const Series& series, const Extrapolation& e) {
-  fmt::print(
-      "  '{}' in {} over [{:g}, {:g}]: {}, free order {:.2f}, limit {:.5g}, finest grid {:.5g} ± {:.2g} (GCI "
-      "{:.2g})\n",
-      series.name, e.norm, e.from, e.to, e.model, e.order, e.limit, e.finest, e.uncertainty, e.convergence_index);
+  const std::string index = std::isnan(e.convergence_index) ? "" : fmt::format(" (GCI {:.2g})", e.convergence_index);
+  fmt::print("  '{}' in {} over [{:g}, {:g}]: {}, free order {:.2f}, limit {:.5g}, finest grid {:.5g} ± {:.2g}{}{}\n",
+             series.name, e.norm, e.from, e.to, e.model, e.order, e.limit, e.finest, e.uncertainty, index,
+             e.remark.empty() ? "" : "; " + e.remark);
 }
 
 void print_limit(const Series& series) {

@@ -116,11 +116,12 @@ Csv replicates_csv(const StudyResult& study) {
 
 Csv extrapolations_csv(const StudyResult& study) {
   Csv csv({"series", "quantity", "from", "to", "points", "model", "order", "limit", "deviation", "finest",
-           "uncertainty", "convergence_index"});
+           "uncertainty", "convergence_index", "remark"});
   for (const auto& series : study.series)
     for (const auto& e : series.extrapolations)
       csv.add({series.name, e.norm, exact(e.from), exact(e.to), fmt::format("{}", e.points), e.model, exact(e.order),
-               exact(e.limit), exact(e.deviation), exact(e.finest), exact(e.uncertainty), exact(e.convergence_index)});
+               exact(e.limit), exact(e.deviation), exact(e.finest), exact(e.uncertainty), exact(e.convergence_index),
+               e.remark});
   return csv;
 }
 

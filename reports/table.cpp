@@ -140,13 +140,13 @@ Table extrapolations_table(const StudyResult& study) {
   const Table table{
       "Extrapolated to h = 0, with the uncertainty of the finest grid's value (Eça and Hoekstra) and its grid "
       "convergence index",
-      {"quantity", "window", "grids", "model", "free order", "limit", "finest grid", "uncertainty", "GCI"},
+      {"quantity", "window", "grids", "model", "free order", "limit", "finest grid", "uncertainty", "GCI", "remark"},
       {}};
   return with_series(table, study, [](const Series& series) {
     Table::Rows rows;
     for (const auto& e : series.extrapolations)
       rows.push_back({e.norm, window_text(e), fmt::format("{}", e.points), e.model, order_text(e.order, not_measured),
-                      brief(e.limit), brief(e.finest), brief(e.uncertainty), brief(e.convergence_index)});
+                      brief(e.limit), brief(e.finest), brief(e.uncertainty), brief(e.convergence_index), e.remark});
     return rows;
   });
 }

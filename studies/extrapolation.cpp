@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t least_grids = 4;
 constexpr double least_order = 0.5, formal_order = 2, largest_sure_order = 2.1;
 constexpr double bold_factor = 1.25, timid_factor = 3;
+constexpr double lowest_order = 0.05, highest_order = 8;  ///< of the scan
 
 enum class Weights { equal, finer_more };
 
@@ -66,13 +67,14 @@ ErrorModel fit_model(const Grids& samples, Weights weights, const std::vector<do
 
 /// φ0 + α h^p with the p of the least misfit: a scan finds its neighbourhood, Brent's method the value.
 ErrorModel fit_power(const Grids& samples, Weights weights) {
-  constexpr double lowest = 0.05, highest = 8, step = 0.05;
+  constexpr double step = 0.05;
   const auto misfit = [&](double p) { return fit_model(samples, weights, {p}, 3).deviation; };
-  double best = lowest;
-  for (int k = 1; k <= std::lround((highest - lowest) / step); ++k)
-    if (const double p = lowest + k * step; misfit(p) < misfit(best)) best = p;
+  double best = lowest_order;
+  for (int k = 1; k <= std::lround((highest_order - lowest_order) / step); ++k)
+    if (const double p = lowest_order + k * step; misfit(p) < misfit(best)) best = p;
   std::uintmax_t evaluations = 100;
-  best = boost::math::tools::brent_find_minima(misfit, std::max(lowest, best - step), std::min(highest, best + step),
+  best = boost::math::tools::brent_find_minima(misfit, std::max(lowest_order, best - step),
+                                               std::min(highest_order, best + step),
                                                std::numeric_limits<double>::digits / 2, evaluations)
              .first;
   ErrorModel model = fit_model(samples, weights, {best}, 3);
@@ -114,20 +116,34 @@ double uncertainty(const ErrorModel& model, const Grids& samples) {
   return (sure ? bold_factor : timid_factor) * distance + model.deviation + miss;
 }
 
-/// Roache's index; the order p solves (h3^p - h2^p) / (h2^p - h1^p) = (φ3 - φ2) / (φ2 - φ1).
-double convergence_index(const Grids& s) {
+/// Roache's index or why there is none.
+struct ConvergenceIndex {
+  double value = not_measured;
+  std::string missing;
+};
+
+/// The order p solves (h3^p - h2^p) / (h2^p - h1^p) = (φ3 - φ2) / (φ2 - φ1).
+ConvergenceIndex convergence_index(const Grids& s) {
   const double ratio = (s[2].e - s[1].e) / (s[1].e - s[0].e);
+  if (!(ratio > 0)) return {not_measured, "no GCI: not monotone on the three finest grids"};
   const auto excess = [&](double p) {
     const double fine = std::pow(s[0].h / s[1].h, p), coarse = std::pow(s[2].h / s[1].h, p);
     return (coarse - 1) / (1 - fine) - ratio;
   };
   constexpr double lowest = 0.01, highest = 20;
-  if (!(excess(lowest) < 0 && excess(highest) > 0)) return not_measured;
+  if (!(excess(lowest) < 0)) return {not_measured, "no GCI: changes do not shrink with the grid"};
+  if (!(excess(highest) > 0)) return {not_measured, "no GCI: the two finest grids hardly differ"};
   std::uintmax_t evaluations = 200;
   const auto [low, high] = boost::math::tools::toms748_solve(
       excess, lowest, highest, boost::math::tools::eps_tolerance<double>(40), evaluations);
   const double p = 0.5 * (low + high);
-  return bold_factor * std::abs(s[1].e - s[0].e) / (std::pow(s[1].h / s[0].h, p) - 1);
+  return {bold_factor * std::abs(s[1].e - s[0].e) / (std::pow(s[1].h / s[0].h, p) - 1), ""};
+}
+
+std::string edge_of_scan(double order) {
+  constexpr double near = 1e-3;
+  if (order > lowest_order + near && order < highest_order - near) return "";
+  return fmt::format("free order at the edge of the scan ({} to {})", lowest_order, highest_order);
 }
 
 }  // namespace
@@ -150,7 +166,10 @@ Extrapolation extrapolate(std::span<const ErrorSample> samples, double from, dou
   result.deviation = model.deviation;
   result.finest = chosen[0].e;
   result.uncertainty = uncertainty(model, chosen);
-  result.convergence_index = convergence_index(chosen);
+  const ConvergenceIndex index = convergence_index(chosen);
+  result.convergence_index = index.value;
+  const std::string edge = edge_of_scan(model.order);
+  result.remark = index.missing + (index.missing.empty() || edge.empty() ? "" : "; ") + edge;
   return result;
 }
 

@@ -15,7 +15,8 @@ namespace mpmvv {
 /// Δ the range of the data over n - 1, and the safety factor F = 1.25 (σ < Δ and p in [0.5, 2.1]), else 3,
 ///   U = F ε + σ + |φ - φ_fit|   where σ < Δ,   else   U = 3 σ/Δ (ε + σ + |φ - φ_fit|).
 /// Beside it Roache's grid convergence index of the three finest grids, 1.25 |φ1 - φ2| / (r^p - 1) with the p that they
-/// give, NaN where they do not approach a value monotonically.
+/// give, NaN where they do not approach a value monotonically; a remark says so, and where p is an edge of what is
+/// searched.
 Extrapolation extrapolate(std::span<const ErrorSample> samples, double from, double to);
 
 }  // namespace mpmvv

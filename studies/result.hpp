@@ -59,6 +59,7 @@ struct Extrapolation {
   double finest = not_measured;             ///< φ of the finest grid
   double uncertainty = not_measured;        ///< U of that, 95 %
   double convergence_index = not_measured;  ///< Roache's GCI of that, absolute
+  std::string remark = {};                  ///< why there is no GCI, what p is worth; else empty
 };
 
 /// One point of a series: a run at one value of the swept key, or a point of a curve made by a check.

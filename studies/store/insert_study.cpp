@@ -108,7 +108,8 @@ void insert_series(Database& database, std::int64_t study, std::size_t ordinal, 
                    {"deviation", e.deviation},
                    {"finest", e.finest},
                    {"uncertainty", e.uncertainty},
-                   {"convergence_index", e.convergence_index}};
+                   {"convergence_index", e.convergence_index},
+                   {"remark", e.remark}};
   });
 }
 

@@ -74,7 +74,8 @@ Extrapolation load_extrapolation(const Row& row) {
           .deviation = row["deviation"].real(),
           .finest = row["finest"].real(),
           .uncertainty = row["uncertainty"].real(),
-          .convergence_index = row["convergence_index"].real()};
+          .convergence_index = row["convergence_index"].real(),
+          .remark = row["remark"].text()};
 }
 
 /// A point and the text of its case.

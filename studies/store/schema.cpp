@@ -310,7 +310,12 @@ constexpr const char* schema_6 = R"sql(
   ) STRICT, WITHOUT ROWID;
 )sql";
 
-constexpr std::array all_migrations{schema_1, schema_2, schema_3, schema_4, schema_5, schema_6};
+/// What is to be said of an extrapolation.
+constexpr const char* schema_7 = R"sql(
+  ALTER TABLE extrapolations ADD COLUMN remark TEXT NOT NULL DEFAULT '';
+)sql";
+
+constexpr std::array all_migrations{schema_1, schema_2, schema_3, schema_4, schema_5, schema_6, schema_7};
 
 }  // namespace
 

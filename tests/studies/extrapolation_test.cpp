@@ -27,6 +27,7 @@ TEST(Extrapolation, FindsTheLimitOfAPowerLaw) {
     EXPECT_NEAR(e.order, p, 1e-4);
     EXPECT_NEAR(e.uncertainty, 1.25 * (e.finest + 3), 1e-6) << "the safety factor alone";
     EXPECT_NEAR(e.convergence_index, e.uncertainty, 1e-5) << "the same on an exact power law";
+    EXPECT_EQ(e.remark, "");
   }
 }
 
@@ -70,7 +71,21 @@ TEST(Extrapolation, ScatterWidensTheUncertainty) {
 TEST(Extrapolation, OscillationHasNoConvergenceIndex) {
   int k = 0;
   const auto samples = sampled(doubled, [&](double h) { return ++k % 2 ? h : -h; });
-  EXPECT_TRUE(std::isnan(extrapolate(samples, 8, 64).convergence_index));
+  const Extrapolation e = extrapolate(samples, 8, 64);
+  EXPECT_TRUE(std::isnan(e.convergence_index));
+  EXPECT_THAT(e.remark, HasSubstr("not monotone"));
+}
+
+TEST(Extrapolation, ChangesThatGrowHaveNoConvergenceIndexAndNoOrder) {
+  const Extrapolation e = extrapolate(sampled(doubled, [](double h) { return 1 / h; }), 8, 64);
+  EXPECT_TRUE(std::isnan(e.convergence_index));
+  EXPECT_THAT(e.remark, HasSubstr("changes do not shrink with the grid; free order at the edge of the scan"));
+}
+
+TEST(Extrapolation, FinestGridsThatAgreeHaveNoConvergenceIndex) {
+  const Extrapolation e = extrapolate(sampled(doubled, [](double h) { return h > 0.05 ? h : 0.05; }), 8, 64);
+  EXPECT_TRUE(std::isnan(e.convergence_index));
+  EXPECT_THAT(e.remark, HasSubstr("hardly differ"));
 }
 
 TEST(Extrapolation, NeedsFourGridsOfTheWindow) {

@@ -32,9 +32,9 @@ struct Text {
   }
 
   static std::string of(const Extrapolation& e) {
-    const auto& [norm, from, to, points, model, order, limit, deviation, finest, uncertainty, index] = e;
-    return fmt::format("extrapolation {} {} {} {} '{}' {} {} {} {} {} {}", norm, from, to, points, model, order, limit,
-                       deviation, finest, uncertainty, index);
+    const auto& [norm, from, to, points, model, order, limit, deviation, finest, uncertainty, index, remark] = e;
+    return fmt::format("extrapolation {} {} {} {} '{}' {} {} {} {} {} {} '{}'", norm, from, to, points, model, order,
+                       limit, deviation, finest, uncertainty, index, remark);
   }
 
   template <class T>
@@ -186,7 +186,7 @@ Series curve() {
                            .found = true,
                            .probes = {{0.5, true, ""}, {1.1, false, "energy"}}};
   s.points.front().replicates = {{"y", {0.9, 1.1}}, {"z", {not_measured}}};
-  s.extrapolations = {{"y", 4, 64, 5, "φ0 + α h", 1.1, -0.5, 1e-3, 0.02, 1.0 / 3, not_measured},
+  s.extrapolations = {{"y", 4, 64, 5, "φ0 + α h", 1.1, -0.5, 1e-3, 0.02, 1.0 / 3, not_measured, "not monotone"},
                       {"z", 1, 2, 0, "none", not_measured, not_measured}};
   return s;
 }
