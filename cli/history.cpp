@@ -25,6 +25,8 @@ nlohmann::json change_json(const Change& change) {
                       {"before", side(change.before)},
                       {"after", side(change.after)}};
   if (!std::isnan(change.before.at)) json["at"] = {{"before", change.before.at}, {"after", change.after.at}};
+  if (!std::isnan(change.before.uncertainty))
+    json["uncertainty"] = {{"before", change.before.uncertainty}, {"after", change.after.uncertainty}};
   if (change.largest)
     json["largest"] = {{"x", change.largest->x}, {"before", change.largest->before}, {"after", change.largest->after}};
   return json;

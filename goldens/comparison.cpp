@@ -32,6 +32,13 @@ double bands_between(Finding::Kind kind, double before, double after) {
   return step / std::abs(before) / (kind == Finding::Kind::limit ? limit_band : error_band);
 }
 
+/// An extrapolated value has its uncertainty for a band.
+double bands_between(const Finding& before, const Finding& after) {
+  if (before.uncertainty > 0 && !same_up_to_round_off(before.number, after.number))
+    return std::abs(after.number - before.number) / before.uncertainty;
+  return bands_between(before.kind, before.number, after.number);
+}
+
 /// The level with the largest change among those that both have.
 void compare_levels(Change& change) {
   const auto& a = change.before.levels;
@@ -68,7 +75,7 @@ Change change_between(const Finding& before, const Finding& after) {
   } else if (!before.levels.empty()) {
     compare_levels(change);
   } else if (before.word.empty()) {
-    const double bands = bands_between(before.kind, before.number, after.number);
+    const double bands = bands_between(before, after);
     change.bands = before.better * (after.number - before.number) > 0 ? -bands : bands;
   }
   return change;

@@ -91,6 +91,19 @@ Finding limit_finding(const StudyResult& study, const Series& series, const Stab
   return finding;
 }
 
+/// Its uncertainty is that of the finest grid's value, from which it was extrapolated.
+Finding extrapolated_finding(const StudyResult& study, const Series& series, const Extrapolation& e) {
+  return numbered({study.name,
+                   Finding::Kind::value,
+                   fmt::format("extrapolated {} of '{}' over [{:g}, {:g}]", e.norm, series.name, e.from, e.to),
+                   e.limit,
+                   "",
+                   0,
+                   {},
+                   not_measured,
+                   e.uncertainty});
+}
+
 void add_statuses(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {
   for (const Point& point : series.points)
     findings.push_back({study.name,
@@ -125,6 +138,7 @@ std::string to_string(Finding::Kind kind) {
 std::string text(const Finding& finding) {
   if (!finding.word.empty()) return finding.word;
   const std::string number = fmt::format("{:.6g}", finding.number);
+  if (!std::isnan(finding.uncertainty)) return fmt::format("{} ± {:.2g}", number, finding.uncertainty);
   return std::isnan(finding.at) ? number : fmt::format("{} at {:g}", number, finding.at);
 }
 
@@ -133,6 +147,7 @@ std::vector<Finding> findings_of(const StudyResult& study) {
   for (const Series& series : study.series) {
     for (const ObservedOrder& order : series.orders) findings.push_back(order_finding(study, series, order));
     add_errors(findings, study, series);
+    for (const Extrapolation& e : series.extrapolations) findings.push_back(extrapolated_finding(study, series, e));
     if (series.limit) findings.push_back(limit_finding(study, series, *series.limit));
     if (study.kind != "check") add_statuses(findings, study, series);
     add_cost(findings, study, series);

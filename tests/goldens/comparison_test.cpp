@@ -50,6 +50,13 @@ TEST(Compare, MeasuresInTheGoldensBands) {
   EXPECT_NEAR(bands(error({{8, 1}, {16, 0.2}}), error({{8, 1}, {16, 0.26}})), 3, 1e-12);
 }
 
+TEST(Compare, MeasuresWhatIsExtrapolatedInItsUncertainty) {
+  Finding before = number(Kind::value, "extrapolated", 1e-3), after = number(Kind::value, "extrapolated", -2e-3);
+  before.uncertainty = 1e-3, after.uncertainty = 5;
+  EXPECT_NEAR(bands(before, after), 3, 1e-12);
+  EXPECT_EQ(bands(before, before), 0);
+}
+
 TEST(Compare, FindsTheLevelThatChangedMost) {
   const Change change = compare({error({{4, 4}, {8, 1}, {16, 0.2}})}, {error({{8, 2}, {16, 0.2}, {32, 9}})}).changes[0];
   ASSERT_TRUE(change.largest);

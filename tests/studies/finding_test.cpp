@@ -73,6 +73,18 @@ TEST(Findings, ACheckHasCurvesInsteadOfErrors) {
   EXPECT_EQ(found(study, "status of 'a' at 32").name, "");
 }
 
+TEST(Findings, AnExtrapolatedValueHasItsUncertainty) {
+  StudyResult study = sample();
+  study.series[0].extrapolations = {
+      {"kinetic", 8, 64, 4, "φ0 + α h", 1, 0.25, 0, 0.3, 0.0625, not_measured},
+      {"kinetic", 32, 64, 2, "none: 2 usable points in the window (4 needed)", not_measured}};
+  const Finding finding = found(study, "extrapolated kinetic of 'a' over [8, 64]");
+  EXPECT_EQ(finding.kind, Finding::Kind::value);
+  EXPECT_EQ(text(finding), "0.25 ± 0.062");
+  EXPECT_EQ(text(found(study, "extrapolated kinetic of 'a' over [32, 64]")), "not measured");
+  EXPECT_EQ(trends_of({findings_of(study)}).size(), 5U) << "order, error, limit, a value, an extrapolated one";
+}
+
 TEST(Findings, AStudyWithoutAClaimGivesNoVerdict) {
   StudyResult study = sample();
   EXPECT_EQ(findings_of(std::vector{study}).size(), findings_of(study).size());
