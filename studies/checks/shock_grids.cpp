@@ -21,12 +21,14 @@ double spacing_over_volume_ratio(const ShockedBar& bar) {
 CheckResult check_shock_grids() {
   const std::vector<double> cells{8, 10, 13, 16, 20};
   const mms::Hugoniot shock = theoretical_shock();
-  std::vector<double> plateau, front, temperature, spacing;
+  std::vector<double> plateau, front, foot, width, temperature, spacing;
   for (const double n : cells) {
     const ShockedBar bar({"FMPM(4)", "fmpm", "4", true}, static_cast<int>(n), "2.4e-6", shock);
     plateau.push_back(bar.plateau(bar.pressure).mean / shock.pressure());
     temperature.push_back(bar.plateau(bar.temperature).mean / shock.temperature());
     front.push_back(bar.front / bar.expected_front);
+    foot.push_back(bar.way_of(0.1) / bar.expected_front);
+    width.push_back((bar.way_of(0.25) - bar.way_of(0.75)) / bar.expected_front);
     spacing.push_back(spacing_over_volume_ratio(bar));
   }
   CheckResult result;
@@ -34,6 +36,8 @@ CheckResult check_shock_grids() {
   result.add_curve("plateau temperature", cells, temperature);
   result.add_curve("way of the front", cells, front);
   result.add_curve("spacing over det F", cells, spacing);
+  result.add_curve("way of the foot", cells, foot);
+  result.add_curve("width of the front", cells, width);
   return result;
 }
 

@@ -47,11 +47,12 @@ inline mms::Hugoniot theoretical_shock() {
           p.at("velocity")};
 }
 
-/// Where the profile first rises through half of `plateau`, seen from the left.
-inline double front_of(const Profile& profile, double plateau) {
+/// Where the profile first rises through `level`, seen from the left.
+inline double rise_through(const Profile& profile, double level) {
   for (std::size_t k = 1; k < profile.x.size(); ++k) {
-    const double before = profile.y[k - 1], after = profile.y[k], half = plateau / 2;
-    if (after >= half) return profile.x[k - 1] + (profile.x[k] - profile.x[k - 1]) * (half - before) / (after - before);
+    const double before = profile.y[k - 1], after = profile.y[k];
+    if (after >= level)
+      return profile.x[k - 1] + (profile.x[k] - profile.x[k - 1]) * (level - before) / (after - before);
   }
   return profile.x.back();
 }
@@ -74,21 +75,25 @@ struct PlateauRange {
 struct ShockedBar {
   MovingBody<2> body;
   Profile pressure, temperature;
+  double plateau_pressure;                    ///< by theory, Pa
   double front, expected_front, first, last;  ///< m
 
   ShockedBar(const ShockMethod& method, int cells, const char* end_time, const mms::Hugoniot& shock)
-      : body(method.settings(cells, end_time)) {
+      : body(method.settings(cells, end_time)), plateau_pressure(shock.pressure()) {
     constexpr double end = 0.05;
     body.step_to(body.resolution().steps);
     const auto& particles = body.mpm().particles();
     const double h = body.mpm().grid().h(), t = body.mpm().time();
     pressure = profile(body, [&](std::size_t p) { return particles.thermal[p].total_pressure(); });
     temperature = profile(body, [&](std::size_t p) { return particles.thermal[p].temperature; });
-    front = end - front_of(pressure, shock.pressure());
+    front = way_of(0.5);
     expected_front = shock.shock_speed() * t;
     first = end - expected_front + 24 * h;
     last = end - std::sqrt(2 * shock.energy()) * t - 12 * h;
   }
+
+  /// How far the pressure has come that is this share of the plateau's, m.
+  double way_of(double share) const { return 0.05 - rise_through(pressure, share * plateau_pressure); }
 
   PlateauRange plateau(const Profile& profile) const { return {profile, first, last}; }
   PlateauRange ringing() const { return {pressure, 0.05 - expected_front, first}; }
