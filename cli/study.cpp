@@ -128,7 +128,7 @@ int study(const StudyOptions& options) {
   std::vector<StudyPlan> plans;
   for (const std::string& file : options.files) {
     plans.push_back(read_study(file, overriding));
-    for (const std::string& what : plans.back().overridden) fmt::print(stderr, "{}: {}\n", plans.back().name, what);
+    for (const Overridden& done : plans.back().overridden) fmt::print(stderr, "{}: {}\n", plans.back().name, done.what);
     for (std::size_t k = 0; k + 1 < plans.size(); ++k)
       if (plans[k].name == plans.back().name)
         throw UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));

@@ -31,7 +31,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(mpmvv_flags INTERFACE
     -Wno-restrict  # g++ 12 sees an overlap in "text" + std::string() that is not there (GCC bug 105651)
     -Wno-subobject-linkage)  # in a batch of files g++ takes what one of them keeps to itself for a header's
-  if(NOT MPMVV_ARCH STREQUAL "auto")
+  if(MPMVV_ARCH AND NOT MPMVV_ARCH STREQUAL "auto")
     # g++ 12 finds what is not initialized in its own header for AVX-512 (GCC bug 105593).
     target_compile_options(mpmvv_flags INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized)
   endif()

@@ -4,16 +4,13 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <limits>
 
+#include "studies/median.hpp"
+
 namespace mpmvv {
 
 namespace {
 
 constexpr std::size_t least_pairs = 9, most_pairs = 45;
-
-double median_of(std::vector<double> values) {
-  std::ranges::sort(values);
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
-}
 
 std::vector<double> values_of(const std::vector<CostPair>& pairs, const std::function<double(const CostPair&)>& value) {
   std::vector<double> values;
@@ -21,9 +18,9 @@ std::vector<double> values_of(const std::vector<CostPair>& pairs, const std::fun
   return values;
 }
 
-/// How many of the values lie outside the interval on either side: as many as chance leaves below the true median with
-/// a probability of at most 0.5 %. None when even the extremes may miss it.
-std::size_t count_outside(std::size_t n) {
+/// The rank, from either end, of the values that bound the interval: chance puts the true median beyond each with a
+/// probability of at most 0.5 %. 0 when even the extremes may miss it.
+std::size_t rank_of_bounds(std::size_t n) {
   const boost::math::binomial below(static_cast<double>(n), 0.5);
   std::size_t k = 0;
   while (cdf(below, static_cast<double>(k)) <= 0.005) ++k;
@@ -40,13 +37,13 @@ Verdict CostRatio::verdict() const {
 CostRatio cost_ratio(const std::vector<CostPair>& pairs) {
   auto ratios = values_of(pairs, [](const CostPair& p) { return p.now / p.baseline; });
   std::ranges::sort(ratios);
-  const std::size_t outside = count_outside(ratios.size());
+  const std::size_t rank = rank_of_bounds(ratios.size());
   constexpr double unbounded = std::numeric_limits<double>::infinity();
   return {.now = median_of(values_of(pairs, &CostPair::now)),
           .baseline = median_of(values_of(pairs, &CostPair::baseline)),
           .ratio = median_of(ratios),
-          .least = outside == 0 ? 0 : ratios[outside - 1],
-          .most = outside == 0 ? unbounded : ratios[ratios.size() - outside],
+          .least = rank == 0 ? 0 : ratios[rank - 1],
+          .most = rank == 0 ? unbounded : ratios[ratios.size() - rank],
           .pairs = pairs.size()};
 }
 

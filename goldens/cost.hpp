@@ -1,6 +1,5 @@
 #pragma once
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "goldens/verdict.hpp"
@@ -25,7 +24,7 @@ struct CostRatio {
   Verdict verdict() const;
 };
 
-/// Of at least one pair; with fewer than nine the interval is unbounded.
+/// Of at least one pair; with fewer than eight the interval is unbounded.
 CostRatio cost_ratio(const std::vector<CostPair>& pairs);
 
 /// Measures nine pairs, and while the verdict is inconclusive more of them, up to 45.

@@ -8,6 +8,7 @@
 #include "reports/text.hpp"
 #include "studies/error.hpp"
 #include "studies/file.hpp"
+#include "studies/median.hpp"
 #include "studies/record.hpp"
 
 namespace mpmvv {
@@ -128,9 +129,7 @@ Table machine_table(const Benchmark& benchmark) {
 double BenchmarkRow::median(const std::string& counter) const {
   const auto it = counters.find(counter);
   if (it == counters.end()) return not_measured;
-  auto values = it->second;
-  std::ranges::sort(values);
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+  return median_of(it->second);
 }
 
 double BenchmarkRow::range(const std::string& counter) const {

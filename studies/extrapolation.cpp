@@ -124,6 +124,7 @@ struct ConvergenceIndex {
 
 /// The order p solves (h3^p - h2^p) / (h2^p - h1^p) = (φ3 - φ2) / (φ2 - φ1).
 ConvergenceIndex convergence_index(const Grids& s) {
+  if (s[1].e == s[0].e) return {not_measured, "no GCI: the two finest grids agree"};
   const double ratio = (s[2].e - s[1].e) / (s[1].e - s[0].e);
   if (!(ratio > 0)) return {not_measured, "no GCI: not monotone on the three finest grids"};
   const auto excess = [&](double p) {

@@ -83,6 +83,13 @@ struct Overriding {
   bool where_taken = false;
 };
 
+/// What became of such a setting in a study.
+struct Overridden {
+  std::size_t series = 0;  ///< that took it
+  std::string what;        ///< "shuffle = 3 in 2 of 2 series"
+  std::string refusal;     ///< why the last one that was asked does not take it; else empty
+};
+
 /// A study as its file describes it.
 struct StudyPlan {
   std::string name;  ///< stem of the file
@@ -101,15 +108,15 @@ struct StudyPlan {
   std::vector<ExtrapolationPlan> extrapolations;
   std::vector<Figure> figures;
   std::vector<Criterion> criteria;
-  std::vector<std::string> overridden;  ///< "shuffle = 3 in 2 of 2 series"
+  std::vector<Overridden> overridden;  ///< as the settings were given
 
   std::string kind() const { return !check.empty() ? "check" : limit ? "limit" : "convergence"; }
   bool has_series(const std::string& name) const;
 };
 
 /// Reads and checks a study file: every mistake is a UsageError with file and line, also one in a case that only
-/// a combination of series and swept value makes wrong. Every series gets the `overriding` settings on top of its own;
-/// a check has no series.
+/// a combination of series and swept value makes wrong. Series get the `overriding` settings on top of their own;
+/// a check has none.
 StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding = {});
 
 /// The case of a series at a value of the swept (or searched) key, the same at every `order` when the series' velocity

@@ -72,8 +72,9 @@ std::vector<std::string> program_parts() {
 
 std::string gate_version(const Laboratory& laboratory) {
   const auto decides = [](const std::string& file) {
-    constexpr std::array indifferent{".github", "README.md",       "cli",          "goldens/mutants", "reports",
-                                     "run",     "tests/benchmark", "tests/reports"};
+    constexpr std::array indifferent{".github",          "README.md",        "cli",          "goldens/mutants",
+                                     "goldens/cost.cpp", "goldens/cost.hpp", "reports",      "run",
+                                     "studies/cost.txt", "tests/benchmark",  "tests/reports"};
     return std::ranges::none_of(indifferent, [&](const char* part) { return is_within(file, part); });
   };
   const auto expects = [](const std::string& file) {

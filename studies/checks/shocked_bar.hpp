@@ -73,6 +73,8 @@ struct PlateauRange {
 /// A bar under shock and what it shows: the plateau from 24 cells behind the theoretical front to 12 before the wall,
 /// and the ringing in the 24 cells.
 struct ShockedBar {
+  static constexpr double end = 0.05;  ///< where the driving wall starts, m
+
   MovingBody<2> body;
   Profile pressure, temperature;
   double plateau_pressure;                    ///< by theory, Pa
@@ -80,7 +82,6 @@ struct ShockedBar {
 
   ShockedBar(const ShockMethod& method, int cells, const char* end_time, const mms::Hugoniot& shock)
       : body(method.settings(cells, end_time)), plateau_pressure(shock.pressure()) {
-    constexpr double end = 0.05;
     body.step_to(body.resolution().steps);
     const auto& particles = body.mpm().particles();
     const double h = body.mpm().grid().h(), t = body.mpm().time();
@@ -93,10 +94,10 @@ struct ShockedBar {
   }
 
   /// How far the pressure has come that is this share of the plateau's, m.
-  double way_of(double share) const { return 0.05 - rise_through(pressure, share * plateau_pressure); }
+  double way_of(double share) const { return end - rise_through(pressure, share * plateau_pressure); }
 
   PlateauRange plateau(const Profile& profile) const { return {profile, first, last}; }
-  PlateauRange ringing() const { return {pressure, 0.05 - expected_front, first}; }
+  PlateauRange ringing() const { return {pressure, end - expected_front, first}; }
 };
 
 }  // namespace mpmvv

@@ -13,14 +13,15 @@ bool varies(const StudyPlan& plan, const std::string& key) {
          (plan.limit && key == plan.limit->key);
 }
 
-bool takes(const StudyPlan& plan, SeriesPlan series, const Setting& setting) {
+/// Why a series does not take a setting; empty when it does.
+std::string refusal(const StudyPlan& plan, SeriesPlan series, const Setting& setting) {
   series.settings.push_back(setting);
   try {
     try_cases(plan, series);
-  } catch (const UsageError&) {
-    return false;
+  } catch (const UsageError& e) {
+    return e.what();
   }
-  return true;
+  return "";
 }
 
 }  // namespace
@@ -39,15 +40,20 @@ void override_series(const std::vector<Overriding>& settings, StudyPlan& plan) {
     if (is_varied && !where_taken)
       throw UsageError(fmt::format("{} in {} for study '{}', which varies it itself (another key)", setting.key,
                                    setting.where, plan.name));
-    std::size_t taken = 0;
+    Overridden done;
     for (SeriesPlan& series : plan.series) {
-      if (where_taken && (is_varied || !takes(plan, series, setting))) continue;
+      if (where_taken && is_varied) continue;
+      const std::string why_not = where_taken ? refusal(plan, series, setting) : "";
+      if (!why_not.empty()) {
+        done.refusal = why_not;
+        continue;
+      }
       series.settings.push_back(setting);
-      ++taken;
+      ++done.series;
     }
-    plan.overridden.push_back(
-        fmt::format("{} = {} in {} of {} series", setting.key, setting.value, taken, plan.series.size()));
-    plan.text += fmt::format("# Run with {}\n", plan.overridden.back());
+    done.what = fmt::format("{} = {} in {} of {} series", setting.key, setting.value, done.series, plan.series.size());
+    if (done.series > 0) plan.text += fmt::format("# Run with {}\n", done.what);
+    plan.overridden.push_back(done);
   }
 }
 

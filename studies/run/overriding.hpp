@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <vector>
 
 #include "studies/study.hpp"
@@ -9,7 +8,7 @@ namespace mpmvv {
 /// Makes every case of a series once; UsageError where one is wrong.
 void try_cases(const StudyPlan& plan, const SeriesPlan& series);
 
-/// Puts the settings on top of the series' own, and into the text that the store keeps. A check has no series.
+/// Puts the settings on top of the series' own, and into the text that the store keeps.
 /// UsageError on an unknown key, and on one that the study varies itself unless it may be left out.
 void override_series(const std::vector<Overriding>& settings, StudyPlan& plan);
 

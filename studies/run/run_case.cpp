@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "studies/error.hpp"
+#include "studies/median.hpp"
 #include "studies/run/balance.hpp"
 #include "studies/run/nodal_error.hpp"
 #include "studies/run/run_errors.hpp"
@@ -163,11 +164,6 @@ Record run_once(const Case& c, const Problem& problem, int threads, VtuSeries* v
     record.reason = e.what();
   }
   return record;
-}
-
-double median_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
 /// Repeats each sound run as often as its case says, in rounds, so that a slow spell of the machine meets all alike,

@@ -212,7 +212,7 @@ StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overri
   read_sweep(root, plan);
   read_limit(root, plan);
   read_replicates(root, plan);
-  override_series(overriding, plan);
+  if (plan.check.empty()) override_series(overriding, plan);
   if (plan.check.empty() && plan.series.empty())
     throw UsageError(
         fmt::format("{} describes nothing to run (series with a sweep or a limit, or a check)", file.string()));

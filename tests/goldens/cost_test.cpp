@@ -55,7 +55,8 @@ TEST(Cost, OneDisturbedRunDecidesNothing) {
 }
 
 TEST(Cost, FewPairsProveNothing) {
-  EXPECT_EQ(cost_ratio({{60, 30}, {60, 30}}).verdict(), Verdict::inconclusive);
+  EXPECT_EQ(cost_ratio(std::vector<CostPair>(7, {60, 30})).verdict(), Verdict::inconclusive);
+  EXPECT_EQ(cost_ratio(std::vector<CostPair>(8, {60, 30})).verdict(), Verdict::fail);
 }
 
 /// Its 99 % interval holds the true ratio as often as it says.

@@ -83,9 +83,13 @@ TEST(Extrapolation, ChangesThatGrowHaveNoConvergenceIndexAndNoOrder) {
 }
 
 TEST(Extrapolation, FinestGridsThatAgreeHaveNoConvergenceIndex) {
-  const Extrapolation e = extrapolate(sampled(doubled, [](double h) { return h > 0.05 ? h : 0.05; }), 8, 64);
-  EXPECT_TRUE(std::isnan(e.convergence_index));
-  EXPECT_THAT(e.remark, HasSubstr("hardly differ"));
+  for (const double sign : {1., -1., 0.}) {
+    const Extrapolation e = extrapolate(sampled(doubled, [=](double h) { return sign * std::max(h, 0.05); }), 8, 64);
+    EXPECT_TRUE(std::isnan(e.convergence_index));
+    EXPECT_THAT(e.remark, HasSubstr("the two finest grids agree")) << sign;
+  }
+  const auto nearly = [](double h) { return h > 0.05 ? h : 0.05 + 1e-12 * h; };
+  EXPECT_THAT(extrapolate(sampled(doubled, nearly), 8, 64).remark, HasSubstr("hardly differ"));
 }
 
 TEST(Extrapolation, NeedsFourGridsOfTheWindow) {

@@ -1,0 +1,13 @@
+#pragma once
+#include <algorithm>
+#include <vector>
+
+namespace mpmvv {
+
+/// Of at least one value.
+inline double median_of(std::vector<double> values) {
+  std::ranges::sort(values);
+  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+}
+
+}  // namespace mpmvv
