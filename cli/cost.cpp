@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -34,7 +35,7 @@ std::vector<std::string> read_cases(const std::string& file) {
   if (!in) throw UsageError(fmt::format("cannot read {} (a file with the options of a run on each line)", file));
   std::vector<std::string> cases;
   for (std::string line; std::getline(in, line);) {
-    line.erase(std::min(line.find('#'), line.size()));
+    line.erase(std::min(line.find_first_of("#\r"), line.size()));
     if (line.find_first_not_of(" \t") != std::string::npos) cases.push_back(line);
   }
   if (cases.empty()) throw UsageError(fmt::format("{} names no case (the options of a run on each line)", file));
@@ -48,22 +49,30 @@ ProcessEnd run_with(const std::string& program, const std::string& options) {
   return run_process(command, ".", {}, std::chrono::minutes(5));
 }
 
-/// ns per particle and step; none where the program does not carry the run out.
+/// ns per particle and step; none where the program has not carried the run out.
 std::optional<double> cost_of(const ProcessEnd& end) {
   if (!end.good()) return {};
   const auto record = nlohmann::json::parse(end.output, nullptr, false);
-  if (record.is_discarded() || record.value("status", "") != "ok") return {};
-  const auto& cost = record.at("ns_per_particle_step");
-  return cost.is_number() ? std::optional<double>(cost) : std::nullopt;
+  if (!record.is_object() || record.value("status", nlohmann::json()) != "ok") return {};
+  const auto cost = record.value("ns_per_particle_step", nlohmann::json());
+  return cost.is_number() && cost > 0 ? std::optional<double>(cost) : std::nullopt;
 }
 
 double required_cost(const std::string& program, const std::string& options) {
   const ProcessEnd end = run_with(program, options);
-  const auto cost = cost_of(end);
-  if (!cost)
-    throw UsageError(fmt::format("{} does not carry out the case '{}' (one that ends ok): {}", program, options,
-                                 end.output.substr(0, 300)));
-  return *cost;
+  if (const auto cost = cost_of(end)) return *cost;
+  const std::string how = end.start_error != 0 ? std::strerror(end.start_error)
+                          : end.timed_out      ? "not at its end after five minutes"
+                                               : end.output.substr(0, 300);
+  throw UsageError(
+      fmt::format("{} does not carry out the case '{}' (a program like this one, and a run that ends ok): {}", program,
+                  options, how));
+}
+
+/// Another version may not have all that a case asks for.
+bool refuses(const std::string& program, const std::string& options) {
+  constexpr int usage_error = 2;
+  return run_with(program, options).exit_code == usage_error;
 }
 
 CostRatio beside(const std::string& own, const std::string& baseline, const std::string& options) {
@@ -78,7 +87,7 @@ CostRatio beside(const std::string& own, const std::string& baseline, const std:
   });
 }
 
-nlohmann::json cost_json(const std::vector<CostedCase>& cases) {
+nlohmann::json cost_json(const std::vector<CostedCase>& cases, const std::vector<std::string>& left_out) {
   nlohmann::json all = nlohmann::json::array();
   for (const auto& [name, cost] : cases)
     all.push_back({{"case", name},
@@ -89,7 +98,7 @@ nlohmann::json cost_json(const std::vector<CostedCase>& cases) {
                    {"most", cost.most},
                    {"pairs", cost.pairs},
                    {"verdict", to_string(cost.verdict())}});
-  return {{"cases", all}};
+  return {{"cases", all}, {"left_out", left_out}};
 }
 
 void print_cost(const CostedCase& costed) {
@@ -104,23 +113,28 @@ std::size_t count(const std::vector<CostedCase>& cases, Verdict verdict) {
 }
 
 int cost(const CostOptions& options) {
-  const std::string own = std::filesystem::read_symlink("/proc/self/exe");
+  const std::string own = std::filesystem::read_symlink("/proc/self/exe"),
+                    baseline = std::filesystem::absolute(options.baseline);
   const bool terminal = isatty(STDERR_FILENO) != 0;
   std::vector<CostedCase> costed;
+  std::vector<std::string> left_out;
   const auto cases = read_cases(options.cases);
   for (const std::string& name : cases) {
-    if (terminal) fmt::print(stderr, "\r\033[K[{}/{}] {}", costed.size(), cases.size(), name);
+    if (terminal) fmt::print(stderr, "\r\033[K[{}/{}] {}", costed.size() + left_out.size(), cases.size(), name);
     required_cost(own, name);
-    if (const auto known = run_with(options.baseline, name); !cost_of(known)) {
-      fmt::print(stderr, "left out, as {} does not carry it out: {}\n", options.baseline, name);
-      continue;
-    }
-    costed.push_back({name, beside(own, options.baseline, name)});
+    const bool is_new = refuses(baseline, name);
+    if (is_new)
+      left_out.push_back(name);
+    else
+      costed.push_back({name, beside(own, baseline, name)});
     if (terminal) fmt::print(stderr, "\r\033[K");
-    if (!options.json) print_cost(costed.back());
+    if (is_new)
+      fmt::print(stderr, "left out, as the baseline refuses it: {}\n", name);
+    else if (!options.json)
+      print_cost(costed.back());
   }
   if (options.json)
-    print_json(cost_json(costed));
+    print_json(cost_json(costed, left_out));
   else
     fmt::print("cost: {} pass, {} fail, {} inconclusive (at most {} of the baseline's)\n", count(costed, Verdict::pass),
                count(costed, Verdict::fail), count(costed, Verdict::inconclusive), cost_band);

@@ -51,7 +51,7 @@ int report(const ReportOptions& options) {
   for (const Claim& claim : judge_claims(with_mutants(input.studies, input.mutants, own_alarms(options.goldens))))
     input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
   if (input.mutants.empty()) show_published_mutants(input, options.goldens);
-  input.alarms = read_alarms(std::filesystem::path(options.goldens) / "mutants").runs;
+  input.alarms = own_alarms(options.goldens);
   input.versions = store.versions();
   if (has_trends(input)) input.trends = trends_in(store, input.versions);
   input.benchmark = own_benchmark(options.db, input.provenance.digest);

@@ -123,6 +123,22 @@ std::vector<Overriding> overriding_settings(const StudyOptions& options) {
   return all;
 }
 
+/// A setting that some series refuse and none takes is a mistake in it.
+void require_taken(const std::vector<Overriding>& settings, const std::vector<StudyPlan>& plans) {
+  for (std::size_t k = 0; k < settings.size(); ++k) {
+    std::string refusal;
+    bool taken = false;
+    for (const StudyPlan& plan : plans) {
+      if (plan.overridden.empty()) continue;  // a check
+      taken = taken || plan.overridden[k].series > 0;
+      if (!plan.overridden[k].refusal.empty()) refusal = plan.overridden[k].refusal;
+    }
+    if (!taken && !refusal.empty())
+      throw UsageError(
+          fmt::format("no series takes {} = {} ({})", settings[k].setting.key, settings[k].setting.value, refusal));
+  }
+}
+
 int study(const StudyOptions& options) {
   const std::vector<Overriding> overriding = overriding_settings(options);
   std::vector<StudyPlan> plans;
@@ -133,6 +149,7 @@ int study(const StudyOptions& options) {
       if (plans[k].name == plans.back().name)
         throw UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
   }
+  require_taken(overriding, plans);
   Store store(options.db, Store::Mode::create_or_write);
   RunnerCounts counts;
   const auto outcomes = run_studies(plans, store, {options.jobs, progress_line()}, counts);

@@ -24,7 +24,7 @@ AlarmLog read_alarms(const std::filesystem::path& folder) {
   const auto file = folder / "alarms.toml";
   if (!std::filesystem::exists(file)) return {};
   const TomlTable document = TomlTable::read(file);
-  document.allow_only({"digest", "run"});
+  document.allow_only({"digest", "gate", "run"});
   AlarmLog log{document.text("digest"), {}};
   for (const TomlTable& table : document.tables("run")) {
     table.allow_only({"number", "build", "shuffle", "grid_offset", "pass", "fail", "inconclusive", "told"});

@@ -39,7 +39,20 @@ TEST_F(CostCommand, LeavesOutWhatTheBaselineDoesNotKnow) {
   const Answer answer = beside("echo 'mpmvv: unknown basis' >&2; exit 2");
   EXPECT_EQ(answer.code, 3);
   EXPECT_THAT(answer.err, HasSubstr("left out"));
+  EXPECT_EQ(answer.json()["left_out"].size(), 1U);
   EXPECT_EQ(answer.json()["cases"].size(), 0U);
+}
+
+TEST_F(CostCommand, RefusesABaselineThatIsNoSuchProgram) {
+  for (const char* answer : {"echo 3", "echo '{}'", "echo '{\"status\": 1}'", "exit 1", "exit 0"}) {
+    const Answer beside_none = beside(answer);
+    EXPECT_EQ(beside_none.code, 2) << answer;
+    EXPECT_THAT(beside_none.err, HasSubstr("a program like this one")) << answer;
+  }
+  EXPECT_EQ(beside(cost(0)).code, 2);
+  EXPECT_EQ(beside(cost(-1)).code, 2);
+  EXPECT_EQ(call(folder_, "cost " + folder_.write("text", "no program") + " --cases " + (folder_ / "cost.txt")).code,
+            2);
 }
 
 TEST_F(CostCommand, RefusesWhatIsNoCase) {

@@ -11,6 +11,7 @@ namespace mpmvv {
 namespace study_test {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -169,6 +170,15 @@ TEST(StudyCommand, WhatOnlySomeSeriesTakeReachesThoseAlone) {
   ASSERT_EQ(answer.code, 0) << answer.err;
   EXPECT_THAT(answer.err,
               AllOf(HasSubstr("grid_offset = 0.3 in 2 of 3 series"), HasSubstr("cells = 9 in 0 of 3 series")));
+  const std::string kept = call(folder, "db export --db " + db).out;
+  EXPECT_THAT(kept, ContainsRegex("boundary=periodic[^\n]*grid_offset=0.3"));
+  EXPECT_THAT(kept, ContainsRegex("boundary=dirichlet[^\n]*grid_offset=0 "));
+  for (const char* wrong : {"shuffle=abc", "basis=nonsense", "pcp=4"})
+    EXPECT_EQ(
+        call(folder, std::string("study --set-where-taken ") + wrong + " " + file + " --db " + (folder / "other.db"))
+            .code,
+        2)
+        << wrong;
 }
 
 TEST(StudyCommand, JobsDoNotChangeOneBit) {
