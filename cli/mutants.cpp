@@ -138,6 +138,9 @@ int mutants(const MutantsOptions& options) {
   CampaignPlan plan{planted_candidates(mistakes, laboratory, gate), random_candidates(options.seed, laboratory, gate),
                     options.random};
   keep_named(plan, options.only);
+  const Reasons reasons(options.lists());
+  for (auto* candidates : {&plan.planted, &plan.draws})
+    for (Candidate& candidate : *candidates) candidate.mutant.reason = reasons.of(candidate.mutant);
 
   Store store(options.db, Store::Mode::create_or_write);
   const std::vector<Mutant> known =
@@ -147,11 +150,11 @@ int mutants(const MutantsOptions& options) {
   Laboratory shared(options.source, work / "together", program_parts());
   ProgramBench alone(laboratory, options.jobs), together(shared, options.jobs);
   TogetherBench bench(alone, together, edits_to_try(plan, find), tell);
-  auto results = run_campaign(plan, gate, bench,
-                              {.find = find,
-                               .keep = [&](const Mutant& mutant) { store.keep_mutant(mutant, current_provenance()); },
-                               .tell = tell});
-  explain(results, options.lists());
+  const auto results =
+      run_campaign(plan, gate, bench,
+                   {.find = find,
+                    .keep = [&](const Mutant& mutant) { store.keep_mutant(mutant, current_provenance()); },
+                    .tell = tell});
   return answer(results, options.json);
 }
 

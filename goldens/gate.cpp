@@ -96,7 +96,8 @@ double segment_spread(const ObservedOrder& fit) {
 
 /// An order inside the band, or outside it with an interval that reaches in.
 Judgement judge_interval(const OrderGolden& golden, const ObservedOrder& fit, const std::string& measured) {
-  const double width = half_width(fit), widest = std::max(golden.upper - golden.lower, 1.5 * golden.interval);
+  const double width = half_width(fit),
+               widest = std::max(golden.upper - golden.lower, interval_margin * golden.interval);
   if (fit.order < golden.lower || fit.order > golden.upper)
     return inconclusive(measured, fmt::format("outside the band, but its interval of ± {:.2g} reaches in", width));
   if (width > widest) return inconclusive(measured, fmt::format("its interval of ± {:.2g} is too wide", width));

@@ -14,18 +14,22 @@ inline constexpr double order_band = 0.15;  ///< absolute, either side
 inline constexpr double error_band = 0.10;  ///< relative; for check values too
 inline constexpr double limit_band = 0.05;  ///< relative
 
+/// As much wider than the one reviewed may the interval of an order be: other orders and places of the particles widen
+/// it by up to a tenth.
+inline constexpr double interval_margin = 1.5;
+
 /// The fitted order of a series in a norm. Where a window is given, the fit over that window is meant; where a number
 /// of points is given, a fit over fewer fails; in a window that was asymptotic when reviewed segment orders may scatter
-/// twice as much as that allows. An interval wider than the band, and wider than half as much again as the one
-/// reviewed, decides nothing. An error at the finest level that has grown by more than the band of errors fails,
-/// although the order holds.
+/// twice as much as that allows. An interval wider than the band, and wider by more than its margin than
+/// the one reviewed, decides nothing. An error at the finest level that has grown by more than the band of errors
+/// fails, although the order holds.
 struct OrderGolden {
   std::string series, norm;
   double expected = 0, lower = 0, upper = 0;
   std::vector<double> window = {};  ///< two swept values, or empty
   int points = 0;
   bool asymptotic = false;
-  double interval = 0;              ///< half-width reviewed, where it was wider than the band
+  double interval = 0;              ///< half-width reviewed, where with its margin it is wider than the band
   std::vector<double> finest = {};  ///< a swept value and the error there, or empty
 };
 

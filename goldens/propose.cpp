@@ -84,7 +84,8 @@ void propose_order(Draft& draft, const std::string& sweep, const Series& series,
   const Point* finest = finest_stable(sweep, series, fit.norm, fit.from, fit.to);
   const std::string level = finest ? fmt::format("\nfinest = [{}, {:.4g}]", finest->x, finest->y.at(fit.norm)) : "";
   const std::string asymptotic = fit.asymptotic ? "\nasymptotic = true" : "";
-  const std::string wide = fit.half_width > 2 * order_band ? fmt::format("\ninterval = {:.2f}", fit.half_width) : "";
+  const bool is_wide = interval_margin * fit.half_width > 2 * order_band;
+  const std::string wide = is_wide ? fmt::format("\ninterval = {:.2f}", fit.half_width) : "";
   draft.table(
       "order",
       fmt::format("series = {}\nnorm = \"{}\"\nwindow = [{}, {}]\npoints = {}\nexpected = {:.3f}\nlower = {:.3f}\n"

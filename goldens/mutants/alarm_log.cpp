@@ -29,8 +29,6 @@ AlarmLog read_alarms(const std::filesystem::path& folder) {
   for (const TomlTable& table : document.tables("run")) {
     table.allow_only({"number", "build", "shuffle", "grid_offset", "pass", "fail", "inconclusive", "told"});
     log.runs.push_back({.build = table.text("build"),
-                        .shuffle = count_of(table, "shuffle"),
-                        .grid_offset = table.number("grid_offset"),
                         .pass = count_of(table, "pass"),
                         .fail = count_of(table, "fail"),
                         .inconclusive = count_of(table, "inconclusive")});

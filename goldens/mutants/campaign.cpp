@@ -36,7 +36,8 @@ class Campaign {
     draw();
     for (std::size_t k = 0; k < results_.size(); ++k) {
       progress_ = "";
-      if (!results_[k].caught()) try_through(results_[k], *edits_[k], {GateStage::nightly}, false);
+      if (!results_[k].caught() && results_[k].reason.empty())
+        try_through(results_[k], *edits_[k], {GateStage::nightly}, false);
     }
     if (!baseline_.trials.empty()) results_.insert(results_.begin(), baseline_);
     return std::move(results_);
@@ -46,7 +47,9 @@ class Campaign {
   /// The result so far of a candidate, which is added to those of the campaign.
   Mutant& begin(const Candidate& candidate) {
     edits_.push_back(&candidate.edit);
-    return results_.emplace_back(store_.find(candidate.mutant).value_or(candidate.mutant));
+    Mutant& mutant = results_.emplace_back(store_.find(candidate.mutant).value_or(candidate.mutant));
+    mutant.reason = candidate.mutant.reason;
+    return mutant;
   }
 
   void draw() {

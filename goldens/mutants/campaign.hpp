@@ -10,7 +10,7 @@ namespace mpmvv {
 
 /// A mutant to be tried, and its edit.
 struct Candidate {
-  Mutant mutant;  ///< without trials
+  Mutant mutant;  ///< without trials, with its reason where someone has explained it
   Edit edit;
 };
 
@@ -39,9 +39,10 @@ std::vector<Edit> edits_to_try(const CampaignPlan& plan,
                                const std::function<std::optional<Mutant>(const Mutant&)>& find);
 
 /// Takes the tree without a mistake through the stages, then planted mistakes through the unit tests and the quick
-/// gate, random ones through the quick gate and, those that it does not catch, the unit tests; at last whatever has
-/// survived through the nightly gate. What is known is not done again. UsageError when the tree does not build or does
-/// not pass: a gate that fails on it proves nothing. The baseline comes first, the others in the order of the plan.
+/// gate, random ones through the quick gate and, those that it does not catch, the unit tests; at last what has
+/// survived through the nightly gate, unless it has a reason why nothing shows it. What is known is not done again.
+/// UsageError when the tree does not build or does not pass: a gate that fails on it proves nothing. The baseline comes
+/// first, the others in the order of the plan.
 std::vector<Mutant> run_campaign(const CampaignPlan& plan, const std::string& gate, Bench& bench,
                                  const CampaignStore& store);
 

@@ -101,21 +101,24 @@ std::vector<Mutant> reviewed(std::vector<Mutant> mutants, const std::filesystem:
     all.push_back(tried != mutants.end() ? *tried
                                          : Mutant{.name = mistake.name, .what = mistake.what, .file = mistake.file});
   }
-  explain(all, folder);
+  const Reasons reasons(folder);
+  for (Mutant& mutant : all) mutant.reason = reasons.of(mutant);
   return all;
 }
 
-void explain(std::vector<Mutant>& mutants, const std::filesystem::path& folder) {
-  if (const auto planted = folder / "planted.toml"; std::filesystem::exists(planted))
-    for (const Mistake& mistake : read_mistakes(planted))
-      for (Mutant& mutant : mutants)
-        if (mutant.kind == Mutant::Kind::planted && mutant.name == mistake.name) mutant.reason = mistake.reason;
-  if (const auto explained = folder / "explained.toml"; std::filesystem::exists(explained))
-    for (const Explanation& e : read_explanations(explained))
-      for (Mutant& mutant : mutants)
-        if (mutant.kind == Mutant::Kind::random && mutant.file == e.file && mutant.before == e.before &&
-            mutant.after == e.after)
-          mutant.reason = e.reason;
+Reasons::Reasons(const std::filesystem::path& folder) {
+  if (const auto file = folder / "planted.toml"; std::filesystem::exists(file)) planted_ = read_mistakes(file);
+  if (const auto file = folder / "explained.toml"; std::filesystem::exists(file)) explained_ = read_explanations(file);
+}
+
+std::string Reasons::of(const Mutant& mutant) const {
+  if (mutant.kind == Mutant::Kind::planted)
+    for (const Mistake& mistake : planted_)
+      if (mutant.name == mistake.name) return mistake.reason;
+  if (mutant.kind == Mutant::Kind::random)
+    for (const Explanation& e : explained_)
+      if (mutant.file == e.file && mutant.before == e.before && mutant.after == e.after) return e.reason;
+  return "";
 }
 
 }  // namespace mpmvv

@@ -37,10 +37,20 @@ struct Explanation {
 /// does not name any more, and with what has not been tried. None where no mutant is given.
 std::vector<Mutant> reviewed(std::vector<Mutant> mutants, const std::filesystem::path& folder);
 
-/// Gives mutants their reasons, from `planted.toml` and `explained.toml` in a folder, as far as they are there.
-void explain(std::vector<Mutant>& mutants, const std::filesystem::path& folder);
-
 /// The [[survivor]] tables of a file. UsageError on every mistake in it, with FILE:LINE.
 std::vector<Explanation> read_explanations(const std::filesystem::path& file);
+
+/// Why nothing shows a mutant, from `planted.toml` and `explained.toml` in a folder, as far as they are there.
+class Reasons {
+ public:
+  explicit Reasons(const std::filesystem::path& folder);
+
+  /// Empty where nobody has given one.
+  std::string of(const Mutant& mutant) const;
+
+ private:
+  std::vector<Mistake> planted_;
+  std::vector<Explanation> explained_;
+};
 
 }  // namespace mpmvv

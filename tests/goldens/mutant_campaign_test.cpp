@@ -86,6 +86,16 @@ TEST_F(Campaigns, StagesComeInTheirOrderAndTheUnchangedTreeFirst) {
   EXPECT_THAT(bench_.limits, testing::Contains(seconds(130))) << "several times the unchanged tree's 2 s";
 }
 
+TEST_F(Campaigns, WhatIsExplainedDoesNotMeetTheNightlyGate) {
+  Candidate explained = first_;
+  explained.mutant.reason = "equivalent";
+  const auto results = run({{}, {explained, second_}, 2});
+  EXPECT_THAT(bench_.log, ElementsAre(" quick", " unit tests", "r1 quick", "r1 unit tests", "r2 quick", "r2 unit tests",
+                                      " nightly", "r2 nightly"));
+  ASSERT_EQ(results.size(), 3U);
+  EXPECT_EQ(results[1].reason, "equivalent");
+}
+
 TEST_F(Campaigns, WhatDoesNotCompileIsNoMutant) {
   bench_.broken = {"r1"};
   bench_.catches = {{"r2", GateStage::quick}};

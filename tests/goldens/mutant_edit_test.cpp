@@ -99,10 +99,10 @@ TEST_F(MutantFiles, ReasonsReachTheirMutants) {
   for (const std::size_t k : {1, 2}) mutants[k].kind = Mutant::Kind::random, mutants[k].before = "x < y";
   mutants[1].after = "x <= y";
   mutants[2].after = "x > y";
-  explain(mutants, folder_);
-  EXPECT_EQ(mutants[0].reason, "why");
-  EXPECT_EQ(mutants[1].reason, "equal");
-  EXPECT_EQ(mutants[2].reason, "");
+  const Reasons reasons(folder_);
+  EXPECT_EQ(reasons.of(mutants[0]), "why");
+  EXPECT_EQ(reasons.of(mutants[1]), "equal");
+  EXPECT_EQ(reasons.of(mutants[2]), "");
 }
 
 TEST_F(MutantFiles, WhatIsReviewedFollowsTheList) {
@@ -127,7 +127,7 @@ TEST_F(MutantFiles, RunsWithoutAMistakeAreRead) {
   EXPECT_EQ(log.digest, "d1");
   ASSERT_EQ(log.runs.size(), 1U);
   EXPECT_EQ(log.runs[0].build, "g++ -O2");
-  EXPECT_EQ(log.runs[0].grid_offset, 0.37);
+  EXPECT_EQ(log.runs[0].pass, 579);
   EXPECT_TRUE(log.runs[0].is_alarm());
   std::ofstream(folder_ / "alarms.toml")
       << "digest = 'd1'\n[[run]]\nbuild = 'g++'\nshuffle = 1\ngrid_offset = 0\npass = -1\n";

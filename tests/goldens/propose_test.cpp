@@ -75,6 +75,17 @@ TEST(Propose, OrdersAndErrorsRoundTripWithTheBandsOfTheHouse) {
   EXPECT_EQ(error.band, 0.1);
 }
 
+TEST(Propose, AnIntervalIsRecordedWhereItsMarginPassesTheBand) {
+  const auto interval_of = [](double half_width) {
+    Series series = convergent();
+    series.orders[0].half_width = half_width;
+    return std::get<OrderGolden>(proposed(study_with(series))[0].expectation).interval;
+  };
+  EXPECT_EQ(interval_of(0.19), 0);
+  EXPECT_EQ(interval_of(0.25), 0.25);
+  EXPECT_EQ(interval_of(0.4), 0.4);
+}
+
 TEST(Propose, AWorseResultTakesNoGoldensPlace) {
   const std::vector<Golden> standing = proposed(study_with(convergent()));
   const auto propose_again = [&](double order, double error) {
