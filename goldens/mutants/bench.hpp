@@ -8,6 +8,11 @@
 
 namespace mpmvv {
 
+/// Whether a complaint is of a golden that cannot judge.
+inline bool is_inconclusive(const std::string& complaint) {
+  return complaint.ends_with("(inconclusive)");
+}
+
 /// Where mutants meet the stages of the gate.
 class Bench {
  public:

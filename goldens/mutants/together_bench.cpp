@@ -14,7 +14,7 @@ namespace {
 /// Whether a mutant is caught by nothing but time, which others beside it cost, or goldens that cannot judge.
 bool is_doubtful(const Trial& trial) {
   return trial.caught && std::ranges::all_of(trial.by, [](const std::string& by) {
-           return by.find("not at its end") != std::string::npos || by.ends_with("(inconclusive)");
+           return by.find("not at its end") != std::string::npos || is_inconclusive(by);
          });
 }
 

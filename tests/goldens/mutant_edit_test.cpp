@@ -253,10 +253,29 @@ TEST(GateOutput, TheTestThatFailedIsNamed) {
 
 TEST(GateOutput, GoldensThatDoNotPassAreNamed) {
   const char* json = R"({"results": [{"study": "s", "name": "order", "verdict": "pass"},
-                                     {"study": "s", "name": "error", "verdict": "fail"},
-                                     {"study": "t", "name": "limit", "verdict": "inconclusive"}]})";
+                                     {"study": "t", "name": "limit", "verdict": "inconclusive"},
+                                     {"study": "s", "name": "error", "verdict": "fail"}]})";
   EXPECT_THAT(goldens_not_passed(json), testing::ElementsAre("s: error", "t: limit (inconclusive)"));
   EXPECT_THAT(goldens_not_passed("Segmentation"), testing::ElementsAre("the gate prints no JSON"));
+}
+
+TEST(GateOutput, TheFirstStudyOfWhichAnythingFailsEndsTheStage) {
+  std::vector<std::string> asked;
+  const auto caught_by = [&](std::map<std::string, std::vector<std::string>> complaints) {
+    asked.clear();
+    return first_catch(GateStage::quick, {"a", "b", "c"}, [&](const std::string& study) {
+      asked.push_back(study);
+      return complaints[study];
+    });
+  };
+  EXPECT_FALSE(caught_by({}).caught);
+  const Trial decided = caught_by({{"a", {"a: x (inconclusive)"}}, {"b", {"b: y", "b: z (inconclusive)"}}});
+  EXPECT_TRUE(decided.caught);
+  EXPECT_THAT(decided.by, testing::ElementsAre("b: y", "b: z (inconclusive)"));
+  EXPECT_THAT(asked, testing::ElementsAre("a", "b"));
+  const Trial doubtful = caught_by({{"b", {"b: x (inconclusive)"}}, {"c", {"c: y (inconclusive)"}}});
+  EXPECT_TRUE(doubtful.caught);
+  EXPECT_THAT(doubtful.by, testing::ElementsAre("b: x (inconclusive)"));
 }
 
 TEST(GateOutput, AnEditReachesTheTestsThatLinkIt) {
