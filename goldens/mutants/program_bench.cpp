@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -135,7 +136,7 @@ std::vector<std::string> goldens_not_passed(const std::string& json) {
       names.push_back(fmt::format("{}: {}{}", result.at("study").get<std::string>(),
                                   result.at("name").get<std::string>(), verdict == "fail" ? "" : " (" + verdict + ")"));
   }
-  std::ranges::stable_partition(names, std::not_fn(is_inconclusive));
+  std::stable_partition(names.begin(), names.end(), std::not_fn(is_inconclusive));
   return names;
 }
 
