@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -192,6 +193,7 @@ bool ProgramBench::compiles(const std::string& target) {
 bool ProgramBench::build(const Edit* edit) {
   tests_ = test_programs(edit ? edit->file : "");
   chosen_ = 0;
+  is_edited_ = edit != nullptr;
   if (edit)
     laboratory_.apply(*edit);
   else
@@ -231,6 +233,7 @@ std::vector<int> ProgramBench::build(const std::vector<Choice>& choices) {
 void ProgramBench::choose(const Choice* choice) {
   tests_ = test_programs(choice ? choice->edit.file : "");
   chosen_ = choice ? choice->number : 0;
+  is_edited_ = choice != nullptr;
 }
 
 Trial ProgramBench::meet(GateStage stage, seconds limit) {
@@ -246,13 +249,22 @@ ProcessEnd ProgramBench::run(const std::vector<std::string>& command, seconds li
   return laboratory_.run(command, limit, {{choice_variable, std::to_string(chosen_)}});
 }
 
+seconds ProgramBench::limit_of(const std::string& name, seconds stage) const {
+  const auto usual = usual_.find(name);
+  if (!is_edited_ || usual == usual_.end()) return stage;
+  return std::min(stage, seconds(std::lround(30 + 5 * usual->second)));
+}
+
 /// Of what waits for ever, instead of working, the processors see nothing.
-ProcessEnd ProgramBench::run_confined(const std::vector<std::string>& command, seconds limit) const {
-  return run(confined_command(jobs_ * limit, command), 20 * limit);
+ProcessEnd ProgramBench::run_confined(const std::string& name, const std::vector<std::string>& command, seconds limit) {
+  const auto start = std::chrono::steady_clock::now();
+  const ProcessEnd end = run(confined_command(jobs_ * limit, command), 20 * limit);
+  if (!is_edited_ && end.good()) usual_[name] = seconds_since(start);
+  return end;
 }
 
 /// Test programs are built one by one: most mistakes need no more than the first.
-Trial ProgramBench::run_unit_tests(seconds limit) {
+Trial ProgramBench::run_unit_tests(seconds stage) {
   Trial trial{.stage = GateStage::unit_tests};
   for (const std::string& test : tests_) {
     if (!compiles(test)) {
@@ -260,8 +272,10 @@ Trial ProgramBench::run_unit_tests(seconds limit) {
       trial.by = {test + ": does not compile"};
       return trial;
     }
+    const seconds limit = limit_of(test, stage);
     const ProcessEnd end = run_confined(
-        {program(test), "--gtest_fail_fast", "--gtest_color=no", "--gtest_filter=-*Nightly*:PlantedMistakes.*"}, limit);
+        test, {program(test), "--gtest_fail_fast", "--gtest_color=no", "--gtest_filter=-*Nightly*:PlantedMistakes.*"},
+        limit);
     if (end.good()) continue;
     trial.caught = true;
     const std::string ending =
@@ -272,16 +286,17 @@ Trial ProgramBench::run_unit_tests(seconds limit) {
   return trial;
 }
 
-Trial ProgramBench::run_gate(GateStage stage, const std::vector<std::string>& studies, seconds limit) const {
+Trial ProgramBench::run_gate(GateStage stage, const std::vector<std::string>& studies, seconds limit) {
   const std::string db = (laboratory_.build() / (to_string(stage) + ".db")).string();
   fs::remove(db);
   fs::remove(db + "-journal");
   return first_catch(stage, studies, [&](const std::string& study) { return complaints_of(study, db, limit); });
 }
 
-std::vector<std::string> ProgramBench::complaints_of(const std::string& study, const std::string& db,
-                                                     seconds limit) const {
+std::vector<std::string> ProgramBench::complaints_of(const std::string& study, const std::string& db, seconds stage) {
+  const seconds limit = limit_of(study, stage);
   const ProcessEnd ran = run_confined(
+      study,
       {program("mpmvv"), "study", "--db", db, "--jobs", std::to_string(jobs_), fmt::format("studies/{}.toml", study)},
       limit);
   const std::string ending = fmt::format("{}: {}", study, how_it_ended(ran, limit));

@@ -28,12 +28,13 @@ class ProgramBench final : public ChoiceBench {
   ProcessEnd make(const std::vector<std::string>& targets) const;
   bool compiles(const std::string& target);
   ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit) const;
-  ProcessEnd run_confined(const std::vector<std::string>& command, std::chrono::seconds limit) const;
-  Trial run_unit_tests(std::chrono::seconds limit);
-  Trial run_gate(GateStage stage, const std::vector<std::string>& studies, std::chrono::seconds limit) const;
+  /// Several times what a study or test program took without a mistake; where that is not known, its stage's limit.
+  std::chrono::seconds limit_of(const std::string& name, std::chrono::seconds stage) const;
+  ProcessEnd run_confined(const std::string& name, const std::vector<std::string>& command, std::chrono::seconds limit);
+  Trial run_unit_tests(std::chrono::seconds stage);
+  Trial run_gate(GateStage stage, const std::vector<std::string>& studies, std::chrono::seconds limit);
   /// What does not pass of one study, run and judged; empty when all of it passes.
-  std::vector<std::string> complaints_of(const std::string& study, const std::string& db,
-                                         std::chrono::seconds limit) const;
+  std::vector<std::string> complaints_of(const std::string& study, const std::string& db, std::chrono::seconds stage);
   std::string program(const std::string& name) const { return (laboratory_.build() / name).string(); }
 
   Laboratory& laboratory_;
@@ -41,6 +42,8 @@ class ProgramBench final : public ChoiceBench {
   std::vector<std::string> quick_, nightly_;  ///< names of studies
   std::vector<std::string> tests_;            ///< test programs that the edit can reach
   int chosen_ = 0;                            ///< number of a choice, 0 for none
+  bool is_edited_ = false;                    ///< whether what was built or chosen last has a mistake
+  std::map<std::string, double> usual_;       ///< seconds of studies and test programs without a mistake
   std::string complaint_;
 };
 

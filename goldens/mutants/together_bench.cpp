@@ -11,11 +11,9 @@ namespace mpmvv {
 
 namespace {
 
-/// Whether a mutant is caught by nothing but time, which others beside it cost, or goldens that cannot judge.
+/// Whether a mutant is caught by nothing but goldens that cannot judge.
 bool is_doubtful(const Trial& trial) {
-  return trial.caught && std::ranges::all_of(trial.by, [](const std::string& by) {
-           return by.find("not at its end") != std::string::npos || is_inconclusive(by);
-         });
+  return trial.caught && std::ranges::all_of(trial.by, is_inconclusive);
 }
 
 }  // namespace

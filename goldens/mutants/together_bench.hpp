@@ -9,8 +9,8 @@
 namespace mpmvv {
 
 /// Saves builds, which take far longer than most mutants live: builds many at once and lets one after the other meet
-/// the unit tests and the quick gate. What cannot be built with others meets them alone, what is caught by time only or
-/// by goldens that cannot judge does so again, and the nightly gate is met alone.
+/// the unit tests and the quick gate. What cannot be built with others meets them alone, what is caught by nothing but
+/// goldens that cannot judge does so again, and the nightly gate is met alone.
 class TogetherBench final : public Bench {
  public:
   static constexpr std::size_t least = 2, most = 40;  ///< mutants in one build
