@@ -24,7 +24,7 @@ class Campaign {
     baseline_.name = "baseline";
     baseline_.kind = Mutant::Kind::baseline;
     baseline_.gate = gate;
-    if (const auto known = store_.find(baseline_)) baseline_ = *known;
+    if (const auto known = store_.find(baseline_)) baseline_.trials = known->trials;
     std::erase_if(baseline_.trials, [](const Trial& trial) { return trial.caught; });  // another try
   }
 
