@@ -171,10 +171,12 @@ TYPED_TEST(Repeatability, SlabsNextButOneShareNoNode) {
   }
 }
 
-/// As even as the least thickness allows, and never thinner.
+/// As even as the least thickness allows, and never thinner, wherever the grid lies.
 TEST(Slabs, HoldAboutAsManyParticlesEach) {
   Particles<1> particles = crowd(80);
-  const Grid<1> grid(Vec<1>::Zero(), 1, {80}, 1, 2);
+  const Vec<1> corner = Vec<1>::Constant(-17.5);
+  for (auto& x : particles.x) x += corner;
+  const Grid<1> grid(corner, 1, {80}, 1, 2);
   Slabs<1> slabs(grid, Linear{});
   Team alone(1);
   slabs.sort(particles, grid, alone);
