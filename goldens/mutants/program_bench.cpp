@@ -249,10 +249,10 @@ ProcessEnd ProgramBench::run(const std::vector<std::string>& command, seconds li
   return laboratory_.run(command, limit, {{choice_variable, std::to_string(chosen_)}});
 }
 
-seconds ProgramBench::limit_of(const std::string& name, seconds stage) const {
+seconds ProgramBench::limit_of(const std::string& name, seconds stage_limit) const {
   const auto usual = usual_.find(name);
-  if (!is_edited_ || usual == usual_.end()) return stage;
-  return std::min(stage, seconds(std::lround(30 + 5 * usual->second)));
+  if (!is_edited_ || usual == usual_.end()) return stage_limit;
+  return std::min(stage_limit, seconds(std::lround(30 + 5 * usual->second)));
 }
 
 /// Of what waits for ever, instead of working, the processors see nothing.
@@ -264,7 +264,7 @@ ProcessEnd ProgramBench::run_confined(const std::string& name, const std::vector
 }
 
 /// Test programs are built one by one: most mistakes need no more than the first.
-Trial ProgramBench::run_unit_tests(seconds stage) {
+Trial ProgramBench::run_unit_tests(seconds stage_limit) {
   Trial trial{.stage = GateStage::unit_tests};
   for (const std::string& test : tests_) {
     if (!compiles(test)) {
@@ -272,7 +272,7 @@ Trial ProgramBench::run_unit_tests(seconds stage) {
       trial.by = {test + ": does not compile"};
       return trial;
     }
-    const seconds limit = limit_of(test, stage);
+    const seconds limit = limit_of(test, stage_limit);
     const ProcessEnd end = run_confined(
         test, {program(test), "--gtest_fail_fast", "--gtest_color=no", "--gtest_filter=-*Nightly*:PlantedMistakes.*"},
         limit);
@@ -286,15 +286,16 @@ Trial ProgramBench::run_unit_tests(seconds stage) {
   return trial;
 }
 
-Trial ProgramBench::run_gate(GateStage stage, const std::vector<std::string>& studies, seconds limit) {
+Trial ProgramBench::run_gate(GateStage stage, const std::vector<std::string>& studies, seconds stage_limit) {
   const std::string db = (laboratory_.build() / (to_string(stage) + ".db")).string();
   fs::remove(db);
   fs::remove(db + "-journal");
-  return first_catch(stage, studies, [&](const std::string& study) { return complaints_of(study, db, limit); });
+  return first_catch(stage, studies, [&](const std::string& study) { return complaints_of(study, db, stage_limit); });
 }
 
-std::vector<std::string> ProgramBench::complaints_of(const std::string& study, const std::string& db, seconds stage) {
-  const seconds limit = limit_of(study, stage);
+std::vector<std::string> ProgramBench::complaints_of(const std::string& study, const std::string& db,
+                                                     seconds stage_limit) {
+  const seconds limit = limit_of(study, stage_limit);
   const ProcessEnd ran = run_confined(
       study,
       {program("mpmvv"), "study", "--db", db, "--jobs", std::to_string(jobs_), fmt::format("studies/{}.toml", study)},
