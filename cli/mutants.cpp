@@ -71,6 +71,12 @@ std::vector<Candidate> random_candidates(std::uint64_t seed, const Laboratory& l
   return candidates;
 }
 
+std::vector<Mutant> mutants_of(const std::vector<Candidate>& candidates) {
+  std::vector<Mutant> mutants;
+  for (const Candidate& candidate : candidates) mutants.push_back(candidate.mutant);
+  return mutants;
+}
+
 /// Leaves only what is named, if anything is.
 void keep_named(CampaignPlan& plan, const std::vector<std::string>& names) {
   if (names.empty()) return;
@@ -137,8 +143,9 @@ int mutants(const MutantsOptions& options) {
   const std::string gate = gate_version(laboratory);
   CampaignPlan plan{planted_candidates(mistakes, laboratory, gate), random_candidates(options.seed, laboratory, gate),
                     options.random};
-  keep_named(plan, options.only);
   const Reasons reasons(options.lists());
+  reasons.check(mutants_of(plan.draws));
+  keep_named(plan, options.only);
   for (auto* candidates : {&plan.planted, &plan.draws})
     for (Candidate& candidate : *candidates) candidate.mutant.reason = reasons.of(candidate.mutant);
 

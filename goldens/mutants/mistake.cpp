@@ -84,10 +84,14 @@ std::vector<Explanation> read_explanations(const std::filesystem::path& file) {
   std::vector<Explanation> explanations;
   for (const TomlTable& table : document.tables("survivor")) {
     table.allow_only({"file", "before", "after", "reason"});
-    explanations.push_back(
-        {filled(table, "file"), filled(table, "before"), filled(table, "after"), filled(table, "reason")});
+    explanations.push_back({filled(table, "file"), filled(table, "before"), filled(table, "after"),
+                            filled(table, "reason"), table.where()});
   }
   return explanations;
+}
+
+bool Explanation::is_of(const Mutant& mutant) const {
+  return mutant.kind == Mutant::Kind::random && mutant.file == file && mutant.before == before && mutant.after == after;
 }
 
 std::vector<Mutant> reviewed(std::vector<Mutant> mutants, const std::filesystem::path& folder) {
@@ -115,10 +119,17 @@ std::string Reasons::of(const Mutant& mutant) const {
   if (mutant.kind == Mutant::Kind::planted)
     for (const Mistake& mistake : planted_)
       if (mutant.name == mistake.name) return mistake.reason;
-  if (mutant.kind == Mutant::Kind::random)
-    for (const Explanation& e : explained_)
-      if (mutant.file == e.file && mutant.before == e.before && mutant.after == e.after) return e.reason;
+  for (const Explanation& explanation : explained_)
+    if (explanation.is_of(mutant)) return explanation.reason;
   return "";
+}
+
+void Reasons::check(const std::vector<Mutant>& mutants) const {
+  for (const Explanation& explanation : explained_)
+    if (std::ranges::none_of(mutants, [&](const Mutant& mutant) { return explanation.is_of(mutant); }))
+      refuse(
+          fmt::format("no mutation of {} makes '{}' of '{}'", explanation.file, explanation.after, explanation.before),
+          explanation.where, "a line as it stands there; where it has changed, see whether the reason still holds");
 }
 
 }  // namespace mpmvv

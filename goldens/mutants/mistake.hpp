@@ -31,6 +31,9 @@ struct Explanation {
   std::string file;
   std::string before, after;  ///< the line without and with the mutation
   std::string reason;
+  std::string where;  ///< FILE:LINE of the entry
+
+  bool is_of(const Mutant& mutant) const;
 };
 
 /// Mutants as someone reviews them: with their reasons; planted ones in the order of the folder's list, without what it
@@ -47,6 +50,9 @@ class Reasons {
 
   /// Empty where nobody has given one.
   std::string of(const Mutant& mutant) const;
+
+  /// UsageError unless every explanation is of one of these mutants: it does not outlive the line that it is given for.
+  void check(const std::vector<Mutant>& mutants) const;
 
  private:
   std::vector<Mistake> planted_;

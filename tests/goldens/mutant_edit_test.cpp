@@ -103,6 +103,14 @@ TEST_F(MutantFiles, ReasonsReachTheirMutants) {
   EXPECT_EQ(reasons.of(mutants[0]), "why");
   EXPECT_EQ(reasons.of(mutants[1]), "equal");
   EXPECT_EQ(reasons.of(mutants[2]), "");
+  EXPECT_NO_THROW(reasons.check(mutants));
+  mutants[1].before = "x < z";
+  try {
+    reasons.check(mutants);
+    ADD_FAILURE() << "a reason for a line that has changed";
+  } catch (const UsageError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("explained.toml:1 (a line as it stands there"));
+  }
 }
 
 TEST_F(MutantFiles, WhatIsReviewedFollowsTheList) {
