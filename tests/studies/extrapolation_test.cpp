@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace mpmvv::extrapolation_test {
@@ -58,6 +61,49 @@ TEST(Extrapolation, WeighsGridsByOneOverTheirWidth) {
     xy += (s.h * s.h - x_mean) * (s.e - y_mean) / s.h;
   }
   EXPECT_NEAR(extrapolate(samples, 8, 64).limit, y_mean - xy / xx * x_mean, 1e-14);
+}
+
+/// σ of φ0 + Σ c_j h^powers_j, with weights that sum to the number of grids, by the normal equations.
+double deviation(const std::vector<ErrorSample>& samples, const std::vector<double>& powers, bool finer_more) {
+  const auto n = static_cast<Eigen::Index>(samples.size()), unknowns = static_cast<Eigen::Index>(powers.size()) + 1;
+  Eigen::MatrixXd A = Eigen::MatrixXd::Ones(n, unknowns);
+  Eigen::VectorXd w = Eigen::VectorXd::Ones(n), phi(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const ErrorSample& s = samples[static_cast<std::size_t>(k)];
+    for (Eigen::Index j = 1; j < unknowns; ++j) A(k, j) = std::pow(s.h, powers[static_cast<std::size_t>(j - 1)]);
+    if (finer_more) w[k] = 1 / s.h;
+    phi[k] = s.e;
+  }
+  w *= static_cast<double>(n) / w.sum();
+  const Eigen::MatrixXd AtW = A.transpose() * w.asDiagonal();
+  const Eigen::VectorXd misfit = A * (AtW * A).eval().ldlt().solve(AtW * phi) - phi;
+  return std::sqrt(misfit.dot(w.cwiseProduct(misfit)) / static_cast<double>(n - unknowns));
+}
+
+struct Fallback {
+  std::vector<double> values;               ///< from the coarsest grid
+  std::vector<std::vector<double>> models;  ///< powers of those that compete
+  std::string chosen;
+};
+
+TEST(Extrapolation, TakesTheFixedOrdersOfTheLeastDeviation) {
+  const std::vector<std::vector<double>> above_two{{1}, {2}}, below_half{{1}, {2}, {1, 2}};
+  for (const auto& [values, models, chosen] : std::vector<Fallback>{
+           {{0, 1, 2, 1}, above_two, "φ0 + α h²"},
+           {{0, 3, 0, 1}, above_two, "φ0 + α h"},
+           {{0, 3, 2, 4}, below_half, "φ0 + α h²"},
+           {{0, 1, 0, 1}, below_half, "φ0 + α h"},
+           {{0, 0, 0, 1}, below_half, "φ0 + α h + β h²"},
+       }) {
+    std::size_t k = 0;
+    const auto samples = sampled(doubled, [&](double) { return values[k++]; });
+    double least = 10;
+    for (const auto& powers : models)
+      for (const bool finer_more : {false, true}) least = std::min(least, deviation(samples, powers, finer_more));
+    const Extrapolation e = extrapolate(samples, 8, 64);
+    EXPECT_EQ(e.model, chosen);
+    EXPECT_NEAR(e.deviation, least, 1e-12) << chosen;
+  }
 }
 
 TEST(Extrapolation, ScatterWidensTheUncertainty) {
