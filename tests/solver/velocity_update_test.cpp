@@ -232,14 +232,19 @@ TEST(ExpandedInverse, TendsToTheConsistentMass) {
 
 /// Steps between those of periodic FMPM are FLIP's with positions of second order.
 TEST(VelocityUpdate, PeriodicFmpmIsFlipBetween) {
-  Mpm<1> periodic(free_line(Fmpm{4, 3}));
-  Scene<1> scene = free_line(Flip{});
-  for (int k = 0; k < 7; ++k) {
-    scene.velocity_update = k % 3 == 0 ? AnyVelocityUpdate(Fmpm{4}) : Flip{FlipPosition::second_order};
-    Mpm<1> one_step(scene);
-    ASSERT_TRUE(one_step.step(2e-4) && periodic.step(2e-4));
-    scene.particles = one_step.particles();
-    EXPECT_TRUE(scene.particles.x == periodic.particles().x && scene.particles.v == periodic.particles().v);
+  for (const std::string_view integrator : {"usl", "usf", "usavg", "usl+", "usavg+"}) {
+    Scene<1> scene = free_line(Fmpm{4, 3});
+    scene.integrator = integrator;
+    Mpm<1> periodic(scene);
+    for (int k = 0; k < 7; ++k) {
+      scene.velocity_update = k % 3 == 0 ? AnyVelocityUpdate(Fmpm{4}) : Flip{FlipPosition::second_order};
+      Mpm<1> one_step(scene);
+      ASSERT_TRUE(one_step.step(2e-4) && periodic.step(2e-4));
+      scene.particles = one_step.particles();
+      EXPECT_TRUE(scene.particles.x == periodic.particles().x && scene.particles.v == periodic.particles().v &&
+                  scene.particles.F == periodic.particles().F)
+          << integrator << " step " << k;
+    }
   }
 }
 
