@@ -173,6 +173,27 @@ TEST(Turned, PlaneScenesMoveAlike) {
                           std::string(scheme.integrator) + ", faces " + std::to_string(k));
 }
 
+/// An open knot vector takes no periodic faces, mirrors or walls in motion, and has no nodes beyond a free one.
+TEST(Turned, ScenesBetweenOpenKnotsMoveAlike) {
+  const std::vector<Turn<2>> turns{{{0, 1}, {true, false}}, {{1, 0}, {false, true}}, {{1, 0}, {true, true}}};
+  for (const AnyBasis& basis : {AnyBasis{BSpline2Open{}}, AnyBasis{BSpline3Open{}}})
+    for (const bool has_consistent_mass : {false, true})
+      expect_no_direction(box<2>({"usl", Flip{}, basis, WallMethod::combined, has_consistent_mass}, {6, 5},
+                                 {Symmetry{}, Dirichlet{}, Symmetry{}, Symmetry{}}),
+                          turns, "open knots");
+}
+
+TEST(Turned, NodesLieByTheCellsOfTheirOwnAxis) {
+  const Mpm<2> mpm(box<2>({"usl", Flip{}, BSpline3Open{}}, {6, 4}, {Symmetry{}, Symmetry{}, Symmetry{}, Symmetry{}}));
+  const Grid<2>& grid = mpm.grid();
+  for (std::size_t n = 0; n < grid.size(); ++n)
+    for (int d = 0; d < 2; ++d) {
+      const auto axis = static_cast<std::size_t>(d);
+      const double cells = BSpline3Open::position(grid.index(n)[axis], grid.cells()[d]);
+      EXPECT_DOUBLE_EQ(mpm.node_position(n)[d], grid.lower()[d] + grid.h() * cells);
+    }
+}
+
 TEST(Turned, ScenesInSpaceMoveAlike) {
   const std::vector<Turn<3>> turns{{{1, 2, 0}, {}}, {{2, 0, 1}, {true, false, true}}, {{1, 0, 2}, {false, true, true}}};
   const Wall left{&inward, 1, WallGradient::estimated};

@@ -248,6 +248,20 @@ TEST(VelocityUpdate, PeriodicFmpmIsFlipBetween) {
   }
 }
 
+/// What particles take of XPIC obeys a face as FMPM's velocities do; it stands where forces did.
+TEST(WallMethods, HoldWhatXpicTakes) {
+  for (const auto method : {WallMethod::velocity, WallMethod::combined, WallMethod::lumped}) {
+    Scene<1> scene = full_scene<1>(BSpline2{}, 8, 3, Dirichlet{});
+    for (auto& v : scene.particles.v) v[0] = 1;
+    scene.velocity_update = Xpic{3};
+    scene.wall_method = method;
+    Mpm<1> mpm(scene);
+    ASSERT_TRUE(mpm.step(1e-5));
+    const double taken = mpm.grid().f[static_cast<std::size_t>(mpm.grid().node({0}))][0];
+    EXPECT_EQ(taken == 0, method != WallMethod::lumped) << taken;
+  }
+}
+
 /// By the velocity and the combined method a wall's nodes have its velocity, by the lumped one about.
 TEST(WallMethods, HoldWhatTheySay) {
   const auto at_wall = [](WallMethod method) {
