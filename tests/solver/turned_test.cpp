@@ -1,4 +1,5 @@
 #include <deque>
+#include <span>
 
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
@@ -191,6 +192,26 @@ TEST(Turned, NodesLieByTheCellsOfTheirOwnAxis) {
       const auto axis = static_cast<std::size_t>(d);
       const double cells = BSpline3Open::position(grid.index(n)[axis], grid.cells()[d]);
       EXPECT_DOUBLE_EQ(mpm.node_position(n)[d], grid.lower()[d] + grid.h() * cells);
+    }
+}
+
+/// A body force that is the place itself.
+struct Place final : BodyForce<2> {
+  void on_particles(double, std::span<const std::uint32_t>, Vec<2>*) const override {}
+  Vec<2> at_position(const Vec<2>& x, double) const override { return x; }
+};
+
+TEST(Turned, BodyForcesOnTheGridAreThoseOfItsPlaces) {
+  Scene<2> scene = box<2>({"usl", Flip{}, BSpline2{}}, {6, 5}, {Free{}, Free{}, Free{}, Free{}});
+  for (auto& F : scene.particles.F) F.setIdentity();
+  Place place;
+  scene.body_force = &place;
+  scene.body_force_on = BodyForceOn::grid;
+  Mpm<2> mpm(scene);
+  mpm.map_acceleration();
+  for (std::size_t n = 0; n < mpm.grid().size(); ++n)
+    if (mpm.is_accelerated(n)) {
+      EXPECT_LT((mpm.grid().a[n] - mpm.node_position(n)).norm(), 1e-12);
     }
 }
 
