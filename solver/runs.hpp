@@ -23,6 +23,7 @@ using RunEnds = std::array<std::uint64_t, static_cast<std::size_t>(Block::most) 
 
 template <class Block>
 RunEnds<Block> find_run_ends(const Block& block) {
+  static_assert(Block::most % 64 == 0, "a block's size is a whole number of words");
   static_assert(Block::most < Block::room);  // what comes after the last is read, and decides nothing
   constexpr StoredInts bits{1, 2, 4, 8, 16, 32, 64, 128};
   const auto eight_from = [&block](int k) { return *reinterpret_cast<const StoredInts*>(&block.first[k]); };

@@ -19,21 +19,24 @@ enum class Adds { nothing, to_nodes };
 
 /// The domain cut into slabs across its last axis with about as many particles each, and the particles sorted so that
 /// each slab's are contiguous, and in it those that reach the same nodes. A particle may stray one cell out of its slab
-/// before it must be sorted again; slabs are so thick that even then two with one between them share no node: a basis
-/// reaches three nodes at most from where it is evaluated, which is up to `reach` cells from its particle. Depends on
-/// the grid, the basis and the particles alone.
+/// before it must be sorted again; slabs are so thick that even then two with one between them share no node. Depends
+/// on the grid, the basis and the particles alone.
 template <int D>
 class Slabs {
  public:
-  static constexpr int thickness = 8;        ///< on average, at least
-  static constexpr int least_thickness = 7;  ///< of any
   static constexpr int most = 32;
+
+  /// Of any slab, in cells; on average they have one more at least. A particle may stray into it by a cell on either
+  /// side and is evaluated up to `reach` cells further in. Between there the first of the `support` nodes that a point
+  /// reaches moves on by one a cell, or by one less in all where an edge is missed by round-off. A basis of less than
+  /// four nodes takes the slabs of one that has four.
+  template <class B>
+  static constexpr int least_thickness = 2 * (1 + solver::reach(B::width)) + std::max(B::support, 4) + 1;
 
   template <class B>
   Slabs(const Grid<D>& grid, const B&)
-      : least_thickness_(static_cast<std::size_t>(least_thickness + 2 * solver::reach(B::width))),
-        count_(static_cast<std::size_t>(
-            std::clamp(grid.cells()[D - 1] / (thickness + 2 * solver::reach(B::width)), 1, most))),
+      : least_thickness_(static_cast<std::size_t>(least_thickness<B>)),
+        count_(static_cast<std::size_t>(std::clamp(grid.cells()[D - 1] / (least_thickness<B> + 1), 1, most))),
         offset_(changes_between_nodes<B> ? 0.5 : 0),
         bounds_(count_ + 1),
         first_(count_ + 1) {

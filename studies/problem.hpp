@@ -113,6 +113,7 @@ Problem stretch_1d_problem();
 Problem stretch_3d_problem();
 Problem pulse_problem();
 Problem shock_problem();
+Problem swing_problem();
 Problem one_particle_problem();
 
 }  // namespace mpmvv

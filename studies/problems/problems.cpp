@@ -20,6 +20,7 @@ const std::vector<Problem>& problems() {
       stretch_3d_problem(),    //
       pulse_problem(),         //
       shock_problem(),         //
+      swing_problem(),         //
       one_particle_problem(),  //
   };
   return all;

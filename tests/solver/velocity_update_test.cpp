@@ -232,14 +232,33 @@ TEST(ExpandedInverse, TendsToTheConsistentMass) {
 
 /// Steps between those of periodic FMPM are FLIP's with positions of second order.
 TEST(VelocityUpdate, PeriodicFmpmIsFlipBetween) {
-  Mpm<1> periodic(free_line(Fmpm{4, 3}));
-  Scene<1> scene = free_line(Flip{});
-  for (int k = 0; k < 7; ++k) {
-    scene.velocity_update = k % 3 == 0 ? AnyVelocityUpdate(Fmpm{4}) : Flip{FlipPosition::second_order};
-    Mpm<1> one_step(scene);
-    ASSERT_TRUE(one_step.step(2e-4) && periodic.step(2e-4));
-    scene.particles = one_step.particles();
-    EXPECT_TRUE(scene.particles.x == periodic.particles().x && scene.particles.v == periodic.particles().v);
+  for (const std::string_view integrator : {"usl", "usf", "usavg", "usl+", "usavg+"}) {
+    Scene<1> scene = free_line(Fmpm{4, 3});
+    scene.integrator = integrator;
+    Mpm<1> periodic(scene);
+    for (int k = 0; k < 7; ++k) {
+      scene.velocity_update = k % 3 == 0 ? AnyVelocityUpdate(Fmpm{4}) : Flip{FlipPosition::second_order};
+      Mpm<1> one_step(scene);
+      ASSERT_TRUE(one_step.step(2e-4) && periodic.step(2e-4));
+      scene.particles = one_step.particles();
+      EXPECT_TRUE(scene.particles.x == periodic.particles().x && scene.particles.v == periodic.particles().v &&
+                  scene.particles.F == periodic.particles().F)
+          << integrator << " step " << k;
+    }
+  }
+}
+
+/// What particles take of XPIC obeys a face as FMPM's velocities do; it stands where forces did.
+TEST(WallMethods, HoldWhatXpicTakes) {
+  for (const auto method : {WallMethod::velocity, WallMethod::combined, WallMethod::lumped}) {
+    Scene<1> scene = full_scene<1>(BSpline2{}, 8, 3, Dirichlet{});
+    for (auto& v : scene.particles.v) v[0] = 1;
+    scene.velocity_update = Xpic{3};
+    scene.wall_method = method;
+    Mpm<1> mpm(scene);
+    ASSERT_TRUE(mpm.step(1e-5));
+    const double taken = mpm.grid().f[static_cast<std::size_t>(mpm.grid().node({0}))][0];
+    EXPECT_EQ(taken == 0, method != WallMethod::lumped) << taken;
   }
 }
 

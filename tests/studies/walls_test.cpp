@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "studies/error.hpp"
+#include "studies/problem.hpp"
 #include "studies/run_case.hpp"
 #include "studies/settings.hpp"
 
@@ -60,6 +61,22 @@ TEST(Stretch, ErrorsOfPeriodicSidesAreTakenByTheirOwnPeriod) {
   const Record record = run("stretch", sides), plain = run("stretch", {});
   EXPECT_EQ(record.status, Status::ok) << record.reason;
   EXPECT_NEAR(record.error.l2, plain.error.l2, 1e-6 * plain.error.l2);
+}
+
+/// At any time a wall is where the end of the square is, moves as it does, and says how the velocity changes there.
+TEST(Swing, WallsMoveAsTheSolutionDoes) {
+  const Parameters parameters = complete_parameters(find_problem("swing", "the test"), {{"amplitude", -0.1}});
+  const auto setup = std::get<SetupFunction<2>>(find_problem("swing", "the test").setup)(parameters);
+  const solver::Vec<2> step = 1e-6 * solver::Vec<2>::Unit(0);
+  for (const double t : {0.0, 0.0013, 0.0051, 0.0098})
+    for (const int face : {0, 1}) {
+      const solver::Vec<2> X(face, 0.3);
+      const auto& wall = *setup.walls[static_cast<std::size_t>(face)];
+      const auto& solution = *setup.solution;
+      EXPECT_NEAR(wall.position(t), X[0] + solution.u(X, t)[0], 1e-15);
+      EXPECT_NEAR(wall.velocity(t), solution.v(X, t)[0], 1e-12);
+      EXPECT_NEAR(wall.gradient(t), (solution.v(X + step, t) - solution.v(X - step, t))[0] / 2e-6, 1e-6);
+    }
 }
 
 /// In per cent of the speed of the ends, so that a bar that the walls have lost errs by about 100.

@@ -1,0 +1,73 @@
+#include "mms/derived.hpp"
+#include "studies/problems/parameters.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+using std::numbers::pi;
+
+/// u_x = A cos πX sin Cπt,   u_y = Vt + A sin 2πY sin Cπt:   at X = 0 and 1 there is no strain along x.
+struct Swing {
+  double amplitude, wave_speed, drift;
+
+  template <class T>
+  std::array<T, 2> operator()(const std::array<T, 2>& X, const T& t) const {
+    using std::cos, std::sin;
+    const T swing = amplitude * sin(wave_speed * pi * t);
+    return {swing * cos(pi * X[0]), drift * t + swing * sin(2 * pi * X[1])};
+  }
+};
+
+/// The wall on the end of the square that was at X = 0 or 1: it is A sin Cπt away from there.
+class SwingingWall final : public solver::WallMotion {
+ public:
+  SwingingWall(double X, double amplitude, double wave_speed) : X_(X), amplitude_(amplitude), rate_(pi * wave_speed) {}
+
+  double position(double t) const override { return X_ + amplitude_ * std::sin(rate_ * t); }
+  double velocity(double t) const override { return amplitude_ * rate_ * std::cos(rate_ * t); }
+  double gradient(double) const override { return 0; }
+
+ private:
+  double X_, amplitude_, rate_;
+};
+
+Setup<2> swing_setup(const Parameters& p) {
+  const mms::Elasticity material{p.at("youngs_modulus"), p.at("poissons_ratio"), p.at("density")};
+  const double A = p.at("amplitude"), C = bar_wave_speed(p);
+  auto solution = mms::derived<2>(Swing{A, C, p.at("drift")}, material, std::abs(A));
+  Setup<2> setup{
+      .body =
+          Box<2>{.lower = solver::Vec<2>::Zero(), .size = solver::Vec<2>::Ones(), .end_speed = std::abs(A) * pi * C},
+      .density = material.density,
+      .material = neo_hookean(material.youngs_modulus, material.poissons_ratio),
+      .solution = std::make_shared<decltype(solution)>(solution)};
+  setup.walls[0] = std::make_shared<SwingingWall>(0, A, C);
+  setup.walls[1] = std::make_shared<SwingingWall>(1, -A, C);
+  return setup;
+}
+
+}  // namespace
+
+/// The unit square in plane strain between walls that swing at the frequency of its first mode along x, while it drifts
+/// through its periodic sides. No paper's: no other problem has walls that accelerate, particles that leave through a
+/// periodic face, or faces of both kinds. The end time is half a period.
+Problem swing_problem() {
+  Parameter amplitude = amplitude_parameter(0.05);
+  amplitude.allowed = [](double a) { return a > -0.159 && a < 0.159; };
+  amplitude.range = "between -1/(2 pi) and 1/(2 pi), where det F stays positive";
+  return {.name = "swing",
+          .source = "made for the gate",
+          .length_formula = "1",
+          .length = unit_length,
+          .parameters = {amplitude, youngs_modulus_parameter(1e4), poissons_ratio_parameter(0.3), density_parameter(1),
+                         Parameter{"drift", 30, "m/s", [](double) { return true; }, "any"}},
+          .wave_speed_formula = "c = sqrt(E/rho)",
+          .wave_speed = bar_wave_speed,
+          .end_time_formula = "1/c",
+          .end_time = [](const Parameters& p) { return 1 / bar_wave_speed(p); },
+          .boundary = "xmin=wall,xmax=wall,ymin=periodic,ymax=periodic",
+          .setup = &swing_setup};
+}
+
+}  // namespace mpmvv
