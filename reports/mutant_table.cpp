@@ -93,7 +93,7 @@ Table planted_table(const std::vector<Mutant>& mutants) {
                 trial_text(m, GateStage::nightly),
                 m.reason};
       },
-      "that an order, an error or a limit can show", "that change efficiency or robustness only");
+      "that an order, an error, a limit or a report can show", "that change efficiency or robustness only");
 }
 
 Table survivor_table(const std::vector<Mutant>& mutants) {

@@ -156,8 +156,8 @@ StudyResult mutant_study(const std::vector<Mutant>& mutants, const std::vector<A
   const auto add = [&study](const std::string& statement, PartVerdict verdict, const std::string& evidence) {
     study.parts.push_back({"X-mutants", statement, verdict, evidence, ""});
   };
-  add("tests and goldens catch every planted mistake that an order, an error or a limit can show", catch_verdict(score),
-      catch_evidence(score));
+  add("tests and goldens catch every planted mistake that an order, an error, a limit or a report can show",
+      catch_verdict(score), catch_evidence(score));
   add(fmt::format("they raise no false alarm (in {} runs of the quick gate)", runs_without_alarm),
       alarm_verdict(score, runs), alarm_evidence(score, runs));
   return study;

@@ -74,13 +74,14 @@ std::vector<std::string> program_parts() {
 
 std::string gate_version(const Laboratory& laboratory) {
   const auto decides = [](const std::string& file) {
-    constexpr std::array indifferent{".github",          "README.md",        "cli",          "goldens/mutants",
-                                     "goldens/cost.cpp", "goldens/cost.hpp", "reports",      "run",
-                                     "studies/cost.txt", "tests/benchmark",  "tests/reports"};
+    constexpr std::array indifferent{".github",          "README.md",        "cli", "goldens/mutants",
+                                     "goldens/cost.cpp", "goldens/cost.hpp", "run", "studies/cost.txt",
+                                     "tests/benchmark"};
     return std::ranges::none_of(indifferent, [&](const char* part) { return is_within(file, part); });
   };
   const auto expects = [](const std::string& file) {
-    return is_within(file, "tests") || file.ends_with(".toml") || file == "studies/quick.txt";
+    return is_within(file, "reports") || is_within(file, "tests") || file.ends_with(".toml") ||
+           file == "studies/quick.txt";
   };
   const auto digest = [&](bool expecting) {
     return laboratory.digest([&](const std::string& file) { return decides(file) && expects(file) == expecting; });
@@ -101,6 +102,7 @@ std::vector<std::string> listed_studies(const std::string& text) {
 std::vector<std::string> test_programs(const std::string& file) {
   if (file.starts_with("mms/")) return {"test_cli", "test_mms", "test_studies", "test_solver"};
   if (file.starts_with("solver/")) return {"test_cli", "test_studies", "test_solver"};
+  if (file.starts_with("reports/")) return {"test_reports", "test_cli"};
   return {"test_cli", "test_goldens", "test_reports", "test_mms", "test_studies", "test_solver"};
 }
 

@@ -51,7 +51,8 @@ class ProgramBench final : public ChoiceBench {
 /// The parts of the tree that a laboratory of the program needs.
 std::vector<std::string> program_parts();
 
-/// A digest of what decides how a mutant fares: of the sources, a slash, and of the tests, goldens and studies.
+/// A digest of what decides how a mutant fares: of the sources, a slash, and of the tests, goldens, studies and
+/// reports: with other reports only what passed is tried again.
 std::string gate_version(const Laboratory& laboratory);
 
 /// The names of the studies in a list such as studies/quick.txt.

@@ -233,7 +233,7 @@ TEST(PlantedMistakes, EveryOneApplies) {
     EXPECT_NO_THROW(edit_of(mistake, source(mistake.file))) << mistake.name;
     folders.insert(mistake.file.substr(0, mistake.file.find('/')));
   }
-  EXPECT_THAT(folders, testing::ElementsAre("mms", "solver", "studies"));
+  EXPECT_THAT(folders, testing::ElementsAre("mms", "reports", "solver", "studies"));
 }
 
 TEST(PlantedMistakes, RandomOnesLieInCode) {
@@ -289,6 +289,7 @@ TEST(GateOutput, TheFirstStudyOfWhichAnythingFailsEndsTheStage) {
 TEST(GateOutput, AnEditReachesTheTestsThatLinkIt) {
   EXPECT_THAT(test_programs("solver/grid.hpp"), testing::ElementsAre("test_cli", "test_studies", "test_solver"));
   EXPECT_THAT(test_programs("mms/bar.cpp"), testing::Contains("test_mms"));
+  EXPECT_THAT(test_programs("reports/csv.cpp"), testing::ElementsAre("test_reports", "test_cli"));
   EXPECT_THAT(test_programs("studies/norms.hpp"), IsSupersetOf({"test_studies", "test_goldens", "test_reports"}));
 }
 
