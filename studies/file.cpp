@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "studies/error.hpp"
 
@@ -15,6 +16,7 @@ namespace mpmvv {
 namespace fs = std::filesystem;
 
 std::optional<std::string> read_file(const fs::path& file) {
+  if (std::error_code absent; !fs::is_regular_file(file, absent)) return std::nullopt;
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
   std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -22,21 +24,52 @@ std::optional<std::string> read_file(const fs::path& file) {
   return content;
 }
 
+std::string require_file(const fs::path& file, const std::string& wanted) {
+  if (auto content = read_file(file)) return std::move(*content);
+  std::error_code failed;
+  const fs::file_status status = fs::status(file, failed);
+  const std::string why = fs::is_directory(status) ? "a directory"
+                          : fs::exists(status) && !fs::is_regular_file(status)
+                              ? "a pipe or a device, which cannot be read again"
+                          : failed ? failed.message()
+                                   : "it may not be read";
+  throw UsageError(fmt::format("cannot read '{}': {} ({})", file.string(), why, wanted));
+}
+
+namespace {
+
+[[noreturn]] void refuse_to_write(const fs::path& file, const std::string& why) {
+  throw UsageError(fmt::format("cannot write {} ({}); name a file in a folder that is there and can be written",
+                               file.string(), why));
+}
+
+/// What could not be written whole goes away again; `wanted` stands for it in the message.
+void write(const fs::path& place, const std::string& content, const fs::path& wanted) {
+  std::ofstream out(place, std::ios::binary);
+  out << content << std::flush;
+  if (out) return;
+  const std::string why = std::strerror(errno);
+  std::error_code ignored;
+  if (fs::is_regular_file(place, ignored)) fs::remove(place, ignored);
+  refuse_to_write(wanted, why);
+}
+
+}  // namespace
+
 bool write_if_changed(const fs::path& file, const std::string& content) {
   if (read_file(file) == content) return false;
-  const fs::path part = file.string() + ".part";
-  std::ofstream out(part, std::ios::binary);
-  out << content << std::flush;
-  if (!out) {
-    const std::string why = std::strerror(errno);
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    throw UsageError(fmt::format("cannot write {} ({}); name a folder that can be written", file.string(), why));
-  }
   std::error_code failed;
+  if (fs::exists(file, failed) && !fs::is_regular_file(file, failed) && !fs::is_directory(file, failed)) {
+    write(file, content, file);  // a pipe or a device is not replaced
+    return true;
+  }
+  const fs::path part = file.string() + ".part";
+  write(part, content, file);
   fs::rename(part, file, failed);
-  if (failed) throw UsageError(fmt::format("cannot write {} ({})", file.string(), failed.message()));
-  return true;
+  if (!failed) return true;
+  const std::string why = failed.message();
+  fs::remove(part, failed);
+  refuse_to_write(file, why);
 }
 
 void make_folder(const fs::path& folder) {

@@ -5,8 +5,11 @@
 
 namespace mpmvv {
 
-/// The whole content; nullopt when the file is absent or cannot be read.
+/// The whole content; nullopt when the file is absent, cannot be read or is none, as a folder, a pipe or a device.
 std::optional<std::string> read_file(const std::filesystem::path& file);
+
+/// The same; where there is none a UsageError that says why, and what the file should be ("a TOML file").
+std::string require_file(const std::filesystem::path& file, const std::string& wanted);
 
 /// Writes the file unless it already has this content; true when it was written. The file appears whole or not at
 /// all. Throws UsageError when it cannot be written.

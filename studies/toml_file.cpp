@@ -5,15 +5,13 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string_view>
 
 #include "studies/error.hpp"
+#include "studies/file.hpp"
+#include "studies/toml_depth.hpp"
 
 namespace mpmvv {
 
@@ -72,15 +70,11 @@ struct TomlTable::Node {
 };
 
 TomlTable TomlTable::read(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw UsageError(fmt::format("cannot read '{}': {} (a TOML file)", file.string(), std::strerror(errno)));
-  if (std::filesystem::is_directory(file)) {
-    throw UsageError(fmt::format("cannot read '{}': a directory (a TOML file)", file.string()));
-  }
-  return parse({std::istreambuf_iterator<char>(in), {}}, file.string());
+  return parse(require_file(file, "a TOML file"), file.string());
 }
 
 TomlTable TomlTable::parse(const std::string& text, const std::string& name) {
+  require_shallow(text, name);
   try {
     auto document = std::make_shared<const toml::table>(toml::parse(std::string_view(text), std::string_view(name)));
     return TomlTable(std::make_shared<const Node>(Node{document, document.get(), name}));

@@ -76,8 +76,8 @@ TriedMutants read_tried(const std::filesystem::path& folder) {
   if (!text) refuse("cannot be read");
   try {
     return tried_from(json::parse(*text));
-  } catch (const json::exception& e) {
-    refuse(e.what());
+  } catch (const json::exception&) {
+    refuse("not of this form");
   } catch (const std::invalid_argument& e) {
     refuse(e.what());
   }

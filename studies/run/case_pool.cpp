@@ -49,6 +49,7 @@ std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
   run_all(std::move(missing));
   std::unique_lock lock(mutex_);
   kept_.wait(lock, [this] { return !keeping_; });
+  if (not_kept_) std::rethrow_exception(not_kept_);
   std::vector<Record> records;
   for (const Case& c : cases) records.push_back(records_.at(c));
   return records;
@@ -106,6 +107,7 @@ void CasePool::keep(const Record& record) {
       store_.keep(batch, provenance_);
     } catch (...) {
       lock.lock();
+      not_kept_ = std::current_exception();
       keeping_ = false;
       kept_.notify_all();
       throw;

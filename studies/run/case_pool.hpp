@@ -1,5 +1,6 @@
 #pragma once
 #include <condition_variable>
+#include <exception>
 #include <map>
 #include <mutex>
 #include <vector>
@@ -39,6 +40,7 @@ class CasePool {
   std::map<Case, Record> records_;
   std::vector<Record> finished_;  ///< not kept yet
   bool keeping_ = false;          ///< a thread is at the store, outside the mutex
+  std::exception_ptr not_kept_;   ///< why the store did not take what has finished
   std::mutex mutex_;              ///< of everything above
   std::condition_variable kept_;
   Admission admission_;  ///< also where several threads search limits at once

@@ -12,6 +12,7 @@
 
 #include "studies/error.hpp"
 #include "studies/median.hpp"
+#include "studies/reason.hpp"
 #include "studies/run/balance.hpp"
 #include "studies/run/nodal_error.hpp"
 #include "studies/run/run_errors.hpp"
@@ -161,7 +162,7 @@ Record run_once(const Case& c, const Problem& problem, int threads, VtuSeries* v
     throw;
   } catch (const std::exception& e) {
     record.status = Status::failed;
-    record.reason = e.what();
+    record.reason = reason_of(e);
   }
   return record;
 }

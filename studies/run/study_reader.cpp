@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include "solver/velocity_update/velocity_updates.hpp"
 #include "studies/check.hpp"
 #include "studies/claim.hpp"
 #include "studies/error.hpp"
+#include "studies/file.hpp"
 #include "studies/run/criterion_reader.hpp"
 #include "studies/run/figure_reader.hpp"
 #include "studies/run/named.hpp"
@@ -190,14 +189,13 @@ std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series,
 }
 
 StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding) {
-  const TomlTable root = TomlTable::read(file);
+  const std::string text = require_file(file, "a study file, TOML");
+  const TomlTable root = TomlTable::parse(text, file.string());
   root.allow_only({"title", "claims", "check", "fixed", "series", "sweep", "limit", "replicates", "fit", "extrapolate",
                    "figure", "criterion"});
   StudyPlan plan;
   plan.name = file.stem().string();
-  std::stringstream text;
-  text << std::ifstream(file).rdbuf();
-  plan.text = text.str();
+  plan.text = text;
   plan.title = root.text("title");
   plan.claims = root.texts("claims");
   for (const std::string& claim : plan.claims) require_word("claim", claim, claim_ids(), root.where("claims"));

@@ -10,6 +10,7 @@
 #include "studies/error.hpp"
 #include "studies/extrapolation.hpp"
 #include "studies/observed_order.hpp"
+#include "studies/reason.hpp"
 #include "studies/replicates.hpp"
 #include "studies/run/case_pool.hpp"
 #include "studies/run/parallel.hpp"
@@ -143,7 +144,7 @@ CheckResult check_result(const StudyPlan& plan, const std::vector<StudyResult>& 
   try {
     return find_check(plan.check, plan.name).run();
   } catch (const std::exception& e) {
-    throw StudyTrouble(fmt::format("its check ended early: {}", e.what()));
+    throw StudyTrouble(fmt::format("its check ended early: {}", reason_of(e)));
   }
 }
 

@@ -15,6 +15,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 TomlTable parse(const std::string& text) {
   return TomlTable::parse(text, "bar.toml");
@@ -114,8 +115,38 @@ TEST(TomlFile, SyntaxErrorsAreOneLineWithFileAndLine) {
   for (const char* text : {"a = 1\nb = \n", "a = 1\na = 2\n", "\n[x\n", "\na = \"\xff\"\n", "\na = 1 b = 2\n"}) {
     const std::string wrong = message([&] { parse(text); });
     EXPECT_THAT(wrong, HasSubstr("invalid TOML in bar.toml:2 (")) << text;
-    EXPECT_THAT(wrong, testing::Not(HasSubstr("\n")));
+    EXPECT_THAT(wrong, Not(HasSubstr("\n")));
   }
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int k = 0; k < times; ++k) all += text;
+  return all;
+}
+
+/// Each level of tables and arrays takes a piece of the stack.
+TEST(TomlFile, WhatIsTooDeepIsAnErrorWithItsLine) {
+  constexpr int much = 100'000;
+  for (const std::string& text :
+       {repeated("a.", much) + "a = 1", "[" + repeated("a.", much) + "a]", "[[" + repeated("a . ", much) + "a]]",
+        repeated("\"=,\\\"]\".", much) + "a = 1", repeated("'#'.", much) + "a = 1",
+        "a = { b = { " + repeated("c.", much) + "d = 1 } }", "a = " + repeated("[", much) + repeated("]", much),
+        "a = " + repeated("{ a = ", much) + "1" + repeated(" }", much),
+        "a = " + repeated("[\n", 1000) + repeated("]", 1000), "b = ']]]]'\na = " + repeated("[", 100)})
+    EXPECT_THAT(message([&] { parse("x = 1\n" + text); }),
+                AllOf(HasSubstr("too deep in one another in bar.toml:"), Not(HasSubstr("bar.toml:1 "))))
+        << text.substr(0, 20);
+}
+
+TEST(TomlFile, WhatIsOnlyLongIsRead) {
+  const std::string dots = repeated("a.", 1000);
+  const TomlTable t = parse("s = \"" + dots + "\"\nl = '" + dots + "'\nm = \"\"\"\n" + dots + "\n" +
+                            repeated("[", 1000) + "\"\"\"  # " + dots + "\nn = [" + repeated("0.5, ", 1000) +
+                            "]\np = [" + repeated("[1.5], ", 1000) + "]\n" + repeated("k.", 20) + "k = 1\n");
+  EXPECT_EQ(t.text("s"), dots);
+  EXPECT_EQ(t.text("l"), dots);
+  EXPECT_EQ(t.numbers("n").size(), 1000U);
 }
 
 class TomlFileOnDisk : public testing::Test {
