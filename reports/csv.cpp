@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reports/text.hpp"
+#include "studies/csv_field.hpp"
 
 namespace mpmvv {
 

@@ -25,11 +25,6 @@ std::string order_text(double order, double half_width) {
   return fmt::format("{0:.{2}f} ± {1:.{2}f}", order, half_width, decimals);
 }
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  return '"' + replace_all(text, "\"", "\"\"") + '"';
-}
-
 namespace {
 
 const std::map<std::string_view, std::string_view>& latex_characters() {

@@ -12,9 +12,6 @@ std::string brief(double v);
 /// "2.01 ± 0.04"; without ± when the half width is NaN; a dash when the order is.
 std::string order_text(double order, double half_width);
 
-/// One field of a CSV line, quoted where it has to be.
-std::string csv_field(const std::string& text);
-
 /// Text that LaTeX prints as it stands. Greek letters and the usual mathematical signs become mathematics; a character
 /// that plain pdflatex cannot set becomes its code point.
 std::string latex_text(const std::string& text);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "studies/csv_field.hpp"
 #include "studies/error.hpp"
 #include "studies/store/mutant_rows.hpp"
 #include "studies/store/run_rows.hpp"
@@ -20,14 +21,6 @@ struct Store::Impl {
 };
 
 namespace {
-
-/// A field of a CSV file, RFC 4180.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
 
 std::vector<std::string> csv_fields(const db::Values& values) {
   std::vector<std::string> fields;

@@ -22,12 +22,6 @@ TEST(Text, OrderHasAnIntervalOnlyWhenThereIsOne) {
   EXPECT_EQ(order_text(-0.3, 12.7), "-0.30 ± 12.70");
 }
 
-TEST(Text, CsvFieldsAreQuotedWhereTheyHaveToBe) {
-  EXPECT_EQ(csv_field("bspline2"), "bspline2");
-  EXPECT_EQ(csv_field("bspline2, 4 PPC"), "\"bspline2, 4 PPC\"");
-  EXPECT_EQ(csv_field("the \"half\" start"), "\"the \"\"half\"\" start\"");
-}
-
 TEST(Text, LatexSpecialCharactersAreEscaped) {
   EXPECT_EQ(latex_text("a_b & 10% of #1 {x} $y$ ~ ^ \\"),
             "a\\_b \\& 10\\% of \\#1 \\{x\\} \\$y\\$ \\textasciitilde{} \\textasciicircum{} \\textbackslash{}");

@@ -138,7 +138,7 @@ TEST_F(StoreTest, CsvHasEveryRecordWith17DigitsAndNaNEmpty) {
   EXPECT_THAT(lines[0], HasSubstr("git_commit,dirty,compiler,flags,build_type,cpu"));
   EXPECT_THAT(lines[1], HasSubstr("\"" + canonical_text(bar(8)) + "\",d1,"));
   EXPECT_THAT(lines[1], HasSubstr(",0.012500000000000001,0.025000000000000001,0.037499999999999999,,,,"));
-  EXPECT_THAT(lines[2], HasSubstr("c0ffee,1,GNU 12.2.0,-O3,Release,\"A \"\"fast\"\", one\""));
+  EXPECT_THAT(lines[2], HasSubstr("c0ffee,1,GNU 12.2.0,'-O3,Release,\"A \"\"fast\"\", one\""));
 }
 
 TEST_F(StoreTest, CheckIsEmptyForASoundStore) {
