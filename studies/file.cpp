@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 
 #include "studies/error.hpp"
@@ -37,6 +38,13 @@ bool write_if_changed(const fs::path& file, const std::string& content) {
   fs::rename(part, file, failed);
   if (failed) throw UsageError(fmt::format("cannot write {} ({})", file.string(), failed.message()));
   return true;
+}
+
+bool is_file_stem(const std::string& text) {
+  constexpr std::size_t longest = 100;  // a report's files add to it
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._+-";
+  return !text.empty() && text.size() <= longest && text.front() != '.' && text.front() != '-' &&
+         text.find_first_not_of(letters) == std::string::npos;
 }
 
 void make_folder(const fs::path& folder) {
