@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "cli/command.hpp"
-#include "studies/error.hpp"
+#include "studies/file.hpp"
 #include "studies/store.hpp"
 
 namespace mpmvv {
@@ -13,7 +11,7 @@ namespace mpmvv {
 namespace {
 
 struct DbOptions {
-  std::string db, other, out;
+  std::string db, other, out, study;
   bool json = false;
 };
 
@@ -36,13 +34,14 @@ int check(const DbOptions& options) {
 }
 
 int merge(const DbOptions& options) {
-  if (!std::filesystem::exists(options.db) || !std::filesystem::exists(options.other) ||
-      !std::filesystem::equivalent(options.db, options.other))
-    Store(options.other, Store::Mode::read);  // a bad source is found before the target is made
-  else
-    throw UsageError(fmt::format("{} merged into itself (another store)", options.db));
-  Store store(options.db, Store::Mode::create_or_write);
-  fmt::print("{} records copied from {} to {}\n", store.merge(options.other), options.other, options.db);
+  fmt::print("{} records copied from {} to {}\n", Store::merge(options.db, options.other), options.other, options.db);
+  return 0;
+}
+
+int forget(const DbOptions& options) {
+  const std::size_t versions = Store(options.db, Store::Mode::write).forget(options.study);
+  fmt::print("study {} removed from {} ({} version{}); its runs stay\n", options.study, options.db, versions,
+             versions == 1 ? "" : "s");
   return 0;
 }
 
@@ -52,10 +51,7 @@ int export_records(const DbOptions& options) {
     fmt::print("{}", csv);
     return 0;
   }
-  std::ofstream out(options.out);
-  out << csv << std::flush;
-  if (!out)
-    throw UsageError(fmt::format("cannot write {} (a file in an existing directory that may be written)", options.out));
+  write_if_changed(options.out, csv);
   return 0;
 }
 
@@ -75,6 +71,9 @@ void add_db(CLI::App& app, int& exit_code) {
   add("check", "Check the store's integrity", &check);
   add("merge", "Copy what another store has and this one lacks", &merge)
       ->add_option("other", options->other, "the other store")
+      ->required();
+  add("forget", "Remove a study in all its versions; its runs stay, so that to run it again costs little", &forget)
+      ->add_option("study", options->study, "name of the study")
       ->required();
   add("export", "Write all records as CSV", &export_records)
       ->add_option("--out", options->out, "file (default: standard output)");

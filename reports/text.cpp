@@ -136,13 +136,6 @@ std::string latex_text(const std::string& text) {
   return result;
 }
 
-bool is_file_stem(const std::string& text) {
-  const auto allowed = [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '+' || c == '-';
-  };
-  return !text.empty() && text.front() != '.' && text.front() != '-' && std::ranges::all_of(text, allowed);
-}
-
 std::string replace_all(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);

@@ -16,9 +16,6 @@ std::string order_text(double order, double half_width);
 /// that plain pdflatex cannot set becomes its code point.
 std::string latex_text(const std::string& text);
 
-/// A file name's stem: letters, digits, `.`, `_`, `+` and `-`, not led by a dot.
-bool is_file_stem(const std::string& text);
-
 /// The text with every occurrence of `from` replaced.
 std::string replace_all(std::string text, const std::string& from, const std::string& to);
 

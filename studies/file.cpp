@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -70,6 +71,13 @@ bool write_if_changed(const fs::path& file, const std::string& content) {
   const std::string why = failed.message();
   fs::remove(part, failed);
   refuse_to_write(file, why);
+}
+
+bool is_file_stem(const std::string& text) {
+  constexpr std::size_t longest = 100;  // a report's files add to it
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._+-";
+  return !text.empty() && text.size() <= longest && text.front() != '.' && text.front() != '-' &&
+         text.find_first_not_of(letters) == std::string::npos;
 }
 
 void make_folder(const fs::path& folder) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
+#include <system_error>
 
 #include "studies/error.hpp"
 #include "studies/result.hpp"
@@ -14,6 +16,7 @@ namespace mpmvv {
 namespace {
 
 constexpr std::array status_words{"ok", "unstable", "failed"};
+constexpr std::array failure_words{"none", "case", "machine"};
 constexpr std::array verdict_words{"holds", "fails", "shown", "inconclusive"};
 
 /// The enumerator whose word this is: the words stand in the order of the enumerators.
@@ -80,6 +83,20 @@ std::string to_string(Status s) {
 
 Status status_from(const std::string& word) {
   return from_word<Status>(status_words, word, "status");
+}
+
+std::string to_string(Failure f) {
+  return failure_words.at(static_cast<std::size_t>(f));
+}
+
+Failure failure_from(const std::string& word) {
+  return from_word<Failure>(failure_words, word, "failure");
+}
+
+Failure failure_of(const std::exception& e) {
+  const bool of_machine =
+      dynamic_cast<const std::bad_alloc*>(&e) != nullptr || dynamic_cast<const std::system_error*>(&e) != nullptr;
+  return of_machine ? Failure::of_machine : Failure::of_case;
 }
 
 std::string to_string(PartVerdict v) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <string>
 #include <vector>
@@ -15,6 +16,14 @@ enum class Status { ok, unstable, failed };
 
 std::string to_string(Status s);
 Status status_from(const std::string& word);  ///< throws UsageError on an unknown word
+
+/// Whose fault it is that a run `failed`: one of the machine (no memory, no threads) may be gone the next time, one of
+/// the case is not.
+enum class Failure { none, of_case, of_machine };
+
+std::string to_string(Failure f);
+Failure failure_from(const std::string& word);
+Failure failure_of(const std::exception& e);  ///< that which a run ended with
 
 /// Norms of the displacement error δ_p over the particles, W (64), (65): mean, root mean square, maximum.
 struct Errors {
@@ -61,7 +70,8 @@ struct Record {
   std::int64_t steps = 0;  ///< steps really taken
   double cfl = not_measured;
   Status status = Status::ok;
-  std::string reason;  ///< why it is `unstable` or `failed`; empty for `ok`
+  Failure failure = Failure::none;  ///< where it is `failed`; in older stores none even there
+  std::string reason;               ///< why it is `unstable` or `failed`; empty for `ok`
   Errors error;
   Energy energy;
   Balance balance;
@@ -69,6 +79,11 @@ struct Record {
   double ns_per_particle_step = not_measured;  ///< step loop alone; of a cost case the median
   Cost cost = {};                              ///< where the case asks for it
 };
+
+/// Whether another try may do better.
+inline bool is_worth_another_try(const Record& r) {
+  return r.status == Status::failed && r.failure != Failure::of_case;
+}
 
 /// A number of a run under the name by which stores, fits and figures know it.
 struct RunNumber {

@@ -10,6 +10,7 @@
 #include "studies/store/mutant_rows.hpp"
 #include "studies/store/run_rows.hpp"
 #include "studies/store/schema.hpp"
+#include "studies/store/seal.hpp"
 #include "studies/store/study_rows.hpp"
 
 namespace mpmvv {
@@ -140,22 +141,42 @@ std::vector<std::string> Store::check() const {
       faults.push_back(fmt::format("row {} of table {} refers to a missing row of table {}", row["rowid"].to_string(),
                                    row["table"].text(), row["parent"].text()));
     });
+    for (std::string& broken : db::broken_seals(impl_->database)) faults.push_back(std::move(broken));
   } catch (const UsageError& e) {
     faults.emplace_back(e.what());
   }
   return faults;
 }
 
-std::int64_t Store::merge(const std::filesystem::path& other) {
+std::int64_t Store::merge(const std::filesystem::path& file, const std::filesystem::path& other) {
   db::Database from = db::open_store(other, Mode::read);
-  if (std::filesystem::equivalent(other, impl_->database.file())) return 0;
+  if (std::error_code absent; std::filesystem::equivalent(other, file, absent))
+    throw UsageError(fmt::format("results store '{}' merged into itself (name another store)", file.string()));
   db::Transaction one_state(from, Kind::read);
-  db::Transaction transaction(impl_->database, Kind::write);
-  const std::int64_t copied = db::copy_runs(from, impl_->database);
-  db::copy_studies(from, impl_->database);
-  db::copy_mutants(from, impl_->database);
-  transaction.commit();
+  std::int64_t copied = 0;
+  db::open_store(file, Mode::create_or_write, db::migrations(), [&](db::Database& to) {
+    copied = db::copy_runs(from, to);
+    db::copy_studies(from, to);
+    db::copy_mutants(from, to);
+  });
   return copied;
+}
+
+std::size_t Store::forget(const std::string& study) {
+  db::Transaction transaction(impl_->database, Kind::write);
+  const auto versions = static_cast<std::size_t>(
+      impl_->database.scalar("SELECT count(*) FROM studies NOT INDEXED WHERE name = ?", {study}).integer());
+  if (versions == 0) {
+    std::vector<std::string> names;
+    impl_->database.each("SELECT DISTINCT name FROM studies ORDER BY name", {},
+                         [&](const db::Row& row) { names.push_back(row["name"].text()); });
+    throw UsageError(fmt::format("no study '{}' in results store '{}' (it has: {})", study,
+                                 impl_->database.file().string(),
+                                 names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+  }
+  impl_->database.change("DELETE FROM studies WHERE name = ?", {study});
+  transaction.commit();
+  return versions;
 }
 
 std::string Store::export_csv() const {
@@ -164,6 +185,7 @@ std::string Store::export_csv() const {
       "SELECT runs.*, git_commit, dirty, compiler, flags, build_type, cpu FROM runs JOIN provenance "
       "ON provenance.id = runs.provenance ORDER BY runs.id",
       {}, [&](const db::Row& row) {
+        db::require_intact(impl_->database, db::Sealed::run, row["id"]);
         if (csv.empty()) csv = fmt::format("{}\n", fmt::join(row.names(), ","));
         csv += fmt::format("{}\n", fmt::join(csv_fields(row.values()), ","));
       });

@@ -20,6 +20,8 @@ namespace mpmvv {
 /// the file's name: not a store, another application's, a newer schema, read-only, disk full, absent.
 ///
 /// A record's key is (canonical text of the case, digest). NaN and infinity are kept as NULL and come back as NaN.
+/// Runs, studies and mutants are kept under a seal, and one that is not as it was written is a UsageError to whom reads
+/// it.
 /// One store object serves one thread at a time.
 class Store {
  public:
@@ -34,7 +36,8 @@ class Store {
   std::optional<Record> find(const Case& c, const std::string& digest) const;
 
   /// Keeps finished records in one transaction: a killed run loses nothing that was kept. Keeping the same key again
-  /// (two processes) is no error; the first one stays, unless it has `failed`.
+  /// (two processes) is no error; the first one stays, unless it has `failed`. A failure of the machine gives way to
+  /// one of the case, and both to a run that was carried out.
   void keep(std::span<const Record> records, const Provenance& p);
   void keep(const Record& r, const Provenance& p) { keep({&r, 1}, p); }
 
@@ -61,11 +64,16 @@ class Store {
   /// For `db info`: label and text per line (schema, studies, records by status, digests, size).
   std::vector<std::pair<std::string, std::string>> info() const;
 
-  /// For `db check`: integrity_check and foreign_key_check; what is wrong, empty when sound.
+  /// For `db check`: integrity_check, foreign_key_check and all seals; what is wrong, empty when sound.
   std::vector<std::string> check() const;
 
-  /// Copies every record, study and mutant of another store that this one lacks; the number of records copied.
-  std::int64_t merge(const std::filesystem::path& other);
+  /// Copies every record, study and mutant of another store that the one in `file` lacks, which is made when absent;
+  /// the number of records copied. What fails changes nothing and makes no file.
+  static std::int64_t merge(const std::filesystem::path& file, const std::filesystem::path& other);
+
+  /// Removes the study in all its versions, their number; the runs stay, as they belong to their cases. UsageError when
+  /// there is none.
+  std::size_t forget(const std::string& study);
 
   /// All records as CSV (17 digits, NaN empty), with digest and commit.
   std::string export_csv() const;

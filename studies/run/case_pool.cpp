@@ -58,7 +58,7 @@ std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
 bool CasePool::known(const Case& c) {
   if (records_.contains(c)) return true;
   const auto stored = store_.find(c, provenance_.digest);
-  if (!stored) return false;
+  if (!stored || is_worth_another_try(*stored)) return false;
   records_.emplace(c, *stored);
   ++counts_.reused;
   return true;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "studies/error.hpp"
+#include "studies/file.hpp"
 #include "studies/run/plan_rules.hpp"
 
 namespace mpmvv {
@@ -14,9 +15,8 @@ namespace {
 
 std::string read_name(const TomlTable& table, const StudyPlan& plan) {
   const std::string name = table.text("name", plan.name);
-  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos)
-    throw UsageError(
-        fmt::format("figure name '{}' in {} (lower-case letters, digits and '-')", name, table.where("name")));
+  if (!is_file_stem(name))
+    throw UsageError(fmt::format("figure name '{}' in {} ({})", name, table.where("name"), file_stem_rule));
   for (const Figure& other : plan.figures)
     if (other.name == name)
       throw UsageError(fmt::format("figure '{}' twice in {} (names must differ)", name, table.where("name")));

@@ -162,6 +162,7 @@ Record run_once(const Case& c, const Problem& problem, int threads, VtuSeries* v
     throw;
   } catch (const std::exception& e) {
     record.status = Status::failed;
+    record.failure = failure_of(e);
     record.reason = reason_of(e);
   }
   return record;

@@ -154,6 +154,14 @@ bool has_order(const SeriesPlan& series) {
   return update && solver::expands_inverse(named<solver::AnyVelocityUpdate>(update->value));
 }
 
+/// The stem of its file, by which reports name files, too.
+std::string study_name(const std::filesystem::path& file) {
+  const std::string name = file.stem().string();
+  if (!is_file_stem(name))
+    throw UsageError(fmt::format("study file '{}' cannot name a study ({})", file.string(), file_stem_rule));
+  return name;
+}
+
 }  // namespace
 
 const Setting* SeriesPlan::setting(const std::string& key) const {
@@ -189,12 +197,13 @@ std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series,
 }
 
 StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding) {
+  const std::string name = study_name(file);
   const std::string text = require_file(file, "a study file, TOML");
   const TomlTable root = TomlTable::parse(text, file.string());
   root.allow_only({"title", "claims", "check", "fixed", "series", "sweep", "limit", "replicates", "fit", "extrapolate",
                    "figure", "criterion"});
   StudyPlan plan;
-  plan.name = file.stem().string();
+  plan.name = name;
   plan.text = text;
   plan.title = root.text("title");
   plan.claims = root.texts("claims");

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+#include <system_error>
 #include <type_traits>
 
 #include "studies/error.hpp"
@@ -43,10 +43,12 @@ Value column(sqlite3_stmt* statement, int index) {
       return sqlite3_column_double(statement, index);
     case SQLITE_NULL:
       return {};
-    default: {
+    case SQLITE_TEXT: {
       const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement, index));
       return std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(statement, index)));
     }
+    default:
+      throw WrongKind();  // no column holds bytes
   }
 }
 
@@ -75,7 +77,7 @@ Value::Value(double number) {
 double Value::real() const {
   if (null()) return std::numeric_limits<double>::quiet_NaN();
   if (const auto* whole = std::get_if<std::int64_t>(&held_)) return static_cast<double>(*whole);
-  return std::get<double>(held_);
+  return as<double>();
 }
 
 std::string Value::to_string() const {
@@ -98,9 +100,15 @@ void Database::Closer::operator()(sqlite3* connection) const {
 Database::Database(std::filesystem::path file, Access access) : file_(std::move(file)) {
   // SQLite opens a file that may not be written for reading. To read it asks for writing as well: it may have to undo
   // what a killed process has left half-done; `query_only` keeps everything else out.
-  const int flags = SQLITE_OPEN_READWRITE | (access == Access::create ? SQLITE_OPEN_CREATE : 0);
+  const int flags = SQLITE_OPEN_READWRITE |
+                    (access == Access::create || access == Access::in_memory ? SQLITE_OPEN_CREATE : 0) |
+                    (access == Access::in_memory ? SQLITE_OPEN_MEMORY : 0);
   sqlite3* raw = nullptr;
-  const int code = sqlite3_open_v2(std::filesystem::absolute(file_).c_str(), &raw, flags, nullptr);
+  std::error_code failed;
+  const std::filesystem::path place = std::filesystem::absolute(file_, failed);
+  if (failed)
+    throw UsageError(fmt::format("results store '{}' cannot be opened ({})", file_.string(), failed.message()));
+  const int code = sqlite3_open_v2(place.c_str(), &raw, flags, nullptr);
   connection_.reset(raw);
   require(code);
   sqlite3_extended_result_codes(raw, 1);
@@ -149,9 +157,13 @@ void Database::each(const std::string& query, const Values& values,
   const std::vector<std::string> names = column_names(statement.get());
   int code = SQLITE_ROW;
   while ((code = sqlite3_step(statement.get())) == SQLITE_ROW) {
-    Values row;
-    for (int i = 0; i < static_cast<int>(names.size()); ++i) row.push_back(column(statement.get(), i));
-    visit(Row(names, std::move(row)));
+    try {
+      Values row;
+      for (int i = 0; i < static_cast<int>(names.size()); ++i) row.push_back(column(statement.get(), i));
+      visit(Row(names, std::move(row)));
+    } catch (const WrongKind&) {
+      fail_damaged("a value is of another kind than its column's");
+    }
   }
   if (code != SQLITE_DONE) fail(code);
 }
@@ -161,7 +173,14 @@ Value Database::scalar(const std::string& query, const Values& values) const {
   each(query, values, [&](const Row& row) {
     if (!first) first = row.values().front();
   });
-  return first.value();
+  return first.value_or(Value());
+}
+
+void Database::fail_damaged(const std::string& what) const {
+  throw UsageError(
+      fmt::format("results store '{}' is damaged: {} (`mpmvv db check` lists what is; restore a copy, or "
+                  "start a new store)",
+                  file_.string(), what));
 }
 
 void Database::require(int code) const {
@@ -177,7 +196,7 @@ void Database::fail(int code) const {
     case SQLITE_NOTADB:
       throw UsageError(fmt::format("'{}' is not a results store: no SQLite file (name another file)", file_.string()));
     case SQLITE_CORRUPT:
-      throw UsageError(fmt::format("{} is damaged: {} (restore a copy, or start a new one)", name, cause));
+      fail_damaged("its pages do not fit together");
     case SQLITE_FULL:
       throw UsageError(fmt::format("no space left to write {} (free some; what it held before is intact)", name));
     case SQLITE_BUSY:

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,7 +15,13 @@ struct sqlite3;
 
 namespace mpmvv::db {
 
-/// What a column of a row holds. NaN and infinity are NULL, NULL read as a number is NaN.
+/// A value is of another kind than its column's: the file is damaged. `Database::each` says which file.
+struct WrongKind : std::runtime_error {
+  WrongKind() : std::runtime_error("a value in a results store is of another kind than its column's") {}
+};
+
+/// What a column of a row holds. NaN and infinity are NULL, NULL read as a number is NaN. Asked for as what it is not,
+/// it throws WrongKind.
 class Value {
  public:
   Value() = default;
@@ -28,9 +35,9 @@ class Value {
   Value(const char* text) : held_(std::string(text)) {}
 
   bool null() const { return std::holds_alternative<std::monostate>(held_); }
-  std::int64_t integer() const { return std::get<std::int64_t>(held_); }
+  std::int64_t integer() const { return as<std::int64_t>(); }
   bool flag() const { return integer() != 0; }
-  const std::string& text() const { return std::get<std::string>(held_); }
+  const std::string& text() const { return as<std::string>(); }
   double real() const;
   std::optional<double> optional_real() const { return null() ? std::nullopt : std::optional(real()); }
 
@@ -41,6 +48,12 @@ class Value {
   const Held& held() const { return held_; }
 
  private:
+  template <class T>
+  const T& as() const {
+    if (const T* value = std::get_if<T>(&held_)) return *value;
+    throw WrongKind();
+  }
+
   Held held_;
 };
 
@@ -64,7 +77,7 @@ class Row {
 /// One connection to an SQLite file, foreign keys on. What goes wrong is a UsageError with the file's name.
 class Database {
  public:
-  enum class Access { create, write, read };
+  enum class Access { create, write, read, in_memory };  ///< in memory: a new one, whose messages name the file
 
   Database(std::filesystem::path file, Access access);
 
@@ -86,8 +99,11 @@ class Database {
   /// Visits the rows of an answer.
   void each(const std::string& query, const Values& values, const std::function<void(const Row&)>& visit) const;
 
-  /// First column of the first row, which must be there.
+  /// First column of the first row; NULL when there is none.
   Value scalar(const std::string& query, const Values& values = {}) const;
+
+  /// Throws the UsageError of a store in which something is not as it was written.
+  [[noreturn]] void fail_damaged(const std::string& what) const;
 
  private:
   struct Closer {

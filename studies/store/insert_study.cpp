@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include "studies/store/run_rows.hpp"
+#include "studies/store/seal.hpp"
 #include "studies/store/study_rows.hpp"
 
 namespace mpmvv::db {
@@ -171,6 +172,7 @@ void insert_study(Database& database, const StoredStudy& study) {
   for (std::size_t k = 0; k < s.series.size(); ++k)
     insert_series(database, id, k, s.series[k], k < study.cases.size() ? study.cases[k] : no_runs, p.digest);
   for (std::size_t k = 0; k < s.figures.size(); ++k) insert_figure(database, id, k, s.figures[k]);
+  seal(database, Sealed::study, id);
 }
 
 }  // namespace mpmvv::db

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "studies/store/run_rows.hpp"
+#include "studies/store/seal.hpp"
 
 namespace mpmvv::db {
 
@@ -62,14 +63,17 @@ void insert_mutant(Database& database, const StoredMutant& stored) {
                               {"builds", mutant.builds}});
   const std::int64_t id = database.last_row_id();
   for (const Trial& trial : mutant.trials) insert_trial(database, id, trial);
+  seal(database, Sealed::mutant, id);
 }
 
 std::vector<StoredMutant> load_mutants(const Database& database, const std::string& digest) {
   std::vector<StoredMutant> mutants;
   database.each(
-      "SELECT mutants.*, provenance.git_commit, dirty, compiler, flags, build_type, cpu FROM mutants "
-      "JOIN provenance ON provenance.id = mutants.provenance WHERE mutants.digest = ? ORDER BY mutants.id",
+      "SELECT mutants.*, provenance.git_commit, dirty, compiler, flags, build_type, cpu FROM mutants NOT INDEXED "
+      "JOIN provenance ON provenance.id = mutants.provenance WHERE mutants.digest = ?1 OR provenance.digest = ?1 "
+      "ORDER BY mutants.id",
       {digest}, [&](const Row& row) {
+        require_intact(database, Sealed::mutant, row["id"]);
         mutants.push_back({{.name = row["name"].text(),
                             .kind = mutant_kind_from(row["kind"].text()),
                             .what = row["what"].text(),

@@ -2,15 +2,19 @@
 
 #include <array>
 #include <fstream>
+#include <map>
+#include <string>
 
 #include "studies/error.hpp"
 #include "studies/store/schema.hpp"
+#include "studies/store/seal.hpp"
 
 namespace mpmvv::db {
 
 namespace {
 
 namespace fs = std::filesystem;
+using Work = std::function<void(Database&)>;
 
 /// A file that is no store of ours is found out by its first bytes, before SQLite touches it.
 void require_ours(const fs::path& file) {
@@ -40,20 +44,51 @@ void require_place(const fs::path& file, bool create) {
     require_ours(file);
   } else if (!create) {
     throw UsageError(fmt::format("no results store '{}' (`mpmvv study` makes one)", file.string()));
-  } else if (const fs::path folder = fs::absolute(file).parent_path(); !fs::is_directory(folder, ignored)) {
+  } else if (const fs::path folder = fs::absolute(file, ignored).parent_path(); !fs::is_directory(folder, ignored)) {
     throw UsageError(
         fmt::format("no folder '{}' for results store '{}' (make it first)", folder.string(), file.string()));
   }
 }
 
-/// The schema of the file, 0 while it is empty; UsageError when this program does not know it.
-std::int64_t read_schema(const Database& database, std::int64_t newest) {
+using Steps = std::span<const char* const>;
+using Tables = std::map<std::string, std::string>;  ///< the statement that makes each
+
+Tables tables_of(const Database& database) {
+  Tables tables;
+  database.each("SELECT name, sql FROM sqlite_schema WHERE sql IS NOT NULL", {},
+                [&](const Row& row) { tables[row["name"].text()] = row["sql"].text(); });
+  return tables;
+}
+
+Tables tables_after(const fs::path& file, Steps steps) {
+  Database database(file, Database::Access::in_memory);
+  for (const char* step : steps) database.execute(step);
+  return tables_of(database);
+}
+
+/// The file has the tables of its schema; what others have put beside them is theirs.
+void require_tables(const Database& database, std::int64_t schema, Steps steps) {
+  const Tables wanted = tables_after(database.file(), steps.first(static_cast<std::size_t>(schema)));
+  const Tables newest = tables_after(database.file(), steps);
+  Tables found = tables_of(database);
+  std::erase_if(found, [&](const auto& table) { return !newest.contains(table.first); });
+  for (const auto& [name, sql] : wanted)
+    if (!found.contains(name)) database.fail_damaged(fmt::format("table '{}' is missing", name));
+  for (const auto& [name, sql] : found)
+    if (!wanted.contains(name) || wanted.at(name) != sql)
+      database.fail_damaged(fmt::format("table '{}' is not that of schema {}", name, schema));
+}
+
+/// The schema of the file, 0 while it is empty; UsageError when this program does not know it or it cannot be.
+std::int64_t read_schema(const Database& database, Steps steps) {
   const std::int64_t schema = database.scalar("PRAGMA user_version").integer();
-  if (schema > newest)
+  if (schema > std::ssize(steps))
     throw UsageError(
         fmt::format("results store '{}' has schema {}, made by a newer mpmvv; this one knows {} (use the "
                     "newer program or name another file)",
-                    database.file().string(), schema, newest));
+                    database.file().string(), schema, steps.size()));
+  if (schema < 0) database.fail_damaged(fmt::format("there is no schema {}", schema));
+  require_tables(database, schema, steps);
   return schema;
 }
 
@@ -61,9 +96,10 @@ std::int64_t read_schema(const Database& database, std::int64_t newest) {
   throw UsageError(fmt::format("'{}' is empty, not a results store (`mpmvv study` makes one)", file.string()));
 }
 
-Database open_for_reading(const fs::path& file, std::span<const char* const> steps) {
+Database open_for_reading(const fs::path& file, Steps steps) {
   Database database(file, Database::Access::read);
-  const std::int64_t schema = read_schema(database, std::ssize(steps));
+  const Transaction one_state(database, Transaction::Kind::read);
+  const std::int64_t schema = read_schema(database, steps);
   if (schema == 0) fail_empty(file);
   if (schema < std::ssize(steps))
     throw UsageError(
@@ -75,25 +111,28 @@ Database open_for_reading(const fs::path& file, std::span<const char* const> ste
 
 /// Applies what the file lacks; false when that is nothing. Setting the version writes in any case, and so shows
 /// whether folder and disk take a journal, before any work is done.
-bool apply_missing(Database& database, bool create, std::span<const char* const> steps) {
-  const std::int64_t schema = read_schema(database, std::ssize(steps));
+bool apply_missing(Database& database, bool create, Steps steps) {
+  const std::int64_t schema = read_schema(database, steps);
   if (schema == 0 && !create) fail_empty(database.file());
-  if (schema == 0 && !fs::exists(database.file()))
+  if (std::error_code ignored; schema == 0 && !fs::exists(database.file(), ignored))
     throw UsageError(
         fmt::format("results store '{}' was removed while it was opened (try again)", database.file().string()));
   if (schema == 0) database.execute(fmt::format("PRAGMA application_id = {}", application_id));
   for (const char* step : steps.subspan(static_cast<std::size_t>(schema))) database.execute(step);
+  if (schema < first_sealed_schema && first_sealed_schema <= std::ssize(steps)) seal_all(database);
   database.execute(fmt::format("PRAGMA user_version = {}", steps.size()));
   return schema < std::ssize(steps);
 }
 
 /// Under the write lock: of two processes that create a store at once, the second finds it done. A file that was just
 /// made (`fresh`) and cannot be filled goes away again.
-void migrate(Database& database, bool create, bool fresh, std::span<const char* const> steps) {
+void migrate(Database& database, bool create, bool fresh, Steps steps, const Work& work) {
   Transaction transaction(database, Transaction::Kind::write);
   try {
-    if (apply_missing(database, create, steps)) transaction.commit();
-  } catch (const UsageError&) {
+    const bool migrated = apply_missing(database, create, steps);
+    if (work) work(database);
+    if (migrated || work) transaction.commit();
+  } catch (...) {
     transaction.roll_back();
     const fs::path& file = database.file();
     if (std::error_code ignored; fresh && fs::file_size(file, ignored) == 0) fs::remove(file, ignored);
@@ -101,23 +140,24 @@ void migrate(Database& database, bool create, bool fresh, std::span<const char* 
   }
 }
 
-Database open_for_writing(const fs::path& file, bool create, std::span<const char* const> steps) {
-  const bool fresh = !fs::exists(file);
+Database open_for_writing(const fs::path& file, bool create, Steps steps, const Work& work) {
+  std::error_code ignored;
+  const bool fresh = !fs::exists(file, ignored);
   Database database(file, create ? Database::Access::create : Database::Access::write);
   if (!database.writable())
     throw UsageError(fmt::format(
         "results store '{}' is read-only (make it and its folder writable, or name another file)", file.string()));
-  migrate(database, create, fresh, steps);
+  migrate(database, create, fresh, steps, work);
   return database;
 }
 
 }  // namespace
 
-Database open_store(const fs::path& file, Store::Mode mode, std::span<const char* const> steps) {
+Database open_store(const fs::path& file, Store::Mode mode, Steps steps, const Work& work) {
   const bool create = mode == Store::Mode::create_or_write;
   require_place(file, create);
   if (mode == Store::Mode::read) return open_for_reading(file, steps);
-  return open_for_writing(file, create, steps);
+  return open_for_writing(file, create, steps, work);
 }
 
 }  // namespace mpmvv::db

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "studies/store/seal.hpp"
+
 namespace mpmvv::db {
 
 namespace {
@@ -29,19 +31,27 @@ Columns run_columns(const Record& r) {
                   {"particles", r.particles},
                   {"steps", r.steps},
                   {"status", to_string(r.status)},
-                  {"reason", r.reason}};
+                  {"reason", r.reason},
+                  {"failure", r.failure == Failure::none ? Value() : Value(to_string(r.failure))}};
   for_numbers([&](const RunNumber& number) { columns.emplace_back(number.name, number.get(r)); });
   return columns;
 }
 
+Value id_of(const Database& database, const Value& case_text, const Value& digest) {
+  return database.scalar("SELECT id FROM runs WHERE case_text = ? AND digest = ?", {case_text, digest});
+}
+
 /// Inserts a row of `runs`; 1 when it was kept.
-std::int64_t insert_row(Database& database, const Columns& columns) {
+std::int64_t insert_row(Database& database, const Columns& columns, const Value& case_text, const Value& digest) {
   std::vector<std::string> replacements;
   for (const auto& [name, value] : columns) replacements.push_back(fmt::format("{0} = excluded.{0}", name));
-  return database.insert("runs", columns,
-                         fmt::format("ON CONFLICT (case_text, digest) DO UPDATE SET {} "
-                                     "WHERE status = 'failed' AND excluded.status <> 'failed'",
-                                     fmt::join(replacements, ", ")));
+  const std::int64_t kept = database.insert(
+      "runs", columns,
+      fmt::format("ON CONFLICT (case_text, digest) DO UPDATE SET {} WHERE status = 'failed' AND "
+                  "(excluded.status <> 'failed' OR (excluded.failure = 'case' AND failure IS NOT 'case'))",
+                  fmt::join(replacements, ", ")));
+  if (kept > 0) seal(database, Sealed::run, id_of(database, case_text, digest).integer());
+  return kept;
 }
 
 }  // namespace
@@ -79,23 +89,28 @@ void insert_run(Database& database, const Record& r, const Provenance& p) {
   Columns columns = run_columns(r);
   columns.insert(columns.end(),
                  {{"provenance", provenance_id(database, p)}, {"digest", p.digest}, {"kept_at", p.time}});
-  insert_row(database, columns);
+  insert_row(database, columns, canonical_text(r.the_case), p.digest);
 }
 
 std::optional<Record> find_run(const Database& database, const Case& c, const std::string& digest) {
   std::optional<Record> found;
-  database.each("SELECT * FROM runs WHERE case_text = ? AND digest = ?", {canonical_text(c), digest},
-                [&](const Row& row) {
-                  found = Record{.the_case = c,
-                                 .particles = row["particles"].integer(),
-                                 .steps = row["steps"].integer(),
-                                 .status = status_from(row["status"].text()),
-                                 .reason = row["reason"].text(),
-                                 .error = {},
-                                 .energy = {},
-                                 .balance = {}};
-                  for_numbers([&](const RunNumber& number) { number.set(*found) = row[number.name].real(); });
-                });
+  const std::string case_text = canonical_text(c);
+  database.each("SELECT * FROM runs WHERE case_text = ? AND digest = ?", {case_text, digest}, [&](const Row& row) {
+    require_intact(database, Sealed::run, row["id"]);
+    if (row["case_text"].text() != case_text || row["digest"].text() != digest)
+      database.fail_damaged("an index leads to the run of another case");
+    const Value& failure = row["failure"];
+    found = Record{.the_case = c,
+                   .particles = row["particles"].integer(),
+                   .steps = row["steps"].integer(),
+                   .status = status_from(row["status"].text()),
+                   .failure = failure.null() ? Failure::none : failure_from(failure.text()),
+                   .reason = row["reason"].text(),
+                   .error = {},
+                   .energy = {},
+                   .balance = {}};
+    for_numbers([&](const RunNumber& number) { number.set(*found) = row[number.name].real(); });
+  });
   return found;
 }
 
@@ -115,11 +130,12 @@ std::int64_t copy_runs(const Database& from, Database& to) {
             [&](const Row& row) { ids[row["id"].integer()] = provenance_id(to, read_provenance(row)); });
   std::int64_t copied = 0;
   from.each("SELECT * FROM runs ORDER BY id", {}, [&](const Row& row) {
+    require_intact(from, Sealed::run, row["id"]);
     Columns columns{{"provenance", ids.at(row["provenance"].integer())}};
     for (std::size_t i = 0; i < row.names().size(); ++i)
-      if (const std::string& name = row.names()[i]; name != "id" && name != "provenance")
+      if (const std::string& name = row.names()[i]; name != "id" && name != "provenance" && name != "seal")
         columns.emplace_back(name, row.values()[i]);
-    copied += insert_row(to, columns);
+    copied += insert_row(to, columns, row["case_text"], row["digest"]);
   });
   return copied;
 }

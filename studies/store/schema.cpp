@@ -315,7 +315,17 @@ constexpr const char* schema_7 = R"sql(
   ALTER TABLE extrapolations ADD COLUMN remark TEXT NOT NULL DEFAULT '';
 )sql";
 
-constexpr std::array all_migrations{schema_1, schema_2, schema_3, schema_4, schema_5, schema_6, schema_7};
+constexpr const char* schema_8 = R"sql(
+  -- Of what is written for a row and all that belongs to it (seal.hpp): SQLite has no checksums.
+  ALTER TABLE runs ADD COLUMN seal INTEGER;
+  ALTER TABLE studies ADD COLUMN seal INTEGER;
+  ALTER TABLE mutants ADD COLUMN seal INTEGER;
+
+  -- Why a run has failed. One of the machine is tried again, and so is one of an older store, which does not say.
+  ALTER TABLE runs ADD COLUMN failure TEXT CHECK (failure IN ('case', 'machine'));
+)sql";
+
+constexpr std::array all_migrations{schema_1, schema_2, schema_3, schema_4, schema_5, schema_6, schema_7, schema_8};
 
 }  // namespace
 

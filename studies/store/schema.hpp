@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 
 #include "studies/store.hpp"
@@ -14,9 +15,10 @@ inline constexpr std::int64_t application_id = 0x4D504D56;  ///< "MPMV" in the f
 /// released one is never changed; a new schema is a new entry.
 std::span<const char* const> migrations();
 
-/// Opens a store and brings it to the newest schema, in one transaction. UsageError on anything that is no store of
-/// ours, which stays as it is.
+/// Opens a store and brings it to the newest schema, in one transaction with the first work on it, if there is some.
+/// UsageError on anything that is no store of ours; where that or the work fails all stays as it is, and no new file is
+/// left.
 Database open_store(const std::filesystem::path& file, Store::Mode mode,
-                    std::span<const char* const> steps = migrations());
+                    std::span<const char* const> steps = migrations(), const std::function<void(Database&)>& work = {});
 
 }  // namespace mpmvv::db

@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 
 #include "tests/cli/program.hpp"
@@ -18,6 +20,89 @@ TEST(DbCommand, ABadSourceLeavesNoTarget) {
   const std::string target = folder / "target.db";
   EXPECT_EQ(call(folder, "db merge --db " + target + " " + (folder / "absent.db")).code, 2);
   EXPECT_FALSE(std::filesystem::exists(target));
+}
+
+/// Overwrites bytes of a file in its middle.
+void damage(const std::string& file) {
+  std::fstream stream(file, std::ios::binary | std::ios::in | std::ios::out);
+  stream.seekp(static_cast<std::streamoff>(std::filesystem::file_size(file) / 2));
+  stream << std::string(8192, 'x');
+}
+
+TEST(DbCommand, AMergeThatFailsLeavesNoTarget) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db", target = folder / "target.db";
+  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  damage(db);
+  const Answer merge = call(folder, "db merge --db " + target + " " + db);
+  EXPECT_EQ(merge.code, 2);
+  EXPECT_THAT(merge.err, HasSubstr("is damaged"));
+  EXPECT_FALSE(std::filesystem::exists(target));
+}
+
+/// No file grows beyond this in the programs that are called meanwhile.
+class SmallFiles {
+ public:
+  explicit SmallFiles(rlim_t bytes) {
+    signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit now{.rlim_cur = bytes, .rlim_max = before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &now);
+  }
+  ~SmallFiles() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    signal(SIGXFSZ, SIG_DFL);
+  }
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST(DbCommand, AnExportThatFailsLeavesWhatWasThere) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
+  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  const std::string csv = folder.write("old.csv", "old");
+  {
+    const SmallFiles limit(1000);
+    EXPECT_EQ(call(folder, "db export --db " + db + " --out " + csv).code, 2);
+  }
+  EXPECT_EQ(read_text(csv), "old");
+  EXPECT_EQ(call(folder, "db export --db " + db + " --out " + csv).code, 0);
+  EXPECT_THAT(read_text(csv), HasSubstr("case_text"));
+}
+
+TEST(DbCommand, ForgetsAStudyThatNoReportCanHave) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
+  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  const Answer absent = call(folder, "db forget smal --db " + db);
+  EXPECT_EQ(absent.code, 2);
+  EXPECT_THAT(absent.err, HasSubstr("it has: small"));
+  EXPECT_EQ(call(folder, "db forget small --db " + db).code, 0);
+  EXPECT_THAT(call(folder, "db info --db " + db).out, HasSubstr("records                  8"));
+  EXPECT_THAT(call(folder, "study " + file + " --db " + db).out, HasSubstr("0 cases run"));
+}
+
+TEST(GateCommand, DoesNotPassWhatIsNotAsItWasWritten) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
+  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  std::filesystem::create_directories(folder / "goldens");
+  folder.write("goldens/small.toml",
+               "study = \"small\"\n[[order]]\nseries = \"bspline2\"\nnorm = \"l2\"\n"
+               "expected = 2\nlower = -8\nupper = 8\nwhy = \"any\"\n");
+  const std::string gate = "gate --db " + db + " --goldens " + (folder / "goldens");
+  ASSERT_EQ(call(folder, gate).code, 0);
+  std::string bytes = read_text(db);
+  const std::size_t norm = bytes.find("linear", bytes.find("Small"));
+  ASSERT_NE(norm, std::string::npos);
+  bytes[norm] = 'L';
+  folder.write("r.db", bytes);
+  EXPECT_EQ(call(folder, gate).code, 2);
+  EXPECT_EQ(call(folder, "db check --db " + db).code, 1);
 }
 
 TEST(GateCommand, ExitCodesOfTheContract) {

@@ -89,5 +89,16 @@ TEST(StudyCommand, RefusesStoresThatAreNone) {
   EXPECT_EQ(call(folder, "study " + file + " --db " + (folder / "no/such/folder.db")).code, 2);
 }
 
+TEST(BadStudyName, IsRefusedAtTheEntry) {
+  const Folder folder;
+  const std::string db = folder / "r.db";
+  for (const std::string stem : {"a b", "a#b", "-a", "é", "a;b", std::string(101, 'a')}) {
+    const Answer answer = call(folder, "study '" + folder.write(stem + ".toml", small_study) + "' --db " + db);
+    EXPECT_EQ(answer.code, 2) << stem;
+    EXPECT_THAT(answer.err, HasSubstr("cannot name a study"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(db));
+}
+
 }  // namespace study_refusal_test
 }  // namespace mpmvv

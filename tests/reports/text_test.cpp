@@ -31,11 +31,5 @@ TEST(Text, LatexSpecialCharactersAreEscaped) {
   EXPECT_EQ(latex_text("a\nb"), "a b");
 }
 
-TEST(Text, FileStemsStayInTheirFolder) {
-  EXPECT_TRUE(is_file_stem("s-fig10"));
-  EXPECT_TRUE(is_file_stem("usl+_2.a"));
-  for (const char* bad : {"", ".hidden", "..", "a/b", "a b", "-d", "a'b"}) EXPECT_FALSE(is_file_stem(bad)) << bad;
-}
-
 }  // namespace text_test
 }  // namespace mpmvv

@@ -64,7 +64,7 @@ TEST_F(MutantStore, MergingCopiesWhatIsNotThere) {
   }
   Store store(file_, Store::Mode::create_or_write);
   store.keep_mutant(mutant("a", {passes}), provenance());
-  store.merge(folder_ / "other.db");
+  Store::merge(file_, folder_ / "other.db");
   const auto mutants = store.mutants("d1");
   ASSERT_EQ(mutants.size(), 2U);
   EXPECT_FALSE(mutants[0].caught());

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "studies/store/schema.hpp"
+#include "studies/store/seal.hpp"
 #include "tests/studies/store_samples.hpp"
 
 namespace mpmvv {
@@ -85,6 +86,31 @@ TEST_F(StoreOpen, ANewerSchemaIsRefused) {
   expect_refused("schema 99");
 }
 
+TEST_F(StoreOpen, ASchemaThatItsTablesDoNotHaveIsRefused) {
+  Store(file_, Mode::create_or_write);
+  for (const int schema : {-1, -2'147'483'647, 0, 1, static_cast<int>(db::migrations().size()) - 1}) {
+    execute(fmt::format("PRAGMA user_version = {}", schema));
+    expect_refused("is damaged");
+  }
+}
+
+TEST_F(StoreOpen, AStoreThatLacksTablesOrColumnsIsRefused) {
+  for (const char* loss : {"DROP TABLE mutant_trials", "ALTER TABLE runs DROP COLUMN wall_seconds",
+                           "ALTER TABLE probes RENAME TO probe", "ALTER TABLE points RENAME COLUMN x TO y"}) {
+    std::filesystem::remove(file_);
+    Store(file_, Mode::create_or_write);
+    execute(loss);
+    expect_refused("is damaged: table");
+  }
+}
+
+TEST_F(StoreOpen, WhatOthersPutBesideTheTablesIsTheirs) {
+  Store(file_, Mode::create_or_write);
+  execute("CREATE VIEW fine AS SELECT * FROM runs; CREATE TABLE notes (a); CREATE INDEX fast ON runs (l2)");
+  EXPECT_EQ(complaint_of_opening(Mode::create_or_write), "");
+  EXPECT_THAT(Store(file_, Mode::read).check(), testing::IsEmpty());
+}
+
 TEST_F(StoreOpen, SomethingThatIsNoFileIsRefused) {
   EXPECT_THAT(complaint([&] { Store(folder_, Mode::create_or_write); }), HasSubstr("is not a file"));
   EXPECT_THAT(complaint([] { Store("/dev/full", Mode::create_or_write); }), HasSubstr("is not a file"));
@@ -130,6 +156,16 @@ TEST_F(StoreOpen, AMigrationThatFailsLeavesTheStoreAsItWas) {
   const std::string before = bytes_of(file_);
   EXPECT_NE(complaint([&] { db::open_store(file_, Mode::write, broken_second_step); }), "");
   EXPECT_EQ(bytes_of(file_), before);
+}
+
+TEST_F(StoreOpen, AnOlderStoreIsSealedAsItIsBroughtUpToDate) {
+  db::open_store(file_, Mode::create_or_write, db::migrations().first(db::first_sealed_schema - 1))
+      .execute(
+          "INSERT INTO provenance VALUES (3, 'd1', 'c0ffee', 0, '', '', '', '');"
+          "INSERT INTO studies VALUES (5, 's', 'd1', 3, '', '', '', '', '')");
+  EXPECT_THAT(Store(file_, Mode::write).check(), testing::IsEmpty());
+  execute("UPDATE provenance SET git_commit = 'c0ffef'");
+  EXPECT_THAT(Store(file_, Mode::read).check(), testing::ElementsAre(HasSubstr("row 5 of studies (s)")));
 }
 
 TEST_F(StoreOpen, ACreationThatFailsLeavesNoFile) {

@@ -257,8 +257,8 @@ TEST_F(StoredStudyTest, ComesBackFromAnotherConnection) {
 
 TEST_F(StoredStudyTest, SurvivesAMerge) {
   store_->keep_study(everything(), cases_of_everything, provenance());
-  Store other(folder_ / "other.db", Store::Mode::create_or_write);
-  EXPECT_EQ(other.merge(file_), 2);
+  EXPECT_EQ(Store::merge(folder_ / "other.db", file_), 2);
+  const Store other(folder_ / "other.db", Store::Mode::read);
   EXPECT_EQ(Text::of(other.studies("d1")), Text::of(std::vector{everything()}));
   EXPECT_EQ(other.study_provenance("everything", "d1")->time, provenance().time);
 }

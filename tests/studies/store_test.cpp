@@ -21,15 +21,15 @@ using testing::SizeIs;
 
 // Structured bindings name every member: a new one does not compile until it is compared too.
 std::string describe(const Record& r) {
-  const auto& [c, particles, steps, cfl, status, reason, error, energy, balance, wall_seconds, ns, cost] = r;
+  const auto& [c, particles, steps, cfl, status, failure, reason, error, energy, balance, wall_seconds, ns, cost] = r;
   const auto& [l1, l2, linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf, velocity, stress] = error;
   const auto& [mass, momentum, angular_momentum] = balance;
   const auto& [kinetic, strain, initial_total] = energy;
   const auto& [step_seconds, spread] = cost;
-  return fmt::format("{} {} {} {} {} '{}' {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}",
-                     canonical_text(c), particles, steps, cfl, to_string(status), reason, l1, l2, linf, l1_all, l2_all,
-                     linf_all, nodal_l1, nodal_l2, nodal_linf, velocity, stress, mass, momentum, angular_momentum,
-                     kinetic, strain, initial_total, wall_seconds, ns, step_seconds, spread);
+  return fmt::format("{} {} {} {} {} {} '{}' {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}",
+                     canonical_text(c), particles, steps, cfl, to_string(status), to_string(failure), reason, l1, l2,
+                     linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf, velocity, stress, mass, momentum,
+                     angular_momentum, kinetic, strain, initial_total, wall_seconds, ns, step_seconds, spread);
 }
 
 TEST_F(StoreTest, ARecordComesBackWhole) {
@@ -98,6 +98,29 @@ TEST_F(StoreTest, AFailedRecordGivesWayToOneThatWasCarriedOut) {
   EXPECT_EQ(describe(store.find(bar(8), "d1").value()), describe(record(8)));
   store.keep(failed, provenance());
   EXPECT_EQ(store.find(bar(8), "d1")->status, Status::ok);
+}
+
+Record failed(Failure failure) {
+  Record r = record(8);
+  r.status = Status::failed;
+  r.failure = failure;
+  return r;
+}
+
+TEST_F(StoreTest, AFailureSaysWhoseItIs) {
+  EXPECT_EQ(failure_of(std::bad_alloc()), Failure::of_machine);
+  EXPECT_EQ(failure_of(std::system_error(EAGAIN, std::generic_category())), Failure::of_machine);
+  EXPECT_EQ(failure_of(std::length_error("")), Failure::of_case);
+  Store store(file_, Store::Mode::create_or_write);
+  for (const Failure failure : {Failure::of_machine, Failure::of_case, Failure::of_machine}) {
+    store.keep(failed(failure), provenance());
+    const bool was_of_case = failure == Failure::of_case || store.find(bar(8), "d1")->failure == Failure::of_case;
+    EXPECT_EQ(describe(store.find(bar(8), "d1").value()),
+              describe(failed(was_of_case ? Failure::of_case : Failure::of_machine)));
+  }
+  EXPECT_EQ(store.find(bar(8), "d1")->failure, Failure::of_case)
+      << "one of the machine took the place of one of the case";
+  EXPECT_THAT(store.check(), IsEmpty());
 }
 
 TEST_F(StoreTest, RecordsOutliveTheStoreObject) {
@@ -176,7 +199,7 @@ TEST_F(StoreTest, MergeCopiesWhatIsMissing) {
     there.keep_study(study("both", "theirs"), {}, provenance());
     there.keep_study(study("new", "", {series("a", {point(8), point(16)})}), {{bar(8), bar(16)}}, provenance());
   }
-  EXPECT_EQ(here.merge(other), 2);
+  EXPECT_EQ(Store::merge(file_, other), 2);
   EXPECT_EQ(here.find(bar(8), "d1")->wall_seconds, 1);
   EXPECT_EQ(describe(here.find(bar(16), "d1").value()), describe(record(16)));
   EXPECT_EQ(describe(here.find(bar(8), "d2").value()), describe(record(8)));
@@ -184,9 +207,26 @@ TEST_F(StoreTest, MergeCopiesWhatIsMissing) {
   ASSERT_THAT(studies, SizeIs(2));
   EXPECT_EQ(studies[0].title, "ours");
   EXPECT_EQ(studies[1].series[0].points[1].y.at("l2"), 0.2 / 16);
-  EXPECT_EQ(here.merge(other), 0);
-  EXPECT_EQ(here.merge(file_), 0);
+  EXPECT_EQ(Store::merge(file_, other), 0);
+  EXPECT_THAT(complaint([&] { Store::merge(file_, file_); }), HasSubstr("merged into itself"));
   EXPECT_THAT(here.check(), IsEmpty());
+}
+
+TEST_F(StoreTest, AForgottenStudyIsGoneInAllVersionsAndItsRunsStay) {
+  Store store(file_, Store::Mode::create_or_write);
+  for (const char* digest : {"d1", "d2"}) {
+    store.keep(record(8), provenance(digest));
+    for (const char* name : {"bad name", "other"})
+      store.keep_study(study(name, "", {series("a", {point(8)})}), {{bar(8)}}, provenance(digest));
+  }
+  EXPECT_THAT(complaint([&] { store.forget("absent"); }), HasSubstr("no study 'absent'"));
+  EXPECT_EQ(store.forget("bad name"), 2U);
+  for (const char* digest : {"d1", "d2"}) {
+    ASSERT_THAT(store.studies(digest), SizeIs(1));
+    EXPECT_EQ(store.studies(digest)[0].name, "other");
+    EXPECT_TRUE(store.find(bar(8), digest));
+  }
+  EXPECT_THAT(store.check(), IsEmpty());
 }
 
 TEST_F(StoreTest, MergeOfSomethingElseChangesNothing) {
@@ -194,8 +234,9 @@ TEST_F(StoreTest, MergeOfSomethingElseChangesNothing) {
   here.keep(record(8), provenance());
   const std::string before = bytes_of(file_);
   std::ofstream(folder_ / "notes.txt") << "not a store";
-  EXPECT_THAT(complaint([&] { here.merge(folder_ / "notes.txt"); }), HasSubstr("notes.txt' is not a results store"));
-  EXPECT_THAT(complaint([&] { here.merge(folder_ / "absent.db"); }), HasSubstr("no results store"));
+  EXPECT_THAT(complaint([&] { Store::merge(file_, folder_ / "notes.txt"); }),
+              HasSubstr("notes.txt' is not a results store"));
+  EXPECT_THAT(complaint([&] { Store::merge(file_, folder_ / "absent.db"); }), HasSubstr("no results store"));
   EXPECT_EQ(bytes_of(file_), before);
 }
 

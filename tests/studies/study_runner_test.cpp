@@ -51,5 +51,27 @@ TEST_F(StudyRunner, JobsShareThePoolAndTheStoreAndChangeNothing) {
                 outcomes[1][0].result.series[s].points[k].y.at("l2"));
 }
 
+TEST_F(StudyRunner, WhatTheMachineCouldNotDoIsTriedAgain) {
+  const auto file = folder_ / "bar.toml";
+  std::ofstream(file) << text;
+  const StudyPlan plan = read_study(file);
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  const std::vector<Failure> failures{Failure::of_machine, Failure::of_case, Failure::none, Failure::of_machine};
+  for (std::size_t k = 0; k < failures.size(); ++k) {
+    Record record;
+    record.the_case = replicates_at(plan, plan.series[0], plan.values[k]).front();
+    record.status = Status::failed;
+    record.failure = failures[k];
+    store.keep(record, current_provenance());
+  }
+  for (const std::size_t ran : {7U, 0U}) {
+    RunnerCounts counts;
+    const StudyOutcome outcome = run_studies({plan}, store, {}, counts).front();
+    EXPECT_EQ(counts.ran, ran);
+    EXPECT_EQ(outcome.failed, 1U);
+    EXPECT_EQ(outcome.result.series[0].points[1].status, Status::failed);
+  }
+}
+
 }  // namespace study_runner_test
 }  // namespace mpmvv

@@ -1,0 +1,148 @@
+#include "studies/store/seal.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <boost/crc.hpp>
+#include <variant>
+
+#include "studies/error.hpp"
+#include "studies/file.hpp"
+
+namespace mpmvv::db {
+
+namespace {
+
+/// CRC-64/XZ.
+using Crc = boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0xFFFFFFFFFFFFFFFF, 0xFFFFFFFFFFFFFFFF, true, true>;
+
+void add(Crc& crc, const std::string& text) {
+  const std::size_t size = text.size();
+  crc.process_bytes(&size, sizeof size);
+  crc.process_bytes(text.data(), size);
+}
+
+void add(Crc& crc, const Value& value) {
+  const std::size_t kind = value.held().index();
+  crc.process_bytes(&kind, sizeof kind);
+  std::visit(
+      [&](const auto& held) {
+        using Held = std::decay_t<decltype(held)>;
+        if constexpr (std::is_same_v<Held, std::string>)
+          add(crc, held);
+        else if constexpr (!std::is_same_v<Held, std::monostate>)
+          crc.process_bytes(&held, sizeof held);
+      },
+      value.held());
+}
+
+void add(Crc& crc, const Row& row) {
+  for (std::size_t i = 0; i < row.names().size(); ++i) {
+    if (row.names()[i] == "seal" || row.values()[i].null()) continue;
+    add(crc, row.names()[i]);
+    add(crc, row.values()[i]);
+  }
+}
+
+struct Noun {
+  const char* table;
+  const char* label;              ///< column that names it in a message
+  std::vector<std::string> rows;  ///< what a seal is over, of the one with id ?1
+};
+
+std::vector<std::string> rows_of_study() {
+  const std::string series = "(SELECT id FROM series WHERE study = ?1)";
+  const std::string points = "(SELECT id FROM points WHERE series IN " + series + ")";
+  const std::string fits = "(SELECT id FROM fits WHERE series IN " + series + ")";
+  const std::string figures = "(SELECT id FROM figures WHERE study = ?1)";
+  return {"studies WHERE id = ?1",
+          "provenance WHERE id = (SELECT provenance FROM studies WHERE id = ?1)",
+          "study_claims WHERE study = ?1 ORDER BY ordinal",
+          "claim_parts WHERE study = ?1 ORDER BY ordinal",
+          "check_values WHERE study = ?1 ORDER BY ordinal",
+          "series WHERE study = ?1 ORDER BY ordinal",
+          "points WHERE series IN " + series + " ORDER BY series, ordinal",
+          "point_values WHERE point IN " + points + " ORDER BY point, quantity",
+          "point_replicates WHERE point IN " + points + " ORDER BY point, quantity, ordinal",
+          "fits WHERE series IN " + series + " ORDER BY series, ordinal",
+          "segments WHERE fit IN " + fits + " ORDER BY fit, ordinal",
+          "limits WHERE series IN " + series + " ORDER BY series",
+          "probes WHERE series IN " + series + " ORDER BY series, ordinal",
+          "extrapolations WHERE series IN " + series + " ORDER BY series, ordinal",
+          "figures WHERE study = ?1 ORDER BY ordinal",
+          "figure_series WHERE figure IN " + figures + " ORDER BY figure, ordinal",
+          "figure_marks WHERE figure IN " + figures + " ORDER BY figure, ordinal",
+          "figure_slopes WHERE figure IN " + figures + " ORDER BY figure, ordinal"};
+}
+
+const Noun& noun_of(Sealed kind) {
+  static const std::array<Noun, 3> nouns{
+      {{"runs", "problem", {"runs WHERE id = ?1", "provenance WHERE id = (SELECT provenance FROM runs WHERE id = ?1)"}},
+       {"studies", "name", rows_of_study()},
+       {"mutants",
+        "name",
+        {"mutants WHERE id = ?1", "provenance WHERE id = (SELECT provenance FROM mutants WHERE id = ?1)",
+         "mutant_trials WHERE mutant = ?1 ORDER BY rowid"}}}};
+  return nouns[static_cast<std::size_t>(kind)];
+}
+
+constexpr std::array all_kinds{Sealed::run, Sealed::study, Sealed::mutant};
+
+std::int64_t seal_of(const Database& database, const Noun& noun, const Value& id) {
+  Crc crc;
+  for (const std::string& rows : noun.rows) {
+    add(crc, rows);
+    database.each("SELECT * FROM " + rows, {id}, [&](const Row& row) { add(crc, row); });
+  }
+  return static_cast<std::int64_t>(crc.checksum());
+}
+
+bool is_intact(const Database& database, const Noun& noun, const Value& id) {
+  const Value kept = database.scalar(fmt::format("SELECT seal FROM {} WHERE id = ?", noun.table), {id});
+  return kept.held() == Value(seal_of(database, noun, id)).held();
+}
+
+/// The name that a message may show: damage can make anything of it.
+std::string complaint(const Database& database, const Noun& noun, const Value& id) {
+  const std::string name =
+      database.scalar(fmt::format("SELECT {} FROM {} WHERE id = ?", noun.label, noun.table), {id}).to_string();
+  return fmt::format("row {} of {} ({}) is not as it was written", id.to_string(), noun.table,
+                     is_file_stem(name) ? name : "without a name");
+}
+
+std::vector<Value> ids(const Database& database, const Noun& noun) {
+  std::vector<Value> all;
+  database.each(fmt::format("SELECT id FROM {} NOT INDEXED", noun.table), {},
+                [&](const Row& row) { all.push_back(row["id"]); });
+  return all;
+}
+
+}  // namespace
+
+void seal(Database& database, Sealed kind, std::int64_t id) {
+  const Noun& noun = noun_of(kind);
+  database.change(fmt::format("UPDATE {} SET seal = ? WHERE id = ?", noun.table), {seal_of(database, noun, id), id});
+}
+
+void seal_all(Database& database) {
+  for (const Sealed kind : all_kinds)
+    for (const Value& id : ids(database, noun_of(kind))) seal(database, kind, id.integer());
+}
+
+void require_intact(const Database& database, Sealed kind, const Value& id) {
+  if (const Noun& noun = noun_of(kind); !is_intact(database, noun, id))
+    database.fail_damaged(complaint(database, noun, id));
+}
+
+std::vector<std::string> broken_seals(const Database& database) {
+  std::vector<std::string> broken;
+  for (const Sealed kind : all_kinds)
+    for (const Value& id : ids(database, noun_of(kind))) try {
+        if (!is_intact(database, noun_of(kind), id)) broken.push_back(complaint(database, noun_of(kind), id));
+      } catch (const UsageError& e) {
+        broken.emplace_back(e.what());
+      }
+  return broken;
+}
+
+}  // namespace mpmvv::db

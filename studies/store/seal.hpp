@@ -1,0 +1,29 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "studies/store/database.hpp"
+
+namespace mpmvv::db {
+
+/// A seal shows that something is as it was written, as SQLite has no checksums: the CRC-64 of a row and of the rows
+/// that belong to it, ids included. NULL does not count, so a column that is added empty leaves every seal as it is.
+enum class Sealed { run, study, mutant };
+
+/// The schema from which on every run, study and mutant has one.
+inline constexpr std::int64_t first_sealed_schema = 8;
+
+/// Seals what has just been written under this id.
+void seal(Database& database, Sealed kind, std::int64_t id);
+
+/// Seals all that a store holds.
+void seal_all(Database& database);
+
+/// UsageError when it is not there or not as it was written.
+void require_intact(const Database& database, Sealed kind, const Value& id);
+
+/// What is not as it was written.
+std::vector<std::string> broken_seals(const Database& database);
+
+}  // namespace mpmvv::db
