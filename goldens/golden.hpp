@@ -18,8 +18,13 @@ inline constexpr double limit_band = 0.05;  ///< relative
 /// it by up to a tenth.
 inline constexpr double interval_margin = 1.5;
 
-/// The fitted order of a series in a norm. Where a window is given, the fit over that window is meant; where a number
-/// of points is given, a fit over fewer fails; in a window that was asymptotic when reviewed segment orders may scatter
+/// The interval of an order may be reviewed up to this half-width or its band's width, whichever is more: beyond that,
+/// it decides nothing.
+inline constexpr double widest_interval = 1;
+
+/// The fitted order of a series in a norm. Where a window is given, the fit over that window is meant. A fit over fewer
+/// points than are given, or than the window has where no number is, fails; without the finest level or an end of the
+/// window there is nothing to judge. In a window that was asymptotic when reviewed segment orders may scatter
 /// twice as much as that allows. An interval wider than the band, and wider by more than its margin than
 /// the one reviewed, decides nothing. An error at the finest level that has grown by more than the band of errors
 /// fails, although the order holds.
@@ -64,6 +69,7 @@ struct Golden {
   std::string study;
   std::string where;  ///< FILE:LINE
   std::variant<OrderGolden, ErrorGolden, LimitGolden, ValueGolden, StatusGolden> expectation;
+  bool reviewed = true;  ///< else it cannot pass
 };
 
 /// What is judged, in words: "order of 'linear' in l2". Goldens of one study differ in it.
