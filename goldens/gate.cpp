@@ -8,6 +8,7 @@
 
 #include "goldens/judgement.hpp"
 #include "studies/error.hpp"
+#include "studies/trial.hpp"
 
 namespace mpmvv {
 
@@ -85,14 +86,20 @@ Judgement judge(const OfSeries& golden, const StudyResult& study) {
   return series ? judge(golden, *series) : missing(fmt::format("no series '{}'", golden.series));
 }
 
-GateResult judge(const Golden& golden, const std::vector<StudyResult>& studies) {
+/// A trial decides nothing, and what nobody has reviewed passes nothing.
+Judgement judge(const Golden& golden, const StudyResult& study, Trials trials) {
+  Judgement found = std::visit([&](const auto& expectation) { return judge(expectation, study); }, golden.expectation);
+  const std::string trial = trials == Trials::judged ? "" : trial_of(study.text);
+  if (!trial.empty()) return inconclusive(found.measured, fmt::format("made with --set: {}", trial));
+  if (found.verdict == Verdict::pass && !golden.reviewed)
+    return inconclusive(found.measured, "not reviewed: its file has no reviewed = \"DATE: who and on what grounds\"");
+  return found;
+}
+
+GateResult judge(const Golden& golden, const std::vector<StudyResult>& studies, Trials trials) {
   const StudyResult* study = find(studies, golden.study, &StudyResult::name);
   Judgement judgement =
-      study ? std::visit([&](const auto& expectation) { return judge(expectation, *study); }, golden.expectation)
-            : missing(fmt::format("no study '{}' in the store", golden.study));
-  if (judgement.verdict == Verdict::pass && !golden.reviewed)
-    judgement =
-        inconclusive(judgement.measured, "not reviewed: its file lacks reviewed = \"DATE: who and on what grounds\"");
+      study ? judge(golden, *study, trials) : missing(fmt::format("no study '{}' in the store", golden.study));
   return {golden.study,
           subject(golden),
           judgement.verdict,
@@ -115,7 +122,7 @@ int GateReport::exit_code() const {
 }
 
 GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<StudyResult>& studies,
-                    const std::vector<std::string>& only) {
+                    const std::vector<std::string>& only, Trials trials) {
   if (goldens.empty()) throw UsageError("no golden to judge (at least one)");
   for (const std::string& study : only) {
     if (!find(goldens, study, &Golden::study)) {
@@ -124,7 +131,8 @@ GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<StudyR
   }
   GateReport report;
   for (const Golden& golden : goldens) {
-    if (only.empty() || std::ranges::count(only, golden.study) > 0) report.results.push_back(judge(golden, studies));
+    if (only.empty() || std::ranges::count(only, golden.study) > 0)
+      report.results.push_back(judge(golden, studies, trials));
   }
   return report;
 }

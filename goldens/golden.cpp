@@ -24,11 +24,9 @@ constexpr double round_off = 1e-9;  ///< so that 2 - 1.85 is not wider than 0.15
   throw UsageError(fmt::format("{} in {} ({})", wrong, where, right));
 }
 
-constexpr double largest = 1e100;  ///< so that no product of goldens' numbers is infinite
-
 double number(const TomlTable& table, const std::string& key) {
   const double value = table.number(key);
-  if (std::abs(value) > largest)
+  if (std::abs(value) > largest_number)
     reject(fmt::format("'{}' is {}", key, value), table.where(key), "a number that a result may have");
   return value;
 }
@@ -88,7 +86,7 @@ double relative_band(const TomlTable& table, double allowed, const std::string& 
 /// Two swept values, the smaller first.
 std::vector<double> window(const TomlTable& table) {
   const auto ends = table.numbers("window");
-  if (ends.size() != 2 || !(0 < ends[0] && ends[0] < ends[1] && ends[1] <= largest))
+  if (ends.size() != 2 || !(0 < ends[0] && ends[0] < ends[1] && ends[1] <= largest_number))
     reject("a window that is none", table.where("window"), "two swept values above 0, the smaller first");
   return ends;
 }
@@ -96,7 +94,7 @@ std::vector<double> window(const TomlTable& table) {
 /// A swept value, inside the window where there is one, and the error there.
 std::vector<double> finest(const TomlTable& table, const std::vector<double>& window) {
   const auto level = table.numbers("finest");
-  const auto sound = [](double x) { return x > 0 && x <= largest; };
+  const auto sound = [](double x) { return x > 0 && x <= largest_number; };
   if (level.size() != 2 || !std::ranges::all_of(level, sound))
     reject("a finest level that is none", table.where("finest"), "a swept value and the error there, both above 0");
   if (!window.empty() && !Window{window[0], window[1]}.holds(level[0]))
@@ -206,6 +204,13 @@ void refuse_duplicates(const std::vector<Golden>& goldens) {
   }
 }
 
+std::set<std::filesystem::path> golden_files(const std::filesystem::path& directory) {
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    if (entry.path().extension() == ".toml") files.insert(entry.path());
+  return files;
+}
+
 }  // namespace
 
 std::vector<Golden> parse_goldens(const std::string& text, const std::string& file) {
@@ -214,15 +219,19 @@ std::vector<Golden> parse_goldens(const std::string& text, const std::string& fi
   return goldens;
 }
 
+bool has_goldens(const std::filesystem::path& directory) {
+  return std::filesystem::is_directory(directory) && !golden_files(directory).empty();
+}
+
 std::vector<Golden> read_goldens(const std::filesystem::path& directory) {
-  if (!std::filesystem::is_directory(directory)) {
-    throw UsageError(fmt::format("no directory '{}' (one with goldens, *.toml)", directory.string()));
-  }
-  std::set<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-    if (entry.path().extension() == ".toml") files.insert(entry.path());
-  }
-  if (files.empty()) throw UsageError(fmt::format("no golden in '{}' (at least one *.toml)", directory.string()));
+  const std::string how =
+      fmt::format("`mpmvv propose --db DB --study NAME --out {}` writes a first one, to be reviewed",
+                  (directory / "NAME.toml").string());
+  if (!std::filesystem::is_directory(directory))
+    throw UsageError(fmt::format("no directory '{}' (one with goldens, *.toml; {})", directory.string(), how));
+  const auto files = golden_files(directory);
+  if (files.empty())
+    throw UsageError(fmt::format("no golden in '{}' (at least one *.toml; {})", directory.string(), how));
 
   std::vector<Golden> goldens;
   for (const std::filesystem::path& file : files) {

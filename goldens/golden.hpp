@@ -14,6 +14,9 @@ inline constexpr double order_band = 0.15;  ///< absolute, either side
 inline constexpr double error_band = 0.10;  ///< relative; for check values too
 inline constexpr double limit_band = 0.05;  ///< relative
 
+/// No number of a golden is larger, so that none that follows from it is infinite.
+inline constexpr double largest_number = 1e100;
+
 /// As much wider than the one reviewed may the interval of an order be: other orders and places of the particles widen
 /// it by up to a tenth.
 inline constexpr double interval_margin = 1.5;
@@ -77,6 +80,9 @@ std::string subject(const Golden& golden);
 
 /// What must hold, in words: "2 in [1.85, 2.15]".
 std::string expected_text(const Golden& golden);
+
+/// Whether a directory has a *.toml file.
+bool has_goldens(const std::filesystem::path& directory);
 
 /// All goldens of a directory's *.toml files, by file name. UsageError when there is none, when two judge the same
 /// thing, and on every mistake in a file (with FILE:LINE).

@@ -52,12 +52,6 @@ bool has_grown(const OrderGolden& golden, const Series& series) {
          find_point(series, golden.finest[0])->y.at(golden.norm) > golden.finest[1] * (1 + error_band);
 }
 
-/// 95 % of the order: by replicates where there are some, else by the residuals; 0 where neither says anything.
-double half_width(const ObservedOrder& fit) {
-  const double width = fit.replicates ? fit.replicates->half_width : fit.half_width;
-  return std::isnan(width) ? 0 : width;
-}
-
 /// How far the segment orders inside the fit's window lie from each other.
 double segment_spread(const ObservedOrder& fit) {
   const Window window{fit.from, fit.to};
@@ -80,6 +74,11 @@ Judgement judge_interval(const OrderGolden& golden, const ObservedOrder& fit, co
 }
 
 }  // namespace
+
+double half_width(const ObservedOrder& fit) {
+  const double width = fit.replicates ? fit.replicates->half_width : fit.half_width;
+  return std::isnan(width) ? 0 : width;
+}
 
 Judgement judge(const OrderGolden& golden, const Series& series) {
   constexpr double absurd = 1;  // above any band: no scatter brings an order there
