@@ -72,8 +72,8 @@ const Point* finest_stable(const std::string& sweep, const Series& series, const
 
 /// Why a golden of this order could not pass; empty where it could.
 std::string no_golden(const Series& series, const ObservedOrder& fit) {
-  if (!std::isfinite(fit.order) || fit.points < 3)
-    return fmt::format("{} usable points, at least 3 are needed", fit.points);
+  if (fit.points < 3) return fmt::format("{} usable points, at least 3 are needed", fit.points);
+  if (!std::isfinite(fit.order)) return "none could be fitted";
   if (half_width(fit) > widest_interval) return fmt::format("known to ± {:.2f} only", half_width(fit));
   if (fit.norm != "y")
     for (const double end : {fit.from, fit.to})

@@ -150,7 +150,7 @@ TEST(Golden, NoNumberIsTakenUnchecked) {
 }
 
 TEST(Golden, NumbersAtTheEdgeAreTaken) {
-  const auto& golden = std::get<OrderGolden>(
+  const auto golden = std::get<OrderGolden>(
       parse(order("expected = 2\nlower = 1.9\nupper = 2.1\nwindow = [16, 64]\npoints = 3\ninterval = 1\n"
                   "finest = [64, 1e-4]\nasymptotic = true"))[0]
           .expectation);
