@@ -22,7 +22,7 @@ namespace {
 struct GateOptions {
   std::string db, goldens = "goldens", junit;
   std::vector<std::string> only;
-  bool json = false, github = false;
+  bool json = false, github = false, as_set = false;
 };
 
 /// GitHub Actions sets this in every step.
@@ -36,6 +36,15 @@ void write_file(const std::string& file, const std::string& text) {
   out << text << std::flush;
   if (!out)
     throw UsageError(fmt::format("cannot write {} (a file in an existing directory that may be written)", file));
+}
+
+/// For a new file.
+void make_folder_of(const std::filesystem::path& file) {
+  std::error_code failed;
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failed);
+  if (failed)
+    throw UsageError(fmt::format("cannot make the folder of {}: {} (a file in a folder that can be made)",
+                                 file.string(), failed.message()));
 }
 
 nlohmann::json gate_json(const GateReport& report) {
@@ -67,7 +76,8 @@ void print_gate(const GateReport& report) {
 
 int gate(const GateOptions& options) {
   const auto goldens = read_goldens(options.goldens);
-  const GateReport report = run_gate(goldens, own_results(options.db), options.only);
+  const GateReport report =
+      run_gate(goldens, own_results(options.db), options.only, options.as_set ? Trials::judged : Trials::inconclusive);
   if (!options.junit.empty()) write_file(options.junit, junit_xml(report));
   if (options.json)
     print_json(gate_json(report));
@@ -90,15 +100,15 @@ int propose(const ProposeOptions& options) {
         fmt::format("no results of study '{}' in {} (run `mpmvv study` on it first)", options.study, options.db));
   const auto provenance =
       Store(options.db, Store::Mode::read).study_provenance(study->name, current_provenance().digest);
-  const bool none = !std::filesystem::is_directory(options.goldens) || std::filesystem::is_empty(options.goldens);
-  const std::string text =
-      propose_goldens(*study, *provenance, none ? std::vector<Golden>{} : read_goldens(options.goldens));
+  const std::string text = propose_goldens(
+      *study, *provenance, has_goldens(options.goldens) ? read_goldens(options.goldens) : std::vector<Golden>{});
   if (options.out.empty()) {
     fmt::print("{}", text);
     return 0;
   }
   if (std::ifstream(options.out))
     throw UsageError(fmt::format("{} exists (name a new file, review, then move it)", options.out));
+  make_folder_of(options.out);
   write_file(options.out, text);
   return 0;
 }
@@ -112,6 +122,8 @@ void add_gate(CLI::App& app, int& exit_code) {
   command->add_option("--goldens", options->goldens, "directory of goldens (default: goldens)");
   command->add_option("--only", options->only, "judge only this study's goldens (repeatable)");
   command->add_option("--junit", options->junit, "write JUnit XML to this file, too");
+  command->add_flag("--as-set", options->as_set,
+                    "judge results made with study --set, too (default: they are inconclusive)");
   CLI::Option* json = command->add_flag("--json", options->json, "print one JSON object");
   command->add_flag("--github", options->github, "print annotations for GitHub Actions, too (default: when run by it)")
       ->excludes(json);

@@ -61,17 +61,17 @@ void compare_levels(Change& change) {
   change.bands = better ? -most : most;
 }
 
-/// The weight of another word.
+/// The weight of another word than before.
 constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
 
-bool is_improvement(const Finding& before, const Finding& after) {
-  return after.word == "ok" || after.word == "confirmed" || (after.word.empty() && !before.word.empty());
+bool is_improvement(const Finding& after) {
+  return after.word == "ok" || after.word == "confirmed" || after.word.empty();
 }
 
 Change change_between(const Finding& before, const Finding& after) {
   Change change{before, after, {}, 0};
   if (before.word != after.word) {
-    change.bands = is_improvement(before, after) ? -beyond_any_number : beyond_any_number;
+    change.bands = is_improvement(after) ? -beyond_any_number : beyond_any_number;
   } else if (!before.levels.empty()) {
     compare_levels(change);
   } else if (before.word.empty()) {

@@ -27,9 +27,13 @@ struct GateReport {
   int exit_code() const;  ///< 1 with any failure, else 3 with anything inconclusive, else 0
 };
 
+/// What becomes of results made with `study --set`: they are not the golden's, so they decide nothing, unless someone
+/// asks for just that.
+enum class Trials { inconclusive, judged };
+
 /// Holds the goldens against the stored studies; only those of the studies named in `only`, unless it is empty.
 /// UsageError when there is nothing to judge or a name in `only` has no golden.
 GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<StudyResult>& studies,
-                    const std::vector<std::string>& only = {});
+                    const std::vector<std::string>& only = {}, Trials trials = Trials::inconclusive);
 
 }  // namespace mpmvv

@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "studies/printable.hpp"
+
 namespace mpmvv {
 
 namespace {
 
-/// What would end a command's message, or, as a property, the property.
+/// Without what would end a command's message, or, as a property, the property, and without what a log obeys.
 std::string percent_escaped(const std::string& text, bool property) {
   std::string out;
-  for (const char c : text) {
-    const bool special = c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','));
+  for (const char c : printable(text)) {
+    const bool special = c == '%' || (property && (c == ':' || c == ','));
     out += special ? fmt::format("%{:02X}", static_cast<int>(c)) : std::string(1, c);
   }
   return out;

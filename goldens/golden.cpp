@@ -12,6 +12,7 @@
 
 #include "studies/error.hpp"
 #include "studies/toml_file.hpp"
+#include "studies/window.hpp"
 
 namespace mpmvv {
 
@@ -23,10 +24,27 @@ constexpr double round_off = 1e-9;  ///< so that 2 - 1.85 is not wider than 0.15
   throw UsageError(fmt::format("{} in {} ({})", wrong, where, right));
 }
 
-double positive(const TomlTable& table, const std::string& key) {
+double number(const TomlTable& table, const std::string& key) {
   const double value = table.number(key);
+  if (std::abs(value) > largest_number)
+    reject(fmt::format("'{}' is {}", key, value), table.where(key), "a number that a result may have");
+  return value;
+}
+
+double positive(const TomlTable& table, const std::string& key) {
+  const double value = number(table, key);
   if (!(value > 0)) reject(fmt::format("'{}' is {}", key, value), table.where(key), "a number above 0");
   return value;
+}
+
+/// A number of points that an order can be fitted to.
+int points(const TomlTable& table) {
+  constexpr int least = 3, most = 1'000'000;
+  const double value = table.number("points");
+  if (!(value >= least && value <= most && value == std::floor(value)))
+    reject(fmt::format("'points' is {}", value), table.where("points"),
+           fmt::format("a whole number from {} to {}", least, most));
+  return static_cast<int>(value);
 }
 
 std::string word(const TomlTable& table, const std::string& key) {
@@ -59,38 +77,57 @@ void justify(const TomlTable& table, double width, double allowed, const std::st
 
 double relative_band(const TomlTable& table, double allowed, const std::string& of_what) {
   const double band = positive(table, "band");
+  if (band >= 1)
+    reject(fmt::format("a band of {:.6g}", band), table.where("band"), "below 1, which is the number itself");
   justify(table, band, allowed, fmt::format("{} within {:g} %", of_what, 100 * allowed));
   return band;
+}
+
+/// Two swept values, the smaller first.
+std::vector<double> window(const TomlTable& table) {
+  const auto ends = table.numbers("window");
+  if (ends.size() != 2 || !(0 < ends[0] && ends[0] < ends[1] && ends[1] <= largest_number))
+    reject("a window that is none", table.where("window"), "two swept values above 0, the smaller first");
+  return ends;
+}
+
+/// A swept value, inside the window where there is one, and the error there.
+std::vector<double> finest(const TomlTable& table, const std::vector<double>& window) {
+  const auto level = table.numbers("finest");
+  const auto sound = [](double x) { return x > 0 && x <= largest_number; };
+  if (level.size() != 2 || !std::ranges::all_of(level, sound))
+    reject("a finest level that is none", table.where("finest"), "a swept value and the error there, both above 0");
+  if (!window.empty() && !Window{window[0], window[1]}.holds(level[0]))
+    reject(fmt::format("a finest level {} outside the window", level[0]), table.where("finest"),
+           fmt::format("a swept value from {} to {}", window[0], window[1]));
+  return level;
+}
+
+/// A half-width; one that reaches beyond any band would let every order pass.
+double interval(const TomlTable& table, double band) {
+  const double width = positive(table, "interval"), widest = std::max(widest_interval, band);
+  if (width > widest)
+    reject(fmt::format("'interval' is {}", width), table.where("interval"),
+           fmt::format("at most {:g}: an order that is known no better decides nothing", widest));
+  return width;
 }
 
 OrderGolden read_order(const TomlTable& table) {
   table.allow_only(
       {"series", "norm", "expected", "lower", "upper", "window", "points", "asymptotic", "interval", "finest", "why"});
-  OrderGolden golden{word(table, "series"),
-                     norm(table),
-                     table.number("expected"),
-                     table.number("lower"),
-                     table.number("upper"),
-                     {},
-                     static_cast<int>(table.number("points", 0)),
-                     table.flag("asymptotic", false),
-                     table.number("interval", 0)};
-  if (table.has("window")) {
-    golden.window = table.numbers("window");
-    if (golden.window.size() != 2 || !(golden.window[0] < golden.window[1]))
-      reject("a window that is none", table.where("window"), "two swept values, the smaller first");
-  }
-  if (table.has("finest")) {
-    golden.finest = table.numbers("finest");
-    if (golden.finest.size() != 2 || !(golden.finest[1] > 0))
-      reject("a finest level that is none", table.where("finest"), "a swept value and the error there");
-  }
+  OrderGolden golden{word(table, "series"), norm(table), number(table, "expected"), number(table, "lower"),
+                     number(table, "upper")};
   if (!(golden.lower < golden.upper && golden.lower <= golden.expected && golden.expected <= golden.upper)) {
     reject(fmt::format("expected {} with lower {} and upper {}", golden.expected, golden.lower, golden.upper),
            table.where(), "lower <= expected <= upper, lower < upper");
   }
   justify(table, std::max(golden.upper - golden.expected, golden.expected - golden.lower), order_band,
           fmt::format("orders within {:g}", order_band));
+  if (table.has("window")) golden.window = window(table);
+  if (table.has("points")) golden.points = points(table);
+  golden.asymptotic = table.flag("asymptotic", false);
+  if (table.has("interval")) golden.interval = interval(table, golden.upper - golden.lower);
+  if (table.has("finest")) golden.finest = finest(table, golden.window);
   return golden;
 }
 
@@ -113,7 +150,7 @@ ValueGolden read_value(const TomlTable& table) {
            "at_most, or at_least, or expected with band");
   }
   if (table.has("expected")) {
-    const double expected = table.number("expected");
+    const double expected = number(table, "expected");
     const double reach = std::abs(expected) * relative_band(table, error_band, "check values");
     if (reach == 0) reject("'expected' is 0 with a relative band", table.where("expected"), "at_most or at_least");
     golden.lower = expected - reach;
@@ -121,8 +158,8 @@ ValueGolden read_value(const TomlTable& table) {
     return golden;
   }
   if (table.has("band")) reject("'band' without 'expected'", table.where("band"), "expected with band");
-  if (table.has("at_most")) golden.upper = table.number("at_most");
-  if (table.has("at_least")) golden.lower = table.number("at_least");
+  if (table.has("at_most")) golden.upper = number(table, "at_most");
+  if (table.has("at_least")) golden.lower = number(table, "at_least");
   return golden;
 }
 
@@ -138,11 +175,12 @@ StatusGolden read_status(const TomlTable& table) {
 std::vector<Golden> goldens_of(const TomlTable& document) {
   document.allow_only({"study", "reviewed", "order", "error", "limit", "value", "status"});
   const std::string study = word(document, "study");
-  if (document.has("reviewed")) word(document, "reviewed");
+  const bool reviewed = document.has("reviewed") && !word(document, "reviewed").empty();
 
   std::vector<Golden> goldens;
   const auto add = [&](const char* kind, auto read) {
-    for (const TomlTable& table : document.tables(kind)) goldens.push_back({study, table.where(), read(table)});
+    for (const TomlTable& table : document.tables(kind))
+      goldens.push_back({study, table.where(), read(table), reviewed});
   };
   add("order", read_order);
   add("error", read_error);
@@ -166,46 +204,14 @@ void refuse_duplicates(const std::vector<Golden>& goldens) {
   }
 }
 
-struct SubjectOf {
-  std::string operator()(const OrderGolden& g) const {
-    const std::string over = g.window.empty() ? "" : fmt::format(" over [{:g}, {:g}]", g.window[0], g.window[1]);
-    return fmt::format("order of '{}' in {}{}", g.series, g.norm, over);
-  }
-  std::string operator()(const ErrorGolden& g) const {
-    return fmt::format("error of '{}' in {} at {}", g.series, g.norm, g.at);
-  }
-  std::string operator()(const LimitGolden& g) const { return fmt::format("limit of '{}'", g.series); }
-  std::string operator()(const ValueGolden& g) const { return fmt::format("value '{}'", g.name); }
-  std::string operator()(const StatusGolden& g) const { return fmt::format("status of '{}' at {}", g.series, g.at); }
-};
-
-struct ExpectedTextOf {
-  std::string operator()(const OrderGolden& g) const {
-    return fmt::format("{:.6g} in [{:.6g}, {:.6g}]", g.expected, g.lower, g.upper);
-  }
-  std::string operator()(const ErrorGolden& g) const {
-    return fmt::format("{:.6g} ± {:g} %", g.expected, 100 * g.band);
-  }
-  std::string operator()(const LimitGolden& g) const {
-    return fmt::format("{:.6g} ± {:g} %", g.expected, 100 * g.band);
-  }
-  std::string operator()(const ValueGolden& g) const {
-    if (std::isinf(g.lower)) return fmt::format("at most {:.6g}", g.upper);
-    if (std::isinf(g.upper)) return fmt::format("at least {:.6g}", g.lower);
-    return fmt::format("in [{:.6g}, {:.6g}]", g.lower, g.upper);
-  }
-  std::string operator()(const StatusGolden& g) const { return to_string(g.expected); }
-};
+std::set<std::filesystem::path> golden_files(const std::filesystem::path& directory) {
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(directory))
+    if (entry.path().extension() == ".toml") files.insert(entry.path());
+  return files;
+}
 
 }  // namespace
-
-std::string subject(const Golden& golden) {
-  return std::visit(SubjectOf{}, golden.expectation);
-}
-
-std::string expected_text(const Golden& golden) {
-  return std::visit(ExpectedTextOf{}, golden.expectation);
-}
 
 std::vector<Golden> parse_goldens(const std::string& text, const std::string& file) {
   std::vector<Golden> goldens = goldens_of(TomlTable::parse(text, file));
@@ -213,15 +219,19 @@ std::vector<Golden> parse_goldens(const std::string& text, const std::string& fi
   return goldens;
 }
 
+bool has_goldens(const std::filesystem::path& directory) {
+  return std::filesystem::is_directory(directory) && !golden_files(directory).empty();
+}
+
 std::vector<Golden> read_goldens(const std::filesystem::path& directory) {
-  if (!std::filesystem::is_directory(directory)) {
-    throw UsageError(fmt::format("no directory '{}' (one with goldens, *.toml)", directory.string()));
-  }
-  std::set<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-    if (entry.path().extension() == ".toml") files.insert(entry.path());
-  }
-  if (files.empty()) throw UsageError(fmt::format("no golden in '{}' (at least one *.toml)", directory.string()));
+  const std::string how =
+      fmt::format("`mpmvv propose --db DB --study NAME --out {}` writes a first one, to be reviewed",
+                  (directory / "NAME.toml").string());
+  if (!std::filesystem::is_directory(directory))
+    throw UsageError(fmt::format("no directory '{}' (one with goldens, *.toml; {})", directory.string(), how));
+  const auto files = golden_files(directory);
+  if (files.empty())
+    throw UsageError(fmt::format("no golden in '{}' (at least one *.toml; {})", directory.string(), how));
 
   std::vector<Golden> goldens;
   for (const std::filesystem::path& file : files) {

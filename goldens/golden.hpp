@@ -14,12 +14,20 @@ inline constexpr double order_band = 0.15;  ///< absolute, either side
 inline constexpr double error_band = 0.10;  ///< relative; for check values too
 inline constexpr double limit_band = 0.05;  ///< relative
 
+/// No number of a golden is larger, so that none that follows from it is infinite.
+inline constexpr double largest_number = 1e100;
+
 /// As much wider than the one reviewed may the interval of an order be: other orders and places of the particles widen
 /// it by up to a tenth.
 inline constexpr double interval_margin = 1.5;
 
-/// The fitted order of a series in a norm. Where a window is given, the fit over that window is meant; where a number
-/// of points is given, a fit over fewer fails; in a window that was asymptotic when reviewed segment orders may scatter
+/// The interval of an order may be reviewed up to this half-width or its band's width, whichever is more: beyond that,
+/// it decides nothing.
+inline constexpr double widest_interval = 1;
+
+/// The fitted order of a series in a norm. Where a window is given, the fit over that window is meant. A fit over fewer
+/// points than are given, or than the window has where no number is, fails; without the finest level or an end of the
+/// window there is nothing to judge. In a window that was asymptotic when reviewed segment orders may scatter
 /// twice as much as that allows. An interval wider than the band, and wider by more than its margin than
 /// the one reviewed, decides nothing. An error at the finest level that has grown by more than the band of errors
 /// fails, although the order holds.
@@ -64,6 +72,7 @@ struct Golden {
   std::string study;
   std::string where;  ///< FILE:LINE
   std::variant<OrderGolden, ErrorGolden, LimitGolden, ValueGolden, StatusGolden> expectation;
+  bool reviewed = true;  ///< else it cannot pass
 };
 
 /// What is judged, in words: "order of 'linear' in l2". Goldens of one study differ in it.
@@ -71,6 +80,9 @@ std::string subject(const Golden& golden);
 
 /// What must hold, in words: "2 in [1.85, 2.15]".
 std::string expected_text(const Golden& golden);
+
+/// Whether a directory has a *.toml file.
+bool has_goldens(const std::filesystem::path& directory);
 
 /// All goldens of a directory's *.toml files, by file name. UsageError when there is none, when two judge the same
 /// thing, and on every mistake in a file (with FILE:LINE).

@@ -2,18 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
-#include <vector>
+#include <string_view>
+
+#include "studies/printable.hpp"
 
 namespace mpmvv {
 
 namespace {
 
-/// For attributes and text alike. XML 1.0 has no way to write most control characters.
+/// The two characters of UTF-8 that no XML may hold, beside those that are not printable.
+bool is_forbidden(std::string_view character) {
+  return character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";
+}
+
+/// For attributes and text alike.
 std::string escaped(const std::string& text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '&':
         out += "&amp;";
@@ -27,14 +33,11 @@ std::string escaped(const std::string& text) {
       case '"':
         out += "&quot;";
         break;
-      case '\n':
-      case '\r':
-      case '\t':
-        out += fmt::format("&#{};", static_cast<int>(c));
-        break;
       default:
-        out += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+        out += c;
     }
+    if (out.size() >= 3 && is_forbidden(std::string_view(out).substr(out.size() - 3)))
+      out.replace(out.size() - 3, 3, "?");
   }
   return out;
 }

@@ -7,7 +7,11 @@
 #include <set>
 
 #include "goldens/gate.hpp"
+#include "goldens/judgement.hpp"
 #include "studies/error.hpp"
+#include "studies/printable.hpp"
+#include "studies/trial.hpp"
+#include "studies/window.hpp"
 
 namespace mpmvv {
 
@@ -35,11 +39,7 @@ class Draft {
     remark(text);
     line("");
   }
-  void remark(std::string text) {
-    std::ranges::replace_if(
-        text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    text_ += "# " + text + '\n';
-  }
+  void remark(const std::string& text) { text_ += "# " + printable(text) + '\n'; }
   void line(const std::string& text) { text_ += text + '\n'; }
   void table(const std::string& kind, const std::string& body) {
     line(fmt::format("[[{}]]\n{}\n", kind, body));
@@ -57,35 +57,45 @@ bool finer(const std::string& sweep, double a, double b) {
   return sweep == "cells" || sweep == "ppc" ? a > b : a < b;
 }
 
-/// Among the swept values from `from` to `to`.
+/// Among the swept values of a window.
 const Point* finest_stable(const std::string& sweep, const Series& series, const std::string& norm,
-                           double from = -INFINITY, double to = INFINITY) {
+                           const Window& window = {-INFINITY, INFINITY}) {
   const Point* finest = nullptr;
   for (const Point& point : series.points) {
-    if (point.x < from || point.x > to) continue;
     const auto error = point.y.find(norm);
-    if (point.status != Status::ok || error == point.y.end()) continue;
-    if (!std::isfinite(error->second) || error->second <= 0) continue;
+    if (!window.holds(point.x) || point.status != Status::ok || error == point.y.end()) continue;
+    if (!(error->second > 0 && error->second <= largest_number)) continue;
     if (!finest || finer(sweep, point.x, finest->x)) finest = &point;
   }
   return finest;
 }
 
+/// Why a golden of this order could not pass; empty where it could.
+std::string no_golden(const Series& series, const ObservedOrder& fit) {
+  if (fit.points < 3) return fmt::format("{} usable points, at least 3 are needed", fit.points);
+  if (!std::isfinite(fit.order)) return "none could be fitted";
+  if (half_width(fit) > widest_interval) return fmt::format("known to ± {:.2f} only", half_width(fit));
+  if (fit.norm != "y")
+    for (const double end : {fit.from, fit.to})
+      if (!find_point(series, end)) return fmt::format("no level at {}", end);
+  return "";
+}
+
 void propose_order(Draft& draft, const std::string& sweep, const Series& series, const ObservedOrder& fit) {
-  if (!std::isfinite(fit.order) || fit.points < 3) {
-    draft.refusal(fmt::format("No order of {} in {}: {} usable points in [{:g}, {:g}], at least 3 are needed.",
-                              quoted(series.name), fit.norm, fit.points, fit.from, fit.to));
+  if (const std::string why = no_golden(series, fit); !why.empty()) {
+    draft.refusal(fmt::format("No order of {} in {} over [{:g}, {:g}]: {}.", quoted(series.name), fit.norm, fit.from,
+                              fit.to, why));
     return;
   }
   const std::string interval = std::isnan(fit.half_width) ? "" : fmt::format(" ± {:.3f}", fit.half_width);
   draft.remark(fmt::format("Measured {:.4f}{} over [{:g}, {:g}], {} points, {}.", fit.order, interval, fit.from, fit.to,
                            fit.points, fit.asymptotic ? "asymptotic" : "not asymptotic"));
   const double expected = std::round(fit.order * 1000) / 1000;
-  const Point* finest = finest_stable(sweep, series, fit.norm, fit.from, fit.to);
+  const Point* finest = finest_stable(sweep, series, fit.norm, {fit.from, fit.to});
   const std::string level = finest ? fmt::format("\nfinest = [{}, {:.4g}]", finest->x, finest->y.at(fit.norm)) : "";
   const std::string asymptotic = fit.asymptotic ? "\nasymptotic = true" : "";
-  const bool is_wide = interval_margin * fit.half_width > 2 * order_band;
-  const std::string wide = is_wide ? fmt::format("\ninterval = {:.2f}", fit.half_width) : "";
+  const bool is_wide = interval_margin * half_width(fit) > 2 * order_band;
+  const std::string wide = is_wide ? fmt::format("\ninterval = {:.2f}", half_width(fit)) : "";
   draft.table(
       "order",
       fmt::format("series = {}\nnorm = \"{}\"\nwindow = [{}, {}]\npoints = {}\nexpected = {:.3f}\nlower = {:.3f}\n"
@@ -112,12 +122,18 @@ void propose_limit(Draft& draft, const Series& series, const StabilityLimit& lim
                               limit.found ? "stability is not monotone" : "not found"));
     return;
   }
+  const double half_bracket = std::abs(limit.unstable - limit.stable) / 2 / limit.value();
+  const double wide_band = std::ceil(200 * half_bracket) / 100;  // other replicates' may lie as far on either side
+  if (wide_band >= 1) {
+    draft.refusal(fmt::format("No limit of {} in {}: between {:.4g} and {:.4g} replicates disagree.",
+                              quoted(series.name), limit.key, limit.stable, limit.unstable));
+    return;
+  }
   draft.remark(fmt::format("Stable at {} = {:.6g}, unstable at {:.6g}.", limit.key, limit.stable, limit.unstable));
   std::string golden = fmt::format("series = {}\nexpected = {:.4g}\n", quoted(series.name), limit.value());
-  const double half_bracket = std::abs(limit.unstable - limit.stable) / 2 / limit.value();
-  if (half_bracket > limit_band / 2)  // other replicates' may lie as far on either side
+  if (half_bracket > limit_band / 2)
     golden += fmt::format("band = {:.2g}\nwhy = \"replicates lie between {:.4g} and {:.4g}; the band is twice that\"",
-                          std::ceil(200 * half_bracket) / 100, limit.stable, limit.unstable);
+                          wide_band, limit.stable, limit.unstable);
   else
     golden += fmt::format("band = {}", limit_band);
   draft.table("limit", golden);
@@ -130,8 +146,9 @@ double round_off_bound(double size) {
 
 void propose_value(Draft& draft, const Value& value) {
   const double size = std::abs(value.value);
-  if (!std::isfinite(size)) {
-    draft.refusal(fmt::format("No value {}: it was not measured.", quoted(value.name)));
+  if (!(size <= largest_number)) {
+    draft.refusal(fmt::format("No value {}: {}.", quoted(value.name),
+                              std::isnan(size) ? "it was not measured" : "it is no number of use"));
     return;
   }
   draft.remark(fmt::format("Measured {:.6g}: {}", value.value, value.meaning));
@@ -174,6 +191,9 @@ std::string propose_goldens(const StudyResult& study, const Provenance& provenan
                     "the study again)",
                     study.name, provenance.commit));
   }
+  if (const std::string trial = trial_of(study.text); !trial.empty())
+    throw UsageError(fmt::format("the results of study '{}' were made with --set: {} (run the study as it stands)",
+                                 study.name, trial));
   refuse_worse(study, standing);
   Draft draft;
   draft.remark(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "studies/error.hpp"
+#include "studies/trial.hpp"
 
 namespace mpmvv {
 
@@ -52,7 +53,7 @@ void override_series(const std::vector<Overriding>& settings, StudyPlan& plan) {
       ++done.series;
     }
     done.what = fmt::format("{} = {} in {} of {} series", setting.key, setting.value, done.series, plan.series.size());
-    if (done.series > 0) plan.text += fmt::format("# Run with {}\n", done.what);
+    if (done.series > 0) plan.text = with_trial(plan.text, done.what);
     plan.overridden.push_back(done);
   }
 }

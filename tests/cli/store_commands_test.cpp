@@ -6,6 +6,8 @@
 #include <csignal>
 #include <filesystem>
 
+#include "studies/provenance.hpp"
+#include "studies/store.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
@@ -111,11 +113,13 @@ TEST(GateCommand, ExitCodesOfTheContract) {
   ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
   std::filesystem::create_directories(folder / "goldens");
   const std::string gate = "gate --db " + db + " --goldens " + (folder / "goldens") + " ";
-  EXPECT_EQ(call(folder, gate).code, 2) << "a gate without goldens must not pass";
-  const auto golden = [&](const char* series, double expected) {
-    folder.write("goldens/small.toml", "study = \"small\"\n[[order]]\nseries = \"" + std::string(series) +
-                                           "\"\nnorm = \"l2\"\nexpected = " + std::to_string(expected) +
-                                           "\nlower = " + std::to_string(expected - 0.15) +
+  const Answer empty = call(folder, gate);
+  EXPECT_EQ(empty.code, 2) << "a gate without goldens must not pass";
+  EXPECT_THAT(empty.err, HasSubstr("`mpmvv propose --db DB --study NAME --out"));
+  const auto golden = [&](const char* series, double expected, const char* mark = "reviewed = \"now\"\n") {
+    folder.write("goldens/small.toml", std::string(mark) + "study = \"small\"\n[[order]]\nseries = \"" +
+                                           std::string(series) + "\"\nnorm = \"l2\"\nexpected = " +
+                                           std::to_string(expected) + "\nlower = " + std::to_string(expected - 0.15) +
                                            "\nupper = " + std::to_string(expected + 0.15) + "\n");
   };
   const auto claims = call(folder, "claims --db " + db + " --json").json()["claims"];
@@ -129,6 +133,50 @@ TEST(GateCommand, ExitCodesOfTheContract) {
   EXPECT_EQ(call(folder, gate).code, 1);
   golden("bspline9", order);
   EXPECT_EQ(call(folder, gate).code, 3);
+  golden("bspline2", order, "");
+  EXPECT_EQ(call(folder, gate).code, 3) << "nobody has reviewed it";
+}
+
+TEST(GateCommand, ATrialPassesOnlyWhereItIsAskedFor) {
+  const Folder folder;
+  std::string text = small_study;
+  text.pop_back();  // no newline at its end
+  const std::string file = folder.write("small.toml", text), db = folder / "r.db";
+  std::filesystem::create_directories(folder / "goldens");
+  folder.write("goldens/small.toml",
+               "reviewed = \"now\"\nstudy = \"small\"\n[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"ok\"\n");
+  const std::string gate = "gate --db " + db + " --goldens " + (folder / "goldens") + " ";
+  ASSERT_EQ(call(folder, "study --set-where-taken shuffle=3 " + file + " --db " + db).code, 0);
+  const Answer trial = call(folder, gate);
+  EXPECT_EQ(trial.code, 3);
+  EXPECT_THAT(trial.out, HasSubstr("(made with --set: shuffle = 3 in 2 of 2 series)"));
+  EXPECT_EQ(call(folder, gate + "--as-set").code, 0);
+  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  EXPECT_EQ(call(folder, gate).code, 0) << "the study as it stands";
+}
+
+TEST(ProposeCommand, MakesTheFolderOfItsFileAndNeedsNoGoldens) {
+  const Folder folder;
+  const std::string db = folder / "r.db", file = folder / "new/goldens/s.toml";
+  StudyResult study;
+  study.name = "s";
+  study.values = {{"gap", 1, "a gap"}};
+  Provenance clean = current_provenance();
+  clean.dirty = false;
+  Store(db, Store::Mode::create_or_write).keep_study(study, {}, clean);
+  std::filesystem::create_directories(folder / "none/mutants");
+  const std::string propose = "propose --db " + db + " --study s --goldens " + (folder / "none") + " --out ";
+  const Answer made = call(folder, propose + file);
+  EXPECT_EQ(made.code, 0) << made.err;
+  const std::string gate = "gate --db " + db + " --goldens " + (folder / "new/goldens");
+  EXPECT_EQ(call(folder, gate).code, 3) << "not reviewed yet";
+  const std::string text = read_text(file);
+  folder.write("new/goldens/s.toml", "reviewed = \"now\"\n" + text);
+  EXPECT_EQ(call(folder, gate).code, 0);
+  EXPECT_EQ(call(folder, propose + file).code, 2) << "it is there";
+  const Answer no_folder = call(folder, propose + db + "/s.toml");
+  EXPECT_EQ(no_folder.code, 2);
+  EXPECT_THAT(no_folder.err, HasSubstr("cannot make the folder of " + db));
 }
 
 TEST(Program, NamesItsVersionWhenAsked) {

@@ -48,6 +48,34 @@ TEST(Compare, MeasuresInTheGoldensBands) {
   EXPECT_NEAR(bands(number(Kind::order, "o", 2, 1), number(Kind::order, "o", 2.15, 1)), -1, 1e-12);
   EXPECT_NEAR(bands(number(Kind::limit, "l", 0.8, -1), number(Kind::limit, "l", 0.88, -1)), 2, 1e-12);
   EXPECT_NEAR(bands(error({{8, 1}, {16, 0.2}}), error({{8, 1}, {16, 0.26}})), 3, 1e-12);
+  EXPECT_NEAR(bands(number(Kind::value, "v", -1), number(Kind::value, "v", -1.2)), 2, 1e-12);
+  EXPECT_NEAR(bands(error({{8, 1}, {16, 0.2}}), error({{8, 1}, {16, 0.14}})), -3, 1e-12) << "smaller is better";
+  Finding before = error({{8, 1}, {16, 0.2}}), after = error({{8, 1}, {16, 0.14}});
+  before.better = after.better = 0;
+  EXPECT_NEAR(bands(before, after), 3, 1e-12) << "of a curve no one knows";
+  EXPECT_EQ(bands(error({{8, 1}, {16, 0.2}}), error({{8, 1}, {16, 0.2}})), 0);
+}
+
+/// As findings of a study have it, to the sign of a change.
+TEST(Compare, KnowsTheBetterSideOfALimit) {
+  const auto study = [](const char* key, double stable, double unstable) {
+    StudyResult result;
+    result.name = "s";
+    result.series.resize(1);
+    StabilityLimit& limit = result.series[0].limit.emplace();
+    limit.key = key, limit.stable = stable, limit.unstable = unstable, limit.found = true;
+    return findings_of(result);
+  };
+  const auto change = [&](const char* key, double ratio) {
+    const bool below = std::string(key) == "cfl";
+    const auto before = study(key, below ? 0.79 : 0.81, below ? 0.81 : 0.79);
+    const auto after = study(key, ratio * (below ? 0.79 : 0.81), ratio * (below ? 0.81 : 0.79));
+    return compare(before, after).changes.at(0).bands;
+  };
+  EXPECT_NEAR(change("cfl", 0.9), 2, 1e-12) << "stable up to less";
+  EXPECT_NEAR(change("cfl", 1.1), -2, 1e-12);
+  EXPECT_NEAR(change("smoothing_length", 0.9), -2, 1e-12) << "stable down to less";
+  EXPECT_NEAR(change("smoothing_length", 1.1), 2, 1e-12);
 }
 
 TEST(Compare, MeasuresWhatIsExtrapolatedInItsUncertainty) {
@@ -55,6 +83,10 @@ TEST(Compare, MeasuresWhatIsExtrapolatedInItsUncertainty) {
   before.uncertainty = 1e-3, after.uncertainty = 5;
   EXPECT_NEAR(bands(before, after), 3, 1e-12);
   EXPECT_EQ(bands(before, before), 0);
+  before.uncertainty = 1e-15, after.number = 1e-3 * (1 + 1e-10);
+  EXPECT_EQ(bands(before, after), 0) << "round-off";
+  before.uncertainty = 0, after.number = 1.1e-3;
+  EXPECT_NEAR(bands(before, after), 1, 1e-12) << "without an uncertainty, as other values";
 }
 
 TEST(Compare, FindsTheLevelThatChangedMost) {
@@ -62,7 +94,11 @@ TEST(Compare, FindsTheLevelThatChangedMost) {
   ASSERT_TRUE(change.largest);
   EXPECT_EQ(change.largest->x, 8);
   EXPECT_EQ(change.largest->after, 2);
+  EXPECT_EQ(change.largest->before, 1);
   EXPECT_NEAR(change.bands, 10, 1e-12);
+  const Change other = compare({error({{8, 1}, {16, 0.2}})}, {error({{4, 9}, {8, 1}, {16, 0.3}})}).changes[0];
+  EXPECT_EQ(other.largest->x, 16);
+  EXPECT_NEAR(other.bands, 5, 1e-12);
 }
 
 TEST(Compare, WorstStandsFirst) {
@@ -83,6 +119,14 @@ TEST(Compare, ANumberThatIsLostIsTheWorst) {
   EXPECT_EQ(bands(lost, lost), 0);
 }
 
+TEST(Compare, AnotherWordOutweighsNumbers) {
+  EXPECT_EQ(bands(word("w", "refuted"), word("w", "confirmed")), -INFINITY);
+  EXPECT_EQ(bands(word("w", "confirmed"), word("w", "partly")), INFINITY);
+  EXPECT_EQ(bands(word("w", "unstable"), word("w", "ok")), -INFINITY);
+  EXPECT_EQ(bands(word("w", "unstable"), word("w", "failed")), INFINITY);
+  EXPECT_EQ(compare({word("w", "ok"), word("v", "ok")}, {word("w", "unstable"), word("v", "ok")}).changed(), 1U);
+}
+
 TEST(Compare, CostIsShownApart) {
   const std::vector<Finding> before{number(Kind::cost, "a", 10, -1), number(Kind::cost, "b", 10, -1)};
   const Comparison comparison = compare(before, {number(Kind::cost, "a", 11, -1), number(Kind::cost, "b", 20, -1)});
@@ -98,6 +142,9 @@ TEST(Compare, ListsWhatOnlyOneHas) {
                                         {number(Kind::value, "v", 1), elsewhere, twice});
   EXPECT_THAT(comparison.only_before, ElementsAre("s: gone"));
   EXPECT_THAT(comparison.only_after, ElementsAre("study t"));
+  Finding claim = word("claim S-fig10", "confirmed");
+  claim.study = "";
+  EXPECT_THAT(compare({claim}, {}).only_before, ElementsAre("claim S-fig10"));
 }
 
 }  // namespace comparison_test

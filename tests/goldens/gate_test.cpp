@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 
 #include "studies/error.hpp"
+#include "studies/trial.hpp"
 
 namespace mpmvv {
 namespace gate_test {
@@ -32,7 +34,9 @@ StabilityLimit bracket(double stable, double unstable) {
 StudyResult healthy() {
   Series a;
   a.name = "a";
-  a.points = {{32, Status::ok, "", {{"l2", 4e-4}}}, {64, Status::ok, "", {{"l2", 1e-4}}}};
+  a.points = {{16, Status::ok, "", {{"l2", 1.6e-3}}},
+              {32, Status::ok, "", {{"l2", 4e-4}}},
+              {64, Status::ok, "", {{"l2", 1e-4}}}};
   a.orders.resize(1);
   a.orders[0].norm = "l2";
   a.orders[0].from = 16;
@@ -61,7 +65,7 @@ GateResult judge_order(double order, int points = 5) {
 }
 
 GateResult judge_error(double error) {
-  return judge(error_at_64, [&](StudyResult& s) { s.series[0].points[1].y["l2"] = error; });
+  return judge(error_at_64, [&](StudyResult& s) { s.series[0].points[2].y["l2"] = error; });
 }
 
 GateResult judge_limit(const StabilityLimit& limit) {
@@ -161,6 +165,167 @@ TEST(Gate, AnErrorThatGrowsFailsThoughTheOrderHolds) {
   EXPECT_NE(with(1.11e-3).reason.find("the order holds, but"), std::string::npos);
 }
 
+/// A golden of every form beside a fit over three points of [16, 64], after a change of the points.
+GateResult judge_levels(const OrderGolden& golden, const std::function<void(std::vector<Point>&)>& change) {
+  return judge(Golden{"s", "s.toml:9", golden}, [&](StudyResult& s) {
+    s.series[0].points.insert(s.series[0].points.begin() + 2, {48, Status::ok, "", {{"l2", 2e-4}}});
+    change(s.series[0].points);
+  });
+}
+
+TEST(Gate, WhatIsMissingOrUnstableAtANamedLevelNeverPasses) {
+  const auto golden = [](std::vector<double> window, int points, std::vector<double> finest) {
+    OrderGolden g{"a", "l2", 2, 1.85, 2.15, std::move(window), points};
+    g.finest = std::move(finest);
+    return g;
+  };
+  const auto unstable = [](std::size_t k) { return [k](auto& points) { points[k].status = Status::unstable; }; };
+  const auto absent = [](std::size_t k) {
+    return [k](auto& points) { points.erase(points.begin() + static_cast<long>(k)); };
+  };
+  const auto unmeasured = [](auto& points) { points[3].y["l2"] = not_measured; };
+  const auto elsewhere = [](auto& points) { points[3].y = {{"linf", 1e-4}}; };
+  const auto unchanged = [](auto&) {};
+  // Of the four points three are usable in each case below, as a fit over three says.
+  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {64, 1e-4}), unstable(2)).verdict, Verdict::pass) << "no golden names 48";
+  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {}), unstable(3)).verdict, Verdict::pass) << "reviewed with a lost point";
+  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {64, 1e-4}), unstable(3)).verdict, Verdict::fail);
+  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {64, 1e-4}), unmeasured).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {64, 1e-4}), elsewhere).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {128, 1e-9}), unchanged).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {}), absent(0)).verdict, Verdict::inconclusive) << "the coarser end";
+  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {}), absent(3)).verdict, Verdict::inconclusive) << "the finer end";
+  EXPECT_EQ(judge_levels(golden({16, 64}, 0, {}), absent(3)).verdict, Verdict::inconclusive);
+  for (const auto& window : {std::vector<double>{16, 64}, std::vector<double>{}}) {
+    EXPECT_EQ(judge_levels(golden(window, 0, {}), unstable(0)).verdict, Verdict::fail);
+    EXPECT_EQ(judge_levels(golden(window, 0, {}), unstable(3)).verdict, Verdict::fail);
+    EXPECT_EQ(judge_levels(golden(window, 0, {}), absent(2)).verdict, Verdict::pass);
+    EXPECT_EQ(judge_levels(golden(window, 0, {}), absent(0)).verdict, Verdict::inconclusive);
+  }
+  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {128, 1e-9}), unchanged).reason, "missing: no point of 'a' at 128");
+  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {64, 1e-4}), unstable(3)).reason, "no error at 64: the run is not ok");
+}
+
+TEST(Gate, AnOrderThatIsBetterForALackOfLevelsIsNone) {
+  const GateResult result = judge(Golden{"s", "", OrderGolden{"a", "l2", 1, 0.85, 1.15, {16, 64}}},
+                                  [](StudyResult& s) { s.series[0].points.pop_back(); });
+  EXPECT_EQ(result.verdict, Verdict::inconclusive);
+  EXPECT_EQ(result.reason, "missing: no point of 'a' at 64");
+  EXPECT_FALSE(result.better);
+}
+
+TEST(Gate, ACurvesWindowNeedsNoPointsAtItsEnds) {
+  const auto with = [](double from, double finest) {
+    OrderGolden golden{"a", "y", 2, 1.85, 2.15, {from, 70}};
+    golden.finest = {finest, 1e-4};
+    return judge(Golden{"s", "", golden},
+                 [&](StudyResult& s) {
+                   s.series[0].orders[0].norm = "y";
+                   s.series[0].orders[0].from = from;
+                   s.series[0].orders[0].to = 70;
+                   for (Point& point : s.series[0].points) point.y = {{"y", 1e-4}};
+                 })
+        .verdict;
+  };
+  EXPECT_EQ(with(15, 64), Verdict::pass);
+  EXPECT_EQ(with(15, 60), Verdict::inconclusive) << "the finest level is one";
+}
+
+TEST(Gate, AnOrderIsThatOfItsOwnNormAndBothEndsOfItsWindow) {
+  const auto judged = [](const std::string& norm, double from, double to) {
+    return judge(Golden{"s", "", OrderGolden{"a", norm, 2, 1.85, 2.15, {from, to}}}, [](StudyResult& s) {
+      Series& a = s.series[0];
+      for (const double x : {8, 128}) a.points.push_back({x, Status::ok, "", {}});
+      for (Point& point : a.points) point.y = {{"l1", 1e-4}, {"l2", 1e-4}};
+      a.orders.assign(5, a.orders[0]);
+      constexpr std::array<double, 5> starts{16, 16, 8, 8, 16}, ends{64, 128, 64, 128, 64};
+      for (std::size_t k = 0; k < 5; ++k) {
+        a.orders[k].from = starts[k], a.orders[k].to = ends[k];
+        a.orders[k].points = 5;
+        a.orders[k].order = 1.9 + 0.05 * static_cast<double>(k);
+        a.orders[k].norm = k == 4 ? "l1" : "l2";
+      }
+    });
+  };
+  EXPECT_EQ(judged("l2", 16, 64).measured, "1.9 (5 points)");
+  EXPECT_EQ(judged("l2", 16, 128).measured, "1.95 (5 points)");
+  EXPECT_EQ(judged("l2", 8, 64).measured, "2 (5 points)");
+  EXPECT_EQ(judged("l2", 8, 128).measured, "2.05 (5 points)");
+  EXPECT_EQ(judged("l1", 16, 64).measured, "2.1 (5 points)");
+  EXPECT_EQ(judged("l2", 32, 64).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judged("linf", 16, 64).verdict, Verdict::inconclusive);
+}
+
+TEST(Gate, OnlySegmentsInsideTheWindowScatter) {
+  OrderGolden golden{"a", "l2", 2, 1.85, 2.15};
+  golden.asymptotic = true;
+  const auto with = [&](double before, double after, bool asymptotic) {
+    golden.asymptotic = asymptotic;
+    return judge(Golden{"s", "", golden},
+                 [&](StudyResult& s) {
+                   s.series[0].orders[0].segments = {{8, 16, before}, {16, 32, 2}, {32, 64, 2.1}, {64, 128, after}};
+                 })
+        .verdict;
+  };
+  EXPECT_EQ(with(0, 2, true), Verdict::pass);
+  EXPECT_EQ(with(2, 0, true), Verdict::pass);
+  const auto inside = [&](bool asymptotic) {
+    golden.asymptotic = asymptotic;
+    return judge(Golden{"s", "", golden},
+                 [&](StudyResult& s) {
+                   s.series[0].orders[0].segments = {{16, 32, 2}, {32, 64, 9}};
+                 })
+        .verdict;
+  };
+  EXPECT_EQ(inside(true), Verdict::inconclusive);
+  EXPECT_EQ(inside(false), Verdict::pass) << "it never was asymptotic";
+}
+
+TEST(Gate, TheBetterSideIsNamed) {
+  const auto order = [](double measured) { return judge_order(measured).better; };
+  EXPECT_TRUE(order(2.3));
+  EXPECT_FALSE(order(1.5));
+  EXPECT_FALSE(order(40)) << "absurd";
+  EXPECT_TRUE(judge_error(0.5e-4).better);
+  EXPECT_FALSE(judge_error(2e-4).better);
+  const auto limit = [](const char* key, double stable, double unstable) {
+    StabilityLimit found = bracket(stable, unstable);
+    found.key = key;
+    const GateResult result = judge_limit(found);
+    EXPECT_EQ(result.verdict, Verdict::fail);
+    return result.better;
+  };
+  EXPECT_TRUE(limit("cfl", 0.9, 0.905)) << "stable for larger steps";
+  EXPECT_FALSE(limit("cfl", 0.7, 0.705));
+  EXPECT_TRUE(limit("smoothing_length", 0.705, 0.7)) << "stable with less smoothing";
+  EXPECT_FALSE(limit("smoothing_length", 0.905, 0.9));
+}
+
+TEST(Gate, WhatNobodyHasReviewedDoesNotPass) {
+  Golden golden = order_two;
+  golden.reviewed = false;
+  const GateReport report = run_gate({golden}, {healthy()});
+  EXPECT_EQ(report.exit_code(), 3);
+  EXPECT_EQ(report.results[0].measured, "2 (3 points)");
+  EXPECT_THAT(report.results[0].reason, HasSubstr("not reviewed"));
+  golden.expectation = OrderGolden{"a", "l2", 3, 2.85, 3.15};
+  EXPECT_EQ(run_gate({golden}, {healthy()}).exit_code(), 1) << "it can fail";
+}
+
+TEST(Gate, ATrialDecidesNothingUnlessItIsAskedFor) {
+  StudyResult study = healthy();
+  study.text = with_trial("title = \"S\"", "shuffle = 3 in 1 of 1 series");
+  const Golden three{"s", "", OrderGolden{"a", "l2", 3, 2.85, 3.15}};
+  for (const Golden& golden : {order_two, three}) {
+    const GateReport report = run_gate({golden}, {study});
+    EXPECT_EQ(report.exit_code(), 3);
+    EXPECT_EQ(report.results[0].reason, "made with --set: shuffle = 3 in 1 of 1 series");
+    EXPECT_EQ(report.results[0].measured, "2 (3 points)");
+  }
+  EXPECT_EQ(run_gate({order_two}, {study}, {}, Trials::judged).exit_code(), 0);
+  EXPECT_EQ(run_gate({three}, {study}, {}, Trials::judged).exit_code(), 1);
+}
+
 TEST(Gate, OrdersWithoutEvidenceAreInconclusive) {
   EXPECT_EQ(judge_order(not_measured).verdict, Verdict::inconclusive);
   EXPECT_EQ(judge_order(2, 2).verdict, Verdict::inconclusive);
@@ -168,8 +333,15 @@ TEST(Gate, OrdersWithoutEvidenceAreInconclusive) {
 }
 
 TEST(Gate, PointsLostFromTheWindowAreShown) {
-  const GateResult result = judge(order_two, [](StudyResult& s) { s.series[0].points[0].status = Status::unstable; });
-  EXPECT_EQ(result.measured, "2 (3 points, 1 unstable or failed)");
+  const GateResult result = judge(order_two, [](StudyResult& s) {
+    s.series[0].points[0].status = Status::failed;
+    s.series[0].points[1].status = Status::unstable;
+  });
+  EXPECT_EQ(result.measured, "2 (3 points, 2 unstable or failed)");
+  const GateResult outside = judge(order_two, [](StudyResult& s) {
+    s.series[0].points.push_back({128, Status::unstable, "", {}});
+  });
+  EXPECT_EQ(outside.measured, "2 (3 points)");
 }
 
 TEST(Gate, ErrorsFailWhenWorseAndWhenBetter) {
@@ -186,8 +358,8 @@ TEST(Gate, ErrorsFailWhenWorseAndWhenBetter) {
 TEST(Gate, AnUnstableOrFailedPointFailsAnErrorGolden) {
   for (const Status status : {Status::unstable, Status::failed}) {
     const GateResult result = judge(error_at_64, [&](StudyResult& s) {
-      s.series[0].points[1].status = status;
-      s.series[0].points[1].reason = "energy";
+      s.series[0].points[2].status = status;
+      s.series[0].points[2].reason = "energy";
     });
     EXPECT_EQ(result.verdict, Verdict::fail);
     EXPECT_THAT(result.measured, HasSubstr("energy"));
@@ -196,8 +368,8 @@ TEST(Gate, AnUnstableOrFailedPointFailsAnErrorGolden) {
 }
 
 TEST(Gate, SweptValuesMatchUpToRoundOff) {
-  EXPECT_EQ(judge(error_at_64, [](StudyResult& s) { s.series[0].points[1].x *= 1 + 1e-15; }).verdict, Verdict::pass);
-  EXPECT_EQ(judge(error_at_64, [](StudyResult& s) { s.series[0].points[1].x = 65; }).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge(error_at_64, [](StudyResult& s) { s.series[0].points[2].x *= 1 + 1e-15; }).verdict, Verdict::pass);
+  EXPECT_EQ(judge(error_at_64, [](StudyResult& s) { s.series[0].points[2].x = 65; }).verdict, Verdict::inconclusive);
 }
 
 TEST(Gate, ALimitIsJudgedByItsBracket) {
@@ -252,7 +424,7 @@ TEST(Gate, ValuesAreHeldAgainstTheirBounds) {
 TEST(Gate, AStatusMustBeTheExpectedOne) {
   const auto judge_status = [](Status expected, Status measured) {
     return judge({"s", "", StatusGolden{"a", 64, expected}},
-                 [&](StudyResult& s) { s.series[0].points[1].status = measured; })
+                 [&](StudyResult& s) { s.series[0].points[2].status = measured; })
         .verdict;
   };
   EXPECT_EQ(judge_status(Status::unstable, Status::unstable), Verdict::pass);
@@ -270,7 +442,7 @@ TEST(Gate, WhatTheStoreLacksIsInconclusiveAndNamed) {
   expect_missing(judge(order_two, [](StudyResult& s) { s.series.clear(); }), "no series 'a'");
   expect_missing(judge(order_two, [](StudyResult& s) { s.series[0].orders.clear(); }), "no order of 'a' in l2");
   expect_missing(judge(error_at_64, [](StudyResult& s) { s.series[0].points.pop_back(); }), "no point of 'a' at 64");
-  expect_missing(judge(error_at_64, [](StudyResult& s) { s.series[0].points[1].y.clear(); }), "no l2 of 'a'");
+  expect_missing(judge(error_at_64, [](StudyResult& s) { s.series[0].points[2].y.clear(); }), "no l2 of 'a'");
   expect_missing(judge(stable_at_64, [](StudyResult& s) { s.series[0].points.clear(); }), "no point of 'a' at 64");
   expect_missing(judge(limit_of_a, [](StudyResult& s) { s.series[0].limit.reset(); }), "no limit of 'a'");
   expect_missing(judge(small_value, [](StudyResult& s) { s.values.clear(); }), "no value 'gap'");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace mpmvv {
 namespace github_test {
 
@@ -18,7 +20,16 @@ TEST(Github, NoTextEndsTheCommand) {
   const GateReport report{{{"s", "a, b: c%", Verdict::fail, "1 ± 10 %", "2", "x\ny::z", "goldens/a,b.toml:1"}}};
   EXPECT_EQ(github_annotations(report),
             "::error file=goldens/a%2Cb.toml,line=1,title=s%3A a%2C b%3A c%25::expected 1 ± 10 %25, measured 2 "
-            "(x%0Ay::z)\n");
+            "(x\\ny::z)\n");
+}
+
+TEST(Github, NoNameBeginsACommandOfItsOwn) {
+  const std::string bad = "\n::error file=x::\r\x1b[2J\x07\xE2\x80\xA8";
+  const std::string lines = github_annotations({{{bad, bad, Verdict::fail, bad, bad, bad, bad + ":1"},
+                                                 {bad, bad, Verdict::inconclusive, bad, bad, bad, bad + ":2"}}});
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 2);
+  EXPECT_EQ(lines.find_first_of("\r\x1b\x07"), std::string::npos);
+  EXPECT_EQ(lines.find("\xE2\x80\xA8"), std::string::npos);
 }
 
 }  // namespace github_test

@@ -111,6 +111,71 @@ TEST(Golden, NumbersThatMakeNoSenseAreErrors) {
   EXPECT_THAT(rejection("[[limit]]\nseries = \"\"\nexpected = 0.8\nband = 0.05\n"), HasSubstr("'series' is blank"));
 }
 
+/// What every number of every kind of golden may not be.
+TEST(Golden, NoNumberIsTakenUnchecked) {
+  const std::string band = "expected = 2\nlower = 1.9\nupper = 2.1\n",
+                    error = "[[error]]\nseries = \"a\"\nnorm = \"l2\"\n";
+  const std::string limit = "[[limit]]\nseries = \"a\"\n", value = "[[value]]\nname = \"a\"\n";
+  const auto expect_refused = [](const std::string& head, const std::string& key, const std::vector<std::string>& bad) {
+    for (const std::string& text : bad) {
+      const std::string said = rejection(head + key + " = " + text + "\n");
+      EXPECT_THAT(said, AllOf(HasSubstr("in s.toml:"), HasSubstr("("))) << head << key << " = " << text;
+    }
+  };
+  const std::vector<std::string> positive{"-1", "0", "1e300", "nan", "inf", "\"1\""},
+      any{"-1e300", "1e300", "nan", "inf"};
+  expect_refused(order(band), "points", {"-1", "0", "2", "3.9", "1e300", "nan", "inf", "9999999"});
+  expect_refused(order(band), "interval", positive);
+  expect_refused(order(band), "interval", {"1.01"});
+  expect_refused(order(band), "window",
+                 {"[16]", "[64, 16]", "[16, 16]", "[-16, 64]", "[0, 64]", "[16, 1e300]", "[1, nan]"});
+  expect_refused(order(band), "finest",
+                 {"[64]", "[64, 0]", "[64, -1]", "[64, 1e300]", "[-64, 1]", "[1e300, 1]", "[64, inf]"});
+  expect_refused(order(band + "window = [16, 64]"), "finest", {"[128, 1e-9]", "[8, 1e-9]"});
+  expect_refused(order("lower = -1e300\nupper = 1e300\nwhy = \"w\""), "expected", any);
+  expect_refused(order("expected = 2\nupper = 3\nwhy = \"w\""), "lower", any);
+  expect_refused(order("expected = 2\nlower = 1\nwhy = \"w\""), "upper", any);
+  expect_refused(error + "expected = 1\nband = 0.1\n", "at", positive);
+  expect_refused(error + "at = 8\nband = 0.1\n", "expected", positive);
+  expect_refused(error + "at = 8\nexpected = 1\nwhy = \"w\"\n", "band", positive);
+  expect_refused(error + "at = 8\nexpected = 1\nwhy = \"w\"\n", "band", {"1", "1.5"});
+  expect_refused(limit + "band = 0.05\n", "expected", positive);
+  expect_refused(limit + "expected = 1\nwhy = \"w\"\n", "band", positive);
+  expect_refused(limit + "expected = 1\nwhy = \"w\"\n", "band", {"1"});
+  expect_refused(value, "at_most", any);
+  expect_refused(value, "at_least", any);
+  expect_refused(value + "band = 0.1\n", "expected", any);
+  expect_refused(value + "expected = 1\nwhy = \"w\"\n", "band", positive);
+  expect_refused("[[status]]\nseries = \"a\"\nexpected = \"ok\"\n", "at", positive);
+}
+
+TEST(Golden, NumbersAtTheEdgeAreTaken) {
+  const auto golden = std::get<OrderGolden>(
+      parse(order("expected = 2\nlower = 1.9\nupper = 2.1\nwindow = [16, 64]\npoints = 3\ninterval = 1\n"
+                  "finest = [64, 1e-4]\nasymptotic = true"))[0]
+          .expectation);
+  EXPECT_THAT(golden.window, testing::ElementsAre(16, 64));
+  EXPECT_THAT(golden.finest, testing::ElementsAre(64, 1e-4));
+  EXPECT_EQ(golden.points, 3);
+  EXPECT_EQ(golden.interval, 1);
+  EXPECT_TRUE(golden.asymptotic);
+  const std::string wide = "expected = 0\nlower = -2\nupper = 0.5\nwhy = \"w\"\n";
+  EXPECT_EQ(parse(order(wide + "interval = 2.5")).size(), 1U) << "as wide as its band";
+  EXPECT_THAT(rejection(order(wide + "interval = 2.6")), HasSubstr("'interval' is 2.6 in s.toml:9 (at most 2.5"));
+}
+
+TEST(Golden, IsReviewedWhereItsFileSaysSo) {
+  const std::string value = "[[value]]\nname = \"a\"\nat_most = 1\n";
+  EXPECT_FALSE(parse(value)[0].reviewed);
+  EXPECT_TRUE(parse("reviewed = \"2026-11-21: by whom\"\n" + value)[0].reviewed);
+  EXPECT_THAT(rejection("reviewed = \" \"\n" + value), HasSubstr("'reviewed' is blank in s.toml:2"));
+}
+
+/// The word of a reviewer stands in every file of the tree.
+TEST(Golden, ThoseOfTheTreeAreReviewed) {
+  for (const Golden& golden : read_goldens(MPMVV_SOURCE_DIR "/goldens")) EXPECT_TRUE(golden.reviewed) << golden.where;
+}
+
 TEST(Golden, AValueHasExactlyOneKindOfBound) {
   const std::string value = "[[value]]\nname = \"a\"\n";
   const char* rule = "(at_most, or at_least, or expected with band)";
@@ -167,8 +232,13 @@ TEST_F(GoldenDirectory, DuplicatesAcrossFilesAreErrors) {
 }
 
 TEST_F(GoldenDirectory, NothingToReadIsAnError) {
-  EXPECT_THAT(message([&] { read_goldens(directory); }), HasSubstr("no golden in"));
-  EXPECT_THAT(message([&] { read_goldens(directory / "absent"); }), HasSubstr("no directory"));
+  EXPECT_THAT(message([&] { read_goldens(directory); }), AllOf(HasSubstr("no golden in"), HasSubstr("mpmvv propose")));
+  EXPECT_THAT(message([&] { read_goldens(directory / "absent"); }),
+              AllOf(HasSubstr("no directory"), HasSubstr("mpmvv propose")));
+  EXPECT_FALSE(has_goldens(directory));
+  EXPECT_FALSE(has_goldens(directory / "absent"));
+  write("a.toml", "first");
+  EXPECT_TRUE(has_goldens(directory));
 }
 
 }  // namespace golden_test

@@ -52,7 +52,20 @@ TEST(Junit, EscapesWhatXmlCannotHold) {
   const ptree failed = parsed(junit_xml(mixed)).get_child("testsuite").rbegin()->second;
   EXPECT_EQ(failed.get<std::string>("<xmlattr>.name"), "error of 'l < h' in l2");
   EXPECT_EQ(failed.get<std::string>("failure"), "expected 1 ± 10 %, measured 3 & more");
-  EXPECT_EQ(failed.get<std::string>("failure.<xmlattr>.message"), "a < b\n?");
+  EXPECT_EQ(failed.get<std::string>("failure.<xmlattr>.message"), "a < b\\n\\x01");
+}
+
+TEST(Junit, HoldsNoCharacterThatXmlForbids) {
+  const std::string forbidden =
+      "\x1b[31m \x07 \xEF\xBF\xBE \xEF\xBF\xBF \xC2\x9B \xFF \xED\xA0\x80 ]]> '\"& ok ± ∞ \xF0\x9F\x98\x80";
+  const std::string said = "\\x1b[31m \\x07 ? ? \\xc2\\x9b \\xff \\xed\\xa0\\x80 ]]> '\"& ok ± ∞ \xF0\x9F\x98\x80";
+  const std::string xml = junit_xml({{{forbidden, forbidden, Verdict::fail, forbidden, forbidden, forbidden}}});
+  const ptree suite = parsed(xml).get_child("testsuite");
+  EXPECT_EQ(suite.get<std::string>("<xmlattr>.name"), said);
+  EXPECT_EQ(suite.get<std::string>("testcase.<xmlattr>.name"), said);
+  EXPECT_EQ(suite.get<std::string>("testcase.failure"), "expected " + said + ", measured " + said);
+  EXPECT_EQ(suite.get<std::string>("testcase.failure.<xmlattr>.message"), said);
+  EXPECT_EQ(xml.find(']' + std::string("]>")), std::string::npos);
 }
 
 }  // namespace junit_test

@@ -233,7 +233,7 @@ TEST(PlantedMistakes, EveryOneApplies) {
     EXPECT_NO_THROW(edit_of(mistake, source(mistake.file))) << mistake.name;
     folders.insert(mistake.file.substr(0, mistake.file.find('/')));
   }
-  EXPECT_THAT(folders, testing::ElementsAre("mms", "reports", "solver", "studies"));
+  EXPECT_THAT(folders, testing::ElementsAre("goldens", "mms", "reports", "solver", "studies"));
 }
 
 TEST(PlantedMistakes, RandomOnesLieInCode) {

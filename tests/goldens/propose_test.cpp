@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "goldens/gate.hpp"
 #include "studies/error.hpp"
+#include "studies/trial.hpp"
 
 namespace mpmvv {
 namespace propose_test {
@@ -59,6 +61,11 @@ std::vector<Golden> proposed(const StudyResult& study) {
   return parse_goldens(propose_goldens(study, clean), "new.toml");
 }
 
+/// The same with a reviewer's mark.
+std::vector<Golden> reviewed(const StudyResult& study) {
+  return parse_goldens("reviewed = \"now\"\n" + propose_goldens(study, clean), "new.toml");
+}
+
 TEST(Propose, OrdersAndErrorsRoundTripWithTheBandsOfTheHouse) {
   const auto goldens = proposed(study_with(convergent()));
   ASSERT_EQ(goldens.size(), 2U);
@@ -73,6 +80,92 @@ TEST(Propose, OrdersAndErrorsRoundTripWithTheBandsOfTheHouse) {
   EXPECT_EQ(error.norm, "l2");
   EXPECT_NEAR(error.expected, 1.00049e-4, 1e-7);
   EXPECT_EQ(error.band, 0.1);
+}
+
+/// The numbers of the order's own golden, whatever else the series has.
+TEST(Propose, AnOrderTakesItsFinestLevelFromItsOwnWindow) {
+  const auto of = [](const std::string& sweep, double from, double to) {
+    Series series;
+    series.name = "a";
+    for (const double x : {8, 16, 32, 64, 128})
+      series.points.push_back({x, Status::ok, "", {{"l2", x}, {"linf", 3 * x}}});
+    series.orders = {fitted("l2", 3, 2)};
+    series.orders[0].from = from, series.orders[0].to = to;
+    return std::get<OrderGolden>(proposed(study_with(series, sweep))[0].expectation);
+  };
+  EXPECT_THAT(of("cells", 8, 32).finest, testing::ElementsAre(32, 32));
+  EXPECT_THAT(of("cells", 32, 128).finest, testing::ElementsAre(128, 128));
+  EXPECT_THAT(of("ppc", 8, 32).finest, testing::ElementsAre(32, 32));
+  EXPECT_THAT(of("cfl", 16, 64).finest, testing::ElementsAre(16, 16)) << "the finest of time steps is the smallest";
+  EXPECT_THAT(of("cells", 16, 64).window, testing::ElementsAre(16, 64));
+  EXPECT_EQ(of("cells", 16, 64).points, 3);
+}
+
+TEST(Propose, TheFinestLevelIsStableMeasuredAndAboveZero) {
+  Series series = convergent();
+  const auto finest = [&] { return std::get<OrderGolden>(proposed(study_with(series))[0].expectation).finest; };
+  EXPECT_THAT(finest(), testing::ElementsAre(64, 1e-4));
+  for (const double bad : {0.0, -1.0, double(INFINITY), not_measured, 1e200}) {
+    series.points[2].y["l2"] = bad;
+    EXPECT_THAT(finest(), testing::ElementsAre(32, 4e-4)) << bad;
+  }
+  series.points[2].y = {{"linf", 1}};
+  EXPECT_THAT(finest(), testing::ElementsAre(32, 4e-4));
+}
+
+TEST(Propose, WhatCouldNotPassIsNoGolden) {
+  const auto refused = [](const std::function<void(Series&)>& change) {
+    Series series = convergent();
+    series.limit = cfl_limit(1, 1.01);
+    change(series);
+    return propose_goldens(study_with(series), clean);
+  };
+  EXPECT_THAT(refused([](Series& s) { s.orders[0].from = 15; }), HasSubstr("over [15, 64]: no level at 15."));
+  EXPECT_THAT(refused([](Series& s) { s.orders[0].to = 65; }), HasSubstr("over [16, 65]: no level at 65."));
+  EXPECT_THAT(refused([](Series& s) { s.orders[0].half_width = 1.5; }), HasSubstr("known to ± 1.50 only."));
+  EXPECT_THAT(refused([](Series& s) { s.limit = cfl_limit(0.1, 1); }),
+              HasSubstr("between 0.1 and 1 replicates disagree"));
+  EXPECT_THAT(refused([](Series& s) { s.limit->found = false; }), HasSubstr("in cfl: not found."));
+  EXPECT_THAT(refused([](Series& s) { s.orders[0].order = not_measured; }), HasSubstr("none could be fitted."));
+}
+
+TEST(Propose, TheIntervalIsTheOneThatTheGateTakes) {
+  Series series = convergent();
+  series.orders[0].half_width = 3;
+  series.orders[0].replicates = ReplicateFit{12, 0.01, 0.5, 0.5};
+  EXPECT_EQ(std::get<OrderGolden>(proposed(study_with(series))[0].expectation).interval, 0.5);
+}
+
+TEST(Propose, AWindowIsCalledAsymptoticWhereItWas) {
+  const auto asymptotic = [](bool was) {
+    Series series = convergent();
+    series.orders[0].asymptotic = was;
+    return std::get<OrderGolden>(proposed(study_with(series))[0].expectation).asymptotic;
+  };
+  EXPECT_TRUE(asymptotic(true));
+  EXPECT_FALSE(asymptotic(false));
+}
+
+TEST(Propose, ATrialIsRefused) {
+  StudyResult study = study_with(convergent());
+  study.text = with_trial("", "shuffle = 3 in 1 of 1 series");
+  EXPECT_THROW(propose_goldens(study, clean), UsageError);
+}
+
+TEST(Propose, LeavesTheMarkToTheReviewer) {
+  for (const Golden& golden : proposed(study_with(convergent()))) EXPECT_FALSE(golden.reviewed);
+  EXPECT_THAT(propose_goldens(study_with(convergent()), clean), HasSubstr("add reviewed = \"DATE: who"));
+}
+
+TEST(Propose, AnErrorInEveryFittedNormOnce) {
+  Series series = convergent();
+  for (Point& point : series.points) point.y["linf"] = 2 * point.y["l2"];
+  series.orders = {fitted("l2", 3, 2), fitted("linf", 3, 2), fitted("l2", 3, 2)};
+  series.orders[2].from = 32;
+  const auto goldens = proposed(study_with(series));
+  ASSERT_EQ(goldens.size(), 5U);
+  EXPECT_EQ(std::get<ErrorGolden>(goldens[3].expectation).norm, "l2");
+  EXPECT_EQ(std::get<ErrorGolden>(goldens[4].expectation).norm, "linf");
 }
 
 TEST(Propose, AnIntervalIsRecordedWhereItsMarginPassesTheBand) {
@@ -137,7 +230,7 @@ TEST(Propose, ALimitThatReplicatesDisagreeOnGetsAWiderBandAndSaysWhy) {
   EXPECT_EQ(std::get<LimitGolden>(goldens[0].expectation).expected, 0.2);
   EXPECT_EQ(std::get<LimitGolden>(goldens[0].expectation).band, 0.1);
   EXPECT_THAT(propose_goldens(study, clean), HasSubstr("why = \"replicates lie between 0.19 and 0.21"));
-  EXPECT_EQ(run_gate(goldens, {study}).exit_code(), 0);
+  EXPECT_EQ(run_gate(reviewed(study), {study}).exit_code(), 0);
 }
 
 TEST(Propose, WhatWasMeasuredPassesItsOwnProposal) {
@@ -151,7 +244,7 @@ TEST(Propose, WhatWasMeasuredPassesItsOwnProposal) {
     series.limit = cfl_limit(limit, 1.01 * limit);
     StudyResult study = study_with(series);
     study.values = {{"a", std::pow(10, exponent(generator)), ""}, {"b", -std::pow(10, exponent(generator)), ""}};
-    const GateReport report = run_gate(proposed(study), {study});
+    const GateReport report = run_gate(reviewed(study), {study});
     EXPECT_EQ(report.results.size(), 5U);
     EXPECT_EQ(report.exit_code(), 0) << propose_goldens(study, clean);
   }
@@ -166,7 +259,7 @@ TEST(Propose, WhatCannotBeProposedIsARemark) {
   study.values = {{"gap", not_measured, ""}};
   EXPECT_EQ(proposed(study).size(), 2U);
   const std::string text = propose_goldens(study, clean);
-  EXPECT_THAT(text, HasSubstr("in linf: 2 usable points"));
+  EXPECT_THAT(text, HasSubstr("in linf over [16, 64]: 2 usable points"));
   EXPECT_THAT(text, HasSubstr("# No error of"));
   EXPECT_THAT(text, HasSubstr("stability is not monotone"));
   EXPECT_THAT(text, HasSubstr("# No value \"gap\""));

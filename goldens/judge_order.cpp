@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "goldens/judgement.hpp"
+#include "studies/observed_order.hpp"
+#include "studies/window.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+/// The points of a series in the fit's window, usable or not.
+std::vector<const Point*> window_of(const ObservedOrder& fit, const Series& series) {
+  std::vector<const Point*> points;
+  for (const Point& point : series.points)
+    if (Window{fit.from, fit.to}.holds(point.x)) points.push_back(&point);
+  return points;
+}
+
+/// How many points of the fit's window are no results, so that a shrunken window is seen.
+std::string order_text(const ObservedOrder& fit, const Series& series) {
+  const auto lost =
+      std::ranges::count_if(window_of(fit, series), [](const Point* p) { return p->status != Status::ok; });
+  const std::string loss = lost > 0 ? fmt::format(", {} unstable or failed", lost) : "";
+  return fmt::format("{:.6g} ({} points{})", fit.order, fit.points, loss);
+}
+
+const ObservedOrder* find_order(const OrderGolden& golden, const Series& series) {
+  const auto& window = golden.window;
+  const auto found = std::ranges::find_if(series.orders, [&](const ObservedOrder& fit) {
+    return fit.norm == golden.norm &&
+           (window.empty() || (same_level(fit.from, window[0]) && same_level(fit.to, window[1])));
+  });
+  return found == series.orders.end() ? nullptr : &*found;
+}
+
+/// What the series lacks of the levels that the golden names, its finest one and the ends of its window. The curve of a
+/// check has no levels, and its window's ends need not be among its points.
+std::optional<Judgement> lacking_level(const OrderGolden& golden, const ObservedOrder& fit, const Series& series) {
+  if (golden.norm != "y")
+    for (const double end : {fit.from, fit.to})
+      if (!find_point(series, end)) return lacking(series, golden.norm, end);
+  return golden.finest.empty() ? std::nullopt : lacking(series, golden.norm, golden.finest[0]);
+}
+
+/// Whether the error at the finest level has grown by more than its band: an order can hold all the same.
+bool has_grown(const OrderGolden& golden, const Series& series) {
+  return !golden.finest.empty() &&
+         find_point(series, golden.finest[0])->y.at(golden.norm) > golden.finest[1] * (1 + error_band);
+}
+
+/// How far the segment orders inside the fit's window lie from each other.
+double segment_spread(const ObservedOrder& fit) {
+  const Window window{fit.from, fit.to};
+  double least = INFINITY, most = -INFINITY;
+  for (const SegmentOrder& s : fit.segments)
+    if (window.holds(s.from) && window.holds(s.to)) least = std::min(least, s.order), most = std::max(most, s.order);
+  return most - least;
+}
+
+/// An order inside the band, or outside it with an interval that reaches in.
+Judgement judge_interval(const OrderGolden& golden, const ObservedOrder& fit, const std::string& measured) {
+  const double width = half_width(fit),
+               widest = std::max(golden.upper - golden.lower, interval_margin * golden.interval);
+  if (fit.order < golden.lower || fit.order > golden.upper)
+    return inconclusive(measured, fmt::format("outside the band, but its interval of ± {:.2g} reaches in", width));
+  if (width > widest) return inconclusive(measured, fmt::format("its interval of ± {:.2g} is too wide", width));
+  const bool scattered = segment_spread(fit) > 2 * asymptotic_spread;  // twice: what just was may just be no more
+  if (golden.asymptotic && scattered) return inconclusive(measured, "the window is not asymptotic any more");
+  return pass(measured);
+}
+
+}  // namespace
+
+double half_width(const ObservedOrder& fit) {
+  const double width = fit.replicates ? fit.replicates->half_width : fit.half_width;
+  return std::isnan(width) ? 0 : width;
+}
+
+Judgement judge(const OrderGolden& golden, const Series& series) {
+  constexpr double absurd = 1;  // above any band: no scatter brings an order there
+  const ObservedOrder* fit = find_order(golden, series);
+  if (!fit) return missing(fmt::format("no order of '{}' in {} over that window", golden.series, golden.norm));
+  const std::string measured = order_text(*fit, series);
+  if (std::isnan(fit->order)) return inconclusive(measured, "no order could be fitted");
+  if (fit->points < 3) return inconclusive(measured, "fewer than 3 usable points in the window");
+  const int wanted = golden.points > 0 ? golden.points : static_cast<int>(window_of(*fit, series).size());
+  if (fit->points < wanted) return fail(measured, fmt::format("fewer usable points than {}", wanted));
+  const double width = half_width(*fit);
+  if (fit->order + width < golden.lower) return fail(measured, "order below the golden's band");
+  if (fit->order > golden.upper + absurd) return fail(measured, "order absurdly high");
+  if (const auto lack = lacking_level(golden, *fit, series)) return {lack->verdict, measured, lack->reason};
+  if (fit->order - width > golden.upper) return better(measured, "order above the golden's band");
+  if (has_grown(golden, series))
+    return fail(measured,
+                fmt::format("the order holds, but the error at {:g} is larger than {:.4g} by more than {:g} %",
+                            golden.finest[0], golden.finest[1], 100 * error_band));
+  return judge_interval(golden, *fit, measured);
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,45 @@
+#include "goldens/judgement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace mpmvv {
+
+Judgement pass(std::string measured) {
+  return {Verdict::pass, std::move(measured), ""};
+}
+Judgement fail(std::string measured, std::string reason) {
+  return {Verdict::fail, std::move(measured), std::move(reason)};
+}
+Judgement better(std::string measured, std::string reason) {
+  return {Verdict::fail, std::move(measured), std::move(reason), true};
+}
+Judgement inconclusive(std::string measured, std::string reason) {
+  return {Verdict::inconclusive, std::move(measured), std::move(reason)};
+}
+Judgement missing(const std::string& what) {
+  return inconclusive("", "missing: " + what);
+}
+
+const Point* find_point(const Series& series, double at) {
+  const auto found = std::ranges::find_if(series.points, [&](const Point& p) { return same_level(p.x, at); });
+  return found == series.points.end() ? nullptr : &*found;
+}
+
+std::string status_text(const Point& point) {
+  return point.reason.empty() ? to_string(point.status) : fmt::format("{}: {}", to_string(point.status), point.reason);
+}
+
+std::optional<Judgement> lacking(const Series& series, const std::string& norm, double at) {
+  const Point* point = find_point(series, at);
+  if (!point) return missing(fmt::format("no point of '{}' at {}", series.name, at));
+  if (point->status != Status::ok)
+    return fail(status_text(*point), fmt::format("no error at {}: the run is not ok", at));
+  const auto error = point->y.find(norm);
+  if (error == point->y.end()) return missing(fmt::format("no {} of '{}' at {}", norm, series.name, at));
+  if (std::isnan(error->second)) return inconclusive("nan", fmt::format("the error at {} was not measured", at));
+  return std::nullopt;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,43 @@
+#pragma once
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "goldens/golden.hpp"
+#include "goldens/verdict.hpp"
+#include "studies/result.hpp"
+
+namespace mpmvv {
+
+/// What a gate finds of one golden.
+struct Judgement {
+  Verdict verdict = Verdict::inconclusive;
+  std::string measured, reason;  ///< `reason` is empty for `pass`
+  bool better = false;           ///< a failure to the better side
+};
+
+Judgement pass(std::string measured);
+Judgement fail(std::string measured, std::string reason);
+Judgement better(std::string measured, std::string reason);
+Judgement inconclusive(std::string measured, std::string reason);
+Judgement missing(const std::string& what);
+
+/// Whether two swept values are one, up to round-off.
+inline bool same_level(double a, double b) {
+  return std::abs(a - b) <= 1e-9 * std::abs(b);
+}
+
+/// The point of a series at a swept value, up to round-off; nullptr when there is none.
+const Point* find_point(const Series& series, double at);
+
+std::string status_text(const Point& point);
+
+/// Why there is no error at a level that a golden names; nullopt where there is one.
+std::optional<Judgement> lacking(const Series& series, const std::string& norm, double at);
+
+/// 95 % of the order: by replicates where there are some, else by the residuals; 0 where neither says anything.
+double half_width(const ObservedOrder& fit);
+
+Judgement judge(const OrderGolden& golden, const Series& series);
+
+}  // namespace mpmvv
