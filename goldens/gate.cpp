@@ -80,12 +80,6 @@ bool has_grown(const OrderGolden& golden, const Series& series) {
   return point->y.at(golden.norm) > golden.finest[1] * (1 + error_band);
 }
 
-/// 95 % of the order: by replicates where there are some, else by the residuals; 0 where neither says anything.
-double half_width(const ObservedOrder& fit) {
-  const double width = fit.replicates ? fit.replicates->half_width : fit.half_width;
-  return std::isnan(width) ? 0 : width;
-}
-
 /// How far the segment orders inside the fit's window lie from each other.
 double segment_spread(const ObservedOrder& fit) {
   double least = INFINITY, most = -INFINITY;
