@@ -75,11 +75,6 @@ Judgement judge_interval(const OrderGolden& golden, const ObservedOrder& fit, co
 
 }  // namespace
 
-double half_width(const ObservedOrder& fit) {
-  const double width = fit.replicates ? fit.replicates->half_width : fit.half_width;
-  return std::isnan(width) ? 0 : width;
-}
-
 Judgement judge(const OrderGolden& golden, const Series& series) {
   constexpr double absurd = 1;  // above any band: no scatter brings an order there
   const ObservedOrder* fit = find_order(golden, series);

@@ -35,9 +35,6 @@ std::string status_text(const Point& point);
 /// Why there is no error at a level that a golden names; nullopt where there is one.
 std::optional<Judgement> lacking(const Series& series, const std::string& norm, double at);
 
-/// 95 % of the order: by replicates where there are some, else by the residuals; 0 where neither says anything.
-double half_width(const ObservedOrder& fit);
-
 Judgement judge(const OrderGolden& golden, const Series& series);
 
 }  // namespace mpmvv

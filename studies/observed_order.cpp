@@ -144,4 +144,9 @@ ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, doubl
   return result;
 }
 
+double half_width(const ObservedOrder& fit) {
+  const double width = fit.replicates ? fit.replicates->half_width : fit.half_width;
+  return std::isnan(width) ? 0 : width;
+}
+
 }  // namespace mpmvv

@@ -35,6 +35,9 @@ std::vector<ErrorSample> samples_within(std::span<const ErrorSample> samples, do
 /// finest; it is only reported. `norm` is left to the caller.
 ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, double to);
 
+/// 95 % of the order: by replicates where there are some, else by the residuals; 0 where neither says anything.
+double half_width(const ObservedOrder& fit);
+
 /// Fits e = C h^p + E0, C and E0 >= 0, 0.1 <= p <= 8, by least squares of the relative misfit over the usable samples
 /// of the window; at least six. A sum of two powers fakes a floor (h² + 0.05 h; NUMERICS.md, "Fitting and judging"), so
 /// it is accepted only when

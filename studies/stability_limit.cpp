@@ -50,11 +50,13 @@ std::vector<double> scan_values(const LimitSearch& search) {
   return values;
 }
 
+/// Each run once, where several values are run as one.
 std::vector<Probe> ask(const ProbeBatch& probe, const std::vector<double>& values) {
   std::vector<Probe> answer = probe(values);
   if (answer.size() != values.size())
     throw std::logic_error(fmt::format("{} values probed, {} verdicts given", values.size(), answer.size()));
-  for (std::size_t k = 0; k < values.size(); ++k) answer[k].value = values[k];
+  const auto repeated = std::ranges::unique(answer, {}, &Probe::value);
+  answer.erase(repeated.begin(), repeated.end());
   return answer;
 }
 
@@ -62,12 +64,15 @@ bool is_unstable(const Probe& p) {
   return !p.stable;
 }
 
-/// Halves the bracket's ratio until it is narrow enough.
+/// Halves the bracket's ratio until it is narrow enough, or no run lies inside.
 void bisect(StabilityLimit& limit, double tolerance, const ProbeBatch& probe) {
   while (std::abs(limit.unstable - limit.stable) > tolerance * limit.stable) {
+    const auto [low, high] = std::minmax(limit.stable, limit.unstable);
     const double middle = std::sqrt(limit.stable) * std::sqrt(limit.unstable);
-    limit.probes.push_back(ask(probe, {middle}).front());
-    (limit.probes.back().stable ? limit.stable : limit.unstable) = middle;
+    const Probe next = ask(probe, {middle}).front();
+    if (next.value <= low || next.value >= high) return;
+    limit.probes.push_back(next);
+    (next.stable ? limit.stable : limit.unstable) = next.value;
   }
 }
 

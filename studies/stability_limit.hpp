@@ -12,19 +12,21 @@ struct LimitSearch {
   std::string key;  ///< what is varied: `cfl`, `smoothing_length`
   double from = 0, to = 0;
   double scan_ratio = 1.1;   ///< > 1; neighbouring scan values differ by this factor at most
-  double tolerance = 0.01;   ///< the search ends when |unstable - stable| <= tolerance * stable
+  double tolerance = 0.01;   ///< the search ends when |unstable - stable| <= tolerance * stable, if runs are so close
   bool stable_below = true;  ///< cfl: stable below the limit; smoothing_length: stable above it
 };
 
 /// UsageError that says which number of the search makes no sense, and what would.
 void require_sound(const LimitSearch& search);
 
-/// Probes a batch of values; one verdict per value, in order. The search hands over the scan as one batch so that
+/// Probes a batch of values; one verdict per value, in order, each with the value that was run, which may be another
+/// than the one asked for (a time step divides the end time). The search hands over the scan as one batch so that
 /// the caller can spread it over the cores.
 using ProbeBatch = std::function<std::vector<Probe>(const std::vector<double>&)>;
 
 /// Scans, then bisects between the first unstable value met from the stable end and its stable neighbour. Every probe
-/// is kept, in increasing value; a stable one beyond an unstable one makes the limit non-monotone.
+/// is kept once, in increasing value; a stable one beyond an unstable one makes the limit non-monotone. Bracket and
+/// probes are of what was run; where no run lies between its ends, the bracket may be wider than the tolerance.
 ///
 /// Not found when nothing is unstable (`stable` is then the farthest value tried, `unstable` NaN) or when the stable
 /// end itself is unstable (`unstable` is that end, `stable` NaN). The verdict is yes or no, so this bisects by itself:

@@ -38,6 +38,13 @@ struct ReplicatePlan {
   std::string where;
 };
 
+/// A limit to search, of which series.
+struct LimitPlan {
+  LimitSearch search;
+  std::vector<std::string> series;  ///< empty: all
+  std::string where;
+};
+
 /// A quantity to extrapolate over the grids of a window, for which series.
 struct ExtrapolationPlan {
   std::string norm;
@@ -101,8 +108,7 @@ struct StudyPlan {
   std::string sweep;           ///< swept key; empty without a sweep
   std::vector<double> values;  ///< swept values
   std::string sweep_where;     ///< for messages about a swept value
-  std::optional<LimitSearch> limit;
-  std::string limit_where;
+  std::optional<LimitPlan> limit;
   std::optional<ReplicatePlan> replicates;
   std::vector<FitPlan> fits;
   std::vector<ExtrapolationPlan> extrapolations;
@@ -112,6 +118,7 @@ struct StudyPlan {
 
   std::string kind() const { return !check.empty() ? "check" : limit ? "limit" : "convergence"; }
   bool has_series(const std::string& name) const;
+  bool searches(const SeriesPlan& series) const;  ///< its limit
 };
 
 /// Reads and checks a study file: every mistake is a UsageError with file and line, also one in a case that only
@@ -119,8 +126,11 @@ struct StudyPlan {
 /// a check has none.
 StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding = {});
 
-/// The case of a series at a value of the swept (or searched) key, the same at every `order` when the series' velocity
-/// update has none; `where` goes into messages about the value.
+/// Whether the runs of a series differ in this key: those of a velocity update without `order` are the same at every
+/// one.
+bool varies_with(const SeriesPlan& series, const std::string& key);
+
+/// The case of a series at a value of the swept (or searched) key; `where` goes into messages about the value.
 Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where);
 
 /// A series by itself, or its replicates.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,8 +83,12 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
       throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
   }
   if (c.kind == Criterion::Kind::limit || c.kind == Criterion::Kind::limit_ratio) {
-    if (!plan.limit)
-      throw UsageError(fmt::format("criterion on a limit in {}, but the study searches none", table.where()));
+    std::vector<std::string> searched = c.series;
+    if (is_ratio(c.kind)) searched.push_back(c.over);
+    for (const std::string& name : searched)
+      if (std::ranges::none_of(plan.series, [&](const auto& s) { return s.name == name && plan.searches(s); }))
+        throw UsageError(fmt::format("criterion in {} on the limit of series '{}', which the study does not search",
+                                     table.where(), name));
     return c;
   }
   if (c.kind != Criterion::Kind::status) {

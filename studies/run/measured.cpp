@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <boost/math/statistics/linear_regression.hpp>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
 
+#include "studies/replicates.hpp"
 #include "studies/run/samples.hpp"
 #include "studies/work_precision.hpp"
 
@@ -37,13 +40,21 @@ double error_at(const Series& series, double x, const std::string& norm) {
 /// The order over the points in the window that are stable; `missing` when one failed or has not been measured.
 ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
                            Measured& out) {
-  const ObservedOrder fit = fit_order(samples_of(series, norm, result.sweep), c.window.from, c.window.to);
+  ObservedOrder fit = fit_order(samples_of(series, norm, result.sweep), c.window.from, c.window.to);
+  if (const auto all = replicate_samples_of(series, norm, result.sweep); !all.empty())
+    fit.replicates = fit_replicates(all, c.window.from, c.window.to);
   const auto stable = std::count_if(series.points.begin(), series.points.end(), [&](const Point& point) {
     return c.window.holds(point.x) && point.status != Status::unstable;
   });
   if (fit.points < stable)
     out.missing = fmt::format("'{}': {} of {} stable points are no use", series.name, stable - fit.points, stable);
   return fit;
+}
+
+void add_order(const std::string& label, const ObservedOrder& fit, const std::string& remark, Measured& out) {
+  const double width = half_width(fit);
+  const std::string interval = width > 0 ? fmt::format(" (±{:.2g})", width) : "";
+  out.add(label + interval + remark, fit.order, Interval{fit.order - width, fit.order + width});
 }
 
 /// An unstable point has not converged: with it no lower bound is kept, and an upper bound as far as the others keep
@@ -53,21 +64,34 @@ void measure_order(const Criterion& c, const StudyResult& result, const Series& 
   std::vector<double> unstable;
   for (const Point& point : series.points)
     if (c.window.holds(point.x) && point.status == Status::unstable) unstable.push_back(point.x);
-  const std::string interval = std::isnan(fit.half_width) ? "" : fmt::format(" (±{:.2f})", fit.half_width);
   const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
-  out.add(fmt::format("order of '{}' in {} over [{}, {}]{}{}", series.name, c.norm, c.window.from, c.window.to,
-                      interval, without),
-          fit.order);
+  add_order(fmt::format("order of '{}' in {} over [{}, {}]", series.name, c.norm, c.window.from, c.window.to), fit,
+            without, out);
   if (!unstable.empty() && c.at_least)
     out.add(fmt::format("order of '{}' at {}", series.name, unstable[0]), -std::numeric_limits<double>::infinity());
 }
 
+/// The series whose one quantity, of which `norm` is the name, is that norm over `over_norm`.
+Series quotient(const Series& series, const std::string& norm, const std::string& over_norm) {
+  Series quotient{series.name, {}, {}, {}};
+  for (const Point& point : series.points) {
+    Point ratio{point.x, point.status, point.reason, {{norm, error_at(point, norm) / error_at(point, over_norm)}}};
+    const auto own = point.replicates.find(norm), other = point.replicates.find(over_norm);
+    if (own != point.replicates.end() && other != point.replicates.end() && own->second.size() == other->second.size())
+      std::ranges::transform(own->second, other->second, std::back_inserter(ratio.replicates[norm]), std::divides{});
+    quotient.points.push_back(ratio);
+  }
+  return quotient;
+}
+
+/// The difference of two orders is the order of the quotient, whose interval knows that both are of the same runs.
 void measure_order_difference(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
   const double own = stable_order(c, result, series, c.norm, out).order;
   const double other = stable_order(c, result, series, c.over_norm, out).order;
-  out.add(fmt::format("order of '{}' in {} ({:.2f}) less that in {} ({:.2f}) over [{}, {}]", series.name, c.norm, own,
-                      c.over_norm, other, c.window.from, c.window.to),
-          own - other);
+  const ObservedOrder fit = stable_order(c, result, quotient(series, c.norm, c.over_norm), c.norm, out);
+  add_order(fmt::format("order of '{}' in {} ({:.2f}) less that in {} ({:.2f}) over [{}, {}]", series.name, c.norm, own,
+                        c.over_norm, other, c.window.from, c.window.to),
+            fit, "", out);
 }
 
 void measure_errors(const Criterion& c, const Series& series, Measured& out) {
@@ -127,21 +151,32 @@ void measure_status(const Criterion& c, const Series& series, Measured& out) {
   out.add(fmt::format("stable share of '{}' over [{}, {}]", series.name, c.window.from, c.window.to), ok / all);
 }
 
-double limit_of(const Series& series, Measured& out) {
-  if (!series.limit || !series.limit->found) {
-    out.missing = fmt::format("'{}' has no limit in the range searched", series.name);
-    return not_measured;
-  }
-  return series.limit->value();
+/// The limit of a series; null, and `missing`, where none was found.
+const StabilityLimit* limit_of(const Series& series, Measured& out) {
+  if (series.limit && series.limit->found) return &*series.limit;
+  out.missing = fmt::format("'{}' has no limit in the range searched", series.name);
+  return nullptr;
+}
+
+Interval bracket_of(const StabilityLimit& limit) {
+  return {std::min(limit.stable, limit.unstable), std::max(limit.stable, limit.unstable)};
 }
 
 void measure_limit(const Series& series, Measured& out) {
-  const double value = limit_of(series, out);
-  if (!out.missing.empty()) return;
-  const StabilityLimit& limit = *series.limit;
-  out.add(fmt::format("{} limit of '{}' between {:.4g} and {:.4g}{}", limit.key, series.name, limit.stable,
-                      limit.unstable, limit.monotone ? "" : ", not monotone"),
-          value);
+  const StabilityLimit* limit = limit_of(series, out);
+  if (!limit) return;
+  out.add(fmt::format("{} limit of '{}' between {:.4g} and {:.4g}{}", limit->key, series.name, limit->stable,
+                      limit->unstable, limit->monotone ? "" : ", not monotone"),
+          limit->value(), bracket_of(*limit));
+}
+
+void measure_limit_ratio(const Series& series, const Series& over, Measured& out) {
+  const StabilityLimit *own = limit_of(series, out), *other = limit_of(over, out);
+  if (!own || !other) return;
+  const Interval a = bracket_of(*own), b = bracket_of(*other), ratio{a.lower / b.upper, a.upper / b.lower};
+  out.add(fmt::format("limit of '{}' over '{}' between {:.4g} and {:.4g}", series.name, over.name, ratio.lower,
+                      ratio.upper),
+          own->value() / other->value(), ratio);
 }
 
 /// Which of two that should get down to an error does not.
@@ -209,11 +244,9 @@ Measured measure(const Criterion& c, const StudyResult& result) {
       case Criterion::Kind::limit:
         measure_limit(*series, out);
         break;
-      case Criterion::Kind::limit_ratio: {
-        const double own = limit_of(*series, out), other = limit_of(*over, out);
-        out.add(fmt::format("limit of '{}' over '{}'", name, c.over), own / other);
+      case Criterion::Kind::limit_ratio:
+        measure_limit_ratio(*series, *over, out);
         break;
-      }
       case Criterion::Kind::cost_ratio:
         measure_cost_ratios(c, *series, *over, out);
         break;

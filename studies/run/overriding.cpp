@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "studies/error.hpp"
+#include "studies/run/plan_rules.hpp"
 #include "studies/trial.hpp"
 
 namespace mpmvv {
@@ -11,7 +12,7 @@ namespace {
 
 bool varies(const StudyPlan& plan, const std::string& key) {
   return key == plan.sweep || (plan.replicates && key == plan.replicates->key) ||
-         (plan.limit && key == plan.limit->key);
+         (plan.limit && key == plan.limit->search.key);
 }
 
 /// Why a series does not take a setting; empty when it does.
@@ -28,10 +29,23 @@ std::string refusal(const StudyPlan& plan, SeriesPlan series, const Setting& set
 }  // namespace
 
 void try_cases(const StudyPlan& plan, const SeriesPlan& series) {
-  for (const double value : plan.values) replicates_at(plan, series, value);
-  if (plan.limit)
-    for (const SeriesPlan& one : replicates_of(plan, series))
-      case_at(one, plan.limit->key, plan.limit->to, plan.limit_where);
+  const auto require_different_replicates = [&](const std::vector<Case>& cases) {
+    if (plan.replicates)
+      require_different_runs(cases, fmt::format("replicates of series '{}'", series.name), plan.replicates->where);
+  };
+  std::vector<Case> swept, at_end_of_search;
+  for (const double value : plan.values) {
+    const std::vector<Case> replicates = replicates_at(plan, series, value);
+    require_different_replicates(replicates);
+    swept.push_back(replicates.front());
+  }
+  if (varies_with(series, plan.sweep))
+    require_different_runs(swept, fmt::format("swept values of series '{}'", series.name), plan.sweep_where);
+  if (!plan.searches(series)) return;
+  const auto& [search, names, where] = *plan.limit;
+  for (const SeriesPlan& one : replicates_of(plan, series))
+    at_end_of_search.push_back(case_at(one, search.key, search.to, where));
+  require_different_replicates(at_end_of_search);
 }
 
 void override_series(const std::vector<Overriding>& settings, StudyPlan& plan) {

@@ -5,7 +5,7 @@
 
 namespace mpmvv {
 
-/// Makes every case of a series once; UsageError where one is wrong.
+/// Makes every case of a series once; UsageError where one is wrong, and where two that should differ are one.
 void try_cases(const StudyPlan& plan, const SeriesPlan& series);
 
 /// Puts the settings on top of the series' own, and into the text that the store keeps.

@@ -16,6 +16,30 @@ bool every_series_has(const StudyPlan& plan, const std::string& key) {
   return std::ranges::all_of(plan.series, [&](const SeriesPlan& series) { return series.setting(key) != nullptr; });
 }
 
+struct VariedKey {
+  std::string key, what, where;
+};
+
+/// What the study sets by itself.
+std::vector<VariedKey> varied_keys(const StudyPlan& plan) {
+  std::vector<VariedKey> varied;
+  if (!plan.sweep.empty()) varied.push_back({plan.sweep, "the sweep over it", plan.sweep_where});
+  if (plan.limit) varied.push_back({plan.limit->search.key, "the search of its limit", plan.limit->where});
+  if (plan.replicates) varied.push_back({plan.replicates->key, "its replicates", plan.replicates->where});
+  return varied;
+}
+
+/// Whether a setting of some series is that of a run; one from [fixed] is several series'.
+bool counts(const StudyPlan& plan, const Setting& setting) {
+  if (plan.replicates && setting.key == plan.replicates->key) return false;
+  if (!plan.sweep.empty() && setting.key != plan.sweep) return true;
+  return plan.limit && setting.key != plan.limit->search.key &&
+         std::ranges::any_of(plan.series, [&](const SeriesPlan& series) {
+           const Setting* own = series.setting(setting.key);
+           return own && own->where == setting.where && plan.searches(series);
+         });
+}
+
 /// The setting that a norm needs; empty for those at the end of a run, which are always measured.
 std::string setting_of(const std::string& norm) {
   return norm.ends_with("_all_steps")                         ? "every_step"
@@ -62,6 +86,29 @@ void require_points(const StudyPlan& plan, const Window& window, int least, cons
   if (count < least)
     throw UsageError(fmt::format("window [{}, {}] in {} holds {} swept values (at least {})", window.from, window.to,
                                  where, count, least));
+}
+
+void require_no_idle_settings(const StudyPlan& plan, const SeriesPlan& series) {
+  if (plan.sweep.empty() && plan.limit && !plan.searches(series))
+    throw UsageError(fmt::format("series '{}' in {} is neither swept nor searched (its name in `series` of {})",
+                                 series.name, series.where, plan.limit->where));
+  for (const auto& [key, what, where] : varied_keys(plan))
+    if (const Setting* setting = series.setting(key); setting && !counts(plan, *setting))
+      throw UsageError(fmt::format("{} in {} beside {} in {} (one of them)", key, setting->where, what, where));
+  if (!plan.sweep.empty() && plan.searches(series) && plan.sweep != plan.limit->search.key &&
+      varies_with(series, plan.sweep) && !series.setting(plan.sweep))
+    throw UsageError(
+        fmt::format("the limit in {} has no {} for series '{}', as the sweep's are its own (one `{}` in "
+                    "[fixed] or in the series)",
+                    plan.limit->where, plan.sweep, series.name, plan.sweep));
+}
+
+void require_different_runs(std::vector<Case> cases, const std::string& what, const std::string& where) {
+  for (Case& c : cases) c.measure = {};
+  std::ranges::sort(cases);
+  if (std::ranges::adjacent_find(cases) != cases.end())
+    throw UsageError(
+        fmt::format("two {} are the same run in {} (values of which each makes another one)", what, where));
 }
 
 void require_cost(const StudyPlan& plan, const std::string& where) {

@@ -23,6 +23,13 @@ Window read_window(const TomlTable& table, const char* key);
 /// A window must hold enough swept values; the curves of a check are known only when it has run.
 void require_points(const StudyPlan& plan, const Window& window, int least, const std::string& where);
 
+/// Every setting of a series must count in some run: not one that the sweep, the search of a limit or the replicates
+/// set in all of them. And a limit must have a value of what the sweep varies.
+void require_no_idle_settings(const StudyPlan& plan, const SeriesPlan& series);
+
+/// What stands for several runs must differ in more than what is measured of them.
+void require_different_runs(std::vector<Case> cases, const std::string& what, const std::string& where);
+
 /// Cost is there when every series asks for it.
 void require_cost(const StudyPlan& plan, const std::string& where);
 

@@ -79,7 +79,7 @@ void read_series(const TomlTable& root, StudyPlan& plan) {
 void read_limit(const TomlTable& root, StudyPlan& plan) {
   const auto table = root.table("limit");
   if (!table) return;
-  table->allow_only({"key", "from", "to", "scan_ratio", "tolerance", "stable"});
+  table->allow_only({"key", "from", "to", "scan_ratio", "tolerance", "stable", "series"});
   LimitSearch search;
   search.key = table->text("key");
   require_word("limit key", search.key, {"cfl", "smoothing_length"}, table->where("key"));
@@ -95,8 +95,7 @@ void read_limit(const TomlTable& root, StudyPlan& plan) {
   } catch (const UsageError& e) {
     throw UsageError(fmt::format("{} in {}", e.what(), table->where()));
   }
-  plan.limit_where = table->where();
-  plan.limit = search;
+  plan.limit = LimitPlan{search, series_names(*table, "series", plan), table->where()};
 }
 
 void read_replicates(const TomlTable& root, StudyPlan& plan) {
@@ -104,7 +103,7 @@ void read_replicates(const TomlTable& root, StudyPlan& plan) {
   if (!table) return;
   const auto keys = table->keys();
   const auto is_varied = [&plan](const std::string& key) {
-    return key == plan.sweep || (plan.limit && key == plan.limit->key);
+    return key == plan.sweep || (plan.limit && key == plan.limit->search.key);
   };
   if (keys.size() != 1 || (plan.sweep.empty() && !plan.limit) || is_varied(keys[0]))
     throw UsageError(fmt::format("replicates in {} (one key with its values, beside a sweep or a limit of another)",
@@ -131,7 +130,10 @@ void read_fits(const TomlTable& root, StudyPlan& plan) {
     FitPlan fit{norm_of(table, "norm"), read_window(table, "window"), {}, {}};
     require_points(plan, fit.window, 3, table.where("window"));
     fit.series = measured_series(plan, fit.norm, series_names(table, "series", plan), table.where("norm"));
-    if (table.has("floor_window")) fit.floor = read_window(table, "floor_window");
+    if (table.has("floor_window")) {
+      fit.floor = read_window(table, "floor_window");
+      require_points(plan, *fit.floor, 6, table.where("floor_window"));
+    }
     plan.fits.push_back(fit);
   }
 }
@@ -146,12 +148,6 @@ void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
       throw UsageError(has_place ? message
                                  : fmt::format("{} in series '{}' of {}", message, series.name, series.where));
     }
-}
-
-/// Whether the series' velocity update is an expansion; one without stands beside a sweep over `order` as a level line.
-bool has_order(const SeriesPlan& series) {
-  const Setting* update = series.setting("velocity_update");
-  return update && solver::expands_inverse(named<solver::AnyVelocityUpdate>(update->value));
 }
 
 /// The stem of its file, by which reports name files, too.
@@ -173,9 +169,20 @@ bool StudyPlan::has_series(const std::string& wanted) const {
   return std::any_of(series.begin(), series.end(), [&](const SeriesPlan& s) { return s.name == wanted; });
 }
 
+bool StudyPlan::searches(const SeriesPlan& one) const {
+  return limit && (limit->series.empty() || std::ranges::find(limit->series, one.name) != limit->series.end());
+}
+
+/// One whose velocity update is no expansion stands beside a sweep over `order` as a level line.
+bool varies_with(const SeriesPlan& series, const std::string& key) {
+  if (key != "order") return true;
+  const Setting* update = series.setting("velocity_update");
+  return update && solver::expands_inverse(named<solver::AnyVelocityUpdate>(update->value));
+}
+
 Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where) {
   auto settings = series.settings;
-  if (key != "order" || has_order(series)) settings.push_back({key, fmt::format("{}", value), where});
+  if (varies_with(series, key)) settings.push_back({key, fmt::format("{}", value), where});
   return make_case(settings);
 }
 
@@ -219,6 +226,7 @@ StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overri
   read_sweep(root, plan);
   read_limit(root, plan);
   read_replicates(root, plan);
+  for (const SeriesPlan& series : plan.series) require_no_idle_settings(plan, series);
   if (plan.check.empty()) override_series(overriding, plan);
   if (plan.check.empty() && plan.series.empty())
     throw UsageError(

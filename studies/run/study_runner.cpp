@@ -81,9 +81,10 @@ Series swept_series(const StudyPlan& plan, const SeriesPlan& series, std::span<c
   return result;
 }
 
-Probe probe_of(double value, const Record& r) {
-  if (r.status == Status::failed) throw StudyTrouble(fmt::format("a probe at {} failed: {}", value, r.reason));
-  return {value, r.status == Status::ok, r.reason};
+/// With what was run: the step of a CFL number asked for is made smaller to divide the end time.
+Probe probe_of(const std::string& key, double asked, const Record& r) {
+  if (r.status == Status::failed) throw StudyTrouble(fmt::format("a probe at {} failed: {}", asked, r.reason));
+  return {key == "cfl" ? r.cfl : asked, r.status == Status::ok, r.reason};
 }
 
 StabilityLimit search_limit(const LimitSearch& search, const SeriesPlan& series, CasePool& pool) {
@@ -92,14 +93,15 @@ StabilityLimit search_limit(const LimitSearch& search, const SeriesPlan& series,
     for (const double value : values) cases.push_back(case_at(series, search.key, value, series.where));
     const auto records = pool.get(cases);
     std::vector<Probe> probes;
-    for (std::size_t k = 0; k < values.size(); ++k) probes.push_back(probe_of(values[k], records[k]));
+    for (std::size_t k = 0; k < values.size(); ++k) probes.push_back(probe_of(search.key, values[k], records[k]));
     return probes;
   });
 }
 
 StabilityLimit search_limit(const StudyPlan& plan, const SeriesPlan& series, CasePool& pool) {
   std::vector<StabilityLimit> limits;
-  for (const SeriesPlan& one : replicates_of(plan, series)) limits.push_back(search_limit(*plan.limit, one, pool));
+  for (const SeriesPlan& one : replicates_of(plan, series))
+    limits.push_back(search_limit(plan.limit->search, one, pool));
   return common_limit(limits);
 }
 
@@ -198,9 +200,9 @@ class StudyRunner {
       result.series.push_back(swept_series(plan, series, records));
       cases.push_back(plan.replicates ? std::vector<Case>{} : own);
     }
-    if (plan.limit)
-      for_each_parallel(plan.series.size(), options_.jobs,
-                        [&](std::size_t k) { result.series[k].limit = search_limit(plan, plan.series[k], pool_); });
+    for_each_parallel(plan.series.size(), options_.jobs, [&](std::size_t k) {
+      if (plan.searches(plan.series[k])) result.series[k].limit = search_limit(plan, plan.series[k], pool_);
+    });
     return cases;
   }
 

@@ -46,6 +46,107 @@ TEST(Criterion, OrderInsideAndOutsideItsBounds) {
   EXPECT_THAT(part.evidence, HasSubstr("= 2 "));
 }
 
+/// e = h² on 8 to 128 cells, larger by 2^scatter at every other level; order one more in `linf`.
+StudyResult scattered(double scatter) {
+  StudyResult result;
+  result.sweep = "cells";
+  result.series = {Series{"good", {}, {}, {}}};
+  for (int k = 0; k < 5; ++k) {
+    const double n = 8 * std::exp2(k), e = std::exp2(-2 * k + scatter * (k % 2));
+    result.series[0].points.push_back({n, Status::ok, "", {{"l2", e}, {"linf", e / n}}});
+  }
+  return result;
+}
+
+PartVerdict verdict_of_order(const StudyResult& result, std::optional<double> at_least, std::optional<double> at_most) {
+  Criterion c = criterion(Kind::order, "good", at_least, at_most);
+  c.window = {8, 128};
+  return judge(c, result).verdict;
+}
+
+TEST(Criterion, AnOrderWhoseIntervalReachesAcrossABoundIsInconclusive) {  // 2 ± 0.64
+  const StudyResult result = scattered(1);
+  EXPECT_EQ(verdict_of_order(result, 1.3, {}), PartVerdict::holds);
+  EXPECT_EQ(verdict_of_order(result, 1.5, {}), PartVerdict::inconclusive) << "2 is on the right side";
+  EXPECT_EQ(verdict_of_order(result, 2.5, {}), PartVerdict::inconclusive) << "2 is on the wrong side";
+  EXPECT_EQ(verdict_of_order(result, 2.7, {}), PartVerdict::fails);
+  EXPECT_EQ(verdict_of_order(result, {}, 2.7), PartVerdict::holds);
+  EXPECT_EQ(verdict_of_order(result, {}, 2.5), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict_of_order(result, {}, 1.5), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict_of_order(result, {}, 1.3), PartVerdict::fails);
+  Criterion c = criterion(Kind::order, "good", 1.5, {});
+  c.window = {8, 128};
+  EXPECT_THAT(judge(c, result).evidence,
+              HasSubstr("(±0.64) = 2 (asked: at least 1.5, but an interval reaches across)"));
+  EXPECT_EQ(judge(c, result).reason, "") << "which says why it fails";
+}
+
+TEST(Criterion, OneThatFailsOutweighsOneWhoseIntervalReachesAcross) {
+  StudyResult result = scattered(1);
+  result.series.push_back(scattered(0).series[0]);
+  result.series[1].name = "exact";
+  Criterion c = criterion(Kind::order, "good", 2.1, {});
+  c.window = {8, 128}, c.series = {"good", "exact"};
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::fails);
+}
+
+TEST(Criterion, AnOrderOfReplicatesHasTheirInterval) {
+  StudyResult result = scattered(1);  // whose means are a line no more; each level's replicates agree to 1 %
+  for (Point& point : result.series[0].points)
+    for (const double factor : {0.99, 1.01}) point.replicates["l2"].push_back(factor * point.y["l2"]);
+  EXPECT_EQ(verdict_of_order(result, 1.9, {}), PartVerdict::holds);
+  result = scattered(0);  // and the other way round
+  for (Point& point : result.series[0].points)
+    for (const double factor : {0.5, 2.0}) point.replicates["l2"].push_back(factor * point.y["l2"]);
+  EXPECT_EQ(verdict_of_order(result, 1.9, {}), PartVerdict::inconclusive);
+}
+
+TEST(Criterion, TheScatterThatTwoNormsShareIsNoneOfTheirDifference) {
+  StudyResult result = scattered(1);
+  Criterion c = criterion(Kind::order_difference, "good", {}, -0.99);
+  c.window = {8, 128}, c.over_norm = "linf";
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::holds) << judge(c, result).evidence;
+  for (Point& point : result.series[0].points) point.y["linf"] = std::pow(point.x, -3);
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::inconclusive);
+  for (Point& point : result.series[0].points)
+    for (const double factor : {0.99, 1.01}) {
+      point.replicates["l2"].push_back(factor * point.y["l2"]);
+      point.replicates["linf"].push_back(factor * point.y["linf"]);
+    }
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::holds) << "by replicates";
+}
+
+TEST(Criterion, ALimitWhoseBracketReachesAcrossABoundIsInconclusive) {
+  const auto verdict = [](double at_least, double stable, double unstable) {
+    StudyResult result = two_series();
+    result.series[0].limit->stable = stable, result.series[0].limit->unstable = unstable;
+    return judge(criterion(Kind::limit, "good", at_least, {}), result).verdict;
+  };
+  for (const auto& [stable, unstable] : {std::pair{0.8, 1.2}, std::pair{1.2, 0.8}}) {
+    EXPECT_EQ(verdict(0.8, stable, unstable), PartVerdict::holds);
+    EXPECT_EQ(verdict(0.9, stable, unstable), PartVerdict::inconclusive);
+    EXPECT_EQ(verdict(1.1, stable, unstable), PartVerdict::inconclusive);
+    EXPECT_EQ(verdict(1.3, stable, unstable), PartVerdict::fails);
+  }
+}
+
+TEST(Criterion, ARatioOfLimitsReachesFromTheEndsOfBothBrackets) {  // [1, 1.5] over [2, 4]
+  StudyResult result = two_series();
+  result.series[1].limit = result.series[0].limit;
+  result.series[0].limit->stable = 1, result.series[0].limit->unstable = 1.5;
+  result.series[1].limit->stable = 2, result.series[1].limit->unstable = 4;
+  const auto verdict = [&result](std::optional<double> at_least, std::optional<double> at_most) {
+    Criterion ratio = criterion(Kind::limit_ratio, "good", at_least, at_most);
+    ratio.over = "bad";
+    return judge(ratio, result).verdict;
+  };
+  EXPECT_EQ(verdict(0.25, 0.75), PartVerdict::holds);
+  EXPECT_EQ(verdict(0.26, {}), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict({}, 0.74), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(0.76, {}), PartVerdict::fails);
+  EXPECT_EQ(verdict({}, 0.24), PartVerdict::fails);
+}
+
 TEST(Criterion, AnUnstablePointBreaksALowerBoundOfTheOrderOnly) {
   EXPECT_EQ(judge(criterion(Kind::order, "bad", 1.5, 2.5), two_series()).verdict, PartVerdict::fails);
   const ClaimPart part = judge(criterion(Kind::order, "bad", {}, 2.5), two_series());

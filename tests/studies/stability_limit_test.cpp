@@ -23,6 +23,7 @@ struct Prober {
   std::function<bool(double)> stable;
   std::vector<std::size_t> batches = {};
   std::vector<double> asked = {};
+  std::function<double(double)> run = [](double v) { return v; };  ///< what becomes of a value asked for
 
   ProbeBatch batch() {
     return [this](const std::vector<double>& values) {
@@ -30,7 +31,7 @@ struct Prober {
       std::vector<Probe> probes;
       for (const double v : values) {
         asked.push_back(v);
-        probes.push_back({v, stable(v), stable(v) ? "" : "energy grew"});
+        probes.push_back({run(v), stable(run(v)), stable(run(v)) ? "" : "energy grew"});
       }
       return probes;
     };
@@ -104,6 +105,41 @@ TEST(StabilityLimit, NumberOfProbesIsBounded) {
     find_limit(search, prober.batch());
     const double halvings = std::ceil(std::log2(std::log(1.1) / std::log1p(tolerance))) + 1;
     EXPECT_LE(static_cast<double>(prober.asked.size()), 33 + halvings);
+  }
+}
+
+/// A step that divides the end time: v becomes 8/n, n whole, as a CFL number does.
+Prober stepwise(const std::function<bool(double)>& stable) {
+  return {stable, {}, {}, [](double v) { return 8 / std::ceil(8 / v); }};
+}
+
+TEST(StabilityLimit, BracketsWhatWasRun) {
+  Prober prober = stepwise([](double v) { return v < 0.7; });
+  const StabilityLimit found = find_limit(cfl_search(), prober.batch());
+  ASSERT_TRUE(found.found);
+  EXPECT_EQ(found.stable, 8.0 / 12);
+  EXPECT_EQ(found.unstable, 8.0 / 11) << "wider than the tolerance, but no run lies between";
+  for (std::size_t k = 1; k < found.probes.size(); ++k)
+    EXPECT_LT(found.probes[k - 1].value, found.probes[k].value) << "each run once";
+  EXPECT_EQ(found.probes.back().value, 2) << "8/4, and not what was asked for";
+}
+
+TEST(StabilityLimit, BracketsWhatWasRunDownToTheTolerance) {
+  Prober prober = stepwise([](double v) { return v < 0.1303; });  // 8/61 = 0.1311, 8/62 = 0.1290
+  LimitSearch search = cfl_search();
+  search.scan_ratio = 2;
+  const StabilityLimit found = find_limit(search, prober.batch());
+  EXPECT_EQ(found.stable, 8.0 / 62);
+  EXPECT_EQ(found.unstable, 8.0 / 61);
+}
+
+TEST(StabilityLimit, OneRunForTheWholeRangeHasNoLimit) {
+  for (const bool calm : {true, false}) {
+    Prober prober = stepwise([=](double) { return calm; });
+    const StabilityLimit found = find_limit({.key = "cfl", .from = 8, .to = 15}, prober.batch());
+    EXPECT_FALSE(found.found);
+    EXPECT_EQ(found.probes.size(), 1u);
+    EXPECT_EQ(calm ? found.stable : found.unstable, 8);
   }
 }
 
