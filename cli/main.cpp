@@ -38,6 +38,18 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   return fmt::format("unknown command '{}' (known: {})", argc > 1 ? argv[1] : "", fmt::join(known, ", "));
 }
 
+/// An empty text is never a value: it is what a shell makes of a variable that is not set.
+void refuse_empty_texts(CLI::App& app) {
+  const CLI::Validator not_empty(
+      [](const std::string& text) {
+        return text.empty() ? "an empty text (leave it out, or give it a value)" : std::string();
+      },
+      "");
+  for (CLI::Option* option : app.get_options())
+    if (option->get_items_expected_max() > 0) option->check(not_empty);
+  for (CLI::App* command : app.get_subcommands({})) refuse_empty_texts(*command);
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app{"Verification and validation of the Material Point Method", "mpmvv"};
   app.require_subcommand(1);
@@ -56,6 +68,7 @@ int run_program(int argc, char** argv) {
   add_mutants(app, exit_code);
   add_list(app, exit_code);
   add_db(app, exit_code);
+  refuse_empty_texts(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

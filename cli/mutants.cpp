@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "cli/command.hpp"
@@ -13,6 +15,7 @@
 #include "goldens/mutants/program_bench.hpp"
 #include "goldens/mutants/together_bench.hpp"
 #include "studies/error.hpp"
+#include "studies/process.hpp"
 
 namespace mpmvv {
 
@@ -124,8 +127,14 @@ int answer(const std::vector<Mutant>& mutants, bool json) {
 }
 
 int tell_known(const MutantsOptions& options) {
+  constexpr int missing = 3;
   const auto mutants = own_mutants(Store(options.db, Store::Mode::read), options.goldens());
-  if (!options.publish) return answer(mutants, options.json);
+  if (!options.publish) {
+    const int verdict = answer(mutants, options.json);
+    if (!mutants.empty()) return verdict;
+    fmt::print(stderr, "{} knows no mutant of this program (`mpmvv mutants --db` tries some)\n", options.db);
+    return missing;
+  }
   const Provenance own = current_provenance();
   if (mutants.empty()) throw UsageError(fmt::format("{} knows no mutant of this program (try some)", options.db));
   const auto file = publish({own.digest, own.commit + (own.dirty ? " with changes" : ""), mutants}, options.lists());
@@ -133,11 +142,47 @@ int tell_known(const MutantsOptions& options) {
   return answer(mutants, options.json);
 }
 
+/// The store that results go to, made with the first of them: what fails before leaves none.
+class Results {
+ public:
+  explicit Results(const std::filesystem::path& db) : db_(db) {
+    const auto folder = std::filesystem::absolute(db).parent_path();
+    if (std::filesystem::exists(db))
+      store();
+    else if (access(folder.c_str(), W_OK) != 0)
+      throw UsageError(fmt::format("no folder '{}' that may be written for results store '{}' (make it first)",
+                                   folder.string(), db.string()));
+  }
+
+  std::vector<Mutant> known() const {
+    return store_ ? store_->mutants(current_provenance().digest) : std::vector<Mutant>{};
+  }
+  void keep(const Mutant& mutant) { store().keep_mutant(mutant, current_provenance()); }
+
+ private:
+  Store& store() {
+    if (!store_) store_.emplace(db_, Store::Mode::create_or_write);
+    return *store_;
+  }
+
+  std::filesystem::path db_;
+  std::optional<Store> store_;
+};
+
+/// What a campaign calls beside what it builds.
+void require_tools() {
+  for (const char* tool : {"cmake", "ninja"})
+    if (!run_process({tool, "--version"}, ".", {}, std::chrono::seconds(60)).good())
+      throw UsageError(fmt::format("no program '{}' that starts on the PATH (install what `./run build` does)", tool));
+}
+
 int mutants(const MutantsOptions& options) {
   if (options.list) return list(options);
   if (options.db.empty()) throw UsageError("no --db given (a results store)");
   if (options.known || options.publish) return tell_known(options);
   const auto mistakes = read_mistakes(options.planted());
+  require_tools();
+  Results results(options.db);
   const std::filesystem::path work = options.work.empty() ? options.source + "/build/laboratory" : options.work;
   Laboratory laboratory(options.source, work, program_parts());
   const std::string gate = gate_version(laboratory);
@@ -149,20 +194,14 @@ int mutants(const MutantsOptions& options) {
   for (auto* candidates : {&plan.planted, &plan.draws})
     for (Candidate& candidate : *candidates) candidate.mutant.reason = reasons.of(candidate.mutant);
 
-  Store store(options.db, Store::Mode::create_or_write);
-  const std::vector<Mutant> known =
-      with_published(store.mutants(current_provenance().digest), read_tried(options.lists()).mutants);
+  const std::vector<Mutant> known = with_published(results.known(), read_tried(options.lists()).mutants);
   const auto find = [&](const Mutant& wanted) { return known_result(known, wanted); };
   const auto tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   Laboratory shared(options.source, work / "together", program_parts());
   ProgramBench alone(laboratory, options.jobs), together(shared, options.jobs);
   TogetherBench bench(alone, together, edits_to_try(plan, find), tell);
-  const auto results =
-      run_campaign(plan, gate, bench,
-                   {.find = find,
-                    .keep = [&](const Mutant& mutant) { store.keep_mutant(mutant, current_provenance()); },
-                    .tell = tell});
-  return answer(results, options.json);
+  const auto keep = [&](const Mutant& mutant) { results.keep(mutant); };
+  return answer(run_campaign(plan, gate, bench, {.find = find, .keep = keep, .tell = tell}), options.json);
 }
 
 }  // namespace

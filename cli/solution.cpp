@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "cli/command.hpp"
@@ -61,6 +62,14 @@ nlohmann::json evaluate(const Problem& problem, const ProblemChoice& choice, con
           {"P", rows(solution.P(X, t))}};
 }
 
+/// Refuses a time or place at which a field overflows.
+void require_finite(const nlohmann::json& fields, const SolutionOptions& options) {
+  for (const auto& [path, value] : fields.flatten().items())
+    if (value.is_number_float() && !std::isfinite(value.get<double>()))
+      throw UsageError(fmt::format("{} of problem '{}' is not finite with --at {} and --time {} (a time nearer to 0)",
+                                   path.substr(1), options.problem, options.at, options.time));
+}
+
 int solution(const SolutionOptions& options) {
   const Problem& problem = find_problem(options.problem, "--problem");
   const ProblemChoice choice = choice_of(problem, options.parameters);
@@ -69,6 +78,7 @@ int solution(const SolutionOptions& options) {
   const nlohmann::json json = problem.dimension() == 1   ? evaluate<1>(problem, choice, at, t)
                               : problem.dimension() == 2 ? evaluate<2>(problem, choice, at, t)
                                                          : evaluate<3>(problem, choice, at, t);
+  require_finite(json, options);
   if (options.json) {
     print_json(json);
     return 0;

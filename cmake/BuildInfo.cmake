@@ -10,7 +10,7 @@ string(STRIP "${FLAGS}" FLAGS)
 # The sources that decide a result: solutions, solver, problems, checks, and what carries a case out and measures it. That
 # is the rest of studies/ but for the records, which have a source there, and for what plans, reads and judges.
 set(others admission alarms case_pool criterion criterion_reader estimates figure_reader measured overriding parallel plan_rules result
-  samples sense setting_keys study study_reader study_runner vtu window word_keys)
+  samples scales sense setting_keys study study_reader study_runner vtu window word_keys)
 file(GLOB records "${SOURCE_DIR}/studies/*.cpp")
 foreach(record IN LISTS records)
   get_filename_component(noun "${record}" NAME_WE)

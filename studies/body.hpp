@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "solver/types.hpp"
+#include "studies/error.hpp"
 
 namespace mpmvv {
 
@@ -128,9 +129,13 @@ bool contains(const Annulus<D>& annulus, const solver::Vec<D>& X, double slack =
   return R >= annulus.inner - slack && R <= annulus.outer + slack;
 }
 
-/// The fewest cells that hold `length`.
+/// The fewest cells that hold `length`; UsageError beyond what grids can number.
 inline int cells_in(double length, double h) {
-  return static_cast<int>(std::ceil(length / h - 1e-9));
+  const double cells = std::ceil(length / h - 1e-9);
+  if (!(cells <= 1e8))
+    throw UsageError(
+        fmt::format("the body reaches {:.3g} m far, {:.3g} cells of {:.3g} m (at most 1e8)", length, cells, h));
+  return static_cast<int>(cells);
 }
 
 /// Faces of the cuboid lie on nodes.

@@ -19,6 +19,44 @@ std::string content_of(const fs::path& file) {
   throw UsageError(fmt::format("cannot read '{}' (a file of the tree)", file.string()));
 }
 
+/// Without links, so that two names of one place are equal.
+fs::path resolved(const fs::path& place) {
+  std::error_code failed;
+  const fs::path path = fs::weakly_canonical(fs::absolute(place), failed);
+  if (failed)
+    throw UsageError(fmt::format("cannot follow '{}': {} (name another folder)", place.string(), failed.message()));
+  return path;
+}
+
+constexpr const char* marker_name = "mpmvv-laboratory";
+constexpr const char* marker_text =
+    "A scratch folder of `mpmvv mutants`, one process at a time: what lies here is replaced.\n";
+
+/// The marker is the program's own file, not a link to one.
+bool is_marked(const fs::path& work) {
+  const fs::path marker = work / marker_name;
+  return fs::is_regular_file(fs::symlink_status(marker)) && read_file(marker) == marker_text;
+}
+
+/// What the program has not made is not its own to empty.
+void require_scratch(const fs::path& work) {
+  if (!fs::exists(work)) return;
+  if (!fs::is_directory(work))
+    throw UsageError(fmt::format("work folder '{}' is a file (name a folder)", work.string()));
+  if (!fs::is_empty(work) && !is_marked(work))
+    throw UsageError(
+        fmt::format("work folder '{}' is neither empty nor a laboratory of this program, with its file '{}' "
+                    "(name another folder, or a new one)",
+                    work.string(), marker_name));
+}
+
+/// A link in a laboratory is not the program's, and leads out of it.
+void require_no_link(const fs::path& place) {
+  if (fs::is_symlink(place))
+    throw UsageError(
+        fmt::format("'{}' in a work folder is a link (take it away, or name another folder)", place.string()));
+}
+
 }  // namespace
 
 bool is_within(const std::string& file, const std::string& part) {
@@ -26,14 +64,21 @@ bool is_within(const std::string& file, const std::string& part) {
 }
 
 Laboratory::Laboratory(const fs::path& source, const fs::path& work, const std::vector<std::string>& parts)
-    : work_(fs::absolute(work).lexically_normal()) {
-  const std::string place = work_.lexically_relative(fs::absolute(source).lexically_normal()).string();
+    : work_(resolved(work)) {
+  const fs::path top = resolved(source), way = top.lexically_relative(work_);
+  const std::string place = work_.lexically_relative(top).string();
+  if (*way.begin() != "..")
+    throw UsageError(fmt::format("work folder '{}' holds the source tree (another folder)", work_.string()));
   for (const std::string& part : parts) {
     if (!fs::exists(source / part))
       throw UsageError(fmt::format("no '{}' in '{}' (the top of the source tree)", part, source.string()));
     if (is_within(place, part))
       throw UsageError(fmt::format("work folder '{}' lies in the tree's '{}' (another folder)", work.string(), part));
   }
+  require_scratch(work_);
+  for (const fs::path& folder : {build(), tree()}) require_no_link(folder);
+  if (fs::exists(tree()))
+    for (const auto& entry : fs::recursive_directory_iterator(tree())) require_no_link(entry.path());
   lock();
   for (const std::string& part : parts) copy(source, part);
   std::ranges::sort(files_);
@@ -89,8 +134,8 @@ ProcessEnd Laboratory::run(const std::vector<std::string>& command, std::chrono:
 
 void Laboratory::lock() {
   make_folder(work_);
-  write_if_changed(work_ / "lock", "One process at a time works here.\n");
-  lock_ = boost::interprocess::file_lock((work_ / "lock").c_str());
+  write_if_changed(work_ / marker_name, marker_text);
+  lock_ = boost::interprocess::file_lock((work_ / marker_name).c_str());
   if (!lock_.try_lock())
     throw UsageError(fmt::format("another process works in '{}' (wait for it, or another folder)", work_.string()));
 }

@@ -21,7 +21,9 @@ bool is_within(const std::string& file, const std::string& part);
 class Laboratory {
  public:
   /// Brings WORK/tree in line with these parts (files and folders) of the source, whatever an earlier run has left
-  /// there. UsageError when a part is not there, the work would lie within one, or another process works there.
+  /// there. WORK is absent, empty, or a folder that this has made and marked: UsageError, with nothing touched, when it
+  /// is anything else, holds the source or links, lies within a part, or a part is not there; also when another process
+  /// works there.
   Laboratory(const std::filesystem::path& source, const std::filesystem::path& work,
              const std::vector<std::string>& parts);
 

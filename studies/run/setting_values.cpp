@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "studies/run/scales.hpp"
+
 namespace mpmvv {
 
 double number(const Settings& settings, const std::string& key, double absent) {
@@ -49,7 +51,23 @@ double parse_number(const Setting& setting) {
   const auto [stop, error] = std::from_chars(setting.value.data(), end, value);
   if (error != std::errc{} || stop != end || !std::isfinite(value))
     throw UsageError(fmt::format("{} = '{}' in {} (a finite number)", setting.key, setting.value, setting.where));
+  if (value != 0 && !has_size(value))
+    throw UsageError(fmt::format("{} = {} in {} (0, or a number from {} to {} in size)", setting.key, setting.value,
+                                 setting.where, least_size, largest_size));
   return value;
+}
+
+std::string most_extreme(std::span<const Setting> given) {
+  const Setting* most = nullptr;
+  double distance = 0;
+  for (const Setting& setting : given) {
+    double value = 0;
+    std::from_chars(setting.value.data(), setting.value.data() + setting.value.size(), value);
+    if (value == 0 || std::abs(std::log10(std::abs(value))) < distance) continue;
+    distance = std::abs(std::log10(std::abs(value)));
+    most = &setting;
+  }
+  return most ? fmt::format(" with {} = {} in {}", most->key, most->value, most->where) : "";
 }
 
 }  // namespace mpmvv

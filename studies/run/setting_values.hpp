@@ -26,6 +26,9 @@ double positive(const Setting& setting);
 double not_negative(const Setting& setting);
 bool flag(const Setting& setting);
 
+/// " with KEY = VALUE in WHERE" of the number furthest from 1, of which an overflow is the likeliest; or nothing.
+std::string most_extreme(std::span<const Setting> given);
+
 /// A whole number within these bounds.
 template <class Integer>
 Integer count(const Setting& setting, Integer least, Integer most) {

@@ -13,6 +13,7 @@
 #include "studies/error.hpp"
 #include "studies/problem.hpp"
 #include "studies/run/named.hpp"
+#include "studies/run/scales.hpp"
 #include "studies/run/setting_values.hpp"
 #include "studies/run/word_keys.hpp"
 #include "studies/sense.hpp"
@@ -183,7 +184,9 @@ void set_time_step(const Settings& settings, const Problem& problem, Case& c) {
   const double wanted = has_dt ? positive(settings.at("dt"))
                                : positive(settings.at("cfl")) * h / problem.wave_speed(c.problem.parameters);
   const double steps = has_dt ? std::round(T / wanted) : std::ceil(T / wanted - 1e-9);
-  if (steps > 1e12) throw UsageError(fmt::format("a time step of {} s needs {} steps (at most 1e12)", wanted, steps));
+  if (!(steps <= 1e12))
+    throw UsageError(fmt::format("time steps of {} s until {} s given in {} (at most 1e12 of them)", wanted, T,
+                                 settings.at(has_dt ? "dt" : "cfl").where));
   if (has_dt && (steps < 1 || std::abs(steps * wanted - T) > 1e-9 * T))
     throw UsageError(fmt::format("dt = {} in {} does not divide the end time {} s (the nearest that does: {})",
                                  settings.at("dt").value, settings.at("dt").where, T, T / std::max(steps, 1.0)));
@@ -201,7 +204,10 @@ void set_time_step(const Settings& settings, const Problem& problem, Case& c) {
 
 ProblemChoice make_choice(std::span<const Setting> given) {
   const Settings settings = by_key(given);
-  return make_choice(settings, chosen_problem(settings));
+  const Problem& problem = chosen_problem(settings);
+  ProblemChoice choice = make_choice(settings, problem);
+  require_scales(choice, problem, most_extreme(given));
+  return choice;
 }
 
 Case make_case(std::span<const Setting> given) {
@@ -210,6 +216,7 @@ Case make_case(std::span<const Setting> given) {
 
   Case c;
   c.problem = make_choice(settings, problem);
+  require_scales(c.problem, problem, most_extreme(given));
   c.scheme = make_scheme(settings, problem, c.problem.quarter);
   c.resolution.cells = count<int>(required(settings, "cells"), 1, 1'000'000);
   c.resolution.ppc = count<int>(required(settings, "ppc"), 1, 100);
@@ -228,6 +235,7 @@ Case make_case(std::span<const Setting> given) {
   c.measure.blowup_error = number(settings, "blowup_error", c.measure.blowup_error);
   c.measure.blowup_energy = number(settings, "blowup_energy", c.measure.blowup_energy);
   if (const auto it = settings.find("repeat"); it != settings.end()) c.measure.repeat = count<int>(it->second, 3, 99);
+  require_scales(c, problem, most_extreme(given));
   require_sense(c);
   return c;
 }

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 #include "studies/error.hpp"
 
@@ -39,6 +40,12 @@ void add_vertices(Text& text, std::size_t particles) {
   fmt::format_to(std::back_inserter(text), "</Cells>\n");
 }
 
+/// Whether it is named as one of a series' files.
+bool is_of_series(const std::string& name) {
+  static const std::regex ours("particles-[0-9]{4,}\\.vtu|particles\\.pvd");
+  return std::regex_match(name, ours);
+}
+
 }  // namespace
 
 VtuSeries::VtuSeries(std::filesystem::path dir) : dir_(std::move(dir)) {
@@ -49,8 +56,16 @@ VtuSeries::VtuSeries(std::filesystem::path dir) : dir_(std::move(dir)) {
         fmt::format("cannot make {} in --vtu: {} (a directory that may be written)", dir_.string(), error.message()));
 }
 
+void VtuSeries::remove_earlier() const {
+  std::vector<std::filesystem::path> earlier;
+  for (const auto& entry : std::filesystem::directory_iterator(dir_))
+    if (!entry.is_directory() && is_of_series(entry.path().filename().string())) earlier.push_back(entry.path());
+  for (const auto& file : earlier) std::filesystem::remove(file);
+}
+
 template <int D>
 void VtuSeries::write(const solver::Mpm<D>& mpm, const std::vector<solver::Vec<D>>& X) {
+  if (count_ == 0) remove_earlier();
   const auto& particles = mpm.particles();
   const std::size_t n = particles.size();
   const auto padded = [](const auto& v, int k) { return k < D ? v[k] : 0.0; };

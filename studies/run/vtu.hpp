@@ -22,11 +22,13 @@ class VtuSeries {
     return step * frames / steps != (step - 1) * frames / steps;
   }
 
-  /// Writes the present state. `X` are the reference positions by particle id.
+  /// Writes the present state, the first in the place of an earlier series. `X` are the reference positions by particle
+  /// id.
   template <int D>
   void write(const solver::Mpm<D>& mpm, const std::vector<solver::Vec<D>>& X);
 
  private:
+  void remove_earlier() const;
   void write_file(const std::string& name, const std::string& text) const;
 
   std::filesystem::path dir_;

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "studies/store.hpp"
 #include "tests/cli/program.hpp"
 
@@ -30,6 +32,30 @@ TEST(MutantsCommand, BadInputIsNamed) {
   EXPECT_THAT(complaint(db + " --source '" + (folder / "none") + "'"), HasSubstr("planted.toml"));
   EXPECT_THAT(complaint(db + " --random -1" + tree), HasSubstr("--random"));
   EXPECT_THAT(complaint(db + " --publish --only hat-without-its-far-node" + tree), HasSubstr("--only"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "m.db"));
+}
+
+/// What a campaign needs is looked for before anything is made.
+TEST(MutantsCommand, WritesNothingWhereItCannotBegin) {
+  const Folder folder;
+  const auto complaint = [&](const std::string& db) {
+    const Answer answer = call(folder, "mutants --db '" + db + "' --work '" + (folder / "work") + "'" + tree);
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_FALSE(std::filesystem::exists(db)) << db;
+    EXPECT_FALSE(std::filesystem::exists(folder / "work"));
+    return answer.err;
+  };
+  EXPECT_THAT(complaint(folder / "none/m.db"), HasSubstr("none' that may be written for results store"));
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nowhere", 1);
+  EXPECT_THAT(complaint(folder / "m.db"), HasSubstr("no program 'cmake'"));
+  setenv("PATH", path.c_str(), 1);
+
+  std::filesystem::create_directories(folder / "mine/tree");
+  folder.write("mine/tree/notes", "mine");
+  EXPECT_THAT(call(folder, "mutants --db '" + (folder / "m.db") + "' --work '" + (folder / "mine") + "'" + tree).err,
+              HasSubstr("neither empty nor a laboratory"));
+  EXPECT_EQ(read_text(folder / "mine/tree/notes"), "mine");
   EXPECT_FALSE(std::filesystem::exists(folder / "m.db"));
 }
 
@@ -69,6 +95,14 @@ TEST_F(KnownMutants, ArePrintedAndNoneIsTried) {
   EXPECT_TRUE(mutants[0]["quick"]["caught"]);
   EXPECT_TRUE(mutants[0]["unit_tests"].is_null());
   EXPECT_TRUE(mutants[1]["quick"].is_null());
+}
+
+TEST_F(KnownMutants, NoneIsMissing) {
+  const Answer answer =
+      call(folder_, "mutants --json --known --db '" + db_empty() + "' --source '" + (folder_ / "") + "'");
+  EXPECT_EQ(answer.code, 3);
+  EXPECT_EQ(answer.json()["mutants"].size(), 0U);
+  EXPECT_THAT(answer.err, HasSubstr("empty.db knows no mutant of this program"));
 }
 
 TEST_F(KnownMutants, PublishedOnesCountWithoutAStore) {

@@ -174,6 +174,22 @@ TEST(RunCommand, VtuStatesFollowTheBar) {
   EXPECT_NEAR(displacement(last), -u, 0.1 * u);
 }
 
+/// A folder shows one series: what is left of a longer one goes, what is not of one stays.
+TEST(RunCommand, AVtuSeriesTakesThePlaceOfTheEarlierOne) {
+  const Folder folder;
+  const std::string dir = folder / "vtu";
+  ASSERT_EQ(call(folder, std::string(bar) + "--vtu " + dir).code, 0);
+  for (const char* foreign : {"particles-1.vtu", "my-particles-0009.vtu", "particles-0009.vtu.bak", "notes"})
+    folder.write(std::string("vtu/") + foreign, "mine");
+  folder.write("vtu/particles-12345.vtu", "a series of more frames");
+  ASSERT_EQ(call(folder, std::string(bar) + "--steps 3 --vtu " + dir).code, 0);
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(dir)) names.push_back(entry.path().filename().string());
+  EXPECT_THAT(names, testing::UnorderedElementsAre("particles-0000.vtu", "particles-0001.vtu", "particles-0002.vtu",
+                                                   "particles-0003.vtu", "particles.pvd", "particles-1.vtu",
+                                                   "my-particles-0009.vtu", "particles-0009.vtu.bak", "notes"));
+}
+
 struct BadInput {
   const char* arguments;
   const char* message;
@@ -228,8 +244,8 @@ INSTANTIATE_TEST_SUITE_P(
                  "no meaning for integrator 'usl'"},
         BadInput{"run --problem bar --colour red", "--colour"}, BadInput{"", "unknown command"},
         BadInput{"frobnicate", "unknown command 'frobnicate' (known: run"},
-        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl ''", "cfl = '' in --cfl"},
-        BadInput{"run --problem bar --boundary '' --cells 8 --ppc 2 --cfl 0.1", "unknown boundary ''"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl ''", "--cfl: an empty text"},
+        BadInput{"run --problem bar --boundary '' --cells 8 --ppc 2 --cfl 0.1", "--boundary: an empty text"},
         BadInput{
             "run --problem bar --boundary dirichlet --integrator uvf --wall-acceleration difference --cells 8 --ppc 2 "
             "--cfl 0.1",
@@ -237,6 +253,17 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"solution --problem bar --at 0.5, --time 0", "coordinate = ''"},
         BadInput{"list > /dev/full", "standard output"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --vtu /dev/null/x", "--vtu"},
+        BadInput{"solution --problem bar --at 0.2 --time 1e308", "time = 1e308 in --time (0, or a number from 1e-150"},
+        BadInput{"solution --problem stretch --at 0.2,0.2 --time 1e150",
+                 "not finite with --at 0.2,0.2 and --time 1e150"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.2 --vtu ''", "--vtu: an empty text"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.2 --param ''", "--param: an empty text"},
+        BadInput{"compare '' --db /tmp/never.db", "from: an empty text"},
+        BadInput{"report --db /tmp/never.db --out ''", "--out: an empty text"},
+        BadInput{"gate --db /tmp/never.db --junit ''", "--junit: an empty text"},
+        BadInput{"db export --db /tmp/never.db --out ''", "--out: an empty text"},
+        BadInput{"study '' --db /tmp/never.db", "files: an empty text"},
+        BadInput{"mutants --db /tmp/never.db --work ''", "--work: an empty text"},
         BadInput{"solution --problem ring --at 0.1,0.1 --time 0", "between the radii"},
         BadInput{"solution --problem ring --at 0.6,0.1 --time 0 --param outer_radius=1.5", "three times"},
         BadInput{"solution --problem ring --at 0.6,0.1 --time 0 --param amplitude=0.9", "det F"},

@@ -248,5 +248,40 @@ TEST_F(Laboratories, BadPlacesAreRefused) {
   EXPECT_THROW(Laboratory(source_, source_ / "code/work", {"code"}), UsageError);
 }
 
+/// What is not the program's own stays as it is.
+TEST_F(Laboratories, OnlyWhatIsEmptyOrItsOwnIsAScratchFolder) {
+  const auto refuses = [&](const fs::path& work) {
+    EXPECT_THROW(Laboratory(source_, work, {"code", "notes"}), UsageError) << work;
+  };
+  const fs::path foreign = folder_ / "foreign", marker = folder_ / "work/mpmvv-laboratory";
+  fs::create_directories(foreign / "tree/code");
+  std::ofstream(foreign / "tree/code/mine.txt") << "mine";
+  std::ofstream(folder_ / "file") << "mine";
+  for (const fs::path& work : {foreign, foreign / "tree/..", folder_ / "file", source_, source_ / ".", folder_})
+    refuses(work);
+  fs::create_directories(folder_ / "empty");
+  Laboratory(source_, folder_ / "empty", {"notes"});
+  Laboratory(source_, source_ / "build/laboratory", {"notes"});
+  fs::create_directory_symlink(foreign, folder_ / "link");
+  refuses(folder_ / "link");
+  laboratory();
+  fs::create_symlink(marker, foreign / marker.filename());
+  refuses(foreign);
+  fs::remove(foreign / marker.filename());
+  std::ofstream(foreign / marker.filename()) << "mine";
+  refuses(foreign);
+  for (const char* inside : {"tree", "tree/code", "build"}) {
+    laboratory();
+    fs::remove_all(folder_ / "work" / inside);
+    fs::create_directory_symlink(foreign / "tree", folder_ / "work" / inside);
+    refuses(folder_ / "work");
+    fs::remove(folder_ / "work" / inside);
+  }
+  EXPECT_EQ(read(foreign / "tree/code/mine.txt"), "mine");
+  EXPECT_EQ(read(foreign / marker.filename()), "mine");
+  EXPECT_FALSE(fs::exists(foreign / "tree/notes"));
+  EXPECT_FALSE(fs::exists(source_ / "tree")) << "nothing is begun in a folder that is refused";
+}
+
 }  // namespace mutant_campaign_test
 }  // namespace mpmvv

@@ -38,5 +38,29 @@ TEST(Scene, HasItsChoices) {
   EXPECT_EQ(fmpm.interval, 5);
 }
 
+/// N §3.1: "one CFL for the simulation time step and a second CFL_X to choose the frequency of using FMPM
+/// calculations". Only every so many whole steps can be FMPM's, and those nearest to CFL_X/CFL come nearest to that
+/// frequency; rounded down or up, round-off would decide where CFL divides CFL_X. Never less than every step.
+TEST(Scene, PeriodicFmpmTakesTheNearestNumberOfSteps) {
+  for (const auto& [cfl_x, interval] : {std::pair{"0.01", 1},
+                                        {"0.09", 1},
+                                        {"0.11", 1},
+                                        {"0.2", 1},
+                                        {"0.29", 1},
+                                        {"0.31", 2},
+                                        {"0.4", 2},
+                                        {"0.6", 3},
+                                        {"0.99", 5},
+                                        {"1", 5},
+                                        {"1.09", 5},
+                                        {"1.11", 6},
+                                        {"1.15", 6},
+                                        {"1.2", 6},
+                                        {"2", 10},
+                                        {"200", 1000}})  // CFL 0.2
+    EXPECT_EQ(std::get<solver::Fmpm>(update_of("fmpm", {{"order", "2", ""}, {"cfl_x", cfl_x, ""}})).interval, interval)
+        << cfl_x;
+}
+
 }  // namespace scene_test
 }  // namespace mpmvv

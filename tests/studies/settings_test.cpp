@@ -24,6 +24,21 @@ TEST(Settings, CflDividesTheEndTime) {
       << "a step that divides exactly is taken as it is";
 }
 
+/// Δt = T/ceil(T/Δt_max - 1e-9): rounded to the nearest, the step would be longer than asked for.
+TEST(Settings, NoStepIsLongerThanTheCflNumberAllows) {
+  for (const auto& [cfl, steps] : {std::pair{"0.31", 104},
+                                   {"0.3199999", 101},
+                                   {"0.3200001", 100},
+                                   {"0.311", 103},
+                                   {"1.29", 25},
+                                   {"31", 2},
+                                   {"33", 1}}) {
+    const Resolution resolution = make_case(bar_settings({{"cfl", cfl}})).resolution;  // T/Δt = 32/cfl
+    EXPECT_EQ(resolution.steps, steps) << cfl;
+    EXPECT_LE(resolution.dt * 100 * 32, std::stod(cfl) * (1 + 1e-9)) << cfl;
+  }
+}
+
 TEST(Settings, ThePapersStepIsCflPointTwoAt512Cells) {
   const Case c = make_case(bar_settings({{"dt", "4e-6"}}));
   EXPECT_EQ(c.resolution.steps, 2500);
