@@ -9,6 +9,7 @@
 #include "goldens/gate.hpp"
 #include "goldens/judgement.hpp"
 #include "studies/error.hpp"
+#include "studies/observed_order.hpp"
 #include "studies/printable.hpp"
 #include "studies/trial.hpp"
 #include "studies/window.hpp"
