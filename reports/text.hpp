@@ -19,6 +19,10 @@ std::string csv_field(const std::string& text);
 /// that plain pdflatex cannot set becomes its code point.
 std::string latex_text(const std::string& text);
 
+/// The text without what HTML and XML cannot hold: control characters, but for tabs and ends of lines, noncharacters
+/// and bytes that are not UTF-8 become U+FFFD.
+std::string marked_up_text(const std::string& text);
+
 /// A file name's stem: letters, digits, `.`, `_`, `+` and `-`, not led by a dot.
 bool is_file_stem(const std::string& text);
 

@@ -33,10 +33,16 @@ bool write_if_changed(const fs::path& file, const std::string& content) {
     fs::remove(part, ignored);
     throw UsageError(fmt::format("cannot write {} ({}); name a folder that can be written", file.string(), why));
   }
-  std::error_code failed;
-  fs::rename(part, file, failed);
-  if (failed) throw UsageError(fmt::format("cannot write {} ({})", file.string(), failed.message()));
+  move_file(part, file);
   return true;
+}
+
+void move_file(const fs::path& from, const fs::path& to) {
+  std::error_code failed;
+  fs::rename(from, to, failed);
+  if (failed)
+    throw UsageError(
+        fmt::format("cannot write {} ({}); name a folder that can be written", to.string(), failed.message()));
 }
 
 void make_folder(const fs::path& folder) {
