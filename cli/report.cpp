@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "cli/command.hpp"
@@ -37,13 +39,21 @@ void show_published_mutants(ReportInput& input, const std::string& goldens) {
   input.mutants_commit = tried.commit;
 }
 
+/// The first report of a study comes before its first golden.
+bool has_goldens(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder)) return false;
+  if (!std::filesystem::is_directory(folder)) return true;
+  const std::filesystem::directory_iterator files(folder), end;
+  return std::any_of(files, end, [](const auto& entry) { return entry.path().extension() == ".toml"; });
+}
+
 int report(const ReportOptions& options) {
   ReportInput input;
   input.provenance = current_provenance();
   input.studies = own_results(options.db);
   if (input.studies.empty())
     throw UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
-  if (std::filesystem::is_directory(options.goldens))
+  if (has_goldens(options.goldens))
     for (const GateResult& r : run_gate(read_goldens(options.goldens), input.studies).results)
       input.gate.push_back({r.study + ": " + r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
   const Store store(options.db, Store::Mode::read);

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double few_tics = 12;
 constexpr double least_gap = 0.055;
+constexpr double least_span = 1e-9;   ///< of the larger end, in decades on a logarithmic axis
+constexpr double most_drawn = 1e300;  ///< what the plotting program takes, and 1/most_drawn
 
 double unscaled(const Axis& axis, double scaled) {
   return axis.log ? std::pow(10.0, scaled) : scaled;
@@ -19,18 +21,31 @@ double scaled(const Axis& axis, double value) {
   return axis.log ? std::log10(value) : value;
 }
 
-/// The ends that hold the values, in decades on a logarithmic axis.
-std::pair<double, double> ends(const AxisWish& wish, std::span<const double> values) {
+using Ends = std::pair<double, double>;  ///< in decades on a logarithmic axis
+
+/// Nothing larger than can be drawn.
+Ends clamped(Ends ends, bool log) {
+  const double most = log ? std::log10(most_drawn) : most_drawn;
+  return {std::clamp(ends.first, -most, most), std::clamp(ends.second, -most, most)};
+}
+
+/// Ends far enough apart for tics between them.
+Ends widened(Ends ends, bool log) {
+  const auto [low, high] = ends;
+  if (high - low > std::max(least_span * std::max(std::abs(low), std::abs(high)), 1 / most_drawn)) return ends;
+  const double half = log || std::abs(low) < 1 / most_drawn ? 0.5 : 0.1 * std::abs(low);
+  return {low - half, high + half};
+}
+
+/// The ends that hold the values.
+Ends ends_of(const AxisWish& wish, std::span<const double> values) {
   double low = INFINITY, high = -INFINITY;
   for (const double v : values) {
     if (!std::isfinite(v) || (wish.log && v <= 0)) continue;
     low = std::min(low, wish.log ? std::log10(v) : v);
     high = std::max(high, wish.log ? std::log10(v) : v);
   }
-  if (low > high) return {0, 1};
-  if (high - low > 1e-9 * std::max(std::abs(low), std::abs(high))) return {low, high};
-  const double half = wish.log || low == 0 ? 0.5 : 0.1 * std::abs(low);
-  return {low - half, high + half};
+  return low > high ? Ends{0, 1} : widened(clamped({low, high}, wish.log), wish.log);
 }
 
 /// "10^{-3}", "2·10^{-3}": for the plotting program's enhanced texts.
@@ -73,8 +88,17 @@ void even_tics(Axis& axis) {
   const double rough = (axis.to - axis.from) / 6;
   const double unit = std::pow(10.0, std::floor(std::log10(rough)));
   const double step = unit * (rough < 1.5 * unit ? 1 : rough < 3 * unit ? 2 : rough < 7 * unit ? 5 : 10);
-  for (double k = std::ceil(axis.from / step); k * step <= axis.to; ++k)
-    axis.tics.push_back({k * step, tic_text(k * step)});
+  const double first = std::ceil(axis.from / step);
+  for (int k = 0; k <= few_tics && (first + k) * step <= axis.to; ++k)
+    axis.tics.push_back({(first + k) * step, tic_text((first + k) * step)});
+}
+
+/// Ends that the plotting program takes and that tics fit between; those that are so already stay as they are.
+void make_drawable(Axis& axis) {
+  const Ends wished{scaled(axis, axis.from), scaled(axis, axis.to)};
+  const Ends drawn = widened(clamped(wished, axis.log), axis.log);
+  if (drawn.first != wished.first) axis.from = unscaled(axis, drawn.first);
+  if (drawn.second != wished.second) axis.to = unscaled(axis, drawn.second);
 }
 
 /// One tic per distinct value; false, and none, when they are too many or too close.
@@ -101,14 +125,17 @@ double Axis::value(double fraction) const {
 }
 
 Axis make_axis(const AxisWish& wish, std::span<const double> values) {
-  const auto [low, high] = ends(wish, values);
-  const auto usable = [&](const std::optional<double>& end) { return end && (*end > 0 || !wish.log); };
+  const auto [low, high] = ends_of(wish, values);
+  const auto usable = [&](const std::optional<double>& end) {
+    return end && std::isfinite(*end) && (*end > 0 || !wish.log);
+  };
   Axis axis;
   axis.label = wish.label;
   axis.log = wish.log;
   axis.from = usable(wish.from) ? *wish.from : unscaled(axis, low - wish.below * (high - low));
   axis.to = usable(wish.to) ? *wish.to : unscaled(axis, high + wish.above * (high - low));
   if (!(axis.from < axis.to)) axis.to = axis.log ? axis.from * 10 : axis.from + 1;
+  make_drawable(axis);
   if (wish.tics_at_values && value_tics(axis, values)) return axis;
   if (wish.log && decade_tics(axis)) return axis;
   even_tics(axis);

@@ -48,6 +48,7 @@ struct Label {
   Place at;
   std::string text;
   Side side = Side::centre;
+  bool enhanced = false;  ///< in the plotting program's enhanced notation
 };
 
 /// A box around a place, with its full widths.

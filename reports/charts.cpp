@@ -47,6 +47,7 @@ std::vector<Chart> charts_of(const StudyResult& study) {
   if (limits && probed && !mapped) {
     Figure map;
     map.name = study.name + "-map";
+    while (std::ranges::find(study.figures, map.name, &Figure::name) != study.figures.end()) map.name += "-map";
     map.caption = "Stability map: " + study.title;
     charts.push_back(stability_map(study, map));
   }

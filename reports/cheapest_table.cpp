@@ -50,6 +50,7 @@ Table cheapest_table(const StudyResult& study) {
     Table::Group group{fmt::format("{}: {}", figure.name, figure.quantity), {}};
     for (const double error : error_decades(study, figure)) {
       const auto ranked = bids(error, study, figure);
+      if (ranked.empty()) continue;
       const bool rival = ranked.size() > 1;
       group.rows.push_back({fmt::format("{:.0e}", error), ranked[0].name, brief(ranked[0].cost),
                             rival ? ranked[1].name : "–", rival ? brief(ranked[1].cost) : "–",

@@ -156,7 +156,7 @@ Csv values_csv(const StudyResult& study) {
 std::map<std::string, std::string> csv_tables(const StudyResult& study) {
   std::map<std::string, std::string> files{{study.name + ".csv", points_csv(study).text()}};
   const auto add = [&](const std::string& what, const Csv& csv) {
-    if (csv.has_rows()) files[study.name + "-" + what + ".csv"] = csv.text();
+    if (csv.has_rows()) files[what + "/" + study.name + ".csv"] = csv.text();
   };
   add("fits", fits_csv(study));
   add("replicates", replicates_csv(study));

@@ -6,8 +6,9 @@
 
 namespace mpmvv {
 
-/// File name -> content: STUDY.csv (points) and, where there are any, STUDY-fits.csv, STUDY-limits.csv,
-/// STUDY-probes.csv, STUDY-values.csv. Numbers have 17 digits, NaN is empty.
+/// File name -> content: STUDY.csv (points) and, where there are any, fits/STUDY.csv, replicates/, extrapolations/,
+/// limits/, probes/ and values/STUDY.csv: a folder for each, so that no two studies share a file, whatever their names.
+/// Numbers have 17 digits, NaN is empty.
 std::map<std::string, std::string> csv_tables(const StudyResult& study);
 
 }  // namespace mpmvv

@@ -11,6 +11,7 @@
 #include "reports/mutant_table.hpp"
 #include "reports/table.hpp"
 #include "reports/template_data.hpp"
+#include "reports/text.hpp"
 #include "studies/file.hpp"
 
 namespace mpmvv {
@@ -142,7 +143,7 @@ std::string render_page(const ReportInput& input, const std::vector<Section>& se
   const auto gate = verdicts(input.gate);
   const std::vector<Benchmark> benchmark_list(input.benchmark ? 1 : 0, input.benchmark.value_or(Benchmark{}));
   const std::vector<ReportInput> with_mutants(input.mutants.empty() ? 0 : 1, input);
-  return page.render(
+  return marked_up_text(page.render(
       object({{"overall", overall(gate)},
               {"gate_counts", counts(gate, {"pass", "fail", "inconclusive"})},
               {"claim_counts", counts(verdicts(input.claims), {"confirmed", "refuted", "partly", "shown", "open"})},
@@ -157,7 +158,7 @@ std::string render_page(const ReportInput& input, const std::vector<Section>& se
               {"picture_list", partial(pictures_template)},
               {"style", partial(style_template)},
               {"has_trends", has_trends(input)},
-              {"sections", list_of(sections, section_data)}}));
+              {"sections", list_of(sections, section_data)}})));
 }
 
 }  // namespace mpmvv

@@ -7,8 +7,10 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <system_error>
 
+#include "reports/text.hpp"
 #include "studies/error.hpp"
 #include "studies/file.hpp"
 #include "studies/process.hpp"
@@ -21,6 +23,9 @@ namespace {
 
 constexpr const char* advice = "install it with: apt-get install gnuplot-nox";
 
+/// Nothing else of the caller's environment decides a picture: no terminal, language or path of gnuplot's.
+const std::set<std::string> kept_variables{"HOME", "LD_LIBRARY_PATH", "PATH", "TMPDIR"};
+
 fs::path script_file(const fs::path& folder, const Plot& plot) {
   return folder / (plot.name + ".gp");
 }
@@ -30,13 +35,13 @@ fs::path pending_script_file(const fs::path& folder, const Plot& plot) {
   return folder / (plot.name + ".gp.part");
 }
 
+/// Whether both pictures are there to their ends; on a full disk gnuplot cuts them off without a word.
 bool has_pictures(const fs::path& folder, const Plot& plot) {
-  for (const char* ending : {".svg", ".pdf"}) {
-    std::error_code absent;
-    const auto size = fs::file_size(folder / (plot.name + ending), absent);
-    if (absent || size == 0) return false;
-  }
-  return true;
+  const auto ends_with = [&](const char* ending, const char* last) {
+    const std::string text = read_file(folder / (plot.name + ending)).value_or("");
+    return text.find(last, text.size() - std::min<std::size_t>(text.size(), 16)) != std::string::npos;
+  };
+  return ends_with(".svg", "</svg>") && ends_with(".pdf", "%%EOF");
 }
 
 bool is_drawn(const fs::path& folder, const Plot& plot) {
@@ -52,7 +57,8 @@ void write_sources(const fs::path& folder, const Plot& plot) {
   write_if_changed(folder / (plot.name + ".dat"), plot.data);
   const auto file = pending_script_file(folder, plot);
   const auto refuse = [&] {
-    throw UsageError(fmt::format("cannot write {}; name a folder that can be written", file.string()));
+    throw UsageError(
+        fmt::format("cannot write {} ({}); name a folder that can be written", file.string(), std::strerror(errno)));
   };
   try {
     Gnuplot out(">" + file.string());
@@ -71,21 +77,34 @@ std::string last_line(const std::string& text) {
                      end - (start == std::string::npos ? std::string::npos : start));
 }
 
+/// Throws when the folder takes no more, as on a full disk.
+void require_room(const fs::path& picture) {
+  constexpr std::size_t more_than_a_picture = 1 << 20;
+  write_if_changed(picture, std::string(more_than_a_picture, ' '));
+  std::error_code ignored;
+  fs::remove(picture, ignored);
+}
+
+std::string why_not_started(int error) {
+  if (error == ENOENT) return fmt::format("gnuplot is not on the PATH; {}", advice);
+  const bool busy = error == EAGAIN || error == ENOMEM || error == EMFILE || error == ENFILE;
+  return fmt::format("gnuplot cannot be started: {} ({})", std::strerror(error),
+                     busy ? "call again when less runs on this machine"
+                          : "the gnuplot that comes first on the PATH has to be a program");
+}
+
 std::string what_went_wrong(const ProcessEnd& end, std::chrono::milliseconds limit) {
-  if (end.start_error == ENOENT) return fmt::format("gnuplot is not on the PATH; {}", advice);
-  if (end.start_error != 0)
-    return fmt::format("gnuplot cannot be started: {}; {}", std::strerror(end.start_error), advice);
+  if (end.start_error != 0) return why_not_started(end.start_error);
   if (end.timed_out)
     return fmt::format("gnuplot was still running after {} s and was stopped",
                        static_cast<double>(limit.count()) / 1000);
-  if (end.exit_code != 0) return fmt::format("gnuplot ended with code {}: {}", end.exit_code, last_line(end.output));
-  return fmt::format("gnuplot left a picture out: {}; it needs the terminals svg and pdfcairo ({})",
-                     last_line(end.output), advice);
+  const std::string said = last_line(end.output);
+  const std::string what =
+      end.exit_code == 0 ? "gnuplot left a picture out" : fmt::format("gnuplot ended with code {}", end.exit_code);
+  const bool lacks_terminal = said.find("terminal") != std::string::npos;
+  return fmt::format("{}: {}{}", what, said,
+                     lacks_terminal ? fmt::format("; it needs the terminals svg and pdfcairo ({})", advice) : "");
 }
-
-}  // namespace
-
-namespace {
 
 /// cairo 1.16 writes the time into a PDF and knows no SOURCE_DATE_EPOCH: one fixed time, digit for digit in place.
 void fix_creation_date(const fs::path& pdf) {
@@ -96,6 +115,11 @@ void fix_creation_date(const fs::path& pdf) {
   if (place == std::string::npos) return;
   file.seekp(static_cast<std::streamoff>(place + key.size()));
   file << date;
+}
+
+/// gnuplot takes no notice that `]]>` may not stand in a text.
+void close_no_section(const fs::path& svg) {
+  write_if_changed(svg, replace_all(read_file(svg).value_or(""), "]]>", "]]&gt;"));
 }
 
 }  // namespace
@@ -111,14 +135,18 @@ int draw(const std::vector<Plot>& plots, const fs::path& folder, std::chrono::mi
   }
   if (changed.empty()) return 0;
 
-  const std::map<std::string, std::string> environment{{"LC_ALL", "C.UTF-8"}};
-  const auto end = run_process(command, folder, environment, limit);
+  const auto end = run_process(command, folder, {{"LC_ALL", "C.UTF-8"}}, limit, kept_variables);
   auto culprit = std::ranges::find_if_not(changed, [&](const Plot* p) { return has_pictures(folder, *p); });
   if (culprit == changed.end() && !end.good()) --culprit;
-  if (culprit != changed.end())
+  if (culprit != changed.end()) {
+    require_room(folder / ((*culprit)->name + ".svg"));
     throw UsageError(fmt::format("cannot draw figure '{}': {}", (*culprit)->name, what_went_wrong(end, limit)));
-  for (const auto* plot : changed) fix_creation_date(folder / (plot->name + ".pdf"));
-  for (const auto* plot : changed) fs::rename(pending_script_file(folder, *plot), script_file(folder, *plot));
+  }
+  for (const auto* plot : changed) {
+    fix_creation_date(folder / (plot->name + ".pdf"));
+    close_no_section(folder / (plot->name + ".svg"));
+    move_file(pending_script_file(folder, *plot), script_file(folder, *plot));
+  }
   return static_cast<int>(changed.size());
 }
 

@@ -40,15 +40,27 @@ int dash(int style) {
   return 1 + static_cast<int>(static_cast<std::size_t>(style) / palette.size()) % 4;
 }
 
-/// A text in single quotes, in which nothing but the quote itself has a meaning.
-std::string quoted(std::string text) {
-  for (char& c : text)
+/// The text on one line.
+std::string one_line(const std::string& text) {
+  std::string line = marked_up_text(text);
+  for (char& c : line)
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  return "'" + replace_all(std::move(text), "'", "''") + "'";
+  return line;
 }
 
-std::string comment(std::string text) {
-  return replace_all(replace_all(std::move(text), "\n", " "), "\r", " ");
+/// A text in double quotes, what has a meaning in them or in single ones by its octal code. (In single quotes two of
+/// them mean one, but not at the text's beginning nor beside others.)
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : one_line(text))
+    result +=
+        std::string_view("\"'\\`@").find(c) == std::string_view::npos ? std::string(1, c) : fmt::format("\\{:03o}", c);
+  return result + '"';
+}
+
+/// A tic's text, which is a format.
+std::string quoted_format(const std::string& text) {
+  return quoted(replace_all(text, "%", "%%"));
 }
 
 std::string number(double v) {
@@ -58,11 +70,11 @@ std::string number(double v) {
 /// One block per curve and per rule, and one of the boxes, in the order in which the script counts them. An empty one
 /// would not be counted.
 std::string data_text(const Chart& chart) {
-  std::string text = fmt::format("# {}\n", comment(chart.name));
+  std::string text = fmt::format("# {}\n", one_line(chart.name));
   for (const auto& curve : chart.curves) {
     if (curve.dots.empty()) continue;
     text += fmt::format("# {}: x, value, drawn at, mark (1 in a window, 0 outside, -1 unstable, -2 none)\n",
-                        comment(curve.name));
+                        one_line(curve.name));
     for (const auto& d : curve.dots) {
       const int mark = d.mark == Mark::inside ? 1 : d.mark == Mark::outside ? 0 : d.mark == Mark::unstable ? -1 : -2;
       text += fmt::format("{} {} {} {}\n", number(d.x), number(d.value), number(d.drawn), mark);
@@ -70,7 +82,7 @@ std::string data_text(const Chart& chart) {
     text += "\n\n";
   }
   for (const auto& rule : chart.rules) {
-    text += fmt::format("# {}: x, y\n", comment(rule.meaning));
+    text += fmt::format("# {}: x, y\n", one_line(rule.meaning));
     for (const auto& p : rule.path) text += fmt::format("{} {}\n", number(p.x), number(p.y));
     text += "\n\n";
   }
@@ -87,8 +99,8 @@ std::string data_text(const Chart& chart) {
 std::string axis_text(char letter, const Axis& axis) {
   std::string tics;
   for (const auto& tic : axis.tics)
-    tics +=
-        fmt::format("{}{} {} {}", tics.empty() ? "" : ", ", quoted(tic.text), number(tic.at), tic.text.empty() ? 1 : 0);
+    tics += fmt::format("{}{} {} {}", tics.empty() ? "" : ", ", quoted_format(tic.text), number(tic.at),
+                        tic.text.empty() ? 1 : 0);
   return fmt::format("{0}\nset {1}range [{2}:{3}]\nset {1}label {4} noenhanced\nset {1}tics {5} ({6})\n",
                      axis.log ? fmt::format("set logscale {}", letter) : fmt::format("unset logscale {}", letter),
                      letter, number(axis.from), number(axis.to), quoted(axis.label),
@@ -97,8 +109,8 @@ std::string axis_text(char letter, const Axis& axis) {
 
 std::string label_text(const Label& label) {
   static constexpr std::array<std::string_view, 3> sides{"center", "left", "right"};
-  return fmt::format("set label {} at {},{} {} front\n", quoted(label.text), number(label.at.x), number(label.at.y),
-                     sides[static_cast<std::size_t>(label.side)]);
+  return fmt::format("set label {} at {},{} {} front {}\n", quoted(label.text), number(label.at.x), number(label.at.y),
+                     sides[static_cast<std::size_t>(label.side)], label.enhanced ? "enhanced" : "noenhanced");
 }
 
 std::string rule_style(const Rule& rule) {

@@ -134,7 +134,7 @@ void add_reference_slope(Chart& chart, double p, const std::string& sweep) {
       {Rule::Kind::reference, 0, fmt::format("reference slope {:g}", p), {place(mark->start), place(mark->end)}});
   chart.rules.push_back(
       {Rule::Kind::triangle, 0, fmt::format("slope triangle {:g}", p), {place(t[0]), place(t[1]), place(t[2])}});
-  chart.labels.push_back({place(mark->name), name, Label::Side::centre});
+  chart.labels.push_back({place(mark->name), name, Label::Side::centre, true});
   chart.labels.push_back(
       {place(mark->rise), fmt::format("{:g}", p), slope < 0 ? Label::Side::right : Label::Side::left});
   chart.labels.push_back({place(mark->run), "1", Label::Side::centre});

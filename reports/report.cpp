@@ -9,6 +9,7 @@
 #include "reports/mutant_table.hpp"
 #include "reports/page.hpp"
 #include "reports/plot.hpp"
+#include "reports/report_place.hpp"
 #include "reports/table.hpp"
 #include "reports/text.hpp"
 #include "reports/trend_page.hpp"
@@ -21,9 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Names become file names, each of one figure only.
+/// Names become file names.
 void check_names(const std::vector<StudyResult>& studies, const std::vector<std::vector<Chart>>& charts) {
-  std::map<std::string, std::string> owner;
   const auto check = [](const std::string& what, const std::string& name) {
     if (!is_file_stem(name))
       throw UsageError(
@@ -31,14 +31,32 @@ void check_names(const std::vector<StudyResult>& studies, const std::vector<std:
   };
   for (std::size_t i = 0; i < studies.size(); ++i) {
     check("study", studies[i].name);
-    for (const auto& chart : charts[i]) {
-      check(fmt::format("study '{}': figure", studies[i].name), chart.name);
-      const auto [first, added] = owner.try_emplace(chart.name, studies[i].name);
-      if (!added)
-        throw UsageError(fmt::format("figure '{}' is in study '{}' and in study '{}' (figures need different names)",
-                                     chart.name, first->second, studies[i].name));
-    }
+    for (const auto& chart : charts[i]) check(fmt::format("study '{}': figure", studies[i].name), chart.name);
   }
+}
+
+/// Where studies share a figure's name, each gets its study's before it, by a sign that no name holds.
+void tell_figures_apart(const std::vector<StudyResult>& studies, std::vector<std::vector<Chart>>& charts) {
+  std::map<std::string, int> count;
+  for (const auto& of_study : charts)
+    for (const auto& chart : of_study) ++count[chart.name];
+  for (std::size_t i = 0; i < studies.size(); ++i)
+    for (auto& chart : charts[i])
+      if (count.at(chart.name) > 1) chart.name = studies[i].name + "~" + chart.name;
+}
+
+std::vector<std::vector<Chart>> charts_of_all(const std::vector<StudyResult>& studies) {
+  std::vector<std::vector<Chart>> charts;
+  for (const auto& study : studies) charts.push_back(charts_of(study));
+  check_names(studies, charts);
+  tell_figures_apart(studies, charts);
+  return charts;
+}
+
+void write_table(const fs::path& file, const std::string& text, ReportSummary& summary) {
+  make_folder(file.parent_path());
+  ++summary.tables;
+  summary.tables_written += write_if_changed(file, text) ? 1 : 0;
 }
 
 std::vector<std::string> write_tables(const StudyResult& study, const fs::path& folder, ReportSummary& summary) {
@@ -47,9 +65,8 @@ std::vector<std::string> write_tables(const StudyResult& study, const fs::path& 
   std::vector<std::string> names;
   for (const auto& [name, content] : files) {
     names.push_back(name);
-    summary.tables_written += write_if_changed(folder / name, content) ? 1 : 0;
+    write_table(folder / name, content, summary);
   }
-  summary.tables += static_cast<int>(names.size());
   return names;
 }
 
@@ -57,16 +74,13 @@ std::vector<std::string> write_tables(const StudyResult& study, const fs::path& 
 
 ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
                            const std::function<void(const std::string&)>& progress) {
-  const fs::path figures = out_dir / "figures", tables = out_dir / "tables";
-  std::vector<std::vector<Chart>> charts;
+  const auto charts = charts_of_all(input.studies);
   std::vector<Plot> plots;
-  for (const auto& study : input.studies) {
-    charts.push_back(charts_of(study));
-    for (const auto& chart : charts.back()) plots.push_back(plot_of(chart));
-  }
-  check_names(input.studies, charts);
+  for (const auto& of_study : charts)
+    for (const auto& chart : of_study) plots.push_back(plot_of(chart));
+  const ReportPlace place(out_dir, progress);
+  const fs::path figures = place.draft() / "figures", tables = place.draft() / "tables";
   make_folder(figures);
-  make_folder(tables);
 
   ReportSummary summary;
   summary.figures = static_cast<int>(plots.size());
@@ -75,22 +89,19 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
 
   std::vector<Section> sections;
   for (std::size_t i = 0; i < input.studies.size(); ++i)
-    sections.push_back({&input.studies[i], pictures_of(charts[i], out_dir, "figures"),
+    sections.push_back({&input.studies[i], pictures_of(charts[i], place.draft(), "figures"),
                         write_tables(input.studies[i], tables, summary)});
-  if (input.benchmark) {
-    const auto text = latex_tables("Benchmark", benchmark_tables(*input.benchmark));
-    ++summary.tables;
-    summary.tables_written += write_if_changed(tables / "benchmark.tex", text) ? 1 : 0;
-  }
-  if (!input.mutants.empty()) {
-    const auto text = latex_tables("Planted mistakes", mutant_tables(input.mutants, input.alarms));
-    ++summary.tables;
-    summary.tables_written += write_if_changed(tables / "mutants.tex", text) ? 1 : 0;
-  }
+  if (input.benchmark)
+    write_table(tables / "program/benchmark.tex", latex_tables("Benchmark", benchmark_tables(*input.benchmark)),
+                summary);
+  if (!input.mutants.empty())
+    write_table(tables / "program/mutants.tex",
+                latex_tables("Planted mistakes", mutant_tables(input.mutants, input.alarms)), summary);
   progress(fmt::format("tables: {} of {} written", summary.tables_written, summary.tables));
 
-  if (has_trends(input)) write_trends(input, out_dir, summary);
-  write_if_changed(out_dir / "index.html", render_page(input, sections));
+  if (has_trends(input)) write_trends(input, place.draft(), summary);
+  write_if_changed(place.draft() / "index.html", render_page(input, sections));
+  place.take_place();
   progress(fmt::format("report: {}", (out_dir / "index.html").string()));
   return summary;
 }

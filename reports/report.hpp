@@ -54,9 +54,10 @@ struct ReportSummary {
   int tables = 0, tables_written = 0;
 };
 
-/// Writes OUT/index.html (one page, nothing outside it), OUT/figures/NAME.{gp,dat,svg,pdf} and OUT/tables/STUDY*.csv,
-/// STUDY.tex and, where there are any, benchmark.tex and mutants.tex; with trends OUT/trend.html and OUT/trends/NAME.*
-/// too. Throws UsageError when a file cannot be written, two figures share a name, or gnuplot is missing or fails.
+/// Writes OUT/index.html (one page, nothing outside it), OUT/figures/NAME.{gp,dat,svg,pdf} (STUDY~NAME where studies
+/// share the name), OUT/tables/STUDY.csv, STUDY.tex and, where there are any, WHAT/STUDY.csv, program/benchmark.tex and
+/// program/mutants.tex; with trends OUT/trend.html and OUT/trends/NAME.* too. Throws UsageError, and leaves OUT as it
+/// was, when a file cannot be written or gnuplot is missing or fails.
 ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
                            const std::function<void(const std::string&)>& progress);
 

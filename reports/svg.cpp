@@ -17,14 +17,14 @@ void remove_elements(std::string& svg, const std::string& tag) {
 
 }  // namespace
 
-std::string inline_svg(const std::string& file, const std::string& name) {
+std::string inline_svg(const std::string& file, const std::string& name, const std::string& prefix) {
   const auto start = file.find("<svg");
   if (start == std::string::npos) return "";
   std::string svg = file.substr(start);
   remove_elements(svg, "title");
   remove_elements(svg, "desc");
   for (const char* reference : {" id='", " id=\"", "href='#", "href=\"#", "url(#"})
-    svg = replace_all(svg, reference, reference + name + "-");
+    svg = replace_all(svg, reference, reference + prefix);
   return svg.replace(0, 4, "<svg role=\"img\" aria-label=\"Figure " + name + "\"");
 }
 

@@ -179,10 +179,12 @@ std::vector<Table> tables_of(const StudyResult& study) {
 
 namespace {
 
+/// Led by an empty group where the line before would take the row's beginning for an argument of its own.
 std::string latex_row(const std::vector<std::string>& cells) {
   std::vector<std::string> escaped;
   for (const auto& cell : cells) escaped.push_back(latex_text(cell));
-  return fmt::format("{} \\\\\n", fmt::join(escaped, " & "));
+  const std::string row = fmt::format("{} \\\\\n", fmt::join(escaped, " & "));
+  return row.starts_with('[') || row.starts_with('*') ? "{}" + row : row;
 }
 
 std::string latex_table(const Table& table) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <cctype>
 #include <initializer_list>
 #include <kainjow/mustache.hpp>
@@ -34,11 +36,14 @@ inline data object(std::initializer_list<std::pair<const char*, data>> members) 
   return result;
 }
 
-/// A name as part of an id.
+/// A name as part of an id, of no other name: what is neither letter, digit, `-` nor `.` becomes `_` and its code.
 inline std::string anchor(const std::string& name) {
-  std::string result = name;
-  for (char& c : result)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+  std::string result;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool stays = byte < 0x80 && (std::isalnum(byte) != 0 || c == '-' || c == '.');
+    result += stays ? std::string(1, c) : fmt::format("_{:02X}", byte);
+  }
   return result;
 }
 
@@ -52,7 +57,7 @@ inline data picture_data(const Picture& p) {
                  {"folder", p.folder},
                  {"caption", p.caption},
                  {"notes", text_list(p.notes)},
-                 {"svg", inline_svg(p.svg, anchor(p.name))}});
+                 {"svg", inline_svg(p.svg, p.name, "svg-" + anchor(p.name) + "-")}});
 }
 
 }  // namespace mpmvv::template_data

@@ -16,6 +16,10 @@ std::string order_text(double order, double half_width);
 /// that plain pdflatex cannot set becomes its code point.
 std::string latex_text(const std::string& text);
 
+/// The text without what HTML and XML cannot hold: control characters, but for tabs and ends of lines, noncharacters
+/// and bytes that are not UTF-8 become U+FFFD.
+std::string marked_up_text(const std::string& text);
+
 /// The text with every occurrence of `from` replaced.
 std::string replace_all(std::string text, const std::string& from, const std::string& to);
 

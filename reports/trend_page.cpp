@@ -5,6 +5,7 @@
 #include "page_template.hpp"
 #include "reports/plot.hpp"
 #include "reports/template_data.hpp"
+#include "reports/text.hpp"
 #include "reports/trend_chart.hpp"
 #include "studies/file.hpp"
 
@@ -54,11 +55,12 @@ void write_trends(const ReportInput& input, const std::filesystem::path& out_dir
   for (const auto& [study, of_study] : charts)
     sections << trend_section_data(study, pictures_of(of_study, out_dir, trends_folder));
   kainjow::mustache::mustache page{std::string(trend_template)};
-  write_if_changed(out_dir / "trend.html",
-                   page.render(template_data::object({{"style", template_data::partial(style_template)},
-                                                      {"picture_list", template_data::partial(pictures_template)},
-                                                      {"versions", versions},
-                                                      {"sections", sections}})));
+  write_if_changed(
+      out_dir / "trend.html",
+      marked_up_text(page.render(template_data::object({{"style", template_data::partial(style_template)},
+                                                        {"picture_list", template_data::partial(pictures_template)},
+                                                        {"versions", versions},
+                                                        {"sections", sections}}))));
 }
 
 }  // namespace mpmvv

@@ -80,6 +80,14 @@ bool is_file_stem(const std::string& text) {
          text.find_first_not_of(letters) == std::string::npos;
 }
 
+void move_file(const fs::path& from, const fs::path& to) {
+  std::error_code failed;
+  fs::rename(from, to, failed);
+  if (failed)
+    throw UsageError(
+        fmt::format("cannot write {} ({}); name a folder that can be written", to.string(), failed.message()));
+}
+
 void make_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);

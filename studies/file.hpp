@@ -15,6 +15,9 @@ std::string require_file(const std::filesystem::path& file, const std::string& w
 /// all. Throws UsageError when it cannot be written.
 bool write_if_changed(const std::filesystem::path& file, const std::string& content);
 
+/// Gives the file or folder another name, in place of a file of that name. Throws UsageError when it cannot.
+void move_file(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Names of studies and figures: the files of a report begin with them.
 inline constexpr const char* file_stem_rule =
     "at most 100 letters, digits, '.', '_', '+' and '-', the first neither '.' nor '-'";

@@ -26,11 +26,14 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-std::vector<std::string> environment_with(const std::map<std::string, std::string>& changes) {
+using Kept = std::optional<std::set<std::string>>;
+
+std::vector<std::string> environment_with(const std::map<std::string, std::string>& changes, const Kept& kept) {
   std::vector<std::string> result;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string_view text = *entry;
-    if (!changes.contains(std::string(text.substr(0, text.find('='))))) result.emplace_back(text);
+    const std::string name(text.substr(0, text.find('=')));
+    if (!changes.contains(name) && (!kept || kept->contains(name))) result.emplace_back(text);
   }
   for (const auto& [name, value] : changes) result.push_back(name + "=" + value);
   return result;
@@ -38,7 +41,7 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
 
 /// Starts the child with both outputs on `out`; 0 or an errno.
 int spawn(pid_t& child, std::vector<std::string> command, const std::filesystem::path& folder,
-          const std::map<std::string, std::string>& environment, int out) {
+          std::vector<std::string> variables, int out) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
@@ -50,7 +53,6 @@ int spawn(pid_t& child, std::vector<std::string> command, const std::filesystem:
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
 
-  auto variables = environment_with(environment);
   const int failed = posix_spawnp(&child, command.front().c_str(), &actions, &attributes, pointers(command).data(),
                                   pointers(variables).data());
   posix_spawnattr_destroy(&attributes);
@@ -86,7 +88,8 @@ bool wait_until(pid_t child, int& status, Clock::time_point deadline) {
 }  // namespace
 
 ProcessEnd run_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
-                       const std::map<std::string, std::string>& environment, std::chrono::milliseconds limit) {
+                       const std::map<std::string, std::string>& environment, std::chrono::milliseconds limit,
+                       const Kept& kept) {
   const auto deadline = Clock::now() + limit;
   ProcessEnd end;
   std::array<int, 2> ends{};
@@ -95,7 +98,7 @@ ProcessEnd run_process(const std::vector<std::string>& command, const std::files
     return end;
   }
   pid_t child = 0;
-  end.start_error = spawn(child, command, folder, environment, ends[1]);
+  end.start_error = spawn(child, command, folder, environment_with(environment, kept), ends[1]);
   close(ends[1]);
   if (end.start_error == 0) {
     int status = 0;

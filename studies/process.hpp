@@ -2,6 +2,8 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,8 +20,10 @@ struct ProcessEnd {
 };
 
 /// Runs a program found on PATH in a folder, with standard input empty and some environment variables set, and waits
-/// for it until the time limit. At the limit its whole process group is killed.
+/// for it until the time limit. At the limit its whole process group is killed. Of the caller's own variables it sees
+/// those that are kept; all when none are named.
 ProcessEnd run_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
-                       const std::map<std::string, std::string>& environment, std::chrono::milliseconds limit);
+                       const std::map<std::string, std::string>& environment, std::chrono::milliseconds limit,
+                       const std::optional<std::set<std::string>>& kept = std::nullopt);
 
 }  // namespace mpmvv

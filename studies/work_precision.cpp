@@ -11,7 +11,7 @@ std::vector<WorkPoint> work_points(const Series& series, const std::string& norm
   for (const Point& point : series.points) {
     const auto cost = point.y.find("step_seconds"), error = point.y.find(norm);
     if (point.status == Status::ok && cost != point.y.end() && error != point.y.end() && cost->second > 0 &&
-        error->second > 0)
+        error->second > 0 && std::isfinite(error->second))
       points.push_back({cost->second, error->second});
   }
   return points;

@@ -108,7 +108,7 @@ TEST(StudyCommand, ReplicatesMakeAMeanAnIntervalAndATestOfTheLine) {
   EXPECT_THAT(answer.out, HasSubstr("24 cases run"));
   EXPECT_THAT(answer.out, HasSubstr("replicates: 12 runs that scatter by"));
   ASSERT_EQ(call(folder, "report --db " + db + " --out " + (folder / "report")).code, 0);
-  EXPECT_THAT(read_text(folder / "report/tables/small-replicates.csv"), HasSubstr("linear,8,l2,3,"));
+  EXPECT_THAT(read_text(folder / "report/tables/replicates/small.csv"), HasSubstr("linear,8,l2,3,"));
 }
 
 TEST(StudyCommand, ReplicatesOfALimitAreSearchedEach) {
@@ -134,7 +134,7 @@ grid_offset = [0, 0.25]
   const Answer answer = call(folder, "study " + file + " --db " + db);
   ASSERT_EQ(answer.code, 0) << answer.err;
   ASSERT_EQ(call(folder, "report --db " + db + " --out " + (folder / "report")).code, 0);
-  const std::string probes = read_text(folder / "report/tables/limit-probes.csv");
+  const std::string probes = read_text(folder / "report/tables/probes/limit.csv");
   EXPECT_NE(probes.find("linear,cfl,4,"), probes.rfind("linear,cfl,4,")) << "one of each replicate:\n" << probes;
 }
 

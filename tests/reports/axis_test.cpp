@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace mpmvv {
@@ -62,6 +63,23 @@ TEST(Axis, OneValueAndNoValueGiveAnInterval) {
 TEST(Axis, NonPositiveEndOfALogarithmicAxisIsIgnored) {
   const std::vector<double> values{1, 10};
   EXPECT_GT(make_axis({"x", true, 0.0, {}, 0, 0, false}, values).from, 0);
+}
+
+TEST(Axis, RangesThatTicsCannotStepThroughAreWidened) {
+  const double tiny = 5e-324, huge = std::numeric_limits<double>::max();
+  for (const double from : {0.0, tiny, 1e-300, 1e-20, 1.0, 3e15, 1e300, huge, -1.0, -huge})
+    for (const double to : {std::nextafter(from, INFINITY), std::nextafter(from * (1 + 3e-16), INFINITY), huge})
+      for (const bool log : {false, true}) {
+        const std::vector<double> values{from, to};
+        for (const AxisWish& wish : {AxisWish{"x", log, from, to}, AxisWish{"x", log, {}, {}, 0.1, 0.1, true}}) {
+          const Axis axis = make_axis(wish, values);
+          EXPECT_TRUE(std::isfinite(axis.from) && std::isfinite(axis.to)) << from << " to " << to;
+          EXPECT_GT(axis.to, axis.from) << from << " to " << to;
+          EXPECT_FALSE(axis.tics.empty()) << from << " to " << to;
+          EXPECT_LT(axis.tics.size(), 700u) << from << " to " << to;
+          for (std::size_t k = 1; k < axis.tics.size(); ++k) ASSERT_GT(axis.tics[k].at, axis.tics[k - 1].at);
+        }
+      }
 }
 
 }  // namespace axis_test

@@ -98,7 +98,7 @@ TEST(Benchmark, StandsInTheReport) {
   EXPECT_THAT(page, HasSubstr("<td>no logarithm</td><td>21</td>"));
   EXPECT_THAT(page, HasSubstr("href=\"#benchmark\""));
   EXPECT_THAT(page, HasSubstr("partition_of_unity")) << "the studies' tables are still there";
-  EXPECT_THAT(content(folder / "out" / "tables" / "benchmark.tex"), HasSubstr("no logarithm & 21"));
+  EXPECT_THAT(content(folder / "out" / "tables" / "program" / "benchmark.tex"), HasSubstr("no logarithm & 21"));
   input.benchmark.reset();
   write_report(input, folder / "out", [](const std::string&) {});
   EXPECT_THAT(content(folder / "out" / "index.html"), testing::Not(HasSubstr("#benchmark")));

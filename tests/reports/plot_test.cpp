@@ -2,8 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <chrono>
+#include <csignal>
+#include <map>
 #include <thread>
 
 #include "studies/error.hpp"
@@ -16,6 +19,7 @@ namespace plot_test {
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 std::vector<Plot> plots(const StudyResult& study) {
   std::vector<Plot> result;
@@ -129,6 +133,50 @@ TEST(Plot, GnuplotThatDiesIsReported) {
   pretend_gnuplot(folder / "bin", "kill -9 $$");
   const PathVariable path((folder / "bin").string() + ":/bin:/usr/bin");
   EXPECT_THAT(message(plots(synthetic::check()), folder.path()), HasSubstr("ended with code 137"));
+}
+
+TEST(Plot, TheUsersEnvironmentDecidesNothing) {
+  const TempFolder folder;
+  fs::create_directories(folder / "a");
+  fs::create_directories(folder / "b");
+  std::ofstream(folder / ".gnuplot") << "exit status 7\n";
+  draw(plots(synthetic::check()), folder / "a");
+  std::map<std::string, std::string> strange{{"GNUTERM", "qt"}, {"GNUPLOT_LIB", "/"},          {"GDFONTPATH", "/"},
+                                             {"LANG", "x"},     {"LC_NUMERIC", "de_DE.UTF-8"}, {"HOME", folder.path()}};
+  for (auto& [name, value] : strange) {
+    const char* before = std::getenv(name.c_str());
+    const std::string old = before ? before : "";
+    setenv(name.c_str(), value.c_str(), 1);
+    value = old;
+  }
+  EXPECT_EQ(message(plots(synthetic::check()), folder / "b"), "no error");
+  for (const auto& [name, value] : strange)
+    value.empty() ? unsetenv(name.c_str()) : setenv(name.c_str(), value.c_str(), 1);
+  for (const char* file : {"s-fig4.svg", "s-fig4.pdf"})
+    EXPECT_EQ(content(folder / "a" / file), content(folder / "b" / file)) << file;
+}
+
+TEST(Plot, PicturesThatAreCutOffAreNotTaken) {
+  const TempFolder folder;
+  pretend_gnuplot(folder / "bin", "printf '<svg' > s-fig4.svg; printf '%%PDF' > s-fig4.pdf");
+  const PathVariable path((folder / "bin").string() + ":/bin:/usr/bin");
+  EXPECT_THAT(message(plots(synthetic::check()), folder.path()),
+              AllOf(HasSubstr("left a picture out"), Not(HasSubstr("install"))));
+}
+
+TEST(Plot, AFullDiskIsNamed) {
+  const TempFolder folder;
+  const auto drawn = plots(synthetic::convergence());
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{8000, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string said = message(drawn, folder.path());
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_THAT(said,
+              AllOf(HasSubstr("cannot write"), HasSubstr("s-fig10.svg (File too large)"), Not(HasSubstr("install"))));
 }
 
 TEST(Plot, OldPicturesDoNotSurviveAFailure) {

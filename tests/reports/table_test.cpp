@@ -31,11 +31,11 @@ TEST(Csv, HasEveryPointWithSeventeenDigits) {
 TEST(Csv, HasFitsLimitsProbesAndValuesWhereThereAreAny) {
   const auto fits = csv_tables(synthetic::convergence());
   EXPECT_EQ(fits.size(), 2u);
-  EXPECT_THAT(fits.at("bar-bases-fits.csv"), HasSubstr("\"bspline2, 4 PPC\",l2,16,128,4,2.0099999999999998,"));
+  EXPECT_THAT(fits.at("fits/bar-bases.csv"), HasSubstr("\"bspline2, 4 PPC\",l2,16,128,4,2.0099999999999998,"));
   const auto limits = csv_tables(synthetic::limits());
-  EXPECT_THAT(limits.at("bar-cfl-limits.csv"), HasSubstr("\"l = 3h/8, 4 PPC\",cfl,"));
-  EXPECT_TRUE(limits.contains("bar-cfl-probes.csv"));
-  EXPECT_THAT(csv_tables(synthetic::check()).at("weights-values.csv"), HasSubstr("\nnothing,,a NaN\n"));
+  EXPECT_THAT(limits.at("limits/bar-cfl.csv"), HasSubstr("\"l = 3h/8, 4 PPC\",cfl,"));
+  EXPECT_TRUE(limits.contains("probes/bar-cfl.csv"));
+  EXPECT_THAT(csv_tables(synthetic::check()).at("values/weights.csv"), HasSubstr("\nnothing,,a NaN\n"));
 }
 
 TEST(Table, SegmentOrdersStandBesideTheirErrors) {
