@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
+#include "cli/outputs.hpp"
 #include "studies/error.hpp"
 #include "studies/store.hpp"
 
@@ -22,7 +24,7 @@ int info(const DbOptions& options) {
   nlohmann::json json;
   for (const auto& [label, text] : lines) {
     json[label] = text;
-    if (!options.json) fmt::print("{:<24} {}\n", label, text);
+    if (!options.json) print("{:<24} {}\n", label, text);
   }
   if (options.json) print_json(json);
   return 0;
@@ -30,8 +32,8 @@ int info(const DbOptions& options) {
 
 int check(const DbOptions& options) {
   const auto complaints = Store(options.db, Store::Mode::read).check();
-  for (const std::string& complaint : complaints) fmt::print("{}\n", complaint);
-  if (complaints.empty()) fmt::print("{} is sound\n", options.db);
+  for (const std::string& complaint : complaints) print("{}\n", complaint);
+  if (complaints.empty()) print("{} is sound\n", options.db);
   return complaints.empty() ? 0 : 1;
 }
 
@@ -42,14 +44,15 @@ int merge(const DbOptions& options) {
   else
     throw UsageError(fmt::format("{} merged into itself (another store)", options.db));
   Store store(options.db, Store::Mode::create_or_write);
-  fmt::print("{} records copied from {} to {}\n", store.merge(options.other), options.other, options.db);
+  print("{} records copied from {} to {}\n", store.merge(options.other), options.other, options.db);
   return 0;
 }
 
 int export_records(const DbOptions& options) {
+  require_apart("--out", options.out, {options.db});
   const std::string csv = Store(options.db, Store::Mode::read).export_csv();
   if (options.out.empty()) {
-    fmt::print("{}", csv);
+    print_text(csv);
     return 0;
   }
   std::ofstream out(options.out);
