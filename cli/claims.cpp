@@ -1,8 +1,7 @@
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
 #include "cli/results.hpp"
 #include "studies/claim.hpp"
 
@@ -25,7 +24,7 @@ int claims(const std::string& db, bool json) {
     return 0;
   }
   for (const Claim& c : judged)
-    fmt::print("{:<10} {:<10} {}\n", c.id, c.verdict, c.verdict == "open" ? c.statement : c.evidence);
+    print("{:<10} {:<10} {}\n", c.id, c.verdict, c.verdict == "open" ? c.statement : c.evidence);
   return 0;
 }
 

@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <sstream>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
 #include "studies/error.hpp"
+#include "studies/file.hpp"
 #include "studies/process.hpp"
 
 namespace mpmvv {
@@ -31,8 +32,7 @@ struct CostedCase {
 };
 
 std::vector<std::string> read_cases(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw UsageError(fmt::format("cannot read {} (a file with the options of a run on each line)", file));
+  std::istringstream in(require_file(file, "a file with the options of a run on each line"));
   std::vector<std::string> cases;
   for (std::string line; std::getline(in, line);) {
     line.erase(std::min(line.find_first_of("#\r"), line.size()));
@@ -103,8 +103,8 @@ nlohmann::json cost_json(const std::vector<CostedCase>& cases, const std::vector
 
 void print_cost(const CostedCase& costed) {
   const auto& [name, cost] = costed;
-  fmt::print("{:<12} {:.3f} in [{:.3f}, {:.3f}]  {:6.1f} ns beside {:6.1f}  {}\n", to_string(cost.verdict()),
-             cost.ratio, cost.least, cost.most, cost.now, cost.baseline, name);
+  print("{:<12} {:.3f} in [{:.3f}, {:.3f}]  {:6.1f} ns beside {:6.1f}  {}\n", to_string(cost.verdict()), cost.ratio,
+        cost.least, cost.most, cost.now, cost.baseline, name);
 }
 
 std::size_t count(const std::vector<CostedCase>& cases, Verdict verdict) {
@@ -120,24 +120,24 @@ int cost(const CostOptions& options) {
   std::vector<std::string> left_out;
   const auto cases = read_cases(options.cases);
   for (const std::string& name : cases) {
-    if (terminal) fmt::print(stderr, "\r\033[K[{}/{}] {}", costed.size() + left_out.size(), cases.size(), name);
+    if (terminal) note("\r\033[K[{}/{}] {}", costed.size() + left_out.size(), cases.size(), name);
     required_cost(own, name);
     const bool is_new = refuses(baseline, name);
     if (is_new)
       left_out.push_back(name);
     else
       costed.push_back({name, beside(own, baseline, name)});
-    if (terminal) fmt::print(stderr, "\r\033[K");
+    if (terminal) note("\r\033[K");
     if (is_new)
-      fmt::print(stderr, "left out, as the baseline refuses it: {}\n", name);
+      note("left out, as the baseline refuses it: {}\n", name);
     else if (!options.json)
       print_cost(costed.back());
   }
   if (options.json)
     print_json(cost_json(costed, left_out));
   else
-    fmt::print("cost: {} pass, {} fail, {} inconclusive (at most {} of the baseline's)\n", count(costed, Verdict::pass),
-               count(costed, Verdict::fail), count(costed, Verdict::inconclusive), cost_band);
+    print("cost: {} pass, {} fail, {} inconclusive (at most {} of the baseline's)\n", count(costed, Verdict::pass),
+          count(costed, Verdict::fail), count(costed, Verdict::inconclusive), cost_band);
   return count(costed, Verdict::fail) > 0 ? 1 : count(costed, Verdict::pass) < costed.size() || costed.empty() ? 3 : 0;
 }
 

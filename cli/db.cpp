@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
+#include "cli/outputs.hpp"
 #include "studies/file.hpp"
 #include "studies/store.hpp"
 
@@ -20,7 +22,7 @@ int info(const DbOptions& options) {
   nlohmann::json json;
   for (const auto& [label, text] : lines) {
     json[label] = text;
-    if (!options.json) fmt::print("{:<24} {}\n", label, text);
+    if (!options.json) print("{:<24} {}\n", label, text);
   }
   if (options.json) print_json(json);
   return 0;
@@ -28,27 +30,28 @@ int info(const DbOptions& options) {
 
 int check(const DbOptions& options) {
   const auto complaints = Store(options.db, Store::Mode::read).check();
-  for (const std::string& complaint : complaints) fmt::print("{}\n", complaint);
-  if (complaints.empty()) fmt::print("{} is sound\n", options.db);
+  for (const std::string& complaint : complaints) print("{}\n", complaint);
+  if (complaints.empty()) print("{} is sound\n", options.db);
   return complaints.empty() ? 0 : 1;
 }
 
 int merge(const DbOptions& options) {
-  fmt::print("{} records copied from {} to {}\n", Store::merge(options.db, options.other), options.other, options.db);
+  print("{} records copied from {} to {}\n", Store::merge(options.db, options.other), options.other, options.db);
   return 0;
 }
 
 int forget(const DbOptions& options) {
   const std::size_t versions = Store(options.db, Store::Mode::write).forget(options.study);
-  fmt::print("study {} removed from {} ({} version{}); its runs stay\n", options.study, options.db, versions,
-             versions == 1 ? "" : "s");
+  print("study {} removed from {} ({} version{}); its runs stay\n", options.study, options.db, versions,
+        versions == 1 ? "" : "s");
   return 0;
 }
 
 int export_records(const DbOptions& options) {
+  require_apart("--out", options.out, {options.db});
   const std::string csv = Store(options.db, Store::Mode::read).export_csv();
   if (options.out.empty()) {
-    fmt::print("{}", csv);
+    print_text(csv);
     return 0;
   }
   write_if_changed(options.out, csv);

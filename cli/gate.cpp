@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
+#include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "goldens/github.hpp"
 #include "goldens/junit.hpp"
 #include "goldens/propose.hpp"
 #include "studies/error.hpp"
+#include "studies/file.hpp"
 
 namespace mpmvv {
 
@@ -31,20 +33,9 @@ bool in_github_actions() {
   return word != nullptr && std::string(word) == "true";
 }
 
-void write_file(const std::string& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text << std::flush;
-  if (!out)
-    throw UsageError(fmt::format("cannot write {} (a file in an existing directory that may be written)", file));
-}
-
 /// For a new file.
 void make_folder_of(const std::filesystem::path& file) {
-  std::error_code failed;
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failed);
-  if (failed)
-    throw UsageError(fmt::format("cannot make the folder of {}: {} (a file in a folder that can be made)",
-                                 file.string(), failed.message()));
+  if (file.has_parent_path()) make_folder(file.parent_path());
 }
 
 nlohmann::json gate_json(const GateReport& report) {
@@ -67,23 +58,24 @@ void print_gate(const GateReport& report) {
   for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
     for (const GateResult& r : report.results) {
       if (r.verdict != verdict) continue;
-      fmt::print("{:<12} {:<10} {}: expected {}, measured {}{}\n", to_string(r.verdict), r.study, r.name, r.expected,
-                 r.measured, r.reason.empty() ? "" : " (" + r.reason + ")");
+      print("{:<12} {:<10} {}: expected {}, measured {}{}\n", to_string(r.verdict), r.study, r.name, r.expected,
+            r.measured, r.reason.empty() ? "" : " (" + r.reason + ")");
     }
-  fmt::print("gate: {} pass, {} fail, {} inconclusive\n", report.count(Verdict::pass), report.count(Verdict::fail),
-             report.count(Verdict::inconclusive));
+  print("gate: {} pass, {} fail, {} inconclusive\n", report.count(Verdict::pass), report.count(Verdict::fail),
+        report.count(Verdict::inconclusive));
 }
 
 int gate(const GateOptions& options) {
+  require_apart("--junit", options.junit, {options.db, options.goldens, options.goldens + "/mutants"});
   const auto goldens = read_goldens(options.goldens);
   const GateReport report =
       run_gate(goldens, own_results(options.db), options.only, options.as_set ? Trials::judged : Trials::inconclusive);
-  if (!options.junit.empty()) write_file(options.junit, junit_xml(report));
+  if (!options.junit.empty()) write_if_changed(options.junit, junit_xml(report));
   if (options.json)
     print_json(gate_json(report));
   else
     print_gate(report);
-  if (options.github || (in_github_actions() && !options.json)) fmt::print("{}", github_annotations(report));
+  if (options.github || (in_github_actions() && !options.json)) print_text(github_annotations(report));
   return report.exit_code();
 }
 
@@ -103,13 +95,13 @@ int propose(const ProposeOptions& options) {
   const std::string text = propose_goldens(
       *study, *provenance, has_goldens(options.goldens) ? read_goldens(options.goldens) : std::vector<Golden>{});
   if (options.out.empty()) {
-    fmt::print("{}", text);
+    print_text(text);
     return 0;
   }
-  if (std::ifstream(options.out))
+  if (std::filesystem::exists(std::filesystem::symlink_status(options.out)))
     throw UsageError(fmt::format("{} exists (name a new file, review, then move it)", options.out));
   make_folder_of(options.out);
-  write_file(options.out, text);
+  write_if_changed(options.out, text);
   return 0;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
 #include "cli/results.hpp"
 #include "goldens/comparison.hpp"
 
@@ -43,11 +44,11 @@ std::string difference(const Finding& before, const Finding& after) {
 }
 
 void print_change(const Change& change) {
-  fmt::print("{:<12} {}: {} -> {}{}", change.before.study, change.before.name, text(change.before), text(change.after),
-             difference(change.before, change.after));
+  print("{:<12} {}: {} -> {}{}", change.before.study, change.before.name, text(change.before), text(change.after),
+        difference(change.before, change.after));
   if (change.largest && change.largest->x != change.before.at)
-    fmt::print(", most at {:g}: {:.6g} -> {:.6g}", change.largest->x, change.largest->before, change.largest->after);
-  fmt::print("\n");
+    print(", most at {:g}: {:.6g} -> {:.6g}", change.largest->x, change.largest->before, change.largest->after);
+  print("\n");
 }
 
 struct CompareOptions {
@@ -56,15 +57,15 @@ struct CompareOptions {
 };
 
 void print_comparison(const Comparison& comparison, const Version& a, const Version& b, bool all) {
-  fmt::print("from {}, {}\nto   {}, {}\n", label(a), a.time, label(b), b.time);
+  print("from {}, {}\nto   {}, {}\n", label(a), a.time, label(b), b.time);
   for (const Change& change : comparison.changes)
     if (all || change.bands != 0) print_change(change);
   for (const Change& cost : comparison.costs) print_change(cost);
-  for (const std::string& what : comparison.only_before) fmt::print("only in the first: {}\n", what);
-  for (const std::string& what : comparison.only_after) fmt::print("only in the second: {}\n", what);
-  fmt::print(
-      "{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} costs shown as ratios\n",
-      comparison.changed(), comparison.changes.size(), relative_round_off, absolute_round_off, comparison.costs.size());
+  for (const std::string& what : comparison.only_before) print("only in the first: {}\n", what);
+  for (const std::string& what : comparison.only_after) print("only in the second: {}\n", what);
+  print("{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} costs shown as ratios\n",
+        comparison.changed(), comparison.changes.size(), relative_round_off, absolute_round_off,
+        comparison.costs.size());
 }
 
 nlohmann::json comparison_json(const Comparison& comparison, const Version& a, const Version& b, bool all) {
@@ -112,12 +113,11 @@ nlohmann::json trends_json(const std::vector<Version>& versions, const std::vect
 
 void print_trends(const std::vector<Version>& versions, const std::vector<Trend>& trends) {
   for (std::size_t v = 0; v < versions.size(); ++v)
-    fmt::print("{:>3}  {}, {}\n", v + 1, label(versions[v]), versions[v].time);
+    print("{:>3}  {}, {}\n", v + 1, label(versions[v]), versions[v].time);
   for (const Trend& trend : trends) {
-    fmt::print("{:<12} {}:", trend.study, trend.name);
-    for (const double number : trend.numbers)
-      fmt::print(" {}", std::isnan(number) ? "-" : fmt::format("{:.5g}", number));
-    fmt::print("\n");
+    print("{:<12} {}:", trend.study, trend.name);
+    for (const double number : trend.numbers) print(" {}", std::isnan(number) ? "-" : fmt::format("{:.5g}", number));
+    print("\n");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
 #include "studies/check.hpp"
 #include "studies/error.hpp"
 #include "studies/problem.hpp"
@@ -52,11 +53,11 @@ nlohmann::json problem_json(const Problem& p) {
 void print_problems() {
   for (const Problem& p : problems()) {
     const Parameters defaults = complete_parameters(p, {});
-    fmt::print("{}  ({}D, {})\n  L = {} m, wave speed {} = {:g} m/s, end time {} = {:g} s, boundary {}\n", p.name,
-               p.dimension(), p.source, p.length(defaults), p.wave_speed_formula, p.wave_speed(defaults),
-               p.end_time_formula, p.end_time(defaults), p.boundary);
+    print("{}  ({}D, {})\n  L = {} m, wave speed {} = {:g} m/s, end time {} = {:g} s, boundary {}\n", p.name,
+          p.dimension(), p.source, p.length(defaults), p.wave_speed_formula, p.wave_speed(defaults), p.end_time_formula,
+          p.end_time(defaults), p.boundary);
     for (const Parameter& parameter : p.parameters)
-      fmt::print("  {} = {:g} {}, allowed: {}\n", parameter.name, parameter.value, parameter.unit, parameter.range);
+      print("  {} = {:g} {}, allowed: {}\n", parameter.name, parameter.value, parameter.unit, parameter.range);
   }
 }
 
@@ -76,7 +77,7 @@ int list(const std::string& what, bool json) {
   }
   const auto print_words = [&](const std::string& name, const std::vector<std::string>& words) {
     all[name] = words;
-    if (!json) fmt::print("{}: {}\n", name, fmt::join(words, ", "));
+    if (!json) print("{}: {}\n", name, fmt::format("{}", fmt::join(words, ", ")));
   };
   for (const auto& [name, key] : word_lists()) {
     known.push_back(name);

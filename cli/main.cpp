@@ -1,17 +1,24 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
-#include <cctype>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
 #include "studies/provenance.hpp"
+#include "studies/reason.hpp"
 
 namespace mpmvv {
 
 void print_json(const nlohmann::json& object) {
-  fmt::print("{}\n", object.dump(2));
+  constexpr bool only_ascii = true;  // no character that a terminal obeys
+  print_text(object.dump(2, ' ', only_ascii, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 namespace {
@@ -20,10 +27,21 @@ constexpr int usage_error = 2;
 
 /// One line on standard error, whatever the message holds.
 int complain(const std::string& message) {
-  std::string line;
-  for (const char c : message) line += std::iscntrl(static_cast<unsigned char>(c)) ? ' ' : c;
-  fmt::print(stderr, "mpmvv: {}\n", line);
+  note("mpmvv: {}\n", message);
   return usage_error;
+}
+
+/// A standard stream that is closed would lend its number to the next file that is opened, and that file would get the
+/// messages. It becomes one that cannot be written.
+void fill_standard_streams() {
+  for (int k = STDIN_FILENO; k <= STDERR_FILENO; ++k)
+    if (fcntl(k, F_GETFD) < 0 && errno == EBADF) open("/dev/null", O_RDONLY);
+}
+
+/// A write beyond the limit of a file's size, or to a pipe that nobody reads, fails and gets a message, instead of
+/// ending the program. A function, as other programs that this one starts would inherit that a signal is ignored.
+void survive_failed_writes() {
+  for (const int write_failed : {SIGXFSZ, SIGPIPE}) std::signal(write_failed, [](int) {});
 }
 
 std::string version() {
@@ -38,16 +56,22 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   return fmt::format("unknown command '{}' (known: {})", argc > 1 ? argv[1] : "", fmt::join(known, ", "));
 }
 
-/// An empty text is never a value: it is what a shell makes of a variable that is not set.
-void refuse_empty_texts(CLI::App& app) {
+/// An empty text is never a value: it is what a shell makes of a variable that is not set. A flag takes =true, =false or
+/// nothing.
+void check_values(CLI::App& app) {
   const CLI::Validator not_empty(
       [](const std::string& text) {
         return text.empty() ? "an empty text (leave it out, or give it a value)" : std::string();
       },
       "");
+  const CLI::Validator true_or_false(
+      [](const std::string& word) {
+        return word == "true" || word == "false" ? "" : fmt::format("'{}' (true or false)", word);
+      },
+      "");
   for (CLI::Option* option : app.get_options())
-    if (option->get_items_expected_max() > 0) option->check(not_empty);
-  for (CLI::App* command : app.get_subcommands({})) refuse_empty_texts(*command);
+    option->check(option->get_items_expected_max() > 0 ? not_empty : true_or_false);
+  for (CLI::App* command : app.get_subcommands({})) check_values(*command);
 }
 
 int run_program(int argc, char** argv) {
@@ -68,11 +92,13 @@ int run_program(int argc, char** argv) {
   add_mutants(app, exit_code);
   add_list(app, exit_code);
   add_db(app, exit_code);
-  refuse_empty_texts(app);
+  check_values(app);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& help) {
-    return app.exit(help);
+  } catch (const CLI::Success& wanted) {
+    std::ostringstream help;
+    app.exit(wanted, help, help);
+    print_text(help.str());
   } catch (const CLI::ParseError& e) {
     return complain(app.get_subcommands().empty() ? unknown_command(app, argc, argv) : e.what());
   }
@@ -83,13 +109,13 @@ int run_program(int argc, char** argv) {
 }  // namespace mpmvv
 
 int main(int argc, char** argv) {
-  constexpr const char* no_room = "cannot write to standard output (a place with room)";
-  int exit_code = 0;
+  mpmvv::fill_standard_streams();
+  mpmvv::survive_failed_writes();
   try {
-    exit_code = mpmvv::run_program(argc, argv);
-    if (std::fflush(stdout) != 0) return mpmvv::complain(no_room);
+    const int exit_code = mpmvv::run_program(argc, argv);
+    mpmvv::flush_text();
+    return exit_code;
   } catch (const std::exception& e) {
-    return mpmvv::complain(std::ferror(stdout) != 0 ? no_room : e.what());  // fmt says less
+    return mpmvv::complain(mpmvv::reason_of(e));
   }
-  return exit_code;
 }

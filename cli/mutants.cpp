@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
 #include "cli/results.hpp"
 #include "goldens/mutants/campaign.hpp"
 #include "goldens/mutants/mistake.hpp"
@@ -94,16 +95,19 @@ void keep_named(CampaignPlan& plan, const std::vector<std::string>& names) {
   plan.random = static_cast<int>(plan.draws.size());
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 void print_score(const std::vector<Mutant>& mutants) {
   const MutantScore score = score_of(mutants);
-  fmt::print(
-      "planted: {} that should show, {} caught: {} by the unit tests, {} by the quick gate, {} by the nightly gate\n",
-      score.planted, score.by_any, score.by_unit_tests, score.by_quick, score.by_nightly);
-  if (score.silent > 0) fmt::print("planted: {} that change efficiency or robustness only\n", score.silent);
-  if (!score.missed.empty()) fmt::print("not caught: {}\n", fmt::join(score.missed, ", "));
+  print("planted: {} that should show, {} caught: {} by the unit tests, {} by the quick gate, {} by the nightly gate\n",
+        score.planted, score.by_any, score.by_unit_tests, score.by_quick, score.by_nightly);
+  if (score.silent > 0) print("planted: {} that change efficiency or robustness only\n", score.silent);
+  if (!score.missed.empty()) print("not caught: {}\n", joined(score.missed));
   if (score.random > 0)
-    fmt::print("random: {}, {} caught, {} explained{}{}\n", score.random, score.random_caught, score.random_explained,
-               score.unexplained.empty() ? "" : ", not explained: ", fmt::join(score.unexplained, ", "));
+    print("random: {}, {} caught, {} explained{}{}\n", score.random, score.random_caught, score.random_explained,
+          score.unexplained.empty() ? "" : ", not explained: ", joined(score.unexplained));
 }
 
 int list(const MutantsOptions& options) {
@@ -111,7 +115,7 @@ int list(const MutantsOptions& options) {
   nlohmann::json json = nlohmann::json::array();
   for (const Mistake& m : mistakes) {
     json.push_back({{"name", m.name}, {"what", m.what}, {"file", m.file}, {"reason", m.reason}});
-    if (!options.json) fmt::print("{:<44} {:<40} {}\n", m.name, m.file, m.what);
+    if (!options.json) print("{:<44} {:<40} {}\n", m.name, m.file, m.what);
   }
   if (options.json) print_json({{"mistakes", json}});
   return 0;
@@ -138,7 +142,7 @@ int tell_known(const MutantsOptions& options) {
   const Provenance own = current_provenance();
   if (mutants.empty()) throw UsageError(fmt::format("{} knows no mutant of this program (try some)", options.db));
   const auto file = publish({own.digest, own.commit + (own.dirty ? " with changes" : ""), mutants}, options.lists());
-  fmt::print(stderr, "published in {}\n", file.string());
+  note("published in {}\n", file.string());
   return answer(mutants, options.json);
 }
 
@@ -196,7 +200,7 @@ int mutants(const MutantsOptions& options) {
 
   const std::vector<Mutant> known = with_published(results.known(), read_tried(options.lists()).mutants);
   const auto find = [&](const Mutant& wanted) { return known_result(known, wanted); };
-  const auto tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  const auto tell = [](const std::string& line) { note("{}\n", line); };
   Laboratory shared(options.source, work / "together", program_parts());
   ProgramBench alone(laboratory, options.jobs), together(shared, options.jobs);
   TogetherBench bench(alone, together, edits_to_try(plan, find), tell);

@@ -8,6 +8,8 @@
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
+#include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "goldens/gate.hpp"
 #include "studies/claim.hpp"
@@ -26,8 +28,7 @@ std::optional<Benchmark> own_benchmark(const std::string& db, const std::string&
   const auto file = std::filesystem::path(db).parent_path() / "benchmark.json";
   auto benchmark = read_benchmark(file);
   if (!benchmark || benchmark->digest == digest) return benchmark;
-  fmt::print(stderr, "{} measured another build of the program: left out (`./run benchmark` makes it anew)\n",
-             file.string());
+  note("{} measured another build of the program: left out (`./run benchmark` makes it anew)\n", file.string());
   return std::nullopt;
 }
 
@@ -48,6 +49,7 @@ bool has_goldens(const std::filesystem::path& folder) {
 }
 
 int report(const ReportOptions& options) {
+  require_apart("--out", options.out, {options.db, options.goldens, options.goldens + "/mutants"});
   ReportInput input;
   input.provenance = current_provenance();
   input.studies = own_results(options.db);
@@ -67,10 +69,10 @@ int report(const ReportOptions& options) {
   input.benchmark = own_benchmark(options.db, input.provenance.digest);
   const bool terminal = isatty(STDERR_FILENO);
   const ReportSummary summary = write_report(input, options.out, [terminal](const std::string& what) {
-    if (terminal) fmt::print(stderr, "{}\n", what);
+    if (terminal) note("{}\n", what);
   });
-  fmt::print("{}/index.html: {} figures ({} drawn), {} tables ({} written)\n", options.out, summary.figures,
-             summary.figures_drawn, summary.tables, summary.tables_written);
+  print("{}/index.html: {} figures ({} drawn), {} tables ({} written)\n", options.out, summary.figures,
+        summary.figures_drawn, summary.tables, summary.tables_written);
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
 #include "studies/error.hpp"
 #include "studies/run_case.hpp"
 #include "studies/settings.hpp"
@@ -77,30 +78,30 @@ std::string or_dash(double value) {
 
 void print_record(const Record& r) {
   const Scheme& s = r.the_case.scheme;
-  fmt::print("{}  basis {}  integrator {}  boundary {}\n", r.the_case.problem.name, s.basis, s.integrator, s.boundary);
-  fmt::print("cells {}  ppc {}  particles {}  steps {}  dt {:.6g} s  cfl {:.4g}  end time {:.6g} s\n",
-             r.the_case.resolution.cells, r.the_case.resolution.ppc, r.particles, r.steps, r.the_case.resolution.dt,
-             r.cfl, r.the_case.problem.end_time);
-  fmt::print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
-  fmt::print("error at the end     l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1), or_dash(r.error.l2),
-             or_dash(r.error.linf));
+  print("{}  basis {}  integrator {}  boundary {}\n", r.the_case.problem.name, s.basis, s.integrator, s.boundary);
+  print("cells {}  ppc {}  particles {}  steps {}  dt {:.6g} s  cfl {:.4g}  end time {:.6g} s\n",
+        r.the_case.resolution.cells, r.the_case.resolution.ppc, r.particles, r.steps, r.the_case.resolution.dt, r.cfl,
+        r.the_case.problem.end_time);
+  print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
+  print("error at the end     l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1), or_dash(r.error.l2),
+        or_dash(r.error.linf));
   if (r.the_case.measure.every_step)
-    fmt::print("error over all steps l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1_all_steps),
-               or_dash(r.error.l2_all_steps), or_dash(r.error.linf_all_steps));
+    print("error over all steps l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1_all_steps), or_dash(r.error.l2_all_steps),
+          or_dash(r.error.linf_all_steps));
   if (r.the_case.measure.nodal_error)
-    fmt::print("error of nodal a     l1 {}  l2 {}  linf {} m/s2\n", or_dash(r.error.nodal_l1),
-               or_dash(r.error.nodal_l2), or_dash(r.error.nodal_linf));
+    print("error of nodal a     l1 {}  l2 {}  linf {} m/s2\n", or_dash(r.error.nodal_l1), or_dash(r.error.nodal_l2),
+          or_dash(r.error.nodal_linf));
   if (r.the_case.measure.velocity_error)
-    fmt::print("error of the velocity, mean over all steps {} % of the problem's speed\n", or_dash(r.error.velocity));
-  if (r.the_case.measure.stress_error) fmt::print("error of the stress  l2 {} Pa\n", or_dash(r.error.stress));
-  fmt::print("energy kinetic {}  strain {}  initial total {} J\n", or_dash(r.energy.kinetic), or_dash(r.energy.strain),
-             or_dash(r.energy.initial_total));
-  fmt::print("change of mass {}  momentum {}  angular momentum {}\n", or_dash(r.balance.mass),
-             or_dash(r.balance.momentum), or_dash(r.balance.angular_momentum));
-  fmt::print("{:.3g} s, {:.2f} ns per particle and step\n", r.wall_seconds, r.ns_per_particle_step);
+    print("error of the velocity, mean over all steps {} % of the problem's speed\n", or_dash(r.error.velocity));
+  if (r.the_case.measure.stress_error) print("error of the stress  l2 {} Pa\n", or_dash(r.error.stress));
+  print("energy kinetic {}  strain {}  initial total {} J\n", or_dash(r.energy.kinetic), or_dash(r.energy.strain),
+        or_dash(r.energy.initial_total));
+  print("change of mass {}  momentum {}  angular momentum {}\n", or_dash(r.balance.mass), or_dash(r.balance.momentum),
+        or_dash(r.balance.angular_momentum));
+  print("{:.3g} s, {:.2f} ns per particle and step\n", r.wall_seconds, r.ns_per_particle_step);
   if (r.the_case.measure.repeat > 0)
-    fmt::print("cost {} s of steps, median of {} runs (range {:.0f} %)\n", or_dash(r.cost.step_seconds),
-               r.the_case.measure.repeat, 100 * r.cost.spread);
+    print("cost {} s of steps, median of {} runs (range {:.0f} %)\n", or_dash(r.cost.step_seconds),
+          r.the_case.measure.repeat, 100 * r.cost.spread);
 }
 
 struct RunOptions {
@@ -123,7 +124,7 @@ int run(const RunOptions& options) {
       throw UsageError(fmt::format("--param {} after another value for it (each parameter once)", parameter));
   }
   for (const auto& [key, option] : options.flags)
-    if (option->count() > 0) settings.push_back({key, "true", option->get_name()});
+    if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
   const Case c = make_case(settings);
   if (c.measure.repeat > 0 && options.threads > 1)
     throw UsageError("--threads beside --repeat (cost is measured on one thread)");

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
 #include "studies/error.hpp"
 #include "studies/problem.hpp"
 #include "studies/settings.hpp"
@@ -83,7 +84,7 @@ int solution(const SolutionOptions& options) {
     print_json(json);
     return 0;
   }
-  for (const char* name : {"u", "v", "a", "b", "F", "P"}) fmt::print("{} = {}\n", name, json[name].dump());
+  for (const char* name : {"u", "v", "a", "b", "F", "P"}) print("{} = {}\n", name, json[name].dump());
   return 0;
 }
 

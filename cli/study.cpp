@@ -7,6 +7,8 @@
 #include <thread>
 
 #include "cli/command.hpp"
+#include "cli/console.hpp"
+#include "cli/outputs.hpp"
 #include "studies/error.hpp"
 #include "studies/study_runner.hpp"
 
@@ -25,8 +27,8 @@ struct StudyOptions {
 std::function<void(const Progress&)> progress_line() {
   if (!isatty(STDERR_FILENO)) return {};
   return [](const Progress& p) {
-    fmt::print(stderr, "\r\033[K[{}/{}] {}", p.done, p.total, p.label);
-    if (p.done == p.total) fmt::print(stderr, "\r\033[K");
+    note("\r\033[K[{}/{}] {}", p.done, p.total, p.label);
+    if (p.done == p.total) note("\r\033[K");
     std::fflush(stderr);
   };
 }
@@ -56,57 +58,56 @@ std::vector<std::string> quantities_of(const StudyResult& study) {
 void print_errors(const StudyResult& study, const std::string& quantity) {
   constexpr std::size_t longest_table = 40;
   if (study.series.empty() || study.series[0].points.empty() || study.series[0].points.size() > longest_table) return;
-  fmt::print("  {} by {}\n", quantity, study.sweep);
+  print("  {} by {}\n", quantity, study.sweep);
   for (const Series& series : study.series) {
-    fmt::print("    {}\n", series.name);
-    for (const Point& point : series.points)
-      fmt::print("      {:>10.6g}  {}\n", point.x, number_or_status(point, quantity));
+    print("    {}\n", series.name);
+    for (const Point& point : series.points) print("      {:>10.6g}  {}\n", point.x, number_or_status(point, quantity));
   }
 }
 
 void print_replicates(const ReplicateFit& fit) {
-  fmt::print("    replicates: {} runs that scatter by {:.2g} of the error, order ± {:.2f}, lack of fit p = {:.2g}\n",
-             fit.observations, fit.scatter, fit.half_width, fit.lack_of_fit);
+  print("    replicates: {} runs that scatter by {:.2g} of the error, order ± {:.2f}, lack of fit p = {:.2g}\n",
+        fit.observations, fit.scatter, fit.half_width, fit.lack_of_fit);
 }
 
 void print_order(const Series& series, const ObservedOrder& order) {
   const std::string interval = std::isnan(order.half_width) ? "" : fmt::format(" ± {:.2f}", order.half_width);
-  fmt::print("  order {:.2f}{} of '{}' in {} over [{:g}, {:g}], {}\n", order.order, interval, series.name, order.norm,
-             order.from, order.to, order.asymptotic ? "asymptotic" : "not asymptotic");
+  print("  order {:.2f}{} of '{}' in {} over [{:g}, {:g}], {}\n", order.order, interval, series.name, order.norm,
+        order.from, order.to, order.asymptotic ? "asymptotic" : "not asymptotic");
   if (order.floor)
-    fmt::print("    floor {} ({})\n", order.floor->accepted ? fmt::format("{:.3e}", order.floor->floor) : "none",
-               order.floor->reason);
+    print("    floor {} ({})\n", order.floor->accepted ? fmt::format("{:.3e}", order.floor->floor) : "none",
+          order.floor->reason);
   if (order.replicates) print_replicates(*order.replicates);
 }
 
 void print_extrapolation(const Series& series, const Extrapolation& e) {
   const std::string index = std::isnan(e.convergence_index) ? "" : fmt::format(" (GCI {:.2g})", e.convergence_index);
-  fmt::print("  '{}' in {} over [{:g}, {:g}]: {}, free order {:.2f}, limit {:.5g}, finest grid {:.5g} ± {:.2g}{}{}\n",
-             series.name, e.norm, e.from, e.to, e.model, e.order, e.limit, e.finest, e.uncertainty, index,
-             e.remark.empty() ? "" : "; " + e.remark);
+  print("  '{}' in {} over [{:g}, {:g}]: {}, free order {:.2f}, limit {:.5g}, finest grid {:.5g} ± {:.2g}{}{}\n",
+        series.name, e.norm, e.from, e.to, e.model, e.order, e.limit, e.finest, e.uncertainty, index,
+        e.remark.empty() ? "" : "; " + e.remark);
 }
 
 void print_limit(const Series& series) {
   if (!series.limit) return;
   const StabilityLimit& limit = *series.limit;
   if (!limit.found)
-    fmt::print("  no {} limit of '{}' in the range searched\n", limit.key, series.name);
+    print("  no {} limit of '{}' in the range searched\n", limit.key, series.name);
   else
-    fmt::print("  {} limit of '{}' between {:.4g} (stable) and {:.4g} (unstable), {} probes{}\n", limit.key,
-               series.name, limit.stable, limit.unstable, limit.probes.size(), limit.monotone ? "" : ", NOT MONOTONE");
+    print("  {} limit of '{}' between {:.4g} (stable) and {:.4g} (unstable), {} probes{}\n", limit.key, series.name,
+          limit.stable, limit.unstable, limit.probes.size(), limit.monotone ? "" : ", NOT MONOTONE");
 }
 
 void print_study(const StudyResult& study) {
-  fmt::print("{}: {}\n", study.name, study.title);
+  print("{}: {}\n", study.name, study.title);
   for (const std::string& quantity : quantities_of(study)) print_errors(study, quantity);
   for (const Series& series : study.series) {
     for (const ObservedOrder& order : series.orders) print_order(series, order);
     for (const Extrapolation& extrapolation : series.extrapolations) print_extrapolation(series, extrapolation);
     print_limit(series);
   }
-  for (const Value& value : study.values) fmt::print("  {} = {:.6g}  {}\n", value.name, value.value, value.meaning);
+  for (const Value& value : study.values) print("  {} = {:.6g}  {}\n", value.name, value.value, value.meaning);
   for (const ClaimPart& part : study.parts)
-    fmt::print("  {} {}: {}\n    {}\n", part.claim, to_string(part.verdict), part.statement, part.evidence);
+    print("  {} {}: {}\n    {}\n", part.claim, to_string(part.verdict), part.statement, part.evidence);
 }
 
 Setting setting_from(const std::string& text, const char* option) {
@@ -144,12 +145,13 @@ int study(const StudyOptions& options) {
   std::vector<StudyPlan> plans;
   for (const std::string& file : options.files) {
     plans.push_back(read_study(file, overriding));
-    for (const Overridden& done : plans.back().overridden) fmt::print(stderr, "{}: {}\n", plans.back().name, done.what);
+    for (const Overridden& done : plans.back().overridden) note("{}: {}\n", plans.back().name, done.what);
     for (std::size_t k = 0; k + 1 < plans.size(); ++k)
       if (plans[k].name == plans.back().name)
         throw UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
   }
   require_taken(overriding, plans);
+  require_apart("--db", options.db, {options.files.begin(), options.files.end()});
   Store store(options.db, Store::Mode::create_or_write);
   RunnerCounts counts;
   const auto outcomes = run_studies(plans, store, {options.jobs, progress_line()}, counts);
@@ -159,11 +161,11 @@ int study(const StudyOptions& options) {
     if (outcome.trouble.empty())
       print_study(outcome.result);
     else
-      fmt::print(stderr, "study {} is not kept: {}\n", outcome.result.name, outcome.trouble);
+      note("study {} is not kept: {}\n", outcome.result.name, outcome.trouble);
   }
   const auto lost = std::ranges::count_if(outcomes, [](const auto& outcome) { return !outcome.trouble.empty(); });
-  fmt::print("{} cases run, {} taken from {}, {} failed{}\n", counts.ran, counts.reused, options.db, failed,
-             lost > 0 ? fmt::format("; studies not kept: {}", lost) : "");
+  print("{} cases run, {} taken from {}, {} failed{}\n", counts.ran, counts.reused, options.db, failed,
+        lost > 0 ? fmt::format("; studies not kept: {}", lost) : "");
   return failed == 0 && lost == 0 ? 0 : 1;
 }
 

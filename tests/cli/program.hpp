@@ -44,15 +44,22 @@ inline std::string read_text(const std::string& file) {
   return text.str();
 }
 
-inline Answer call(const Folder& folder, const std::string& arguments) {
-  const std::string err = folder / "stderr";
-  const std::string command = std::string("'") + MPMVV_PROGRAM + "' " + arguments + " 2>'" + err + "'";
+/// What a shell says to the command.
+inline Answer shell(const std::string& command) {
   std::FILE* pipe = popen(command.c_str(), "r");
   std::string out;
   std::array<char, 4096> buffer;
   for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) out.append(buffer.data(), n);
   const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out, read_text(err)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out, ""};
+}
+
+/// `before` is what the shell does first: "cd ... && ".
+inline Answer call(const Folder& folder, const std::string& arguments, const std::string& before = "") {
+  const std::string err = folder / "stderr";
+  Answer answer = shell(before + "'" + MPMVV_PROGRAM + "' " + arguments + " 2>'" + err + "'");
+  answer.err = read_text(err);
+  return answer;
 }
 
 }  // namespace mpmvv

@@ -65,6 +65,20 @@ TEST(Layers, RecordsAreFreeOfSolverAndSolutions) {
     for (const Include& include : includes_of(folder)) EXPECT_FALSE(tied.contains(include.target)) << include.file;
 }
 
+/// What users name is made printable there.
+TEST(Layers, OneFileWritesToTheTerminal) {
+  const std::regex prints("fmt::print|std::cout|std::cerr|puts\\(|printf\\(|fwrite\\(");
+  std::set<std::string> places;
+  for (const std::string folder : {"studies", "goldens", "reports", "cli"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(MPMVV_SOURCE_DIR) / folder)) {
+      if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);)
+        if (std::regex_search(line, prints)) places.insert(folder + "/" + entry.path().filename().string());
+    }
+  EXPECT_EQ(places, std::set<std::string>{"cli/console.cpp"});
+}
+
 TEST(Layers, EachLibraryIsNamedInOnePlace) {
   std::map<std::string, std::set<std::string>> places;
   for (const std::string folder : {"mms", "solver", "studies", "goldens", "reports", "cli"})

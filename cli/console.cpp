@@ -1,0 +1,36 @@
+#include "cli/console.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+#include "studies/error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+[[noreturn]] void fail_to_print() {
+  if (errno == EPIPE) {  // nobody reads on, as behind `| head`: ends as programs do
+    std::signal(SIGPIPE, SIG_DFL);
+    std::raise(SIGPIPE);
+  }
+  throw UsageError(fmt::format("cannot write to standard output: {} (a place with room)", std::strerror(errno)));
+}
+
+}  // namespace
+
+void print_text(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail_to_print();
+}
+
+void flush_text() {
+  if (std::fflush(stdout) != 0) fail_to_print();
+}
+
+void note_text(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,40 @@
+#include "cli/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include "studies/error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_in(const fs::path& input, const fs::path& output) {
+  std::error_code absent;
+  const fs::path whole = fs::canonical(input, absent);
+  if (absent) return false;
+  for (fs::path part = whole;; part = part.parent_path()) {
+    if (fs::equivalent(part, output, absent)) return true;
+    if (part == whole.root_path()) return false;
+  }
+}
+
+std::vector<fs::path> with_content(const fs::path& input) {
+  std::vector<fs::path> all{input};
+  std::error_code no_folder;
+  for (const auto& entry : fs::directory_iterator(input, no_folder)) all.push_back(entry.path());
+  return all;
+}
+
+}  // namespace
+
+void require_apart(const std::string& option, const fs::path& output, const std::vector<fs::path>& inputs) {
+  for (const fs::path& input : inputs)
+    for (const fs::path& file : with_content(input))
+      if (is_in(file, output))
+        throw UsageError(fmt::format("{} {} would overwrite '{}', which this command reads (another place)", option,
+                                     output.string(), file.string()));
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,68 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "studies/store.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/cli/small_study.hpp"
+
+namespace mpmvv {
+namespace outputs_test {
+
+using testing::HasSubstr;
+
+/// A store, a study, and goldens, under several names each.
+class Outputs : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(folder / "goldens/mutants");
+    folder.write("goldens/g.toml", "[[order]]\n");
+    folder.write("goldens/mutants/tried.json", "{}\n");
+    Store(folder / "v.db", Store::Mode::create_or_write);
+    std::filesystem::create_hard_link(folder / "v.db", folder / "hard");
+    std::filesystem::create_symlink("v.db", folder / "soft");
+    std::filesystem::create_symlink("goldens", folder / "same-goldens");
+  }
+
+  const Folder folder;
+};
+
+TEST_F(Outputs, AreNeverAnInputUnderWhateverName) {
+  const std::string cd = "cd '" + (folder / "") + "' && ", goldens = " --goldens goldens";
+  const std::vector<std::string> calls{
+      "db export --db v.db --out v.db",
+      "db export --db v.db --out hard",
+      "db export --db v.db --out soft",
+      "db export --db soft --out goldens/../hard",
+      "gate --db v.db --junit hard" + goldens,
+      "gate --db v.db --junit goldens/g.toml" + goldens,
+      "gate --db v.db --junit same-goldens/g.toml" + goldens,
+      "gate --db v.db --junit goldens/mutants/tried.json" + goldens,
+      "report --db v.db --out goldens" + goldens,
+      "report --db v.db --out same-goldens" + goldens,
+      "report --db soft --out ." + goldens,
+      "study s.toml --db s.toml",
+      "study s.toml --db s-soft.toml",
+  };
+  const std::string store = read_text(folder / "v.db");
+  folder.write("s.toml", small_study);
+  std::filesystem::create_symlink("s.toml", folder / "s-soft.toml");
+  for (const std::string& arguments : calls) {
+    const Answer answer = call(folder, arguments, cd);
+    EXPECT_EQ(answer.code, 2) << arguments;
+    EXPECT_THAT(answer.err, HasSubstr("would overwrite")) << arguments;
+  }
+  EXPECT_EQ(read_text(folder / "v.db"), store);
+  EXPECT_EQ(read_text(folder / "goldens/g.toml"), "[[order]]\n");
+  EXPECT_EQ(read_text(folder / "goldens/mutants/tried.json"), "{}\n");
+  EXPECT_EQ(read_text(folder / "s.toml"), small_study);
+}
+
+TEST_F(Outputs, OfAnotherPlaceAreWritten) {
+  const std::string exported = "db export --db " + (folder / "v.db") + " --out " + (folder / "v.csv");
+  EXPECT_EQ(call(folder, exported).code, 0);
+  EXPECT_EQ(call(folder, exported).code, 0) << "not over an earlier one";
+  EXPECT_THAT(read_text(folder / "v.csv"), HasSubstr(","));
+}
+
+}  // namespace outputs_test
+}  // namespace mpmvv
