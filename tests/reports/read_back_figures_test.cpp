@@ -24,9 +24,7 @@ using Kind = ReadMark::Kind;
 constexpr double close = 2e-3;  ///< relative; neighbouring values differ by far more
 
 Drawing drawing_of(const StudyResult& study) {
-  ReportInput input;
-  input.studies = {study};
-  return WrittenReport(input).drawing("Caption of " + study.name);
+  return WrittenReport(read_back::input_of(study)).drawing("Caption of " + study.name);
 }
 
 void expect_near(double read, double expected) {

@@ -161,13 +161,23 @@ void ExpectedTable::add(const std::string& group, const Row& row) {
   table_.groups.back().rows.push_back(cells);
 }
 
+ReportInput input_of(const StudyResult& study) {
+  ReportInput input;
+  input.studies = {study};
+  return input;
+}
+
 WrittenReport::WrittenReport(const ReportInput& input) {
-  write_report(input, folder_.path(), [](const std::string&) {});
+  write_report(input, folder_ / "out", [](const std::string&) {});
+}
+
+std::string WrittenReport::text_of(const std::string& file) const {
+  return content(folder_ / "out" / file);
 }
 
 void WrittenReport::expect_html(const ExpectedTable& expected, const std::string& page) const {
   SCOPED_TRACE(page);
-  expect_among(html_tables(content(folder_ / page)), expected.table());
+  expect_among(html_tables(text_of(page)), expected.table());
 }
 
 void WrittenReport::expect_latex(const ExpectedTable& expected) const {
@@ -192,7 +202,7 @@ void WrittenReport::expect_html_and_latex(const ExpectedTable& expected) const {
 
 Drawing WrittenReport::drawing(const std::string& caption, const std::string& page) const {
   std::vector<std::string> pictures;
-  for (const std::string& figure : parts_of(content(folder_ / page), "<figure", "</figure>"))
+  for (const std::string& figure : parts_of(text_of(page), "<figure", "</figure>"))
     if (figure.substr(figure.find("<figcaption")).find(caption) != std::string::npos)
       pictures.push_back(parts_of(figure, "<svg", "</svg>").at(0));
   if (pictures.size() != 1) throw std::runtime_error("no picture, or several: " + caption);
@@ -203,9 +213,9 @@ Drawing WrittenReport::drawing(const std::string& caption, const std::string& pa
 std::vector<std::string> WrittenReport::linked_texts(const std::string& ending) const {
   const std::string start = "href=\"tables/";
   std::vector<std::string> texts;
-  for (const std::string& link : parts_of(content(folder_ / "index.html"), start, "\">")) {
+  for (const std::string& link : parts_of(text_of("index.html"), start, "\">")) {
     const std::string name = link.substr(6, link.size() - 8);
-    if (name.ends_with(ending)) texts.push_back(content(folder_ / name));
+    if (name.ends_with(ending)) texts.push_back(text_of(name));
   }
   return texts;
 }

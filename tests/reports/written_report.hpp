@@ -23,6 +23,8 @@ class ExpectedTable {
   Table table_;
 };
 
+ReportInput input_of(const StudyResult& study);
+
 /// A report in a folder of its own, read from the files that its pages lead to.
 class WrittenReport {
  public:
@@ -38,6 +40,7 @@ class WrittenReport {
   Drawing drawing(const std::string& caption, const std::string& page = "index.html") const;
 
  private:
+  std::string text_of(const std::string& file) const;
   std::vector<std::string> linked_texts(const std::string& ending) const;
 
   TempFolder folder_;

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "tests/reports/distinct.hpp"
+#include "tests/reports/written_report.hpp"
+
+/// What stands where on a report's page beside its studies: verdicts, the benchmark, mutants.
+namespace mpmvv {
+namespace read_back_page_test {
+
+using read_back::ExpectedTable;
+using read_back::WrittenReport;
+
+TEST(ReadBackPage, VerdictsStandBesideWhatTheyAreOf) {
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.gate = {{"golden one", "pass", "1.1 to 1.2", "1.15", "why pass"},
+                {"golden two", "fail", "2.1 to 2.2", "2.35", "why fail"}};
+  input.claims = {{"X-one", "confirmed", "by one"}, {"X-two", "refuted", "by two"}, {"X-none", "open", "by none"}};
+  input.provenance = {"d1935", "c0331", true, "GNU 12", "-O9", "Fast", "a processor", "2026-01-02"};
+  ExpectedTable gate, claims, criteria, provenance;
+  for (const GateLine& g : input.gate)
+    gate.add("", {{"golden", g.name},
+                  {"verdict", g.verdict},
+                  {"expected", g.expected},
+                  {"measured", g.measured},
+                  {"reason", g.reason}});
+  for (const ClaimLine& c : input.claims)
+    claims.add("", {{"claim", c.id},
+                    {"verdict", c.verdict},
+                    {"evidence", c.evidence},
+                    {"studies", c.id == "X-none" ? "" : "all-numbers"}});
+  for (const ClaimPart& p : input.studies[0].parts)
+    criteria.add("", {{"claim", p.claim},
+                      {"criterion", p.statement},
+                      {"verdict", p.verdict == PartVerdict::holds ? "holds" : "fails"},
+                      {"evidence", p.evidence},
+                      {"reason", p.reason}});
+  const auto& p = input.provenance;
+  provenance.add("", {{"", "commit"}, {"", p.commit + " dirty: built from changes that are not committed"}});
+  provenance.add("", {{"", "digest"}, {"", p.digest}});
+  provenance.add("", {{"", "compiler"}, {"", p.compiler + ", " + p.build_type}});
+  provenance.add("", {{"", "flags"}, {"", p.flags}});
+  provenance.add("", {{"", "processor"}, {"", p.cpu}});
+  provenance.add("", {{"", "time"}, {"", p.time}});
+  const WrittenReport report(input);
+  for (const ExpectedTable* table : {&gate, &claims, &criteria, &provenance}) report.expect_html(*table);
+}
+
+/// Times in ns per particle and step.
+BenchmarkRow timed(const std::string& name, std::vector<double> nanoseconds) {
+  for (double& t : nanoseconds) t *= 1e-9;
+  return {name, "label of " + name, {{"per_particle_step", nanoseconds}}};
+}
+
+BenchmarkRow step(const std::string& name, std::vector<double> nanoseconds, double multiply_adds, double bytes) {
+  BenchmarkRow row = timed("step/" + name, std::move(nanoseconds));
+  row.counters["least_multiply_adds"] = {multiply_adds};
+  row.counters["least_bytes"] = {bytes};
+  return row;
+}
+
+TEST(ReadBackPage, BenchmarkHasEveryTimeUnderItsName) {
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.benchmark = Benchmark{"d1935",
+                              "2026-03-04",
+                              {timed("skip/log/paid", {30, 21, 20}),
+                               timed("skip/log/skipped", {10, 11, 16}),
+                               step("2D/linear", {50, 53, 55}, 100, 230),
+                               step("2D/cubic", {60, 67, 70}, 310, 480),
+                               step("3D/linear", {80, 84, 92}, 520, 750),
+                               timed("threads/square/one/real_time", {31, 35, 34}),
+                               timed("threads/square/two/real_time", {17, 20, 18}),
+                               {"machine/multiply-adds", "", {{"multiply_adds", {2e10}}}},
+                               {"machine/multiply-adds/real_time/threads:2", "", {{"multiply_adds", {3.1e10}}}},
+                               {"machine/triad", "", {{"bytes", {1.3e10}}}}}};
+  const auto percent = [](double fraction) { return fmt::format("{:.1f}", 100 * fraction); };
+  ExpectedTable skip, steps, threads, machine;
+  skip.add("", {{"skipped", "label of skip/log/paid"},
+                {"paid", "21"},
+                {"range %", percent(10.0 / 21)},
+                {"skipped", "11"},
+                {"range %", percent(6.0 / 11)},
+                {"saved", "10"},
+                {"saved %", percent(10.0 / 21)}});
+  const auto add_step = [&](const char* group, const char* basis, int ns, double spread, int work, int bytes) {
+    steps.add(group, {{"basis", basis},
+                      {"ns per particle and step", std::to_string(ns)},
+                      {"range %", percent(spread / ns)},
+                      {"least multiply-adds", std::to_string(work)},
+                      {"% of peak", percent(work / (20.0 * ns))},
+                      {"least bytes", std::to_string(bytes)},
+                      {"% of bandwidth", percent(bytes / (13.0 * ns))}});
+  };
+  add_step("2D", "linear", 53, 5, 100, 230), add_step("2D", "cubic", 67, 10, 310, 480);
+  add_step("3D", "linear", 84, 12, 520, 750);
+  threads.add("", {{"", "square"},
+                   {"one thread", "34"},
+                   {"range %", percent(4.0 / 34)},
+                   {"two threads", "18"},
+                   {"range %", percent(3.0 / 18)},
+                   {"times as fast", fmt::format("{:.2f}", 34.0 / 18)}});
+  machine.add("", {{"", "multiply-adds in double precision, 1e9/s"}, {"measured", "20"}});
+  machine.add("", {{"", "the same on two threads, together"}, {"measured", "31"}});
+  machine.add("", {{"", "memory bandwidth (triad), 1e9 bytes/s"}, {"measured", "13"}});
+  machine.add("", {{"", "date"}, {"measured", "2026-03-04"}});
+  const WrittenReport report(input);
+  for (const ExpectedTable* table : {&skip, &steps, &threads, &machine}) report.expect_html_and_latex(*table);
+}
+
+/// What the stages say of a mutant: c(aught), p(asses), or nothing more.
+Mutant mutant(const std::string& name, Mutant::Kind kind, const std::string& stages, const std::string& reason = "") {
+  static int line = 10;
+  Mutant m{.name = name, .kind = kind, .what = "what of " + name, .file = name + ".cpp", .line = ++line};
+  m.before = "before " + name, m.after = "after " + name, m.reason = reason;
+  const std::vector<GateStage> all{GateStage::unit_tests, GateStage::quick, GateStage::nightly};
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    const bool caught = stages[k] == 'c';
+    std::vector<std::string> by;
+    if (caught) by = {fmt::format("{} by {}", name, to_string(all[k]))};
+    m.trials.push_back({all[k], caught, by, 1});
+  }
+  return m;
+}
+
+std::string stage_text(const Mutant& m, std::size_t k) {
+  if (m.trials.empty()) return "not tried yet";
+  return k >= m.trials.size() ? "–" : m.trials[k].caught ? m.trials[k].by[0] : "passes";
+}
+
+TEST(ReadBackPage, MutantsHaveEveryStageUnderItsName) {
+  using enum Mutant::Kind;
+  ReportInput input = read_back::input_of(distinct::everything());
+  const std::vector<Mutant> shown{mutant("a", planted, "cc"), mutant("b", planted, "cc"),  mutant("c", planted, "cp"),
+                                  mutant("d", planted, "cp"), mutant("e", planted, "ppc"), mutant("f", planted, "ppp"),
+                                  mutant("g", planted, ""),   mutant("h", planted, "")};
+  const std::vector<Mutant> silent{mutant("s", planted, "pp", "only slower")};
+  const std::vector<Mutant> survivors{mutant("r4", random, "ppp"), mutant("r5", random, "pp", "equivalent")};
+  input.mutants = {mutant("r1", random, "c"), mutant("r2", random, "pc"), mutant("r3", random, "ppc")};
+  for (const auto* some : {&shown, &silent, &survivors})
+    input.mutants.insert(input.mutants.end(), some->begin(), some->end());
+  input.alarms = {
+      {.build = "clang++", .pass = 11, .fail = 2}, {.build = "clang++", .pass = 12}, {.build = "g++", .pass = 7}};
+  ExpectedTable score, mistakes, random_ones, alarms;
+  const auto add_score = [&](const std::vector<std::string>& cells) {
+    score.add("", {{"mistakes", cells[0]},
+                   {"unit tests", cells[1]},
+                   {"quick gate", cells[2]},
+                   {"nightly gate, of what these miss", cells[3]},
+                   {"any of them", cells[4]},
+                   {"explained", cells[5]}});
+  };
+  add_score({"planted, should show", "4 of 6 (67 %)", "2 of 6 (33 %)", "1", "5 of 6 (83 %)", ""});
+  add_score({"planted, not tried yet: 2", "", "", "", "", ""});
+  add_score({"planted, efficiency or robustness only: 1", "", "", "", "", ""});
+  add_score({"random", "", "", "", "3 of 5 (60 %)", "1 of 2 (50 %)"});
+  const auto place = [](const Mutant& m) { return m.trials.empty() ? m.file : fmt::format("{}:{}", m.file, m.line); };
+  const auto add_mistakes = [&](const std::string& group, const std::vector<Mutant>& mutants) {
+    for (const Mutant& m : mutants)
+      mistakes.add(group, {{"mistake", m.name},
+                           {"what", m.what},
+                           {"where", place(m)},
+                           {"unit tests", stage_text(m, 0)},
+                           {"quick gate", stage_text(m, 1)},
+                           {"nightly gate", stage_text(m, 2)},
+                           {"reason", m.reason}});
+  };
+  add_mistakes("that an order, an error, a limit or a report can show", shown);
+  add_mistakes("that change efficiency or robustness only", silent);
+  for (const Mutant& m : survivors)
+    random_ones.add(m.reason.empty() ? "not explained" : "explained", {{"mutation", m.name},
+                                                                       {"where", place(m)},
+                                                                       {"line", m.before},
+                                                                       {"with the mutation", m.after},
+                                                                       {"reason", m.reason}});
+  for (const auto& [build, runs, judged, alarm] : {std::tuple("clang++", 2, 25, 1), std::tuple("g++", 1, 7, 0)})
+    alarms.add("", {{"build", build},
+                    {"runs", std::to_string(runs)},
+                    {"goldens judged", std::to_string(judged)},
+                    {"false alarms", std::to_string(alarm)}});
+  const WrittenReport report(input);
+  for (const ExpectedTable* table : {&score, &mistakes, &random_ones, &alarms}) report.expect_html_and_latex(*table);
+}
+
+}  // namespace read_back_page_test
+}  // namespace mpmvv
