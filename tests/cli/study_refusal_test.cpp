@@ -116,7 +116,7 @@ TEST(StudyCommand, RefusesStoresThatAreNone) {
 TEST(BadStudyName, IsRefusedAtTheEntry) {
   const Folder folder;
   const std::string db = folder / "r.db";
-  for (const std::string stem : {"a b", "a#b", "-a", "é", "a;b", std::string(101, 'a')}) {
+  for (const std::string& stem : std::vector<std::string>{"a b", "a#b", "-a", "é", "a;b", std::string(101, 'a')}) {
     const Answer answer = call(folder, "study '" + folder.write(stem + ".toml", small_study) + "' --db " + db);
     EXPECT_EQ(answer.code, 2) << stem;
     EXPECT_THAT(answer.err, HasSubstr("cannot name a study"));

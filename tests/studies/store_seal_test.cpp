@@ -34,8 +34,10 @@ StudyResult full_study() {
   s.claims = {"S-fig10"};
   s.values = {{"v", 1.5, "m"}};
   s.parts = {{"S-fig10", "st", PartVerdict::holds, "e", "r"}};
-  s.figures = {
-      {.name = "f", .series = {"a"}, .marks = {"a"}, .slopes = {2}, .x_min = 1, .x_max = 2, .y_min = 3, .y_max = 4}};
+  s.figures.resize(1);
+  Figure& figure = s.figures[0];
+  figure.name = "f", figure.series = figure.marks = {"a"}, figure.slopes = {2};
+  figure.x_min = 1, figure.x_max = 2, figure.y_min = 3, figure.y_max = 4;
   Series& one = s.series[0];
   one.points[0].replicates = {{"own", {2.5, 3.5}}};
   one.orders = {{.norm = "l2",
