@@ -56,8 +56,8 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   return fmt::format("unknown command '{}' (known: {})", argc > 1 ? argv[1] : "", fmt::join(known, ", "));
 }
 
-/// An empty text is never a value: it is what a shell makes of a variable that is not set. A flag takes =true, =false or
-/// nothing.
+/// An empty text is never a value: it is what a shell makes of a variable that is not set. A flag takes =true, =false
+/// or nothing.
 void check_values(CLI::App& app) {
   const CLI::Validator not_empty(
       [](const std::string& text) {
@@ -99,6 +99,8 @@ int run_program(int argc, char** argv) {
     std::ostringstream help;
     app.exit(wanted, help, help);
     print_text(help.str());
+  } catch (const CLI::ValidationError& e) {
+    return complain(e.what());
   } catch (const CLI::ParseError& e) {
     return complain(app.get_subcommands().empty() ? unknown_command(app, argc, argv) : e.what());
   }

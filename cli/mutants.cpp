@@ -136,7 +136,7 @@ int tell_known(const MutantsOptions& options) {
   if (!options.publish) {
     const int verdict = answer(mutants, options.json);
     if (!mutants.empty()) return verdict;
-    fmt::print(stderr, "{} knows no mutant of this program (`mpmvv mutants --db` tries some)\n", options.db);
+    note("{} knows no mutant of this program (`mpmvv mutants --db` tries some)\n", options.db);
     return missing;
   }
   const Provenance own = current_provenance();

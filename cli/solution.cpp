@@ -65,7 +65,8 @@ nlohmann::json evaluate(const Problem& problem, const ProblemChoice& choice, con
 
 /// Refuses a time or place at which a field overflows.
 void require_finite(const nlohmann::json& fields, const SolutionOptions& options) {
-  for (const auto& [path, value] : fields.flatten().items())
+  const nlohmann::json flat = fields.flatten();
+  for (const auto& [path, value] : flat.items())
     if (value.is_number_float() && !std::isfinite(value.get<double>()))
       throw UsageError(fmt::format("{} of problem '{}' is not finite with --at {} and --time {} (a time nearer to 0)",
                                    path.substr(1), options.problem, options.at, options.time));

@@ -32,7 +32,8 @@ Ends clamped(Ends ends, bool log) {
 /// Ends far enough apart for tics between them.
 Ends widened(Ends ends, bool log) {
   const auto [low, high] = ends;
-  if (high - low > std::max(least_span * std::max(std::abs(low), std::abs(high)), 1 / most_drawn)) return ends;
+  const double size = std::max({std::abs(low), std::abs(high), log ? 1.0 : 0.0});
+  if (high - low > std::max(least_span * size, 1 / most_drawn)) return ends;
   const double half = log || std::abs(low) < 1 / most_drawn ? 0.5 : 0.1 * std::abs(low);
   return {low - half, high + half};
 }

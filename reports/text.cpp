@@ -118,18 +118,24 @@ bool latex_prints(std::string_view character) {
   return code >= 0xC0 && code <= 0xFF && std::string_view("×÷ÐðÞþ").find(character) == std::string_view::npos;
 }
 
-/// Whether HTML and XML can hold the character; false for bytes that are none.
-bool is_markup_character(std::string_view character) {
+/// Whether the bytes are a character.
+bool is_utf8(std::string_view character) {
   static constexpr unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
   const auto lead = static_cast<unsigned char>(character[0]);
   const auto follows = [](char c) { return (c & 0xC0) == 0x80; };
   if (lead >= 0xF8 || character.size() != utf8_length(lead) || !std::ranges::all_of(character.substr(1), follows))
     return false;
   const unsigned code = code_point(character);
-  const auto within = [code](unsigned from, unsigned to) { return code >= from && code <= to; };
+  return code >= least[character.size()] && (character.size() > 1 || code < 0x80) && code <= 0x10FFFF &&
+         (code < 0xD800 || code > 0xDFFF);
+}
+
+/// Whether HTML and XML can hold the character.
+bool is_markup_character(std::string_view character) {
+  const unsigned code = code_point(character);
   if (code < 0x20) return code == '\t' || code == '\n' || code == '\r';
-  return code >= least[character.size()] && (character.size() > 1 || code < 0x7F) && code <= 0x10FFFF &&
-         !within(0x7F, 0x9F) && !within(0xD800, 0xDFFF) && !within(0xFDD0, 0xFDEF) && (code & 0xFFFEu) != 0xFFFE;
+  const auto within = [code](unsigned from, unsigned to) { return code >= from && code <= to; };
+  return !within(0x7F, 0x9F) && !within(0xFDD0, 0xFDEF) && (code & 0xFFFEu) != 0xFFFE;
 }
 
 }  // namespace
@@ -138,9 +144,9 @@ std::string marked_up_text(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
     auto character = std::string_view(text).substr(i, utf8_length(static_cast<unsigned char>(text[i])));
-    const bool holds = is_markup_character(character);
-    if (!holds) character = character.substr(0, 1);
-    result += holds ? character : "\uFFFD";
+    const bool is_character = is_utf8(character);
+    if (!is_character) character = character.substr(0, 1);
+    result += is_character && is_markup_character(character) ? character : "\uFFFD";
     i += character.size();
   }
   return result;

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <exception>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -25,24 +27,23 @@ class Task {
 /// result: the tasks of one `run` are independent of each other.
 class Team {
  public:
-  explicit Team(int size) : size_(size), meeting_(size) {
-    if (size_ == 1) return;
-    for (int t = 1; t < size_; ++t) {
-      threads_.emplace_back([this] {
-        for (;;) {
-          meeting_.arrive_and_wait();
-          if (task_ == nullptr) return;
-          take();
-          meeting_.arrive_and_wait();
-        }
-      });
-    }
+  /// Of so many threads, or of fewer where the system grants no more.
+  explicit Team(int size) {
+    for (int t = 1; t < size; ++t) try {
+        threads_.emplace_back([this] { serve(); });
+      } catch (const std::exception&) {
+        break;
+      }
+    size_ = static_cast<int>(threads_.size()) + 1;
+    meeting_.emplace(size_);
+    is_complete_ = true;
+    is_complete_.notify_all();
   }
 
   ~Team() {
     if (size_ == 1) return;
     task_ = nullptr;
-    meeting_.arrive_and_wait();
+    meeting_->arrive_and_wait();
   }
 
   Team(const Team&) = delete;
@@ -57,21 +58,32 @@ class Team {
     next_ = 0;
     count_ = count;
     task_ = &task;
-    meeting_.arrive_and_wait();
+    meeting_->arrive_and_wait();
     take();
-    meeting_.arrive_and_wait();
+    meeting_->arrive_and_wait();
   }
 
  private:
+  /// What every thread but the first does.
+  void serve() {
+    is_complete_.wait(false);
+    for (;;) {
+      meeting_->arrive_and_wait();
+      if (task_ == nullptr) return;
+      take();
+      meeting_->arrive_and_wait();
+    }
+  }
   void take() {
     for (int k = next_++; k < count_; k = next_++) (*task_)(k);
   }
 
-  int size_;
+  int size_ = 1;
   std::atomic<int> next_{0};
   int count_ = 0;
   const Task* task_ = nullptr;
-  Meeting meeting_;
+  std::optional<Meeting> meeting_;  ///< of those that there are
+  std::atomic<bool> is_complete_{false};
   std::vector<std::jthread> threads_;
 };
 

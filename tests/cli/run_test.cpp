@@ -254,7 +254,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"list > /dev/full", "standard output"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --vtu /dev/null/x", "--vtu"},
         BadInput{"solution --problem bar --at 0.2 --time 1e308", "time = 1e308 in --time (0, or a number from 1e-150"},
-        BadInput{"solution --problem stretch --at 0.2,0.2 --time 1e150",
+        BadInput{"solution --problem stretch --param rate=1e10 --at 0.2,0.2 --time 1e150",
                  "not finite with --at 0.2,0.2 and --time 1e150"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.2 --vtu ''", "--vtu: an empty text"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.2 --param ''", "--param: an empty text"},

@@ -94,7 +94,7 @@ TEST(GateCommand, DoesNotPassWhatIsNotAsItWasWritten) {
   ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
   std::filesystem::create_directories(folder / "goldens");
   folder.write("goldens/small.toml",
-               "study = \"small\"\n[[order]]\nseries = \"bspline2\"\nnorm = \"l2\"\n"
+               "study = \"small\"\nreviewed = \"by hand\"\n[[order]]\nseries = \"bspline2\"\nnorm = \"l2\"\n"
                "expected = 2\nlower = -8\nupper = 8\nwhy = \"any\"\n");
   const std::string gate = "gate --db " + db + " --goldens " + (folder / "goldens");
   ASSERT_EQ(call(folder, gate).code, 0);
@@ -176,7 +176,7 @@ TEST(ProposeCommand, MakesTheFolderOfItsFileAndNeedsNoGoldens) {
   EXPECT_EQ(call(folder, propose + file).code, 2) << "it is there";
   const Answer no_folder = call(folder, propose + db + "/s.toml");
   EXPECT_EQ(no_folder.code, 2);
-  EXPECT_THAT(no_folder.err, HasSubstr("cannot make the folder of " + db));
+  EXPECT_THAT(no_folder.err, HasSubstr("cannot make the folder " + db));
 }
 
 TEST(Program, NamesItsVersionWhenAsked) {

@@ -63,7 +63,7 @@ TEST(StudyCommand, AStudyThatCannotEndLeavesTheOthersTheirs) {
   const auto hopeless = folder.write("hopeless.toml", hopeless_study), small = folder.write("small.toml", small_study);
   const Answer answer = call(folder, "study '" + hopeless + "' '" + small + "' --db '" + db + "'");
   EXPECT_EQ(answer.code, 1);
-  EXPECT_THAT(answer.err, HasSubstr("study hopeless is not kept: a probe at 0.1 failed: std::bad_alloc"));
+  EXPECT_THAT(answer.err, HasSubstr("study hopeless is not kept: a probe at 0.1 failed: not enough memory"));
   EXPECT_THAT(answer.out, HasSubstr("S-fig10 holds: second order"));
   EXPECT_THAT(answer.out, HasSubstr("0 failed; studies not kept: 1"));
 }

@@ -77,7 +77,9 @@ TEST(Axis, RangesThatTicsCannotStepThroughAreWidened) {
           EXPECT_GT(axis.to, axis.from) << from << " to " << to;
           EXPECT_FALSE(axis.tics.empty()) << from << " to " << to;
           EXPECT_LT(axis.tics.size(), 700u) << from << " to " << to;
-          for (std::size_t k = 1; k < axis.tics.size(); ++k) ASSERT_GT(axis.tics[k].at, axis.tics[k - 1].at);
+          for (std::size_t k = 1; k < axis.tics.size(); ++k)
+            ASSERT_GT(axis.tics[k].at, axis.tics[k - 1].at)
+                << from << " to " << to << (log ? " log" : "") << wish.tics_at_values;
         }
       }
 }

@@ -131,12 +131,14 @@ TEST_F(StudyRunner, AReplicateThatBlowsUpSpeaksForItsPoint) {
                                  "[[fit]]\nnorm = \"l2\"\nwindow = [8, 32]\n",
                                  two_bars, cfl));
   };
-  for (const char* cfl : {"3, 0.2, 0.25", "0.2, 3, 0.25", "0.2, 0.25, 3"})
-    for (const Point& point : replicated(cfl).series[1].points) {
+  for (const char* cfl : {"3, 0.2, 0.25", "0.2, 3, 0.25", "0.2, 0.25, 3"}) {
+    const StudyResult result = replicated(cfl);
+    for (const Point& point : result.series[1].points) {
       EXPECT_EQ(point.status, Status::unstable) << cfl;
       EXPECT_NE(point.reason, "");
       EXPECT_TRUE(point.y.empty() && point.replicates.empty());
     }
+  }
   const Series sound = replicated("0.2, 0.25, 0.3").series[1];
   EXPECT_EQ(sound.orders[0].replicates->observations, 9);
   for (const Point& point : sound.points) {
