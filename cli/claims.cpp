@@ -3,7 +3,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/results.hpp"
-#include "studies/claim.hpp"
+#include "studies/claims/claim.hpp"
 
 namespace mpmvv {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "studies/settings.hpp"
+#include "studies/settings/settings.hpp"
 
 namespace mpmvv {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

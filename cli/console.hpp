@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "studies/printable.hpp"
+#include "studies/support/printable.hpp"
 
 namespace mpmvv {
 

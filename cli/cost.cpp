@@ -12,9 +12,9 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
-#include "studies/error.hpp"
-#include "studies/file.hpp"
-#include "studies/process.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
+#include "studies/support/process.hpp"
 
 namespace mpmvv {
 

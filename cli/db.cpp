@@ -5,8 +5,8 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/outputs.hpp"
-#include "studies/file.hpp"
-#include "studies/store.hpp"
+#include "studies/store/store.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv {
 

@@ -14,8 +14,8 @@
 #include "goldens/github.hpp"
 #include "goldens/junit.hpp"
 #include "goldens/propose.hpp"
-#include "studies/error.hpp"
-#include "studies/file.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv {
 

@@ -11,8 +11,8 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
-#include "studies/provenance.hpp"
-#include "studies/reason.hpp"
+#include "studies/store/provenance.hpp"
+#include "studies/support/reason.hpp"
 
 namespace mpmvv {
 

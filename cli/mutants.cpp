@@ -15,8 +15,8 @@
 #include "goldens/mutants/mutation.hpp"
 #include "goldens/mutants/program_bench.hpp"
 #include "goldens/mutants/together_bench.hpp"
-#include "studies/error.hpp"
-#include "studies/process.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/process.hpp"
 
 namespace mpmvv {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

@@ -12,8 +12,8 @@
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "goldens/gate.hpp"
-#include "studies/claim.hpp"
-#include "studies/error.hpp"
+#include "studies/claims/claim.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

@@ -5,9 +5,9 @@
 #include "goldens/mutants/alarm_log.hpp"
 #include "goldens/mutants/mistake.hpp"
 #include "goldens/mutants/tried.hpp"
-#include "studies/provenance.hpp"
-#include "studies/store.hpp"
-#include "studies/trend.hpp"
+#include "studies/claims/trend.hpp"
+#include "studies/store/provenance.hpp"
+#include "studies/store/store.hpp"
 
 namespace mpmvv {
 

@@ -7,9 +7,9 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
-#include "studies/error.hpp"
-#include "studies/run_case.hpp"
-#include "studies/settings.hpp"
+#include "studies/runs/run_case.hpp"
+#include "studies/settings/settings.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

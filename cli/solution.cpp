@@ -5,9 +5,9 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
-#include "studies/error.hpp"
-#include "studies/problem.hpp"
-#include "studies/settings.hpp"
+#include "studies/problems/problem.hpp"
+#include "studies/settings/settings.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

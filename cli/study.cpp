@@ -9,8 +9,8 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/outputs.hpp"
-#include "studies/error.hpp"
-#include "studies/study_runner.hpp"
+#include "studies/plan/study_runner.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

@@ -7,19 +7,10 @@ string(REGEX REPLACE "(^| )-W[^ ]*" "" FLAGS "${FLAGS}")
 string(REGEX REPLACE " +" " " FLAGS "${FLAGS}")
 string(STRIP "${FLAGS}" FLAGS)
 
-# The sources that decide a result: solutions, solver, problems, checks, and what carries a case out and measures it. That
-# is the rest of studies/ but for the records, which have a source there, and for what plans, reads and judges.
-set(others admission alarms case_pool criterion criterion_reader estimates figure_reader measured overriding parallel plan_rules result
-  samples scales sense setting_keys study study_reader study_runner vtu window word_keys)
-file(GLOB records "${SOURCE_DIR}/studies/*.cpp")
-foreach(record IN LISTS records)
-  get_filename_component(noun "${record}" NAME_WE)
-  list(APPEND others ${noun})
-endforeach()
-list(JOIN others "|" others)
-file(GLOB sources RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/studies/*.hpp" "${SOURCE_DIR}/studies/run/*.?pp")
-list(FILTER sources EXCLUDE REGEX "/(${others})[.].pp$")
-foreach(folder mms solver studies/problems studies/checks)
+# The folders whose sources decide a result: solutions and solver; what a case is, of which problem and by which settings;
+# what carries it out and measures it; and the checks. No other source does.
+set(sources "")
+foreach(folder mms solver studies/cases studies/checks studies/problems studies/runs studies/settings)
   file(GLOB_RECURSE more RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/${folder}/*.?pp")
   list(APPEND sources ${more})
 endforeach()

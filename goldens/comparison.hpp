@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/finding.hpp"
+#include "studies/claims/finding.hpp"
 
 namespace mpmvv {
 

@@ -4,7 +4,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <limits>
 
-#include "studies/median.hpp"
+#include "studies/fits/median.hpp"
 
 namespace mpmvv {
 

@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "goldens/judgement.hpp"
-#include "studies/error.hpp"
-#include "studies/trial.hpp"
+#include "studies/store/trial.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

@@ -4,7 +4,7 @@
 
 #include "goldens/golden.hpp"
 #include "goldens/verdict.hpp"
-#include "studies/result.hpp"
+#include "studies/records/result.hpp"
 
 namespace mpmvv {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "studies/printable.hpp"
+#include "studies/support/printable.hpp"
 
 namespace mpmvv {
 

@@ -10,9 +10,9 @@
 #include <map>
 #include <set>
 
-#include "studies/error.hpp"
-#include "studies/toml_file.hpp"
-#include "studies/window.hpp"
+#include "studies/fits/window.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/toml_file.hpp"
 
 namespace mpmvv {
 

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "studies/record.hpp"
+#include "studies/records/record.hpp"
 
 namespace mpmvv {
 

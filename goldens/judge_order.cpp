@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "goldens/judgement.hpp"
-#include "studies/observed_order.hpp"
-#include "studies/window.hpp"
+#include "studies/fits/observed_order.hpp"
+#include "studies/fits/window.hpp"
 
 namespace mpmvv {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <string_view>
 
-#include "studies/printable.hpp"
+#include "studies/support/printable.hpp"
 
 namespace mpmvv {
 

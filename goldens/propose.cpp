@@ -8,11 +8,11 @@
 
 #include "goldens/gate.hpp"
 #include "goldens/judgement.hpp"
-#include "studies/error.hpp"
-#include "studies/observed_order.hpp"
-#include "studies/printable.hpp"
-#include "studies/trial.hpp"
-#include "studies/window.hpp"
+#include "studies/fits/observed_order.hpp"
+#include "studies/fits/window.hpp"
+#include "studies/store/trial.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/printable.hpp"
 
 namespace mpmvv {
 

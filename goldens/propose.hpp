@@ -2,8 +2,8 @@
 #include <string>
 
 #include "goldens/golden.hpp"
-#include "studies/provenance.hpp"
-#include "studies/result.hpp"
+#include "studies/records/result.hpp"
+#include "studies/store/provenance.hpp"
 
 namespace mpmvv {
 

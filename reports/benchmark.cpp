@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/text.hpp"
-#include "studies/error.hpp"
-#include "studies/file.hpp"
-#include "studies/median.hpp"
-#include "studies/record.hpp"
+#include "studies/fits/median.hpp"
+#include "studies/records/record.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "reports/axis.hpp"
-#include "studies/result.hpp"
+#include "studies/records/result.hpp"
 
 namespace mpmvv {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "reports/chart.hpp"
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

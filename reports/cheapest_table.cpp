@@ -6,7 +6,8 @@
 #include "reports/chart.hpp"
 #include "reports/table.hpp"
 #include "reports/text.hpp"
-#include "studies/work_precision.hpp"
+#include "studies/claims/samples.hpp"
+#include "studies/fits/work_precision.hpp"
 
 namespace mpmvv {
 

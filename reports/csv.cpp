@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reports/text.hpp"
-#include "studies/csv_field.hpp"
+#include "studies/support/csv_field.hpp"
 
 namespace mpmvv {
 

@@ -2,7 +2,7 @@
 #include <map>
 #include <string>
 
-#include "studies/result.hpp"
+#include "studies/records/result.hpp"
 
 namespace mpmvv {
 

@@ -12,7 +12,7 @@
 #include "reports/table.hpp"
 #include "reports/template_data.hpp"
 #include "reports/text.hpp"
-#include "studies/file.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv {
 

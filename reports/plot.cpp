@@ -11,9 +11,9 @@
 #include <system_error>
 
 #include "reports/text.hpp"
-#include "studies/error.hpp"
-#include "studies/file.hpp"
-#include "studies/process.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
+#include "studies/support/process.hpp"
 
 namespace mpmvv {
 

@@ -13,8 +13,8 @@
 #include "reports/table.hpp"
 #include "reports/text.hpp"
 #include "reports/trend_page.hpp"
-#include "studies/error.hpp"
-#include "studies/file.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv {
 

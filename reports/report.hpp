@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "reports/benchmark.hpp"
+#include "studies/claims/trend.hpp"
 #include "studies/mutant.hpp"
-#include "studies/provenance.hpp"
-#include "studies/result.hpp"
-#include "studies/trend.hpp"
-#include "studies/version.hpp"
+#include "studies/records/result.hpp"
+#include "studies/store/provenance.hpp"
+#include "studies/store/version.hpp"
 
 namespace mpmvv {
 

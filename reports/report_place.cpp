@@ -12,8 +12,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "studies/error.hpp"
-#include "studies/file.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv {
 

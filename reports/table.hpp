@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/result.hpp"
+#include "studies/records/result.hpp"
 
 namespace mpmvv {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "reports/chart.hpp"
-#include "studies/trend.hpp"
-#include "studies/version.hpp"
+#include "studies/claims/trend.hpp"
+#include "studies/store/version.hpp"
 
 namespace mpmvv {
 

@@ -7,7 +7,7 @@
 #include "reports/template_data.hpp"
 #include "reports/text.hpp"
 #include "reports/trend_chart.hpp"
-#include "studies/file.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv {
 

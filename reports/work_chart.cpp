@@ -2,7 +2,8 @@
 #include <fmt/ranges.h>
 
 #include "reports/chart.hpp"
-#include "studies/work_precision.hpp"
+#include "studies/claims/samples.hpp"
+#include "studies/fits/work_precision.hpp"
 
 namespace mpmvv {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "studies/alarms.hpp"
-#include "studies/result.hpp"
+#include "studies/records/result.hpp"
 
 namespace mpmvv {
 

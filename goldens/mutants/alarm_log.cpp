@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "studies/error.hpp"
-#include "studies/toml_file.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/toml_file.hpp"
 
 namespace mpmvv {
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

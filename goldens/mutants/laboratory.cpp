@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "studies/case.hpp"
-#include "studies/error.hpp"
-#include "studies/file.hpp"
+#include "studies/cases/case.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv {
 

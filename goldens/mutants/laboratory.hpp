@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "goldens/mutants/edit.hpp"
-#include "studies/process.hpp"
+#include "studies/support/process.hpp"
 
 namespace mpmvv {
 

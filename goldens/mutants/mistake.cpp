@@ -6,8 +6,8 @@
 #include <iterator>
 #include <set>
 
-#include "studies/error.hpp"
-#include "studies/toml_file.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/toml_file.hpp"
 
 namespace mpmvv {
 

@@ -12,7 +12,7 @@
 #include <regex>
 #include <sstream>
 
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

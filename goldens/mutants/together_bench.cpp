@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

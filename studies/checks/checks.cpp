@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "studies/check.hpp"
-#include "studies/error.hpp"
+#include "studies/checks/check.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/checks/particle_panel.hpp"
+#include "studies/checks/profiles/particle_panel.hpp"
 
 namespace mpmvv {
 

@@ -7,8 +7,8 @@
 #include "mms/radial.hpp"
 #include "mms/square.hpp"
 #include "mms/vortex.hpp"
-#include "studies/check.hpp"
 #include "studies/checks/basis_function.hpp"
+#include "studies/checks/check.hpp"
 
 namespace mpmvv {
 

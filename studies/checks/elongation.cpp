@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "studies/check.hpp"
-#include "studies/norms.hpp"
-#include "studies/run/scene.hpp"
-#include "studies/settings.hpp"
+#include "studies/checks/check.hpp"
+#include "studies/runs/norms.hpp"
+#include "studies/runs/scene.hpp"
+#include "studies/settings/settings.hpp"
 
 namespace mpmvv {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <vector>
 
-#include "studies/check.hpp"
+#include "studies/checks/check.hpp"
 #include "studies/checks/mapping/particle_tiling.hpp"
-#include "studies/run/scene.hpp"
-#include "studies/settings.hpp"
+#include "studies/runs/scene.hpp"
+#include "studies/settings/settings.hpp"
 
 namespace mpmvv {
 

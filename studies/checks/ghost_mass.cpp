@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "studies/check.hpp"
-#include "studies/run/scene.hpp"
-#include "studies/settings.hpp"
+#include "studies/checks/check.hpp"
+#include "studies/runs/scene.hpp"
+#include "studies/settings/settings.hpp"
 
 namespace mpmvv {
 

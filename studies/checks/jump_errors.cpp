@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "solver/basis/bases.hpp"
-#include "studies/check.hpp"
 #include "studies/checks/basis_function.hpp"
+#include "studies/checks/check.hpp"
 
 namespace mpmvv {
 

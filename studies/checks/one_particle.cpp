@@ -2,9 +2,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "studies/check.hpp"
-#include "studies/run/scene.hpp"
-#include "studies/settings.hpp"
+#include "studies/checks/check.hpp"
+#include "studies/runs/scene.hpp"
+#include "studies/settings/settings.hpp"
 
 namespace mpmvv {
 

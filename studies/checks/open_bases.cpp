@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "solver/basis/open_bspline.hpp"
-#include "studies/check.hpp"
 #include "studies/checks/basis_function.hpp"
+#include "studies/checks/check.hpp"
 
 namespace mpmvv {
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "studies/checks/particle_panel.hpp"
+#include "studies/checks/profiles/particle_panel.hpp"
 
 namespace mpmvv {
 

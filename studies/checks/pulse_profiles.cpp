@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "studies/checks/profile.hpp"
+#include "studies/checks/profiles/profile.hpp"
 
 namespace mpmvv {
 

@@ -1,4 +1,4 @@
-#include "studies/checks/shocked_bar.hpp"
+#include "studies/checks/profiles/shocked_bar.hpp"
 
 namespace mpmvv {
 

@@ -1,6 +1,6 @@
 #include <string>
 
-#include "studies/checks/shocked_bar.hpp"
+#include "studies/checks/profiles/shocked_bar.hpp"
 
 namespace mpmvv {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "solver/mpm.hpp"
-#include "studies/check.hpp"
+#include "studies/checks/check.hpp"
 #include "studies/checks/mapping/spectrum.hpp"
 
 namespace mpmvv {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "studies/error.hpp"
-#include "studies/problem.hpp"
+#include "studies/problems/problem.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 

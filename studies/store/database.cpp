@@ -9,7 +9,7 @@
 #include <system_error>
 #include <type_traits>
 
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::db {
 

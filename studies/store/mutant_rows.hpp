@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "studies/mutant.hpp"
-#include "studies/provenance.hpp"
 #include "studies/store/database.hpp"
+#include "studies/store/provenance.hpp"
 
 namespace mpmvv::db {
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <string>
 
-#include "studies/error.hpp"
 #include "studies/store/schema.hpp"
 #include "studies/store/seal.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::db {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "studies/provenance.hpp"
-#include "studies/record.hpp"
+#include "studies/records/record.hpp"
 #include "studies/store/database.hpp"
+#include "studies/store/provenance.hpp"
 
 namespace mpmvv::db {
 

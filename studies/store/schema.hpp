@@ -4,8 +4,8 @@
 #include <functional>
 #include <span>
 
-#include "studies/store.hpp"
 #include "studies/store/database.hpp"
+#include "studies/store/store.hpp"
 
 namespace mpmvv::db {
 

@@ -6,8 +6,8 @@
 #include <boost/crc.hpp>
 #include <variant>
 
-#include "studies/error.hpp"
-#include "studies/file.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv::db {
 

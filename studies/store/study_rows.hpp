@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "studies/provenance.hpp"
-#include "studies/result.hpp"
+#include "studies/records/result.hpp"
 #include "studies/store/database.hpp"
+#include "studies/store/provenance.hpp"
 
 namespace mpmvv::db {
 

@@ -1,4 +1,4 @@
-#include "studies/provenance.hpp"
+#include "studies/store/provenance.hpp"
 #include "tests/benchmark/measure.hpp"
 
 /// The cost of a step, what scenes skip, and what the machine can do. The digest in the answer says which program it

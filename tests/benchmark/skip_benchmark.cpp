@@ -7,9 +7,9 @@
 
 #include "mms/bar.hpp"
 #include "mms/cube.hpp"
-#include "studies/run_case.hpp"
-#include "studies/settings.hpp"
-#include "studies/store.hpp"
+#include "studies/runs/run_case.hpp"
+#include "studies/settings/settings.hpp"
+#include "studies/store/store.hpp"
 #include "tests/benchmark/measure.hpp"
 
 /// What a scene does not need and therefore does not pay: each row is run with it (`paid`) and without (`skipped`).

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "studies/store.hpp"
+#include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
 
 namespace mpmvv {

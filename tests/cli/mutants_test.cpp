@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "studies/store.hpp"
+#include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
 
 namespace mpmvv {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "studies/store.hpp"
+#include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 

@@ -92,7 +92,7 @@ TEST_F(ReadmeNightly, TheBasisIsOneFileAndOneLine) {
 TEST_F(ReadmeNightly, TheSolutionIsADisplacementField) {
   write("studies/problems/bending.cpp", block("solution"));
   insert("studies/problems/problems.cpp", "      one_particle_problem(),", block("solution-line"));
-  insert("studies/problem.hpp", "Problem bar_problem();", "Problem bending_problem();\n");
+  insert("studies/problems/problem.hpp", "Problem bar_problem();", "Problem bending_problem();\n");
   const std::string run =
       "./mpmvv run --problem bending --basis bspline3 --integrator cd --ppc 4 --cfl 0.2 --json --cells ";
   const std::string out = build_and("mpmvv", run + "16 && echo SPLIT && " + run + "32");

@@ -6,8 +6,8 @@
 #include <csignal>
 #include <filesystem>
 
-#include "studies/provenance.hpp"
-#include "studies/store.hpp"
+#include "studies/store/provenance.hpp"
+#include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 

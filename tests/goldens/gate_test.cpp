@@ -7,8 +7,8 @@
 #include <cmath>
 #include <functional>
 
-#include "studies/error.hpp"
-#include "studies/trial.hpp"
+#include "studies/store/trial.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 namespace gate_test {

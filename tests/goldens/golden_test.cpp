@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 namespace golden_test {

@@ -9,7 +9,7 @@
 
 #include "goldens/mutants/campaign.hpp"
 #include "goldens/mutants/laboratory.hpp"
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 namespace mutant_campaign_test {

@@ -10,7 +10,7 @@
 #include "goldens/mutants/mistake.hpp"
 #include "goldens/mutants/mutation.hpp"
 #include "goldens/mutants/program_bench.hpp"
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 namespace mutant_edit_test {
@@ -290,7 +290,7 @@ TEST(GateOutput, AnEditReachesTheTestsThatLinkIt) {
   EXPECT_THAT(test_programs("solver/grid.hpp"), testing::ElementsAre("test_cli", "test_studies", "test_solver"));
   EXPECT_THAT(test_programs("mms/bar.cpp"), testing::Contains("test_mms"));
   EXPECT_THAT(test_programs("reports/csv.cpp"), testing::ElementsAre("test_reports", "test_cli"));
-  EXPECT_THAT(test_programs("studies/norms.hpp"), IsSupersetOf({"test_studies", "test_goldens", "test_reports"}));
+  EXPECT_THAT(test_programs("studies/runs/norms.hpp"), IsSupersetOf({"test_studies", "test_goldens", "test_reports"}));
 }
 
 }  // namespace mutant_edit_test

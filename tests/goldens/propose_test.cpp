@@ -8,8 +8,8 @@
 #include <random>
 
 #include "goldens/gate.hpp"
-#include "studies/error.hpp"
-#include "studies/trial.hpp"
+#include "studies/store/trial.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 namespace propose_test {

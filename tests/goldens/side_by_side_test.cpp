@@ -140,7 +140,7 @@ TEST(SideBySides, BodiesAreFound) {
 TEST(PlantedMistakes, StandSideBySideAsTheyAre) {
   std::size_t all = 0, placed = 0;
   for (const char* const file :
-       {"solver/stencil.hpp", "solver/mpm_impl.hpp", "mms/ring.hpp", "studies/run/scene.cpp"}) {
+       {"solver/stencil.hpp", "solver/mpm_impl.hpp", "mms/ring.hpp", "studies/runs/scene.cpp"}) {
     const std::string text = (std::stringstream() << std::ifstream(fs::path(MPMVV_SOURCE_DIR) / file).rdbuf()).str();
     std::vector<Choice> choices;
     for (const Edit& edit : mutations_of(file, text)) choices.push_back({static_cast<int>(choices.size()) + 1, edit});

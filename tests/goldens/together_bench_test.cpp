@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "goldens/mutants/program_bench.hpp"
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv {
 namespace together_bench_test {

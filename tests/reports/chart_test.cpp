@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 #include "tests/reports/synthetic.hpp"
 
 namespace mpmvv {

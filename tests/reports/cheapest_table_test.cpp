@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "reports/table.hpp"
-#include "studies/work_precision.hpp"
+#include "studies/claims/samples.hpp"
+#include "studies/fits/work_precision.hpp"
 #include "tests/reports/synthetic.hpp"
 
 namespace mpmvv {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/result.hpp"
+#include "studies/records/result.hpp"
 
 /// Results in which no two numbers are equal, nor look equal when they are rounded for a table.
 namespace mpmvv::distinct {

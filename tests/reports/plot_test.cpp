@@ -9,7 +9,7 @@
 #include <map>
 #include <thread>
 
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "reports/report.hpp"
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 

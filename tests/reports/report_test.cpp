@@ -6,7 +6,7 @@
 #include <regex>
 #include <set>
 
-#include "studies/error.hpp"
+#include "studies/support/error.hpp"
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "reports/csv.hpp"
-#include "studies/process.hpp"
+#include "studies/support/process.hpp"
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 

@@ -60,7 +60,7 @@ TEST(Layers, RecordsAreFreeOfSolverAndSolutions) {
   std::set<std::string> tied;
   for (const Include& include : includes_of("studies"))
     if (folder_of(include.target) == "solver" || folder_of(include.target) == "mms") tied.insert(include.file);
-  ASSERT_TRUE(tied.contains("studies/problem.hpp"));
+  ASSERT_TRUE(tied.contains("studies/problems/problem.hpp"));
   for (const std::string folder : {"goldens", "reports"})
     for (const Include& include : includes_of(folder)) EXPECT_FALSE(tied.contains(include.target)) << include.file;
 }

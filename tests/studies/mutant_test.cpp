@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "studies/claim.hpp"
-#include "tests/studies/store_samples.hpp"
+#include "studies/claims/claim.hpp"
+#include "tests/studies/store/store_samples.hpp"
 
 namespace mpmvv {
 namespace mutant_test {

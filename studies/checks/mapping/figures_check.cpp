@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "studies/check.hpp"
 #include "studies/checks/basis_function.hpp"
+#include "studies/checks/check.hpp"
 #include "studies/checks/mapping/cases.hpp"
 
 namespace mpmvv::mapping {

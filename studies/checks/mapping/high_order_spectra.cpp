@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "studies/check.hpp"
+#include "studies/checks/check.hpp"
 #include "studies/checks/mapping/particle_tiling.hpp"
 #include "studies/checks/mapping/spectrum.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "studies/check.hpp"
+#include "studies/checks/check.hpp"
 #include "studies/checks/mapping/cases.hpp"
 #include "studies/checks/mapping/counterexamples.hpp"
 #include "studies/checks/mapping/field_properties.hpp"

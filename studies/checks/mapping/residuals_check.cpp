@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/check.hpp"
+#include "studies/checks/check.hpp"
 #include "studies/checks/mapping/cases.hpp"
 
 namespace mpmvv::mapping {

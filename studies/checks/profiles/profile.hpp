@@ -1,0 +1,36 @@
+#pragma once
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "studies/checks/profiles/particle_panel.hpp"
+
+namespace mpmvv {
+
+/// A quantity along x: means over the particles of each column of the lattice.
+struct Profile {
+  std::vector<double> x;  ///< current positions
+  std::vector<double> y;
+};
+
+/// value(p) of the particles of a body filled by a lattice.
+template <int D, class Value>
+Profile profile(const MovingBody<D>& body, const Value& value) {
+  struct Column {
+    double x = 0, y = 0, count = 0;
+  };
+  std::map<long long, Column> columns;  // by reference position, in units far below a particle's width
+  const auto& particles = body.mpm().particles();
+  const double unit = 1e-3 * body.mpm().grid().h();
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    Column& column = columns[std::llround(body.X()[particles.id[p]][0] / unit)];
+    column.x += particles.x[p][0], column.y += value(p), ++column.count;
+  }
+  Profile result;
+  for (const auto& [place, column] : columns)
+    result.x.push_back(column.x / column.count), result.y.push_back(column.y / column.count);
+  return result;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,103 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "mms/hugoniot.hpp"
+#include "studies/checks/profiles/profile.hpp"
+
+namespace mpmvv {
+
+/// A velocity update of N Fig. 8, with or without artificial viscosity.
+struct ShockMethod {
+  const char *name, *update, *order;
+  bool viscous;
+
+  std::string label() const { return std::string(name) + (viscous ? "" : ", no artificial viscosity"); }
+
+  /// `cells` per 2.5 mm; the end time in s
+  std::vector<Setting> settings(int cells, const char* end_time) const {
+    std::vector<Setting> all{{"problem", "shock", ""},
+                             {"basis", "b2cpdi", ""},
+                             {"integrator", "usl", ""},
+                             {"deformation", "exponential", ""},
+                             {"velocity_update", update, ""},
+                             {"wall_depth", "1.5", ""},
+                             {"wall_gradient", "estimated", ""},
+                             {"cells", std::to_string(cells), ""},
+                             {"ppc", "2", ""},
+                             {"end_time", end_time, ""},
+                             {"cfl", "0.2", ""}};
+    if (*order)
+      all.push_back({"order", order, ""});
+    else
+      all.push_back({"position", "second-order", ""});
+    if (!viscous)
+      for (const char* key : {"param.linear_viscosity", "param.quadratic_viscosity"}) all.push_back({key, "0", ""});
+    return all;
+  }
+};
+
+/// The shock of the problem's defaults.
+inline mms::Hugoniot theoretical_shock() {
+  const Parameters p = complete_parameters(find_problem("shock", "the check"), {});
+  return {{p.at("bulk_modulus"), p.at("density"), p.at("hugoniot_slope"), p.at("gamma"), p.at("heat_capacity"),
+           p.at("temperature")},
+          p.at("velocity")};
+}
+
+/// Where the profile first rises through `level`, seen from the left.
+inline double rise_through(const Profile& profile, double level) {
+  for (std::size_t k = 1; k < profile.x.size(); ++k) {
+    const double before = profile.y[k - 1], after = profile.y[k];
+    if (after >= level)
+      return profile.x[k - 1] + (profile.x[k] - profile.x[k - 1]) * (level - before) / (after - before);
+  }
+  return profile.x.back();
+}
+
+/// Of the values between two places.
+struct PlateauRange {
+  double mean = 0, largest = 0;
+
+  PlateauRange(const Profile& profile, double from, double to) {
+    double count = 0;
+    for (std::size_t k = 0; k < profile.x.size(); ++k)
+      if (profile.x[k] >= from && profile.x[k] <= to)
+        mean += profile.y[k], ++count, largest = std::max(largest, profile.y[k]);
+    mean /= count;
+  }
+};
+
+/// A bar under shock and what it shows: the plateau from 24 cells behind the theoretical front to 12 before the wall,
+/// and the ringing in the 24 cells.
+struct ShockedBar {
+  static constexpr double end = 0.05;  ///< where the driving wall starts, m
+
+  MovingBody<2> body;
+  Profile pressure, temperature;
+  double plateau_pressure;                    ///< by theory, Pa
+  double front, expected_front, first, last;  ///< m
+
+  ShockedBar(const ShockMethod& method, int cells, const char* end_time, const mms::Hugoniot& shock)
+      : body(method.settings(cells, end_time)), plateau_pressure(shock.pressure()) {
+    body.step_to(body.resolution().steps);
+    const auto& particles = body.mpm().particles();
+    const double h = body.mpm().grid().h(), t = body.mpm().time();
+    pressure = profile(body, [&](std::size_t p) { return particles.thermal[p].total_pressure(); });
+    temperature = profile(body, [&](std::size_t p) { return particles.thermal[p].temperature; });
+    front = way_of(0.5);
+    expected_front = shock.shock_speed() * t;
+    first = end - expected_front + 24 * h;
+    last = end - std::sqrt(2 * shock.energy()) * t - 12 * h;
+  }
+
+  /// How far the pressure has come that is this share of the plateau's, m.
+  double way_of(double share) const { return end - rise_through(pressure, share * plateau_pressure); }
+
+  PlateauRange plateau(const Profile& profile) const { return {profile, first, last}; }
+  PlateauRange ringing() const { return {pressure, end - expected_front, first}; }
+};
+
+}  // namespace mpmvv

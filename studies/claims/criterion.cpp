@@ -1,0 +1,63 @@
+#include "studies/claims/criterion.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "studies/claims/measured.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+std::string bounds_text(const Criterion& c) {
+  if (c.at_least && c.at_most) return fmt::format("asked: {} to {}", *c.at_least, *c.at_most);
+  return c.at_least ? fmt::format("asked: at least {}", *c.at_least) : fmt::format("asked: at most {}", *c.at_most);
+}
+
+/// Whether the whole interval is inside the bounds, wholly outside, or reaches across one of them.
+PartVerdict verdict_on(const Criterion& c, const Interval& interval) {
+  const auto [lower, upper] = interval;
+  if ((c.at_least && upper < *c.at_least) || (c.at_most && lower > *c.at_most)) return PartVerdict::fails;
+  const bool inside = (!c.at_least || lower >= *c.at_least) && (!c.at_most || upper <= *c.at_most);
+  return inside ? PartVerdict::holds : PartVerdict::inconclusive;
+}
+
+}  // namespace
+
+/// What is measured is held against the bounds with its interval, which can only withhold a verdict and never make one:
+/// residuals of a deterministic method are bias, so an interval that contains the order claimed says nothing for it,
+/// but one that reaches across a bound says that other points might lie on its other side.
+ClaimPart judge(const Criterion& criterion, const StudyResult& result) {
+  ClaimPart part{criterion.claim, criterion.statement, PartVerdict::shown, "", ""};
+  if (criterion.kind == Criterion::Kind::shown) {
+    part.evidence = "shown in the figure";
+    return part;
+  }
+  if (criterion.kind == Criterion::Kind::awaited) {
+    part.verdict = PartVerdict::inconclusive;
+    part.evidence = "not run yet";
+    return part;
+  }
+  part.verdict = PartVerdict::inconclusive;
+  const Measured measured = measure(criterion, result);
+  std::vector<std::string> texts;
+  bool all_hold = true, one_fails = false, all_known = measured.missing.empty() && !measured.numbers.empty();
+  for (const auto& [label, value, interval, words] : measured.numbers) {
+    texts.push_back(words.empty() ? fmt::format("{} = {:.4g}", label, value) : fmt::format("{}: {}", label, words));
+    const PartVerdict verdict = verdict_on(criterion, interval);
+    all_hold = all_hold && verdict == PartVerdict::holds;
+    one_fails = one_fails || verdict == PartVerdict::fails;
+    all_known = all_known && !std::isnan(value);
+  }
+  if (!measured.missing.empty()) texts.push_back(measured.missing);
+  if (all_known && (one_fails || all_hold)) part.verdict = one_fails ? PartVerdict::fails : PartVerdict::holds;
+  const bool reaches_across = all_known && part.verdict == PartVerdict::inconclusive;
+  part.evidence = fmt::format("{} ({}{})", fmt::join(texts, "; "), bounds_text(criterion),
+                              reaches_across ? ", but an interval reaches across" : "");
+  if (part.verdict == PartVerdict::fails) part.reason = criterion.reason;
+  return part;
+}
+
+}  // namespace mpmvv

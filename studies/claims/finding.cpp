@@ -1,0 +1,171 @@
+#include "studies/claims/finding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include "studies/claims/claim.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+/// Also of what a check's curves are called.
+bool is_error(const std::string& quantity) {
+  const auto has_its_name = [&](const RunNumber& number) { return quantity == number.name; };
+  return std::ranges::none_of(run_by_products(), has_its_name) && quantity != "particles" && quantity != "steps" &&
+         quantity != "dt";
+}
+
+/// What is fitted or drawn of a series against the swept value.
+std::set<std::string> followed(const StudyResult& study, const Series& series) {
+  std::set<std::string> quantities;
+  for (const ObservedOrder& order : series.orders) quantities.insert(order.norm);
+  for (const Figure& figure : study.figures)
+    if (figure.kind != "particles" && is_error(figure.quantity)) quantities.insert(figure.quantity);
+  return quantities;
+}
+
+/// The sound points of a quantity, in increasing x.
+std::vector<Finding::Level> levels_of(const Series& series, const std::string& quantity) {
+  std::vector<Finding::Level> levels;
+  for (const Point& point : series.points)
+    if (const auto y = point.y.find(quantity);
+        point.status == Status::ok && y != point.y.end() && !std::isnan(y->second))
+      levels.push_back({point.x, y->second});
+  std::ranges::stable_sort(levels, {}, &Finding::Level::x);
+  return levels;
+}
+
+const Finding::Level& finest(const StudyResult& study, const std::vector<Finding::Level>& levels) {
+  return study.sweep == "cells" ? levels.back() : levels.front();
+}
+
+Finding numbered(Finding finding) {
+  if (std::isnan(finding.number)) finding.word = "not measured";
+  return finding;
+}
+
+Finding order_finding(const StudyResult& study, const Series& series, const ObservedOrder& order) {
+  return numbered({study.name,
+                   Finding::Kind::order,
+                   fmt::format("order of '{}' in {} over [{:g}, {:g}]", series.name, order.norm, order.from, order.to),
+                   order.order,
+                   "",
+                   1,
+                   {}});
+}
+
+/// A check's curve is no sequence of refinements: it has no finest level.
+void add_errors(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {
+  for (const std::string& quantity : followed(study, series)) {
+    const auto levels = levels_of(series, quantity);
+    if (levels.empty()) continue;
+    if (study.kind == "check") {
+      findings.push_back({study.name, Finding::Kind::error, fmt::format("curve '{}' of {}", series.name, quantity),
+                          not_measured, "curve", 0, levels});
+      continue;
+    }
+    const auto [x, y] = finest(study, levels);
+    findings.push_back({study.name, Finding::Kind::error, fmt::format("error of '{}' in {}", series.name, quantity), y,
+                        "", -1, levels, x});
+  }
+}
+
+Finding limit_finding(const StudyResult& study, const Series& series, const StabilityLimit& limit) {
+  Finding finding{study.name,
+                  Finding::Kind::limit,
+                  fmt::format("{} limit of '{}'", limit.key, series.name),
+                  not_measured,
+                  "",
+                  limit.stable < limit.unstable ? 1 : -1,
+                  {}};
+  if (limit.found)
+    finding.number = limit.value();
+  else
+    finding.word = "not found";
+  return finding;
+}
+
+/// Its uncertainty is that of the finest grid's value, from which it was extrapolated.
+Finding extrapolated_finding(const StudyResult& study, const Series& series, const Extrapolation& e) {
+  return numbered({study.name,
+                   Finding::Kind::value,
+                   fmt::format("extrapolated {} of '{}' over [{:g}, {:g}]", e.norm, series.name, e.from, e.to),
+                   e.limit,
+                   "",
+                   0,
+                   {},
+                   not_measured,
+                   e.uncertainty});
+}
+
+void add_statuses(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {
+  for (const Point& point : series.points)
+    findings.push_back({study.name,
+                        Finding::Kind::status,
+                        fmt::format("status of '{}' at {:g}", series.name, point.x),
+                        not_measured,
+                        to_string(point.status),
+                        0,
+                        {}});
+}
+
+void add_cost(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {
+  if (levels_of(series, "step_seconds").empty()) return;
+  const auto levels = levels_of(series, "ns_per_particle_step");
+  if (levels.empty()) return;
+  findings.push_back({study.name,
+                      Finding::Kind::cost,
+                      fmt::format("ns per particle and step of '{}'", series.name),
+                      finest(study, levels).y,
+                      "",
+                      -1,
+                      {}});
+}
+
+}  // namespace
+
+std::string to_string(Finding::Kind kind) {
+  static constexpr std::array words{"order", "error", "limit", "value", "status", "cost", "verdict"};
+  return words[static_cast<std::size_t>(kind)];
+}
+
+std::string text(const Finding& finding) {
+  if (!finding.word.empty()) return finding.word;
+  const std::string number = fmt::format("{:.6g}", finding.number);
+  if (!std::isnan(finding.uncertainty))
+    return fmt::format("{} (the finest grid's ± {:.2g})", number, finding.uncertainty);
+  return std::isnan(finding.at) ? number : fmt::format("{} at {:g}", number, finding.at);
+}
+
+std::vector<Finding> findings_of(const StudyResult& study) {
+  std::vector<Finding> findings;
+  for (const Series& series : study.series) {
+    for (const ObservedOrder& order : series.orders) findings.push_back(order_finding(study, series, order));
+    add_errors(findings, study, series);
+    for (const Extrapolation& e : series.extrapolations) findings.push_back(extrapolated_finding(study, series, e));
+    if (series.limit) findings.push_back(limit_finding(study, series, *series.limit));
+    if (study.kind != "check") add_statuses(findings, study, series);
+    add_cost(findings, study, series);
+  }
+  for (const Value& value : study.values)
+    findings.push_back(
+        numbered({study.name, Finding::Kind::value, fmt::format("value '{}'", value.name), value.value, "", 0, {}}));
+  return findings;
+}
+
+std::vector<Finding> findings_of(const std::vector<StudyResult>& studies) {
+  std::vector<Finding> findings;
+  for (const StudyResult& study : studies) std::ranges::move(findings_of(study), std::back_inserter(findings));
+  for (const Claim& claim : judge_claims(studies))
+    if (!claim.studies.empty())
+      findings.push_back({"", Finding::Kind::verdict, "claim " + claim.id, not_measured, claim.verdict, 0, {}});
+  return findings;
+}
+
+}  // namespace mpmvv

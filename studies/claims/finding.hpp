@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "studies/records/result.hpp"
+
+namespace mpmvv {
+
+/// One result of a study under a name, so that versions can be laid side by side.
+struct Finding {
+  enum class Kind { order, error, limit, value, status, cost, verdict };
+
+  /// A point of an error or of a curve.
+  struct Level {
+    double x = 0, y = 0;
+  };
+
+  std::string study;  ///< empty for the verdict of a claim
+  Kind kind = Kind::value;
+  std::string name;                   ///< "order of 'linear' in l2 over [16, 128]"; differs within a study
+  double number = not_measured;       ///< an error's and a cost's is that of the finest level
+  std::string word;                   ///< a status, a verdict, why there is no number; else empty
+  int better = 0;                     ///< 1: the larger the better; -1: the smaller; 0: neither
+  std::vector<Level> levels;          ///< of an error or curve, in increasing x
+  double at = not_measured;           ///< of an error: the swept value of the finest level
+  double uncertainty = not_measured;  ///< of an extrapolated value
+};
+
+std::string to_string(Finding::Kind kind);
+
+/// The number with six digits, and where it was measured or how uncertain it is, or the word.
+std::string text(const Finding& finding);
+
+/// Orders, errors in every norm that is fitted or drawn, curves, limits, values, extrapolated ones too, statuses, and
+/// cost in ns per particle and step where it was measured alone (`repeat`).
+std::vector<Finding> findings_of(const StudyResult& study);
+
+/// Those of all studies, and the verdicts of the claims that they judge.
+std::vector<Finding> findings_of(const std::vector<StudyResult>& studies);
+
+}  // namespace mpmvv

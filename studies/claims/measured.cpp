@@ -1,0 +1,262 @@
+#include "studies/claims/measured.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <boost/math/statistics/linear_regression.hpp>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+
+#include "studies/claims/samples.hpp"
+#include "studies/fits/replicates.hpp"
+#include "studies/fits/work_precision.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+const Series* find_series(const StudyResult& result, const std::string& name) {
+  for (const Series& series : result.series)
+    if (series.name == name) return &series;
+  return nullptr;
+}
+
+/// The norm at a point; an unstable point counts as an infinite error.
+double error_at(const Point& point, const std::string& norm) {
+  if (point.status == Status::unstable) return std::numeric_limits<double>::infinity();
+  const auto y = point.y.find(norm);
+  return y == point.y.end() ? not_measured : y->second;
+}
+
+double error_at(const Series& series, double x, const std::string& norm) {
+  for (const Point& point : series.points)
+    if (std::abs(point.x - x) <= 1e-9 * std::abs(x)) return error_at(point, norm);
+  return not_measured;
+}
+
+/// The order over the points in the window that are stable; `missing` when one failed or has not been measured.
+ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
+                           Measured& out) {
+  ObservedOrder fit = fit_order(samples_of(series, norm, result.sweep), c.window.from, c.window.to);
+  if (const auto all = replicate_samples_of(series, norm, result.sweep); !all.empty())
+    fit.replicates = fit_replicates(all, c.window.from, c.window.to);
+  const auto stable = std::count_if(series.points.begin(), series.points.end(), [&](const Point& point) {
+    return c.window.holds(point.x) && point.status != Status::unstable;
+  });
+  if (fit.points < stable)
+    out.missing = fmt::format("'{}': {} of {} stable points are no use", series.name, stable - fit.points, stable);
+  return fit;
+}
+
+void add_order(const std::string& label, const ObservedOrder& fit, const std::string& remark, Measured& out) {
+  const double width = half_width(fit);
+  const std::string interval = width > 0 ? fmt::format(" (±{:.2g})", width) : "";
+  out.add(label + interval + remark, fit.order, Interval{fit.order - width, fit.order + width});
+}
+
+/// An unstable point has not converged: with it no lower bound is kept, and an upper bound as far as the others keep
+/// it.
+void measure_order(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
+  const ObservedOrder fit = stable_order(c, result, series, c.norm, out);
+  std::vector<double> unstable;
+  for (const Point& point : series.points)
+    if (c.window.holds(point.x) && point.status == Status::unstable) unstable.push_back(point.x);
+  const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
+  add_order(fmt::format("order of '{}' in {} over [{}, {}]", series.name, c.norm, c.window.from, c.window.to), fit,
+            without, out);
+  if (!unstable.empty() && c.at_least)
+    out.add(fmt::format("order of '{}' at {}", series.name, unstable[0]), -std::numeric_limits<double>::infinity());
+}
+
+/// The series whose one quantity, of which `norm` is the name, is that norm over `over_norm`.
+Series quotient(const Series& series, const std::string& norm, const std::string& over_norm) {
+  Series quotient{series.name, {}, {}, {}};
+  for (const Point& point : series.points) {
+    Point ratio{point.x, point.status, point.reason, {{norm, error_at(point, norm) / error_at(point, over_norm)}}};
+    const auto own = point.replicates.find(norm), other = point.replicates.find(over_norm);
+    if (own != point.replicates.end() && other != point.replicates.end() && own->second.size() == other->second.size())
+      std::ranges::transform(own->second, other->second, std::back_inserter(ratio.replicates[norm]), std::divides{});
+    quotient.points.push_back(ratio);
+  }
+  return quotient;
+}
+
+/// The difference of two orders is the order of the quotient, whose interval knows that both are of the same runs.
+void measure_order_difference(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
+  const double own = stable_order(c, result, series, c.norm, out).order;
+  const double other = stable_order(c, result, series, c.over_norm, out).order;
+  const ObservedOrder fit = stable_order(c, result, quotient(series, c.norm, c.over_norm), c.norm, out);
+  add_order(fmt::format("order of '{}' in {} ({:.2f}) less that in {} ({:.2f}) over [{}, {}]", series.name, c.norm, own,
+                        c.over_norm, other, c.window.from, c.window.to),
+            fit, "", out);
+}
+
+void measure_errors(const Criterion& c, const Series& series, Measured& out) {
+  for (const Point& point : series.points)
+    if (c.window.holds(point.x))
+      out.add(fmt::format("{} of '{}' at {}", c.norm, series.name, point.x), error_at(point, c.norm));
+}
+
+/// Two unstable runs are as bad as each other: W gives either an error of one.
+void measure_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
+  for (const Point& point : series.points) {
+    if (!c.window.holds(point.x)) continue;
+    const double own = error_at(point, c.norm), other = error_at(over, point.x, c.norm);
+    out.add(fmt::format("{} of '{}' over '{}' at {}", c.norm, series.name, over.name, point.x),
+            std::isinf(own) && std::isinf(other) ? 1 : own / other);
+  }
+}
+
+void measure_spread(const Criterion& c, const Series& series, Measured& out) {
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const Point& point : series.points) {
+    if (!c.window.holds(point.x)) continue;
+    const double error = error_at(point, c.norm);
+    if (std::isnan(error)) out.missing = fmt::format("'{}' has no {} at {}", series.name, c.norm, point.x);
+    least = std::min(least, error), largest = std::max(largest, error);
+  }
+  out.add(
+      fmt::format("largest over smallest {} of '{}' over [{}, {}]", c.norm, series.name, c.window.from, c.window.to),
+      largest / least);
+}
+
+/// Of the least-squares line through the points in the window; NaN when one is unstable or not measured.
+double slope_of(const Criterion& c, const Series& series) {
+  std::vector<double> x, y;
+  for (const Point& point : series.points)
+    if (c.window.holds(point.x)) x.push_back(point.x), y.push_back(error_at(point, c.norm));
+  return boost::math::statistics::simple_ordinary_least_squares(x, y).second;
+}
+
+double first_value(const Criterion& c, const Series& series) {
+  for (const Point& point : series.points)
+    if (c.window.holds(point.x)) return error_at(point, c.norm);
+  return not_measured;
+}
+
+void measure_slope(const Criterion& c, const Series& series, const Series& over, Measured& out) {
+  const bool share = c.kind == Criterion::Kind::slope_share;
+  out.add(fmt::format("slope of '{}' in {} over {} of '{}', [{}, {}]", series.name, c.norm,
+                      share ? "the value" : "that", over.name, c.window.from, c.window.to),
+          slope_of(c, series) / (share ? first_value(c, over) : slope_of(c, over)));
+}
+
+void measure_status(const Criterion& c, const Series& series, Measured& out) {
+  double ok = 0, all = 0;
+  for (const Point& point : series.points)
+    if (c.window.holds(point.x)) ok += point.status == Status::ok ? 1 : 0, ++all;
+  out.add(fmt::format("stable share of '{}' over [{}, {}]", series.name, c.window.from, c.window.to), ok / all);
+}
+
+/// The limit of a series; null, and `missing`, where none was found.
+const StabilityLimit* limit_of(const Series& series, Measured& out) {
+  if (series.limit && series.limit->found) return &*series.limit;
+  out.missing = fmt::format("'{}' has no limit in the range searched", series.name);
+  return nullptr;
+}
+
+Interval bracket_of(const StabilityLimit& limit) {
+  return {std::min(limit.stable, limit.unstable), std::max(limit.stable, limit.unstable)};
+}
+
+void measure_limit(const Series& series, Measured& out) {
+  const StabilityLimit* limit = limit_of(series, out);
+  if (!limit) return;
+  out.add(fmt::format("{} limit of '{}' between {:.4g} and {:.4g}{}", limit->key, series.name, limit->stable,
+                      limit->unstable, limit->monotone ? "" : ", not monotone"),
+          limit->value(), bracket_of(*limit));
+}
+
+void measure_limit_ratio(const Series& series, const Series& over, Measured& out) {
+  const StabilityLimit *own = limit_of(series, out), *other = limit_of(over, out);
+  if (!own || !other) return;
+  const Interval a = bracket_of(*own), b = bracket_of(*other), ratio{a.lower / b.upper, a.upper / b.lower};
+  out.add(fmt::format("limit of '{}' over '{}' between {:.4g} and {:.4g}", series.name, over.name, ratio.lower,
+                      ratio.upper),
+          own->value() / other->value(), ratio);
+}
+
+/// Which of two that should get down to an error does not.
+std::string never_there(const Series& series, double cost, const Series& over, double other_cost) {
+  if (std::isinf(cost) && std::isinf(other_cost)) return "neither ever reaches it";
+  if (std::isinf(cost)) return fmt::format("'{}' never reaches it", series.name);
+  return std::isinf(other_cost) ? fmt::format("'{}' never reaches it", over.name) : "";
+}
+
+/// A series that never gets down to an error costs without end there, whatever the other one does.
+void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
+  const auto own = pareto_front(work_points(series, c.norm)), other = pareto_front(work_points(over, c.norm));
+  if (own.empty() || other.empty()) out.missing = fmt::format("no cost of '{}'", own.empty() ? series.name : over.name);
+  for (const double error : decades(c.window.from, c.window.to)) {
+    const double cost = cost_to_reach(error, own), other_cost = cost_to_reach(error, other);
+    out.add(fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error),
+            std::isinf(cost) ? cost : cost / other_cost, never_there(series, cost, over, other_cost));
+  }
+}
+
+void measure_value(const Criterion& c, const StudyResult& result, Measured& out) {
+  for (const Value& value : result.values)
+    if (value.name == c.name) return out.add(value.meaning, value.value);
+  out.missing = fmt::format("the check has no value '{}'", c.name);
+}
+
+}  // namespace
+
+Measured measure(const Criterion& c, const StudyResult& result) {
+  Measured out;
+  if (c.kind == Criterion::Kind::value) {
+    measure_value(c, result, out);
+    return out;
+  }
+  const Series* over = c.over.empty() ? nullptr : find_series(result, c.over);
+  for (const std::string& name : c.series) {
+    const Series* series = find_series(result, name);
+    if (!series || (!c.over.empty() && !over)) {
+      out.missing = fmt::format("there is no series '{}'", series ? c.over : name);
+      return out;
+    }
+    switch (c.kind) {
+      case Criterion::Kind::order:
+        measure_order(c, result, *series, out);
+        break;
+      case Criterion::Kind::order_difference:
+        measure_order_difference(c, result, *series, out);
+        break;
+      case Criterion::Kind::error:
+        measure_errors(c, *series, out);
+        break;
+      case Criterion::Kind::error_ratio:
+        measure_ratios(c, *series, *over, out);
+        break;
+      case Criterion::Kind::spread:
+        measure_spread(c, *series, out);
+        break;
+      case Criterion::Kind::slope_ratio:
+      case Criterion::Kind::slope_share:
+        measure_slope(c, *series, *over, out);
+        break;
+      case Criterion::Kind::status:
+        measure_status(c, *series, out);
+        break;
+      case Criterion::Kind::limit:
+        measure_limit(*series, out);
+        break;
+      case Criterion::Kind::limit_ratio:
+        measure_limit_ratio(*series, *over, out);
+        break;
+      case Criterion::Kind::cost_ratio:
+        measure_cost_ratios(c, *series, *over, out);
+        break;
+      case Criterion::Kind::value:
+      case Criterion::Kind::awaited:
+      case Criterion::Kind::shown:
+        break;
+    }
+  }
+  return out;
+}
+
+}  // namespace mpmvv

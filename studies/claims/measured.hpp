@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "studies/claims/criterion.hpp"
+
+namespace mpmvv {
+
+/// Where a number may lie: an order by its replicates or residuals, a limit by its bracket.
+struct Interval {
+  double lower, upper;
+};
+
+/// Numbers measured for a criterion; `missing` when something cannot be judged.
+struct Measured {
+  struct Number {
+    std::string label;
+    double value;
+    Interval interval;  ///< the value alone where nothing is known of it
+    std::string words;  ///< what people read instead of a number without end; else empty
+  };
+
+  std::vector<Number> numbers;
+  std::string missing;
+
+  void add(const std::string& label, double value, const std::string& words = "") {
+    numbers.push_back({label, value, {value, value}, words});
+  }
+  void add(const std::string& label, double value, const Interval& interval) {
+    numbers.push_back({label, value, interval, ""});
+  }
+};
+
+Measured measure(const Criterion& c, const StudyResult& result);
+
+}  // namespace mpmvv

@@ -1,0 +1,152 @@
+#include "studies/fits/observed_order.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+
+#include "studies/fits/window.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv {
+namespace {
+
+bool usable(const ErrorSample& s) {
+  return std::isfinite(s.h) && s.h > 0 && std::isfinite(s.e);
+}
+
+struct Line {
+  double slope = not_measured, intercept = not_measured, slope_error = not_measured, r_squared = not_measured;
+};
+
+/// Least squares of log e over log h; `slope_error` is the standard error of the slope.
+Line fit_line(std::span<const ErrorSample> samples) {
+  const auto n = static_cast<double>(samples.size());
+  double mean_x = 0, mean_y = 0;
+  for (const ErrorSample& s : samples) {
+    mean_x += std::log(s.h) / n;
+    mean_y += std::log(s.e) / n;
+  }
+  double xx = 0, xy = 0, yy = 0;
+  for (const ErrorSample& s : samples) {
+    const double x = std::log(s.h) - mean_x, y = std::log(s.e) - mean_y;
+    xx += x * x;
+    xy += x * y;
+    yy += y * y;
+  }
+  Line line;
+  line.slope = xy / xx;
+  line.intercept = mean_y - line.slope * mean_x;
+  double misfit = 0;
+  for (const ErrorSample& s : samples) {
+    const double r = std::log(s.e) - line.intercept - line.slope * std::log(s.h);
+    misfit += r * r;
+  }
+  line.r_squared = 1 - misfit / yy;
+  line.slope_error = std::sqrt(misfit / (n - 2) / xx);
+  return line;
+}
+
+double student_t_95(std::size_t points) {
+  const boost::math::students_t distribution(static_cast<double>(points - 2));
+  return boost::math::quantile(distribution, 0.975);
+}
+
+bool have_different_h(std::span<const ErrorSample> samples) {
+  return std::any_of(samples.begin(), samples.end(), [&](const ErrorSample& s) { return s.h != samples.front().h; });
+}
+
+std::vector<SegmentOrder> segment_orders(std::span<const ErrorSample> samples) {
+  std::vector<SegmentOrder> segments;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const ErrorSample &a = samples[k - 1], &b = samples[k];
+    const double order = a.h == b.h ? not_measured : std::log(a.e / b.e) / std::log(a.h / b.h);
+    segments.push_back({a.x, b.x, order});
+  }
+  return segments;
+}
+
+/// False for less than two segments and for a NaN among them.
+bool agree(std::span<const SegmentOrder> segments) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const SegmentOrder& s : segments) {
+    if (std::isnan(s.order)) return false;
+    lowest = std::min(lowest, s.order);
+    highest = std::max(highest, s.order);
+  }
+  return segments.size() >= 2 && highest - lowest <= asymptotic_spread;
+}
+
+std::span<const SegmentOrder> inside(std::span<const SegmentOrder> segments, const Window& window) {
+  const auto is_inside = [&](const SegmentOrder& s) { return window.holds(s.from) && window.holds(s.to); };
+  const auto first = std::find_if(segments.begin(), segments.end(), is_inside);
+  const auto last = std::find_if_not(first, segments.end(), is_inside);
+  return {first, last};
+}
+
+/// The longest run of agreeing segments, the last or the first of equally long ones; empty when there is none.
+std::span<const SegmentOrder> longest_agreeing(std::span<const SegmentOrder> segments, bool prefer_last) {
+  for (std::size_t length = segments.size(); length >= 2; --length) {
+    const std::size_t last_start = segments.size() - length;
+    for (std::size_t k = 0; k <= last_start; ++k) {
+      const auto run = segments.subspan(prefer_last ? last_start - k : k, length);
+      if (agree(run)) return run;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<ErrorSample> usable_samples(std::span<const ErrorSample> samples, double from, double to) {
+  std::vector<ErrorSample> chosen = samples_within(samples, from, to);
+  std::erase_if(chosen, [](const ErrorSample& s) { return !(s.e > 0); });
+  return chosen;
+}
+
+std::vector<ErrorSample> samples_within(std::span<const ErrorSample> samples, double from, double to) {
+  if (!(from <= to))
+    throw UsageError(fmt::format("fit window from {} to {} is empty (from must not be greater than to)", from, to));
+  const Window window{from, to};
+  std::vector<ErrorSample> chosen;
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(chosen),
+               [&](const ErrorSample& s) { return usable(s) && window.holds(s.x); });
+  std::stable_sort(chosen.begin(), chosen.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  return chosen;
+}
+
+ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, double to) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<ErrorSample> all = usable_samples(samples, -infinity, infinity);
+  const std::vector<ErrorSample> fitted = usable_samples(samples, from, to);
+
+  ObservedOrder result;
+  result.from = from;
+  result.to = to;
+  result.points = static_cast<int>(fitted.size());
+  if (have_different_h(fitted)) {
+    const Line line = fit_line(fitted);
+    result.order = line.slope;
+    result.constant = std::exp(line.intercept);
+    result.r_squared = line.r_squared;
+    if (fitted.size() >= 4) result.half_width = student_t_95(fitted.size()) * line.slope_error;
+  }
+
+  result.segments = segment_orders(all);
+  result.asymptotic = agree(inside(result.segments, {from, to}));
+  const bool finest_last = !all.empty() && all.back().h < all.front().h;
+  if (const auto run = longest_agreeing(result.segments, finest_last); !run.empty()) {
+    result.asymptotic_from = run.front().from;
+    result.asymptotic_to = run.back().to;
+  }
+  return result;
+}
+
+double half_width(const ObservedOrder& fit) {
+  const double width = fit.replicates ? fit.replicates->half_width : fit.half_width;
+  return std::isnan(width) ? 0 : width;
+}
+
+}  // namespace mpmvv

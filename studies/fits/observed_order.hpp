@@ -1,0 +1,95 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "studies/support/not_measured.hpp"
+
+namespace mpmvv {
+
+/// Order between two neighbouring points.
+struct SegmentOrder {
+  double from = 0, to = 0;  ///< swept values
+  double order = 0;
+};
+
+/// e = C h^p + E0, NUMERICS.md; `accepted` only by its own test. The values stand even when it is rejected.
+struct FloorFit {
+  double constant = not_measured, order = not_measured, floor = not_measured;
+  double residual = not_measured;  ///< root mean square of the relative misfit
+  bool accepted = false;
+  std::string reason;  ///< why it was accepted or not
+};
+
+/// What true replicates say of a fitted order (replicates.hpp).
+struct ReplicateFit {
+  int observations = 0;
+  double scatter = not_measured;      ///< of log e within a level, standard deviation
+  double half_width = not_measured;   ///< 95 % of the order, from that scatter
+  double lack_of_fit = not_measured;  ///< probability; small: the power law is no law of the means
+};
+
+/// Observed order of one series in one norm. The window is declared by the study file, in swept values.
+struct ObservedOrder {
+  std::string norm;
+  double from = 0, to = 0;  ///< declared window
+  int points = 0;           ///< usable points inside it
+  double order = not_measured;
+  double half_width = not_measured;  ///< Student-t 95 % of the slope; NaN under four points
+  double constant = not_measured;    ///< C of e = C h^p over the window
+  double r_squared = not_measured;
+  bool asymptotic = false;  ///< segment orders inside the window agree (observed_order.hpp)
+  double asymptotic_from = not_measured,
+         asymptotic_to = not_measured;  ///< widest asymptotic run of points found; only reported
+  std::vector<SegmentOrder> segments;
+  std::optional<FloorFit> floor;                ///< when the study asks for it
+  std::optional<ReplicateFit> replicates = {};  ///< when the study has some
+};
+
+/// The points of one norm of one series: swept value x, step size h, error e.
+struct ErrorSample {
+  double x = 0;
+  double h = 0;
+  double e = 0;
+};
+
+/// Segment orders that lie within this of each other count as one order. If e = C h^p (1 + c h), the distance of a
+/// segment's order from p halves with every level, so three segments that agree to 0.2 leave the finest one within 0.07
+/// of p; scatter of 1 % in the errors moves the order of a segment with halved h by 0.03 at most and passes.
+inline constexpr double asymptotic_spread = 0.2;
+
+/// The samples with from <= x <= to (to a relative 1e-9) that have a finite positive h and e (an error of exactly 0
+/// has no logarithm), in increasing x. Throws UsageError unless from <= to.
+std::vector<ErrorSample> usable_samples(std::span<const ErrorSample> samples, double from, double to);
+
+/// The samples with from <= x <= to that have a finite positive h and a finite e of any sign, in increasing x.
+std::vector<ErrorSample> samples_within(std::span<const ErrorSample> samples, double from, double to);
+
+/// Fits log e = log C + p log h by least squares over the usable samples of the declared window [from, to]. Needs two
+/// of them with different h, else the order is NaN. The 95 % interval is Student's t with n - 2 degrees of freedom, NaN
+/// under four points; residuals of a deterministic method are bias and not noise, so it is no test of p.
+///
+/// The segments join neighbouring usable samples, those outside the window too; between equal h the order is NaN.
+/// `asymptotic`: the window holds at least two segments and their orders differ by asymptotic_spread at most.
+/// `asymptotic_from`, `asymptotic_to`: the longest run of such segments over all samples, of equally long ones the
+/// finest; it is only reported. `norm` is left to the caller.
+ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, double to);
+
+/// 95 % of the order: by replicates where there are some, else by the residuals; 0 where neither says anything.
+double half_width(const ObservedOrder& fit);
+
+/// Fits e = C h^p + E0, C and E0 >= 0, 0.1 <= p <= 8, by least squares of the relative misfit over the usable samples
+/// of the window; at least six. A sum of two powers fakes a floor (h² + 0.05 h; NUMERICS.md, "Fitting and judging"), so
+/// it is accepted only when
+///   - E0 is at least half of the error at the finest level,
+///   - the root mean square of the relative misfit is at most 5 %,
+///   - that of the best power law C h^p (any p from -8 to 8) is at least five times as large,
+///   - fitted without the finest level it predicts the error there to 10 %,
+///   - p lies inside its range.
+/// On six to eight levels every sum h^p + a h^q (p, q from 1/2 to 4) tried fails at least one of these, whereas
+/// h² + 1e-4 with 1 % scatter misfits by 1 %, a power law by over twenty times that, and it predicts to 3 %.
+/// `reason` gives the numbers.
+FloorFit fit_floor(std::span<const ErrorSample> samples, double from, double to);
+
+}  // namespace mpmvv

@@ -1,0 +1,47 @@
+#include "studies/fits/replicates.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace mpmvv {
+
+ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, double to) {
+  std::map<double, std::vector<double>> levels;  // log e by log h
+  for (const ErrorSample& s : usable_samples(samples, from, to)) levels[std::log(s.h)].push_back(std::log(s.e));
+
+  double n = 0, mean_x = 0, mean_y = 0;
+  for (const auto& [x, ys] : levels)
+    for (const double y : ys) ++n, mean_x += x, mean_y += y;
+  mean_x /= n, mean_y /= n;
+  double xx = 0, xy = 0;
+  for (const auto& [x, ys] : levels)
+    for (const double y : ys) xx += (x - mean_x) * (x - mean_x), xy += (x - mean_x) * (y - mean_y);
+  const double slope = xy / xx;
+  double within = 0, about = 0;  // sums of squares: within the levels, of their means about the line
+  for (const auto& [x, ys] : levels) {
+    double mean = 0;
+    for (const double y : ys) mean += y / static_cast<double>(ys.size());
+    for (const double y : ys) within += (y - mean) * (y - mean);
+    const double miss = mean - mean_y - slope * (x - mean_x);
+    about += static_cast<double>(ys.size()) * miss * miss;
+  }
+
+  ReplicateFit fit;
+  const double m = static_cast<double>(levels.size()), free_within = n - m, free_about = m - 2;
+  fit.observations = static_cast<int>(n);
+  if (free_within < 1 || m < 2) return fit;
+  fit.scatter = std::sqrt(within / free_within);
+  fit.half_width = boost::math::quantile(boost::math::students_t(free_within), 0.975) * fit.scatter / std::sqrt(xx);
+  if (free_about >= 1 && within > 0) {
+    const boost::math::fisher_f distribution(free_about, free_within);
+    fit.lack_of_fit =
+        boost::math::cdf(boost::math::complement(distribution, about / free_about / (within / free_within)));
+  }
+  return fit;
+}
+
+}  // namespace mpmvv

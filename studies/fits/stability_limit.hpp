@@ -1,0 +1,61 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "studies/support/not_measured.hpp"
+
+namespace mpmvv {
+
+/// One probe of a limit search.
+struct Probe {
+  double value = 0;
+  bool stable = false;
+  std::string reason;
+};
+
+/// Stability limit by scan and bisection: the true limit lies between `stable` and `unstable`.
+struct StabilityLimit {
+  std::string key;                 ///< what was varied: `cfl`, `smoothing_length`
+  double stable = not_measured;    ///< last stable value next to the limit
+  double unstable = not_measured;  ///< first unstable value next to it
+  bool monotone = true;            ///< false: a stable probe lies beyond an unstable one
+  bool found = false;              ///< false: nothing unstable, or the stable end itself unstable
+  std::vector<Probe> probes;       ///< in increasing value
+
+  double value() const { return (stable + unstable) / 2; }
+};
+
+/// How a limit is searched: a geometric scan of [from, to], both ends included, then bisection of one bracket.
+struct LimitSearch {
+  std::string key;  ///< what is varied: `cfl`, `smoothing_length`
+  double from = 0, to = 0;
+  double scan_ratio = 1.1;   ///< > 1; neighbouring scan values differ by this factor at most
+  double tolerance = 0.01;   ///< the search ends when |unstable - stable| <= tolerance * stable, if runs are so close
+  bool stable_below = true;  ///< cfl: stable below the limit; smoothing_length: stable above it
+};
+
+/// UsageError that says which number of the search makes no sense, and what would.
+void require_sound(const LimitSearch& search);
+
+/// Probes a batch of values; one verdict per value, in order, each with the value that was run, which may be another
+/// than the one asked for (a time step divides the end time). The search hands over the scan as one batch so that
+/// the caller can spread it over the cores.
+using ProbeBatch = std::function<std::vector<Probe>(const std::vector<double>&)>;
+
+/// Scans, then bisects between the first unstable value met from the stable end and its stable neighbour. Every probe
+/// is kept once, in increasing value; a stable one beyond an unstable one makes the limit non-monotone. Bracket and
+/// probes are of what was run; where no run lies between its ends, the bracket may be wider than the tolerance.
+///
+/// Not found when nothing is unstable (`stable` is then the farthest value tried, `unstable` NaN) or when the stable
+/// end itself is unstable (`unstable` is that end, `stable` NaN). The verdict is yes or no, so this bisects by itself:
+/// Boost.Math's root finders want values and return NaN where they are infinite. Throws UsageError on a search that
+/// cannot be carried out.
+StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe);
+
+/// The limit that replicates of a run have together: below the bracket all of them are stable, above it none is (for
+/// `smoothing_length` the other way round), as far as each one's limit says. Not found unless each is; not monotone
+/// where some are found and others are not, or some are stable throughout and others nowhere. At least one limit.
+StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates);
+
+}  // namespace mpmvv

@@ -1,0 +1,24 @@
+#pragma once
+#include <vector>
+
+namespace mpmvv {
+
+/// What a run cost and how accurate it was.
+struct WorkPoint {
+  double cost = 0;   ///< step seconds on one core, measured alone
+  double error = 0;  ///< in the norm asked for
+
+  bool operator==(const WorkPoint&) const = default;
+};
+
+/// The points of which no other is both cheaper (or as cheap) and more accurate (or as accurate), by increasing cost.
+std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points);
+
+/// What it costs to come down to an error: between two points of the front the power law through both; the cheapest
+/// point where that is accurate enough already. Infinite where no point is accurate enough.
+double cost_to_reach(double error, const std::vector<WorkPoint>& front);
+
+/// The powers of ten within [from, to], largest first. Both must be positive.
+std::vector<double> decades(double from, double to);
+
+}  // namespace mpmvv

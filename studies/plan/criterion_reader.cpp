@@ -1,0 +1,116 @@
+#include "studies/plan/criterion_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "studies/fits/work_precision.hpp"
+#include "studies/plan/plan_rules.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+Criterion::Kind criterion_kind(const TomlTable& table) {
+  static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{
+      {"order", Criterion::Kind::order},
+      {"order-difference", Criterion::Kind::order_difference},
+      {"error", Criterion::Kind::error},
+      {"error-ratio", Criterion::Kind::error_ratio},
+      {"spread", Criterion::Kind::spread},
+      {"status", Criterion::Kind::status},
+      {"limit", Criterion::Kind::limit},
+      {"limit-ratio", Criterion::Kind::limit_ratio},
+      {"value", Criterion::Kind::value},
+      {"cost-ratio", Criterion::Kind::cost_ratio},
+      {"slope-ratio", Criterion::Kind::slope_ratio},
+      {"slope-share", Criterion::Kind::slope_share},
+      {"shown", Criterion::Kind::shown},
+      {"awaited", Criterion::Kind::awaited}};
+  std::vector<std::string> words;
+  const std::string word = table.text("measure");
+  for (const auto& [name, kind] : kinds) {
+    if (name == word) return kind;
+    words.push_back(name);
+  }
+  throw UsageError(
+      fmt::format("unknown measure '{}' in {} (known: {})", word, table.where("measure"), fmt::join(words, ", ")));
+}
+
+bool is_ratio(Criterion::Kind kind) {
+  using enum Criterion::Kind;
+  return kind == error_ratio || kind == limit_ratio || kind == cost_ratio || kind == slope_ratio || kind == slope_share;
+}
+
+bool is_fit(Criterion::Kind kind) {
+  using enum Criterion::Kind;
+  return kind == order || kind == order_difference || kind == slope_ratio || kind == slope_share;
+}
+
+}  // namespace
+
+Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
+  table.allow_only({"claim", "statement", "measure", "series", "over", "name", "norm", "over_norm", "window",
+                    "at_least", "at_most", "reason"});
+  Criterion c;
+  c.claim = table.text("claim");
+  require_word("claim of this study", c.claim, plan.claims, table.where("claim"));
+  c.statement = table.text("statement");
+  c.kind = criterion_kind(table);
+  c.reason = table.text("reason", "");
+  if (c.kind == Criterion::Kind::shown || c.kind == Criterion::Kind::awaited) return c;
+  if (table.has("at_least")) c.at_least = table.number("at_least");
+  if (table.has("at_most")) c.at_most = table.number("at_most");
+  if (!c.at_least && !c.at_most)
+    throw UsageError(fmt::format("criterion in {} asks nothing (at_least, at_most or both)", table.where()));
+  if (c.at_least && c.at_most && *c.at_least > *c.at_most)
+    throw UsageError(fmt::format("criterion in {} asks at least {} and at most {} (nothing can be both)", table.where(),
+                                 *c.at_least, *c.at_most));
+  if (c.kind == Criterion::Kind::value) {
+    c.name = table.text("name");
+    return c;
+  }
+  c.series = series_names(table, "series", plan);
+  if (c.series.empty()) throw UsageError(fmt::format("criterion in {} names no series", table.where()));
+  if (is_ratio(c.kind)) {
+    c.over = table.text("over");
+    if (plan.check.empty() && !plan.has_series(c.over))
+      throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
+  }
+  if (c.kind == Criterion::Kind::limit || c.kind == Criterion::Kind::limit_ratio) {
+    std::vector<std::string> searched = c.series;
+    if (is_ratio(c.kind)) searched.push_back(c.over);
+    for (const std::string& name : searched)
+      if (std::ranges::none_of(plan.series, [&](const auto& s) { return s.name == name && plan.searches(s); }))
+        throw UsageError(fmt::format("criterion in {} on the limit of series '{}', which the study does not search",
+                                     table.where(), name));
+    return c;
+  }
+  if (c.kind != Criterion::Kind::status) {
+    c.norm = norm_of(table, "norm");
+    std::vector<std::string> measured = c.series;
+    if (is_ratio(c.kind)) measured.push_back(c.over);
+    require_measured(plan, c.norm, measured, table.where("norm"));
+  }
+  if (c.kind == Criterion::Kind::order_difference) {
+    c.over_norm = norm_of(table, "over_norm");
+    require_measured(plan, c.over_norm, c.series, table.where("over_norm"));
+  }
+  c.window = read_window(table, "window");
+  if (c.kind == Criterion::Kind::cost_ratio) {
+    require_cost(plan, table.where("measure"));
+    if (!(c.window.from > 0) || decades(c.window.from, c.window.to).empty())
+      throw UsageError(
+          fmt::format("window in {} holds no power of ten (two errors, the smaller first)", table.where("window")));
+    return c;
+  }
+  require_points(plan, c.window, is_fit(c.kind) ? 3 : 1, table.where("window"));
+  return c;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,12 @@
+#pragma once
+#include "studies/cases/case.hpp"
+
+namespace mpmvv {
+
+/// Number of particles times steps, more for an expanded inverse: to run long cases first.
+double work_estimate(const Case& c);
+
+/// Upper estimate of the memory that a run of this case takes, in bytes.
+double memory_estimate(const Case& c);
+
+}  // namespace mpmvv

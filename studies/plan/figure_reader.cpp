@@ -1,0 +1,75 @@
+#include "studies/plan/figure_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "studies/plan/plan_rules.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+std::string read_name(const TomlTable& table, const StudyPlan& plan) {
+  const std::string name = table.text("name", plan.name);
+  if (!is_file_stem(name))
+    throw UsageError(fmt::format("figure name '{}' in {} ({})", name, table.where("name"), file_stem_rule));
+  for (const Figure& other : plan.figures)
+    if (other.name == name)
+      throw UsageError(fmt::format("figure '{}' twice in {} (names must differ)", name, table.where("name")));
+  return name;
+}
+
+bool is_logarithmic(const TomlTable& table, const char* key) {
+  const std::string scale = table.text(key, "log");
+  require_word(key, scale, {"log", "linear"}, table.where(key));
+  return scale == "log";
+}
+
+void read_range(const TomlTable& table, const char* key, std::optional<double>& low, std::optional<double>& high) {
+  if (!table.has(key)) return;
+  const auto ends = table.numbers(key);
+  if (ends.size() != 2 || !(ends[0] < ends[1]))
+    throw UsageError(fmt::format("{} in {} (two numbers, the smaller first)", key, table.where(key)));
+  low = ends[0], high = ends[1];
+}
+
+/// What the figure's kind asks of the study.
+void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTable& table) {
+  if (figure.kind == "work-precision") require_cost(plan, table.where("kind"));
+  if (figure.kind == "particles" && plan.check.empty())
+    throw UsageError(fmt::format("particles in {} without a check (it brings the particles)", table.where("kind")));
+  for (const char* key : {"marks", "slopes"})
+    if (figure.kind != "curves" && table.has(key))
+      throw UsageError(
+          fmt::format("'{}' in {} has no meaning in a figure of kind '{}'", key, table.where(key), figure.kind));
+}
+
+}  // namespace
+
+Figure read_figure(const TomlTable& table, const StudyPlan& plan) {
+  table.allow_only({"name", "caption", "xlabel", "ylabel", "xscale", "yscale", "quantity", "series", "marks", "slopes",
+                    "x_range", "y_range", "kind"});
+  Figure figure;
+  figure.kind = table.text("kind", "curves");
+  require_word("figure kind", figure.kind, {"curves", "work-precision", "particles"}, table.where("kind"));
+  figure.name = read_name(table, plan);
+  figure.caption = table.text("caption");
+  figure.xlabel = table.text("xlabel");
+  figure.ylabel = table.text("ylabel");
+  figure.log_x = is_logarithmic(table, "xscale");
+  figure.log_y = is_logarithmic(table, "yscale");
+  figure.quantity = table.has("quantity") ? norm_of(table, "quantity") : plan.check.empty() ? "l2" : "y";
+  figure.series = measured_series(plan, figure.quantity, series_names(table, "series", plan), table.where("quantity"));
+  figure.marks = series_names(table, "marks", plan);
+  if (table.has("slopes")) figure.slopes = table.numbers("slopes");
+  read_range(table, "x_range", figure.x_min, figure.x_max);
+  read_range(table, "y_range", figure.y_min, figure.y_max);
+  require_drawable(plan, figure, table);
+  return figure;
+}
+
+}  // namespace mpmvv

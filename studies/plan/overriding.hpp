@@ -1,0 +1,15 @@
+#pragma once
+#include <vector>
+
+#include "studies/plan/study.hpp"
+
+namespace mpmvv {
+
+/// Makes every case of a series once; UsageError where one is wrong, and where two that should differ are one.
+void try_cases(const StudyPlan& plan, const SeriesPlan& series);
+
+/// Puts the settings on top of the series' own, and into the text that the store keeps.
+/// UsageError on an unknown key, and on one that the study varies itself unless it may be left out.
+void override_series(const std::vector<Overriding>& settings, StudyPlan& plan);
+
+}  // namespace mpmvv

@@ -1,0 +1,147 @@
+#include "studies/plan/plan_rules.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "studies/records/record.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+bool every_series_has(const StudyPlan& plan, const std::string& key) {
+  return std::ranges::all_of(plan.series, [&](const SeriesPlan& series) { return series.setting(key) != nullptr; });
+}
+
+struct VariedKey {
+  std::string key, what, where;
+};
+
+/// What the study sets by itself.
+std::vector<VariedKey> varied_keys(const StudyPlan& plan) {
+  std::vector<VariedKey> varied;
+  if (!plan.sweep.empty()) varied.push_back({plan.sweep, "the sweep over it", plan.sweep_where});
+  if (plan.limit) varied.push_back({plan.limit->search.key, "the search of its limit", plan.limit->where});
+  if (plan.replicates) varied.push_back({plan.replicates->key, "its replicates", plan.replicates->where});
+  return varied;
+}
+
+/// Whether a setting of some series is that of a run; one from [fixed] is several series'.
+bool counts(const StudyPlan& plan, const Setting& setting) {
+  if (plan.replicates && setting.key == plan.replicates->key) return false;
+  if (!plan.sweep.empty() && setting.key != plan.sweep) return true;
+  return plan.limit && setting.key != plan.limit->search.key &&
+         std::ranges::any_of(plan.series, [&](const SeriesPlan& series) {
+           const Setting* own = series.setting(setting.key);
+           return own && own->where == setting.where && plan.searches(series);
+         });
+}
+
+/// The setting that a norm needs; empty for those at the end of a run, which are always measured.
+std::string setting_of(const std::string& norm) {
+  return norm.ends_with("_all_steps")                         ? "every_step"
+         : norm.starts_with("nodal_")                         ? "nodal_error"
+         : norm == "velocity_error" || norm == "stress_error" ? norm
+                                                              : "";
+}
+
+}  // namespace
+
+void require_word(const std::string& what, const std::string& word, const std::vector<std::string>& known,
+                  const std::string& where) {
+  if (std::find(known.begin(), known.end(), word) == known.end())
+    throw UsageError(fmt::format("unknown {} '{}' in {} (known: {})", what, word, where, fmt::join(known, ", ")));
+}
+
+std::string norm_of(const TomlTable& table, const char* key) {
+  const std::string norm = table.text(key);
+  std::vector<std::string> known = norm_words();
+  known.insert(known.end(), {"ns_per_particle_step", "y"});
+  require_word(key, norm, known, table.where(key));
+  return norm;
+}
+
+std::vector<std::string> series_names(const TomlTable& table, const char* key, const StudyPlan& plan) {
+  const auto names = table.texts(key);
+  std::vector<std::string> known;
+  for (const SeriesPlan& series : plan.series) known.push_back(series.name);
+  if (plan.check.empty())
+    for (const std::string& name : names) require_word("series", name, known, table.where(key));
+  return names;
+}
+
+Window read_window(const TomlTable& table, const char* key) {
+  const auto ends = table.numbers(key);
+  if (ends.size() != 2 || !(ends[0] <= ends[1]))
+    throw UsageError(fmt::format("{} in {} (two swept values, the smaller first)", key, table.where(key)));
+  return {ends[0], ends[1]};
+}
+
+void require_points(const StudyPlan& plan, const Window& window, int least, const std::string& where) {
+  if (!plan.check.empty()) return;
+  const auto count = std::ranges::count_if(plan.values, [&](double x) { return window.holds(x); });
+  if (count < least)
+    throw UsageError(fmt::format("window [{}, {}] in {} holds {} swept values (at least {})", window.from, window.to,
+                                 where, count, least));
+}
+
+void require_no_idle_settings(const StudyPlan& plan, const SeriesPlan& series) {
+  if (plan.sweep.empty() && plan.limit && !plan.searches(series))
+    throw UsageError(fmt::format("series '{}' in {} is neither swept nor searched (its name in `series` of {})",
+                                 series.name, series.where, plan.limit->where));
+  for (const auto& [key, what, where] : varied_keys(plan))
+    if (const Setting* setting = series.setting(key); setting && !counts(plan, *setting))
+      throw UsageError(fmt::format("{} in {} beside {} in {} (one of them)", key, setting->where, what, where));
+  if (!plan.sweep.empty() && plan.searches(series) && plan.sweep != plan.limit->search.key &&
+      varies_with(series, plan.sweep) && !series.setting(plan.sweep))
+    throw UsageError(
+        fmt::format("the limit in {} has no {} for series '{}', as the sweep's are its own (one `{}` in "
+                    "[fixed] or in the series)",
+                    plan.limit->where, plan.sweep, series.name, plan.sweep));
+}
+
+void require_different_runs(std::vector<Case> cases, const std::string& what, const std::string& where) {
+  for (Case& c : cases) c.measure = {};
+  std::ranges::sort(cases);
+  if (std::ranges::adjacent_find(cases) != cases.end())
+    throw UsageError(
+        fmt::format("two {} are the same run in {} (values of which each makes another one)", what, where));
+}
+
+void require_cost(const StudyPlan& plan, const std::string& where) {
+  if (!plan.check.empty() || plan.sweep.empty() || !every_series_has(plan, "repeat"))
+    throw UsageError(
+        fmt::format("cost in {} without a sweep and `repeat` in every series (it says how often a case runs "
+                    "for its median cost)",
+                    where));
+}
+
+void require_measured(const StudyPlan& plan, const std::string& norm, const std::vector<std::string>& names,
+                      const std::string& where) {
+  if ((norm == "y") == plan.check.empty())
+    throw UsageError(fmt::format("norm '{}' in {} (y for the curves of a check, an error norm for runs)", norm, where));
+  if (norm == "ns_per_particle_step") require_cost(plan, where);
+  const std::string setting = setting_of(norm);
+  if (setting.empty()) return;
+  for (const SeriesPlan& series : plan.series) {
+    if (!names.empty() && std::ranges::find(names, series.name) == names.end()) continue;
+    if (const Setting* asked = series.setting(setting); !asked || asked->value != "true")
+      throw UsageError(
+          fmt::format("norm '{}' in {} without {} = true in series '{}'", norm, where, setting, series.name));
+  }
+}
+
+std::vector<std::string> measured_series(const StudyPlan& plan, const std::string& norm, std::vector<std::string> names,
+                                         const std::string& where) {
+  if (const std::string setting = setting_of(norm); names.empty() && !setting.empty())
+    for (const SeriesPlan& series : plan.series)
+      if (const Setting* asked = series.setting(setting); !asked || asked->value != "false")
+        names.push_back(series.name);
+  require_measured(plan, norm, names, where);
+  return names;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,111 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/cases/case.hpp"
+#include "studies/claims/criterion.hpp"
+#include "studies/fits/stability_limit.hpp"
+#include "studies/fits/window.hpp"
+#include "studies/records/result.hpp"
+#include "studies/settings/settings.hpp"
+
+namespace mpmvv {
+
+/// One line of a study's plot: a name and the settings in which it differs from the study's fixed ones.
+struct SeriesPlan {
+  std::string name;
+  std::vector<Setting> settings;  ///< the fixed ones, overwritten by its own
+  std::string where;
+
+  /// The setting that counts, the last one of its key; null without one.
+  const Setting* setting(const std::string& key) const;
+};
+
+/// What to fit: which norm, over which window, for which series; and the window of a fit with a floor, if any.
+struct FitPlan {
+  std::string norm;
+  Window window;
+  std::optional<Window> floor;
+  std::vector<std::string> series;  ///< empty: all
+};
+
+/// Runs that differ in what should not matter, made at each swept value, whose point is their mean; of a limit, each
+/// searched.
+struct ReplicatePlan {
+  std::string key;
+  std::vector<double> values;
+  std::string where;
+};
+
+/// A limit to search, of which series.
+struct LimitPlan {
+  LimitSearch search;
+  std::vector<std::string> series;  ///< empty: all
+  std::string where;
+};
+
+/// A quantity to extrapolate over the grids of a window, for which series.
+struct ExtrapolationPlan {
+  std::string norm;
+  Window window;
+  std::vector<std::string> series;  ///< empty: all
+};
+
+/// A setting that is put on top of every series', or where it may be, of those alone that take it.
+struct Overriding {
+  Setting setting;
+  bool where_taken = false;
+};
+
+/// What became of such a setting in a study.
+struct Overridden {
+  std::size_t series = 0;  ///< that took it
+  std::string what;        ///< "shuffle = 3 in 2 of 2 series"
+  std::string refusal;     ///< why the last one that was asked does not take it; else empty
+};
+
+/// A study as its file describes it.
+struct StudyPlan {
+  std::string name;  ///< stem of the file
+  std::string title;
+  std::string text;  ///< the file, whole
+  std::vector<std::string> claims;
+  std::string check;  ///< for checks: which one; then there are no series
+  std::vector<SeriesPlan> series;
+  std::string sweep;           ///< swept key; empty without a sweep
+  std::vector<double> values;  ///< swept values
+  std::string sweep_where;     ///< for messages about a swept value
+  std::optional<LimitPlan> limit;
+  std::optional<ReplicatePlan> replicates;
+  std::vector<FitPlan> fits;
+  std::vector<ExtrapolationPlan> extrapolations;
+  std::vector<Figure> figures;
+  std::vector<Criterion> criteria;
+  std::vector<Overridden> overridden;  ///< as the settings were given
+
+  std::string kind() const { return !check.empty() ? "check" : limit ? "limit" : "convergence"; }
+  bool has_series(const std::string& name) const;
+  bool searches(const SeriesPlan& series) const;  ///< its limit
+};
+
+/// Reads and checks a study file: every mistake is a UsageError with file and line, also one in a case that only
+/// a combination of series and swept value makes wrong. Series get the `overriding` settings on top of their own;
+/// a check has none.
+StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding = {});
+
+/// Whether the runs of a series differ in this key: those of a velocity update without `order` are the same at every
+/// one.
+bool varies_with(const SeriesPlan& series, const std::string& key);
+
+/// The case of a series at a value of the swept (or searched) key; `where` goes into messages about the value.
+Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where);
+
+/// A series by itself, or its replicates.
+std::vector<SeriesPlan> replicates_of(const StudyPlan& plan, const SeriesPlan& series);
+
+/// The cases of a series at a swept value: one, or its replicates'.
+std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series, double value);
+
+}  // namespace mpmvv

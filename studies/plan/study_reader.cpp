@@ -1,0 +1,244 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solver/velocity_update/velocity_updates.hpp"
+#include "studies/checks/check.hpp"
+#include "studies/claims/claim.hpp"
+#include "studies/plan/criterion_reader.hpp"
+#include "studies/plan/figure_reader.hpp"
+#include "studies/plan/overriding.hpp"
+#include "studies/plan/plan_rules.hpp"
+#include "studies/plan/study.hpp"
+#include "studies/settings/named.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
+#include "studies/support/toml_file.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+std::vector<std::string> claim_ids() {
+  std::vector<std::string> ids;
+  for (const ClaimText& claim : claim_list()) ids.emplace_back(claim.id);
+  return ids;
+}
+
+/// The settings of a table; `param = { amplitude = 0.02 }` becomes `param.amplitude`.
+std::vector<Setting> settings_of(const TomlTable& table, std::initializer_list<const char*> others = {}) {
+  std::vector<Setting> settings;
+  for (const std::string& key : table.keys()) {
+    if (std::find(others.begin(), others.end(), key) != others.end()) continue;
+    if (key == "param") {
+      const TomlTable parameters = table.table(key).value();
+      for (const std::string& name : parameters.keys())
+        settings.push_back({"param." + name, parameters.scalar_text(name), parameters.where(name)});
+    } else {
+      require_known_key(key, table.where(key));
+      settings.push_back({key, table.scalar_text(key), table.where(key)});
+    }
+  }
+  return settings;
+}
+
+void read_sweep(const TomlTable& root, StudyPlan& plan) {
+  const auto sweep = root.table("sweep");
+  if (!sweep) return;
+  const auto keys = sweep->keys();
+  if (keys.size() != 1)
+    throw UsageError(fmt::format("sweep in {} has {} keys (one key with its values)", sweep->where(), keys.size()));
+  plan.sweep = keys[0];
+  require_known_key(plan.sweep, sweep->where(plan.sweep));
+  if (!words_of_key(plan.sweep).empty())
+    throw UsageError(fmt::format("sweep over '{}' in {}, which takes words (a key that takes numbers)", plan.sweep,
+                                 sweep->where(plan.sweep)));
+  plan.sweep_where = sweep->where(plan.sweep);
+  plan.values = sweep->numbers(plan.sweep);
+  if (plan.values.empty())
+    throw UsageError(
+        fmt::format("empty sweep over '{}' in {} (at least one value)", plan.sweep, sweep->where(plan.sweep)));
+  auto sorted = plan.values;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+    throw UsageError(fmt::format("a value twice in the sweep over '{}' in {}", plan.sweep, sweep->where(plan.sweep)));
+}
+
+void read_series(const TomlTable& root, StudyPlan& plan) {
+  std::vector<Setting> fixed;
+  if (const auto table = root.table("fixed")) fixed = settings_of(*table);
+  for (const TomlTable& table : root.tables("series")) {
+    SeriesPlan series{table.text("name"), fixed, table.where()};
+    if (plan.has_series(series.name))
+      throw UsageError(fmt::format("series '{}' twice in {} (names must differ)", series.name, table.where("name")));
+    for (const Setting& setting : settings_of(table, {"name"})) series.settings.push_back(setting);
+    plan.series.push_back(series);
+  }
+}
+
+void read_limit(const TomlTable& root, StudyPlan& plan) {
+  const auto table = root.table("limit");
+  if (!table) return;
+  table->allow_only({"key", "from", "to", "scan_ratio", "tolerance", "stable", "series"});
+  LimitSearch search;
+  search.key = table->text("key");
+  require_word("limit key", search.key, {"cfl", "smoothing_length"}, table->where("key"));
+  search.from = table->number("from");
+  search.to = table->number("to");
+  search.scan_ratio = table->number("scan_ratio", search.scan_ratio);
+  search.tolerance = table->number("tolerance", search.tolerance);
+  const std::string stable = table->text("stable", "below");
+  require_word("stable side", stable, {"below", "above"}, table->where("stable"));
+  search.stable_below = stable == "below";
+  try {
+    require_sound(search);
+  } catch (const UsageError& e) {
+    throw UsageError(fmt::format("{} in {}", e.what(), table->where()));
+  }
+  plan.limit = LimitPlan{search, series_names(*table, "series", plan), table->where()};
+}
+
+void read_replicates(const TomlTable& root, StudyPlan& plan) {
+  const auto table = root.table("replicates");
+  if (!table) return;
+  const auto keys = table->keys();
+  const auto is_varied = [&plan](const std::string& key) {
+    return key == plan.sweep || (plan.limit && key == plan.limit->search.key);
+  };
+  if (keys.size() != 1 || (plan.sweep.empty() && !plan.limit) || is_varied(keys[0]))
+    throw UsageError(fmt::format("replicates in {} (one key with its values, beside a sweep or a limit of another)",
+                                 table->where()));
+  require_known_key(keys[0], table->where(keys[0]));
+  plan.replicates = ReplicatePlan{keys[0], table->numbers(keys[0]), table->where(keys[0])};
+  if (plan.replicates->values.size() < 2)
+    throw UsageError(fmt::format("fewer than two replicates in {}", plan.replicates->where));
+}
+
+void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
+  for (const TomlTable& table : root.tables("extrapolate")) {
+    table.allow_only({"norm", "window", "series"});
+    ExtrapolationPlan wanted{norm_of(table, "norm"), read_window(table, "window"), {}};
+    require_points(plan, wanted.window, 4, table.where("window"));
+    wanted.series = measured_series(plan, wanted.norm, series_names(table, "series", plan), table.where("norm"));
+    plan.extrapolations.push_back(wanted);
+  }
+}
+
+void read_fits(const TomlTable& root, StudyPlan& plan) {
+  for (const TomlTable& table : root.tables("fit")) {
+    table.allow_only({"norm", "window", "floor_window", "series"});
+    FitPlan fit{norm_of(table, "norm"), read_window(table, "window"), {}, {}};
+    require_points(plan, fit.window, 3, table.where("window"));
+    fit.series = measured_series(plan, fit.norm, series_names(table, "series", plan), table.where("norm"));
+    if (table.has("floor_window")) {
+      fit.floor = read_window(table, "floor_window");
+      require_points(plan, *fit.floor, 6, table.where("floor_window"));
+    }
+    plan.fits.push_back(fit);
+  }
+}
+
+/// Makes every case of the study once, so that a mistake shows before the first run.
+void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
+  for (const SeriesPlan& series : plan.series) try {
+      try_cases(plan, series);
+    } catch (const UsageError& e) {
+      const std::string message = e.what();
+      const bool has_place = message.find(file.string()) != std::string::npos;
+      throw UsageError(has_place ? message
+                                 : fmt::format("{} in series '{}' of {}", message, series.name, series.where));
+    }
+}
+
+/// The stem of its file, by which reports name files, too.
+std::string study_name(const std::filesystem::path& file) {
+  const std::string name = file.stem().string();
+  if (!is_file_stem(name))
+    throw UsageError(fmt::format("study file '{}' cannot name a study ({})", file.string(), file_stem_rule));
+  return name;
+}
+
+}  // namespace
+
+const Setting* SeriesPlan::setting(const std::string& key) const {
+  const auto last = std::find_if(settings.rbegin(), settings.rend(), [&](const Setting& s) { return s.key == key; });
+  return last == settings.rend() ? nullptr : &*last;
+}
+
+bool StudyPlan::has_series(const std::string& wanted) const {
+  return std::any_of(series.begin(), series.end(), [&](const SeriesPlan& s) { return s.name == wanted; });
+}
+
+bool StudyPlan::searches(const SeriesPlan& one) const {
+  return limit && (limit->series.empty() || std::ranges::find(limit->series, one.name) != limit->series.end());
+}
+
+/// One whose velocity update is no expansion stands beside a sweep over `order` as a level line.
+bool varies_with(const SeriesPlan& series, const std::string& key) {
+  if (key != "order") return true;
+  const Setting* update = series.setting("velocity_update");
+  return update && solver::expands_inverse(named<solver::AnyVelocityUpdate>(update->value));
+}
+
+Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where) {
+  auto settings = series.settings;
+  if (varies_with(series, key)) settings.push_back({key, fmt::format("{}", value), where});
+  return make_case(settings);
+}
+
+std::vector<SeriesPlan> replicates_of(const StudyPlan& plan, const SeriesPlan& series) {
+  if (!plan.replicates) return {series};
+  std::vector<SeriesPlan> replicates;
+  for (const double value : plan.replicates->values) {
+    replicates.push_back(series);
+    replicates.back().settings.push_back({plan.replicates->key, fmt::format("{}", value), plan.replicates->where});
+  }
+  return replicates;
+}
+
+std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series, double value) {
+  std::vector<Case> cases;
+  for (const SeriesPlan& one : replicates_of(plan, series))
+    cases.push_back(case_at(one, plan.sweep, value, plan.sweep_where));
+  return cases;
+}
+
+StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding) {
+  const std::string name = study_name(file);
+  const std::string text = require_file(file, "a study file, TOML");
+  const TomlTable root = TomlTable::parse(text, file.string());
+  root.allow_only({"title", "claims", "check", "fixed", "series", "sweep", "limit", "replicates", "fit", "extrapolate",
+                   "figure", "criterion"});
+  StudyPlan plan;
+  plan.name = name;
+  plan.text = text;
+  plan.title = root.text("title");
+  plan.claims = root.texts("claims");
+  for (const std::string& claim : plan.claims) require_word("claim", claim, claim_ids(), root.where("claims"));
+  plan.check = root.text("check", "");
+  if (!plan.check.empty()) {
+    find_check(plan.check, root.where("check"));
+    for (const char* key : {"fixed", "series", "sweep", "limit", "replicates"})
+      if (root.has(key))
+        throw UsageError(fmt::format("'{}' in {} beside a check (a check brings its own)", key, root.where(key)));
+  }
+  read_series(root, plan);
+  read_sweep(root, plan);
+  read_limit(root, plan);
+  read_replicates(root, plan);
+  for (const SeriesPlan& series : plan.series) require_no_idle_settings(plan, series);
+  if (plan.check.empty()) override_series(overriding, plan);
+  if (plan.check.empty() && plan.series.empty())
+    throw UsageError(
+        fmt::format("{} describes nothing to run (series with a sweep or a limit, or a check)", file.string()));
+  if (plan.check.empty() && plan.sweep.empty() && !plan.limit)
+    throw UsageError(fmt::format("{} has series but neither sweep nor limit", file.string()));
+  read_fits(root, plan);
+  read_extrapolations(root, plan);
+  for (const TomlTable& table : root.tables("figure")) plan.figures.push_back(read_figure(table, plan));
+  for (const TomlTable& table : root.tables("criterion")) plan.criteria.push_back(read_criterion(table, plan));
+  try_cases(plan, file);
+  return plan;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,119 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "mms/solution.hpp"
+#include "solver/boundary/wall_motion.hpp"
+#include "solver/material/materials.hpp"
+#include "studies/cases/case.hpp"
+#include "studies/problems/body.hpp"
+
+namespace mpmvv {
+
+using Parameters = decltype(ProblemChoice::parameters);  ///< by name, all of a problem's parameters present
+
+struct Parameter {
+  std::string name;
+  double value;  ///< default
+  std::string unit;
+  std::function<bool(double)> allowed;
+  std::string range;  ///< `allowed` for people: "> 0"
+};
+
+/// What a problem hands to the runner: the body at rest in its domain and how it starts.
+template <int D>
+struct Setup {
+  Body<D> body = Cuboid<D>{};
+  double density = 0;  ///< kg/m³
+  solver::AnyMaterial material;
+  std::shared_ptr<mms::ManufacturedSolution<D>> solution = nullptr;  ///< null where no exact solution is known
+  std::function<solver::Vec<D>(const solver::Vec<D>&)> start_velocity = nullptr;  ///< used when there is no solution
+  std::array<std::shared_ptr<solver::WallMotion>, 2 * D> walls = {};              ///< by face; null where none can be
+  double speed = 0;  ///< of the problem, m/s, which velocity errors are measured by; 0: it has none
+};
+
+template <int D>
+using SetupFunction = Setup<D> (*)(const Parameters&);
+
+/// A problem: domain, solution, material, end time, boundary kinds. One file in studies/problems/ and one line
+/// in `problems()` each.
+struct Problem {
+  std::string name;
+  std::string source;  ///< where it is defined: paper and section
+  std::string length_formula;
+  double (*length)(const Parameters&);  ///< L, m: h = L/cells
+  std::vector<Parameter> parameters;
+  /// Why the parameters do not go together, though each is allowed; empty when they do.
+  std::string (*objection)(const Parameters&) = nullptr;
+  std::string wave_speed_formula;
+  double (*wave_speed)(const Parameters&);  ///< m/s, of the CFL number
+  std::string end_time_formula;
+  double (*end_time)(const Parameters&);  ///< s, the default
+  /// s, until what it is about begins, where that depends on h; the default end time is so much later.
+  double (*lead_time)(const Parameters&, double h) = nullptr;
+  std::string boundary;                      ///< default
+  std::string material = "neo-hookean-log";  ///< its law
+  bool has_quarter = false;  ///< whether `quarter` has a meaning: every coordinate plane is one of symmetry
+  /// Whether the solution needs a traction on the body's surface.
+  bool (*is_loaded)(const Parameters&) = nullptr;
+  std::variant<SetupFunction<1>, SetupFunction<2>, SetupFunction<3>> setup;
+
+  int dimension() const { return static_cast<int>(setup.index()) + 1; }
+  /// A quarter is continued by its mirror images, which alone makes it move as the whole body does.
+  std::string default_boundary(bool quarter) const;
+  bool has_solution(const Parameters& values) const;
+  bool has_speed(const Parameters& values) const;
+  bool has_wall(const Parameters& values, std::size_t face) const;
+  bool is_curved(const Parameters& values) const;  ///< whether `fill` conforming has a meaning
+};
+
+/// All problems, in the order in which `list` shows them.
+const std::vector<Problem>& problems();
+
+/// The problem with this name; UsageError with the known names otherwise. `where` goes into the message.
+const Problem& find_problem(const std::string& name, const std::string& where);
+
+/// Defaults overwritten by the given ones.
+Parameters complete_parameters(const Problem& problem, const Parameters& given);
+
+/// The setup of a choice: the whole body, or its quarter. `h` is the cell width, for bodies that depend on it.
+template <int D>
+Setup<D> make_setup(const Problem& problem, const ProblemChoice& choice, double h) {
+  Setup<D> setup = std::get<SetupFunction<D>>(problem.setup)(choice.parameters);
+  if (auto* box = std::get_if<Box<D>>(&setup.body)) box->reach = box->end_speed * choice.end_time;
+  if constexpr (D > 1) {
+    if (auto* annulus = std::get_if<Annulus<D>>(&setup.body)) annulus->quarter = choice.quarter;
+    if (auto* blocks = std::get_if<Blocks<D>>(&setup.body)) blocks->gap = blocks->gap_cells * h;
+  }
+  return setup;
+}
+
+/// Its body's volume over that of a cell, and the cells of its domain.
+struct Extent {
+  double cells_of_body, cells_of_domain;
+};
+Extent extent(const Case& c);
+
+// The problems, each defined in its own file.
+Problem bar_problem();
+Problem square_problem();
+Problem cube_problem();
+Problem ring_problem();
+Problem vortex_problem();
+Problem shell_problem();
+Problem impact_problem();
+Problem stretch_problem();
+Problem stretch_1d_problem();
+Problem stretch_3d_problem();
+Problem pulse_problem();
+Problem shock_problem();
+Problem swing_problem();
+Problem one_particle_problem();
+
+}  // namespace mpmvv

@@ -1,0 +1,100 @@
+#pragma once
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "studies/cases/case.hpp"
+#include "studies/support/not_measured.hpp"
+
+namespace mpmvv {
+
+/// `unstable` is a result of the method (blown up); `failed` is not (the run could not be carried out).
+enum class Status { ok, unstable, failed };
+
+std::string to_string(Status s);
+Status status_from(const std::string& word);  ///< throws UsageError on an unknown word
+
+/// Whose fault it is that a run `failed`: one of the machine (no memory, no threads) may be gone the next time, one of
+/// the case is not.
+enum class Failure { none, of_case, of_machine };
+
+std::string to_string(Failure f);
+Failure failure_from(const std::string& word);
+Failure failure_of(const std::exception& e);  ///< that which a run ended with
+
+/// Norms of the displacement error δ_p over the particles, W (64), (65): mean, root mean square, maximum.
+struct Errors {
+  double l1 = not_measured, l2 = not_measured, linf = not_measured;
+  double l1_all_steps = not_measured, l2_all_steps = not_measured, linf_all_steps = not_measured;
+  /// Of the acceleration error δ_i over the nodes of the body at the end, W (A.2), in m/s².
+  double nodal_l1 = not_measured, nodal_l2 = not_measured, nodal_linf = not_measured;
+  /// Of the velocity: mean over all steps of the RMS over particles, in per cent of the problem's speed, N §3.4.
+  double velocity = not_measured;
+  /// Of the Cauchy stress at the end: RMS over particles of the difference's Frobenius norm, Pa.
+  double stress = not_measured;
+};
+
+/// What must not change, relative: mass of the particles over that of the body, less one; and from start to end the
+/// momentum, by Σ m |v|, and the angular momentum, by Σ m |x| |v|, the larger of both times. Only a free body keeps the
+/// last two.
+struct Balance {
+  double mass = not_measured, momentum = not_measured, angular_momentum = not_measured;
+};
+
+/// At the end, in J. With a staggered integrator (cd, uvf) the velocities, and so the kinetic energy, are those of half
+/// a step before.
+struct Energy {
+  double kinetic = not_measured, strain = not_measured, initial_total = not_measured;
+};
+
+/// The fraction of the initial energy that is gone at the end; negative where energy was gained, NaN where there was
+/// none to lose.
+inline double energy_loss(const Energy& e) {
+  return e.initial_total > 0 ? 1 - (e.kinetic + e.strain) / e.initial_total : not_measured;
+}
+
+/// Measured alone on the machine, on one thread, in its processor time: median over the repetitions, and their range
+/// over the median.
+struct Cost {
+  double step_seconds = not_measured;  ///< step loop alone
+  double spread = not_measured;
+};
+
+/// What came out of one case.
+struct Record {
+  Case the_case;
+  std::int64_t particles = 0;
+  std::int64_t steps = 0;  ///< steps really taken
+  double cfl = not_measured;
+  Status status = Status::ok;
+  Failure failure = Failure::none;  ///< where it is `failed`; in older stores none even there
+  std::string reason;               ///< why it is `unstable` or `failed`; empty for `ok`
+  Errors error;
+  Energy energy;
+  Balance balance;
+  double wall_seconds = not_measured;          ///< of one run, whatever else ran at that time
+  double ns_per_particle_step = not_measured;  ///< step loop alone; of a cost case the median
+  Cost cost = {};                              ///< where the case asks for it
+};
+
+/// Whether another try may do better.
+inline bool is_worth_another_try(const Record& r) {
+  return r.status == Status::failed && r.failure != Failure::of_case;
+}
+
+/// A number of a run under the name by which stores, fits and figures know it.
+struct RunNumber {
+  const char* name;
+  const double& (*get)(const Record&);
+  double& (*set)(Record&);
+};
+
+/// Errors and balances; what is measured besides. The one place where a new number of a run gets its name.
+const std::vector<RunNumber>& run_errors();
+const std::vector<RunNumber>& run_by_products();
+
+/// What fits, criteria and goldens may ask of a run: its errors and balances, and the energy loss.
+const std::vector<std::string>& norm_words();
+
+}  // namespace mpmvv

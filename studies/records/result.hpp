@@ -1,0 +1,83 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/fits/extrapolation.hpp"
+#include "studies/fits/observed_order.hpp"
+#include "studies/fits/stability_limit.hpp"
+#include "studies/records/record.hpp"
+
+namespace mpmvv {
+
+/// One point of a series: a run at one value of the swept key, or a point of a curve made by a check.
+struct Point {
+  double x = 0;  ///< swept value
+  Status status = Status::ok;
+  std::string reason;
+  std::map<std::string, double>
+      y;  ///< by quantity: `l1`, `l2`, `linf`, `..._all_steps`, `wall_seconds`, ...; curves: `y`
+  std::map<std::string, std::vector<double>> replicates = {};  ///< by quantity, where `y` is their mean
+};
+
+struct Series {
+  std::string name;
+  std::vector<Point> points;  ///< in the order of the sweep
+  std::vector<ObservedOrder> orders;
+  std::optional<StabilityLimit> limit;
+  std::vector<Extrapolation> extrapolations = {};
+};
+
+/// A named number measured by a check.
+struct Value {
+  std::string name;
+  double value = not_measured;
+  std::string meaning;  ///< one line for people
+};
+
+/// A report's figure, as the study file describes it. Its kind says what is drawn: `curves`, the quantity of each
+/// series against the swept value; `work-precision`, the quantity against the measured cost; `particles`, a panel for
+/// each series, whose points are particles at (x, `y`) with voxels of widths `width_x`, `width_y` where they have any.
+struct Figure {
+  std::string name;  ///< file name without ending, `s-fig10`
+  std::string caption;
+  std::string xlabel, ylabel;
+  bool log_x = true, log_y = true;
+  std::string quantity = "l2";      ///< which `y` of the points
+  std::vector<std::string> series;  ///< names; empty: all
+  std::vector<std::string> marks;   ///< series drawn as separate points, without a line
+  std::vector<double> slopes;       ///< reference slopes to draw, in powers of h
+  std::optional<double> x_min, x_max, y_min, y_max;
+  std::string kind = "curves";
+};
+
+enum class PartVerdict { holds, fails, shown, inconclusive };
+
+std::string to_string(PartVerdict v);
+PartVerdict part_verdict_from(const std::string& word);
+
+/// One criterion of a claim, judged.
+struct ClaimPart {
+  std::string claim;      ///< id in CLAIMS.md
+  std::string statement;  ///< what was asked
+  PartVerdict verdict = PartVerdict::inconclusive;
+  std::string evidence;  ///< measured numbers
+  std::string reason;    ///< for `fails`: why, as the study file explains it after the fact; may be empty
+};
+
+/// Everything the store keeps of one study, ready to be judged and drawn.
+struct StudyResult {
+  std::string name;  ///< stem of the study file
+  std::string title;
+  std::string kind;   ///< `convergence`, `limit`, `check`
+  std::string sweep;  ///< swept key: `cells` (then h = 1/x), `cfl`, ...; for checks the name of the abscissa
+  std::string text;   ///< the study file, whole
+  std::vector<std::string> claims;
+  std::vector<Series> series;
+  std::vector<Value> values;
+  std::vector<Figure> figures;
+  std::vector<ClaimPart> parts;
+};
+
+}  // namespace mpmvv

@@ -1,0 +1,37 @@
+#pragma once
+#include <algorithm>
+
+#include "solver/mpm.hpp"
+#include "studies/records/record.hpp"
+
+namespace mpmvv {
+
+/// Momenta of the particles, and the sizes that their changes are measured by.
+template <int D>
+struct Momenta {
+  solver::Vec<D> linear = solver::Vec<D>::Zero();   ///< Σ m v
+  solver::Mat<D> angular = solver::Mat<D>::Zero();  ///< Σ m (x vᵀ - v xᵀ), about the origin; without APIC's own
+  double speed = 0;                                 ///< Σ m |v|
+  double swing = 0;                                 ///< Σ m |x| |v|
+
+  explicit Momenta(const solver::Particles<D>& particles) {
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+      const solver::Vec<D>&x = particles.x[p], &v = particles.v[p];
+      const double m = particles.m[p];
+      linear += m * v;
+      angular += m * (x * v.transpose() - v * x.transpose());
+      speed += m * v.norm();
+      swing += m * x.norm() * v.norm();
+    }
+  }
+};
+
+/// NaN when nothing moves.
+template <int D>
+Balance balance(const Momenta<D>& start, const Momenta<D>& end, double mass_of_particles, double mass_of_body) {
+  return {.mass = mass_of_particles / mass_of_body - 1,
+          .momentum = (end.linear - start.linear).norm() / std::max(start.speed, end.speed),
+          .angular_momentum = (end.angular - start.angular).norm() / std::max(start.swing, end.swing)};
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,53 @@
+#include "studies/runs/nodal_error.hpp"
+
+#include <optional>
+#include <stdexcept>
+
+namespace mpmvv {
+
+namespace {
+
+/// Whether the node belongs to the domain, and is not the second image of one across periodic faces.
+template <int D>
+bool counts(const solver::Mpm<D>& mpm, std::size_t n) {
+  const auto i = mpm.grid().index(n);
+  for (std::size_t d = 0; d < D; ++d) {
+    const int end = mpm.periodic()[d] ? mpm.grid().cells()[d] : mpm.grid().inside(static_cast<int>(d));
+    if (i[d] < 0 || i[d] >= end) return false;
+  }
+  return mpm.is_accelerated(n);
+}
+
+/// The material point at x; none when no part of the body is there.
+template <int D>
+std::optional<mms::Vec<D>> reference_point(const mms::ManufacturedSolution<D>& solution, const Body<D>& body,
+                                           const mms::Vec<D>& x, double t) {
+  constexpr double round_off = 1e-12;  // m; for nodes on a face
+  try {
+    const auto X = solution.reference_point(x, t);
+    if (std::visit([&X](const auto& shape) { return contains(shape, X, round_off); }, body)) return X;
+  } catch (const std::domain_error&) {
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <int D>
+ErrorNorms acceleration_errors(solver::Mpm<D>& mpm, const mms::ManufacturedSolution<D>& solution, const Body<D>& body) {
+  mpm.map_acceleration();
+  ErrorNorms norms;
+  for (std::size_t n = 0; n < mpm.grid().size(); ++n) {
+    if (!counts(mpm, n)) continue;
+    const auto X = reference_point(solution, body, mpm.node_position(n), mpm.time());
+    if (!X) continue;
+    norms.add((mpm.grid().a[n].template head<D>() - solution.a(*X, mpm.time())).norm());
+  }
+  return norms;
+}
+
+template ErrorNorms acceleration_errors(solver::Mpm<1>&, const mms::ManufacturedSolution<1>&, const Body<1>&);
+template ErrorNorms acceleration_errors(solver::Mpm<2>&, const mms::ManufacturedSolution<2>&, const Body<2>&);
+template ErrorNorms acceleration_errors(solver::Mpm<3>&, const mms::ManufacturedSolution<3>&, const Body<3>&);
+
+}  // namespace mpmvv

@@ -1,0 +1,214 @@
+#include "studies/runs/run_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <exception>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "studies/fits/median.hpp"
+#include "studies/runs/balance.hpp"
+#include "studies/runs/nodal_error.hpp"
+#include "studies/runs/run_errors.hpp"
+#include "studies/runs/scene.hpp"
+#include "studies/runs/vtu.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/reason.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+/// Seconds of this thread on a processor: what steps cost on one core, whatever else the machine does meanwhile.
+double processor_seconds() {
+  timespec spent{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+  return static_cast<double>(spent.tv_sec) + 1e-9 * static_cast<double>(spent.tv_nsec);
+}
+
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Decides whether a run has blown up. A run is looked at every `interval` steps and at its end.
+template <int D>
+class Watch {
+ public:
+  static constexpr std::int64_t interval = 32;
+
+  Watch(const Case& c, const Stage<D>& stage, double initial_energy)
+      : most_energy_(stage.is_driven() || (stage.traction && initial_energy == 0)
+                         ? std::numeric_limits<double>::infinity()  // all of it comes from outside
+                         : c.measure.blowup_energy * initial_energy + round_off * stage.setup.density),
+        most_error_(stage.setup.solution
+                        ? c.measure.blowup_error * stage.setup.solution->displacement_scale() + round_off
+                        : 0) {}
+
+  /// Why the run counts as unstable; empty while it does not.
+  std::string judge(const solver::Mpm<D>& mpm, const Stage<D>& stage) const {
+    const double energy = mpm.kinetic_energy() + mpm.strain_energy();
+    if (!(energy <= most_energy_)) return fmt::format("energy {:.3g} beyond {:.3g}", energy, most_energy_);
+    if (!stage.points) return "";
+    const double error = displacement_errors(mpm, stage).linf();
+    if (!(error <= most_error_)) return fmt::format("displacement error {:.3g} beyond {:.3g}", error, most_error_);
+    return "";
+  }
+
+ private:
+  static constexpr double round_off = 1e-12;  ///< what a body at rest may move (m) and gain (times density, J)
+  double most_energy_, most_error_;
+};
+
+void note_errors_over_steps(Errors& errors, const ErrorNorms& now) {
+  const auto larger = [](double so_far, double value) { return value <= so_far ? so_far : value; };  // takes NaN over
+  errors.l1_all_steps = larger(errors.l1_all_steps, now.l1());
+  errors.l2_all_steps = larger(errors.l2_all_steps, now.l2());
+  errors.linf_all_steps = larger(errors.linf_all_steps, now.linf());
+}
+
+/// Steps to the end or until the run blows up, and calls `observe` after every `stride` sound steps; returns the
+/// seconds spent in the steps alone.
+template <int D, class Observe>
+double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, std::int64_t stride, Record& record,
+               const Observe& observe) {
+  const Watch<D> watch(c, stage, record.energy.initial_total);
+  const auto clock = c.measure.repeat > 0 ? &processor_seconds : &wall_seconds;
+  double step_seconds = 0;
+  while (record.steps < c.resolution.steps) {
+    const std::int64_t pause = std::min(record.steps + stride, c.resolution.steps);
+    bool sound = true;
+    const double start = clock();
+    for (; sound && record.steps < pause; ++record.steps) sound = mpm.step(c.resolution.dt);
+    step_seconds += clock() - start;
+    if (!sound) record.reason = mpm.fault();
+    const bool due = record.steps % Watch<D>::interval == 0 || record.steps == c.resolution.steps;
+    if (sound && due) record.reason = watch.judge(mpm, stage);
+    if (!record.reason.empty()) {
+      record.status = Status::unstable;
+      record.reason += fmt::format(" at step {} of {}", record.steps, c.resolution.steps);
+      break;
+    }
+    observe();
+  }
+  return step_seconds;
+}
+
+template <int D>
+void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Record& record) {
+  const double start = wall_seconds();
+  Stage<D> stage = make_stage<D>(c, problem, threads);
+  solver::Mpm<D> mpm(std::move(stage.scene));
+  record.particles = static_cast<std::int64_t>(mpm.particles().size());
+  record.energy.initial_total = mpm.kinetic_energy() + mpm.strain_energy();
+  const Momenta<D> start_momenta(mpm.particles());
+
+  const bool every_step = c.measure.every_step && stage.points;
+  if (every_step) record.error.l1_all_steps = record.error.l2_all_steps = record.error.linf_all_steps = 0;
+  if (vtu) vtu->write(mpm, stage.X);
+  VelocityError<D> velocity_error;
+  const std::int64_t stride = every_step || vtu || c.measure.velocity_error ? 1 : Watch<D>::interval;
+  const double step_seconds = advance(mpm, stage, c, stride, record, [&] {
+    if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, stage));
+    if (c.measure.velocity_error) velocity_error.note(mpm, stage);
+    if (vtu && VtuSeries::due(record.steps, c.resolution.steps)) vtu->write(mpm, stage.X);
+  });
+  if (record.status == Status::ok) {
+    record.energy.kinetic = mpm.kinetic_energy();
+    record.energy.strain = mpm.strain_energy();
+    record.balance = balance(start_momenta, Momenta<D>(mpm.particles()), mpm.mass(), mass_of(stage.setup));
+    if (c.measure.stress_error) record.error.stress = stress_error(mpm, stage);
+    if (stage.points) {
+      const ErrorNorms norms = displacement_errors(mpm, stage);
+      record.error.l1 = norms.l1();
+      record.error.l2 = norms.l2();
+      record.error.linf = norms.linf();
+    }
+    if (c.measure.velocity_error) record.error.velocity = 100 / stage.setup.speed * velocity_error.mean();
+    if (c.measure.nodal_error) {
+      const ErrorNorms norms = acceleration_errors(mpm, *stage.setup.solution, stage.setup.body);
+      record.error.nodal_l1 = norms.l1();
+      record.error.nodal_l2 = norms.l2();
+      record.error.nodal_linf = norms.linf();
+    }
+  } else {
+    record.error = {};
+  }
+  record.ns_per_particle_step = 1e9 * step_seconds / static_cast<double>(record.particles * record.steps);
+  record.wall_seconds = wall_seconds() - start;
+}
+
+/// One run of the case, whatever its dimension.
+Record run_once(const Case& c, const Problem& problem, int threads, VtuSeries* vtu) {
+  Record record;
+  record.the_case = c;
+  record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells /
+               problem.length(c.problem.parameters);
+  try {
+    switch (problem.dimension()) {
+      case 1:
+        run<1>(c, problem, threads, vtu, record);
+        break;
+      case 2:
+        run<2>(c, problem, threads, vtu, record);
+        break;
+      default:
+        run<3>(c, problem, threads, vtu, record);
+    }
+  } catch (const UsageError&) {
+    throw;
+  } catch (const std::exception& e) {
+    record.status = Status::failed;
+    record.failure = failure_of(e);
+    record.reason = reason_of(e);
+  }
+  return record;
+}
+
+/// Repeats each sound run as often as its case says, in rounds, so that a slow spell of the machine meets all alike,
+/// and takes the median of each cost.
+void measure_costs(std::vector<Record>& records) {
+  std::vector<std::vector<double>> costs(records.size());
+  bool due = true;
+  for (int round = 0; due; ++round) {
+    due = false;
+    for (std::size_t k = 0; k < records.size(); ++k) {
+      const Case& c = records[k].the_case;
+      if (records[k].status != Status::ok || round >= c.measure.repeat) continue;
+      const Record repeated =
+          round > 0 ? run_once(c, find_problem(c.problem.name, "the case"), 1, nullptr) : records[k];
+      costs[k].push_back(repeated.ns_per_particle_step);
+      due = true;
+    }
+  }
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    Record& record = records[k];
+    if (costs[k].empty()) continue;
+    const auto [least, most] = std::minmax_element(costs[k].begin(), costs[k].end());
+    record.ns_per_particle_step = median_of(costs[k]);
+    record.cost.step_seconds =
+        1e-9 * record.ns_per_particle_step * static_cast<double>(record.particles * record.steps);
+    record.cost.spread = (*most - *least) / record.ns_per_particle_step;
+  }
+}
+
+}  // namespace
+
+Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
+  if (c.measure.repeat > 0) return run_timed({c}).front();
+  std::optional<VtuSeries> frames;
+  if (!vtu.empty()) frames.emplace(vtu);
+  return run_once(c, find_problem(c.problem.name, "the case"), threads, frames ? &*frames : nullptr);
+}
+
+std::vector<Record> run_timed(const std::vector<Case>& cases) {
+  std::vector<Record> records;
+  for (const Case& c : cases) records.push_back(run_once(c, find_problem(c.problem.name, "the case"), 1, nullptr));
+  measure_costs(records);
+  return records;
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,73 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "solver/mpm.hpp"
+#include "studies/runs/norms.hpp"
+#include "studies/runs/scene.hpp"
+
+/// What a run's particles differ in from the exact solution.
+namespace mpmvv {
+
+/// x moved by whole periods to the smallest distance from 0.
+inline double nearest_image(double x, double period) {
+  return x - period * std::round(x / period);
+}
+
+/// δ_p = |(x_p - X_p) - u(X_p, t)| of every particle, W (64); across periodic faces by the nearest image.
+template <int D>
+ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
+  constexpr std::size_t chunk = 256;
+  const auto& particles = mpm.particles();
+  ErrorNorms norms;
+  solver::Vec<D> u[chunk];
+  for (std::size_t begin = 0; begin < particles.size(); begin += chunk) {
+    const std::size_t n = std::min(chunk, particles.size() - begin);
+    stage.points->displacement(mpm.time(), {&particles.id[begin], n}, u);
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t p = begin + k;
+      solver::Vec<D> delta = (particles.x[p] - stage.X[particles.id[p]]) - u[k];
+      for (int d = 0; d < D; ++d) {
+        const double period = mpm.grid().h() * mpm.grid().cells()[static_cast<std::size_t>(d)];
+        if (mpm.periodic()[static_cast<std::size_t>(d)]) delta[d] = nearest_image(delta[d], period);
+      }
+      norms.add(delta.norm());
+    }
+  }
+  return norms;
+}
+
+/// The mean over the steps noted of the particles' RMS velocity error.
+template <int D>
+class VelocityError {
+ public:
+  void note(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
+    const auto& particles = mpm.particles();
+    ErrorNorms norms;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+      norms.add((particles.v[p] - stage.setup.solution->v(stage.X[particles.id[p]], mpm.time())).norm());
+    sum_ += norms.l2();
+    ++steps_;
+  }
+  double mean() const { return sum_ / static_cast<double>(steps_); }
+
+ private:
+  double sum_ = 0;
+  std::int64_t steps_ = 0;
+};
+
+/// RMS over the particles of |σ_p - σ(X_p, t)|.
+template <int D>
+double stress_error(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
+  const auto& particles = mpm.particles();
+  ErrorNorms norms;
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const solver::Vec<D>& X = stage.X[particles.id[p]];
+    const solver::Mat<D> F = stage.setup.solution->F(X, mpm.time()), P = stage.setup.solution->P(X, mpm.time());
+    norms.add((mpm.stress(p) - P * F.transpose() / F.determinant()).norm());
+  }
+  return norms.l2();
+}
+
+}  // namespace mpmvv

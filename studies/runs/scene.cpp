@@ -1,0 +1,179 @@
+#include "studies/runs/scene.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <utility>
+
+#include "solver/words.hpp"
+#include "studies/runs/fill.hpp"
+#include "studies/settings/boundaries.hpp"
+#include "studies/settings/named.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+using solver::Vec;
+
+/// Fills the body: reference positions, volumes, and the widths that the basis takes.
+template <int D>
+void fill(Stage<D>& stage, const Case& c) {
+  auto& scene = stage.scene;
+  const auto width = width_of(scene.basis);
+  const auto about = static_cast<std::size_t>(extent(c).cells_of_body * std::pow(c.resolution.ppc, D) + 0.5);
+  stage.X.reserve(about);
+  scene.particles.V0.reserve(about);
+  const PlaceVoxel<D> place = [&](const Voxel<D>& voxel) {
+    stage.X.push_back(voxel.X);
+    scene.particles.V0.push_back(voxel.V);
+    if (width == solver::ParticleWidth::domain)
+      scene.particles.R.push_back(voxel.edges / scene.h);
+    else if (width != solver::ParticleWidth::none)
+      scene.particles.l.push_back(Vec<D>::Constant(std::pow(voxel.V, 1.0 / D) / scene.h));
+  };
+  const FillDensity density{scene.h, c.resolution.ppc};
+  if (c.scheme.fill == "lattice") return fill_lattice<D>(stage.setup.body, density, place);
+  if constexpr (D > 1) fill_conforming<D>(std::get<Annulus<D>>(stage.setup.body), density, place);
+}
+
+/// Position, velocity and deformation gradient at t = 0; with start `exact` the velocity of -Δt/2, W §4.
+template <int D>
+void set_initial_state(Stage<D>& stage, const Case& c) {
+  auto& particles = stage.scene.particles;
+  const double velocity_time = c.scheme.start == "exact" ? -c.resolution.dt / 2 : 0;
+  particles.resize(stage.X.size());
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const Vec<D>& X = stage.X[p];
+    const auto& solution = stage.setup.solution;
+    particles.x[p] = solution ? Vec<D>(X + solution->u(X, 0)) : X;
+    particles.v[p] = solution ? solution->v(X, velocity_time) : stage.setup.start_velocity(X);
+    particles.F[p] = solution ? solution->F(X, 0) : solver::Mat<D>::Identity();
+    particles.m[p] = stage.setup.density * particles.V0[p];
+  }
+}
+
+/// Widths and edges that follow the particles' deformation.
+template <int D>
+void set_current_widths(solver::Particles<D>& particles, const solver::AnyBasis& basis) {
+  if (width_of(basis) == solver::ParticleWidth::current) particles.l0 = particles.l;
+  particles.R0 = particles.R;
+  particles.update_widths(0, particles.size());
+}
+
+solver::FlipPosition flip_position(const std::string& word) {
+  return word == "second-order" ? solver::FlipPosition::second_order
+         : word == "particle"   ? solver::FlipPosition::particle
+                                : solver::FlipPosition::first_order;
+}
+
+/// The velocity update with those choices that it has; `cfl` is the time step's.
+solver::AnyVelocityUpdate velocity_update(const Scheme& scheme, double cfl) {
+  auto update = named<solver::AnyVelocityUpdate>(scheme.velocity_update);
+  const auto choose = [&](auto& u) {
+    if constexpr (requires { u.order; }) u.order = scheme.order;
+    if constexpr (requires { u.interval; })
+      u.interval = std::max<std::int64_t>(1, std::llround(std::min(scheme.cfl_x / cfl, 1e15)));
+    if constexpr (requires { u.position; }) u.position = flip_position(scheme.position);
+  };
+  std::visit(choose, update);
+  return update;
+}
+
+solver::WallMethod wall_method(const std::string& word) {
+  return word == "velocity"      ? solver::WallMethod::velocity
+         : word == "lumped"      ? solver::WallMethod::lumped
+         : word == "elimination" ? solver::WallMethod::elimination
+                                 : solver::WallMethod::combined;
+}
+
+/// The faces' boundaries, walls with their motions.
+template <int D>
+void set_boundaries(Stage<D>& stage, const Scheme& scheme) {
+  const auto faces = boundary_faces(scheme.boundary, D, "the case");
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    auto& boundary = stage.scene.boundary[k];
+    solver::from_word(faces[k], boundary);
+    if (auto* wall = std::get_if<solver::Wall>(&boundary)) {
+      wall->motion = stage.setup.walls[k].get();
+      wall->depth = scheme.wall_depth;
+      wall->gradient = scheme.wall_gradient == "zero"        ? solver::WallGradient::zero
+                       : scheme.wall_gradient == "estimated" ? solver::WallGradient::estimated
+                                                             : solver::WallGradient::given;
+    }
+  }
+}
+
+/// Moves the grid down by the offset along the axes where nothing holds it, with a cell more where the body ends.
+template <int D>
+void shift_grid(solver::Scene<D>& scene, const Case& c) {
+  const auto faces = boundary_faces(c.scheme.boundary, D, "the case");
+  const auto movable = movable_axes(faces);
+  for (std::size_t d = 0; d < D; ++d) {
+    if (c.resolution.grid_offset == 0 || !movable[d]) continue;
+    scene.lower[static_cast<int>(d)] -= c.resolution.grid_offset * scene.h;
+    if (faces[2 * d] == solver::Free::word) ++scene.cells[d];
+  }
+}
+
+/// A permutation of the particles by Fisher and Yates, the same on every machine.
+template <int D>
+void shuffle(solver::Particles<D>& particles, int seed) {
+  if (seed == 0) return;
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+  std::vector<std::uint32_t> order(particles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  for (std::size_t left = order.size(); left > 1; --left) std::swap(order[left - 1], order[random() % left]);
+  solver::Team alone(1);
+  particles.permute(order, alone);
+}
+
+}  // namespace
+
+template <int D>
+Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
+  Stage<D> stage;
+  auto& scene = stage.scene;
+  scene.h = problem.length(c.problem.parameters) / c.resolution.cells;
+  stage.setup = make_setup<D>(problem, c.problem, scene.h);
+  const auto all = std::visit([&scene](const auto& body) { return domain(body, scene.h); }, stage.setup.body);
+  scene.lower = all.lower;
+  scene.cells = all.cells;
+  shift_grid(scene, c);
+  scene.material = stage.setup.material;
+  scene.integrator = c.scheme.integrator;
+  scene.velocity_update =
+      velocity_update(c.scheme, problem.wave_speed(c.problem.parameters) * c.resolution.dt / scene.h);
+  if (c.scheme.deformation == "exponential") scene.deformation = solver::Deformation::exponential;
+  scene.wall_method = wall_method(c.scheme.wall_method);
+  scene.half_start = c.scheme.start == "half" && stage.setup.solution;
+  scene.difference_acceleration = c.scheme.wall_acceleration == "difference";
+  if (c.scheme.mass == "consistent") scene.consistent_mass.emplace();
+  scene.threads = threads;
+  set_boundaries(stage, c.scheme);
+
+  scene.basis = named<solver::AnyBasis>(c.scheme.basis);
+  if (auto* ugimp = std::get_if<solver::UGimp>(&scene.basis)) ugimp->smoothing_length = c.scheme.smoothing_length;
+  fill(stage, c);
+  set_initial_state(stage, c);
+  set_current_widths(scene.particles, scene.basis);
+  if (stage.setup.solution) {
+    stage.points = stage.setup.solution->at_points(stage.X);
+    stage.body_force = std::make_unique<SolutionBodyForce<D>>(*stage.setup.solution, *stage.points);
+    scene.body_force = stage.body_force.get();
+    if (c.scheme.body_force == "grid") scene.body_force_on = solver::BodyForceOn::grid;
+    if (problem.is_loaded && problem.is_loaded(c.problem.parameters)) {
+      stage.traction = std::make_unique<SolutionTraction<D>>(
+          *stage.setup.solution, surface<D>(stage.setup.body, {scene.h, c.resolution.ppc}), stage.X);
+      scene.surface_load = stage.traction.get();
+    }
+  }
+  shuffle(scene.particles, c.resolution.shuffle);
+  return stage;
+}
+
+template Stage<1> make_stage<1>(const Case&, const Problem&, int);
+template Stage<2> make_stage<2>(const Case&, const Problem&, int);
+template Stage<3> make_stage<3>(const Case&, const Problem&, int);
+
+}  // namespace mpmvv

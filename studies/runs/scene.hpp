@@ -1,0 +1,87 @@
+#pragma once
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "solver/mpm.hpp"
+#include "studies/cases/case.hpp"
+#include "studies/problems/problem.hpp"
+#include "studies/runs/fill.hpp"
+
+namespace mpmvv {
+
+/// The manufactured solution's body force as the solver takes it.
+template <int D>
+class SolutionBodyForce final : public solver::BodyForce<D> {
+ public:
+  SolutionBodyForce(const mms::ManufacturedSolution<D>& solution, mms::PointwiseSolution<D>& points)
+      : solution_(solution), points_(points) {}
+
+  void prepare(double t) override { points_.prepare(t); }
+  void on_particles(double t, std::span<const std::uint32_t> ids, solver::Vec<D>* b) const override {
+    points_.body_force(t, ids, b);
+  }
+  solver::Vec<D> at_position(const solver::Vec<D>& x, double t) const override {
+    return solution_.b(solution_.reference_point(x, t), t);
+  }
+
+ private:
+  const mms::ManufacturedSolution<D>& solution_;
+  mms::PointwiseSolution<D>& points_;
+};
+
+/// The manufactured solution's traction on the body's surface as the solver takes it.
+template <int D>
+class SolutionTraction final : public solver::SurfaceLoad<D> {
+ public:
+  using typename solver::SurfaceLoad<D>::Part;
+
+  SolutionTraction(const mms::ManufacturedSolution<D>& solution, std::vector<SurfacePatch<D>> patches,
+                   const std::vector<solver::Vec<D>>& X)
+      : solution_(solution), patches_(std::move(patches)) {
+    for (const auto& patch : patches_) parts_.push_back({patch.voxel, patch.X - X[patch.voxel]});
+  }
+
+  std::span<const Part> parts() const override { return parts_; }
+  void forces(double t, solver::Vec<D>* f) const override {
+    for (const auto& patch : patches_) *f++ = solution_.P(patch.X, t) * patch.normal;  // P N dA
+  }
+
+ private:
+  const mms::ManufacturedSolution<D>& solution_;
+  std::vector<SurfacePatch<D>> patches_;
+  std::vector<Part> parts_;
+};
+
+/// A case ready to run: the problem's solution sampled at the particles, and the scene made from it.
+template <int D>
+struct Stage {
+  Setup<D> setup;
+  std::vector<solver::Vec<D>> X;  ///< reference positions by particle id
+  std::unique_ptr<mms::PointwiseSolution<D>> points;
+  std::unique_ptr<SolutionBodyForce<D>> body_force;
+  std::unique_ptr<SolutionTraction<D>> traction;  ///< null where the surface is free or held
+  solver::Scene<D> scene;
+
+  /// Whether walls put energy in, so that it has no bound.
+  bool is_driven() const {
+    const auto is_wall = [](const auto& wall) { return wall != nullptr; };
+    return std::any_of(setup.walls.begin(), setup.walls.end(), is_wall);
+  }
+};
+
+/// ρ₀ times the volume of the body.
+template <int D>
+double mass_of(const Setup<D>& setup) {
+  return setup.density * std::visit([](const auto& body) { return volume(body); }, setup.body);
+}
+
+/// The body filled with particles in their state at t = 0.
+template <int D>
+Stage<D> make_stage(const Case& c, const Problem& problem, int threads);
+
+extern template Stage<1> make_stage<1>(const Case&, const Problem&, int);
+extern template Stage<2> make_stage<2>(const Case&, const Problem&, int);
+extern template Stage<3> make_stage<3>(const Case&, const Problem&, int);
+
+}  // namespace mpmvv

@@ -1,0 +1,86 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "studies/mutant.hpp"
+#include "studies/records/record.hpp"
+#include "studies/records/result.hpp"
+#include "studies/store/provenance.hpp"
+#include "studies/store/version.hpp"
+
+namespace mpmvv {
+
+/// The results store: one SQLite file. Two processes may write it at once. Every message is a UsageError with
+/// the file's name: not a store, another application's, a newer schema, read-only, disk full, absent.
+///
+/// A record's key is (canonical text of the case, digest). NaN and infinity are kept as NULL and come back as NaN.
+/// Runs, studies and mutants are kept under a seal, and one that is not as it was written is a UsageError to whom reads
+/// it.
+/// One store object serves one thread at a time.
+class Store {
+ public:
+  enum class Mode { create_or_write, write, read };
+
+  Store(const std::filesystem::path& file, Mode mode);
+  ~Store();
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) noexcept;
+
+  /// The record of this case made by this digest, if it is there.
+  std::optional<Record> find(const Case& c, const std::string& digest) const;
+
+  /// Keeps finished records in one transaction: a killed run loses nothing that was kept. Keeping the same key again
+  /// (two processes) is no error; the first one stays, unless it has `failed`. A failure of the machine gives way to
+  /// one of the case, and both to a run that was carried out.
+  void keep(std::span<const Record> records, const Provenance& p);
+  void keep(const Record& r, const Provenance& p) { keep({&r, 1}, p); }
+
+  /// Replaces what the store holds of this study for this digest, in one transaction. Points that are runs
+  /// are linked by their case; `cases[s][k]` is the case of series s, point k (empty for checks). Their records must
+  /// have been kept; the points come back with all that was measured in the run, and with what they have beyond it.
+  void keep_study(const StudyResult& s, const std::vector<std::vector<Case>>& cases, const Provenance& p);
+
+  /// Studies of this digest by name, in name order. Empty when there is none.
+  std::vector<StudyResult> studies(const std::string& digest) const;
+
+  /// Keeps how far the gate has taken a mutant, in the place of the one with this name, digest and gate.
+  void keep_mutant(const Mutant& mutant, const Provenance& p);
+
+  /// Mutants of this digest, in the order of their last keeping.
+  std::vector<Mutant> mutants(const std::string& digest) const;
+
+  /// The versions that studies were kept of, by the time of their first result.
+  std::vector<Version> versions() const;
+
+  /// Provenance of the study's last keeping; nullopt when absent.
+  std::optional<Provenance> study_provenance(const std::string& study, const std::string& digest) const;
+
+  /// For `db info`: label and text per line (schema, studies, records by status, digests, size).
+  std::vector<std::pair<std::string, std::string>> info() const;
+
+  /// For `db check`: integrity_check, foreign_key_check and all seals; what is wrong, empty when sound.
+  std::vector<std::string> check() const;
+
+  /// Copies every record, study and mutant of another store that the one in `file` lacks, which is made when absent;
+  /// the number of records copied. What fails changes nothing and makes no file.
+  static std::int64_t merge(const std::filesystem::path& file, const std::filesystem::path& other);
+
+  /// Removes the study in all its versions, their number; the runs stay, as they belong to their cases. UsageError when
+  /// there is none.
+  std::size_t forget(const std::string& study);
+
+  /// All records as CSV (17 digits, NaN empty), with digest and commit.
+  std::string export_csv() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mpmvv

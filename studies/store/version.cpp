@@ -1,0 +1,51 @@
+#include "studies/store/version.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "studies/support/error.hpp"
+
+namespace mpmvv {
+
+namespace {
+
+constexpr std::size_t short_length = 12;
+
+std::string short_commit(const std::string& commit) {
+  const auto dash = std::min(commit.find('-'), commit.size());
+  return commit.substr(0, std::min(dash, short_length)) + commit.substr(dash);
+}
+
+template <class Matches>
+std::vector<const Version*> matching(const std::vector<Version>& versions, Matches matches) {
+  std::vector<const Version*> found;
+  for (const Version& version : versions)
+    if (matches(version.digest) || std::ranges::any_of(version.commits, matches)) found.push_back(&version);
+  return found;
+}
+
+std::string labels(const std::vector<const Version*>& versions) {
+  std::vector<std::string> texts;
+  for (const Version* version : versions) texts.push_back(label(*version));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+}  // namespace
+
+std::string label(const Version& version) {
+  return fmt::format("{} (digest {})", short_commit(version.commits.front()), version.digest.substr(0, short_length));
+}
+
+const Version& find_version(const std::vector<Version>& versions, const std::string& prefix) {
+  auto found = matching(versions, [&](const std::string& text) { return text == prefix; });
+  if (found.empty()) found = matching(versions, [&](const std::string& text) { return text.starts_with(prefix); });
+  if (found.size() == 1) return *found.front();
+  if (found.empty())
+    throw UsageError(fmt::format("no results of a version '{}' (there are: {})", prefix,
+                                 versions.empty() ? "none" : labels(matching(versions, [](auto&) { return true; }))));
+  throw UsageError(fmt::format("version '{}' may be {} (a longer prefix, or the digest)", prefix, labels(found)));
+}
+
+}  // namespace mpmvv

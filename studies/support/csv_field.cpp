@@ -1,0 +1,33 @@
+#include "studies/support/csv_field.hpp"
+
+#include <charconv>
+#include <string_view>
+
+namespace mpmvv {
+
+namespace {
+
+bool is_number(const std::string& text) {
+  double ignored = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, ignored);
+  return stop == end && error != std::errc::invalid_argument;
+}
+
+/// What spreadsheets take for a formula; some skip a tab or the end of a line first.
+bool is_formula(const std::string& text) {
+  return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos &&
+         !is_number(text);
+}
+
+}  // namespace
+
+std::string csv_field(const std::string& text) {
+  const std::string harmless = is_formula(text) ? "'" + text : text;
+  if (harmless.find_first_of(",\"\r\n") == std::string::npos) return harmless;
+  std::string quoted = "\"";
+  for (const char c : harmless) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+}  // namespace mpmvv

@@ -1,0 +1,116 @@
+#include "studies/support/process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <string_view>
+#include <thread>
+
+namespace mpmvv {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (auto& t : texts) result.push_back(t.data());
+  result.push_back(nullptr);
+  return result;
+}
+
+using Kept = std::optional<std::set<std::string>>;
+
+std::vector<std::string> environment_with(const std::map<std::string, std::string>& changes, const Kept& kept) {
+  std::vector<std::string> result;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view text = *entry;
+    const std::string name(text.substr(0, text.find('=')));
+    if (!changes.contains(name) && (!kept || kept->contains(name))) result.emplace_back(text);
+  }
+  for (const auto& [name, value] : changes) result.push_back(name + "=" + value);
+  return result;
+}
+
+/// Starts the child with both outputs on `out`; 0 or an errno.
+int spawn(pid_t& child, std::vector<std::string> command, const std::filesystem::path& folder,
+          std::vector<std::string> variables, int out) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, out, STDERR_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
+
+  const int failed = posix_spawnp(&child, command.front().c_str(), &actions, &attributes, pointers(command).data(),
+                                  pointers(variables).data());
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  return failed;
+}
+
+/// Reads until the other end closes; false when the deadline comes first.
+bool read_all(int in, std::string& text, Clock::time_point deadline) {
+  std::array<char, 4096> buffer;
+  while (true) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    pollfd ready{in, POLLIN, 0};
+    const int events = poll(&ready, 1, static_cast<int>(std::max<long>(0, left)));
+    if (events < 0 && errno == EINTR) continue;
+    if (events <= 0) return false;
+    const ssize_t n = read(in, buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return true;
+    text.append(buffer.data(), static_cast<std::size_t>(n));
+  }
+}
+
+/// Waits for the child's end; false when the deadline comes first.
+bool wait_until(pid_t child, int& status, Clock::time_point deadline) {
+  while (waitpid(child, &status, WNOHANG) != child) {
+    if (Clock::now() >= deadline) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+}  // namespace
+
+ProcessEnd run_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
+                       const std::map<std::string, std::string>& environment, std::chrono::milliseconds limit,
+                       const Kept& kept) {
+  const auto deadline = Clock::now() + limit;
+  ProcessEnd end;
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+    end.start_error = errno;
+    return end;
+  }
+  pid_t child = 0;
+  end.start_error = spawn(child, command, folder, environment_with(environment, kept), ends[1]);
+  close(ends[1]);
+  if (end.start_error == 0) {
+    int status = 0;
+    end.timed_out = !read_all(ends[0], end.output, deadline) || !wait_until(child, status, deadline);
+    if (end.timed_out) {
+      kill(-child, SIGKILL);
+      waitpid(child, &status, 0);
+    }
+    end.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  close(ends[0]);
+  return end;
+}
+
+}  // namespace mpmvv

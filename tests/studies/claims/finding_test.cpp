@@ -1,0 +1,107 @@
+#include "studies/claims/finding.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studies/claims/trend.hpp"
+
+namespace mpmvv {
+namespace finding_test {
+
+using testing::ElementsAre;
+using testing::NanSensitiveDoubleEq;
+
+StudyResult sample() {
+  Series a{"a",
+           {{8, Status::ok, "", {{"l2", 4e-4}, {"linf", 1}, {"kinetic", 5}}},
+            {16, Status::ok, "", {{"l2", 1e-4}, {"linf", 1}, {"kinetic", 5}}},
+            {32, Status::unstable, "", {}}},
+           {},
+           StabilityLimit{}};
+  a.orders.resize(1);
+  a.orders[0].norm = "l2";
+  a.orders[0].from = 8;
+  a.orders[0].to = 16;
+  a.orders[0].order = 2;
+  a.limit->key = "cfl";
+  a.limit->stable = 0.8;
+  a.limit->unstable = 0.82;
+  a.limit->found = true;
+  StudyResult study;
+  study.name = "s";
+  study.sweep = "cells";
+  study.series = {a};
+  study.values = {{"gap", 3, ""}};
+  return study;
+}
+
+Finding found(const StudyResult& study, const std::string& name) {
+  const auto findings = findings_of(study);
+  const auto it = std::ranges::find(findings, name, &Finding::name);
+  return it == findings.end() ? Finding{} : *it;
+}
+
+TEST(Findings, OfEveryKind) {
+  const StudyResult study = sample();
+  EXPECT_EQ(found(study, "order of 'a' in l2 over [8, 16]").number, 2);
+  EXPECT_EQ(found(study, "error of 'a' in l2").number, 1e-4) << "at the finest level with a result";
+  EXPECT_EQ(found(study, "error of 'a' in l2").levels.size(), 2U);
+  EXPECT_DOUBLE_EQ(found(study, "cfl limit of 'a'").number, 0.81);
+  EXPECT_EQ(found(study, "cfl limit of 'a'").better, 1);
+  EXPECT_EQ(found(study, "status of 'a' at 32").word, "unstable");
+  EXPECT_EQ(found(study, "value 'gap'").number, 3);
+  EXPECT_EQ(findings_of(study).size(), 7U) << "linf is neither fitted nor drawn, the energy is no error";
+}
+
+TEST(Findings, CostOnlyWhereItIsEvidence) {
+  StudyResult study = sample();
+  study.series[0].points[0].y["ns_per_particle_step"] = 20;
+  EXPECT_EQ(found(study, "ns per particle and step of 'a'").name, "");
+  study.series[0].points[0].y["step_seconds"] = 1;
+  EXPECT_EQ(found(study, "ns per particle and step of 'a'").number, 20);
+}
+
+TEST(Findings, ACheckHasCurvesInsteadOfErrors) {
+  StudyResult study = sample();
+  study.kind = "check";
+  study.figures.resize(1);
+  study.figures[0].quantity = "linf";
+  EXPECT_EQ(text(found(study, "curve 'a' of linf")), "curve");
+  EXPECT_EQ(found(study, "status of 'a' at 32").name, "");
+}
+
+TEST(Findings, AnExtrapolatedValueHasItsUncertainty) {
+  StudyResult study = sample();
+  study.series[0].extrapolations = {
+      {"kinetic", 8, 64, 4, "φ0 + α h", 1, 0.25, 0, 0.3, 0.0625, not_measured},
+      {"kinetic", 32, 64, 2, "none: 2 usable points in the window (4 needed)", not_measured}};
+  const Finding finding = found(study, "extrapolated kinetic of 'a' over [8, 64]");
+  EXPECT_EQ(finding.kind, Finding::Kind::value);
+  EXPECT_EQ(text(finding), "0.25 (the finest grid's ± 0.062)");
+  EXPECT_EQ(text(found(study, "extrapolated kinetic of 'a' over [32, 64]")), "not measured");
+  EXPECT_EQ(trends_of({findings_of(study)}).size(), 5U) << "order, error, limit, a value, an extrapolated one";
+}
+
+TEST(Findings, AStudyWithoutAClaimGivesNoVerdict) {
+  StudyResult study = sample();
+  EXPECT_EQ(findings_of(std::vector{study}).size(), findings_of(study).size());
+  study.parts = {{"S-fig10", "", PartVerdict::holds, "", ""}};
+  EXPECT_EQ(findings_of(std::vector{study}).back().word, "confirmed");
+}
+
+TEST(Trends, HaveANumberPerVersion) {
+  StudyResult first = sample(), last = sample();
+  last.series[0].orders[0].order = 1.9;
+  last.values.push_back({"late", 1, ""});
+  const auto trends = trends_of({findings_of(first), {}, findings_of(last)});
+  ASSERT_EQ(trends.size(), 5U) << "order, error, limit, two values; no statuses";
+  EXPECT_THAT(trends[0].numbers, ElementsAre(2, NanSensitiveDoubleEq(NAN), 1.9));
+  EXPECT_EQ(trends.back().name, "value 'late'");
+  EXPECT_THAT(trends.back().numbers, ElementsAre(NanSensitiveDoubleEq(NAN), NanSensitiveDoubleEq(NAN), 1));
+}
+
+}  // namespace finding_test
+}  // namespace mpmvv

@@ -1,0 +1,64 @@
+#include "studies/fits/replicates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace mpmvv::replicates_test {
+
+/// `count` samples at each number of cells: e(h) times exp(scatter z), z normal.
+template <class Error>
+std::vector<ErrorSample> sampled(const Error& e, int count, double scatter, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> z;
+  std::vector<ErrorSample> samples;
+  for (const double cells : {8.0, 16.0, 32.0, 64.0, 128.0})
+    for (int k = 0; k < count; ++k) samples.push_back({cells, 1 / cells, e(1 / cells) * std::exp(scatter * z(random))});
+  return samples;
+}
+
+double quadratic(double h) {
+  return 3 * h * h;
+}
+
+TEST(Replicates, MeasureTheScatterWithinLevels) {
+  const ReplicateFit fit = fit_replicates(sampled(quadratic, 40, 0.1, 1), 8, 128);
+  EXPECT_EQ(fit.observations, 200);
+  EXPECT_NEAR(fit.scatter, 0.1, 0.02);
+}
+
+TEST(Replicates, IntervalCoversTheSlopeNineteenTimesInTwenty) {
+  int covered = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    const auto samples = sampled(quadratic, 4, 0.1, seed);
+    const double width = fit_replicates(samples, 8, 128).half_width;
+    covered += std::abs(fit_order(samples, 8, 128).order - 2) <= width ? 1 : 0;
+  }
+  EXPECT_GT(covered, 365);
+  EXPECT_LT(covered, 395);
+}
+
+TEST(Replicates, LackOfFitIsUniformUnderALawAndSmallWithoutOne) {
+  int below = 0;
+  for (unsigned seed = 0; seed < 400; ++seed)
+    below += fit_replicates(sampled(quadratic, 4, 0.1, seed), 8, 128).lack_of_fit < 0.25 ? 1 : 0;
+  EXPECT_NEAR(below, 100, 30);
+  const auto mixed = [](double h) { return h * h + 0.02 * h; };
+  EXPECT_LT(fit_replicates(sampled(mixed, 4, 0.05, 1), 8, 128).lack_of_fit, 1e-3);
+}
+
+TEST(Replicates, SaysNothingWithoutThem) {
+  const ReplicateFit fit = fit_replicates(sampled(quadratic, 1, 0.1, 1), 8, 128);
+  EXPECT_TRUE(std::isnan(fit.half_width));
+  EXPECT_TRUE(std::isnan(fit.lack_of_fit));
+  EXPECT_TRUE(std::isnan(fit_replicates(sampled(quadratic, 4, 0.0, 1), 8, 128).lack_of_fit))
+      << "no scatter, no measure";
+}
+
+TEST(Replicates, OutsideTheWindowDoNotCount) {
+  EXPECT_EQ(fit_replicates(sampled(quadratic, 3, 0.1, 1), 16, 64).observations, 9);
+}
+
+}  // namespace mpmvv::replicates_test

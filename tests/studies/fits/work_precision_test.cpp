@@ -1,0 +1,58 @@
+#include "studies/fits/work_precision.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "studies/claims/samples.hpp"
+
+namespace mpmvv {
+namespace work_precision_test {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(WorkPrecision, OnlySoundRunsWithACostArePoints) {
+  Series series{"s", {}, {}, {}};
+  series.points = {{8, Status::ok, "", {{"l2", 0.1}, {"step_seconds", 2}}},
+                   {16, Status::ok, "", {{"l2", 0.1}}},
+                   {32, Status::unstable, "", {{"l2", 0.1}, {"step_seconds", 2}}},
+                   {64, Status::ok, "", {{"l1", 0.1}, {"step_seconds", 2}}}};
+  EXPECT_THAT(work_points(series, "l2"), ElementsAre(WorkPoint{2, 0.1}));
+}
+
+TEST(WorkPrecision, NoPointOfTheFrontIsBeatenAndEveryOtherIs) {
+  std::vector<WorkPoint> points;
+  for (int k = 0; k < 200; ++k)
+    points.push_back({1 + std::fmod(k * 0.6180339887, 1), 1 + std::fmod(k * 0.7548776662, 1)});
+  const auto front = pareto_front(points);
+  const auto beats = [](const WorkPoint& a, const WorkPoint& b) {
+    return a.cost <= b.cost && a.error <= b.error && a != b;
+  };
+  for (const WorkPoint& p : points) {
+    const bool beaten = std::any_of(points.begin(), points.end(), [&](const WorkPoint& q) { return beats(q, p); });
+    EXPECT_EQ(std::find(front.begin(), front.end(), p) != front.end(), !beaten);
+  }
+  EXPECT_THAT(pareto_front({}), IsEmpty());
+}
+
+TEST(WorkPrecision, CostOfAPowerLawIsExactBetweenItsPoints) {
+  std::vector<WorkPoint> points;
+  for (const double cost : {1.0, 4.0, 16.0}) points.push_back({cost, std::pow(cost, -1.5)});
+  const auto front = pareto_front(points);
+  for (const double cost : {1.0, 1.7, 4.0, 9.0, 16.0})
+    EXPECT_NEAR(cost_to_reach(std::pow(cost, -1.5) * (1 + 1e-14), front), cost, 1e-12 * cost);
+  EXPECT_EQ(cost_to_reach(2, front), 1) << "the cheapest run does";
+  EXPECT_TRUE(std::isinf(cost_to_reach(0.01, front)));
+  EXPECT_TRUE(std::isinf(cost_to_reach(0.01, {})));
+}
+
+TEST(WorkPrecision, Decades) {
+  EXPECT_THAT(decades(0.002, 0.5), ElementsAre(0.1, 0.01));
+  EXPECT_THAT(decades(0.01, 0.1), ElementsAre(0.1, 0.01));
+  EXPECT_THAT(decades(0.02, 0.09), IsEmpty());
+}
+
+}  // namespace work_precision_test
+}  // namespace mpmvv

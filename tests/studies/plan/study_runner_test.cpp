@@ -1,0 +1,172 @@
+#include "studies/plan/study_runner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/studies/store/store_samples.hpp"
+
+namespace mpmvv {
+namespace study_runner_test {
+
+using store_samples::StoreTest;
+using StudyRunner = StoreTest;
+
+constexpr const char* text = R"(title = "Bar"
+claims = []
+[fixed]
+problem = "bar"
+boundary = "periodic"
+integrator = "cd"
+ppc = 2
+cfl = 0.4
+steps = 20
+[[series]]
+name = "quadratic"
+basis = "bspline2"
+[[series]]
+name = "cubic"
+basis = "bspline3"
+[sweep]
+cells = [4, 8, 16, 32]
+)";
+
+TEST_F(StudyRunner, JobsShareThePoolAndTheStoreAndChangeNothing) {
+  const auto file = folder_ / "bar.toml";
+  std::ofstream(file) << text;
+  const StudyPlan plan = read_study(file);
+  std::vector<std::vector<StudyOutcome>> outcomes;
+  for (const int jobs : {1, 4}) {
+    Store store(folder_ / fmt::format("{}.db", jobs), Store::Mode::create_or_write);
+    RunnerCounts counts;
+    std::size_t seen = 0;
+    RunnerOptions options;
+    options.jobs = jobs;
+    options.progress = [&seen](const Progress& progress) { seen = progress.done; };
+    outcomes.push_back(run_studies({plan}, store, options, counts));
+    EXPECT_EQ(counts.ran, 8U);
+    EXPECT_EQ(seen, 8U);
+  }
+  for (std::size_t s = 0; s < 2; ++s)
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_EQ(outcomes[0][0].result.series[s].points[k].y.at("l2"),
+                outcomes[1][0].result.series[s].points[k].y.at("l2"));
+}
+
+TEST_F(StudyRunner, WhatTheMachineCouldNotDoIsTriedAgain) {
+  const auto file = folder_ / "bar.toml";
+  std::ofstream(file) << text;
+  const StudyPlan plan = read_study(file);
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  const std::vector<Failure> failures{Failure::of_machine, Failure::of_case, Failure::none, Failure::of_machine};
+  for (std::size_t k = 0; k < failures.size(); ++k) {
+    Record record;
+    record.the_case = replicates_at(plan, plan.series[0], plan.values[k]).front();
+    record.status = Status::failed;
+    record.failure = failures[k];
+    store.keep(record, current_provenance());
+  }
+  for (const std::size_t ran : {7U, 0U}) {
+    RunnerCounts counts;
+    const StudyOutcome outcome = run_studies({plan}, store, {}, counts).front();
+    EXPECT_EQ(counts.ran, ran);
+    EXPECT_EQ(outcome.failed, 1U);
+    EXPECT_EQ(outcome.result.series[0].points[1].status, Status::failed);
+  }
+}
+
+/// The results of a study in a store of its own.
+StudyResult result_of(const std::filesystem::path& folder, const std::string& name, const std::string& study) {
+  const auto file = folder / (name + ".toml");
+  std::ofstream(file) << study;
+  Store store(folder / (name + ".db"), Store::Mode::create_or_write);
+  RunnerCounts counts;
+  return run_studies({read_study(file)}, store, {}, counts).front().result;
+}
+
+constexpr const char* two_bars = R"(title = "Bar"
+claims = []
+[[series]]
+name = "linear"
+basis = "linear"
+[[series]]
+name = "quadratic"
+basis = "bspline2"
+[fixed]
+problem = "bar"
+integrator = "usl"
+ppc = 2
+end_time = 0.05
+)";
+
+TEST_F(StudyRunner, ALimitIsOfItsSeriesAndOfTheCflNumbersThatWereRun) {  // 40/n with n steps on 8 cells
+  const StudyResult result = result_of(folder_, "limit", std::string(two_bars) + R"(cells = 8
+cfl = 0.5
+[sweep]
+cells = [4, 16]
+[limit]
+key = "cfl"
+from = 0.51
+to = 3.1
+series = ["quadratic"]
+)");
+  EXPECT_FALSE(result.series[0].limit);
+  for (const Series& series : result.series) EXPECT_EQ(series.points.size(), 2U);
+  const StabilityLimit& limit = result.series[1].limit.value();
+  ASSERT_TRUE(limit.found);
+  double last = 0;
+  for (const Probe& probe : limit.probes) {
+    EXPECT_NEAR(40 / probe.value, std::round(40 / probe.value), 1e-9);
+    EXPECT_GT(probe.value, last + 1e-9) << "each run once";
+    last = probe.value;
+  }
+  EXPECT_LT(last, 3.1);
+  EXPECT_NEAR(40 / limit.stable, 40 / limit.unstable + 1, 1e-9) << "one step more";
+}
+
+TEST_F(StudyRunner, AReplicateThatBlowsUpSpeaksForItsPoint) {
+  const auto replicated = [this](const std::string& cfl) {
+    return result_of(folder_, "replicates",
+                     fmt::format("{}[sweep]\ncells = [8, 16, 32]\n[replicates]\ncfl = [{}]\n"
+                                 "[[fit]]\nnorm = \"l2\"\nwindow = [8, 32]\n",
+                                 two_bars, cfl));
+  };
+  for (const char* cfl : {"3, 0.2, 0.25", "0.2, 3, 0.25", "0.2, 0.25, 3"}) {
+    const StudyResult result = replicated(cfl);
+    for (const Point& point : result.series[1].points) {
+      EXPECT_EQ(point.status, Status::unstable) << cfl;
+      EXPECT_NE(point.reason, "");
+      EXPECT_TRUE(point.y.empty() && point.replicates.empty());
+    }
+  }
+  const Series sound = replicated("0.2, 0.25, 0.3").series[1];
+  EXPECT_EQ(sound.orders[0].replicates->observations, 9);
+  for (const Point& point : sound.points) {
+    const std::vector<double>& l2 = point.replicates.at("l2");
+    ASSERT_EQ(l2.size(), 3U);
+    EXPECT_NEAR(point.y.at("l2"), std::cbrt(l2[0] * l2[1] * l2[2]), 1e-12 * l2[0]);
+  }
+}
+
+/// A result that no check has made, so that one taken from the store is known by it.
+TEST_F(StudyRunner, ACheckRunsAgainWhenItsStudyHasChangedAndOnlyThen) {
+  const std::string study = "title = \"Jump\"\nclaims = []\ncheck = \"jump-errors\"\n";
+  StudyResult kept = store_samples::study("check", "Jump");
+  kept.kind = "check", kept.text = study;
+  kept.values = {{"forged", 7, "seven"}};
+  kept.series = {store_samples::series("curve", {store_samples::point(1, {{"y", 2}})})};
+  kept.series[0].orders.resize(1);
+  Store(folder_ / "check.db", Store::Mode::create_or_write).keep_study(kept, {{}}, current_provenance());
+  const StudyResult again = result_of(folder_, "check", study);
+  ASSERT_EQ(again.values.size(), 1U);
+  EXPECT_EQ(again.values[0].name, "forged");
+  EXPECT_TRUE(again.series[0].orders.empty()) << "fits are made anew";
+  for (const char* change : {"# changed\n", "[[figure]]\ncaption = \"c\"\nxlabel = \"x\"\nylabel = \"y\"\n"}) {
+    const StudyResult changed = result_of(folder_, "check", study + change);
+    EXPECT_GT(changed.values.size(), 1U);
+    EXPECT_NE(changed.values[0].name, "forged");
+  }
+}
+
+}  // namespace study_runner_test
+}  // namespace mpmvv

@@ -1,0 +1,66 @@
+#include "studies/runs/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include "solver/words.hpp"
+#include "studies/settings/settings.hpp"
+
+namespace mpmvv {
+namespace scene_test {
+
+using Settings = std::vector<Setting>;
+
+solver::AnyVelocityUpdate update_of(const std::string& word, const Settings& more) {
+  Settings settings{{"problem", "bar", ""},       {"cells", "8", ""},        {"ppc", "2", ""},
+                    {"cfl", "0.2", ""},           {"basis", "bspline2", ""}, {"integrator", "usl", ""},
+                    {"velocity_update", word, ""}};
+  settings.insert(settings.end(), more.begin(), more.end());
+  const Case c = make_case(settings);
+  return make_stage<1>(c, find_problem("bar", ""), 1).scene.velocity_update;
+}
+
+TEST(Scene, HasTheVelocityUpdateThatTheCaseNames) {
+  constexpr auto words = solver::words<solver::AnyVelocityUpdate>();
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    solver::AnyVelocityUpdate named;
+    solver::from_word(words[k], named);
+    const Settings order{{"order", "3", ""}};
+    EXPECT_EQ(update_of(std::string(words[k]), solver::expands_inverse(named) ? order : Settings{}).index(), k);
+  }
+}
+
+TEST(Scene, HasItsChoices) {
+  const auto flip = std::get<solver::Flip>(update_of("flip", {{"position", "particle", ""}}));
+  EXPECT_EQ(flip.position, solver::FlipPosition::particle);
+  EXPECT_EQ(std::get<solver::Xpic>(update_of("xpic", {{"order", "3", ""}})).order, 3);
+  const auto fmpm = std::get<solver::Fmpm>(update_of("fmpm", {{"order", "4", ""}, {"cfl_x", "1.01", ""}}));
+  EXPECT_EQ(fmpm.order, 4);
+  EXPECT_EQ(fmpm.interval, 5);
+}
+
+/// N §3.1: "one CFL for the simulation time step and a second CFL_X to choose the frequency of using FMPM
+/// calculations". Only every so many whole steps can be FMPM's, and those nearest to CFL_X/CFL come nearest to that
+/// frequency; rounded down or up, round-off would decide where CFL divides CFL_X. Never less than every step.
+TEST(Scene, PeriodicFmpmTakesTheNearestNumberOfSteps) {
+  for (const auto& [cfl_x, interval] : {std::pair{"0.01", 1},
+                                        {"0.09", 1},
+                                        {"0.11", 1},
+                                        {"0.2", 1},
+                                        {"0.29", 1},
+                                        {"0.31", 2},
+                                        {"0.4", 2},
+                                        {"0.6", 3},
+                                        {"0.99", 5},
+                                        {"1", 5},
+                                        {"1.09", 5},
+                                        {"1.11", 6},
+                                        {"1.15", 6},
+                                        {"1.2", 6},
+                                        {"2", 10},
+                                        {"200", 1000}})  // CFL 0.2
+    EXPECT_EQ(std::get<solver::Fmpm>(update_of("fmpm", {{"order", "2", ""}, {"cfl_x", cfl_x, ""}})).interval, interval)
+        << cfl_x;
+}
+
+}  // namespace scene_test
+}  // namespace mpmvv

@@ -1,0 +1,155 @@
+#include "studies/store/provenance.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace mpmvv {
+namespace provenance_test {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::Not;
+
+/// A small tree of sources and what cmake/BuildInfo.cmake makes of it.
+class BuildInfo : public testing::Test {
+ protected:
+  void SetUp() override {
+    write("mms/bar.cpp", "u");
+    write("solver/basis/linear.hpp", "N");
+    write("studies/runs/norms.hpp", "delta");
+    write("studies/store/store.cpp", "select");
+  }
+  void TearDown() override { fs::remove_all(root_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    fs::create_directories((source_ / name).parent_path());
+    std::ofstream(source_ / name) << text;
+  }
+
+  /// The header as the build in this folder makes it.
+  std::string header(const std::string& build = "build", const std::string& flags = "-O3 -Wall") const {
+    run(
+        fmt::format("cmake '-DSOURCE_DIR={0}' '-DBINARY_DIR={1}' '-DHEADER={1}/info.hpp' '-DCOMPILER=GNU 12.2.0' "
+                    "-DBUILD_TYPE=Release '-DFLAGS={2}' -P '{3}/cmake/BuildInfo.cmake'",
+                    source_.string(), (root_ / build).string(), flags, MPMVV_SOURCE_DIR));
+    std::ifstream file(root_ / build / "info.hpp");
+    return (std::stringstream() << file.rdbuf()).str();
+  }
+
+  std::string digest(const std::string& build = "build", const std::string& flags = "-O3 -Wall") const {
+    const std::string text = header(build, flags);
+    return text.substr(text.find("digest[] = \"") + 12, 64);
+  }
+
+  void git(const std::string& command) const {
+    run(fmt::format("git -C '{}' -c user.name=t -c user.email=t@t {} >/dev/null", source_.string(), command));
+  }
+
+  static void run(const std::string& command) { ASSERT_EQ(std::system(command.c_str()), 0) << command; }
+
+  fs::path root_ = fs::temp_directory_path() / fmt::format("mpmvv_build_info_{}", getpid());
+  fs::path source_ = root_ / "source";
+};
+
+TEST_F(BuildInfo, DigestFollowsTheSourcesThatDecideAResult) {
+  const std::string first = digest();
+  EXPECT_THAT(first, MatchesRegex("[0-9a-f]{64}"));
+  write("studies/store/store.cpp", "update");
+  EXPECT_EQ(digest(), first);
+  for (const char* source : {"mms/bar.cpp", "solver/basis/linear.hpp", "solver/basis/cubic.hpp",
+                             "studies/runs/norms.hpp", "studies/checks/mapping/kinks.cpp"}) {
+    const std::string before = digest();
+    write(source, "changed");
+    EXPECT_NE(digest(), before) << source;
+  }
+}
+
+/// Where a new source lies decides, whatever its name: every folder of the tree is one or the other.
+TEST_F(BuildInfo, DigestFollowsWhatCarriesACaseOut) {
+  const std::set<std::string> deciding{
+      "mms", "solver", "studies/cases", "studies/checks", "studies/problems", "studies/runs", "studies/settings"};
+  const std::set<std::string> indifferent{
+      "cli",          "goldens",      "reports",         "studies",       "studies/claims",
+      "studies/fits", "studies/plan", "studies/records", "studies/store", "studies/support"};
+  std::set<std::string> folders{"mms", "solver", "studies", "goldens", "reports", "cli"};
+  for (const auto& entry : fs::directory_iterator(fs::path(MPMVV_SOURCE_DIR) / "studies"))
+    if (entry.is_directory()) folders.insert("studies/" + entry.path().filename().string());
+  for (const std::string& folder : folders) {
+    ASSERT_NE(deciding.contains(folder), indifferent.contains(folder)) << folder;
+    const std::string before = digest();
+    write(folder + "/new.cpp", "new");
+    EXPECT_EQ(digest() != before, deciding.contains(folder)) << folder;
+  }
+}
+
+TEST_F(BuildInfo, DigestFollowsTheNameOfASource) {
+  const std::string first = digest();
+  fs::rename(source_ / "mms/bar.cpp", source_ / "mms/rod.cpp");
+  EXPECT_NE(digest(), first);
+}
+
+TEST_F(BuildInfo, DigestFollowsFlagsButNotWarningsAndFolders) {
+  const std::string first = digest();
+  EXPECT_NE(digest("build", "-O2 -Wall"), first);
+  EXPECT_EQ(digest("build", "-O3 -Wextra"), first);
+  EXPECT_EQ(digest("elsewhere/build"), first);
+  const auto mapped = [&](const char* build) {
+    return digest(build, fmt::format("-O3 -ffile-prefix-map={}=.", (root_ / build).string()));
+  };
+  EXPECT_EQ(mapped("build"), mapped("other"));
+}
+
+TEST_F(BuildInfo, HeaderIsLeftAloneWhileNothingChanges) {
+  header();
+  const fs::path file = root_ / "build/info.hpp";
+  const auto long_ago = fs::last_write_time(file) - std::chrono::hours(1);
+  fs::last_write_time(file, long_ago);
+  header();
+  EXPECT_EQ(fs::last_write_time(file), long_ago);
+  write("mms/bar.cpp", "v");
+  header();
+  EXPECT_NE(fs::last_write_time(file), long_ago);
+}
+
+TEST_F(BuildInfo, OutsideACheckoutTheCommitIsUnknown) {
+  EXPECT_THAT(header(), HasSubstr("commit[] = \"unknown\""));
+  run(fmt::format("git init -q '{}'", root_.string()));
+  EXPECT_THAT(header(), HasSubstr("commit[] = \"unknown\"")) << "the checkout is another project's";
+}
+
+TEST_F(BuildInfo, CommitAndDirtyComeFromGit) {
+  git("init -q");
+  git("add .");
+  git("commit -q -m first");
+  EXPECT_THAT(header(), Not(HasSubstr("unknown")));
+  EXPECT_THAT(header(), HasSubstr("dirty = false"));
+  write("mms/bar.cpp", "v");
+  EXPECT_THAT(header(), HasSubstr("dirty = true"));
+  git("commit -q -a -m second");
+  EXPECT_THAT(header(), HasSubstr("dirty = false"));
+  write("mms/new.cpp", "");
+  EXPECT_THAT(header(), HasSubstr("dirty = true")) << "a new file is built too";
+}
+
+TEST(CurrentProvenance, TellsBuildMachineAndTime) {
+  const Provenance p = current_provenance();
+  EXPECT_THAT(p.digest, MatchesRegex("[0-9a-f]{64}"));
+  EXPECT_THAT(p.commit, MatchesRegex("[0-9a-f]{40}|unknown"));
+  EXPECT_THAT(p.compiler, MatchesRegex("[A-Za-z]+ [0-9.]+"));
+  EXPECT_FALSE(p.build_type.empty());
+  EXPECT_FALSE(p.cpu.empty());
+  EXPECT_THAT(p.time, MatchesRegex("20[0-9]{2}-[01][0-9]-[0-3][0-9]T[0-2][0-9]:[0-5][0-9]:[0-6][0-9]Z"));
+}
+
+}  // namespace provenance_test
+}  // namespace mpmvv

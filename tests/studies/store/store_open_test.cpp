@@ -1,0 +1,177 @@
+#include <gmock/gmock.h>
+
+#include "studies/store/schema.hpp"
+#include "studies/store/seal.hpp"
+#include "tests/studies/store/store_samples.hpp"
+
+namespace mpmvv {
+namespace store_open_test {
+
+using namespace store_samples;
+using Mode = Store::Mode;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class StoreOpen : public StoreTest {
+ protected:
+  std::string complaint_of_opening(Mode mode) const {
+    return complaint([&] { Store(file_, mode); });
+  }
+
+  /// Every mode refuses the file with this text, in one line that names it, and leaves every byte as it is.
+  void expect_refused(const std::string& text) const {
+    const std::string before = bytes_of(file_);
+    for (const Mode mode : {Mode::read, Mode::write, Mode::create_or_write})
+      EXPECT_THAT(complaint_of_opening(mode), AllOf(HasSubstr(file_.string()), HasSubstr(text), Not(HasSubstr("\n"))));
+    EXPECT_EQ(bytes_of(file_), before);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "something was left behind";
+  }
+
+  void execute(const std::string& statements) const {
+    db::Database(file_, db::Database::Access::create).execute(statements);
+  }
+};
+
+TEST_F(StoreOpen, AnAbsentStoreIsMadeOnlyWhereThatIsAsked) {
+  EXPECT_THAT(complaint_of_opening(Mode::read), HasSubstr("no results store"));
+  EXPECT_THAT(complaint_of_opening(Mode::write), HasSubstr("no results store"));
+  EXPECT_FALSE(std::filesystem::exists(file_));
+  EXPECT_EQ(complaint_of_opening(Mode::create_or_write), "");
+  EXPECT_EQ(complaint_of_opening(Mode::read), "");
+}
+
+TEST_F(StoreOpen, AnAbsentFolderIsNotMade) {
+  file_ = folder_ / "absent" / "results.db";
+  EXPECT_THAT(complaint_of_opening(Mode::create_or_write), HasSubstr("no folder"));
+  EXPECT_FALSE(std::filesystem::exists(file_.parent_path()));
+}
+
+TEST_F(StoreOpen, TheStoreSaysWhoseItIs) {
+  Store(file_, Mode::create_or_write);
+  EXPECT_EQ(bytes_of(file_).substr(68, 4), "MPMV");
+}
+
+TEST_F(StoreOpen, AnEmptyFileBecomesAStoreOnlyWhereThatIsAsked) {
+  std::ofstream{file_};
+  EXPECT_THAT(complaint_of_opening(Mode::read), HasSubstr("is empty"));
+  EXPECT_THAT(complaint_of_opening(Mode::write), HasSubstr("is empty"));
+  EXPECT_EQ(bytes_of(file_), "");
+  EXPECT_EQ(complaint_of_opening(Mode::create_or_write), "");
+  EXPECT_EQ(complaint_of_opening(Mode::write), "");
+}
+
+TEST_F(StoreOpen, ATextIsRefused) {
+  std::ofstream(file_) << "x\n";
+  expect_refused("no SQLite file");
+  std::ofstream(file_) << std::string(10'000, 'x');
+  expect_refused("no SQLite file");
+}
+
+TEST_F(StoreOpen, AnotherApplicationsFileIsRefused) {
+  execute("CREATE TABLE t (a)");
+  expect_refused("another application's");
+  execute("PRAGMA application_id = 7");
+  expect_refused("another application's");
+}
+
+TEST_F(StoreOpen, AnotherApplicationsWriteAheadLogIsLeftAlone) {
+  execute("PRAGMA journal_mode = WAL; CREATE TABLE t (a)");
+  expect_refused("another application's");
+}
+
+TEST_F(StoreOpen, ANewerSchemaIsRefused) {
+  Store(file_, Mode::create_or_write);
+  execute("PRAGMA user_version = 99");
+  expect_refused("schema 99");
+}
+
+TEST_F(StoreOpen, ASchemaThatItsTablesDoNotHaveIsRefused) {
+  Store(file_, Mode::create_or_write);
+  for (const int schema : {-1, -2'147'483'647, 0, 1, static_cast<int>(db::migrations().size()) - 1}) {
+    execute(fmt::format("PRAGMA user_version = {}", schema));
+    expect_refused("is damaged");
+  }
+}
+
+TEST_F(StoreOpen, AStoreThatLacksTablesOrColumnsIsRefused) {
+  for (const char* loss : {"DROP TABLE mutant_trials", "ALTER TABLE runs DROP COLUMN wall_seconds",
+                           "ALTER TABLE probes RENAME TO probe", "ALTER TABLE points RENAME COLUMN x TO y"}) {
+    std::filesystem::remove(file_);
+    Store(file_, Mode::create_or_write);
+    execute(loss);
+    expect_refused("is damaged: table");
+  }
+}
+
+TEST_F(StoreOpen, WhatOthersPutBesideTheTablesIsTheirs) {
+  Store(file_, Mode::create_or_write);
+  execute("CREATE VIEW fine AS SELECT * FROM runs; CREATE TABLE notes (a); CREATE INDEX fast ON runs (l2)");
+  EXPECT_EQ(complaint_of_opening(Mode::create_or_write), "");
+  EXPECT_THAT(Store(file_, Mode::read).check(), testing::IsEmpty());
+}
+
+TEST_F(StoreOpen, SomethingThatIsNoFileIsRefused) {
+  EXPECT_THAT(complaint([&] { Store(folder_, Mode::create_or_write); }), HasSubstr("is not a file"));
+  EXPECT_THAT(complaint([] { Store("/dev/full", Mode::create_or_write); }), HasSubstr("is not a file"));
+  EXPECT_THAT(complaint([] { Store("", Mode::create_or_write); }), HasSubstr("no name"));
+}
+
+TEST_F(StoreOpen, NamesThatSQLiteTreatsSpeciallyAreFiles) {
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(folder_);
+  EXPECT_EQ(complaint([] { Store(":memory:", Mode::create_or_write); }), "");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / ":memory:"));
+  std::filesystem::current_path(here);
+}
+
+TEST_F(StoreOpen, OpeningForWritingChangesNothing) {
+  Store(file_, Mode::create_or_write).keep(record(8), provenance());
+  const std::string before = bytes_of(file_);
+  Store(file_, Mode::create_or_write);
+  Store(file_, Mode::write);
+  EXPECT_EQ(bytes_of(file_), before);
+}
+
+TEST_F(StoreOpen, AStoreOpenForReadingKeepsNothing) {
+  Store(file_, Mode::create_or_write);
+  Store store(file_, Mode::read);
+  EXPECT_THAT(complaint([&] { store.keep(record(8), provenance()); }), HasSubstr("read-only"));
+  EXPECT_FALSE(store.find(bar(8), "d1"));
+}
+
+constexpr std::array two_steps{"CREATE TABLE a (x)", "CREATE TABLE b (x); INSERT INTO b VALUES (1)"};
+constexpr std::array broken_second_step{"CREATE TABLE a (x)", "CREATE TABLE b (x); nonsense"};
+
+TEST_F(StoreOpen, AnOlderSchemaIsBroughtUpToDateByWritingOnly) {
+  db::open_store(file_, Mode::create_or_write, std::span(two_steps).first(1)).execute("INSERT INTO a VALUES (5)");
+  EXPECT_THAT(complaint([&] { db::open_store(file_, Mode::read, two_steps); }), HasSubstr("older schema 1"));
+  const db::Database database = db::open_store(file_, Mode::write, two_steps);
+  EXPECT_EQ(database.scalar("PRAGMA user_version").integer(), 2);
+  EXPECT_EQ(database.scalar("SELECT a.x + b.x FROM a, b").integer(), 6);
+}
+
+TEST_F(StoreOpen, AMigrationThatFailsLeavesTheStoreAsItWas) {
+  db::open_store(file_, Mode::create_or_write, std::span(two_steps).first(1));
+  const std::string before = bytes_of(file_);
+  EXPECT_NE(complaint([&] { db::open_store(file_, Mode::write, broken_second_step); }), "");
+  EXPECT_EQ(bytes_of(file_), before);
+}
+
+TEST_F(StoreOpen, AnOlderStoreIsSealedAsItIsBroughtUpToDate) {
+  db::open_store(file_, Mode::create_or_write, db::migrations().first(db::first_sealed_schema - 1))
+      .execute(
+          "INSERT INTO provenance VALUES (3, 'd1', 'c0ffee', 0, '', '', '', '');"
+          "INSERT INTO studies VALUES (5, 's', 'd1', 3, '', '', '', '', '')");
+  EXPECT_THAT(Store(file_, Mode::write).check(), testing::IsEmpty());
+  execute("UPDATE provenance SET git_commit = 'c0ffef'");
+  EXPECT_THAT(Store(file_, Mode::read).check(), testing::ElementsAre(HasSubstr("row 5 of studies (s)")));
+}
+
+TEST_F(StoreOpen, ACreationThatFailsLeavesNoFile) {
+  EXPECT_NE(complaint([&] { db::open_store(file_, Mode::create_or_write, broken_second_step); }), "");
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+}  // namespace store_open_test
+}  // namespace mpmvv

@@ -1,0 +1,99 @@
+#pragma once
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "studies/store/store.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv::store_samples {
+
+/// A folder of its own for every test, gone at its end.
+class StoreTest : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() /
+      fmt::format("mpmvv_store_{}_{}", testing::UnitTest::GetInstance()->current_test_info()->name(), getpid());
+  std::filesystem::path file_ = folder_ / "results.db";
+};
+
+inline std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return (std::stringstream() << stream.rdbuf()).str();
+}
+
+/// What the UsageError says that this throws; empty when it throws none.
+template <class Action>
+std::string complaint(Action action) {
+  try {
+    action();
+  } catch (const UsageError& e) {
+    return e.what();
+  }
+  return {};
+}
+
+inline Provenance provenance(const std::string& digest = "d1") {
+  return {.digest = digest,
+          .commit = "c0ffee",
+          .dirty = true,
+          .compiler = "GNU 12.2.0",
+          .flags = "-O3",
+          .build_type = "Release",
+          .cpu = "A \"fast\", one",
+          .time = "2024-05-06T07:08:09Z"};
+}
+
+inline Case bar(int cells) {
+  return {.problem = {.name = "bar", .parameters = {{"amplitude", 0.05}}, .end_time = 0.01},
+          .scheme = {.basis = "bspline2", .integrator = "cd", .boundary = "xmin=symmetry,xmax=free"},
+          .resolution = {.cells = cells, .ppc = 4, .dt = 0.01 / 3, .steps = 3},
+          .measure = {}};
+}
+
+inline Record record(int cells) {
+  return {.the_case = bar(cells),
+          .particles = 4 * cells,
+          .steps = 3,
+          .cfl = 1.0 / 3,
+          .status = Status::ok,
+          .reason = "",
+          .error = {.l1 = 0.1 / cells, .l2 = 0.2 / cells, .linf = 0.3 / cells},
+          .energy = {.kinetic = 1.0 / 7, .strain = 1e-300, .initial_total = 5},
+          .balance = {.mass = 0, .momentum = 3e-16, .angular_momentum = 0.01},
+          .wall_seconds = 1e-3,
+          .ns_per_particle_step = 12.5};
+}
+
+inline StudyResult study(const std::string& name, const std::string& title = "", std::vector<Series> series = {}) {
+  StudyResult s;
+  s.name = name;
+  s.title = title;
+  s.series = std::move(series);
+  return s;
+}
+
+inline Series series(const std::string& name, std::vector<Point> points = {}) {
+  Series s;
+  s.name = name;
+  s.points = std::move(points);
+  return s;
+}
+
+inline Point point(double x, std::map<std::string, double> y = {}) {
+  Point p;
+  p.x = x;
+  p.y = std::move(y);
+  return p;
+}
+
+}  // namespace mpmvv::store_samples

@@ -1,0 +1,180 @@
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <random>
+#include <regex>
+
+#include "studies/store/schema.hpp"
+#include "tests/studies/store/store_samples.hpp"
+
+namespace mpmvv {
+namespace store_seal_test {
+
+using namespace store_samples;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+Mutant mutant() {
+  return {.name = "m",
+          .kind = Mutant::Kind::random,
+          .what = "w",
+          .file = "f",
+          .line = 7,
+          .before = "b",
+          .after = "a",
+          .gate = "g",
+          .builds = true,
+          .trials = {{GateStage::quick, true, {"x"}, 2.5}}};
+}
+
+/// A study with a row in every table.
+StudyResult full_study() {
+  StudyResult s = study("full", "T", {series("a", {point(8, {{"own", 3}}), point(16)})});
+  s.claims = {"S-fig10"};
+  s.values = {{"v", 1.5, "m"}};
+  s.parts = {{"S-fig10", "st", PartVerdict::holds, "e", "r"}};
+  s.figures.resize(1);
+  Figure& figure = s.figures[0];
+  figure.name = "f", figure.series = figure.marks = {"a"}, figure.slopes = {2};
+  figure.x_min = 1, figure.x_max = 2, figure.y_min = 3, figure.y_max = 4;
+  Series& one = s.series[0];
+  one.points[0].replicates = {{"own", {2.5, 3.5}}};
+  one.orders = {{.norm = "l2",
+                 .order = 2,
+                 .segments = {{8, 16, 1.9}},
+                 .floor = FloorFit{1, 2, 3, 4, true, "r"},
+                 .replicates = ReplicateFit{25, 0.04, 0.1, 0.3}}};
+  one.limit = StabilityLimit{.key = "cfl", .stable = 0.5, .unstable = 1, .probes = {{0.5, true, "p"}}};
+  one.extrapolations = {{"l2", 4, 64, 5, "model", 1.1, -0.5, 1e-3, 0.02, 0.1, 0.2, "remark"}};
+  return s;
+}
+
+class SealedStore : public StoreTest {
+ protected:
+  void SetUp() override {
+    StoreTest::SetUp();
+    Store store(file_, Store::Mode::create_or_write);
+    Record failed = record(16);
+    failed.status = Status::failed;
+    failed.failure = Failure::of_case;
+    for (const Record& r : {record(8), failed}) store.keep(r, provenance());
+    store.keep_study(full_study(), {{bar(8), bar(16)}}, provenance());
+    store.keep_mutant(mutant(), provenance());
+  }
+
+  /// All that a store tells of its contents, or what it complains of.
+  std::string all_of(const std::filesystem::path& file) const {
+    std::string all;
+    const std::string said = complaint([&] {
+      const Store store(file, Store::Mode::read);
+      all = store.export_csv();
+      for (const StudyResult& s : store.studies("d1")) all += s.name + s.title + text_of(s);
+      for (const Mutant& m : store.mutants("d1"))
+        all +=
+            fmt::format("{}{}{}{}{}{}{}{}", m.name, m.what, m.file, m.line, m.before, m.after, m.gate, m.trials.size());
+      for (const auto& [label, text] : store.info())
+        if (label != "file") all += label + text;
+      for (const Version& v : store.versions()) all += v.digest + v.time;
+      if (const auto found = store.find(bar(8), "d1")) all += fmt::format("{} {}", found->reason, found->error.l2);
+    });
+    return said.empty() ? all : "complaint: " + said;
+  }
+
+  static std::string text_of(const StudyResult& s) {
+    std::string text = s.text + s.sweep + s.kind;
+    for (const Series& one : s.series) {
+      text += one.name;
+      for (const Point& p : one.points) {
+        text += fmt::format("{} {} {}", p.x, to_string(p.status), p.reason);
+        for (const auto& [quantity, value] : p.y) text += fmt::format("{}={} ", quantity, value);
+      }
+      for (const ObservedOrder& o : one.orders)
+        text += fmt::format("{} {} {} {}", o.norm, o.from, o.order, o.segments.size());
+      if (one.limit) text += fmt::format("{} {} {}", one.limit->key, one.limit->stable, one.limit->probes.size());
+      for (const Extrapolation& e : one.extrapolations) text += fmt::format("{} {} {}", e.norm, e.limit, e.remark);
+    }
+    for (const Value& v : s.values) text += fmt::format("{} {} {}", v.name, v.value, v.meaning);
+    for (const ClaimPart& p : s.parts) text += p.claim + p.statement + p.evidence + to_string(p.verdict);
+    for (const Figure& f : s.figures)
+      text += fmt::format("{} {} {} {}", f.name, f.caption, f.series.size(), f.slopes.size());
+    return text;
+  }
+
+  bool is_found_unsound(const std::filesystem::path& file) const {
+    bool unsound = false;
+    return !complaint([&] { unsound = !Store(file, Store::Mode::read).check().empty(); }).empty() || unsound;
+  }
+};
+
+TEST_F(SealedStore, HoldsWhatIsWrittenOnly) {
+  EXPECT_THAT(Store(file_, Store::Mode::read).check(), IsEmpty());
+  db::Database(file_, db::Database::Access::write).execute("UPDATE runs SET l2 = l2 * 1.0000001 WHERE cells = 8");
+  const Store store(file_, Store::Mode::read);
+  EXPECT_THAT(store.check(), testing::ElementsAre(HasSubstr("row 1 of runs (bar) is not as it was written")));
+  const std::vector<std::function<void()>> readers{[&] { store.find(bar(8), "d1"); }, [&] { store.studies("d1"); },
+                                                   [&] { store.export_csv(); },
+                                                   [&] { Store::merge(folder_ / "new.db", file_); }};
+  for (const auto& reader : readers) EXPECT_THAT(complaint(reader), HasSubstr("is not as it was written"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "new.db"));
+  EXPECT_TRUE(store.find(bar(16), "d1")) << "what is intact is still read";
+}
+
+/// Of a table of the store: its column and a value of another kind than the column's.
+TEST_F(SealedStore, EveryColumnIsUnderSealAndNoKindOfValueIsABug) {
+  // Without STRICT, NOT NULL and CHECK a column takes anything; the statements that made the tables return afterwards.
+  db::Database lax(file_, db::Database::Access::write);
+  std::vector<std::pair<std::string, std::string>> tables;
+  lax.each("SELECT name, sql FROM sqlite_schema WHERE type = 'table'", {},
+           [&](const db::Row& row) { tables.emplace_back(row["name"].text(), row["sql"].text()); });
+  const std::regex rules("STRICT,? ?|NOT NULL|CHECK \\([^()]*\\([^()]*\\)\\)| (INTEGER|TEXT|REAL)(?! PRIMARY)");
+  std::vector<std::pair<std::string, std::string>> columns;
+  lax.execute("PRAGMA writable_schema = ON");
+  for (const auto& [name, sql] : tables) {
+    lax.change("UPDATE sqlite_schema SET sql = ? WHERE name = ?", {std::regex_replace(sql, rules, " "), name});
+    lax.each("SELECT name FROM pragma_table_info(?)", {name},
+             [&, table = name](const db::Row& row) { columns.emplace_back(table, row["name"].text()); });
+  }
+  ASSERT_GT(columns.size(), 100U);
+  const std::string damaged = folder_ / "damaged.db";
+  for (const auto& [table, column] : columns)
+    for (const char* value : {"NULL", "'x'", "-7.25", "x''"}) {
+      std::filesystem::copy_file(file_, damaged, std::filesystem::copy_options::overwrite_existing);
+      {
+        db::Database database(damaged, db::Database::Access::write);
+        database.execute("PRAGMA synchronous = OFF; PRAGMA foreign_keys = OFF; PRAGMA writable_schema = ON");
+        const auto changed = [&] {
+          return database.change(
+              fmt::format("UPDATE OR IGNORE {0} SET {1} = {2} WHERE {1} IS NOT {2}", table, column, value), {});
+        };
+        std::int64_t rows = 0;
+        if (!complaint([&] { rows = changed(); }).empty() || rows == 0) continue;  // a key that takes no such value
+        for (const auto& [name, sql] : tables)
+          database.change("UPDATE sqlite_schema SET sql = ? WHERE name = ?", {sql, name});
+      }
+      const auto what = fmt::format("{}.{} = {}", table, column, value);
+      EXPECT_TRUE(is_found_unsound(damaged)) << what;
+      EXPECT_NO_THROW(all_of(damaged)) << what;
+    }
+}
+
+TEST_F(SealedStore, NoFlippedBitChangesWhatIsReadUnseen) {
+  const std::string sound = bytes_of(file_), told = all_of(file_);
+  const auto damaged = folder_ / "damaged.db";
+  std::mt19937 random(7);
+  int seen = 0;
+  for (int k = 0; k < 200; ++k) {
+    std::string bytes = sound;
+    const std::size_t at = random() % bytes.size();
+    bytes[at] = static_cast<char>(bytes[at] ^ (1 << random() % 8));
+    std::ofstream(damaged, std::ios::binary) << bytes;
+    const std::string now = all_of(damaged);
+    const bool unsound = is_found_unsound(damaged);
+    seen += unsound ? 1 : 0;
+    EXPECT_TRUE(now == told || unsound) << "byte " << at << "\n" << now;
+  }
+  EXPECT_GT(seen, 0);
+}
+
+}  // namespace store_seal_test
+}  // namespace mpmvv

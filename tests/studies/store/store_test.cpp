@@ -1,0 +1,244 @@
+#include "studies/store/store.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "studies/store/schema.hpp"
+#include "tests/numbers.hpp"
+#include "tests/studies/store/store_samples.hpp"
+
+namespace mpmvv {
+namespace store_test {
+
+using namespace store_samples;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
+using testing::SizeIs;
+
+// Structured bindings name every member: a new one does not compile until it is compared too.
+std::string describe(const Record& r) {
+  const auto& [c, particles, steps, cfl, status, failure, reason, error, energy, balance, wall_seconds, ns, cost] = r;
+  const auto& [l1, l2, linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf, velocity, stress] = error;
+  const auto& [mass, momentum, angular_momentum] = balance;
+  const auto& [kinetic, strain, initial_total] = energy;
+  const auto& [step_seconds, spread] = cost;
+  return fmt::format("{} {} {} {} {} {} '{}' {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}",
+                     canonical_text(c), particles, steps, cfl, to_string(status), to_string(failure), reason, l1, l2,
+                     linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf, velocity, stress, mass, momentum,
+                     angular_momentum, kinetic, strain, initial_total, wall_seconds, ns, step_seconds, spread);
+}
+
+TEST_F(StoreTest, ARecordComesBackWhole) {
+  Store store(file_, Store::Mode::create_or_write);
+  Record r = record(8);
+  r.error = {.l1 = 1,
+             .l2 = 0.1,
+             .linf = 1.0 / 3,
+             .l1_all_steps = 4e-6,
+             .l2_all_steps = 5e300,
+             .linf_all_steps = 6e-320,
+             .nodal_l1 = 0.7,
+             .nodal_l2 = 8,
+             .nodal_linf = 9e9,
+             .velocity = 12.5,
+             .stress = 3e7};
+  r.balance = {.mass = -1e-3, .momentum = 2e-16, .angular_momentum = 0.4};
+  r.cost = {.step_seconds = 0.7, .spread = 0.02};
+  r.status = Status::unstable;
+  r.reason = "det F <= 0 at step 7, 'particle' \"3\"\nα";
+  store.keep(r, provenance());
+  const std::optional<Record> found = store.find(r.the_case, "d1");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(describe(*found), describe(r));
+}
+
+TEST_F(StoreTest, NaNAndInfinityComeBackAsNaN) {
+  Store store(file_, Store::Mode::create_or_write);
+  Record r = record(8);
+  r.error.linf = infinity;
+  r.cfl = not_measured;
+  store.keep(r, provenance());
+  const Record found = store.find(r.the_case, "d1").value();
+  r.error.linf = not_measured;
+  EXPECT_EQ(describe(found), describe(r));
+}
+
+TEST_F(StoreTest, TheKeyIsTheWholeCaseAndTheDigest) {
+  Store store(file_, Store::Mode::create_or_write);
+  store.keep(record(8), provenance());
+  EXPECT_TRUE(store.find(bar(8), "d1"));
+  EXPECT_FALSE(store.find(bar(8), "d2"));
+  EXPECT_FALSE(store.find(bar(9), "d1"));
+  Case more_measured = bar(8);
+  more_measured.measure.every_step = true;
+  EXPECT_FALSE(store.find(more_measured, "d1"));
+}
+
+TEST_F(StoreTest, TheFirstRecordOfAKeyStays) {
+  Store store(file_, Store::Mode::create_or_write);
+  Record second = record(8);
+  second.wall_seconds = 99;
+  store.keep(record(8), provenance());
+  store.keep(second, provenance());
+  EXPECT_EQ(store.find(bar(8), "d1")->wall_seconds, 1e-3);
+}
+
+TEST_F(StoreTest, AFailedRecordGivesWayToOneThatWasCarriedOut) {
+  Store store(file_, Store::Mode::create_or_write);
+  Record failed = record(8);
+  failed.status = Status::failed;
+  failed.reason = "out of memory";
+  store.keep(failed, provenance());
+  EXPECT_EQ(store.find(bar(8), "d1")->status, Status::failed);
+  store.keep(record(8), provenance());
+  EXPECT_EQ(describe(store.find(bar(8), "d1").value()), describe(record(8)));
+  store.keep(failed, provenance());
+  EXPECT_EQ(store.find(bar(8), "d1")->status, Status::ok);
+}
+
+Record failed(Failure failure) {
+  Record r = record(8);
+  r.status = Status::failed;
+  r.failure = failure;
+  return r;
+}
+
+TEST_F(StoreTest, AFailureSaysWhoseItIs) {
+  EXPECT_EQ(failure_of(std::bad_alloc()), Failure::of_machine);
+  EXPECT_EQ(failure_of(std::system_error(EAGAIN, std::generic_category())), Failure::of_machine);
+  EXPECT_EQ(failure_of(std::length_error("")), Failure::of_case);
+  Store store(file_, Store::Mode::create_or_write);
+  for (const Failure failure : {Failure::of_machine, Failure::of_case, Failure::of_machine}) {
+    store.keep(failed(failure), provenance());
+    const bool was_of_case = failure == Failure::of_case || store.find(bar(8), "d1")->failure == Failure::of_case;
+    EXPECT_EQ(describe(store.find(bar(8), "d1").value()),
+              describe(failed(was_of_case ? Failure::of_case : Failure::of_machine)));
+  }
+  EXPECT_EQ(store.find(bar(8), "d1")->failure, Failure::of_case)
+      << "one of the machine took the place of one of the case";
+  EXPECT_THAT(store.check(), IsEmpty());
+}
+
+TEST_F(StoreTest, RecordsOutliveTheStoreObject) {
+  Store(file_, Store::Mode::create_or_write).keep(record(8), provenance());
+  EXPECT_TRUE(Store(file_, Store::Mode::read).find(bar(8), "d1"));
+  EXPECT_TRUE(Store(file_, Store::Mode::write).find(bar(8), "d1"));
+  EXPECT_TRUE(Store(file_, Store::Mode::create_or_write).find(bar(8), "d1"));
+}
+
+TEST_F(StoreTest, InfoCountsWhatIsThere) {
+  Store store(file_, Store::Mode::create_or_write);
+  Record unstable = record(9);
+  unstable.status = Status::unstable;
+  store.keep(record(8), provenance("d1"));
+  store.keep(unstable, provenance("d2"));
+  store.keep_study(study("s"), {}, provenance("d1"));
+  const auto info = store.info();
+  EXPECT_THAT(info, Contains(Pair("schema", std::to_string(db::migrations().size()))));
+  EXPECT_THAT(info, Contains(Pair("studies", "1")));
+  EXPECT_THAT(info, Contains(Pair("records", "2")));
+  EXPECT_THAT(info, Contains(Pair("records ok", "1")));
+  EXPECT_THAT(info, Contains(Pair("records unstable", "1")));
+  EXPECT_THAT(info, Contains(Pair("records failed", "0")));
+  EXPECT_THAT(info, Contains(Pair("size", fmt::format("{} bytes", std::filesystem::file_size(file_)))));
+  EXPECT_THAT(info, Contains(Pair("digest d2", "commit c0ffee (dirty), 1 records, last 2024-05-06T07:08:09Z")));
+}
+
+TEST_F(StoreTest, CsvHasEveryRecordWith17DigitsAndNaNEmpty) {
+  Store store(file_, Store::Mode::create_or_write);
+  store.keep(record(8), provenance());
+  store.keep(record(16), provenance());
+  std::istringstream csv(store.export_csv());
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(csv, line);) lines.push_back(line);
+  ASSERT_THAT(lines, SizeIs(3));
+  EXPECT_THAT(lines[0], HasSubstr("id,case_text,digest,"));
+  EXPECT_THAT(lines[0], HasSubstr("l1,l2,linf,l1_all_steps,l2_all_steps,linf_all_steps,kinetic"));
+  EXPECT_THAT(lines[0], HasSubstr("git_commit,dirty,compiler,flags,build_type,cpu"));
+  EXPECT_THAT(lines[1], HasSubstr("\"" + canonical_text(bar(8)) + "\",d1,"));
+  EXPECT_THAT(lines[1], HasSubstr(",0.012500000000000001,0.025000000000000001,0.037499999999999999,,,,"));
+  EXPECT_THAT(lines[2], HasSubstr("c0ffee,1,GNU 12.2.0,'-O3,Release,\"A \"\"fast\"\", one\""));
+}
+
+TEST_F(StoreTest, CheckIsEmptyForASoundStore) {
+  Store store(file_, Store::Mode::create_or_write);
+  store.keep(record(8), provenance());
+  EXPECT_THAT(store.check(), IsEmpty());
+}
+
+TEST_F(StoreTest, CheckFindsDamage) {
+  {
+    Store store(file_, Store::Mode::create_or_write);
+    for (int cells = 1; cells <= 30; ++cells) store.keep(record(cells), provenance());
+  }
+  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(file_));
+  std::fstream stream(file_, std::ios::binary | std::ios::in | std::ios::out);
+  stream.seekp(size - 4 * 4096);
+  stream << std::string(4096, 'x');
+  stream.close();
+  EXPECT_FALSE(Store(file_, Store::Mode::read).check().empty());
+}
+
+TEST_F(StoreTest, MergeCopiesWhatIsMissing) {
+  const auto other = folder_ / "other.db";
+  Store here(file_, Store::Mode::create_or_write);
+  Record ours = record(8), theirs = record(8);
+  ours.wall_seconds = 1;
+  theirs.wall_seconds = 2;
+  here.keep(ours, provenance());
+  here.keep_study(study("both", "ours"), {}, provenance());
+  {
+    Store there(other, Store::Mode::create_or_write);
+    there.keep(theirs, provenance());
+    there.keep(record(16), provenance());
+    there.keep(record(8), provenance("d2"));
+    there.keep_study(study("both", "theirs"), {}, provenance());
+    there.keep_study(study("new", "", {series("a", {point(8), point(16)})}), {{bar(8), bar(16)}}, provenance());
+  }
+  EXPECT_EQ(Store::merge(file_, other), 2);
+  EXPECT_EQ(here.find(bar(8), "d1")->wall_seconds, 1);
+  EXPECT_EQ(describe(here.find(bar(16), "d1").value()), describe(record(16)));
+  EXPECT_EQ(describe(here.find(bar(8), "d2").value()), describe(record(8)));
+  const std::vector<StudyResult> studies = here.studies("d1");
+  ASSERT_THAT(studies, SizeIs(2));
+  EXPECT_EQ(studies[0].title, "ours");
+  EXPECT_EQ(studies[1].series[0].points[1].y.at("l2"), 0.2 / 16);
+  EXPECT_EQ(Store::merge(file_, other), 0);
+  EXPECT_THAT(complaint([&] { Store::merge(file_, file_); }), HasSubstr("merged into itself"));
+  EXPECT_THAT(here.check(), IsEmpty());
+}
+
+TEST_F(StoreTest, AForgottenStudyIsGoneInAllVersionsAndItsRunsStay) {
+  Store store(file_, Store::Mode::create_or_write);
+  for (const char* digest : {"d1", "d2"}) {
+    store.keep(record(8), provenance(digest));
+    for (const char* name : {"bad name", "other"})
+      store.keep_study(study(name, "", {series("a", {point(8)})}), {{bar(8)}}, provenance(digest));
+  }
+  EXPECT_THAT(complaint([&] { store.forget("absent"); }), HasSubstr("no study 'absent'"));
+  EXPECT_EQ(store.forget("bad name"), 2U);
+  for (const char* digest : {"d1", "d2"}) {
+    ASSERT_THAT(store.studies(digest), SizeIs(1));
+    EXPECT_EQ(store.studies(digest)[0].name, "other");
+    EXPECT_TRUE(store.find(bar(8), digest));
+  }
+  EXPECT_THAT(store.check(), IsEmpty());
+}
+
+TEST_F(StoreTest, MergeOfSomethingElseChangesNothing) {
+  Store here(file_, Store::Mode::create_or_write);
+  here.keep(record(8), provenance());
+  const std::string before = bytes_of(file_);
+  std::ofstream(folder_ / "notes.txt") << "not a store";
+  EXPECT_THAT(complaint([&] { Store::merge(file_, folder_ / "notes.txt"); }),
+              HasSubstr("notes.txt' is not a results store"));
+  EXPECT_THAT(complaint([&] { Store::merge(file_, folder_ / "absent.db"); }), HasSubstr("no results store"));
+  EXPECT_EQ(bytes_of(file_), before);
+}
+
+}  // namespace store_test
+}  // namespace mpmvv

@@ -1,0 +1,21 @@
+#include "studies/store/trial.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mpmvv {
+namespace trial_test {
+
+TEST(Trial, IsReadFromTheTextThatSaysIt) {
+  for (const char* file : {"", "\n", "title = \"A\"", "title = \"A\"\n", "# Run with care\ntitle = \"A\"\n"}) {
+    EXPECT_EQ(trial_of(file), "") << file;
+    const std::string once = with_trial(file, "shuffle = 3 in 2 of 2 series");
+    EXPECT_TRUE(once.starts_with(file));
+    EXPECT_EQ(trial_of(once), "shuffle = 3 in 2 of 2 series") << file;
+    EXPECT_EQ(trial_of(with_trial(once, "ppc = 2 in 1 of 2 series")),
+              "shuffle = 3 in 2 of 2 series; ppc = 2 in 1 of 2 series");
+  }
+  EXPECT_EQ(trial_of(with_trial("a = 1\n", "name = x\ny")), "name = x\\ny") << "no value ends the line";
+}
+
+}  // namespace trial_test
+}  // namespace mpmvv

@@ -1,0 +1,68 @@
+#include "studies/support/file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "studies/support/error.hpp"
+
+namespace mpmvv {
+namespace file_test {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class File : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(folder / "folder");
+    ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+    fs::create_symlink("/dev/full", folder / "full");
+    fs::create_symlink("/dev/null", folder / "null");
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  template <class Action>
+  static std::string refusal(const Action& action) {
+    try {
+      action();
+    } catch (const UsageError& e) {
+      return e.what();
+    }
+    return "none";
+  }
+
+  const fs::path folder = fs::temp_directory_path() / ("mpmvv_file_test_" + std::to_string(getpid()));
+};
+
+TEST_F(File, IsRequiredToBeOneAndNothingElse) {
+  const std::pair<const char*, const char*> whys[] = {{"absent", "No such file"},
+                                                      {"folder", "a directory"},
+                                                      {"pipe", "a pipe or a device"},
+                                                      {"null", "a pipe or a device"},
+                                                      {"folder/x/y", "No such file"}};
+  for (const auto& [name, why] : whys) {
+    EXPECT_EQ(read_file(folder / name), std::nullopt) << name;
+    EXPECT_THAT(refusal([&] { require_file(folder / name, "a list"); }),
+                AllOf(HasSubstr(name), HasSubstr(why), HasSubstr("(a list)")));
+  }
+}
+
+TEST_F(File, AppearsWholeOrNotAtAll) {
+  EXPECT_TRUE(write_if_changed(folder / "new", "text"));
+  EXPECT_FALSE(write_if_changed(folder / "new", "text"));
+  EXPECT_EQ(require_file(folder / "new", "a text"), "text");
+  for (const char* name : {"folder", "absent/new", "new/new", "full"})
+    EXPECT_THAT(refusal([&] { write_if_changed(folder / name, "text"); }), HasSubstr("cannot write")) << name;
+  EXPECT_FALSE(fs::exists(folder / "folder.part"));
+}
+
+TEST_F(File, DoesNotTakeThePlaceOfADevice) {
+  EXPECT_TRUE(write_if_changed(folder / "null", "text"));
+  EXPECT_TRUE(fs::is_character_file(folder / "null"));
+}
+
+}  // namespace file_test
+}  // namespace mpmvv
