@@ -68,8 +68,9 @@ std::vector<std::string> studies_with_goldens(const std::vector<std::string>& fi
 }  // namespace
 
 std::vector<std::string> program_parts() {
-  return {".github", "CMakeLists.txt", "CMakePresets.json", "README.md", "cli", "cmake", "docs", "goldens", "mms",
-          "reports", "run",            "solver",            "studies",   "tests"};
+  return {".github", "CMakeLists.txt", "CMakePresets.json", "README.md", "cli",
+          "cmake",   "docs",           "goldens",           "mms",       "reports",
+          "run",     "solver",         "studies",           "tests"};
 }
 
 std::string gate_version(const Laboratory& laboratory) {
