@@ -18,7 +18,6 @@ void add_compare(CLI::App& app, int& exit_code);
 void add_trend(CLI::App& app, int& exit_code);
 void add_cost(CLI::App& app, int& exit_code);
 void add_claims(CLI::App& app, int& exit_code);
-void add_mutants(CLI::App& app, int& exit_code);
 void add_list(CLI::App& app, int& exit_code);
 void add_db(CLI::App& app, int& exit_code);
 

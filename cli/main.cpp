@@ -89,7 +89,6 @@ int run_program(int argc, char** argv) {
   add_trend(app, exit_code);
   add_cost(app, exit_code);
   add_claims(app, exit_code);
-  add_mutants(app, exit_code);
   add_list(app, exit_code);
   add_db(app, exit_code);
   check_values(app);

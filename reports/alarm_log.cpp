@@ -1,4 +1,4 @@
-#include "goldens/mutants/alarm_log.hpp"
+#include "reports/alarm_log.hpp"
 
 #include <fmt/format.h>
 
@@ -20,8 +20,7 @@ int count_of(const TomlTable& table, const char* key) {
 
 }  // namespace
 
-AlarmLog read_alarms(const std::filesystem::path& folder) {
-  const auto file = folder / "alarms.toml";
+AlarmLog read_alarms(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return {};
   const TomlTable document = TomlTable::read(file);
   document.allow_only({"digest", "gate", "run"});
