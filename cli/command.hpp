@@ -24,7 +24,4 @@ void add_db(CLI::App& app, int& exit_code);
 /// `--param k=v` as a setting; UsageError when it has not that form.
 Setting parameter_setting(const std::string& text);
 
-/// One JSON object, indented, to standard output. NaN and infinity become null.
-void print_json(const nlohmann::json& object);
-
 }  // namespace mpmvv

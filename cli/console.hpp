@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -12,6 +13,9 @@ namespace mpmvv {
 /// To standard output as it is; a UsageError where it cannot be written.
 void print_text(const std::string& text);
 void flush_text();  ///< the same of what has been held back
+
+/// One JSON object, indented, to standard output. NaN and infinity become null.
+void print_json(const nlohmann::json& object);
 
 /// To standard error; whether it can be written changes nothing.
 void note_text(const std::string& text);

@@ -19,7 +19,7 @@ bool is_doubtful(const Trial& trial) {
 }  // namespace
 
 BatchBench::BatchBench(Bench& alone, SchemataBench& together, std::vector<Edit> coming,
-                             std::function<void(const std::string&)> tell)
+                       std::function<void(const std::string&)> tell)
     : alone_(alone), together_(together), tell_(std::move(tell)) {
   for (Edit& edit : coming) coming_.push_back({static_cast<int>(coming_.size()) + 1, std::move(edit)});
 }

@@ -17,7 +17,7 @@ class BatchBench final : public Bench {
 
   /// coming: the edits that will be asked for, in their order. tell: progress, a line.
   BatchBench(Bench& alone, SchemataBench& together, std::vector<Edit> coming,
-                std::function<void(const std::string&)> tell);
+             std::function<void(const std::string&)> tell);
 
   bool build(const Edit* edit) override;
   Trial meet(GateStage stage, std::chrono::seconds limit) override;

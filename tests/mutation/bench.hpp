@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/mutation/mutant_schemata.hpp"
 #include "tests/mutation/mutant.hpp"
+#include "tests/mutation/mutant_schemata.hpp"
 
 namespace mpmvv::mutation {
 

@@ -22,7 +22,7 @@ bool is_letter(char c) {
 /// Reads a text token by token.
 class Scanner {
  public:
-  explicit Scanner(std::string_view text) : text_(text) {}
+  Scanner(std::string_view text, Literals literals) : text_(text), keeps_literals_(literals == Literals::kept) {}
 
   std::vector<Token> all() {
     while (at_ < text_.size()) step();
@@ -46,9 +46,7 @@ class Scanner {
     if (looking_at("//")) return skip_to("\n");
     if (looking_at("/*")) return skip_past("*/");
     if (looking_at("[[")) return skip_past("]]");
-    if (looking_at("R\""))
-      return skip_past(")" + std::string(text_.substr(at_ + 2, text_.find('(', at_) - at_ - 2)) + '"');
-    if (c == '"' || c == '\'') return skip_quoted(c);
+    if (looking_at("R\"") || c == '"' || c == '\'') return pass_literal(c);
     if (is_digit(c) || (c == '.' && is_digit(next()))) return add(Token::Kind::number, number_length());
     if (is_letter(c)) return add(Token::Kind::word, letters());
     add(Token::Kind::sign, sign_length());
@@ -61,6 +59,14 @@ class Scanner {
   void skip_past(std::string_view end) {
     const std::size_t found = text_.find(end, at_ + 2);
     at_ = found == std::string_view::npos ? text_.size() : found + end.size();
+  }
+  void pass_literal(char first) {
+    const std::size_t begin = at_;
+    if (first == 'R')
+      skip_past(")" + std::string(text_.substr(at_ + 2, text_.find('(', at_) - at_ - 2)) + '"');
+    else
+      skip_quoted(first);
+    if (keeps_literals_) tokens_.push_back({Token::Kind::literal, begin, text_.substr(begin, at_ - begin)});
   }
   void skip_quoted(char quote) {
     for (++at_; at_ < text_.size() && text_[at_] != quote; ++at_)
@@ -115,6 +121,7 @@ class Scanner {
   }
 
   std::string_view text_;
+  bool keeps_literals_;
   std::size_t at_ = 0;
   bool at_line_start_ = true;
   std::vector<Token> tokens_;
@@ -122,8 +129,21 @@ class Scanner {
 
 }  // namespace
 
-std::vector<Token> tokens_of(std::string_view text) {
-  return Scanner(text).all();
+std::vector<Token> tokens_of(std::string_view text, Literals literals) {
+  return Scanner(text, literals).all();
+}
+
+std::vector<std::size_t> bracket_partners(const std::vector<Token>& tokens) {
+  std::vector<std::size_t> partners(tokens.size(), no_partner), open;
+  for (std::size_t k = 0; k < tokens.size(); ++k) {
+    if (tokens[k].kind != Token::Kind::sign) continue;
+    const std::string_view sign = tokens[k].text;
+    if (sign == "(" || sign == "[" || sign == "{") open.push_back(k);
+    if ((sign != ")" && sign != "]" && sign != "}") || open.empty()) continue;
+    partners[k] = open.back(), partners[open.back()] = k;
+    open.pop_back();
+  }
+  return partners;
 }
 
 }  // namespace mpmvv::mutation

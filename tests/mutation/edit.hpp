@@ -4,6 +4,13 @@
 
 namespace mpmvv::mutation {
 
+/// Bytes of a text, from the first to before the last.
+struct Region {
+  std::size_t begin = 0, end = 0;
+
+  bool holds(const Region& other) const { return begin <= other.begin && other.end <= end; }
+};
+
 /// A change of one place in a file of the tree.
 struct Edit {
   std::string file;           ///< from the top of the tree

@@ -1,6 +1,7 @@
 #include "tests/mutation/mistake.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -8,6 +9,7 @@
 
 #include "studies/support/error.hpp"
 #include "studies/support/toml_file.hpp"
+#include "tests/mutation/anchor.hpp"
 
 namespace mpmvv::mutation {
 
@@ -31,21 +33,16 @@ std::string kebab_name(const TomlTable& table) {
   return name;
 }
 
-/// The reason of what nothing can show; empty for the others.
-std::string silence(const TomlTable& table) {
-  if (!table.has("shows")) {
-    if (table.has("reason")) refuse("'reason' without 'shows'", table.where("reason"), "shows = \"nothing\" beside it");
-    return {};
-  }
-  if (const std::string shows = table.text("shows"); shows != "nothing")
-    refuse(fmt::format("shows = '{}'", shows), table.where("shows"), "nothing, or no such key");
-  return filled(table, "reason");
-}
-
 Mistake read_mistake(const TomlTable& table) {
-  table.allow_only({"name", "what", "file", "find", "replace", "shows", "reason"});
-  Mistake mistake{kebab_name(table),     filled(table, "what"), filled(table, "file"), filled(table, "find"),
-                  table.text("replace"), silence(table),        table.where()};
+  table.allow_only({"name", "what", "file", "function", "find", "replace", "equivalent"});
+  Mistake mistake{.name = kebab_name(table),
+                  .what = filled(table, "what"),
+                  .file = filled(table, "file"),
+                  .function = table.has("function") ? filled(table, "function") : "",
+                  .find = filled(table, "find"),
+                  .replace = table.text("replace"),
+                  .reason = table.has("equivalent") ? filled(table, "equivalent") : "",
+                  .where = table.where()};
   if (mistake.find == mistake.replace)
     refuse(fmt::format("mistake '{}' changes nothing", mistake.name), mistake.where, "another 'replace' than 'find'");
   return mistake;
@@ -67,15 +64,39 @@ std::vector<Mistake> read_mistakes(const std::filesystem::path& file) {
   return mistakes;
 }
 
-Edit edit_of(const Mistake& mistake, const std::string& text) {
-  const std::size_t at = text.find(mistake.find);
-  const auto reject = [&](const char* how_often) {
-    refuse(fmt::format("'find' of mistake '{}' occurs {} in {}", mistake.name, how_often, mistake.file), mistake.where,
-           "a text that occurs there exactly once");
-  };
-  if (at == std::string::npos) reject("nowhere");
-  if (text.find(mistake.find, at + 1) != std::string::npos) reject("more than once");
-  return {mistake.file, at, mistake.find, mistake.replace};
+std::string file_of(const Mistake& mistake, const std::vector<std::string>& files) {
+  const std::vector<std::string> named = sources_named(mistake.file, files);
+  if (named.empty())
+    refuse(fmt::format("no source '{}' for mistake '{}'", mistake.file, mistake.name), mistake.where,
+           "the name of a .hpp or .cpp file of the program");
+  if (named.size() > 1)
+    refuse(fmt::format("'{}' of mistake '{}' is {}", mistake.file, mistake.name, fmt::join(named, " and ")),
+           mistake.where, "its folder's name before it");
+  return named.front();
+}
+
+Edit edit_of(const Mistake& mistake, const std::string& file, const std::string& text) {
+  std::vector<Region> found = occurrences_of(mistake.find, text);
+  std::string place = file;
+  if (!mistake.function.empty()) {
+    const std::vector<Region> definitions = definitions_of(mistake.function, text);
+    if (definitions.empty())
+      refuse(fmt::format("no function or class '{}' of mistake '{}' in {}", mistake.function, mistake.name, file),
+             mistake.where, "one that is defined there");
+    std::erase_if(found, [&](const Region& region) {
+      return std::ranges::none_of(definitions, [&](const Region& d) { return d.holds(region); });
+    });
+    place = fmt::format("'{}' of {}", mistake.function, file);
+  }
+  if (found.empty())
+    refuse(fmt::format("'find' of mistake '{}' occurs nowhere in {}", mistake.name, place), mistake.where,
+           "code that occurs there exactly once");
+  if (found.size() > 1)
+    refuse(fmt::format("'find' of mistake '{}' occurs in {} on lines {} and {}", mistake.name, place,
+                       line_of(text, found[0].begin), line_of(text, found[1].begin)),
+           mistake.where, "code that occurs there exactly once, with more of it or a 'function'");
+  const Region only = found.front();
+  return {file, only.begin, text.substr(only.begin, only.end - only.begin), mistake.replace};
 }
 
 std::vector<Explanation> read_explanations(const std::filesystem::path& file) {
@@ -94,22 +115,6 @@ bool Explanation::is_of(const Mutant& mutant) const {
   return mutant.kind == Mutant::Kind::random && mutant.file == file && mutant.before == before && mutant.after == after;
 }
 
-std::vector<Mutant> reviewed(std::vector<Mutant> mutants, const std::filesystem::path& folder) {
-  if (mutants.empty() || !std::filesystem::exists(folder / "planted.toml")) return mutants;
-  std::vector<Mutant> all;
-  const auto is_planted = [](const Mutant& m) { return m.kind == Mutant::Kind::planted; };
-  std::ranges::remove_copy_if(mutants, std::back_inserter(all), is_planted);
-  for (const Mistake& mistake : read_mistakes(folder / "planted.toml")) {
-    const auto tried =
-        std::ranges::find_if(mutants, [&](const Mutant& m) { return is_planted(m) && m.name == mistake.name; });
-    all.push_back(tried != mutants.end() ? *tried
-                                         : Mutant{.name = mistake.name, .what = mistake.what, .file = mistake.file});
-  }
-  const Reasons reasons(folder);
-  for (Mutant& mutant : all) mutant.reason = reasons.of(mutant);
-  return all;
-}
-
 Reasons::Reasons(const std::filesystem::path& folder) {
   if (const auto file = folder / "planted.toml"; std::filesystem::exists(file)) planted_ = read_mistakes(file);
   if (const auto file = folder / "explained.toml"; std::filesystem::exists(file)) explained_ = read_explanations(file);
@@ -122,6 +127,21 @@ std::string Reasons::of(const Mutant& mutant) const {
   for (const Explanation& explanation : explained_)
     if (explanation.is_of(mutant)) return explanation.reason;
   return "";
+}
+
+std::vector<Mutant> Reasons::reviewed(std::vector<Mutant> mutants) const {
+  if (mutants.empty() || planted_.empty()) return mutants;
+  std::vector<Mutant> all;
+  const auto is_planted = [](const Mutant& m) { return m.kind == Mutant::Kind::planted; };
+  std::ranges::remove_copy_if(mutants, std::back_inserter(all), is_planted);
+  for (const Mistake& mistake : planted_) {
+    const auto tried =
+        std::ranges::find_if(mutants, [&](const Mutant& m) { return is_planted(m) && m.name == mistake.name; });
+    all.push_back(tried != mutants.end() ? *tried
+                                         : Mutant{.name = mistake.name, .what = mistake.what, .file = mistake.file});
+  }
+  for (Mutant& mutant : all) mutant.reason = of(mutant);
+  return all;
 }
 
 void Reasons::check(const std::vector<Mutant>& mutants) const {

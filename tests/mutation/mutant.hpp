@@ -1,9 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
-
-#include "reports/alarm_log.hpp"
-#include "studies/records/result.hpp"
 
 namespace mpmvv::mutation {
 
@@ -12,7 +10,6 @@ namespace mpmvv::mutation {
 enum class GateStage { unit_tests, quick, nightly };
 
 std::string to_string(GateStage stage);
-GateStage gate_stage_from(const std::string& word);
 
 /// How one stage took a mutant.
 struct Trial {
@@ -39,7 +36,8 @@ struct Mutant {
   std::string gate = {};                ///< digest of the sources, tests, studies and goldens
   bool builds = true;
   std::vector<Trial> trials = {};
-  std::string reason = {};  ///< why nothing shows it, as someone explains; not kept in a store
+  std::string reason = {};  ///< why nothing shows it, as someone explains
+  std::uint64_t seed = 0;   ///< of the draw of a random one
 
   const Trial* trial(GateStage stage) const;  ///< null when it has not met this stage
   bool caught() const;                        ///< by any
@@ -52,24 +50,5 @@ Mutant::Kind mutant_kind_from(const std::string& word);
 
 /// The one with the same name, gate and edit; null when there is none.
 const Mutant* find_mutant(const std::vector<Mutant>& mutants, const Mutant& wanted);
-
-/// Of several results under one name the last.
-std::vector<Mutant> newest(const std::vector<Mutant>& mutants);
-
-/// Of the planted mistakes those without a `reason` should show; what does not compile is no mutant. One that nothing
-/// has caught is open until it has met every stage.
-struct MutantScore {
-  int planted = 0, silent = 0, open = 0;                            ///< that should show; that nothing can show; open
-  int by_unit_tests = 0, by_quick = 0, by_nightly = 0, by_any = 0;  ///< of those that should show
-  int random = 0, random_caught = 0, random_explained = 0;          ///< explained: survivors with a reason
-  std::vector<std::string> missed, unexplained;                     ///< names of planted and of random ones
-  bool has_baseline = false, passes_baseline = true;                ///< the tree without a mistake
-};
-
-MutantScore score_of(const std::vector<Mutant>& mutants);
-
-/// What they and the runs without a mistake say on claim X-mutants, as the parts of a study; without parts when there
-/// are no planted ones.
-StudyResult mutant_study(const std::vector<Mutant>& mutants, const std::vector<AlarmRun>& runs);
 
 }  // namespace mpmvv::mutation

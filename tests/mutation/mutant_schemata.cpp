@@ -13,14 +13,7 @@ namespace mpmvv::mutation {
 
 namespace {
 
-constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-/// Bytes of a text, from the first to before the last.
-struct Region {
-  std::size_t begin = 0, end = 0;
-
-  bool holds(const Region& other) const { return begin <= other.begin && other.end <= end; }
-};
+constexpr std::size_t none = no_partner;
 
 template <std::size_t N>
 bool is_one_of(std::string_view text, const std::array<std::string_view, N>& words) {
@@ -30,15 +23,7 @@ bool is_one_of(std::string_view text, const std::array<std::string_view, N>& wor
 /// The blocks and statements of a text, found by its brackets.
 class Statements {
  public:
-  explicit Statements(const std::string& text) : tokens_(tokens_of(text)), partner_(tokens_.size(), none) {
-    std::vector<std::size_t> open;
-    for (std::size_t k = 0; k < tokens_.size(); ++k) {
-      if (is_one_of(at(k), opening)) open.push_back(k);
-      if (!is_one_of(at(k), closing) || open.empty()) continue;
-      partner_[k] = open.back(), partner_[open.back()] = k;
-      open.pop_back();
-    }
-  }
+  explicit Statements(const std::string& text) : tokens_(tokens_of(text)), partner_(bracket_partners(tokens_)) {}
 
   /// What has to stand twice for a choice of what is in it, at least all that sees what it declares; nothing where that
   /// cannot be.

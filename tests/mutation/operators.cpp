@@ -15,8 +15,9 @@ namespace mpmvv::mutation {
 
 namespace {
 
-/// What computes: solver, solutions, and what carries a case out and fits its errors.
-constexpr std::array computing{"mms/", "solver/", "studies/fits/", "studies/runs/", "studies/settings/"};
+/// What decides a result, and the fits that are made of results.
+constexpr std::array computing{"mms/",          "solver/",           "studies/cases/", "studies/checks/",
+                               "studies/fits/", "studies/problems/", "studies/runs/",  "studies/settings/"};
 
 /// Collects the mutations of one text.
 class MutationFinder {

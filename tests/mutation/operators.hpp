@@ -15,8 +15,7 @@ std::vector<Edit> mutations_of(const std::string& file, const std::string& text)
 /// The edits in an order that the seed alone decides, on every machine.
 std::vector<Edit> shuffled(std::vector<Edit> edits, std::uint64_t seed);
 
-/// The files of a tree that random mutations are drawn from, sorted: those of solver and mms, and of what sets up cases
-/// and analyses their results.
+/// The files of a tree that random mutations are drawn from, sorted: the code of the folders that compute.
 std::vector<std::string> mutated_files(const std::vector<std::string>& files);
 
 }  // namespace mpmvv::mutation

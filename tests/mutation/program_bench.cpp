@@ -1,18 +1,14 @@
 #include "tests/mutation/program_bench.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <csignal>
-#include <functional>
-#include <nlohmann/json.hpp>
-#include <regex>
-#include <sstream>
 
 #include "studies/support/error.hpp"
+#include "tests/mutation/gate_output.hpp"
+#include "tests/mutation/program_gate.hpp"
 
 namespace mpmvv::mutation {
 
@@ -51,110 +47,7 @@ std::string last_lines(const std::string& output) {
   return output.substr(output.size() > most ? output.size() - most : 0);
 }
 
-/// What stands behind the mark up to the next space or comma.
-std::string word_behind(const std::string& text, std::size_t mark, std::size_t length) {
-  const std::size_t begin = mark + length;
-  return text.substr(begin, text.find_first_of(" ,\n", begin) - begin);
-}
-
-/// Studies with goldens, by the goldens' files.
-std::vector<std::string> studies_with_goldens(const std::vector<std::string>& files) {
-  std::vector<std::string> names;
-  for (const fs::path file : files)
-    if (file.parent_path() == "goldens" && file.extension() == ".toml") names.push_back(file.stem().string());
-  return names;
-}
-
 }  // namespace
-
-std::vector<std::string> program_parts() {
-  return {".github", "CMakeLists.txt", "CMakePresets.json", "README.md", "cli", "cmake", "goldens", "mms", "reports",
-          "run",     "solver",         "studies",           "tests"};
-}
-
-std::string gate_version(const ScratchTree& scratch) {
-  const auto decides = [](const std::string& file) {
-    constexpr std::array indifferent{".github",          "README.md",        "cli", "goldens/mutants",
-                                     "goldens/cost.cpp", "goldens/cost.hpp", "run", "studies/cost.txt",
-                                     "tests/benchmark"};
-    return std::ranges::none_of(indifferent, [&](const char* part) { return is_within(file, part); });
-  };
-  const auto expects = [](const std::string& file) {
-    return is_within(file, "reports") || is_within(file, "tests") || file.ends_with(".toml") ||
-           file == "studies/quick.txt";
-  };
-  const auto digest = [&](bool expecting) {
-    return scratch.digest([&](const std::string& file) { return decides(file) && expects(file) == expecting; });
-  };
-  return digest(false) + "/" + digest(true);
-}
-
-std::vector<std::string> listed_studies(const std::string& text) {
-  std::vector<std::string> names;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line.substr(0, line.find('#')));
-    if (std::string name; words >> name) names.push_back(fs::path(name).stem().string());
-  }
-  return names;
-}
-
-std::vector<std::string> test_programs(const std::string& file) {
-  if (file.starts_with("mms/")) return {"test_cli", "test_mms", "test_studies", "test_solver"};
-  if (file.starts_with("solver/")) return {"test_cli", "test_studies", "test_solver"};
-  if (file.starts_with("reports/")) return {"test_reports", "test_cli"};
-  return {"test_cli", "test_goldens", "test_reports", "test_mms", "test_studies", "test_solver"};
-}
-
-std::set<int> choices_named(const std::string& output, const std::map<std::string, std::vector<ChoicePlace>>& places) {
-  static const std::regex line_of_file(R"(([\w./-]+):(\d+):.*)");
-  std::set<int> edited, both;
-  for (std::sregex_iterator found(output.begin(), output.end(), line_of_file), end; found != end; ++found) {
-    const std::string path = fs::path((*found)[1].str()).lexically_normal().string();
-    const int line = std::stoi((*found)[2].str());
-    for (const auto& [file, of_file] : places)
-      if (path == file || path.ends_with("/" + file))
-        for (const ChoicePlace& place : of_file) {
-          if (place.first_line <= line && line <= place.last_line) edited.insert(place.number);
-          if (place.first_line <= line && line <= place.last_line_of_both) both.insert(place.number);
-        }
-  }
-  return edited.empty() ? both : edited;
-}
-
-std::string failed_test(const std::string& output) {
-  constexpr std::string_view failed = "[  FAILED  ] ", running = "[ RUN      ] ";
-  if (const auto mark = output.find(failed); mark != std::string::npos) return word_behind(output, mark, failed.size());
-  const auto mark = output.rfind(running);
-  return mark == std::string::npos ? "before the first test" : word_behind(output, mark, running.size());
-}
-
-std::vector<std::string> goldens_not_passed(const std::string& json) {
-  std::vector<std::string> names;
-  const auto report = nlohmann::json::parse(json, nullptr, false);
-  if (report.is_discarded()) return {"the gate prints no JSON"};
-  for (const auto& result : report.at("results")) {
-    const std::string verdict = result.at("verdict");
-    if (verdict != "pass")
-      names.push_back(fmt::format("{}: {}{}", result.at("study").get<std::string>(),
-                                  result.at("name").get<std::string>(), verdict == "fail" ? "" : " (" + verdict + ")"));
-  }
-  std::stable_partition(names.begin(), names.end(), std::not_fn(is_inconclusive));
-  return names;
-}
-
-Trial first_catch(GateStage stage, const std::vector<std::string>& studies,
-                  const std::function<std::vector<std::string>(const std::string& study)>& complaints_of) {
-  Trial trial{.stage = stage};
-  for (const std::string& study : studies) {
-    const auto complaints = complaints_of(study);
-    const bool decides = !std::ranges::all_of(complaints, is_inconclusive);
-    if (trial.by.empty() || decides) trial.by = complaints;
-    if (decides) break;
-  }
-  trial.caught = !trial.by.empty();
-  return trial;
-}
 
 ProgramBench::ProgramBench(ScratchTree& scratch, int jobs)
     : scratch_(scratch), jobs_(jobs), quick_(listed_studies(scratch.text("studies/quick.txt"))) {
@@ -169,13 +62,12 @@ void ProgramBench::configure() const {
   if (fs::exists(scratch_.build() / "build.ninja")) return;
   const ProcessEnd end = scratch_.run(
       {"cmake", "--preset", "mutants", "-B", scratch_.build().string(), "--log-level=WARNING"}, build_limit);
-  if (!end.good())
-    throw UsageError(fmt::format("cmake cannot configure {}: {}", scratch_.tree().string(), end.output));
+  if (!end.good()) throw UsageError(fmt::format("cmake cannot configure {}: {}", scratch_.tree().string(), end.output));
 }
 
 ProcessEnd ProgramBench::make(const std::vector<std::string>& targets) const {
-  std::vector<std::string> command{
-      "cmake", "--build", scratch_.build().string(), "--parallel", std::to_string(jobs_), "--target"};
+  std::vector<std::string> command{"cmake",   "--build", scratch_.build().string(), "--parallel", std::to_string(jobs_),
+                                   "--target"};
   command.insert(command.end(), targets.begin(), targets.end());
   return scratch_.run(command, build_limit);
 }

@@ -48,32 +48,4 @@ class ProgramBench final : public SchemataBench {
   std::string complaint_;
 };
 
-/// The parts of the tree that a scratch of the program needs.
-std::vector<std::string> program_parts();
-
-/// A digest of what decides how a mutant fares: of the sources, a slash, and of the tests, goldens, studies and
-/// reports: with other reports only what passed is tried again.
-std::string gate_version(const ScratchTree& scratch);
-
-/// The names of the studies in a list such as studies/quick.txt.
-std::vector<std::string> listed_studies(const std::string& text);
-
-/// The test programs that a change of this file reaches, what is least to build first; all for an empty name.
-std::vector<std::string> test_programs(const std::string& file);
-
-/// The numbers of the choices, given by their files, of which a compiler's output names lines with the edit; where
-/// there is none, of those of which it names any line.
-std::set<int> choices_named(const std::string& output, const std::map<std::string, std::vector<ChoicePlace>>& places);
-
-/// The first test that failed by what a test program printed; with none, the one in which it ended.
-std::string failed_test(const std::string& output);
-
-/// "study: golden" of what does not pass, from `mpmvv gate --json`; what is inconclusive is marked, and comes last.
-std::vector<std::string> goldens_not_passed(const std::string& json);
-
-/// Study by study up to the first of which anything fails: most mistakes need no more than the first few. What is
-/// inconclusive alone counts where nothing fails.
-Trial first_catch(GateStage stage, const std::vector<std::string>& studies,
-                  const std::function<std::vector<std::string>(const std::string& study)>& complaints_of);
-
 }  // namespace mpmvv::mutation

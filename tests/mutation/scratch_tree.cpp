@@ -124,7 +124,7 @@ void ScratchTree::restore(const std::string& file, const std::optional<std::stri
 }
 
 ProcessEnd ScratchTree::run(const std::vector<std::string>& command, std::chrono::seconds limit,
-                           const std::map<std::string, std::string>& environment) const {
+                            const std::map<std::string, std::string>& environment) const {
   ProcessEnd end = run_process(command, tree(), environment, limit);
   if (end.start_error != 0)
     throw UsageError(fmt::format("cannot start '{}' in {} (a program that is installed or was built)", command.front(),

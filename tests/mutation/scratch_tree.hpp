@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/mutation/edit.hpp"
 #include "studies/support/process.hpp"
+#include "tests/mutation/edit.hpp"
 
 namespace mpmvv::mutation {
 
@@ -25,7 +25,7 @@ class ScratchTree {
   /// is anything else, holds the source or links, lies within a part, or a part is not there; also when another process
   /// works there.
   ScratchTree(const std::filesystem::path& source, const std::filesystem::path& work,
-             const std::vector<std::string>& parts);
+              const std::vector<std::string>& parts);
 
   const std::vector<std::string>& files() const { return files_; }  ///< of the copy, sorted, from its top
   std::string text(const std::string& file) const;                  ///< without any edit
