@@ -21,6 +21,7 @@ Table score_table(const MutationResults& mutation) {
   Table table{"Score: how many mistakes each part of the gate catches",
               {"mistakes", "unit tests", "quick gate", "nightly gate, of what these miss", "any of them", "explained"},
               {}};
+  if (planted.should_show + planted.equivalent + random.tried == 0) return table;
   Table::Group group;
   group.rows.push_back({"planted, should show", of_all(planted.unit_tests, tried), of_all(planted.quick, tried),
                         planted.nightly == 0 ? "–" : fmt::format("{}", planted.nightly), of_all(planted.caught, tried),

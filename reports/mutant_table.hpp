@@ -8,7 +8,7 @@
 namespace mpmvv {
 
 /// The score; the planted mistakes, and what caught them; the random ones that nothing has caught; runs without a
-/// mistake.
+/// mistake. Each is left out where there is nothing to show.
 std::vector<Table> mutant_tables(const MutationResults& mutation, const std::vector<AlarmRun>& alarms);
 
 }  // namespace mpmvv

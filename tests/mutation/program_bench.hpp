@@ -10,7 +10,7 @@
 
 namespace mpmvv::mutation {
 
-/// The program's own gate in a scratch: CMake with the preset `mutants`, the test programs, the studies as
+/// The program's own gate in a scratch tree: CMake with the preset `mutants`, the test programs, the studies as
 /// `./run quick` and `./run nightly` run them.
 class ProgramBench final : public SchemataBench {
  public:

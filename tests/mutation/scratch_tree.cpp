@@ -30,7 +30,7 @@ fs::path resolved(const fs::path& place) {
 
 constexpr const char* marker_name = "mpmvv-scratch";
 constexpr const char* marker_text =
-    "A scratch folder of `mpmvv mutants`, one process at a time: what lies here is replaced.\n";
+    "A scratch folder of `./run mutants`, one process at a time: what lies here is replaced.\n";
 
 /// The marker is the program's own file, not a link to one.
 bool is_marked(const fs::path& work) {
@@ -45,12 +45,12 @@ void require_scratch(const fs::path& work) {
     throw UsageError(fmt::format("work folder '{}' is a file (name a folder)", work.string()));
   if (!fs::is_empty(work) && !is_marked(work))
     throw UsageError(
-        fmt::format("work folder '{}' is neither empty nor a scratch of this program, with its file '{}' "
+        fmt::format("work folder '{}' is neither empty nor a scratch folder of this program, with its file '{}' "
                     "(name another folder, or a new one)",
                     work.string(), marker_name));
 }
 
-/// A link in a scratch is not the program's, and leads out of it.
+/// A link in a scratch folder is not the program's, and leads out of it.
 void require_no_link(const fs::path& place) {
   if (fs::is_symlink(place))
     throw UsageError(

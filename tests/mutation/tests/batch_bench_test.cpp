@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "tests/mutation/program_bench.hpp"
 #include "studies/support/error.hpp"
+#include "tests/mutation/program_bench.hpp"
 
 namespace mpmvv::mutation {
 namespace batch_bench_test {

@@ -1,3 +1,5 @@
+#include "tests/mutation/campaign.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,9 +9,8 @@
 #include <set>
 #include <sstream>
 
-#include "tests/mutation/campaign.hpp"
-#include "tests/mutation/scratch_tree.hpp"
 #include "studies/support/error.hpp"
+#include "tests/mutation/scratch_tree.hpp"
 
 namespace mpmvv::mutation {
 namespace mutant_campaign_test {
@@ -179,45 +180,45 @@ class ScratchTrees : public testing::Test {
 };
 
 TEST_F(ScratchTrees, AnEditIsMadeInTheCopyAlone) {
-  ScratchTree lab = scratch();
-  EXPECT_THAT(lab.files(), ElementsAre("code/a.txt", "code/inner/b.txt", "notes"));
-  lab.apply(edit_);
-  EXPECT_EQ(lab.run({"cat", "code/a.txt"}, seconds(10)).output, "one - two\n");
-  EXPECT_EQ(lab.text("code/a.txt"), "one + two\n");
+  ScratchTree copy = scratch();
+  EXPECT_THAT(copy.files(), ElementsAre("code/a.txt", "code/inner/b.txt", "notes"));
+  copy.apply(edit_);
+  EXPECT_EQ(copy.run({"cat", "code/a.txt"}, seconds(10)).output, "one - two\n");
+  EXPECT_EQ(copy.text("code/a.txt"), "one + two\n");
   EXPECT_EQ(read(source_ / "code/a.txt"), "one + two\n");
-  lab.apply({"notes", 0, "four", "five"});
-  EXPECT_EQ(read(lab.tree() / "code/a.txt"), "one + two\n") << "one edit at a time";
-  lab.undo();
-  EXPECT_EQ(read(lab.tree() / "notes"), "four\n");
+  copy.apply({"notes", 0, "four", "five"});
+  EXPECT_EQ(read(copy.tree() / "code/a.txt"), "one + two\n") << "one edit at a time";
+  copy.undo();
+  EXPECT_EQ(read(copy.tree() / "notes"), "four\n");
 }
 
 TEST_F(ScratchTrees, ManyFilesChangeTogetherAndNewOnesGo) {
-  ScratchTree lab = scratch();
-  lab.apply({{"code/a.txt", "six\n"}, {"code/new.txt", "seven\n"}});
-  EXPECT_EQ(read(lab.tree() / "code/a.txt"), "six\n");
-  EXPECT_EQ(read(lab.tree() / "code/new.txt"), "seven\n");
-  EXPECT_EQ(lab.text("code/a.txt"), "one + two\n");
-  lab.apply(edit_);
-  EXPECT_EQ(read(lab.tree() / "code/a.txt"), "one - two\n");
-  EXPECT_FALSE(fs::exists(lab.tree() / "code/new.txt"));
+  ScratchTree copy = scratch();
+  copy.apply({{"code/a.txt", "six\n"}, {"code/new.txt", "seven\n"}});
+  EXPECT_EQ(read(copy.tree() / "code/a.txt"), "six\n");
+  EXPECT_EQ(read(copy.tree() / "code/new.txt"), "seven\n");
+  EXPECT_EQ(copy.text("code/a.txt"), "one + two\n");
+  copy.apply(edit_);
+  EXPECT_EQ(read(copy.tree() / "code/a.txt"), "one - two\n");
+  EXPECT_FALSE(fs::exists(copy.tree() / "code/new.txt"));
 }
 
 TEST_F(ScratchTrees, ANewOneUndoesWhatAKilledOneLeft) {
   scratch().apply(edit_);
   std::ofstream(folder_ / "work/tree/code/stray.txt") << "five";
   fs::remove(source_ / "code/inner/b.txt");
-  const ScratchTree lab = scratch();
-  EXPECT_EQ(read(lab.tree() / "code/a.txt"), "one + two\n");
-  EXPECT_FALSE(fs::exists(lab.tree() / "code/stray.txt"));
-  EXPECT_FALSE(fs::exists(lab.tree() / "code/inner/b.txt"));
+  const ScratchTree copy = scratch();
+  EXPECT_EQ(read(copy.tree() / "code/a.txt"), "one + two\n");
+  EXPECT_FALSE(fs::exists(copy.tree() / "code/stray.txt"));
+  EXPECT_FALSE(fs::exists(copy.tree() / "code/inner/b.txt"));
 }
 
 TEST_F(ScratchTrees, TheDigestIsThatOfTheUneditedFiles) {
-  ScratchTree lab = scratch();
+  ScratchTree copy = scratch();
   const auto but_notes = [](const std::string& file) { return !is_within(file, "notes"); };
-  const std::string digest = lab.digest(but_notes);
-  lab.apply(edit_);
-  EXPECT_EQ(lab.digest(but_notes), digest);
+  const std::string digest = copy.digest(but_notes);
+  copy.apply(edit_);
+  EXPECT_EQ(copy.digest(but_notes), digest);
   write("notes", "changed\n");
   EXPECT_EQ(scratch().digest(but_notes), digest);
   write("code/a.txt", "changed\n");
@@ -230,7 +231,7 @@ TEST_F(ScratchTrees, WhatNeverEndsIsStopped) {
 }
 
 TEST_F(ScratchTrees, OneProcessWorksThereAtATime) {
-  const ScratchTree lab = scratch();
+  const ScratchTree copy = scratch();
   EXPECT_EXIT(
       {
         try {
