@@ -101,17 +101,25 @@ std::vector<Part> parts_of(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::string> sources_named(const std::string& file, const std::vector<std::string>& files) {
+bool names(const std::string& name, const std::string& path) {
+  return path == name || path.ends_with("/" + name);
+}
+
+std::vector<std::string> sources_named(const std::string& name, const std::vector<std::string>& files) {
   std::vector<std::string> named;
   std::ranges::copy_if(files, std::back_inserter(named), [&](const std::string& path) {
     const bool is_source = (path.ends_with(".hpp") || path.ends_with(".cpp")) && !path.starts_with("tests/");
-    return is_source && (path == file || path.ends_with("/" + file));
+    return is_source && names(name, path);
   });
   return named;
 }
 
 std::vector<Region> definitions_of(const std::string& name, const std::string& text) {
   return Definitions(text).of(name);
+}
+
+bool is_same_code(const std::string& one, const std::string& other) {
+  return parts_of(one) == parts_of(other);
 }
 
 std::vector<Region> occurrences_of(const std::string& code, const std::string& text) {

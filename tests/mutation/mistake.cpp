@@ -112,7 +112,8 @@ std::vector<Explanation> read_explanations(const std::filesystem::path& file) {
 }
 
 bool Explanation::is_of(const Mutant& mutant) const {
-  return mutant.kind == Mutant::Kind::random && mutant.file == file && mutant.before == before && mutant.after == after;
+  return mutant.kind == Mutant::Kind::random && names(file, mutant.file) && is_same_code(mutant.before, before) &&
+         is_same_code(mutant.after, after);
 }
 
 Reasons::Reasons(const std::filesystem::path& folder) {

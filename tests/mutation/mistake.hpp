@@ -29,11 +29,11 @@ std::string file_of(const Mistake& mistake, const std::vector<std::string>& file
 /// As an edit of that file with this text; UsageError unless the code occurs there exactly once.
 Edit edit_of(const Mistake& mistake, const std::string& file, const std::string& text);
 
-/// Why a random mutation survives: equivalent, or beyond what the gate can show. Lines are named by their text, so that
-/// an explanation stays when they move.
+/// Why a random mutation survives: equivalent, or beyond what the gate can show. As a planted mistake it is found by
+/// the end of its file's path and the tokens of its lines, so that an explanation stays when they move.
 struct Explanation {
   std::string file;
-  std::string before, after;  ///< the line without and with the mutation
+  std::string before, after;  ///< the lines without and with the mutation
   std::string reason;
   std::string where;  ///< FILE:LINE of the entry
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -61,6 +62,15 @@ TEST_F(MutantFiles, AMistakeIsRead) {
   EXPECT_THAT(mistakes[0].where, HasSubstr("list.toml:2"));
 }
 
+TEST_F(MutantFiles, TheReadmeShowsOne) {
+  const std::string readme = samples::source("README.md"), mark = "<!-- walk: mistake -->\n```toml\n";
+  const std::size_t begin = readme.find(mark) + mark.size();
+  const auto mistakes = read_mistakes(write(readme.substr(begin, readme.find("```", begin) - begin)));
+  ASSERT_EQ(mistakes.size(), 1U);
+  const auto planted = read_mistakes(std::string(MPMVV_SOURCE_DIR) + "/tests/mutation/planted.toml");
+  EXPECT_EQ(std::ranges::count(planted, mistakes[0].name, &Mistake::name), 1);
+}
+
 TEST_F(MutantFiles, MistakesInTheListAreNamedWithTheirLine) {
   EXPECT_THAT(complaint(""), HasSubstr("no mistake"));
   EXPECT_THAT(complaint(std::string(sign) + sign), HasSubstr("a second mistake 'sign'"));
@@ -104,6 +114,8 @@ TEST_F(MutantFiles, ReasonsReachTheirMutants) {
   EXPECT_EQ(reasons.of(mutants[1]), "equal");
   EXPECT_EQ(reasons.of(mutants[2]), "");
   EXPECT_NO_THROW(reasons.check(mutants));
+  mutants[1].file = "solver/inner/a.hpp", mutants[1].before = "x<y  // as it is laid out now";
+  EXPECT_EQ(reasons.of(mutants[1]), "equal");
   mutants[1].before = "x < z";
   try {
     reasons.check(mutants);
