@@ -75,8 +75,15 @@ std::vector<std::string> program_parts() {
 
 std::string gate_version(const Laboratory& laboratory) {
   const auto decides = [](const std::string& file) {
-    constexpr std::array indifferent{".github",          "README.md",        "cli", "goldens/mutants",
-                                     "goldens/cost.cpp", "goldens/cost.hpp", "run", "studies/cost.txt",
+    constexpr std::array indifferent{".github",
+                                     "README.md",
+                                     "cli",
+                                     "docs",
+                                     "goldens/mutants",
+                                     "goldens/cost.cpp",
+                                     "goldens/cost.hpp",
+                                     "run",
+                                     "studies/cost.txt",
                                      "tests/benchmark"};
     return std::ranges::none_of(indifferent, [&](const char* part) { return is_within(file, part); });
   };
