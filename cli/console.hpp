@@ -9,14 +9,14 @@
 
 namespace mpmvv {
 
-/// To standard output as it is; a UsageError where it cannot be written.
+/// Writes to standard output; a UsageError where that fails.
 void print_text(const std::string& text);
-void flush_text();  ///< the same of what has been held back
+void flush_text();  ///< writes out what is still buffered; a UsageError where that fails
 
-/// To standard error; whether it can be written changes nothing.
+/// Writes to standard error; a failure to do so is ignored.
 void note_text(const std::string& text);
 
-/// A number as it is; a text, which may come from a user's file, without what a terminal obeys.
+/// A number as it is; a text without control sequences, as it may come from a user's file.
 template <class T>
 auto shown(const T& value) {
   if constexpr (std::is_arithmetic_v<T>)

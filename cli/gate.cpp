@@ -33,7 +33,7 @@ bool in_github_actions() {
   return word != nullptr && std::string(word) == "true";
 }
 
-/// For a new file.
+/// Makes the folder in which a new file will lie.
 void make_folder_of(const std::filesystem::path& file) {
   if (file.has_parent_path()) make_folder(file.parent_path());
 }

@@ -33,7 +33,7 @@ nlohmann::json change_json(const Change& change) {
   return json;
 }
 
-/// Empty where the two are not of the same kind or not of the same level.
+/// The difference of two numbers as a text; empty where one is a word or they are errors at different levels.
 std::string difference(const Finding& before, const Finding& after) {
   const double a = before.number, b = after.number;
   const bool same_level = before.at == after.at || std::isnan(before.at);

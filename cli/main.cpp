@@ -31,8 +31,8 @@ int complain(const std::string& message) {
   return usage_error;
 }
 
-/// A standard stream that is closed would lend its number to the next file that is opened, and that file would get the
-/// messages. It becomes one that cannot be written.
+/// If a standard stream is closed, the next file that is opened gets its number, and our messages would end up in that
+/// file. So a closed one is replaced by a stream that cannot be written.
 void fill_standard_streams() {
   for (int k = STDIN_FILENO; k <= STDERR_FILENO; ++k)
     if (fcntl(k, F_GETFD) < 0 && errno == EBADF) open("/dev/null", O_RDONLY);

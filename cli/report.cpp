@@ -32,7 +32,7 @@ std::optional<Benchmark> own_benchmark(const std::string& db, const std::string&
   return std::nullopt;
 }
 
-/// Those of the build that has been published: this one has not met any.
+/// Shows the mistakes of the published campaign, for a build that has none of its own.
 void show_published_mutants(ReportInput& input, const std::string& goldens) {
   const auto folder = std::filesystem::path(goldens) / "mutants";
   TriedMutants tried = read_tried(folder);

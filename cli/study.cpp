@@ -124,7 +124,7 @@ std::vector<Overriding> overriding_settings(const StudyOptions& options) {
   return all;
 }
 
-/// A setting that some series refuse and none takes is a mistake in it.
+/// A setting of `--set-where-taken` that no series takes is a mistake of the user: UsageError with the refusal.
 void require_taken(const std::vector<Overriding>& settings, const std::vector<StudyPlan>& plans) {
   for (std::size_t k = 0; k < settings.size(); ++k) {
     std::string refusal;

@@ -61,7 +61,7 @@ void compare_levels(Change& change) {
   change.bands = better ? -most : most;
 }
 
-/// The weight of another word than before.
+/// How much a word (a status, a verdict) that differs counts, in bands: more than any number.
 constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
 
 bool is_improvement(const Finding& after) {
@@ -87,7 +87,7 @@ std::map<Key, const Finding*> by_key(const std::vector<Finding>& findings) {
   return all;
 }
 
-/// What the others lack: a whole study by its name, else "study: finding".
+/// The findings that `others` lack: "study: finding", or the study's name alone where it is missing as a whole.
 std::vector<std::string> only_in(const std::vector<Finding>& findings, const std::map<Key, const Finding*>& others) {
   std::set<std::string> studies;
   for (const auto& [key, finding] : others) studies.insert(key.first);

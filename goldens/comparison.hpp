@@ -20,7 +20,7 @@ struct Change {
 
   Finding before, after;
   std::optional<AtLevel> largest;  ///< when any level changed
-  double bands = 0;                ///< in widths of the goldens' bands; positive: worse, or no one knows; 0: unchanged
+  double bands = 0;                ///< in widths of the goldens' bands; positive: worse, or neither; 0: unchanged
 };
 
 /// What differs between the findings of two versions.

@@ -34,7 +34,8 @@ struct Band {
   bool contains(double x) const { return lower <= x && x <= upper; }
 };
 
-/// All probes agree, so the limit lies outside what was scanned: a failure when the scan covers the whole band.
+/// Judges a limit that was not found because all probes agree, so that it lies outside the scan: a failure when the
+/// scan covers the whole band.
 Judgement judge_unfound(const StabilityLimit& limit, const Band& band) {
   if (limit.probes.empty()) return inconclusive("", "limit not found: no probes");
   if (!limit.monotone) return inconclusive("", "limit not found: stability is not monotone");
@@ -86,7 +87,7 @@ Judgement judge(const OfSeries& golden, const StudyResult& study) {
   return series ? judge(golden, *series) : missing(fmt::format("no series '{}'", golden.series));
 }
 
-/// A trial decides nothing, and what nobody has reviewed passes nothing.
+/// Results of a trial (`study --set`) are inconclusive, and a golden that nobody has reviewed cannot pass.
 Judgement judge(const Golden& golden, const StudyResult& study, Trials trials) {
   Judgement found = std::visit([&](const auto& expectation) { return judge(expectation, study); }, golden.expectation);
   const std::string trial = trials == Trials::judged ? "" : trial_of(study.text);

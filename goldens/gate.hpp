@@ -16,7 +16,7 @@ struct GateResult {
   std::string expected, measured;
   std::string reason;      ///< empty for `pass`
   std::string where = {};  ///< of the golden, FILE:LINE
-  bool better = false;     ///< a failure to the better side: the golden is to be renewed
+  bool better = false;     ///< it failed because results improved: the golden should be renewed
 };
 
 /// All goldens, judged, in their order.
@@ -27,8 +27,8 @@ struct GateReport {
   int exit_code() const;  ///< 1 with any failure, else 3 with anything inconclusive, else 0
 };
 
-/// What becomes of results made with `study --set`: they are not the golden's, so they decide nothing, unless someone
-/// asks for just that.
+/// How results made with `study --set` are judged. Goldens are not of such runs, so they are inconclusive unless the
+/// user asks to have them judged all the same (`gate --as-set`).
 enum class Trials { inconclusive, judged };
 
 /// Holds the goldens against the stored studies; only those of the studies named in `only`, unless it is empty.

@@ -66,7 +66,7 @@ std::string norm(const TomlTable& table) {
   return text;
 }
 
-/// A band wider than the house's needs a reason that a reviewer can read.
+/// A band wider than the usual one (golden.hpp) needs a reason, under `why`.
 void justify(const TomlTable& table, double width, double allowed, const std::string& rule) {
   if (table.has("why")) word(table, "why");
   if (width > allowed + round_off && !table.has("why")) {
@@ -103,7 +103,7 @@ std::vector<double> finest(const TomlTable& table, const std::vector<double>& wi
   return level;
 }
 
-/// A half-width; one that reaches beyond any band would let every order pass.
+/// Reads the half-width of an interval. One wider than any band would let every order pass.
 double interval(const TomlTable& table, double band) {
   const double width = positive(table, "interval"), widest = std::max(widest_interval, band);
   if (width > widest)

@@ -17,20 +17,24 @@ inline constexpr double limit_band = 0.05;  ///< relative
 /// No number of a golden is larger, so that none that follows from it is infinite.
 inline constexpr double largest_number = 1e100;
 
-/// As much wider than the one reviewed may the interval of an order be: other orders and places of the particles widen
-/// it by up to a tenth.
+/// How much wider than the reviewed one the interval of an order may become. Starting the particles in another order or
+/// at another place on the grid widens it by up to a tenth.
 inline constexpr double interval_margin = 1.5;
 
-/// The interval of an order may be reviewed up to this half-width or its band's width, whichever is more: beyond that,
-/// it decides nothing.
+/// The largest half-width that a golden may state for the interval of an order, unless its band is wider still:
+/// beyond that an order is too uncertain to be worth a golden.
 inline constexpr double widest_interval = 1;
 
-/// The fitted order of a series in a norm. Where a window is given, the fit over that window is meant. A fit over fewer
-/// points than are given, or than the window has where no number is, fails; without the finest level or an end of the
-/// window there is nothing to judge. In a window that was asymptotic when reviewed segment orders may scatter
-/// twice as much as that allows. An interval wider than the band, and wider by more than its margin than
-/// the one reviewed, decides nothing. An error at the finest level that has grown by more than the band of errors
-/// fails, although the order holds.
+/// The fitted order of a series in a norm, over `window` where one is given (docs/measuring.md, "Bands of goldens").
+/// It fails
+///   - when its whole interval lies outside the band, or the order more than 1 above it,
+///   - when the run at the finest level or at an end of the window is not ok,
+///   - when the fit has fewer points than `points`, or, where that is 0, than the window has,
+///   - when the error at the finest level has grown by more than the band of errors, although the order holds.
+/// It is inconclusive
+///   - without a run at one of these levels,
+///   - when its interval is wider than the band and than `interval_margin` times the reviewed one,
+///   - when segment orders in a window that was asymptotic scatter by more than twice `asymptotic_spread`.
 struct OrderGolden {
   std::string series, norm;
   double expected = 0, lower = 0, upper = 0;

@@ -16,7 +16,7 @@ bool is_forbidden(std::string_view character) {
   return character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";
 }
 
-/// For attributes and text alike.
+/// The text as XML holds it, in attributes as well as in content.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : printable(text)) {

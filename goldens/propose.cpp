@@ -58,7 +58,7 @@ bool finer(const std::string& sweep, double a, double b) {
   return sweep == "cells" || sweep == "ppc" ? a > b : a < b;
 }
 
-/// Among the swept values of a window.
+/// The stable point with the finest grid among the swept values of a window; nullptr when there is none.
 const Point* finest_stable(const std::string& sweep, const Series& series, const std::string& norm,
                            const Window& window = {-INFINITY, INFINITY}) {
   const Point* finest = nullptr;

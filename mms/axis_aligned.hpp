@@ -27,8 +27,8 @@ class AxisAligned : public ManufacturedSolution<D> {
 
   double displacement_scale() const final { return std::abs(A_); }
 
-  /// Points that share coordinates share what depends on one: on a lattice a point costs a few bytes and additions, and
-  /// sine, logarithm and division happen once per distinct coordinate and time.
+  /// What depends on one coordinate is computed once for all points that share it. On a lattice a point costs a few
+  /// bytes and additions; a sine, a logarithm and a division are taken per distinct coordinate and time, not per point.
   std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const final;
 
  private:

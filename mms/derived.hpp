@@ -10,7 +10,7 @@
 namespace mpmvv::mms {
 
 /// Callable with (std::array<T, D> X, T t) for any scalar type T; returns the displacement, std::array<T, D>. Write
-/// x * x, never pow(x, 2): of that, Boost has no derivative at x = 0.
+/// x * x, never pow(x, 2), whose derivative at x = 0 is NaN in Boost 1.74.
 template <class U, int D>
 concept DisplacementField = requires(const U& u, const std::array<double, D>& X, double t) {
   { u(X, t) } -> std::convertible_to<std::array<double, D>>;

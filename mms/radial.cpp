@@ -12,7 +12,7 @@ Mat<D> along_and_across(const Vec<D>& X, double along, double across) {
 
 }  // namespace
 
-/// What the fields take of a point and of space alone:
+/// The parts of the fields that depend on the point and not on time:
 ///   u = T over_R X,   F_RR = 1 + T slope,   F_θθ = 1 + T over_R
 ///   b = T {constant + M [along / F_RR² + across / (F_RR F_θθ)]} X
 template <int D>

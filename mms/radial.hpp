@@ -33,7 +33,7 @@ class Radial : public ManufacturedSolution<D> {
   /// A step costs a point one division, and one logarithm where λ is not zero.
   std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const final;
 
-  /// Also for positions about the body, as far as the motion is invertible there; std::domain_error beyond.
+  /// Also for positions outside the body, as far as the motion is invertible there; std::domain_error beyond.
   Vec<D> reference_point(const Vec<D>& x, double t) const final;
 
  private:

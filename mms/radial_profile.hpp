@@ -25,7 +25,7 @@ class RadialProfile {
   /// max of |w'| and |w/R| over the body: a motion A w(R) cos ωt keeps det F positive while |A| is below its inverse.
   double steepest() const;
 
-  /// R with R + T w(R) = r, in the body and about it as far as the left side grows; std::domain_error beyond.
+  /// R with R + T w(R) = r, in the body and around it as far as R + T w(R) grows with R; std::domain_error beyond.
   double reference_radius(double T, double r) const;
 
  private:

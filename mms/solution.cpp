@@ -9,7 +9,7 @@ namespace mpmvv::mms {
 
 namespace {
 
-/// For solutions that have nothing to compute once.
+/// Points of a solution none of whose parts can be computed once and kept: every call evaluates the formulas.
 template <int D>
 class EvaluatedEachTime : public PointwiseSolution<D> {
  public:

@@ -14,15 +14,15 @@ template <int D>
 using Mat = Eigen::Matrix<double, D, D>;
 
 /// A solution evaluated at fixed reference points, with everything that does not change in time computed once.
-/// `ids` name points by their place in the list given to `ManufacturedSolution::at_points`. Threads may call it at
+/// `ids` name points by their place in the list given to `ManufacturedSolution::at_points`. Several threads may ask at
 /// once.
 template <int D>
 class PointwiseSolution {
  public:
   virtual ~PointwiseSolution() = default;
 
-  /// Computes what points share at time t for the calls for body forces at that time, none of which may run meanwhile;
-  /// other times are served, too, in more time.
+  /// Computes once what all points share at time t, for the calls of `body_force` at that time; no such call may run
+  /// during this one. Without it, and at other times, `body_force` gives the same numbers but takes longer.
   virtual void prepare(double) {}
   virtual void displacement(double t, std::span<const std::uint32_t> ids, Vec<D>* u) const = 0;
   virtual void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const = 0;

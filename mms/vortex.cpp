@@ -6,7 +6,7 @@ namespace mpmvv::mms {
 
 namespace {
 
-/// By a quarter turn: R e_θ from R e_R.
+/// X turned by a quarter: R e_θ from R e_R.
 Vec<2> crossed(const Vec<2>& X) {
   return {-X[1], X[0]};
 }
@@ -17,7 +17,7 @@ Vec<2> turned(const Vec<2>& X, double angle) {
 
 }  // namespace
 
-/// What the fields take of a point and of space alone:
+/// The parts of the fields that depend on the point and not on time:
 ///   b = Q {G across R e_θ - [(G' H)² - G² along] R e_R}
 struct Vortex::Point {
   Point(const Vortex& vortex, const Vec<2>& place) : X(place) {

@@ -35,7 +35,7 @@ class Vortex final : public ManufacturedSolution<2> {
   /// A step costs a point one sine and one cosine.
   std::unique_ptr<PointwiseSolution<2>> at_points(const std::vector<Vec<2>>& X) const override;
 
-  /// As the radius is kept, the same turn backwards.
+  /// The motion keeps the radius of a point, so its inverse is the rotation by -α.
   Vec<2> reference_point(const Vec<2>& x, double t) const override;
 
  private:

@@ -48,7 +48,7 @@ std::string trial_text(const Mutant& mutant, GateStage stage) {
   return trial->by.empty() ? "caught" : trial->by.front() + more;
 }
 
-/// The one that the unchanged tree has passed last.
+/// The version of the gate that the unchanged tree passed last.
 std::string newest_gate(const std::vector<Mutant>& mutants) {
   std::string gate;
   for (const Mutant& mutant : mutants)
@@ -56,7 +56,7 @@ std::string newest_gate(const std::vector<Mutant>& mutants) {
   return gate;
 }
 
-/// Results of an older gate stay until they are tried anew.
+/// Names of mistakes whose results are of an older gate say so: these stand until they are tried anew.
 std::string name_text(const Mutant& mutant, const std::string& gate) {
   return mutant.trials.empty() || mutant.gate == gate ? mutant.name : mutant.name + " (earlier gate)";
 }

@@ -23,7 +23,7 @@ class Clearance {
       for (int i = 0; i <= cells; ++i) field_[index(i, j)] = nearest({at(i), at(j)});
   }
 
-  /// Negative outside and close to the frame.
+  /// The distance at a place; negative outside the frame and close to it.
   double operator()(const Place& f) const {
     constexpr double frame = 0.03;
     if (f.x < frame || f.x > 1 - frame || f.y < frame || f.y > 1 - frame) return -1;

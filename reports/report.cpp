@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Names become file names.
+/// UsageError where a name of a study or figure cannot be the name of a file.
 void check_names(const std::vector<StudyResult>& studies, const std::vector<std::vector<Chart>>& charts) {
   const auto check = [](const std::string& what, const std::string& name) {
     if (!is_file_stem(name))

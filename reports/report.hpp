@@ -38,12 +38,12 @@ struct ReportInput {
   std::optional<Benchmark> benchmark = {};
   std::vector<Version> versions = {};  ///< all of the store, by time
   std::vector<Trend> trends = {};      ///< over these versions
-  std::vector<Mutant> mutants = {};    ///< how the gate took them
-  std::string mutants_commit = {};     ///< of the other build that met them; empty for this one
+  std::vector<Mutant> mutants = {};    ///< planted mistakes, and what caught each
+  std::string mutants_commit = {};     ///< of the build that tried them, where it is not this one; else empty
   std::vector<AlarmRun> alarms = {};   ///< runs of the gate without a mistake
 };
 
-/// One version alone has no trend.
+/// Whether there are trends to draw: it takes two versions.
 inline bool has_trends(const ReportInput& input) {
   return input.versions.size() >= 2;
 }

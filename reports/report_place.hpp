@@ -6,15 +6,15 @@
 
 namespace mpmvv {
 
-/// A report's folder while the next report is made. That one is made in a folder of its own inside, and when it is
-/// whole, its files take their places there, the page last: until then the old report stands as it was. Nothing else in
-/// the folder is touched, so it may be a mount point, a link to a folder, or hold files that are not the report's.
+/// A report's folder while the next report is made. The new report is written to a draft folder inside it; when it is
+/// complete its files are moved to their places, the page last. Until then the old report stays as it was. Other files
+/// in the folder are not touched, and the folder may be a mount point or a link.
 class ReportPlace {
  public:
-  /// Makes the folder where there is none, waits until no other process makes a report there, puts into its place what
-  /// a process was killed over, and drops what another one left unfinished. Throws UsageError when that fails.
+  /// Makes the folder if it is absent, and waits until no other process makes a report there. A report that was whole
+  /// when its process was killed is moved to its place, an unfinished draft is deleted. Throws UsageError on failure.
   ReportPlace(const std::filesystem::path& folder, const std::function<void(const std::string&)>& progress);
-  ~ReportPlace();  ///< what has not taken its place is gone
+  ~ReportPlace();  ///< deletes a draft that was not published
   ReportPlace(const ReportPlace&) = delete;
   ReportPlace& operator=(const ReportPlace&) = delete;
 

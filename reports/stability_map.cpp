@@ -17,7 +17,7 @@ std::vector<const Series*> probed_series(const StudyResult& study, const Figure&
   return result;
 }
 
-/// Around the final bracket.
+/// The rectangle around the final bracket of a limit.
 std::vector<Place> frame(const StabilityLimit& limit, double row) {
   const double low = row - 0.32, high = row + 0.32;
   return {

@@ -28,7 +28,7 @@ Voxels voxels_of(const solver::Mpm<3>& mpm, int cells) {
   return voxels;
 }
 
-/// The same with positions and deformation gradients of the exact solution.
+/// The voxels that positions and deformation gradients of the exact solution give.
 Voxels exact_voxels_of(const MovingBody<3>& motion, int cells) {
   Voxels voxels{static_cast<std::size_t>(cells * per_cell), {}, {}};
   for (const Vec& X : motion.X()) {

@@ -12,15 +12,15 @@ namespace mpmvv {
 struct Criterion {
   enum class Kind {
     order,             ///< fitted order of `series` in `norm` over [from, to]
-    order_difference,  ///< the same less the order in `over_norm`
+    order_difference,  ///< the order in `norm` less that in `over_norm`
     error,             ///< `norm` of `series` at every swept value in [from, to]
-    error_ratio,       ///< the same divided by that of `over`; two unstable runs are equal
+    error_ratio,       ///< `norm` of `series` over that of `over`; two unstable runs count as equal
     slope_ratio,       ///< slope of `norm` of `series` against the swept value over [from, to], divided by `over`'s
-    slope_share,       ///< the same divided by the first value of `over` in [from, to]
+    slope_share,       ///< that slope divided by the first value of `over` in [from, to]
     spread,            ///< largest over smallest `norm` of `series` at the swept values in [from, to]
     status,            ///< fraction of `series`' points in [from, to] with status ok
     limit,             ///< stability limit of `series`
-    limit_ratio,       ///< the same divided by that of `over`
+    limit_ratio,       ///< stability limit of `series` divided by that of `over`
     cost_ratio,        ///< cost at which `series` reaches each power of ten in [from, to] of `norm`, divided by that
                        ///< of `over`
     value,             ///< value `name` of a check

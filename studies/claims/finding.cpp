@@ -14,7 +14,7 @@ namespace mpmvv {
 
 namespace {
 
-/// Also of what a check's curves are called.
+/// Whether a quantity is an error. The `y` of a check's curves counts as one.
 bool is_error(const std::string& quantity) {
   const auto has_its_name = [&](const RunNumber& number) { return quantity == number.name; };
   return std::ranges::none_of(run_by_products(), has_its_name) && quantity != "particles" && quantity != "steps" &&
@@ -91,7 +91,7 @@ Finding limit_finding(const StudyResult& study, const Series& series, const Stab
   return finding;
 }
 
-/// Its uncertainty is that of the finest grid's value, from which it was extrapolated.
+/// An extrapolated value as a finding. Its uncertainty is that of the finest grid's value, as the procedure gives it.
 Finding extrapolated_finding(const StudyResult& study, const Series& series, const Extrapolation& e) {
   return numbered({study.name,
                    Finding::Kind::value,

@@ -35,7 +35,7 @@ std::string text(const Finding& finding);
 /// cost in ns per particle and step where it was measured alone (`repeat`).
 std::vector<Finding> findings_of(const StudyResult& study);
 
-/// Those of all studies, and the verdicts of the claims that they judge.
+/// The findings of all studies, and the verdicts of the claims that they judge.
 std::vector<Finding> findings_of(const std::vector<StudyResult>& studies);
 
 }  // namespace mpmvv

@@ -123,7 +123,7 @@ void measure_spread(const Criterion& c, const Series& series, Measured& out) {
       largest / least);
 }
 
-/// Of the least-squares line through the points in the window; NaN when one is unstable or not measured.
+/// Slope of the least-squares line through the points in the window; NaN when one is unstable or not measured.
 double slope_of(const Criterion& c, const Series& series) {
   std::vector<double> x, y;
   for (const Point& point : series.points)
@@ -179,7 +179,7 @@ void measure_limit_ratio(const Series& series, const Series& over, Measured& out
           own->value() / other->value(), ratio);
 }
 
-/// Which of two that should get down to an error does not.
+/// Says which of two series never gets down to the error, or that neither does; empty when both do.
 std::string never_there(const Series& series, double cost, const Series& over, double other_cost) {
   if (std::isinf(cost) && std::isinf(other_cost)) return "neither ever reaches it";
   if (std::isinf(cost)) return fmt::format("'{}' never reaches it", series.name);

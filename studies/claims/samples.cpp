@@ -6,7 +6,7 @@ namespace mpmvv {
 
 namespace {
 
-/// Of a swept value: h = 1/x for a sweep over `cells`, else x.
+/// The step size h of a swept value x: 1/x for a sweep over `cells`, else x itself.
 double step_size(double x, const std::string& sweep) {
   return sweep == "cells" ? 1 / x : x;
 }

@@ -30,7 +30,7 @@ struct ErrorModel {
   double deviation = std::numeric_limits<double>::infinity();  ///< σ
 };
 
-/// From the finest grid to the coarsest.
+/// Samples in order, from the finest grid to the coarsest.
 using Grids = std::vector<ErrorSample>;
 
 /// Squared weights that sum to the number of samples.

@@ -50,7 +50,7 @@ std::vector<double> scan_values(const LimitSearch& search) {
   return values;
 }
 
-/// Each run once, where several values are run as one.
+/// The answers of a batch, each run once: several values may lead to the same run.
 std::vector<Probe> ask(const ProbeBatch& probe, const std::vector<double>& values) {
   std::vector<Probe> answer = probe(values);
   if (answer.size() != values.size())

@@ -77,7 +77,7 @@ void CasePool::run_all(std::vector<Case> missing) {
   for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run_one(missing[k], work_of_all); });
 }
 
-/// Nothing else runs, and nothing is written, meanwhile.
+/// Measures costs. Nothing else runs and nothing is written during that time.
 void CasePool::time_all(const std::vector<Case>& cases) {
   double memory = 0;
   for (const Case& c : cases) memory = std::max(memory, memory_estimate(c));

@@ -13,9 +13,10 @@
 
 namespace mpmvv {
 
-/// Gets records of cases: from memory, from the store, or by running them, each one once but where two threads ask for
-/// it at the same time. Cases run in parallel, the long ones first, as far as the memory of the machine allows. Alone
-/// run those that ask for their cost, first, on one thread and taking turns, and the big ones, on all threads.
+/// Gets records of cases: from memory, from the store, or by running them. A case runs once, unless two threads ask for
+/// it at the same time. Cases run in parallel, the long ones first, as far as the machine's memory allows. Two kinds
+/// run alone: those whose cost is measured, before all others, on one thread and taking turns; and big ones, on all
+/// threads.
 class CasePool {
  public:
   CasePool(Store& store, const RunnerOptions& options);

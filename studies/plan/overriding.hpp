@@ -5,7 +5,7 @@
 
 namespace mpmvv {
 
-/// Makes every case of a series once; UsageError where one is wrong, and where two that should differ are one.
+/// Makes every case of a series, to check it: UsageError where one is wrong or two that should differ are the same.
 void try_cases(const StudyPlan& plan, const SeriesPlan& series);
 
 /// Puts the settings on top of the series' own, and into the text that the store keeps.

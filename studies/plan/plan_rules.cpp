@@ -20,7 +20,7 @@ struct VariedKey {
   std::string key, what, where;
 };
 
-/// What the study sets by itself.
+/// The keys that the sweep, the search of a limit and the replicates set.
 std::vector<VariedKey> varied_keys(const StudyPlan& plan) {
   std::vector<VariedKey> varied;
   if (!plan.sweep.empty()) varied.push_back({plan.sweep, "the sweep over it", plan.sweep_where});
@@ -29,7 +29,7 @@ std::vector<VariedKey> varied_keys(const StudyPlan& plan) {
   return varied;
 }
 
-/// Whether a setting of some series is that of a run; one from [fixed] is several series'.
+/// Whether a setting takes effect in some run. One from [fixed] may do so in another series.
 bool counts(const StudyPlan& plan, const Setting& setting) {
   if (plan.replicates && setting.key == plan.replicates->key) return false;
   if (!plan.sweep.empty() && setting.key != plan.sweep) return true;

@@ -23,22 +23,23 @@ Window read_window(const TomlTable& table, const char* key);
 /// A window must hold enough swept values; the curves of a check are known only when it has run.
 void require_points(const StudyPlan& plan, const Window& window, int least, const std::string& where);
 
-/// Every setting of a series must count in some run: not one that the sweep, the search of a limit or the replicates
-/// set in all of them. And a limit must have a value of what the sweep varies.
+/// Throws where a series is neither swept nor searched; where one of its settings has no effect, because the sweep, the
+/// limit's search or the replicates overwrite it in every run; and where a limit lacks a value for the swept key.
 void require_no_idle_settings(const StudyPlan& plan, const SeriesPlan& series);
 
-/// What stands for several runs must differ in more than what is measured of them.
+/// Throws where two runs that should differ (two series, two replicates) differ at most in what is measured.
 void require_different_runs(std::vector<Case> cases, const std::string& what, const std::string& where);
 
-/// Cost is there when every series asks for it.
+/// Throws unless every series measures its cost (`repeat`).
 void require_cost(const StudyPlan& plan, const std::string& where);
 
-/// `y` is what a check's curves have; errors over all steps, of nodes, velocities and stresses are there when each of
-/// these series (all, where none is named) asks for them.
+/// Throws when a series named (all of them, where none is) does not measure `norm`: errors over all steps and of nodes,
+/// velocities and stresses are measured only where a series asks for them. Curves of a check have the quantity `y`.
 void require_measured(const StudyPlan& plan, const std::string& norm, const std::vector<std::string>& names,
                       const std::string& where);
 
-/// The series named, held against the same; where none is, all but those whose setting says that they do without.
+/// The series that a table names, or where it names none all but those that turn the norm's setting off; checked as
+/// above.
 std::vector<std::string> measured_series(const StudyPlan& plan, const std::string& norm, std::vector<std::string> names,
                                          const std::string& where);
 

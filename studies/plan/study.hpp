@@ -31,8 +31,8 @@ struct FitPlan {
   std::vector<std::string> series;  ///< empty: all
 };
 
-/// Runs that differ in what should not matter, made at each swept value, whose point is their mean; of a limit, each
-/// searched.
+/// Runs that differ in what should not matter. At each swept value the point of the series is their mean; a limit is
+/// searched for each of them.
 struct ReplicatePlan {
   std::string key;
   std::vector<double> values;
@@ -53,13 +53,13 @@ struct ExtrapolationPlan {
   std::vector<std::string> series;  ///< empty: all
 };
 
-/// A setting that is put on top of every series', or where it may be, of those alone that take it.
+/// A setting of `study --set`, which overrides that of every series, or (`--set-where-taken`) of those that take it.
 struct Overriding {
   Setting setting;
   bool where_taken = false;
 };
 
-/// What became of such a setting in a study.
+/// What an overriding setting changed in a study.
 struct Overridden {
   std::size_t series = 0;  ///< that took it
   std::string what;        ///< "shuffle = 3 in 2 of 2 series"
@@ -95,8 +95,8 @@ struct StudyPlan {
 /// a check has none.
 StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding = {});
 
-/// Whether the runs of a series differ in this key: those of a velocity update without `order` are the same at every
-/// one.
+/// Whether the runs of a series depend on this key. A series whose velocity update has no `order`, for example, gives
+/// the same run at every order of a sweep.
 bool varies_with(const SeriesPlan& series, const std::string& key);
 
 /// The case of a series at a value of the swept (or searched) key; `where` goes into messages about the value.

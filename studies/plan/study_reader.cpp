@@ -150,7 +150,7 @@ void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
     }
 }
 
-/// The stem of its file, by which reports name files, too.
+/// The name of a study is the stem of its file. Reports name files by it, too.
 std::string study_name(const std::filesystem::path& file) {
   const std::string name = file.stem().string();
   if (!is_file_stem(name))
@@ -173,7 +173,7 @@ bool StudyPlan::searches(const SeriesPlan& one) const {
   return limit && (limit->series.empty() || std::ranges::find(limit->series, one.name) != limit->series.end());
 }
 
-/// One whose velocity update is no expansion stands beside a sweep over `order` as a level line.
+/// A series whose velocity update takes no order gives one run at all orders of a sweep: a level line in its figure.
 bool varies_with(const SeriesPlan& series, const std::string& key) {
   if (key != "order") return true;
   const Setting* update = series.setting("velocity_update");

@@ -20,7 +20,7 @@ namespace mpmvv {
 
 namespace {
 
-/// What its check or its search for a limit could not do.
+/// Thrown where a study cannot be finished, as its check or a probe of its limit failed.
 struct StudyTrouble : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -36,7 +36,7 @@ Point point_of(double x, const Record& r) {
   return point;
 }
 
-/// The geometric mean of what is positive, with which a line through logarithms goes through them all; else the mean.
+/// The geometric mean of positive values, so that a fit to logarithms of means is one to all values; else the mean.
 double mean(const std::vector<double>& values) {
   const bool positive = std::ranges::all_of(values, [](double value) { return value > 0; });
   double sum = 0;
@@ -65,7 +65,7 @@ std::vector<Case> sweep_cases(const StudyPlan& plan, const SeriesPlan& series) {
   return cases;
 }
 
-/// Those of all series.
+/// The cases of all series.
 std::vector<Case> sweep_cases(const StudyPlan& plan) {
   std::vector<Case> cases;
   for (const SeriesPlan& series : plan.series)
@@ -81,7 +81,8 @@ Series swept_series(const StudyPlan& plan, const SeriesPlan& series, std::span<c
   return result;
 }
 
-/// With what was run: the step of a CFL number asked for is made smaller to divide the end time.
+/// The probe at the value that was run: a time step is made smaller than the CFL number asked for, to divide the end
+/// time.
 Probe probe_of(const std::string& key, double asked, const Record& r) {
   if (r.status == Status::failed) throw StudyTrouble(fmt::format("a probe at {} failed: {}", asked, r.reason));
   return {key == "cfl" ? r.cfl : asked, r.status == Status::ok, r.reason};

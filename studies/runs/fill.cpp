@@ -61,7 +61,7 @@ std::vector<SurfacePatch<D>> annulus_surface(const Annulus<D>& annulus, FillDens
   return patches;
 }
 
-/// Of a body whose faces are planes of the lattice.
+/// The surface of a body whose faces are planes of the lattice.
 template <int D>
 std::vector<SurfacePatch<D>> flat_surface(const auto& body, FillDensity density) {
   std::vector<SurfacePatch<D>> patches;

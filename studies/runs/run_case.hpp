@@ -7,11 +7,13 @@
 namespace mpmvv {
 
 /// Runs one case to its end, or until it blows up. What goes wrong on the way (memory, say) is a record with status
-/// `failed`. Records do not depend on `threads` but for the cost; a case that asks for its cost is `run_timed`.
-/// Particle states of others go to the directory `vtu`, unless it is empty; a UsageError when that cannot be written.
+/// `failed`. Apart from the cost, records do not depend on `threads`. A case that asks for its cost goes to
+/// `run_timed`; the particle states of others go to the directory `vtu` unless it is empty (UsageError when it cannot
+/// be written).
 Record run_case(const Case& c, int threads, const std::filesystem::path& vtu = {});
 
-/// Runs cases that ask for their cost: on one thread, as often as they say, taking turns; the caller's to run alone.
+/// Runs cases whose cost is measured: on one thread, as often as each says (`repeat`), taking turns. The caller sees to
+/// it that nothing else runs on the machine.
 std::vector<Record> run_timed(const std::vector<Case>& cases);
 
 }  // namespace mpmvv

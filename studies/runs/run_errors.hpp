@@ -7,7 +7,7 @@
 #include "studies/runs/norms.hpp"
 #include "studies/runs/scene.hpp"
 
-/// What a run's particles differ in from the exact solution.
+/// Errors of a run's particles against the exact solution.
 namespace mpmvv {
 
 /// x moved by whole periods to the smallest distance from 0.

@@ -67,7 +67,8 @@ solver::FlipPosition flip_position(const std::string& word) {
                                 : solver::FlipPosition::first_order;
 }
 
-/// The velocity update with those choices that it has; `cfl` is the time step's.
+/// The velocity update with the order, interval and positions of the scheme, where it takes them. `cfl` is the Courant
+/// number of a step.
 solver::AnyVelocityUpdate velocity_update(const Scheme& scheme, double cfl) {
   auto update = named<solver::AnyVelocityUpdate>(scheme.velocity_update);
   const auto choose = [&](auto& u) {

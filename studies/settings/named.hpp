@@ -5,7 +5,7 @@
 
 #include "solver/words.hpp"
 
-/// What words of the solver name, for rules that hold for all alternatives with a property and not for listed ones.
+/// From words to the solver's types and back, so that a rule can ask for a property of a type and need not list words.
 namespace mpmvv {
 
 /// The alternative with this word, which must be one.

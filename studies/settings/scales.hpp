@@ -13,7 +13,8 @@ bool has_size(double value);
 /// in the message what it was, and where.
 void require_scales(const ProblemChoice& choice, const Problem& problem, const std::string& given);
 
-/// Likewise what follows from the whole case (cell width, time step, a particle's mass, ...).
+/// Throws UsageError where what follows from the whole case (cell width, time step, a particle's mass, ...) has no such
+/// size.
 void require_scales(const Case& c, const Problem& problem, const std::string& given);
 
 }  // namespace mpmvv

@@ -14,12 +14,12 @@ namespace mpmvv {
 
 using Settings = std::map<std::string, Setting>;
 
-/// The last of each key; every key must be known.
+/// Settings by their keys, later ones in the place of earlier ones; UsageError on an unknown key.
 Settings by_key(std::span<const Setting> given);
 
 const Setting& required(const Settings& settings, const std::string& key);
 
-/// That of the key, or `absent`.
+/// The number given for the key, or `absent` where none is.
 double number(const Settings& settings, const std::string& key, double absent);
 
 double positive(const Setting& setting);

@@ -8,7 +8,7 @@ namespace mpmvv::db {
 
 namespace {
 
-/// The row that an item belongs to, and the column that says so.
+/// The row that an item belongs to: its id, and the column that refers to it.
 struct Parent {
   const char* column;
   std::int64_t id;

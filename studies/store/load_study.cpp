@@ -10,7 +10,7 @@ namespace mpmvv::db {
 
 namespace {
 
-/// The rows of a table that belong to one of another, in their order, each made into an item.
+/// Reads the rows of a table that refer to one parent row, in their order, and makes an item of each.
 template <class Make>
 auto load_items(const Database& database, const char* table, const char* parent, const Value& id, Make make) {
   std::vector<decltype(make(std::declval<const Row&>()))> items;

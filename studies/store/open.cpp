@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Work = std::function<void(Database&)>;
 
-/// A file that is no store of ours is found out by its first bytes, before SQLite touches it.
+/// UsageError for a file that is no store of ours. Its first bytes tell, before SQLite touches it.
 void require_ours(const fs::path& file) {
   constexpr std::string_view magic{"SQLite format 3\0", 16};
   constexpr std::size_t id_at = 68;

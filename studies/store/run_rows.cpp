@@ -9,7 +9,7 @@ namespace mpmvv::db {
 
 namespace {
 
-/// Calls visit(number) for each that has a column of its name.
+/// Calls visit(number) for each number of a run that has a column of its name.
 template <class Visit>
 void for_numbers(const Visit& visit) {
   for (const auto* numbers : {&run_errors(), &run_by_products()})

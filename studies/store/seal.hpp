@@ -20,10 +20,10 @@ void seal(Database& database, Sealed kind, std::int64_t id);
 /// Seals all that a store holds.
 void seal_all(Database& database);
 
-/// UsageError when it is not there or not as it was written.
+/// UsageError when the row has no seal, or one that does not fit what it holds.
 void require_intact(const Database& database, Sealed kind, const Value& id);
 
-/// What is not as it was written.
+/// The rows whose seal does not fit what they hold, in words for people.
 std::vector<std::string> broken_seals(const Database& database);
 
 }  // namespace mpmvv::db

@@ -44,7 +44,7 @@ namespace {
                                file.string(), why));
 }
 
-/// What could not be written whole goes away again; `wanted` stands for it in the message.
+/// Writes a file; one that cannot be written whole is deleted again. Messages name it `wanted`.
 void write(const fs::path& place, const std::string& content, const fs::path& wanted) {
   std::ofstream out(place, std::ios::binary);
   out << content << std::flush;

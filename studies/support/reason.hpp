@@ -4,7 +4,7 @@
 
 namespace mpmvv {
 
-/// What went wrong, in one line for a user, whoever has thrown it.
+/// What an exception says, in one line for a user, whichever library has thrown it.
 std::string reason_of(const std::exception& error);
 
 }  // namespace mpmvv

@@ -70,7 +70,7 @@ double unity(const Subject<D>& s) {
   return largest_in_body(s, (s.phi().colwise().sum().array() - 1).abs().matrix(), true, 0);
 }
 
-/// (ii) The same with GIMP weights, NaN with others.
+/// (ii) `unity` with GIMP weights, NaN with others.
 template <int D>
 double unity_of_gimp(const Subject<D>& s) {
   return std::holds_alternative<solver::Gimp>(s.body().weighting().particle) ? unity(s) : no_meaning;
