@@ -15,6 +15,7 @@
 #include "tests/mutation/mistake.hpp"
 #include "tests/mutation/plan.hpp"
 #include "tests/mutation/program_bench.hpp"
+#include "tests/mutation/program_gate.hpp"
 #include "tests/mutation/results.hpp"
 #include "tests/mutation/texts.hpp"
 

@@ -11,13 +11,13 @@ namespace mpmvv::mutation {
 /// A realistic mistake that someone has chosen: a piece of code, and what stands there with the mistake. Other code may
 /// change its name, its place or its layout without touching it.
 struct Mistake {
-  std::string name;           ///< kebab-case
-  std::string what;           ///< one sentence in the field's words
-  std::string file;           ///< name of a source, with as much of its path as makes it the only one
-  std::string function;       ///< that holds the code, or class; empty where the whole file has it once
-  std::string find, replace;  ///< code, by its tokens; the text that takes its place
-  std::string reason;         ///< why it is equivalent: no order, error or limit can show it; empty when one should
-  std::string where;          ///< FILE:LINE of the entry
+  std::string name = {};                ///< kebab-case
+  std::string what = {};                ///< one sentence in the field's words
+  std::string file = {};                ///< name of a source, with as much of its path as makes it the only one
+  std::string function = {};            ///< that holds the code, or class; empty where the whole file has it once
+  std::string find = {}, replace = {};  ///< code, by its tokens; the text that takes its place
+  std::string reason = {};  ///< why it is equivalent: no order, error or limit can show it; empty when one should
+  std::string where = {};   ///< FILE:LINE of the entry
 };
 
 /// The [[mistake]] tables of a file. UsageError on every mistake in the file itself, with FILE:LINE.

@@ -39,7 +39,7 @@ std::string names_row(const char* what, const std::vector<std::string>& names) {
   return names.empty() ? "" : row("", fmt::format("{}: {}", what, fmt::join(names, ", ")));
 }
 
-std::string stages(const Catches& catches) {
+std::string by_stage(const Catches& catches) {
   return fmt::format("{} by the unit tests, {} by the quick gate, {} by the nightly gate", catches.unit_tests,
                      catches.quick, catches.nightly);
 }
@@ -56,14 +56,14 @@ std::string text_of(const Mistake& mistake) {
 std::string text_of(const Score& score) {
   std::string text =
       row("planted", fmt::format("{} should show, {} caught:", score.planted, score.planted_catches.any)) +
-      row("", stages(score.planted_catches));
+      row("", by_stage(score.planted_catches));
   if (score.equivalent > 0)
     text += row("", fmt::format("{} equivalent: efficiency or robustness only", score.equivalent));
   if (score.untried > 0) text += row("", fmt::format("{} not tried yet", score.untried));
   text += names_row("not caught", score.missed);
   if (score.random == 0) return text;
   text += row("random", fmt::format("{} tried, {} caught:", score.random, score.random_catches.any)) +
-          row("", stages(score.random_catches)) +
+          row("", by_stage(score.random_catches)) +
           row("", fmt::format("{} survivors explained", score.random_explained));
   return text + names_row("not explained", score.unexplained);
 }

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "studies/support/error.hpp"
-#include "tests/mutation/program_bench.hpp"
+#include "tests/mutation/gate_output.hpp"
 
 namespace mpmvv::mutation {
 namespace batch_bench_test {
