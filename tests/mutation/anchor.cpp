@@ -48,11 +48,13 @@ class Definitions {
 
   /// Behind bases; a declaration, a variable and a template's parameter have no brace there.
   std::size_t brace_of_class(std::size_t k) const {
+    bool has_bases = false;
     for (int depth = 0; k < tokens_.size(); ++k) {
       if (at(k) == "{") return k;
+      has_bases = has_bases || at(k) == ":";
       if (at(k) == "<") ++depth;
       if (at(k) == ">" && --depth < 0) return no_partner;
-      if (at(k) == ";" || at(k) == "=" || at(k) == "(" || at(k) == ")" || (at(k) == "," && depth == 0))
+      if (at(k) == ";" || at(k) == "=" || at(k) == "(" || at(k) == ")" || (at(k) == "," && depth == 0 && !has_bases))
         return no_partner;
     }
     return no_partner;
