@@ -63,8 +63,10 @@ int tell_known(const Options& options, const Results& results) {
     if (knows_none) throw UsageError(options.results + " knows no mutant of this program (try some)");
     note("published in {}\n", publish(results, options.lists()).string());
   }
-  const int verdict = answer(results, options.json);
-  if (!knows_none) return verdict;
+  if (!knows_none || options.json) {
+    const int verdict = answer(results, options.json);
+    if (!knows_none) return verdict;
+  }
   note("{} knows no mutant of this program (`./run mutants` tries some)\n", options.results);
   return missing;
 }
