@@ -9,7 +9,7 @@
 
 namespace mpmvv {
 
-/// The bands of DESIGN.md: a golden with a wider one must say why.
+/// The usual bands. A golden with a wider one must say why.
 inline constexpr double order_band = 0.15;  ///< absolute, either side
 inline constexpr double error_band = 0.10;  ///< relative; for check values too
 inline constexpr double limit_band = 0.05;  ///< relative

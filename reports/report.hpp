@@ -24,7 +24,7 @@ struct GateLine {
   std::string reason;  ///< may be empty
 };
 
-/// One claim of CLAIMS.md, judged.
+/// One claim of docs/claims.md, judged.
 struct ClaimLine {
   std::string id;
   std::string verdict;  ///< `confirmed`, `refuted`, `partly`, `shown`, `open`

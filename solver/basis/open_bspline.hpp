@@ -8,7 +8,7 @@ namespace mpmvv::solver {
 
 /// The `order` B-splines that do not vanish on a knot span, by the recursion of Cox and de Boor, S (22), (23),
 /// on the open uniform knot vector 0, ..., 0, 1, 2, ..., cells, ..., cells: end knots of multiplicity `order`, which
-/// gives cells + order - 1 functions (the text's multiplicity order - 1 does not, see NUMERICS.md).
+/// gives cells + order - 1 functions (the text's multiplicity order - 1 does not: docs/misprints.md, M1).
 /// `span` is the cell, first function's index = span. N and dN have `order` entries.
 template <int order>
 void cox_de_boor(double xi, int span, int cells, double* N, double* dN) {

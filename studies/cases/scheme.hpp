@@ -4,7 +4,7 @@
 
 namespace mpmvv {
 
-/// How a problem is solved: the words of DESIGN.md, each checked where it enters (studies/settings/settings.hpp).
+/// How a problem is solved. What each word means: docs/theory.md; they are checked in studies/settings/settings.hpp.
 struct Scheme {
   std::string basis = "linear";
   double smoothing_length = 0;  ///< in cells; only for `ugimp`, 0 elsewhere

@@ -14,7 +14,7 @@ struct SegmentOrder {
   double order = 0;
 };
 
-/// e = C h^p + E0, NUMERICS.md; `accepted` only by its own test. The values stand even when it is rejected.
+/// e = C h^p + E0 (docs/measuring.md, "Floor"). The values stand even when the fit is not `accepted`.
 struct FloorFit {
   double constant = not_measured, order = not_measured, floor = not_measured;
   double residual = not_measured;  ///< root mean square of the relative misfit
@@ -80,8 +80,8 @@ ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, doubl
 double half_width(const ObservedOrder& fit);
 
 /// Fits e = C h^p + E0, C and E0 >= 0, 0.1 <= p <= 8, by least squares of the relative misfit over the usable samples
-/// of the window; at least six. A sum of two powers fakes a floor (h² + 0.05 h; NUMERICS.md, "Fitting and judging"), so
-/// it is accepted only when
+/// of the window; at least six. A sum of two powers fakes a floor (h² + 0.05 h; docs/misprints.md, T10), so it is
+/// accepted only when
 ///   - E0 is at least half of the error at the finest level,
 ///   - the root mean square of the relative misfit is at most 5 %,
 ///   - that of the best power law C h^p (any p from -8 to 8) is at least five times as large,

@@ -59,7 +59,7 @@ PartVerdict part_verdict_from(const std::string& word);
 
 /// One criterion of a claim, judged.
 struct ClaimPart {
-  std::string claim;      ///< id in CLAIMS.md
+  std::string claim;      ///< id in docs/claims.md
   std::string statement;  ///< what was asked
   PartVerdict verdict = PartVerdict::inconclusive;
   std::string evidence;  ///< measured numbers

@@ -16,7 +16,7 @@ void everywhere_in_the_vortex(const Check& check) {
       for (const Vec<2>& X : sample.points()) check(sample, X, phase * sample.period());
 }
 
-/// x = X turned by α as printed in NUMERICS.md.
+/// x = X turned by α, docs/problems.md, "Vortex".
 TEST(Vortex, TurnsByThePrintedAngle) {
   everywhere_in_the_vortex([](const VortexSample& sample, const Vec<2>& X, double t) {
     const auto [R_I, R_O] = sample.radii;

@@ -53,7 +53,7 @@ TEST(ObservedOrder, IntervalAndRSquaredAgreeWithHandCalculation) {
   EXPECT_NEAR(std::log2(fit.constant), 0.4, 1e-12);
 }
 
-// NUMERICS.md: the interval of a biased sequence can exclude the true order.
+// docs/misprints.md, T9: the interval of a biased sequence can exclude the true order.
 TEST(ObservedOrder, ReproducesTheBiasOfNumericsMd) {
   const auto cubic = fit_order(sweep([](double h) { return h * h + 5 * h * h * h; }, 5), 8, 128);
   EXPECT_NEAR(cubic.order, 2.16, 0.005);

@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "studies/claims/claim.hpp"
+#include "studies/problems/problem.hpp"
+#include "studies/records/record.hpp"
+#include "studies/settings/settings.hpp"
+
+/// The pages in docs/ against the code: they name all that there is, and nothing points to what there is not.
+namespace mpmvv {
+namespace docs_test {
+
+namespace fs = std::filesystem;
+
+const fs::path top = MPMVV_SOURCE_DIR;
+
+std::string text_of(const fs::path& file) {
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+std::string page(const std::string& name) {
+  return text_of(top / "docs" / name);
+}
+
+void expect_words(const std::string& name, const std::vector<std::string>& words) {
+  const std::string text = page(name);
+  for (const std::string& word : words)
+    EXPECT_NE(text.find("`" + word + "`"), std::string::npos) << "docs/" << name << " says nothing of '" << word << "'";
+}
+
+TEST(Docs, NameEveryWordOfEverySetting) {
+  for (const SettingKey& key : setting_keys()) expect_words("theory.md", words_of_key(key.key));
+}
+
+TEST(Docs, NameEveryProblem) {
+  for (const Problem& problem : problems()) expect_words("problems.md", {problem.name});
+}
+
+TEST(Docs, NameEveryNumberOfARun) {
+  expect_words("measuring.md", norm_words());
+}
+
+TEST(Docs, HaveARowForEveryClaim) {
+  const std::string text = page("claims.md");
+  for (const ClaimText& claim : claim_list())
+    EXPECT_NE(text.find("\n| " + std::string(claim.id) + " |"), std::string::npos) << claim.id;
+}
+
+/// Headings as the address of a section has them: "Moving walls" is #moving-walls.
+std::string anchor(const std::string& heading) {
+  std::string result;
+  for (const char c : heading) {
+    const auto letter = static_cast<unsigned char>(c);
+    if (std::isalnum(letter) || c == '-') result += static_cast<char>(std::tolower(letter));
+    if (c == ' ') result += '-';
+  }
+  return result;
+}
+
+std::vector<std::string> headings(const std::string& text) {
+  static const std::regex line("(^|\n)#+ ([^\n]+)");
+  std::vector<std::string> all;
+  for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it) all.push_back((*it)[2]);
+  return all;
+}
+
+bool has_anchor(const std::string& text, const std::string& wanted) {
+  for (const std::string& heading : headings(text))
+    if (anchor(heading) == wanted) return true;
+  return false;
+}
+
+/// Calls visit(match, place) for each match in the sources, study files and goldens.
+template <class Visit>
+void for_matches(const std::regex& pattern, const Visit& visit) {
+  for (const char* folder : {"mms", "solver", "studies", "goldens", "reports", "cli", "tests"})
+    for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
+      const auto ending = entry.path().extension();
+      if (ending != ".hpp" && ending != ".cpp" && ending != ".toml" && ending != ".txt") continue;
+      const std::string text = text_of(entry.path());
+      for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
+        visit(*it, fs::relative(entry.path(), top).string());
+    }
+}
+
+/// As comments cite a page: its name alone, with a "Section", or with the number of a row.
+TEST(Docs, HaveWhatCommentsCite) {
+  const std::regex cited(R"re(docs/([a-z]+\.md)(, "([^"]+)"|, ([A-Z][0-9]+))?)re");
+  int found = 0;
+  for_matches(cited, [&found](const std::smatch& match, const std::string& place) {
+    ++found;
+    const std::string text = page(match[1]);
+    EXPECT_FALSE(text.empty()) << match[1] << " in " << place;
+    const bool has_section = !match[3].matched || has_anchor(text, anchor(match[3]));
+    const bool has_row = !match[4].matched || text.find("\n| " + match[4].str() + " |") != std::string::npos;
+    EXPECT_TRUE(has_section && has_row) << match[0] << " in " << place;
+  });
+  EXPECT_GT(found, 0);
+}
+
+/// Links between the pages, and files of the tree that they name.
+TEST(Docs, PointToWhatThereIs) {
+  const std::regex link(R"re(\]\(([A-Za-z./]*)(#([a-z0-9-]+))?\))re");
+  const std::regex file(R"re(`((mms|solver|studies|goldens|reports|cli|tests|cmake)/[a-z0-9_/-]+\.[a-z]+)`)re");
+  for (const auto& entry : fs::directory_iterator(top / "docs")) {
+    const std::string text = text_of(entry.path());
+    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+      const std::string target = (*it)[1];
+      const fs::path to = target.empty() ? entry.path() : entry.path().parent_path() / target;
+      EXPECT_TRUE(fs::exists(to)) << target << " in " << entry.path();
+      EXPECT_TRUE(!(*it)[3].matched || has_anchor(text_of(to), (*it)[3])) << (*it)[0] << " in " << entry.path();
+    }
+    for (std::sregex_iterator it(text.begin(), text.end(), file), end; it != end; ++it)
+      EXPECT_TRUE(fs::exists(top / (*it)[1].str())) << (*it)[1] << " in " << entry.path();
+  }
+}
+
+}  // namespace docs_test
+}  // namespace mpmvv
