@@ -9,7 +9,9 @@
 #include "reports/text.hpp"
 #include "studies/support/csv_field.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
+
+using records::StudyResult;
 
 namespace {
 
@@ -20,7 +22,7 @@ class Csv {
 
   void add(const std::vector<std::string>& fields) {
     std::vector<std::string> quoted;
-    for (const auto& f : fields) quoted.push_back(csv_field(f));
+    for (const auto& f : fields) quoted.push_back(support::csv_field(f));
     text_ += fmt::format("{}\n", fmt::join(quoted, ","));
     ++lines_;
   }
@@ -77,8 +79,8 @@ Csv fits_csv(const StudyResult& study) {
            "lack_of_fit"});
   for (const auto& series : study.series)
     for (const auto& o : series.orders) {
-      const FloorFit floor = o.floor.value_or(FloorFit{});
-      const ReplicateFit replicates = o.replicates.value_or(ReplicateFit{});
+      const fits::FloorFit floor = o.floor.value_or(fits::FloorFit{});
+      const fits::ReplicateFit replicates = o.replicates.value_or(fits::ReplicateFit{});
       csv.add({series.name,
                o.norm,
                exact(o.from),
@@ -167,4 +169,4 @@ std::map<std::string, std::string> csv_tables(const StudyResult& study) {
   return files;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -9,7 +9,11 @@
 #include "reports/reference_slope.hpp"
 #include "reports/text.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
+
+using fits::ObservedOrder;
+using records::Series;
+using records::Status;
 
 namespace {
 
@@ -30,7 +34,7 @@ bool in_window(const ObservedOrder& o, double x) {
 /// Builds the chart of one figure; each step is one kind of thing on it.
 class ErrorChart {
  public:
-  ErrorChart(const StudyResult& study, const Figure& figure)
+  ErrorChart(const records::StudyResult& study, const records::Figure& figure)
       : study_(study), figure_(figure), series_(figure_series(study, figure)) {
     chart_.name = figure.name;
     chart_.caption = figure.caption;
@@ -71,7 +75,7 @@ class ErrorChart {
     missing_.push_back(fmt::format("{} at {} ({})", series, brief(x), why));
   }
 
-  Dot dot_of(const Series& s, const Point& p) {
+  Dot dot_of(const Series& s, const records::Point& p) {
     const auto y = p.y.find(figure_.quantity);
     const double value = y == p.y.end() ? NAN : y->second;
     Dot dot{p.x, value, value, Mark::inside};
@@ -196,8 +200,8 @@ class ErrorChart {
                     missing_.size() > shown ? fmt::format("; and {} more", missing_.size() - shown) : ""));
   }
 
-  const StudyResult& study_;
-  const Figure& figure_;
+  const records::StudyResult& study_;
+  const records::Figure& figure_;
   std::vector<const Series*> series_;
   std::vector<std::string> missing_;
   bool has_values_ = false;
@@ -206,8 +210,8 @@ class ErrorChart {
 
 }  // namespace
 
-Chart error_chart(const StudyResult& study, const Figure& figure) {
+Chart error_chart(const records::StudyResult& study, const records::Figure& figure) {
   return ErrorChart(study, figure).make();
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

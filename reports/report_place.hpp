@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// A report's folder while the next report is made. That one is made in a folder of its own inside, and when it is
 /// whole, its files take their places there, the page last: until then the old report stands as it was. Nothing else in
@@ -35,4 +35,4 @@ class ReportPlace {
   int lock_ = -1;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

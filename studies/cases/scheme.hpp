@@ -2,7 +2,7 @@
 #include <compare>
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::cases {
 
 /// How a problem is solved: the words of DESIGN.md, each checked where it enters (studies/settings/settings.hpp).
 struct Scheme {
@@ -28,4 +28,4 @@ struct Scheme {
   auto operator<=>(const Scheme&) const = default;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cases

@@ -6,15 +6,17 @@
 #include "studies/fits/work_precision.hpp"
 #include "studies/records/result.hpp"
 
-namespace mpmvv {
+namespace mpmvv::claims {
 
 /// The usable points of a series in one norm, with their step sizes: h = 1/x for a sweep over `cells`, else x.
-std::vector<ErrorSample> samples_of(const Series& series, const std::string& norm, const std::string& sweep);
+std::vector<fits::ErrorSample> samples_of(const records::Series& series, const std::string& norm,
+                                          const std::string& sweep);
 
 /// The same of every replicate.
-std::vector<ErrorSample> replicate_samples_of(const Series& series, const std::string& norm, const std::string& sweep);
+std::vector<fits::ErrorSample> replicate_samples_of(const records::Series& series, const std::string& norm,
+                                                    const std::string& sweep);
 
 /// The sound points of a series whose cost was measured, in their own order.
-std::vector<WorkPoint> work_points(const Series& series, const std::string& norm);
+std::vector<fits::WorkPoint> work_points(const records::Series& series, const std::string& norm);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

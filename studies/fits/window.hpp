@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-namespace mpmvv {
+namespace mpmvv::fits {
 
 /// A declared window of swept values.
 struct Window {
@@ -11,4 +11,4 @@ struct Window {
   bool holds(double x) const { return x >= from - 1e-9 * std::abs(from) && x <= to + 1e-9 * std::abs(to); }
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

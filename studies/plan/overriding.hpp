@@ -3,7 +3,7 @@
 
 #include "studies/plan/study.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
 
 /// Makes every case of a series once; UsageError where one is wrong, and where two that should differ are one.
 void try_cases(const StudyPlan& plan, const SeriesPlan& series);
@@ -12,4 +12,4 @@ void try_cases(const StudyPlan& plan, const SeriesPlan& series);
 /// UsageError on an unknown key, and on one that the study varies itself unless it may be left out.
 void override_series(const std::vector<Overriding>& settings, StudyPlan& plan);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

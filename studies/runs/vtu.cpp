@@ -8,7 +8,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 
 namespace {
 
@@ -52,7 +52,7 @@ VtuSeries::VtuSeries(std::filesystem::path dir) : dir_(std::move(dir)) {
   std::error_code error;
   std::filesystem::create_directories(dir_, error);
   if (error)
-    throw UsageError(
+    throw support::UsageError(
         fmt::format("cannot make {} in --vtu: {} (a directory that may be written)", dir_.string(), error.message()));
 }
 
@@ -100,7 +100,7 @@ void VtuSeries::write_file(const std::string& name, const std::string& text) con
   std::ofstream out(dir_ / name);
   out << text << std::flush;
   if (!out)
-    throw UsageError(
+    throw support::UsageError(
         fmt::format("cannot write {} (a directory with room that may be written)", (dir_ / name).string()));
 }
 
@@ -108,4 +108,4 @@ template void VtuSeries::write<1>(const solver::Mpm<1>&, const std::vector<solve
 template void VtuSeries::write<2>(const solver::Mpm<2>&, const std::vector<solver::Vec<2>>&);
 template void VtuSeries::write<3>(const solver::Mpm<3>&, const std::vector<solver::Vec<3>>&);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

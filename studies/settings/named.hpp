@@ -6,7 +6,7 @@
 #include "solver/words.hpp"
 
 /// What words of the solver name, for rules that hold for all alternatives with a property and not for listed ones.
-namespace mpmvv {
+namespace mpmvv::settings {
 
 /// The alternative with this word, which must be one.
 template <class Any>
@@ -25,4 +25,4 @@ std::vector<std::string> words_with(const Property& property) {
   return words;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <string_view>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 namespace {
 
@@ -30,4 +30,4 @@ std::string csv_field(const std::string& text) {
   return quoted + '"';
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

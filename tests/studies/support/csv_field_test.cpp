@@ -4,7 +4,7 @@
 
 #include <map>
 
-namespace mpmvv {
+namespace mpmvv::support {
 namespace csv_field_test {
 
 TEST(CsvField, IsQuotedWhereItHasToBe) {
@@ -27,4 +27,4 @@ TEST(CsvField, NumbersStay) {
 }
 
 }  // namespace csv_field_test
-}  // namespace mpmvv
+}  // namespace mpmvv::support
