@@ -10,6 +10,8 @@
 
 namespace mpmvv::goldens {
 
+using fits::same_level;
+
 using fits::ObservedOrder;
 using records::Point;
 using records::Series;

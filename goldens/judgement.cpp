@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "studies/fits/window.hpp"
+
 namespace mpmvv::goldens {
 
 using records::Point;
@@ -25,7 +27,7 @@ Judgement missing(const std::string& what) {
 }
 
 const Point* find_point(const records::Series& series, double at) {
-  const auto found = std::ranges::find_if(series.points, [&](const Point& p) { return same_level(p.x, at); });
+  const auto found = std::ranges::find_if(series.points, [&](const Point& p) { return fits::same_level(p.x, at); });
   return found == series.points.end() ? nullptr : &*found;
 }
 

@@ -22,11 +22,6 @@ Judgement better(std::string measured, std::string reason);
 Judgement inconclusive(std::string measured, std::string reason);
 Judgement missing(const std::string& what);
 
-/// Whether two swept values are one, up to round-off.
-inline bool same_level(double a, double b) {
-  return std::abs(a - b) <= 1e-9 * std::abs(b);
-}
-
 /// The point of a series at a swept value, up to round-off; nullptr when there is none.
 const records::Point* find_point(const records::Series& series, double at);
 

@@ -1,13 +1,12 @@
 #include "reports/csv.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <set>
 #include <vector>
 
 #include "reports/text.hpp"
-#include "studies/support/csv_field.hpp"
+#include "studies/support/csv.hpp"
 
 namespace mpmvv::reports {
 
@@ -21,9 +20,7 @@ class Csv {
   explicit Csv(const std::vector<std::string>& columns) { add(columns); }
 
   void add(const std::vector<std::string>& fields) {
-    std::vector<std::string> quoted;
-    for (const auto& f : fields) quoted.push_back(support::csv_field(f));
-    text_ += fmt::format("{}\n", fmt::join(quoted, ","));
+    text_ += support::csv_line(fields);
     ++lines_;
   }
 

@@ -8,6 +8,8 @@
 #include "reports/chart.hpp"
 #include "reports/reference_slope.hpp"
 #include "reports/text.hpp"
+#include "studies/claims/samples.hpp"
+#include "studies/fits/window.hpp"
 
 namespace mpmvv::reports {
 
@@ -27,8 +29,7 @@ std::vector<const ObservedOrder*> orders_of(const Series& series, const std::str
 }
 
 bool in_window(const ObservedOrder& o, double x) {
-  const double slack = 1e-9 * std::abs(x);
-  return x >= o.from - slack && x <= o.to + slack;
+  return fits::Window{o.from, o.to}.holds(x);
 }
 
 /// Builds the chart of one figure; each step is one kind of thing on it.
@@ -54,7 +55,7 @@ class ErrorChart {
 
  private:
   bool is_number_on(bool log, double v) const { return std::isfinite(v) && (!log || v > 0); }
-  double step_size(double x) const { return study_.sweep == "cells" ? 1 / x : x; }
+  double step_size(double x) const { return claims::step_size(x, study_.sweep); }
 
   std::string key_of(const Series& s) const {
     std::string key = s.name, separator = "   ";

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "studies/claims/claim.hpp"
+#include "studies/claims/samples.hpp"
 
 namespace mpmvv::claims {
 
@@ -46,7 +47,8 @@ std::vector<Finding::Level> levels_of(const Series& series, const std::string& q
 }
 
 const Finding::Level& finest(const StudyResult& study, const std::vector<Finding::Level>& levels) {
-  return study.sweep == "cells" ? levels.back() : levels.front();
+  const auto h = [&](const Finding::Level& level) { return step_size(level.x, study.sweep); };
+  return h(levels.back()) < h(levels.front()) ? levels.back() : levels.front();
 }
 
 Finding numbered(Finding finding) {

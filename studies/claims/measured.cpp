@@ -12,6 +12,7 @@
 
 #include "studies/claims/samples.hpp"
 #include "studies/fits/replicates.hpp"
+#include "studies/fits/window.hpp"
 #include "studies/fits/work_precision.hpp"
 
 namespace mpmvv::claims {
@@ -40,7 +41,7 @@ double error_at(const Point& point, const std::string& norm) {
 
 double error_at(const Series& series, double x, const std::string& norm) {
   for (const Point& point : series.points)
-    if (std::abs(point.x - x) <= 1e-9 * std::abs(x)) return error_at(point, norm);
+    if (fits::same_level(point.x, x)) return error_at(point, norm);
   return support::not_measured;
 }
 

@@ -6,14 +6,9 @@ namespace mpmvv::claims {
 
 using fits::ErrorSample;
 
-namespace {
-
-/// Of a swept value: h = 1/x for a sweep over `cells`, else x.
 double step_size(double x, const std::string& sweep) {
   return sweep == "cells" ? 1 / x : x;
 }
-
-}  // namespace
 
 std::vector<ErrorSample> samples_of(const records::Series& series, const std::string& norm, const std::string& sweep) {
   std::vector<ErrorSample> samples;

@@ -8,7 +8,10 @@
 
 namespace mpmvv::claims {
 
-/// The usable points of a series in one norm, with their step sizes: h = 1/x for a sweep over `cells`, else x.
+/// The step size that goes with a swept value: h = 1/x for a sweep over `cells`, else x.
+double step_size(double x, const std::string& sweep);
+
+/// The usable points of a series in one norm, with their step sizes.
 std::vector<fits::ErrorSample> samples_of(const records::Series& series, const std::string& norm,
                                           const std::string& sweep);
 

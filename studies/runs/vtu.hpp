@@ -29,7 +29,6 @@ class VtuSeries {
 
  private:
   void remove_earlier() const;
-  void write_file(const std::string& name, const std::string& text) const;
 
   std::filesystem::path dir_;
   std::string entries_;  ///< of the collection

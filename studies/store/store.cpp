@@ -10,7 +10,7 @@
 #include "studies/store/schema.hpp"
 #include "studies/store/seal.hpp"
 #include "studies/store/study_rows.hpp"
-#include "studies/support/csv_field.hpp"
+#include "studies/support/csv.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::store {
@@ -26,10 +26,10 @@ struct Store::Impl {
 
 namespace {
 
-std::vector<std::string> csv_fields(const Values& values) {
-  std::vector<std::string> fields;
-  for (const Value& value : values) fields.push_back(support::csv_field(value.to_string()));
-  return fields;
+std::vector<std::string> texts_of(const Values& values) {
+  std::vector<std::string> texts;
+  for (const Value& value : values) texts.push_back(value.to_string());
+  return texts;
 }
 
 }  // namespace
@@ -189,8 +189,8 @@ std::string Store::export_csv() const {
       "ON provenance.id = runs.provenance ORDER BY runs.id",
       {}, [&](const Row& row) {
         require_intact(impl_->database, Sealed::run, row["id"]);
-        if (csv.empty()) csv = fmt::format("{}\n", fmt::join(row.names(), ","));
-        csv += fmt::format("{}\n", fmt::join(csv_fields(row.values()), ","));
+        if (csv.empty()) csv = support::csv_line(row.names());
+        csv += support::csv_line(texts_of(row.values()));
       });
   return csv;
 }

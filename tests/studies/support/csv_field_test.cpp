@@ -1,8 +1,8 @@
-#include "studies/support/csv_field.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
+
+#include "studies/support/csv.hpp"
 
 namespace mpmvv::support {
 namespace csv_field_test {

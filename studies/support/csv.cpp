@@ -1,4 +1,4 @@
-#include "studies/support/csv_field.hpp"
+#include "studies/support/csv.hpp"
 
 #include <charconv>
 #include <string_view>
@@ -28,6 +28,12 @@ std::string csv_field(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : harmless) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';
+}
+
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& field : fields) line += (&field == &fields.front() ? "" : ",") + csv_field(field);
+  return line + '\n';
 }
 
 }  // namespace mpmvv::support
