@@ -3,7 +3,7 @@
 
 #include "studies/checks/profiles/particle_panel.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -109,4 +109,4 @@ CheckResult check_cube_voxels() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -2,7 +2,7 @@
 
 #include "studies/checks/profiles/particle_panel.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -12,7 +12,7 @@ struct Moment {
   int eighths;
 };
 
-CheckResult particles_at(const std::vector<Moment>& moments, const std::vector<Setting>& settings) {
+CheckResult particles_at(const std::vector<Moment>& moments, const std::vector<settings::Setting>& settings) {
   MovingBody<2> motion(settings);
   CheckResult result;
   for (const auto& [name, eighths] : moments) {
@@ -69,4 +69,4 @@ CheckResult check_vortex_particles() {
                                                                        {"cfl", "0.2", ""}});
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

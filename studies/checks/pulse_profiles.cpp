@@ -4,7 +4,7 @@
 
 #include "studies/checks/profiles/profile.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -40,10 +40,10 @@ CheckResult check_pulse_profiles() {
   CheckResult result;
   result.add_curve("theory", {0, 0.05, 0.1, 0.15, 0.2}, {0, 0, stress, 0, 0});
   for (const int order : {0, 1, 2, 4, 8}) {
-    std::vector<Setting> settings{{"problem", "pulse", ""},  {"basis", "bspline2", ""},
-                                  {"integrator", "usl", ""}, {"deformation", "exponential", ""},
-                                  {"cells", "10", ""},       {"ppc", "2", ""},
-                                  {"cfl", "0.2", ""}};
+    std::vector<settings::Setting> settings{{"problem", "pulse", ""},  {"basis", "bspline2", ""},
+                                            {"integrator", "usl", ""}, {"deformation", "exponential", ""},
+                                            {"cells", "10", ""},       {"ppc", "2", ""},
+                                            {"cfl", "0.2", ""}};
     if (order > 0)
       settings.insert(settings.end(), {{"velocity_update", "fmpm", ""}, {"order", std::to_string(order), ""}});
     else
@@ -60,7 +60,8 @@ CheckResult check_pulse_profiles() {
                "largest stress behind the pulse over the peak of theory");
   }
   const auto value = [&result](const std::string& name) {
-    return std::find_if(result.values.begin(), result.values.end(), [&](const Value& v) { return v.name == name; })
+    return std::find_if(result.values.begin(), result.values.end(),
+                        [&](const records::Value& v) { return v.name == name; })
         ->value;
   };
   for (const int order : {2, 4, 8}) {
@@ -72,4 +73,4 @@ CheckResult check_pulse_profiles() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

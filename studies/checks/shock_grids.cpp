@@ -1,6 +1,6 @@
 #include "studies/checks/profiles/shocked_bar.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -41,4 +41,4 @@ CheckResult check_shock_grids() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -2,7 +2,7 @@
 
 #include "studies/checks/profiles/shocked_bar.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -25,7 +25,8 @@ void add_theory(const mms::Hugoniot& shock, CheckResult& result) {
                wall = end - std::sqrt(2 * shock.energy()) * t;
   const std::vector<double> x{0, front, front, wall};
   result.add_curve("pressure, theory", x, {0, 0, shock.pressure(), shock.pressure()});
-  const double at_rest = complete_parameters(find_problem("shock", "the check"), {}).at("temperature");
+  const double at_rest =
+      problems::complete_parameters(problems::find_problem("shock", "the check"), {}).at("temperature");
   result.add_curve("temperature, theory", x, {at_rest, at_rest, shock.temperature(), shock.temperature()});
 }
 
@@ -43,4 +44,4 @@ CheckResult check_shock_profiles() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

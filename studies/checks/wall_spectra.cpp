@@ -6,7 +6,7 @@
 #include "studies/checks/check.hpp"
 #include "studies/checks/mapping/spectrum.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -110,4 +110,4 @@ CheckResult check_wall_spectra() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

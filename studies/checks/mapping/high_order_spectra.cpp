@@ -6,7 +6,7 @@
 #include "studies/checks/mapping/particle_tiling.hpp"
 #include "studies/checks/mapping/spectrum.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -57,7 +57,7 @@ class LinearBar {
     map.bottomRightCorner(n, n).setIdentity();
     map.topRows(n) += S_ * v;
     map.bottomRows(n) += dt * G_ * v;
-    return mpmvv::spectral_radius(map);
+    return checks::spectral_radius(map);
   }
 
   /// The CFL number up to which no mode grows, to a thousandth: the first of a fine scan that does, then halved in on.
@@ -118,4 +118,4 @@ CheckResult check_high_order_spectra() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::store {
 namespace provenance_test {
 
 namespace fs = std::filesystem;
@@ -152,4 +152,4 @@ TEST(CurrentProvenance, TellsBuildMachineAndTime) {
 }
 
 }  // namespace provenance_test
-}  // namespace mpmvv
+}  // namespace mpmvv::store
