@@ -13,11 +13,11 @@ struct Moment {
 };
 
 CheckResult particles_at(const std::vector<Moment>& moments, const std::vector<settings::Setting>& settings) {
-  MovingBody<2> motion(settings);
+  profiles::MovingBody<2> motion(settings);
   CheckResult result;
   for (const auto& [name, eighths] : moments) {
     motion.step_to(motion.resolution().steps * eighths / 8);
-    result.series.push_back(particle_panel(name, motion.mpm(), [](std::uint32_t) { return true; }));
+    result.series.push_back(profiles::particle_panel(name, motion.mpm(), [](std::uint32_t) { return true; }));
   }
   return result;
 }

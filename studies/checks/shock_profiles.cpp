@@ -6,8 +6,8 @@ namespace mpmvv::checks {
 
 namespace {
 
-void add_method(const ShockMethod& method, const mms::Hugoniot& shock, CheckResult& result) {
-  const ShockedBar bar(method, 10, "4e-6", shock);
+void add_method(const profiles::ShockMethod& method, const mms::Hugoniot& shock, CheckResult& result) {
+  const profiles::ShockedBar bar(method, 10, "4e-6", shock);
   const std::string label = method.label();
   result.add_curve("pressure, " + label, bar.pressure.x, bar.pressure.y);
   result.add_curve("temperature, " + label, bar.temperature.x, bar.temperature.y);
@@ -33,14 +33,14 @@ void add_theory(const mms::Hugoniot& shock, CheckResult& result) {
 }  // namespace
 
 CheckResult check_shock_profiles() {
-  constexpr ShockMethod methods[] = {{"FLIP", "flip", "", true},     {"XPIC(4)", "xpic", "4", true},
-                                     {"FMPM(1)", "fmpm", "1", true}, {"FMPM(2)", "fmpm", "2", true},
-                                     {"FMPM(4)", "fmpm", "4", true}, {"FLIP", "flip", "", false},
-                                     {"FMPM(4)", "fmpm", "4", false}};
-  const mms::Hugoniot shock = theoretical_shock();
+  constexpr profiles::ShockMethod methods[] = {{"FLIP", "flip", "", true},     {"XPIC(4)", "xpic", "4", true},
+                                               {"FMPM(1)", "fmpm", "1", true}, {"FMPM(2)", "fmpm", "2", true},
+                                               {"FMPM(4)", "fmpm", "4", true}, {"FLIP", "flip", "", false},
+                                               {"FMPM(4)", "fmpm", "4", false}};
+  const mms::Hugoniot shock = profiles::theoretical_shock();
   CheckResult result;
   add_theory(shock, result);
-  for (const ShockMethod& method : methods) add_method(method, shock, result);
+  for (const profiles::ShockMethod& method : methods) add_method(method, shock, result);
   return result;
 }
 

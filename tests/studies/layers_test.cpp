@@ -63,11 +63,18 @@ const std::map<std::string, Rooms> may_include{
     {"cli", {"goldens", "reports", "studies/plan"}},
 };
 
-/// All that a room may reach. Rooms that may include each other in a circle would never end this.
+/// Adds all that a room may include, and what these may.
+void reach(const std::string& room, Rooms& reached) {
+  for (const std::string& next : may_include.at(room))
+    if (reached.insert(next).second) reach(next, reached);
+}
+
 Rooms reach_of(const std::string& room) {
-  Rooms reach{room};
-  for (const std::string& next : may_include.at(room)) reach.merge(reach_of(next));
-  return reach;
+  Rooms reached;
+  reach(room, reached);
+  EXPECT_FALSE(reached.contains(room)) << room << " may include itself by way of others";
+  reached.insert(room);
+  return reached;
 }
 
 using Includes = std::map<std::string, std::set<std::string>>;

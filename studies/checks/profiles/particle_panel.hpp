@@ -8,7 +8,7 @@
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv::checks {
+namespace mpmvv::checks::profiles {
 
 /// A run of a problem with a solution that a check looks at on its way.
 template <int D>
@@ -54,4 +54,4 @@ records::Series particle_panel(const std::string& name, const solver::Mpm<D>& mp
   return panel;
 }
 
-}  // namespace mpmvv::checks
+}  // namespace mpmvv::checks::profiles

@@ -7,7 +7,7 @@
 #include "mms/hugoniot.hpp"
 #include "studies/checks/profiles/profile.hpp"
 
-namespace mpmvv::checks {
+namespace mpmvv::checks::profiles {
 
 /// A velocity update of N Fig. 8, with or without artificial viscosity.
 struct ShockMethod {
@@ -100,4 +100,4 @@ struct ShockedBar {
   PlateauRange ringing() const { return {pressure, end - expected_front, first}; }
 };
 
-}  // namespace mpmvv::checks
+}  // namespace mpmvv::checks::profiles
