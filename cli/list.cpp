@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "cli/command.hpp"
@@ -13,22 +14,19 @@ namespace mpmvv::cli {
 
 namespace {
 
+/// `velocity-updates` of `velocity_update`.
+std::string plural(std::string key) {
+  std::ranges::replace(key, '_', '-');
+  if (key == "basis") return "bases";
+  if (key == "boundary") return "boundaries";
+  return key + (key.ends_with('s') ? "es" : "s");
+}
+
 /// The lists and the setting whose words they show.
-const std::vector<std::pair<std::string, std::string>>& word_lists() {
-  static const std::vector<std::pair<std::string, std::string>> lists{{"bases", "basis"},
-                                                                      {"integrators", "integrator"},
-                                                                      {"starts", "start"},
-                                                                      {"velocity-updates", "velocity_update"},
-                                                                      {"positions", "position"},
-                                                                      {"wall-methods", "wall_method"},
-                                                                      {"wall-gradients", "wall_gradient"},
-                                                                      {"masses", "mass"},
-                                                                      {"boundaries", "boundary"},
-                                                                      {"wall-accelerations", "wall_acceleration"},
-                                                                      {"deformations", "deformation"},
-                                                                      {"body-forces", "body_force"},
-                                                                      {"fills", "fill"},
-                                                                      {"materials", "material"}};
+std::vector<std::pair<std::string, std::string>> word_lists() {
+  std::vector<std::pair<std::string, std::string>> lists;
+  for (const settings::SettingKey& key : settings::setting_keys())
+    if (!settings::words_of_key(key.key).empty()) lists.emplace_back(plural(key.key), key.key);
   return lists;
 }
 

@@ -17,61 +17,31 @@ using support::UsageError;
 
 namespace {
 
-nlohmann::json scheme_json(const cases::Scheme& s) {
-  nlohmann::json json{{"basis", s.basis},
-                      {"integrator", s.integrator},
-                      {"velocity_update", s.velocity_update},
-                      {"mass", s.mass},
-                      {"boundary", s.boundary},
-                      {"wall_acceleration", s.wall_acceleration},
-                      {"deformation", s.deformation},
-                      {"body_force", s.body_force},
-                      {"fill", s.fill},
-                      {"material", s.material}};
-  if (s.start != "none") json["start"] = s.start;
-  if (s.smoothing_length > 0) json["smoothing_length"] = s.smoothing_length;
-  if (s.position != "none") json["position"] = s.position;
-  if (s.order > 0) json["order"] = s.order, json["wall_method"] = s.wall_method;
-  if (s.cfl_x > 0) json["cfl_x"] = s.cfl_x;
-  if (s.wall_gradient != "none") json["wall_depth"] = s.wall_depth, json["wall_gradient"] = s.wall_gradient;
+/// The scheme as its keys; `none` where it has no such choice.
+nlohmann::json scheme_json(const cases::Case& c) {
+  nlohmann::json json;
+  for (const settings::SettingKey& key : settings::setting_keys())
+    if (key.member && key.member->part == cases::CasePart::scheme)
+      std::visit([&](const auto& value) { json[key.key] = value; }, key.member->value(c));
   return json;
 }
 
 nlohmann::json record_json(const records::Record& r) {
-  const records::Errors& e = r.error;
-  return {
-      {"problem", r.the_case.problem.name},
-      {"quarter", r.the_case.problem.quarter},
-      {"parameters", r.the_case.problem.parameters},
-      {"scheme", scheme_json(r.the_case.scheme)},
-      {"cells", r.the_case.resolution.cells},
-      {"ppc", r.the_case.resolution.ppc},
-      {"particles", r.particles},
-      {"steps", r.steps},
-      {"dt", r.the_case.resolution.dt},
-      {"cfl", r.cfl},
-      {"end_time", r.the_case.problem.end_time},
-      {"status", to_string(r.status)},
-      {"reason", r.reason},
-      {"error",
-       {{"l1", e.l1},
-        {"l2", e.l2},
-        {"linf", e.linf},
-        {"l1_all_steps", e.l1_all_steps},
-        {"l2_all_steps", e.l2_all_steps},
-        {"linf_all_steps", e.linf_all_steps},
-        {"nodal_l1", e.nodal_l1},
-        {"nodal_l2", e.nodal_l2},
-        {"nodal_linf", e.nodal_linf},
-        {"velocity", e.velocity},
-        {"stress", e.stress}}},
-      {"energy",
-       {{"kinetic", r.energy.kinetic}, {"strain", r.energy.strain}, {"initial_total", r.energy.initial_total}}},
-      {"balance",
-       {{"mass", r.balance.mass}, {"momentum", r.balance.momentum}, {"angular_momentum", r.balance.angular_momentum}}},
-      {"wall_seconds", r.wall_seconds},
-      {"ns_per_particle_step", r.ns_per_particle_step},
-      {"cost", {{"step_seconds", r.cost.step_seconds}, {"spread", r.cost.spread}}}};
+  nlohmann::json json{{"problem", r.the_case.problem.name},
+                      {"quarter", r.the_case.problem.quarter},
+                      {"parameters", r.the_case.problem.parameters},
+                      {"scheme", scheme_json(r.the_case)},
+                      {"cells", r.the_case.resolution.cells},
+                      {"ppc", r.the_case.resolution.ppc},
+                      {"particles", r.particles},
+                      {"steps", r.steps},
+                      {"dt", r.the_case.resolution.dt},
+                      {"end_time", r.the_case.problem.end_time},
+                      {"status", to_string(r.status)},
+                      {"reason", r.reason}};
+  for (const auto* numbers : {&records::run_errors(), &records::run_by_products()})
+    for (const records::RunNumber& number : *numbers) json[nlohmann::json::json_pointer(number.path)] = number.get(r);
+  return json;
 }
 
 std::string or_dash(double value) {
@@ -155,7 +125,7 @@ void add_run(CLI::App& app, int& exit_code) {
   for (const settings::SettingKey& key : settings::setting_keys()) {
     std::string name = "--" + key.key;
     std::replace(name.begin(), name.end(), '_', '-');
-    if (key.is_flag)
+    if (key.member && key.member->is_flag)
       options->flags[key.key] = command->add_flag(name, key.meaning);
     else
       options->given[key.key] = command->add_option(name, key.meaning)->expected(1);

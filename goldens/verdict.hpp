@@ -1,21 +1,16 @@
 #pragma once
-#include <string>
+#include <array>
+
+#include "studies/support/words.hpp"
 
 namespace mpmvv::goldens {
 
+using support::to_string;
+
 /// What a gate says of one golden. `inconclusive`: the store has no result that could pass or fail it.
 enum class Verdict { pass, fail, inconclusive };
-
-inline std::string to_string(Verdict v) {
-  switch (v) {
-    case Verdict::pass:
-      return "pass";
-    case Verdict::fail:
-      return "fail";
-    case Verdict::inconclusive:
-      break;
-  }
-  return "inconclusive";
+constexpr std::array<const char*, 3> words_of(Verdict) {
+  return {"pass", "fail", "inconclusive"};
 }
 
 }  // namespace mpmvv::goldens

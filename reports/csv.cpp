@@ -51,6 +51,33 @@ Csv points_csv(const StudyResult& study) {
   return csv;
 }
 
+std::vector<std::string> fit_row(const std::string& series, const fits::ObservedOrder& o) {
+  const fits::FloorFit floor = o.floor.value_or(fits::FloorFit{});
+  const fits::ReplicateFit replicates = o.replicates.value_or(fits::ReplicateFit{});
+  return {series,
+          o.norm,
+          exact(o.from),
+          exact(o.to),
+          fmt::format("{}", o.points),
+          exact(o.order),
+          exact(o.half_width),
+          exact(o.constant),
+          exact(o.r_squared),
+          fmt::format("{}", o.asymptotic),
+          exact(o.asymptotic_from),
+          exact(o.asymptotic_to),
+          o.floor ? fmt::format("{}", floor.accepted) : "",
+          exact(floor.floor),
+          exact(floor.order),
+          exact(floor.constant),
+          exact(floor.residual),
+          floor.reason,
+          o.replicates ? fmt::format("{}", replicates.observations) : "",
+          exact(replicates.scatter),
+          exact(replicates.half_width),
+          exact(replicates.lack_of_fit)};
+}
+
 Csv fits_csv(const StudyResult& study) {
   Csv csv({"series",
            "norm",
@@ -75,32 +102,7 @@ Csv fits_csv(const StudyResult& study) {
            "replicate_half_width",
            "lack_of_fit"});
   for (const auto& series : study.series)
-    for (const auto& o : series.orders) {
-      const fits::FloorFit floor = o.floor.value_or(fits::FloorFit{});
-      const fits::ReplicateFit replicates = o.replicates.value_or(fits::ReplicateFit{});
-      csv.add({series.name,
-               o.norm,
-               exact(o.from),
-               exact(o.to),
-               fmt::format("{}", o.points),
-               exact(o.order),
-               exact(o.half_width),
-               exact(o.constant),
-               exact(o.r_squared),
-               fmt::format("{}", o.asymptotic),
-               exact(o.asymptotic_from),
-               exact(o.asymptotic_to),
-               o.floor ? fmt::format("{}", floor.accepted) : "",
-               exact(floor.floor),
-               exact(floor.order),
-               exact(floor.constant),
-               exact(floor.residual),
-               floor.reason,
-               o.replicates ? fmt::format("{}", replicates.observations) : "",
-               exact(replicates.scatter),
-               exact(replicates.half_width),
-               exact(replicates.lack_of_fit)});
-    }
+    for (const auto& o : series.orders) csv.add(fit_row(series.name, o));
   return csv;
 }
 

@@ -1,28 +1,89 @@
 #pragma once
+#include <array>
 #include <compare>
 #include <string>
 
+#include "studies/support/words.hpp"
+
 namespace mpmvv::cases {
 
-/// How a problem is solved. What each word means: docs/theory.md; they are checked in studies/settings/settings.hpp.
+using support::to_string;
+
+// What each word means: docs/theory.md. `none`, which nobody can ask for, is of a scheme that has no such choice.
+
+/// First step of a staggered integrator.
+enum class Start { half, exact, none };
+constexpr std::array<const char*, 3> words_of(Start) {
+  return {"half", "exact", "none"};
+}
+
+/// How positions follow FLIP.
+enum class Position { first_order, second_order, particle, none };
+constexpr std::array<const char*, 4> words_of(Position) {
+  return {"first-order", "second-order", "particle", "none"};
+}
+
+/// How walls hold what an expanded inverse gives.
+enum class WallMethod { velocity, lumped, combined, elimination, none };
+constexpr std::array<const char*, 5> words_of(WallMethod) {
+  return {"velocity", "lumped", "combined", "elimination", "none"};
+}
+
+/// Of the velocity that a moving wall holds.
+enum class WallGradient { zero, given, estimated, none };
+constexpr std::array<const char*, 4> words_of(WallGradient) {
+  return {"zero", "given", "estimated", "none"};
+}
+
+/// The matrix of the nodes' masses.
+enum class Mass { lumped, consistent };
+constexpr std::array<const char*, 2> words_of(Mass) {
+  return {"lumped", "consistent"};
+}
+
+/// Of held nodes.
+enum class WallAcceleration { zero, difference };
+constexpr std::array<const char*, 2> words_of(WallAcceleration) {
+  return {"zero", "difference"};
+}
+
+/// F' from F and L.
+enum class Deformation { linear, exponential };
+constexpr std::array<const char*, 2> words_of(Deformation) {
+  return {"linear", "exponential"};
+}
+
+/// Where the body force is evaluated.
+enum class BodyForce { particles, grid };
+constexpr std::array<const char*, 2> words_of(BodyForce) {
+  return {"particles", "grid"};
+}
+
+/// How particles fill the body.
+enum class Fill { lattice, conforming };
+constexpr std::array<const char*, 2> words_of(Fill) {
+  return {"lattice", "conforming"};
+}
+
+/// How a problem is solved. Words of the solver's own lists are texts here, which does not know it.
 struct Scheme {
   std::string basis = "linear";
   double smoothing_length = 0;  ///< in cells; only for `ugimp`, 0 elsewhere
   std::string integrator = "usl";
-  std::string start = "half";  ///< first step of `cd` and `uvf`; other integrators have no start
+  Start start = Start::half;
   std::string velocity_update = "flip";
-  int order = 0;                         ///< k of `xpic` and `fmpm`, 0 elsewhere
-  double cfl_x = 0;                      ///< CFL number of `fmpm`'s own steps; 0: every one
-  std::string position = "first-order";  ///< how positions follow `flip`; others have a way of their own
-  std::string wall_method = "none";      ///< how walls hold what `xpic` and `fmpm` expand; others expand nothing
-  double wall_depth = 0;                 ///< cells inside a moving wall that it holds; 0 without one
-  std::string wall_gradient = "none";    ///< of the velocity it holds; none without one
-  std::string mass = "lumped";
+  int order = 0;                              ///< k of `xpic` and `fmpm`, 0 elsewhere
+  double cfl_x = 0;                           ///< CFL number of `fmpm`'s own steps; 0: every one
+  Position position = Position::first_order;  ///< `none` where the update has a way of its own
+  WallMethod wall_method = WallMethod::none;  ///< `none` where nothing is expanded
+  double wall_depth = 0;                      ///< cells inside a moving wall that it holds; 0 without one
+  WallGradient wall_gradient = WallGradient::none;
+  Mass mass = Mass::lumped;
   std::string boundary = "dirichlet";
-  std::string wall_acceleration = "zero";
-  std::string deformation = "linear";
-  std::string body_force = "particles";
-  std::string fill = "lattice";
+  WallAcceleration wall_acceleration = WallAcceleration::zero;
+  Deformation deformation = Deformation::linear;
+  BodyForce body_force = BodyForce::particles;
+  Fill fill = Fill::lattice;
   std::string material = "neo-hookean-log";
 
   auto operator<=>(const Scheme&) const = default;

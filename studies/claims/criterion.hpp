@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,15 +16,15 @@ struct Criterion {
     order_difference,  ///< the order in `norm` less that in `over_norm`
     error,             ///< `norm` of `series` at every swept value in [from, to]
     error_ratio,       ///< `norm` of `series` over that of `over`; two unstable runs count as equal
-    slope_ratio,       ///< slope of `norm` of `series` against the swept value over [from, to], divided by `over`'s
-    slope_share,       ///< that slope divided by the first value of `over` in [from, to]
     spread,            ///< largest over smallest `norm` of `series` at the swept values in [from, to]
     status,            ///< fraction of `series`' points in [from, to] with status ok
     limit,             ///< stability limit of `series`
     limit_ratio,       ///< stability limit of `series` divided by that of `over`
+    value,             ///< value `name` of a check
     cost_ratio,        ///< cost at which `series` reaches each power of ten in [from, to] of `norm`, divided by that
                        ///< of `over`
-    value,             ///< value `name` of a check
+    slope_ratio,       ///< slope of `norm` of `series` against the swept value over [from, to], divided by `over`'s
+    slope_share,       ///< that slope divided by the first value of `over` in [from, to]
     shown,             ///< nothing is asked: the figure is the evidence
     awaited            ///< a part of the claim that no study can judge yet: it keeps the claim from being confirmed
   };
@@ -39,6 +40,11 @@ struct Criterion {
   std::optional<double> at_least, at_most;
   std::string reason;  ///< why it fails, written after the evidence was checked
 };
+
+constexpr std::array<const char*, 14> words_of(Criterion::Kind) {
+  return {"order", "order-difference", "error",       "error-ratio", "spread", "status", "limit", "limit-ratio",
+          "value", "cost-ratio",       "slope-ratio", "slope-share", "shown",  "awaited"};
+}
 
 /// Judges one criterion by the results.
 records::ClaimPart judge(const Criterion& criterion, const records::StudyResult& result);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -135,11 +134,6 @@ void add_cost(std::vector<Finding>& findings, const StudyResult& study, const Se
 }
 
 }  // namespace
-
-std::string to_string(Finding::Kind kind) {
-  static constexpr std::array words{"order", "error", "limit", "value", "status", "cost", "verdict"};
-  return words[static_cast<std::size_t>(kind)];
-}
 
 std::string text(const Finding& finding) {
   if (!finding.word.empty()) return finding.word;

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 namespace mpmvv::claims {
 
 using support::not_measured;
+using support::to_string;
 
 /// One result of a study under a name, so that versions can be laid side by side.
 struct Finding {
@@ -28,7 +30,9 @@ struct Finding {
   double uncertainty = not_measured;  ///< of an extrapolated value
 };
 
-std::string to_string(Finding::Kind kind);
+constexpr std::array<const char*, 7> words_of(Finding::Kind) {
+  return {"order", "error", "limit", "value", "status", "cost", "verdict"};
+}
 
 /// The number with six digits, and where it was measured or how uncertain it is, or the word.
 std::string text(const Finding& finding);

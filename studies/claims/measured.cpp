@@ -212,6 +212,38 @@ void measure_value(const Criterion& c, const StudyResult& result, Measured& out)
   out.missing = fmt::format("the check has no value '{}'", c.name);
 }
 
+/// `over` is there where the measure divides by it.
+void measure_series(const Criterion& c, const StudyResult& result, const Series& series, const Series* over,
+                    Measured& out) {
+  switch (c.kind) {
+    case Criterion::Kind::order:
+      return measure_order(c, result, series, out);
+    case Criterion::Kind::order_difference:
+      return measure_order_difference(c, result, series, out);
+    case Criterion::Kind::error:
+      return measure_errors(c, series, out);
+    case Criterion::Kind::error_ratio:
+      return measure_ratios(c, series, *over, out);
+    case Criterion::Kind::spread:
+      return measure_spread(c, series, out);
+    case Criterion::Kind::slope_ratio:
+    case Criterion::Kind::slope_share:
+      return measure_slope(c, series, *over, out);
+    case Criterion::Kind::status:
+      return measure_status(c, series, out);
+    case Criterion::Kind::limit:
+      return measure_limit(series, out);
+    case Criterion::Kind::limit_ratio:
+      return measure_limit_ratio(series, *over, out);
+    case Criterion::Kind::cost_ratio:
+      return measure_cost_ratios(c, series, *over, out);
+    case Criterion::Kind::value:
+    case Criterion::Kind::awaited:
+    case Criterion::Kind::shown:
+      break;
+  }
+}
+
 }  // namespace
 
 Measured measure(const Criterion& c, const StudyResult& result) {
@@ -227,43 +259,7 @@ Measured measure(const Criterion& c, const StudyResult& result) {
       out.missing = fmt::format("there is no series '{}'", series ? c.over : name);
       return out;
     }
-    switch (c.kind) {
-      case Criterion::Kind::order:
-        measure_order(c, result, *series, out);
-        break;
-      case Criterion::Kind::order_difference:
-        measure_order_difference(c, result, *series, out);
-        break;
-      case Criterion::Kind::error:
-        measure_errors(c, *series, out);
-        break;
-      case Criterion::Kind::error_ratio:
-        measure_ratios(c, *series, *over, out);
-        break;
-      case Criterion::Kind::spread:
-        measure_spread(c, *series, out);
-        break;
-      case Criterion::Kind::slope_ratio:
-      case Criterion::Kind::slope_share:
-        measure_slope(c, *series, *over, out);
-        break;
-      case Criterion::Kind::status:
-        measure_status(c, *series, out);
-        break;
-      case Criterion::Kind::limit:
-        measure_limit(*series, out);
-        break;
-      case Criterion::Kind::limit_ratio:
-        measure_limit_ratio(*series, *over, out);
-        break;
-      case Criterion::Kind::cost_ratio:
-        measure_cost_ratios(c, *series, *over, out);
-        break;
-      case Criterion::Kind::value:
-      case Criterion::Kind::awaited:
-      case Criterion::Kind::shown:
-        break;
-    }
+    measure_series(c, result, *series, over, out);
   }
   return out;
 }

@@ -19,32 +19,6 @@ using support::UsageError;
 
 namespace {
 
-Criterion::Kind criterion_kind(const support::TomlTable& table) {
-  static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{
-      {"order", Criterion::Kind::order},
-      {"order-difference", Criterion::Kind::order_difference},
-      {"error", Criterion::Kind::error},
-      {"error-ratio", Criterion::Kind::error_ratio},
-      {"spread", Criterion::Kind::spread},
-      {"status", Criterion::Kind::status},
-      {"limit", Criterion::Kind::limit},
-      {"limit-ratio", Criterion::Kind::limit_ratio},
-      {"value", Criterion::Kind::value},
-      {"cost-ratio", Criterion::Kind::cost_ratio},
-      {"slope-ratio", Criterion::Kind::slope_ratio},
-      {"slope-share", Criterion::Kind::slope_share},
-      {"shown", Criterion::Kind::shown},
-      {"awaited", Criterion::Kind::awaited}};
-  std::vector<std::string> words;
-  const std::string word = table.text("measure");
-  for (const auto& [name, kind] : kinds) {
-    if (name == word) return kind;
-    words.push_back(name);
-  }
-  throw UsageError(
-      fmt::format("unknown measure '{}' in {} (known: {})", word, table.where("measure"), fmt::join(words, ", ")));
-}
-
 bool is_ratio(Criterion::Kind kind) {
   using enum claims::Criterion::Kind;
   return kind == error_ratio || kind == limit_ratio || kind == cost_ratio || kind == slope_ratio || kind == slope_share;
@@ -53,6 +27,16 @@ bool is_ratio(Criterion::Kind kind) {
 bool is_fit(Criterion::Kind kind) {
   using enum claims::Criterion::Kind;
   return kind == order || kind == order_difference || kind == slope_ratio || kind == slope_share;
+}
+
+void read_bounds(const support::TomlTable& table, Criterion& c) {
+  if (table.has("at_least")) c.at_least = table.number("at_least");
+  if (table.has("at_most")) c.at_most = table.number("at_most");
+  if (!c.at_least && !c.at_most)
+    throw UsageError(fmt::format("criterion in {} asks nothing (at_least, at_most or both)", table.where()));
+  if (c.at_least && c.at_most && *c.at_least > *c.at_most)
+    throw UsageError(fmt::format("criterion in {} asks at least {} and at most {} (nothing can be both)", table.where(),
+                                 *c.at_least, *c.at_most));
 }
 
 }  // namespace
@@ -64,16 +48,10 @@ Criterion read_criterion(const support::TomlTable& table, const StudyPlan& plan)
   c.claim = table.text("claim");
   require_word("claim of this study", c.claim, plan.claims, table.where("claim"));
   c.statement = table.text("statement");
-  c.kind = criterion_kind(table);
+  c.kind = support::from_word<Criterion::Kind>(table.text("measure"), "measure", table.where("measure"));
   c.reason = table.text("reason", "");
   if (c.kind == Criterion::Kind::shown || c.kind == Criterion::Kind::awaited) return c;
-  if (table.has("at_least")) c.at_least = table.number("at_least");
-  if (table.has("at_most")) c.at_most = table.number("at_most");
-  if (!c.at_least && !c.at_most)
-    throw UsageError(fmt::format("criterion in {} asks nothing (at_least, at_most or both)", table.where()));
-  if (c.at_least && c.at_most && *c.at_least > *c.at_most)
-    throw UsageError(fmt::format("criterion in {} asks at least {} and at most {} (nothing can be both)", table.where(),
-                                 *c.at_least, *c.at_most));
+  read_bounds(table, c);
   if (c.kind == Criterion::Kind::value) {
     c.name = table.text("name");
     return c;

@@ -2,11 +2,8 @@
 
 #include <cmath>
 
-#include "solver/basis/bases.hpp"
-#include "solver/integrator/words.hpp"
-#include "solver/velocity_update/apic.hpp"
 #include "studies/problems/problem.hpp"
-#include "studies/settings/named.hpp"
+#include "studies/settings/traits.hpp"
 
 namespace mpmvv::plan {
 
@@ -20,13 +17,13 @@ int padded(int components) {
 /// Doubles on each node: momentum with mass, force, velocity, acceleration, and what systems of masses keep.
 int doubles_per_node(const cases::Scheme& scheme, int D) {
   const int grid = padded(D + 1) + 3 * padded(D);
-  if (scheme.mass == "consistent") return grid + 3 + padded(D + 1) + 5 * padded(D);
+  if (scheme.mass == cases::Mass::consistent) return grid + 3 + padded(D + 1) + 5 * padded(D);
   return grid + (scheme.order > 0 ? 2 * padded(D) : 0);
 }
 
 /// Doubles of each particle that systems of masses keep: the nodes of its domain.
 double doubles_per_domain(const cases::Scheme& scheme, int D) {
-  if (scheme.mass != "consistent" && scheme.order < 3) return 0;
+  if (scheme.mass != cases::Mass::consistent && scheme.order < 3) return 0;
   return std::visit(
       [D]<class B>(const B&) {
         return B::width == solver::ParticleWidth::domain ? solver::power(B::support + 1, D) + 0.5 : 0.0;
@@ -41,8 +38,10 @@ double doubles_per_particle(const cases::Scheme& scheme, int D) {
   const double widths = has_domain ? 2 * D * D : 2 * D;
   const double stages = solver::is_staged(scheme.integrator) ? 2 * (2 * D + D * D) : 0;
   const double rate = scheme.integrator.ends_with('+') ? D : 0;
-  const double affine = scheme.velocity_update == solver::Apic::word ? D * D : 0;
-  const double history = scheme.material == solver::MieGruneisen::word ? sizeof(solver::ThermalState) / 8.0 : 0;
+  const auto update = settings::named<solver::AnyVelocityUpdate>(scheme.velocity_update);
+  const auto material = settings::named<solver::AnyMaterial>(scheme.material);
+  const double affine = settings::is_of_affine_field(update) ? D * D : 0;
+  const double history = settings::keeps_history(material) ? sizeof(solver::ThermalState) / 8.0 : 0;
   return 3 * D + 2 * D * D + widths + 4 + stages + rate + affine + history + doubles_per_domain(scheme, D);
 }
 

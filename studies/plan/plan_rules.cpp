@@ -45,10 +45,8 @@ bool counts(const StudyPlan& plan, const Setting& setting) {
 
 /// The setting that a norm needs; empty for those at the end of a run, which are always measured.
 std::string setting_of(const std::string& norm) {
-  return norm.ends_with("_all_steps")                         ? "every_step"
-         : norm.starts_with("nodal_")                         ? "nodal_error"
-         : norm == "velocity_error" || norm == "stress_error" ? norm
-                                                              : "";
+  const auto found = std::ranges::find_if(records::run_errors(), [&](const auto& n) { return n.name == norm; });
+  return found == records::run_errors().end() ? "" : found->setting;
 }
 
 }  // namespace

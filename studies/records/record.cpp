@@ -1,70 +1,56 @@
 #include "studies/records/record.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
 #include <new>
 #include <system_error>
-
-#include "studies/records/result.hpp"
-#include "studies/support/error.hpp"
 
 namespace mpmvv::records {
 
 namespace {
 
-constexpr std::array status_words{"ok", "unstable", "failed"};
-constexpr std::array failure_words{"none", "case", "machine"};
-constexpr std::array verdict_words{"holds", "fails", "shown", "inconclusive"};
-
-/// The enumerator whose word this is: the words stand in the order of the enumerators.
-template <class Enum, std::size_t N>
-Enum from_word(const std::array<const char*, N>& words, const std::string& word, const char* what) {
-  const auto it = std::find(words.begin(), words.end(), word);
-  if (it == words.end())
-    throw support::UsageError(fmt::format("unknown {} '{}' (known: {})", what, word, fmt::join(words, ", ")));
-  return static_cast<Enum>(it - words.begin());
-}
-
 /// The number that these members of members lead to.
 template <auto... members>
-RunNumber number(const char* name) {
-  return {name, [](const Record& r) -> const double& { return (r.*....*members); },
-          [](Record& r) -> double& { return (r.*....*members); }};
+RunNumber number(int schema, const char* name, const char* path, const char* setting = "") {
+  return {name,
+          path,
+          [](const Record& r) -> const double& { return (r.*....*members); },
+          [](Record& r) -> double& { return (r.*....*members); },
+          schema,
+          setting};
 }
 
 }  // namespace
 
 const std::vector<RunNumber>& run_errors() {
   static const std::vector<RunNumber> numbers{
-      number<&Record::error, &Errors::l1>("l1"),
-      number<&Record::error, &Errors::l2>("l2"),
-      number<&Record::error, &Errors::linf>("linf"),
-      number<&Record::error, &Errors::l1_all_steps>("l1_all_steps"),
-      number<&Record::error, &Errors::l2_all_steps>("l2_all_steps"),
-      number<&Record::error, &Errors::linf_all_steps>("linf_all_steps"),
-      number<&Record::error, &Errors::nodal_l1>("nodal_l1"),
-      number<&Record::error, &Errors::nodal_l2>("nodal_l2"),
-      number<&Record::error, &Errors::nodal_linf>("nodal_linf"),
-      number<&Record::error, &Errors::velocity>("velocity_error"),
-      number<&Record::error, &Errors::stress>("stress_error"),
-      number<&Record::balance, &Balance::mass>("mass_change"),
-      number<&Record::balance, &Balance::momentum>("momentum_change"),
-      number<&Record::balance, &Balance::angular_momentum>("angular_momentum_change")};
+      number<&Record::error, &Errors::l1>(1, "l1", "/error/l1"),
+      number<&Record::error, &Errors::l2>(1, "l2", "/error/l2"),
+      number<&Record::error, &Errors::linf>(1, "linf", "/error/linf"),
+      number<&Record::error, &Errors::l1_all_steps>(1, "l1_all_steps", "/error/l1_all_steps", "every_step"),
+      number<&Record::error, &Errors::l2_all_steps>(1, "l2_all_steps", "/error/l2_all_steps", "every_step"),
+      number<&Record::error, &Errors::linf_all_steps>(1, "linf_all_steps", "/error/linf_all_steps", "every_step"),
+      number<&Record::error, &Errors::nodal_l1>(2, "nodal_l1", "/error/nodal_l1", "nodal_error"),
+      number<&Record::error, &Errors::nodal_l2>(2, "nodal_l2", "/error/nodal_l2", "nodal_error"),
+      number<&Record::error, &Errors::nodal_linf>(2, "nodal_linf", "/error/nodal_linf", "nodal_error"),
+      number<&Record::error, &Errors::velocity>(4, "velocity_error", "/error/velocity", "velocity_error"),
+      number<&Record::error, &Errors::stress>(4, "stress_error", "/error/stress", "stress_error"),
+      number<&Record::balance, &Balance::mass>(4, "mass_change", "/balance/mass"),
+      number<&Record::balance, &Balance::momentum>(4, "momentum_change", "/balance/momentum"),
+      number<&Record::balance, &Balance::angular_momentum>(4, "angular_momentum_change", "/balance/angular_momentum"),
+  };
   return numbers;
 }
 
 const std::vector<RunNumber>& run_by_products() {
-  static const std::vector<RunNumber> numbers{number<&Record::energy, &Energy::kinetic>("kinetic"),
-                                              number<&Record::energy, &Energy::strain>("strain"),
-                                              number<&Record::energy, &Energy::initial_total>("initial_total"),
-                                              number<&Record::wall_seconds>("wall_seconds"),
-                                              number<&Record::ns_per_particle_step>("ns_per_particle_step"),
-                                              number<&Record::cost, &Cost::step_seconds>("step_seconds"),
-                                              number<&Record::cost, &Cost::spread>("step_seconds_spread"),
-                                              number<&Record::cfl>("cfl")};
+  static const std::vector<RunNumber> numbers{
+      number<&Record::energy, &Energy::kinetic>(1, "kinetic", "/energy/kinetic"),
+      number<&Record::energy, &Energy::strain>(1, "strain", "/energy/strain"),
+      number<&Record::energy, &Energy::initial_total>(1, "initial_total", "/energy/initial_total"),
+      number<&Record::wall_seconds>(1, "wall_seconds", "/wall_seconds"),
+      number<&Record::ns_per_particle_step>(1, "ns_per_particle_step", "/ns_per_particle_step"),
+      number<&Record::cost, &Cost::step_seconds>(3, "step_seconds", "/cost/step_seconds"),
+      number<&Record::cost, &Cost::spread>(3, "step_seconds_spread", "/cost/spread"),
+      number<&Record::cfl>(1, "cfl", "/cfl"),
+  };
   return numbers;
 }
 
@@ -77,34 +63,10 @@ const std::vector<std::string>& norm_words() {
   return words;
 }
 
-std::string to_string(Status s) {
-  return status_words.at(static_cast<std::size_t>(s));
-}
-
-Status status_from(const std::string& word) {
-  return from_word<Status>(status_words, word, "status");
-}
-
-std::string to_string(Failure f) {
-  return failure_words.at(static_cast<std::size_t>(f));
-}
-
-Failure failure_from(const std::string& word) {
-  return from_word<Failure>(failure_words, word, "failure");
-}
-
 Failure failure_of(const std::exception& e) {
   const bool of_machine =
       dynamic_cast<const std::bad_alloc*>(&e) != nullptr || dynamic_cast<const std::system_error*>(&e) != nullptr;
   return of_machine ? Failure::of_machine : Failure::of_case;
-}
-
-std::string to_string(PartVerdict v) {
-  return verdict_words.at(static_cast<std::size_t>(v));
-}
-
-PartVerdict part_verdict_from(const std::string& word) {
-  return from_word<PartVerdict>(verdict_words, word, "verdict of a claim's part");
 }
 
 }  // namespace mpmvv::records

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <exception>
 #include <string>
@@ -6,23 +7,26 @@
 
 #include "studies/cases/case.hpp"
 #include "studies/support/not_measured.hpp"
+#include "studies/support/words.hpp"
 
 namespace mpmvv::records {
 
 using support::not_measured;
+using support::to_string;
 
 /// `unstable` is a result of the method (blown up); `failed` is not (the run could not be carried out).
 enum class Status { ok, unstable, failed };
-
-std::string to_string(Status s);
-Status status_from(const std::string& word);  ///< throws UsageError on an unknown word
+constexpr std::array<const char*, 3> words_of(Status) {
+  return {"ok", "unstable", "failed"};
+}
 
 /// Whose fault it is that a run `failed`: one of the machine (no memory, no threads) may be gone the next time, one of
 /// the case is not.
 enum class Failure { none, of_case, of_machine };
+constexpr std::array<const char*, 3> words_of(Failure) {
+  return {"none", "case", "machine"};
+}
 
-std::string to_string(Failure f);
-Failure failure_from(const std::string& word);
 Failure failure_of(const std::exception& e);  ///< that which a run ended with
 
 /// Norms of the displacement error δ_p over the particles, W (64), (65): mean, root mean square, maximum.
@@ -85,14 +89,17 @@ inline bool is_worth_another_try(const Record& r) {
   return r.status == Status::failed && r.failure != Failure::of_case;
 }
 
-/// A number of a run under the name by which stores, fits and figures know it.
+/// A number of a run.
 struct RunNumber {
-  const char* name;
+  const char* name;  ///< by which stores, fits and figures know it
+  const char* path;  ///< its place in `mpmvv run --json`
   const double& (*get)(const Record&);
   double& (*set)(Record&);
+  int schema;                ///< the first schema of the store that has a column for it
+  std::string setting = {};  ///< the key that asks for it; empty where it is always measured
 };
 
-/// Errors and balances; what is measured besides. The one place where a new number of a run gets its name.
+/// Errors and balances; what is measured besides. The one place where a new number of a run is named.
 const std::vector<RunNumber>& run_errors();
 const std::vector<RunNumber>& run_by_products();
 

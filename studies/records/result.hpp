@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -53,9 +54,9 @@ struct Figure {
 };
 
 enum class PartVerdict { holds, fails, shown, inconclusive };
-
-std::string to_string(PartVerdict v);
-PartVerdict part_verdict_from(const std::string& word);
+constexpr std::array<const char*, 4> words_of(PartVerdict) {
+  return {"holds", "fails", "shown", "inconclusive"};
+}
 
 /// One criterion of a claim, judged.
 struct ClaimPart {

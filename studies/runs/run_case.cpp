@@ -101,6 +101,26 @@ double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, std::i
   return step_seconds;
 }
 
+/// Measures a sound run at its end.
+template <int D>
+void measure_end(const Case& c, solver::Mpm<D>& mpm, const Stage<D>& stage, Record& record) {
+  record.energy.kinetic = mpm.kinetic_energy();
+  record.energy.strain = mpm.strain_energy();
+  if (c.measure.stress_error) record.error.stress = stress_error(mpm, stage);
+  if (stage.points) {
+    const ErrorNorms norms = displacement_errors(mpm, stage);
+    record.error.l1 = norms.l1();
+    record.error.l2 = norms.l2();
+    record.error.linf = norms.linf();
+  }
+  if (c.measure.nodal_error) {
+    const ErrorNorms norms = acceleration_errors(mpm, *stage.setup.solution, stage.setup.body);
+    record.error.nodal_l1 = norms.l1();
+    record.error.nodal_l2 = norms.l2();
+    record.error.nodal_linf = norms.linf();
+  }
+}
+
 template <int D>
 void run(const Case& c, const problems::Problem& problem, int threads, VtuSeries* vtu, Record& record) {
   const double start = wall_seconds();
@@ -121,23 +141,9 @@ void run(const Case& c, const problems::Problem& problem, int threads, VtuSeries
     if (vtu && VtuSeries::due(record.steps, c.resolution.steps)) vtu->write(mpm, stage.X);
   });
   if (record.status == Status::ok) {
-    record.energy.kinetic = mpm.kinetic_energy();
-    record.energy.strain = mpm.strain_energy();
     record.balance = balance(start_momenta, Momenta<D>(mpm.particles()), mpm.mass(), mass_of(stage.setup));
-    if (c.measure.stress_error) record.error.stress = stress_error(mpm, stage);
-    if (stage.points) {
-      const ErrorNorms norms = displacement_errors(mpm, stage);
-      record.error.l1 = norms.l1();
-      record.error.l2 = norms.l2();
-      record.error.linf = norms.linf();
-    }
     if (c.measure.velocity_error) record.error.velocity = 100 / stage.setup.speed * velocity_error.mean();
-    if (c.measure.nodal_error) {
-      const ErrorNorms norms = acceleration_errors(mpm, *stage.setup.solution, stage.setup.body);
-      record.error.nodal_l1 = norms.l1();
-      record.error.nodal_l2 = norms.l2();
-      record.error.nodal_linf = norms.linf();
-    }
+    measure_end(c, mpm, stage, record);
   } else {
     record.error = {};
   }

@@ -57,17 +57,21 @@ class VelocityError {
   std::int64_t steps_ = 0;
 };
 
+/// Root mean square over the particles of `error(p, X_p)`.
+template <int D, class Error>
+double rms_over_particles(const solver::Mpm<D>& mpm, const Stage<D>& stage, const Error& error) {
+  ErrorNorms norms;
+  for (std::size_t p = 0; p < mpm.particles().size(); ++p) norms.add(error(p, stage.X[mpm.particles().id[p]]));
+  return norms.l2();
+}
+
 /// RMS over the particles of |σ_p - σ(X_p, t)|.
 template <int D>
 double stress_error(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
-  const auto& particles = mpm.particles();
-  ErrorNorms norms;
-  for (std::size_t p = 0; p < particles.size(); ++p) {
-    const solver::Vec<D>& X = stage.X[particles.id[p]];
+  return rms_over_particles(mpm, stage, [&](std::size_t p, const solver::Vec<D>& X) {
     const solver::Mat<D> F = stage.setup.solution->F(X, mpm.time()), P = stage.setup.solution->P(X, mpm.time());
-    norms.add((mpm.stress(p) - P * F.transpose() / F.determinant()).norm());
-  }
-  return norms.l2();
+    return (mpm.stress(p) - P * F.transpose() / F.determinant()).norm();
+  });
 }
 
 }  // namespace mpmvv::runs

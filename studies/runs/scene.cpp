@@ -7,6 +7,7 @@
 
 #include "solver/words.hpp"
 #include "studies/runs/fill.hpp"
+#include "studies/runs/for_solver.hpp"
 #include "studies/settings/boundaries.hpp"
 #include "studies/settings/named.hpp"
 
@@ -35,15 +36,19 @@ void fill(Stage<D>& stage, const Case& c) {
       scene.particles.l.push_back(Vec<D>::Constant(std::pow(voxel.V, 1.0 / D) / scene.h));
   };
   const FillDensity density{scene.h, c.resolution.ppc};
-  if (c.scheme.fill == "lattice") return fill_lattice<D>(stage.setup.body, density, place);
-  if constexpr (D > 1) fill_conforming<D>(std::get<problems::Annulus<D>>(stage.setup.body), density, place);
+  switch (c.scheme.fill) {
+    case cases::Fill::lattice:
+      return fill_lattice<D>(stage.setup.body, density, place);
+    case cases::Fill::conforming:
+      if constexpr (D > 1) fill_conforming<D>(std::get<problems::Annulus<D>>(stage.setup.body), density, place);
+  }
 }
 
 /// Position, velocity and deformation gradient at t = 0; with start `exact` the velocity of -Δt/2, W §4.
 template <int D>
 void set_initial_state(Stage<D>& stage, const Case& c) {
   auto& particles = stage.scene.particles;
-  const double velocity_time = c.scheme.start == "exact" ? -c.resolution.dt / 2 : 0;
+  const double velocity_time = c.scheme.start == cases::Start::exact ? -c.resolution.dt / 2 : 0;
   particles.resize(stage.X.size());
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const Vec<D>& X = stage.X[p];
@@ -63,12 +68,6 @@ void set_current_widths(solver::Particles<D>& particles, const solver::AnyBasis&
   particles.update_widths(0, particles.size());
 }
 
-solver::FlipPosition flip_position(const std::string& word) {
-  return word == "second-order" ? solver::FlipPosition::second_order
-         : word == "particle"   ? solver::FlipPosition::particle
-                                : solver::FlipPosition::first_order;
-}
-
 /// The velocity update with the order, interval and positions of the scheme, where it takes them. `cfl` is the Courant
 /// number of a step.
 solver::AnyVelocityUpdate velocity_update(const cases::Scheme& scheme, double cfl) {
@@ -77,17 +76,10 @@ solver::AnyVelocityUpdate velocity_update(const cases::Scheme& scheme, double cf
     if constexpr (requires { u.order; }) u.order = scheme.order;
     if constexpr (requires { u.interval; })
       u.interval = std::max<std::int64_t>(1, std::llround(std::min(scheme.cfl_x / cfl, 1e15)));
-    if constexpr (requires { u.position; }) u.position = flip_position(scheme.position);
+    if constexpr (requires { u.position; }) u.position = for_solver(scheme.position);
   };
   std::visit(choose, update);
   return update;
-}
-
-solver::WallMethod wall_method(const std::string& word) {
-  return word == "velocity"      ? solver::WallMethod::velocity
-         : word == "lumped"      ? solver::WallMethod::lumped
-         : word == "elimination" ? solver::WallMethod::elimination
-                                 : solver::WallMethod::combined;
 }
 
 /// The faces' boundaries, walls with their motions.
@@ -100,9 +92,7 @@ void set_boundaries(Stage<D>& stage, const cases::Scheme& scheme) {
     if (auto* wall = std::get_if<solver::Wall>(&boundary)) {
       wall->motion = stage.setup.walls[k].get();
       wall->depth = scheme.wall_depth;
-      wall->gradient = scheme.wall_gradient == "zero"        ? solver::WallGradient::zero
-                       : scheme.wall_gradient == "estimated" ? solver::WallGradient::estimated
-                                                             : solver::WallGradient::given;
+      wall->gradient = for_solver(scheme.wall_gradient);
     }
   }
 }
@@ -147,11 +137,11 @@ Stage<D> make_stage(const Case& c, const problems::Problem& problem, int threads
   scene.integrator = c.scheme.integrator;
   scene.velocity_update =
       velocity_update(c.scheme, problem.wave_speed(c.problem.parameters) * c.resolution.dt / scene.h);
-  if (c.scheme.deformation == "exponential") scene.deformation = solver::Deformation::exponential;
-  scene.wall_method = wall_method(c.scheme.wall_method);
-  scene.half_start = c.scheme.start == "half" && stage.setup.solution;
-  scene.difference_acceleration = c.scheme.wall_acceleration == "difference";
-  if (c.scheme.mass == "consistent") scene.consistent_mass.emplace();
+  scene.deformation = for_solver(c.scheme.deformation);
+  if (c.scheme.wall_method != cases::WallMethod::none) scene.wall_method = for_solver(c.scheme.wall_method);
+  scene.half_start = c.scheme.start == cases::Start::half && stage.setup.solution;
+  scene.difference_acceleration = c.scheme.wall_acceleration == cases::WallAcceleration::difference;
+  if (c.scheme.mass == cases::Mass::consistent) scene.consistent_mass.emplace();
   scene.threads = threads;
   set_boundaries(stage, c.scheme);
 
@@ -164,7 +154,7 @@ Stage<D> make_stage(const Case& c, const problems::Problem& problem, int threads
     stage.points = stage.setup.solution->at_points(stage.X);
     stage.body_force = std::make_unique<SolutionBodyForce<D>>(*stage.setup.solution, *stage.points);
     scene.body_force = stage.body_force.get();
-    if (c.scheme.body_force == "grid") scene.body_force_on = solver::BodyForceOn::grid;
+    scene.body_force_on = for_solver(c.scheme.body_force);
     if (problem.is_loaded && problem.is_loaded(c.problem.parameters)) {
       stage.traction = std::make_unique<SolutionTraction<D>>(
           *stage.setup.solution, surface<D>(stage.setup.body, {scene.h, c.resolution.ppc}), stage.X);

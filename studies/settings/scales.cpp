@@ -4,10 +4,14 @@
 
 #include <cmath>
 
+#include "studies/cases/setting.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::settings {
 
+using cases::has_size;
+using cases::largest_size;
+using cases::least_size;
 using problems::Problem;
 
 namespace {
@@ -80,10 +84,6 @@ void require_motion(const Scales& scales, const problems::Setup<D>& setup, doubl
 }
 
 }  // namespace
-
-bool has_size(double value) {
-  return std::abs(value) >= least_size && std::abs(value) <= largest_size;
-}
 
 void require_scales(const cases::ProblemChoice& choice, const Problem& problem, const std::string& given) {
   const Scales scales(problem, given);

@@ -82,7 +82,7 @@ fits::Extrapolation load_extrapolation(const Row& row) {
 /// A point and the text of its case.
 std::pair<records::Point, std::string> load_point(const Database& database, const Row& row) {
   records::Point point{.x = row["x"].real(),
-                       .status = records::status_from(row["point_status"].text()),
+                       .status = support::from_word<records::Status>(row["point_status"].text(), "status"),
                        .reason = row["point_reason"].text(),
                        .y = {}};
   std::string case_text;
@@ -140,6 +140,18 @@ records::Figure load_figure(const Database& database, const Row& row) {
       .kind = row["kind"].text()};
 }
 
+records::Value load_value(const Row& row) {
+  return {.name = row["name"].text(), .value = row["value"].real(), .meaning = row["meaning"].text()};
+}
+
+records::ClaimPart load_part(const Row& row) {
+  return {.claim = row["claim"].text(),
+          .statement = row["statement"].text(),
+          .verdict = support::from_word<records::PartVerdict>(row["verdict"].text(), "verdict of a claim's part"),
+          .evidence = row["evidence"].text(),
+          .reason = row["reason"].text()};
+}
+
 StoredStudy load_study(const Database& database, const Row& row) {
   const Value& id = row["study"];
   require_intact(database, Sealed::study, id);
@@ -151,23 +163,10 @@ StoredStudy load_study(const Database& database, const Row& row) {
                                .claims = load_items(database, "study_claims", "study", id,
                                                     [](const Row& r) { return r["claim"].text(); }),
                                .series = {},
-                               .values = load_items(database, "check_values", "study", id,
-                                                    [](const Row& r) {
-                                                      return mpmvv::records::Value{.name = r["name"].text(),
-                                                                                   .value = r["value"].real(),
-                                                                                   .meaning = r["meaning"].text()};
-                                                    }),
+                               .values = load_items(database, "check_values", "study", id, load_value),
                                .figures = load_items(database, "figures", "study", id,
                                                      [&](const Row& r) { return load_figure(database, r); }),
-                               .parts = load_items(database, "claim_parts", "study", id,
-                                                   [](const Row& r) {
-                                                     return records::ClaimPart{
-                                                         .claim = r["claim"].text(),
-                                                         .statement = r["statement"].text(),
-                                                         .verdict = records::part_verdict_from(r["verdict"].text()),
-                                                         .evidence = r["evidence"].text(),
-                                                         .reason = r["reason"].text()};
-                                                   })},
+                               .parts = load_items(database, "claim_parts", "study", id, load_part)},
                     .cases = {},
                     .provenance = read_provenance(row)};
   database.each("SELECT * FROM series WHERE study = ? ORDER BY ordinal", {id}, [&](const Row& series_row) {

@@ -106,8 +106,9 @@ std::optional<Record> find_run(const Database& database, const cases::Case& c, c
     found = Record{.the_case = c,
                    .particles = row["particles"].integer(),
                    .steps = row["steps"].integer(),
-                   .status = records::status_from(row["status"].text()),
-                   .failure = failure.null() ? records::Failure::none : records::failure_from(failure.text()),
+                   .status = support::from_word<records::Status>(row["status"].text(), "status"),
+                   .failure = failure.null() ? records::Failure::none
+                                             : support::from_word<records::Failure>(failure.text(), "failure"),
                    .reason = row["reason"].text(),
                    .error = {},
                    .energy = {},

@@ -45,7 +45,7 @@ class ReadmeNightly : public testing::Test {
     int code = 0;
     shell("mkdir '" + tree_ +
               "' && cd '" MPMVV_SOURCE_DIR
-              "' && cp -r CMakeLists.txt cmake mms solver studies goldens reports cli tests '" +
+              "' && cp -r CMakeLists.txt cmake mms solver studies goldens reports cli tests docs '" +
               tree_ + "'",
           code);
     ASSERT_EQ(code, 0);
@@ -86,6 +86,32 @@ TEST_F(ReadmeNightly, TheBasisIsOneFileAndOneLine) {
                                     "--boundary periodic --integrator cd --cells 32 --ppc 4 --cfl 0.2");
   EXPECT_THAT(out, testing::HasSubstr("bspline4"));
   EXPECT_THAT(out, testing::HasSubstr("status ok"));
+}
+
+/// A key and a number of a run: a member and an entry each, and everything takes them.
+TEST_F(ReadmeNightly, ASettingAndANumberAreAMemberAndAnEntry) {
+  const std::string runs = "studies/runs/run_case.cpp";
+  insert("studies/cases/case.hpp", "  int repeat = 0;", block("setting-member"));
+  insert("studies/cases/setting_keys.cpp", "      {\"repeat\",", block("setting-entry"));
+  insert(runs, "    if (!record.reason.empty()) {", block("setting-use"));
+  insert("studies/records/record.hpp", "  /// Of the Cauchy stress at the end", block("number-member"));
+  insert("studies/records/record.cpp", "      number<&Record::balance, &Balance::mass>", block("number-entry"));
+  insert(runs, "  if (c.measure.nodal_error) {", block("number-statement"));
+  insert("docs/measuring.md", "| `energy_loss` |", block("number-line"));
+  std::string study = block("study");
+  for (std::size_t at; (at = study.find("norm = \"l2\"")) != std::string::npos;)
+    study.replace(at, 11, "norm = \"deformation_error\"");
+  write("new-norm.toml", study + "quantity = \"deformation_error\"\n");
+  const std::string run = "./mpmvv run --problem bar --basis bspline2 --integrator cd --cells 16 --ppc 4 --cfl 0.2 ";
+  const std::string out =
+      build_and("mpmvv test_studies", "./test_studies --gtest_filter='Docs*:CanonicalText*:RunNumbers*' && " + run +
+                                          "--json && " + run + "--blowup-speed 1e-9 && " +
+                                          "./mpmvv study ../new-norm.toml --db new.db && { " + run +
+                                          "--blowup-speed -1; [ $? = 2 ]; }");
+  for (const char* text :
+       {"a particle is too fast at step", "order", "blowup_speed = -1 in --blowup-speed (a number > 0)"})
+    EXPECT_THAT(out, testing::HasSubstr(text));
+  EXPECT_THAT(out, testing::ContainsRegex("\"deformation\": [0-9]")) << "and not the scheme's word";
 }
 
 /// A displacement field becomes a problem, and the solver converges to it.

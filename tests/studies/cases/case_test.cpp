@@ -2,20 +2,24 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <set>
 
+#include "studies/cases/setting_keys.hpp"
 #include "studies/records/record.hpp"
 #include "studies/records/result.hpp"
 #include "studies/support/error.hpp"
+#include "tests/studies/count_members.hpp"
 
 namespace mpmvv::cases {
 namespace case_test {
 
 using records::PartVerdict;
 using records::Status;
+using support::from_word;
 
 Case bar_case() {
   return {.problem = {.name = "bar", .parameters = {{"amplitude", 0.05}, {"density", 1}}, .end_time = 0.01},
@@ -68,10 +72,17 @@ TEST(CanonicalText, EveryMemberMakesADifference) {
   EXPECT_TRUE(differs([](Case& c) { c.problem.quarter = true; }));
   EXPECT_TRUE(differs([](Case& c) { c.problem.end_time = 2; }));
   for (std::string Scheme::*word :
-       {&Scheme::basis, &Scheme::integrator, &Scheme::start, &Scheme::velocity_update, &Scheme::mass, &Scheme::boundary,
-        &Scheme::wall_acceleration, &Scheme::position, &Scheme::wall_method, &Scheme::wall_gradient,
-        &Scheme::deformation, &Scheme::body_force, &Scheme::fill})
+       {&Scheme::basis, &Scheme::integrator, &Scheme::velocity_update, &Scheme::boundary, &Scheme::material})
     EXPECT_TRUE(differs([&](Case& c) { c.scheme.*word = "x"; }));
+  EXPECT_TRUE(differs([](Case& c) { c.scheme.start = Start::exact; }));
+  EXPECT_TRUE(differs([](Case& c) { c.scheme.mass = Mass::consistent; }));
+  EXPECT_TRUE(differs([](Case& c) { c.scheme.wall_acceleration = WallAcceleration::difference; }));
+  EXPECT_TRUE(differs([](Case& c) { c.scheme.position = Position::particle; }));
+  EXPECT_TRUE(differs([](Case& c) { c.scheme.wall_method = WallMethod::lumped; }));
+  EXPECT_TRUE(differs([](Case& c) { c.scheme.wall_gradient = WallGradient::given; }));
+  EXPECT_TRUE(differs([](Case& c) { c.scheme.deformation = Deformation::exponential; }));
+  EXPECT_TRUE(differs([](Case& c) { c.scheme.body_force = BodyForce::grid; }));
+  EXPECT_TRUE(differs([](Case& c) { c.scheme.fill = Fill::conforming; }));
   EXPECT_TRUE(differs([](Case& c) { c.scheme.smoothing_length = 0.5; }));
   EXPECT_TRUE(differs([](Case& c) { c.scheme.order = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.scheme.cfl_x = 7; }));
@@ -85,9 +96,22 @@ TEST(CanonicalText, EveryMemberMakesADifference) {
   EXPECT_TRUE(differs([](Case& c) { c.measure.every_step = true; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.nodal_error = true; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.velocity_error = true; }));
+  EXPECT_TRUE(differs([](Case& c) { c.measure.stress_error = true; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.blowup_error = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.blowup_energy = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.repeat = 7; }));
+}
+
+/// A member without a key would be missing in the text, and two different cases have the same.
+TEST(CanonicalText, EveryMemberHasItsKey) {
+  const auto keys = [](CasePart part) {
+    return std::ranges::count_if(setting_keys(),
+                                 [part](const SettingKey& key) { return key.member && key.member->part == part; });
+  };
+  EXPECT_EQ(keys(CasePart::problem), count_members<ProblemChoice>() - 3) << "name, parameters and end time are its own";
+  EXPECT_EQ(keys(CasePart::scheme), count_members<Scheme>());
+  EXPECT_EQ(keys(CasePart::resolution), count_members<Resolution>());
+  EXPECT_EQ(keys(CasePart::measure), count_members<Measure>());
 }
 
 // Known values of 64-bit FNV-1a, http://www.isthe.com/chongo/tech/comp/fnv.
@@ -99,13 +123,14 @@ TEST(Fingerprint, IsFnv1a) {
 
 TEST(Words, StatusAndVerdictReadBack) {
   for (const Status s : {Status::ok, Status::unstable, Status::failed})
-    EXPECT_EQ(records::status_from(to_string(s)), s);
+    EXPECT_EQ(from_word<Status>(to_string(s), "status"), s);
   for (const PartVerdict v : {PartVerdict::holds, PartVerdict::fails, PartVerdict::shown, PartVerdict::inconclusive})
-    EXPECT_EQ(records::part_verdict_from(to_string(v)), v);
+    EXPECT_EQ(from_word<PartVerdict>(to_string(v), "verdict"), v);
   EXPECT_EQ(to_string(Status::unstable), "unstable");
   EXPECT_EQ(to_string(PartVerdict::inconclusive), "inconclusive");
-  EXPECT_THROW(records::status_from("fine"), support::UsageError);
-  EXPECT_THROW(records::part_verdict_from(""), support::UsageError);
+  EXPECT_THROW(from_word<Status>("fine", "status"), support::UsageError);
+  EXPECT_THROW(from_word<PartVerdict>("", "verdict"), support::UsageError);
+  EXPECT_EQ(to_string(Position::second_order), "second-order");
 }
 
 }  // namespace case_test

@@ -35,14 +35,14 @@ TEST(Stretch, WallsHaveTheDepthAndGradientAskedFor) {
   const cases::Case plain = make_case(stretch("stretch", {}));
   EXPECT_EQ(plain.scheme.boundary, "xmin=wall,xmax=wall,ymin=free,ymax=free");
   EXPECT_EQ(plain.scheme.wall_depth, 1);
-  EXPECT_EQ(plain.scheme.wall_gradient, "given");
+  EXPECT_EQ(plain.scheme.wall_gradient, cases::WallGradient::given);
   EXPECT_EQ(plain.problem.end_time, 80);
   const cases::Case other = make_case(stretch("stretch", {{"wall_depth", "2.5"}, {"wall_gradient", "estimated"}}));
   EXPECT_EQ(other.scheme.wall_depth, 2.5);
-  EXPECT_EQ(other.scheme.wall_gradient, "estimated");
+  EXPECT_EQ(other.scheme.wall_gradient, cases::WallGradient::estimated);
   const cases::Case bar = make_case(stretch("bar", {}));
   EXPECT_EQ(bar.scheme.wall_depth, 0);
-  EXPECT_EQ(bar.scheme.wall_gradient, "none");
+  EXPECT_EQ(bar.scheme.wall_gradient, cases::WallGradient::none);
 }
 
 /// The walls' work is many times the energy at the start, and no sign of a run that has blown up.

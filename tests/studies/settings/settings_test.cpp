@@ -102,7 +102,7 @@ TEST(Settings, WhatABasisDoesNotGoWith) {
 }
 
 TEST(Settings, WhatTheConsistentMassDoesNotGoWith) {
-  EXPECT_EQ(make_case(bar_settings({{"cfl", "0.1"}, {"mass", "consistent"}})).scheme.mass, "consistent");
+  EXPECT_EQ(make_case(bar_settings({{"cfl", "0.1"}, {"mass", "consistent"}})).scheme.mass, cases::Mass::consistent);
   using Pairs = std::initializer_list<std::pair<const char*, const char*>>;
   for (const Pairs& wrong : {Pairs{{"boundary", "dirichlet"}, {"wall_acceleration", "difference"}},
                              Pairs{{"body_force", "grid"}}, Pairs{{"ppc", "1"}}}) {

@@ -6,6 +6,7 @@
 
 #include "studies/store/schema.hpp"
 #include "tests/numbers.hpp"
+#include "tests/studies/count_members.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
 namespace mpmvv::store {
@@ -23,18 +24,22 @@ using testing::IsEmpty;
 using testing::Pair;
 using testing::SizeIs;
 
-// Structured bindings name every member: a new one does not compile until it is compared too.
 std::string describe(const Record& r) {
-  const auto& [c, particles, steps, cfl, status, failure, reason, error, energy, balance, wall_seconds, ns, cost] = r;
-  const auto& [l1, l2, linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf, velocity, stress] = error;
-  const auto& [mass, momentum, angular_momentum] = balance;
-  const auto& [kinetic, strain, initial_total] = energy;
-  const auto& [step_seconds, spread] = cost;
-  return fmt::format("{} {} {} {} {} {} '{}' {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}",
-                     cases::canonical_text(c), particles, steps, cfl, to_string(status), to_string(failure), reason, l1,
-                     l2, linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf, velocity, stress, mass,
-                     momentum, angular_momentum, kinetic, strain, initial_total, wall_seconds, ns, step_seconds,
-                     spread);
+  std::string text = fmt::format("{} {} {} {} {} '{}'", cases::canonical_text(r.the_case), r.particles, r.steps,
+                                 to_string(r.status), to_string(r.failure), r.reason);
+  for (const auto* numbers : {&records::run_errors(), &records::run_by_products()})
+    for (const records::RunNumber& number : *numbers) text += fmt::format(" {} = {}", number.name, number.get(r));
+  return text;
+}
+
+/// A member that is no number of a run would not be kept.
+TEST(RunNumbers, AreAllMembers) {
+  using namespace records;
+  EXPECT_EQ(std::ssize(run_errors()), count_members<Errors>() + count_members<Balance>());
+  constexpr int of_the_record = 3;  // wall_seconds, ns_per_particle_step, cfl
+  EXPECT_EQ(std::ssize(run_by_products()), count_members<Energy>() + count_members<Cost>() + of_the_record);
+  constexpr int without_a_number = 10;  // case, particles, steps, status, failure, reason and the four above
+  EXPECT_EQ(count_members<Record>(), without_a_number + of_the_record);
 }
 
 TEST_F(StoreTest, ARecordComesBackWhole) {

@@ -1,0 +1,74 @@
+#include "studies/cases/setting.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "studies/support/error.hpp"
+
+namespace mpmvv::cases {
+
+namespace {
+
+[[noreturn]] void refuse(const Setting& setting, const std::string& allowed) {
+  throw support::UsageError(fmt::format("{} = {} in {} ({})", setting.key, setting.value, setting.where, allowed));
+}
+
+/// Whether the whole text is a number that its type can hold.
+template <class Number>
+bool reads(const std::string& text, Number& value) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop == end;
+}
+
+}  // namespace
+
+bool has_size(double value) {
+  return std::abs(value) >= least_size && std::abs(value) <= largest_size;
+}
+
+double parse_number(const Setting& setting) {
+  double value = 0;
+  if (!reads(setting.value, value) || !std::isfinite(value))
+    throw support::UsageError(
+        fmt::format("{} = '{}' in {} (a finite number)", setting.key, setting.value, setting.where));
+  if (value != 0 && !has_size(value))
+    refuse(setting, fmt::format("0, or a number from {} to {} in size", least_size, largest_size));
+  return value;
+}
+
+double positive(const Setting& setting) {
+  const double value = parse_number(setting);
+  if (!(value > 0)) refuse(setting, "a number > 0");
+  return value;
+}
+
+double not_negative(const Setting& setting) {
+  const double value = parse_number(setting);
+  if (value < 0) refuse(setting, "a number >= 0");
+  return value;
+}
+
+std::int64_t whole(const Setting& setting, std::int64_t least, std::int64_t most) {
+  std::int64_t value = 0;
+  if (!reads(setting.value, value) || value < least || value > most)
+    refuse(setting, fmt::format("a whole number from {} to {}", least, most));
+  return value;
+}
+
+bool parse_flag(const Setting& setting) {
+  if (setting.value != "true" && setting.value != "false") refuse(setting, "true or false");
+  return setting.value == "true";
+}
+
+void require_word(const Setting& setting, const std::vector<std::string>& words) {
+  if (std::find(words.begin(), words.end(), setting.value) == words.end())
+    throw support::UsageError(fmt::format("unknown {} '{}' in {} (known: {})", setting.key, setting.value,
+                                          setting.where, fmt::join(words, ", ")));
+}
+
+}  // namespace mpmvv::cases

@@ -1,0 +1,149 @@
+#include "studies/cases/setting_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <tuple>
+#include <type_traits>
+
+#include "studies/support/error.hpp"
+
+namespace mpmvv::cases {
+
+namespace {
+
+Value value_of(bool value) {
+  return value;
+}
+Value value_of(std::int64_t value) {
+  return value;
+}
+Value value_of(int value) {
+  return std::int64_t{value};
+}
+Value value_of(double value) {
+  return value + 0.0;  // -0 equals 0: one text
+}
+Value value_of(const std::string& value) {
+  return value;
+}
+template <support::HasWords Enum>
+Value value_of(Enum value) {
+  return to_string(value);
+}
+
+template <class Whole>
+auto parts(Whole& c) {
+  return std::tie(c.problem, c.scheme, c.resolution, c.measure);
+}
+
+template <class Part>
+constexpr CasePart part_of() {
+  if (std::is_same_v<Part, ProblemChoice>) return CasePart::problem;
+  if (std::is_same_v<Part, Scheme>) return CasePart::scheme;
+  return std::is_same_v<Part, Resolution> ? CasePart::resolution : CasePart::measure;
+}
+
+/// What studies/settings sets by a rule.
+template <class Part, class Type>
+Member by_rule(Type Part::*member) {
+  return {part_of<Part>(), [member](const Case& c) { return value_of(std::get<const Part&>(parts(c)).*member); }, {}};
+}
+
+/// What `read` makes of a setting, whatever the rest of the case is.
+template <class Part, class Type, class Read>
+Member read_by(const Read& read, Type Part::*member) {
+  Member result = by_rule(member);
+  result.set = [member, read](Case& c, const Setting& setting) {
+    std::get<Part&>(parts(c)).*member = static_cast<Type>(read(setting));
+  };
+  return result;
+}
+
+template <class Part>
+Member flag(bool Part::*member) {
+  Member result = read_by(&parse_flag, member);
+  result.is_flag = true;
+  return result;
+}
+
+/// One of the enum's words; nobody asks for `none`.
+template <class Part, support::HasWords Enum>
+Member word(Enum Part::*member) {
+  std::vector<std::string> words;
+  for (const std::string each : words_of(Enum{}))
+    if (each != "none") words.push_back(each);
+  Member result = read_by(
+      [words](const Setting& setting) {
+        require_word(setting, words);
+        return support::from_word<Enum>(setting.value, "word");
+      },
+      member);
+  result.words = words;
+  return result;
+}
+
+auto whole_from(std::int64_t least, std::int64_t most) {
+  return [=](const Setting& setting) { return whole(setting, least, most); };
+}
+
+double part_of_a_cell(const Setting& setting) {
+  const double value = not_negative(setting);
+  if (!(value < 1))
+    throw support::UsageError(
+        fmt::format("{} = {} in {} (in cells, from 0 to below 1)", setting.key, setting.value, setting.where));
+  return value;
+}
+
+}  // namespace
+
+std::string text_of(const Value& value) {
+  return std::visit([](const auto& held) { return fmt::format("{}", held); }, value);
+}
+
+const std::vector<SettingKey>& setting_keys() {
+  static const std::vector<SettingKey> keys{
+      {"problem", "what is solved"},
+      {"quarter", "only the part where no coordinate is negative", flag(&ProblemChoice::quarter)},
+      {"basis", "grid basis functions", by_rule(&Scheme::basis)},
+      {"smoothing_length", "of ugimp, in cells", by_rule(&Scheme::smoothing_length)},
+      {"integrator", "order of the step", by_rule(&Scheme::integrator)},
+      {"start", "first step of cd and uvf", word(&Scheme::start)},
+      {"velocity_update", "how particle velocities follow the grid", by_rule(&Scheme::velocity_update)},
+      {"order", "terms k of xpic and fmpm", by_rule(&Scheme::order)},
+      {"cfl_x", "as cfl, of the steps that fmpm takes; flip between them", by_rule(&Scheme::cfl_x)},
+      {"position", "how particle positions follow the grid with flip", word(&Scheme::position)},
+      {"wall_method", "how walls hold what xpic and fmpm expand", word(&Scheme::wall_method)},
+      {"wall_depth", "cells inside a moving wall that it holds (1)", by_rule(&Scheme::wall_depth)},
+      {"wall_gradient", "of the velocity that a moving wall holds (given)", word(&Scheme::wall_gradient)},
+      {"mass", "mass matrix", word(&Scheme::mass)},
+      {"boundary", "all faces, or per face as xmin=symmetry,xmax=free", by_rule(&Scheme::boundary)},
+      {"wall_acceleration", "acceleration of held nodes", word(&Scheme::wall_acceleration)},
+      {"deformation", "update of F", word(&Scheme::deformation)},
+      {"body_force", "where the body force is evaluated", word(&Scheme::body_force)},
+      {"fill", "how particles fill the body", word(&Scheme::fill)},
+      {"material", "constitutive law", by_rule(&Scheme::material)},
+      {"cells", "cells per length L of the problem", read_by(whole_from(1, 1'000'000), &Resolution::cells)},
+      {"ppc", "particles per cell and direction", read_by(whole_from(1, 100), &Resolution::ppc)},
+      {"grid_offset", "shift of the grid against the body where nothing holds it, in cells",
+       read_by(&part_of_a_cell, &Resolution::grid_offset)},
+      {"shuffle", "seed of another order of the particles",
+       read_by(whole_from(0, 1'000'000'000), &Resolution::shuffle)},
+      {"cfl", "wave speed times time step over cell width"},
+      {"dt", "time step in s; must divide the end time", by_rule(&Resolution::dt)},
+      {"end_time", "in s"},
+      {"steps", "stop after so many steps of the default end time's step", by_rule(&Resolution::steps)},
+      {"every_step", "errors over all steps, too", flag(&Measure::every_step)},
+      {"nodal_error", "error of the nodal accelerations at the end, too", flag(&Measure::nodal_error)},
+      {"velocity_error", "mean over all steps of the RMS velocity error, too", flag(&Measure::velocity_error)},
+      {"stress_error", "RMS error of the stresses at the end, too", flag(&Measure::stress_error)},
+      {"blowup_error", "unstable beyond this error, in displacement amplitudes",
+       read_by(&parse_number, &Measure::blowup_error)},
+      {"blowup_energy", "unstable beyond this energy, in initial energies",
+       read_by(&parse_number, &Measure::blowup_energy)},
+      {"repeat", "run alone so often (3 or more) and keep the median cost",
+       read_by(whole_from(3, 99), &Measure::repeat)},
+  };
+  return keys;
+}
+
+}  // namespace mpmvv::cases

@@ -1,0 +1,78 @@
+#pragma once
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/basis/bases.hpp"
+#include "solver/integrator/words.hpp"
+#include "solver/material/materials.hpp"
+#include "solver/velocity_update/velocity_updates.hpp"
+#include "studies/settings/named.hpp"
+
+/// What bases, integrators, velocity updates and materials say of themselves: rules ask for this and name none of them.
+namespace mpmvv::settings {
+
+inline bool takes_smoothing_length(const solver::AnyBasis& basis) {
+  return std::visit(
+      [](const auto& b) {
+        return requires {
+          b.smoothing_length;
+        };
+      },
+      basis);
+}
+
+inline bool takes_position(const solver::AnyVelocityUpdate& update) {
+  return std::visit(
+      [](const auto& u) {
+        return requires {
+          u.position;
+        };
+      },
+      update);
+}
+
+inline bool takes_interval(const solver::AnyVelocityUpdate& update) {
+  return std::visit(
+      [](const auto& u) {
+        return requires {
+          u.interval;
+        };
+      },
+      update);
+}
+
+/// Whether it adds the grid's accelerations to what particles have.
+inline bool adds_accelerations(const solver::AnyVelocityUpdate& update) {
+  return std::holds_alternative<solver::Flip>(update);
+}
+
+/// Whether it is defined with a consistent mass, too.
+inline bool takes_consistent_mass(const solver::AnyVelocityUpdate& update) {
+  return adds_accelerations(update) || takes_interval(update);
+}
+
+inline bool is_of_affine_field(const solver::AnyVelocityUpdate& update) {
+  return std::holds_alternative<solver::Apic>(update);
+}
+
+inline bool keeps_history(const solver::AnyMaterial& material) {
+  return std::visit([]<class M>(const M&) { return solver::has_history<M>; }, material);
+}
+
+/// Whether positions and velocities of its steps are those of their ends.
+inline bool has_whole_steps(std::string_view integrator) {
+  return !solver::is_staggered(integrator) && !solver::is_staged(integrator);
+}
+
+/// The words of the integrators that have a property: what a message offers.
+template <class Property>
+std::vector<std::string> integrators_with(const Property& property) {
+  std::vector<std::string> words;
+  for (const std::string_view word : solver::integrator_words())
+    if (property(word)) words.emplace_back(word);
+  return words;
+}
+
+}  // namespace mpmvv::settings

@@ -1,0 +1,200 @@
+#include "studies/settings/validate.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "solver/boundary/boundaries.hpp"
+#include "solver/velocity_update/affine.hpp"
+#include "studies/settings/boundaries.hpp"
+#include "studies/settings/traits.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv::settings {
+
+using cases::Case;
+using cases::Mass;
+using cases::Scheme;
+using cases::WallAcceleration;
+using problems::Problem;
+
+namespace {
+
+/// Nodes a cell apart, whose weights spread wherever the particle is.
+bool is_affine(const solver::AnyBasis& basis) {
+  return std::visit([]<class B>(const B&) { return solver::has_affine_fields<B>; }, basis);
+}
+
+/// A case as the rules ask for it.
+struct Asked {
+  const Case& c;
+  const Problem& problem;
+  const Scheme& s = c.scheme;
+  const problems::Parameters& parameters = c.problem.parameters;
+  std::vector<std::string> faces = boundary_faces(s.boundary, problem.dimension(), "the case");
+  solver::AnyBasis basis = named<solver::AnyBasis>(s.basis);
+  solver::AnyVelocityUpdate update = named<solver::AnyVelocityUpdate>(s.velocity_update);
+  solver::AnyMaterial material = named<solver::AnyMaterial>(s.material);
+  int ghosts = ghosts_of(basis);
+  bool is_staged = solver::is_staged(s.integrator);
+  bool has_whole_steps = settings::has_whole_steps(s.integrator);
+  bool is_consistent = s.mass == Mass::consistent;
+  bool takes_difference = s.wall_acceleration == WallAcceleration::difference;
+  bool is_curved = problem.is_curved(parameters);
+  bool is_loaded = problem.is_loaded && problem.is_loaded(parameters);
+  bool has_solution = problem.has_solution(parameters);
+
+  bool has(std::string_view face) const { return std::ranges::find(faces, face) != faces.end(); }
+
+  bool is_periodic_on_one_face() const {
+    for (std::size_t k = 0; k < faces.size(); k += 2)
+      if ((faces[k] == solver::Periodic::word) != (faces[k + 1] == solver::Periodic::word)) return true;
+    return false;
+  }
+
+  /// A face with a wall of which the problem has no motion; empty when there is none.
+  std::string wall_at_rest() const {
+    for (std::size_t k = 0; k < faces.size(); ++k)
+      if (faces[k] == solver::Wall::word && !problem.has_wall(parameters, k))
+        return fmt::format("{}{}", "xyz"[k / 2], k % 2 == 0 ? "min" : "max");
+    return "";
+  }
+
+  bool has_width_of_a_particle() const {
+    const auto width = width_of(basis);
+    return width == solver::ParticleWidth::reference || width == solver::ParticleWidth::current;
+  }
+
+  int least_cells() const { return std::max(4, 2 * ghosts); }
+};
+
+/// What may not be, and what is said of it: {names} stand for values of the case, see `text_of`.
+struct Rule {
+  bool (*is_broken)(const Asked&);
+  const char* message;
+};
+
+constexpr Rule rules[]{
+    {[](const Asked& a) { return a.ghosts == 0 && (a.has("periodic") || a.has("mirror")); },
+     "basis '{basis}' has no ghost nodes, so boundary '{boundary}' has nothing to act on (use dirichlet, symmetry or "
+     "free, or a basis without '-open')"},
+    {[](const Asked& a) { return a.is_periodic_on_one_face(); },
+     "boundary '{boundary}' is periodic on one face only (both faces of an axis, or neither)"},
+
+    {[](const Asked& a) { return a.takes_difference && !a.has("dirichlet") && !a.has("symmetry"); },
+     "wall_acceleration 'difference' with boundary '{boundary}' that holds no node (use it with dirichlet or "
+     "symmetry)"},
+    {[](const Asked& a) { return a.takes_difference && a.s.integrator == "uvf"; },
+     "wall_acceleration 'difference' with integrator '{integrator}', which maps the velocity after the acceleration "
+     "(use zero, or another integrator)"},
+    {[](const Asked& a) { return a.takes_difference && a.is_staged; },
+     "wall_acceleration 'difference' with integrator '{integrator}', whose stages have rates and no step to take a "
+     "difference over (use zero, or another integrator)"},
+
+    {[](const Asked& a) { return a.is_consistent && a.takes_difference; },
+     "wall_acceleration 'difference' with mass 'consistent', whose velocities are solved for with the walls held: "
+     "there is none of theirs to take a difference from (use zero)"},
+    {[](const Asked& a) { return a.is_consistent && a.s.body_force == cases::BodyForce::grid; },
+     "body_force 'grid' with mass 'consistent', which m_i b(x_i) lumps again (use particles)"},
+    {[](const Asked& a) { return a.is_consistent && a.has("mirror") && a.c.resolution.cells <= 2 * a.ghosts; },
+     "{cells} cells are too few for mass 'consistent' between mirrors (more than {twice_ghosts}: no node may be the "
+     "image of two ghosts)"},
+    {[](const Asked& a) { return a.is_consistent && a.c.resolution.ppc < 2; },
+     "mass 'consistent' with ppc = 1 (at least 2: it is singular with one particle per cell)"},
+
+    {[](const Asked& a) { return !a.has_whole_steps && a.s.position != cases::Position::first_order; },
+     "velocity_update '{velocity_update}' with integrator '{integrator}' (flip with position 'first-order', or an "
+     "integrator whose steps have positions and velocities at their ends: {whole_integrators})"},
+    {[](const Asked& a) { return is_of_affine_field(a.update) && !is_affine(a.basis); },
+     "velocity_update '{velocity_update}' with basis '{basis}' ({affine_bases}: nodes a cell apart, whose weights "
+     "spread wherever the particle is)"},
+    {[](const Asked& a) { return a.is_consistent && !takes_consistent_mass(a.update); },
+     "mass 'consistent' with velocity_update '{velocity_update}', which lumped masses define (use flip or fmpm)"},
+    {[](const Asked& a) {
+       return a.is_consistent && (a.s.order > 0 || a.s.cfl_x > 0 || a.s.wall_method != cases::WallMethod::none);
+     },
+     "order, cfl_x or wall_method with mass 'consistent', the limit in which nothing is expanded (leave it out)"},
+    {[](const Asked& a) { return a.takes_difference && !adds_accelerations(a.update); },
+     "wall_acceleration 'difference' with a velocity_update other than 'flip' (use zero)"},
+
+    {[](const Asked& a) { return a.is_staged && a.s.deformation == cases::Deformation::exponential; },
+     "deformation 'exponential' with integrator '{integrator}', whose stages are linear (use linear)"},
+    {[](const Asked& a) { return a.is_staged && keeps_history(a.material); },
+     "material '{material}' with integrator '{integrator}', whose stages go back in time (use another: its history "
+     "goes forward)"},
+
+    {[](const Asked& a) { return !a.wall_at_rest().empty(); },
+     "boundary 'wall' on face {wall_at_rest} of problem '{problem}', which has no moving wall there"},
+    {[](const Asked& a) { return a.has("wall") && !a.has_whole_steps; },
+     "boundary 'wall' with integrator '{integrator}' (one whose steps have positions and velocities at their ends: "
+     "{whole_integrators})"},
+    {[](const Asked& a) { return a.has("wall") && a.takes_difference; },
+     "wall_acceleration 'difference' with boundary 'wall', whose nodes have it anyway (leave it out)"},
+    {[](const Asked& a) { return a.has("wall") && a.is_consistent && adds_accelerations(a.update); },
+     "boundary 'wall' with mass 'consistent' and velocity_update '{velocity_update}' (use fmpm: it takes velocities, "
+     "where accelerations at walls are a difference of lumped ones)"},
+
+    {[](const Asked& a) {
+       return a.c.resolution.grid_offset > 0 && std::ranges::none_of(movable_axes(a.faces), std::identity{});
+     },
+     "grid_offset with boundary '{boundary}', whose faces have their place among the nodes (periodic or free on both "
+     "faces of an axis)"},
+    {[](const Asked& a) { return (a.has("symmetry") || a.has("mirror")) && a.c.resolution.cells < a.least_cells(); },
+     "{cells} cells are too few for boundary '{boundary}' (at least {least_cells}: ghosts and their images must "
+     "differ)"},
+    {[](const Asked& a) { return a.has_width_of_a_particle() && a.c.resolution.ppc < 2; },
+     "basis '{basis}' with ppc = 1 (at least 2: a particle's width must stay below the cell's)"},
+
+    {[](const Asked& a) { return a.s.fill == cases::Fill::conforming && !a.is_curved; },
+     "fill 'conforming' has no meaning for problem '{problem}', which a lattice fills (use lattice)"},
+    {[](const Asked& a) { return a.s.fill == cases::Fill::lattice && a.is_curved && a.is_loaded; },
+     "fill 'lattice' for problem '{problem}' with a traction on its surface, which stairs do not have (use "
+     "conforming)"},
+    {[](const Asked& a) {
+       return a.problem.name == "one-particle" && (a.c.resolution.cells != 1 || a.c.resolution.ppc != 1);
+     },
+     "problem 'one-particle' with other cells or ppc (cells = 1 and ppc = 1)"},
+    {[](const Asked& a) { return a.s.start == cases::Start::exact && !a.has_solution; },
+     "problem '{problem}' has no exact velocity for start 'exact' (use start 'half')"},
+
+    {[](const Asked& a) { return a.c.measure.nodal_error && !a.has_solution; },
+     "problem '{problem}' has no exact acceleration for nodal_error (leave it out)"},
+    {[](const Asked& a) { return a.c.measure.velocity_error && !a.problem.has_speed(a.parameters); },
+     "problem '{problem}' has no speed that velocity_error is measured by (leave it out)"},
+    {[](const Asked& a) { return a.c.measure.stress_error && !a.has_solution; },
+     "problem '{problem}' has no exact stress for stress_error (leave it out)"},
+    {[](const Asked& a) { return a.c.measure.nodal_error && a.takes_difference; },
+     "nodal_error with wall_acceleration 'difference', which belongs to a step and not to the end time (use zero)"},
+    {[](const Asked& a) { return !(a.c.measure.blowup_error > 0) || !(a.c.measure.blowup_energy > 0); },
+     "blowup_error and blowup_energy must be > 0"},
+};
+
+std::string text_of(const Rule& rule, const Asked& a) {
+  using fmt::arg;
+  return fmt::format(fmt::runtime(rule.message), arg("basis", a.s.basis), arg("integrator", a.s.integrator),
+                     arg("velocity_update", a.s.velocity_update), arg("boundary", a.s.boundary),
+                     arg("material", a.s.material), arg("problem", a.problem.name), arg("cells", a.c.resolution.cells),
+                     arg("least_cells", a.least_cells()), arg("twice_ghosts", 2 * a.ghosts),
+                     arg("wall_at_rest", a.wall_at_rest()),
+                     arg("affine_bases", fmt::join(words_with<solver::AnyBasis>(is_affine), ", ")),
+                     arg("whole_integrators", fmt::join(integrators_with(settings::has_whole_steps), ", ")));
+}
+
+}  // namespace
+
+void validate(const Case& c, const Problem& problem) {
+  const Asked asked{c, problem};
+  for (const Rule& rule : rules)
+    if (rule.is_broken(asked)) throw support::UsageError(text_of(rule, asked));
+}
+
+std::vector<std::string> objections(const Case& c, const Problem& problem) {
+  const Asked asked{c, problem};
+  std::vector<std::string> texts;
+  for (const Rule& rule : rules) texts.push_back(text_of(rule, asked));
+  return texts;
+}
+
+}  // namespace mpmvv::settings

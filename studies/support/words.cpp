@@ -1,0 +1,22 @@
+#include "studies/support/words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "studies/support/error.hpp"
+
+namespace mpmvv::support {
+
+std::size_t place_of(const std::string& word, std::span<const char* const> words) {
+  return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
+void fail_unknown(const std::string& word, std::span<const char* const> words, const char* what,
+                  const std::string& where) {
+  throw UsageError(fmt::format("unknown {} '{}'{} (known: {})", what, word, where.empty() ? "" : " in " + where,
+                               fmt::join(words, ", ")));
+}
+
+}  // namespace mpmvv::support

@@ -1,0 +1,57 @@
+#include "studies/settings/validate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "studies/settings/settings.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv::settings {
+namespace validate_test {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::ThrowsMessage;
+
+cases::Case bar_case() {
+  const std::vector<Setting> settings{
+      {"problem", "bar", ""}, {"cells", "16", ""}, {"ppc", "2", ""}, {"cfl", "0.1", ""}};
+  return make_case(settings);
+}
+
+void check(const cases::Case& c) {
+  validate(c, problems::find_problem(c.problem.name, ""));
+}
+
+TEST(Validate, EveryObjectionSaysItWithTheCasesOwnWords) {
+  const cases::Case c = bar_case();
+  const std::vector<std::string> all = objections(c, problems::find_problem("bar", ""));
+  EXPECT_GT(all.size(), 20U);
+  for (const std::string& text : all) EXPECT_THAT(text, Not(HasSubstr("{"))) << text;
+  for (const char* text : {"basis 'linear' has no ghost nodes, so boundary 'periodic' has nothing to act on",
+                           "with integrator 'usl' (flip with position 'first-order'"})
+    EXPECT_THAT(all, testing::Contains(HasSubstr(text)));
+}
+
+TEST(Validate, ThrowsTheFirstThatIsBroken) {
+  EXPECT_NO_THROW(check(bar_case()));
+  cases::Case c = bar_case();
+  c.scheme.fill = cases::Fill::conforming;
+  EXPECT_THAT([&] { check(c); }, ThrowsMessage<support::UsageError>(HasSubstr("which a lattice fills")));
+  c.scheme.integrator = "rk4";
+  c.scheme.deformation = cases::Deformation::exponential;
+  EXPECT_THAT([&] { check(c); },
+              ThrowsMessage<support::UsageError>(
+                  "deformation 'exponential' with integrator 'rk4', whose stages are linear (use linear)"));
+}
+
+TEST(Validate, NamesTheFaceWithoutAWall) {
+  cases::Case c = bar_case();
+  c.scheme.boundary = "xmin=free,xmax=wall";
+  EXPECT_THAT([&] { check(c); },
+              ThrowsMessage<support::UsageError>("boundary 'wall' on face xmax of problem 'bar', which has no moving "
+                                                 "wall there"));
+}
+
+}  // namespace validate_test
+}  // namespace mpmvv::settings
