@@ -10,7 +10,7 @@ struct Mirror {
   static constexpr bool holds = false;
 
   template <int D, class T>
-  void fold(Grid<D>& grid, Face face, std::vector<T>& field) const {
+  void sum_images(Grid<D>& grid, Face face, std::vector<T>& field) const {
     const FaceNodes<D> nodes{grid, face};
     for (int layer = 1; layer <= nodes.layers(); ++layer)
       grid.for_plane(face.axis, nodes.ghost(layer), nodes.image(layer), [&](int ghost, int image) {
@@ -22,7 +22,7 @@ struct Mirror {
 
   /// Nothing to do: a field made from folded data is mirrored already.
   template <int D>
-  void constrain(Grid<D>&, Face, std::vector<Packed<D>>&) const {}
+  void constrain(Grid<D>&, Face, std::vector<Padded<D>>&) const {}
 
  private:
   template <class V>

@@ -1,4 +1,4 @@
-#include "solver/active_nodes.hpp"
+#include "solver/parallel/active_nodes.hpp"
 
 #include <mutex>
 
@@ -9,13 +9,13 @@ namespace mpmvv::solver::active_nodes_test {
 
 /// What is visited of nodes that have mass where they say so.
 std::vector<std::size_t> visited(std::size_t nodes, int threads, const auto& has_mass) {
-  Team team(threads);
+  ThreadPool pool(threads);
   ActiveNodes active(nodes);
-  active.find(team, [](std::size_t) { return true; });
-  active.find(team, has_mass);
+  active.find(pool, [](std::size_t) { return true; });
+  active.find(pool, has_mass);
   std::vector<std::size_t> found;
   std::mutex mutex;
-  active.visit(team, [&](std::size_t n) {
+  active.visit(pool, [&](std::size_t n) {
     const std::lock_guard lock(mutex);
     found.push_back(n);
   });

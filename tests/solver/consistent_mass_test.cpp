@@ -48,9 +48,9 @@ struct Mapped {
   Matrix matrix() {
     const std::size_t nodes = mpm.grid().size();
     Matrix M(nodes, nodes);
-    std::vector<Packed<D>> u(nodes), q(nodes);
+    std::vector<Padded<D>> u(nodes), q(nodes);
     for (std::size_t j = 0; j < nodes; ++j) {
-      std::fill(u.begin(), u.end(), Packed<D>::Zero());
+      std::fill(u.begin(), u.end(), Padded<D>::Zero());
       u[j].setOnes();
       mass.multiply(mpm, u, q);
       for (std::size_t i = 0; i < nodes; ++i) M(static_cast<int>(i), static_cast<int>(j)) = q[i][0];
@@ -179,8 +179,8 @@ void expect_solved(const AnyBasis& basis, const AnyBoundary& boundary) {
   const auto mpm = mapped_velocities(scene, settings);
   ConsistentMass<D> mass(*mpm, settings, std::pow(scene.h, D));
   mass.set_couplings(*mpm);
-  std::vector<Packed<D>> p(mpm->grid().size()), q(mpm->grid().size()), v = mpm->grid().v;
-  for (std::size_t n = 0; n < p.size(); ++n) p[n] = mpm->grid().p[n].template head<lanes<D>>();
+  std::vector<Padded<D>> p(mpm->grid().size()), q(mpm->grid().size()), v = mpm->grid().v;
+  for (std::size_t n = 0; n < p.size(); ++n) p[n] = mpm->grid().p[n].template head<padded_size<D>>();
   mpm->constrain(v);
   mpm->constrain_transposed(p);
   mass.multiply(*mpm, v, q);

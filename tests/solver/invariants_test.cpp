@@ -1,6 +1,6 @@
 #include <random>
 
-#include "solver/operations.hpp"
+#include "solver/kernels/node_kernels.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
@@ -192,14 +192,14 @@ void expect_exact_gradient() {
     Vec<D> node = grid.lower();
     for (std::size_t d = 0; d < D; ++d)
       node[static_cast<int>(d)] += grid.h() * B::position(grid.index(n)[d], grid.cells()[d]);
-    grid.v[n] = packed<D>(Vec<D>(G * node + Vec<D>::Constant(2)));
+    grid.v[n] = padded<D>(Vec<D>(G * node + Vec<D>::Constant(2)));
   }
   auto particles = scene.particles;
   Slabs<D> slabs(grid, B{});
-  Team team(1);
-  slabs.sort(particles, grid, team);
+  ThreadPool pool(1);
+  slabs.sort(particles, grid, pool);
   const double dt = 0.01;
-  sweep(Adds::nothing, B{}, particles, grid, slabs, team,
+  sweep(Adds::nothing, B{}, particles, grid, slabs, pool,
         node_loop(UpdatePositionAndDeformation<D>{particles, grid, dt, DeformationStep<D>{dt}}));
   for (std::size_t p = 0; p < x.size(); ++p) {
     EXPECT_LT((particles.F[p] - Mat<D>::Identity() - dt * G).norm(), 1e-14);

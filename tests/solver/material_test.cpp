@@ -2,7 +2,7 @@
 #include <random>
 
 #include "mms/derived.hpp"
-#include "solver/four.hpp"
+#include "solver/simd/pack.hpp"
 #include "solver/material/materials.hpp"
 #include "solver/words.hpp"
 #include "tests/solver/stencils.hpp"
@@ -116,9 +116,9 @@ template <class M, int D>
 void expect_four_at_once(const M& material) {
   const auto all = deformations<D>();
   for (std::size_t k = 0; k + 4 <= all.size(); k += 4) {
-    FourMat<D> four;
-    load_fours<D * D>({all[k].data(), all[k + 1].data(), all[k + 2].data(), all[k + 3].data()}, four.data());
-    const FourMat<D> tau = material.kirchhoff(four);
+    PackMat<D> four;
+    load_packs<D * D>({all[k].data(), all[k + 1].data(), all[k + 2].data(), all[k + 3].data()}, four.data());
+    const PackMat<D> tau = material.kirchhoff(four);
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const Mat<D> expected = material.kirchhoff(all[k + lane]);
       for (int i = 0; i < D * D; ++i) EXPECT_NEAR(tau(i)[lane], expected(i), 1e-14 * (1 + expected.norm()));

@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "solver/stages.hpp"
-#include "solver/sweep.hpp"
+#include "solver/kernels/block_kernels.hpp"
+#include "solver/stencils/sweep.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
@@ -22,7 +22,7 @@ struct MovedBody {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> some(-1, 1);
     const auto any = [&] { return some(random); };
-    Team alone(1);
+    ThreadPool alone(1);
     Slabs<D>(grid, B{}).sort(particles, grid, alone);
     for (std::size_t p = 0; p < particles.size(); ++p) {
       particles.m[p] *= 1 + 0.5 * any();
@@ -31,19 +31,19 @@ struct MovedBody {
       particles.F[p] += 0.2 * Mat<D>::NullaryExpr(any);
     }
     for (auto* field : {&grid.v, &grid.a})
-      for (auto& value : *field) value = Packed<D>::NullaryExpr(any);
+      for (auto& value : *field) value = Padded<D>::NullaryExpr(any);
   }
 
   /// Takes all particles through a stage and then some operations.
   template <class Stage, class... Ops>
-  void visit(bool in_companies, const Stage& stage, const Ops&... ops) {
+  void visit(bool is_grouped, const Stage& stage, const Ops&... ops) {
     constexpr bool gradients = (uses_gradients<Ops> || ...);
     PointBlock<D, B::support, gradients ? Evaluates::weights_and_gradients : Evaluates::weights> block;
     for (block.begin = 0; block.begin < particles.size(); block.begin += block.most) {
       block.count = static_cast<int>(std::min<std::size_t>(block.most, particles.size() - block.begin));
       ASSERT_EQ(evaluate_stencils(B{}, particles, grid, block), Fault::none);
-      list_runs(block, find_run_ends(block));
-      block.in_companies = in_companies;
+      list_groups(block, find_group_ends(block));
+      block.is_grouped = is_grouped;
       for (auto& row : block.tau.entry)
         for (auto& entries : row) std::fill(std::begin(entries), std::end(entries), std::nan(""));
       stage(block, grid);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solver/basis/bases.hpp"
-#include "solver/sweep.hpp"
+#include "solver/stencils/sweep.hpp"
 
 /// Bases as the solver sees them: through the stencil of one particle on a grid.
 namespace mpmvv::solver {
@@ -99,7 +99,7 @@ void for_nodes(const PointBlock<D, K>& block, const Particles<D>&, const Grid<D>
 
 /// Likewise; a node comes once for each corner that reaches it, with that corner's part.
 template <int D, int K, class Visit>
-void for_nodes(const CornerBlock<D, K>& block, const Particles<D>& particles, const Grid<D>& grid, const Visit& visit) {
+void for_nodes(const CpdiBlock<D, K>& block, const Particles<D>& particles, const Grid<D>& grid, const Visit& visit) {
   for (int c = 0; c < 1 << D; ++c) {
     PointBlock<D, K> corner;
     std::copy(block.first[c], block.first[c] + 1, corner.first);

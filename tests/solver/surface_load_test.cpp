@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "solver/map_surface_load.hpp"
+#include "solver/kernels/map_surface_load.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 

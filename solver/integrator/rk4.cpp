@@ -1,0 +1,78 @@
+#include <array>
+
+#include "solver/integrator/integrators.hpp"
+#include "solver/step.hpp"
+#include "solver/stencils/node_loop.hpp"
+
+namespace mpmvv::solver {
+
+namespace {
+
+/// Adds a stage's rate k to the step's sum and sets the state of the next stage: y = y^n + `next` k, after the last
+/// stage (`next` = 0) y = y^{n+1}, the sum.
+template <int D>
+struct AdvanceStage {
+  static constexpr bool uses_gradients = true;
+  Particles<D>& particles;
+  const Grid<D>& grid;
+  double weight, next;  ///< s
+
+  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
+    auto& [start, sum] = particles.stages;
+    const auto v = nodes.gather_with_gradient(grid.v);
+    advance(who, particles.F, start.F, sum.F, v.gradient.template topRows<D>() * who.of(particles.F));
+    advance(who, particles.x, start.x, sum.x, v.value.template head<D>());
+    advance(who, particles.v, start.v, sum.v, nodes.gather(grid.a).template head<D>());
+  }
+
+ private:
+  template <class T>
+  void advance(const auto& who, std::vector<T>& now, const std::vector<T>& start, std::vector<T>& sum,
+               const auto& rate_of) const {
+    const auto rate = rate_of.eval();
+    who.add(sum, (weight * rate).eval());
+    if (next > 0)
+      who.set(now, (who.of(start) + next * rate).eval());
+    else
+      who.set(now, who.of(sum));
+  }
+};
+
+/// The classical Runge-Kutta method of fourth order for MPM as a system of ordinary differential equations. The state
+/// is y = (x_p, v_p, F_p), with l_p = l_p⁰ diag F_p for a basis that follows it; its rates at time t those that
+/// particles find on the grid by the weights at x_p,
+///   m_i = Σ_p N_ip m_p,   v_i = Σ_p N_ip m_p v_p / m_i,   a_i = f_i(x, F, t) / m_i,   both constrained,
+///   x_p' = Σ_i N_ip v_i,  v_p' = Σ_i N_ip a_i,            F_p' = (Σ_i v_i ⊗ ∇N_ip) F_p,
+/// which is what every integrator here tends to as Δt -> 0: S (1) to (10) divided by Δt. Then
+///   k_1 = g(t, y), k_2 = g(t + Δt/2, y + Δt/2 k_1), k_3 = g(t + Δt/2, y + Δt/2 k_2), k_4 = g(t + Δt, y + Δt k_3),
+///   y += Δt (k_1 + 2 k_2 + 2 k_3 + k_4)/6.
+/// The rates are only as smooth as ∇N: the order is four while no particle crosses a knot of the basis. On a fixed grid
+/// all others are of first order towards this limit, cd too, since they keep the weights of t^n through the step and
+/// let x follow v_i + Δt a_i where the new particle velocities map to v_i + Δt (S⁺S a)_i. In cd these terms are of
+/// order h² Δt, so that it is of second order when the time step is refined with the grid.
+template <int D>
+void rk4(Step<D>& s, double dt) {
+  struct Stage {
+    double time, weight, next;  // in Δt
+  };
+  constexpr std::array<Stage, 4> stages{{{0, 1. / 6, 0.5}, {0.5, 1. / 3, 0.5}, {0.5, 1. / 3, 1}, {1, 1. / 6, 0}}};
+
+  const double t = s.time();
+  s.particles().start_stages();
+  for (const Stage& stage : stages) {
+    s.set_time(t + stage.time * dt);
+    s.map_momentum_and_forces();  // m_i, p_i; τ_p = τ(F_p), f_i
+    s.set_velocity();             // v_i
+    s.set_acceleration();         // a_i
+    s.sweep_and_settle(AdvanceStage<D>{s.particles(), s.grid(), stage.weight * dt, stage.next * dt});
+    s.sort_strays();
+  }
+}
+
+}  // namespace
+
+Integrator rk4_integrator() {
+  return {.word = "rk4", .in_1d = &rk4<1>, .in_2d = &rk4<2>, .in_3d = &rk4<3>, .is_staged = true};
+}
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,24 @@
+#include "solver/kernels/update_particles.hpp"
+
+#include "solver/stencils/node_loop.hpp"
+
+/// Compiled once for all pages that update particles.
+namespace mpmvv::solver {
+
+template Fault run_kernel(const UpdateDeformation<1>&, AnyBlock<1>&, const Grid<1>&);
+template Fault run_kernel(const UpdateDeformation<2>&, AnyBlock<2>&, const Grid<2>&);
+template Fault run_kernel(const UpdateDeformation<3>&, AnyBlock<3>&, const Grid<3>&);
+
+template Fault run_kernel(const UpdateParticle<1>&, AnyBlock<1>&, const Grid<1>&);
+template Fault run_kernel(const UpdateParticle<2>&, AnyBlock<2>&, const Grid<2>&);
+template Fault run_kernel(const UpdateParticle<3>&, AnyBlock<3>&, const Grid<3>&);
+
+template Fault run_kernel(const UpdateVelocityAndPosition<1>&, AnyBlock<1>&, const Grid<1>&);
+template Fault run_kernel(const UpdateVelocityAndPosition<2>&, AnyBlock<2>&, const Grid<2>&);
+template Fault run_kernel(const UpdateVelocityAndPosition<3>&, AnyBlock<3>&, const Grid<3>&);
+
+template Fault run_kernel(const UpdateVelocityAndRate<1>&, AnyBlock<1>&, const Grid<1>&);
+template Fault run_kernel(const UpdateVelocityAndRate<2>&, AnyBlock<2>&, const Grid<2>&);
+template Fault run_kernel(const UpdateVelocityAndRate<3>&, AnyBlock<3>&, const Grid<3>&);
+
+}  // namespace mpmvv::solver
