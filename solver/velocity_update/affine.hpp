@@ -1,6 +1,9 @@
 #pragma once
 #include <algorithm>
 
+#include "solver/basis/basis.hpp"
+#include "solver/grid.hpp"
+#include "solver/particles.hpp"
 #include "solver/stencils/point_block.hpp"
 
 /// The affine velocity field about a particle, v_p + C_p (x - x_p), that APIC carries: Jiang, Schroeder, Selle, Teran,
