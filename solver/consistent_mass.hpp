@@ -60,7 +60,7 @@ class ConsistentMass {
   std::vector<double> covered_mass_;      ///< θ m_full
   std::vector<double> coverage_;          ///< c
   std::vector<Padded<D + 1>> couplings_;  ///< in component D: M c
-  Field inverse_;                      ///< of Cᵀ diag(m) C, zero where nothing is to be solved
+  Field inverse_;                         ///< of Cᵀ diag(m) C, zero where nothing is to be solved
   Field residual_, direction_, image_;    ///< of the iteration
   Field covered_;                         ///< c u, for the product
 };

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "solver/kernels/add_mass_product.hpp"
-#include "solver/step.hpp"
 #include "solver/stencils/node_loop.hpp"
+#include "solver/step.hpp"
 
 namespace mpmvv::solver {
 

@@ -27,8 +27,8 @@ class Mpm {
   bool step(double dt);
   std::string fault() const;
 
-  const Particles<D>& particles() const;  ///< in the order of their places; ids are in that of creation
-  const Grid<D>& grid() const;            ///< as the last step or `map_acceleration` has left it
+  const Particles<D>& particles() const;        ///< in the order of their places; ids are in that of creation
+  const Grid<D>& grid() const;                  ///< as the last step or `map_acceleration` has left it
   const std::array<bool, D>& periodic() const;  ///< by axis
   double time() const;
   std::int64_t steps() const;  ///< finished ones
@@ -41,8 +41,8 @@ class Mpm {
   /// Maps the particles as they are now: the grid then holds m_i and a_i = f_i/m_i, constrained, of this very time,
   /// where a step leaves those of its start.
   void map_acceleration();
-  Vec<D> node_position(std::size_t n) const;   ///< of the node at a storage index
-  bool is_accelerated(std::size_t n) const;    ///< whether its mass exceeds the scene's `mass_cutoff`
+  Vec<D> node_position(std::size_t n) const;  ///< of the node at a storage index
+  bool is_accelerated(std::size_t n) const;   ///< whether its mass exceeds the scene's `mass_cutoff`
 
  private:
   std::unique_ptr<Step<D>> step_;

@@ -1,9 +1,11 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "solver/fault.hpp"
@@ -68,8 +70,8 @@ class Step {
   void advance_velocity(double dt);  ///< v_i += a_i Δt, constrained                               S (6), W (16), S (30)
 
   // From the grid to particles: the last sweep of a step, after which all is ready for the next.
-  void update_particles(double dt);                                     ///< v_p, x_p by the velocity update
-  void update_particles(double dt, const DeformationStep<D>& deform);  ///< and F_p by the grid's v
+  void update_particles(double dt);                                             ///< v_p, x_p by the velocity update
+  void update_particles(double dt, const DeformationStep<D>& deform);           ///< and F_p by the grid's v
   void move_particles_and_deform(double dt, const DeformationStep<D>& deform);  ///< x_p at its rate, F_p likewise
 
   /// How F follows the grid's velocity gradient for so long.
@@ -109,8 +111,8 @@ class Step {
   void clear(std::vector<V>& field);  ///< to zero, before particles are mapped to it
   template <class V>
   void sum_images(std::vector<V>& field);  ///< adds up what the boundaries identify, after particles have been mapped
-  void sum_momentum_images();  ///< that of momenta and masses; the masses decide what `for_nodes` visits from then on
-  void constrain(Field& field);             ///< v = C v, where walls stand still
+  void sum_momentum_images();    ///< that of momenta and masses; the masses decide what `for_nodes` visits from then on
+  void constrain(Field& field);  ///< v = C v, where walls stand still
   void constrain_transposed(Field& field);  ///< f = Cᵀ f
 
   // For velocity updates.
@@ -122,7 +124,7 @@ class Step {
   void make_room();
   void add_walls();
   void sort();
-  void sweep_with_forces(const AnyKernel<D>& first);
+  void map_forces(const auto& with, const auto&... before);
   void add_surface_load();
   void add_grid_body_force();
   void clear_grid();
@@ -156,6 +158,31 @@ class Step {
   std::vector<std::uint32_t> place_;  ///< of the particle with each id, for the surface load
   std::vector<Vec<D>> load_;          ///< its forces
 };
+
+template <int D>
+template <class Visit>
+void Step<D>::for_faces(const Visit& visit) {
+  for (int d = 0; d < D; ++d)
+    for (const bool upper : {false, true})
+      std::visit(
+          [&](const auto& boundary) {
+            visit(boundary, Face{d, upper});
+          },
+          scene_.boundary[static_cast<std::size_t>(2 * d + (upper ? 1 : 0))]);
+}
+
+template <int D>
+template <class V>
+void Step<D>::clear(std::vector<V>& field) {
+  for_chunks(pool_, field.size(),
+             [&field](std::size_t begin, std::size_t end) { std::fill(&field[begin], &field[0] + end, V::Zero()); });
+}
+
+template <int D>
+template <class V>
+void Step<D>::sum_images(std::vector<V>& field) {
+  for_faces([&](const auto& boundary, Face face) { boundary.sum_images(grid_, face, field); });
+}
 
 extern template class Step<1>;
 extern template class Step<2>;

@@ -7,34 +7,9 @@
 namespace mpmvv::solver {
 
 template <int D>
-template <class Visit>
-void Step<D>::for_faces(const Visit& visit) {
-  for (int d = 0; d < D; ++d)
-    for (const bool upper : {false, true})
-      std::visit(
-          [&](const auto& boundary) {
-            visit(boundary, Face{d, upper});
-          },
-          scene_.boundary[static_cast<std::size_t>(2 * d + (upper ? 1 : 0))]);
-}
-
-template <int D>
-template <class V>
-void Step<D>::clear(std::vector<V>& field) {
-  for_chunks(pool_, field.size(),
-             [&field](std::size_t begin, std::size_t end) { std::fill(&field[begin], &field[0] + end, V::Zero()); });
-}
-
-template <int D>
 void Step<D>::clear_grid() {
   clear(grid_.p);
   clear(grid_.f);
-}
-
-template <int D>
-template <class V>
-void Step<D>::sum_images(std::vector<V>& field) {
-  for_faces([&](const auto& boundary, Face face) { boundary.sum_images(grid_, face, field); });
 }
 
 template <int D>

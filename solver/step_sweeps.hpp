@@ -1,10 +1,12 @@
 #pragma once
+#include <functional>
+
 #include "solver/kernels/block_kernels.hpp"
 #include "solver/kernels/map_surface_load.hpp"
 #include "solver/kernels/map_to_grid.hpp"
 #include "solver/kernels/update_particles.hpp"
-#include "solver/step.hpp"
 #include "solver/stencils/sweep.hpp"
+#include "solver/step.hpp"
 
 /// The parts of a step that visit particles.
 namespace mpmvv::solver {
@@ -25,32 +27,32 @@ void Step<D>::map_momentum() {
 template <int D>
 void Step<D>::map_momentum_and_forces() {
   clear_grid();
-  sweep_with_forces(MapMomentum<D>{particles_, grid_});
+  map_forces([this](const auto& forces) { return Fused{MapMomentum<D>{particles_, grid_}, forces}; });
   sum_momentum_images();
 }
 
 template <int D>
 void Step<D>::map_mass_and_forces() {
   clear_grid();
-  sweep_with_forces(MapMass<D>{particles_, grid_});
+  map_forces([this](const auto& forces) { return Fused{MapMass<D>{particles_, grid_}, forces}; });
   sum_momentum_images();
 }
 
 template <int D>
 void Step<D>::deform_and_map_forces(const DeformationStep<D>& deform) {
-  sweep_with_forces(UpdateDeformation<D>{particles_, grid_, deform});
+  map_forces(std::identity{}, UpdateDeformation<D>{particles_, grid_, deform});
 }
 
-/// By the first kernel, then of stress and forces.
+/// By these kernels, then of stress, then by what `with` makes of that of forces.
 template <int D>
-void Step<D>::sweep_with_forces(const AnyKernel<D>& first) {
+void Step<D>::map_forces(const auto& with, const auto&... before) {
   const EvaluateStress<D> stress{particles_, scene_.material, dt_};
   if (scene_.body_force && scene_.body_force_on == BodyForceOn::particles) {
     scene_.body_force->prepare(time_);
-    sweep({first, stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
-           MapForces<D>{particles_, grid_}});
+    sweep({before..., stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
+           with(MapForces<D>{particles_, grid_})});
   } else {
-    sweep({first, stress, MapInternalForce<D>{particles_, grid_}});
+    sweep({before..., stress, with(MapInternalForce<D>{particles_, grid_})});
   }
   if (scene_.surface_load) add_surface_load();
   sum_images(grid_.f);
@@ -73,12 +75,20 @@ void Step<D>::update_velocities_and_map_momentum(double dt) {
 
 template <int D>
 void Step<D>::update_particles(double dt) {
-  sweep_and_settle(UpdateVelocityAndPosition<D>{particles_, grid_, velocity_fields(dt), dt});
+  const VelocityFields<D> fields = velocity_fields(dt);
+  if (are_flip(fields, grid_))
+    sweep_and_settle(UpdateVelocityAndPosition<D, true>{particles_, grid_, fields, dt});
+  else
+    sweep_and_settle(UpdateVelocityAndPosition<D, false>{particles_, grid_, fields, dt});
 }
 
 template <int D>
 void Step<D>::update_particles(double dt, const DeformationStep<D>& deform) {
-  sweep_and_settle(UpdateParticle<D>{particles_, grid_, velocity_fields(dt), dt, deform});
+  const VelocityFields<D> fields = velocity_fields(dt);
+  if (are_flip(fields, grid_))
+    sweep_and_settle(UpdateParticle<D, true>{particles_, grid_, fields, dt, deform});
+  else
+    sweep_and_settle(UpdateParticle<D, false>{particles_, grid_, fields, dt, deform});
 }
 
 template <int D>

@@ -1,21 +1,23 @@
 #include <array>
+#include <optional>
 
 #include "solver/integrator/integrators.hpp"
-#include "solver/step.hpp"
 #include "solver/stencils/node_loop.hpp"
+#include "solver/step.hpp"
 
 namespace mpmvv::solver {
 
 namespace {
 
-/// Adds a stage's rate k to the step's sum and sets the state of the next stage: y = y^n + `next` k, after the last
-/// stage (`next` = 0) y = y^{n+1}, the sum.
+/// Adds a stage's rate k to the step's sum and sets the state of the next stage, y = y^n + `next` k, or, where none
+/// follows, that of the step's end, y = y^{n+1}, the sum.
 template <int D>
 struct AdvanceStage {
   static constexpr bool uses_gradients = true;
   Particles<D>& particles;
   const Grid<D>& grid;
-  double weight, next;  ///< s
+  double weight;               ///< s
+  std::optional<double> next;  ///< s
 
   [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
     auto& [start, sum] = particles.stages;
@@ -31,8 +33,8 @@ struct AdvanceStage {
                const auto& rate_of) const {
     const auto rate = rate_of.eval();
     who.add(sum, (weight * rate).eval());
-    if (next > 0)
-      who.set(now, (who.of(start) + next * rate).eval());
+    if (next)
+      who.set(now, (who.of(start) + *next * rate).eval());
     else
       who.set(now, who.of(sum));
   }
@@ -53,18 +55,20 @@ struct AdvanceStage {
 template <int D>
 void rk4(Step<D>& s, double dt) {
   struct Stage {
-    double time, weight, next;  // in Δt
+    double time, weight;
+    std::optional<double> next;
   };
-  constexpr std::array<Stage, 4> stages{{{0, 1. / 6, 0.5}, {0.5, 1. / 3, 0.5}, {0.5, 1. / 3, 1}, {1, 1. / 6, 0}}};
+  const std::array<Stage, 4> stages{
+      {{0, dt / 6, dt / 2}, {dt / 2, dt / 3, dt / 2}, {dt / 2, dt / 3, dt}, {dt, dt / 6, {}}}};
 
   const double t = s.time();
   s.particles().start_stages();
   for (const Stage& stage : stages) {
-    s.set_time(t + stage.time * dt);
+    s.set_time(t + stage.time);
     s.map_momentum_and_forces();  // m_i, p_i; τ_p = τ(F_p), f_i
     s.set_velocity();             // v_i
     s.set_acceleration();         // a_i
-    s.sweep_and_settle(AdvanceStage<D>{s.particles(), s.grid(), stage.weight * dt, stage.next * dt});
+    s.sweep_and_settle(AdvanceStage<D>{s.particles(), s.grid(), stage.weight, stage.next});
     s.sort_strays();
   }
 }

@@ -32,8 +32,8 @@ void usl(Step<D>& s, double dt) {
 template <int D>
 void usl_plus(Step<D>& s, double dt) {
   advance_grid(s, dt);
-  s.update_velocities_and_map_momentum(dt);       // v_p, (x_p' - x_p)/Δt; p_i
-  s.set_stress_velocity();                        // v̄_i
+  s.update_velocities_and_map_momentum(dt);            // v_p, (x_p' - x_p)/Δt; p_i
+  s.set_stress_velocity();                             // v̄_i
   s.move_particles_and_deform(dt, s.deformation(dt));  // x_p; F_p by v̄
 }
 

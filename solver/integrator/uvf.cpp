@@ -1,7 +1,7 @@
 #include "solver/integrator/integrators.hpp"
 #include "solver/kernels/map_to_grid.hpp"
-#include "solver/step.hpp"
 #include "solver/stencils/node_loop.hpp"
+#include "solver/step.hpp"
 
 namespace mpmvv::solver {
 

@@ -7,10 +7,10 @@
 
 #include "solver/body_force.hpp"
 #include "solver/fault.hpp"
-#include "solver/stencils/extent.hpp"
 #include "solver/material/materials.hpp"
-#include "solver/particles.hpp"
 #include "solver/parallel/slabs.hpp"
+#include "solver/particles.hpp"
+#include "solver/stencils/extent.hpp"
 #include "solver/stencils/particle_pack.hpp"
 
 /// Block kernels (stencils/kernel.hpp): stress, body force, and what follows a move.

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/surface_load.hpp"
 #include "solver/stencils/sweep.hpp"
+#include "solver/surface_load.hpp"
 
 namespace mpmvv::solver {
 

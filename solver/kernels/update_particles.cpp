@@ -9,13 +9,19 @@ template Fault run_kernel(const UpdateDeformation<1>&, AnyBlock<1>&, const Grid<
 template Fault run_kernel(const UpdateDeformation<2>&, AnyBlock<2>&, const Grid<2>&);
 template Fault run_kernel(const UpdateDeformation<3>&, AnyBlock<3>&, const Grid<3>&);
 
-template Fault run_kernel(const UpdateParticle<1>&, AnyBlock<1>&, const Grid<1>&);
-template Fault run_kernel(const UpdateParticle<2>&, AnyBlock<2>&, const Grid<2>&);
-template Fault run_kernel(const UpdateParticle<3>&, AnyBlock<3>&, const Grid<3>&);
+template Fault run_kernel(const UpdateParticle<1, false>&, AnyBlock<1>&, const Grid<1>&);
+template Fault run_kernel(const UpdateParticle<1, true>&, AnyBlock<1>&, const Grid<1>&);
+template Fault run_kernel(const UpdateParticle<2, false>&, AnyBlock<2>&, const Grid<2>&);
+template Fault run_kernel(const UpdateParticle<2, true>&, AnyBlock<2>&, const Grid<2>&);
+template Fault run_kernel(const UpdateParticle<3, false>&, AnyBlock<3>&, const Grid<3>&);
+template Fault run_kernel(const UpdateParticle<3, true>&, AnyBlock<3>&, const Grid<3>&);
 
-template Fault run_kernel(const UpdateVelocityAndPosition<1>&, AnyBlock<1>&, const Grid<1>&);
-template Fault run_kernel(const UpdateVelocityAndPosition<2>&, AnyBlock<2>&, const Grid<2>&);
-template Fault run_kernel(const UpdateVelocityAndPosition<3>&, AnyBlock<3>&, const Grid<3>&);
+template Fault run_kernel(const UpdateVelocityAndPosition<1, false>&, AnyBlock<1>&, const Grid<1>&);
+template Fault run_kernel(const UpdateVelocityAndPosition<1, true>&, AnyBlock<1>&, const Grid<1>&);
+template Fault run_kernel(const UpdateVelocityAndPosition<2, false>&, AnyBlock<2>&, const Grid<2>&);
+template Fault run_kernel(const UpdateVelocityAndPosition<2, true>&, AnyBlock<2>&, const Grid<2>&);
+template Fault run_kernel(const UpdateVelocityAndPosition<3, false>&, AnyBlock<3>&, const Grid<3>&);
+template Fault run_kernel(const UpdateVelocityAndPosition<3, true>&, AnyBlock<3>&, const Grid<3>&);
 
 template Fault run_kernel(const UpdateVelocityAndRate<1>&, AnyBlock<1>&, const Grid<1>&);
 template Fault run_kernel(const UpdateVelocityAndRate<2>&, AnyBlock<2>&, const Grid<2>&);

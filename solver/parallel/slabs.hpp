@@ -9,8 +9,8 @@
 
 #include "solver/basis/basis.hpp"
 #include "solver/grid.hpp"
-#include "solver/particles.hpp"
 #include "solver/parallel/thread_pool.hpp"
+#include "solver/particles.hpp"
 
 namespace mpmvv::solver {
 

@@ -22,7 +22,8 @@ class PairLine {
   /// N_i value
   [[gnu::always_inline]] PairLine(const double* N, const Padded<2>& value) {
     for (std::size_t k = 0; k < quads_.size(); ++k)
-      quads_[k] = Double4{N[2 * k], N[2 * k], N[2 * k + 1], N[2 * k + 1]} * Double4{value[0], value[1], value[0], value[1]};
+      quads_[k] =
+          Double4{N[2 * k], N[2 * k], N[2 * k + 1], N[2 * k + 1]} * Double4{value[0], value[1], value[0], value[1]};
     if constexpr (is_odd) last_ = N[K - 1] * Double2{value[0], value[1]};
   }
 

@@ -19,9 +19,9 @@ struct CpdiBlock : Block<D> {
 
   using Block<D>::Block;
 
-  int node[corners][D][most];       ///< first node along each axis
-  int first[corners][most];         ///< its storage index
-  double S[corners][D][K][most];    ///< weights per axis
+  int node[corners][D][most];        ///< first node along each axis
+  int first[corners][most];          ///< its storage index
+  double S[corners][D][K][most];     ///< weights per axis
   Mat<D> slope[cpdi_block_size<D>];  ///< 2^(1-D) R^-T, per length, where a kernel of the sweep uses gradients
 
   /// Of the k-th particle.

@@ -69,7 +69,8 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
   }
   if (with_gradients) {
     const double factor = 2 / grid.h() / Corners::corners;
-    for (int k = 0; k < count; ++k) block.slope[k] = factor * particles.R[block.begin + static_cast<std::size_t>(k)].inverse().transpose();
+    for (int k = 0; k < count; ++k)
+      block.slope[k] = factor * particles.R[block.begin + static_cast<std::size_t>(k)].inverse().transpose();
   }
   return found;
 }

@@ -27,54 +27,79 @@ inline constexpr bool maps_to_nodes = requires(const Kernel& kernel) {
 };
 
 /// Visits each particle by itself.
-template <int D, class Shape, class Kernel>
-void visit_each(const Kernel& kernel, const Shape& block, const Grid<D>& grid) {
+template <int D, class Shape, class... Kernels>
+[[gnu::noinline, gnu::flatten]] void visit_each(const Shape& block, const Grid<D>& grid, const Kernels&... kernels) {
   for_interleaved(block.count, [&](int k) {
-    const auto nodes = block.template stencil<uses_gradients<Kernel>>(k, grid);
+    const auto nodes = block.template stencil<(uses_gradients<Kernels> || ...)>(k, grid);
     const ParticleRef<D> particle{block.begin, k};
-    if constexpr (maps_to_nodes<Kernel>)
-      nodes.scatter(kernel(particle, nodes, block), kernel.field());
-    else
-      kernel(particle, nodes, block);
+    const auto visit = [&]<class Kernel>(const Kernel& kernel) {
+      if constexpr (maps_to_nodes<Kernel>)
+        nodes.scatter(kernel(particle, nodes, block), kernel.field());
+      else
+        kernel(particle, nodes, block);
+    };
+    (visit(kernels), ...);
   });
 }
 
-/// What the packs of a group add to its nodes; nothing for a kernel that does not map.
-template <class Source, int packs>
-struct Sources {
-  Sources() {}  // leaves them unset: each is written before it is read
-  Source of[packs];
-};
-struct None {};
+/// A kernel on the packs of a group, and what these add to its nodes.
+template <int D, class Kernel, class Nodes, class Block>
+class OnGroup {
+ public:
+  explicit OnGroup(const Kernel& kernel) : kernel_(kernel) {}  // leaves the sources unset: each is written before read
 
-/// Visits four particles at a time, group by group, whose sums are brought to the nodes at its end.
-template <int D, int K, class Kernel>
-[[gnu::noinline, gnu::flatten]] void visit_packs(const Kernel& kernel, const PointBlock<D, K>& block,
-                                                 const Grid<D>& grid) {
-  using Nodes = PackStencil<D, K>;
-  using Result = std::invoke_result_t<const Kernel&, const ParticlePack<D>&, const Nodes&, const PointBlock<D, K>&>;
-  [[maybe_unused]] std::conditional_t<maps_to_nodes<Kernel>, Sources<Result, block_size<D> / 4>, None> sources;
+  void visit(const ParticlePack<D>& pack, const Nodes& nodes, const Block& block, int place) {
+    if constexpr (maps_to_nodes<Kernel>)
+      sources_[static_cast<std::size_t>(place)] = first_of(kernel_(pack, nodes, block), pack.count());
+    else
+      kernel_(pack, nodes, block);
+  }
+  void scatter(const Nodes& nodes, int packs) const {
+    if constexpr (maps_to_nodes<Kernel>) nodes.scatter(sources_.data(), packs, kernel_.field());
+  }
+
+ private:
+  struct None {};
+  using Source = std::invoke_result_t<const Kernel&, const ParticlePack<D>&, const Nodes&, const Block&>;
+  const Kernel& kernel_;
+  std::conditional_t<maps_to_nodes<Kernel>, std::array<Source, block_size<D> / 4>, None> sources_;
+};
+
+template <class Nodes, int D, class Block, class... Kernels>
+void visit_groups(const Block& block, const Grid<D>& grid, OnGroup<D, Kernels, Nodes, Block>&&... on_group) {
   for (int g = 0; g < block.groups; ++g) {
     const int begin = block.group[g], end = block.group[g + 1];
     for (int k = begin; k < end; k += 4) {
       const ParticlePack<D> pack(block.begin, k, std::min(end - k, 4));
       const Nodes nodes(block, grid, k);
-      if constexpr (maps_to_nodes<Kernel>)
-        sources.of[(k - begin) / 4] = first_of(kernel(pack, nodes, block), pack.count());
-      else
-        kernel(pack, nodes, block);
+      (on_group.visit(pack, nodes, block, (k - begin) / 4), ...);
     }
-    if constexpr (maps_to_nodes<Kernel>)
-      Nodes(block, grid, begin).scatter(sources.of, (end - begin + 3) / 4, kernel.field());
+    const Nodes nodes(block, grid, begin);
+    (on_group.scatter(nodes, (end - begin + 3) / 4), ...);
   }
 }
 
-template <int D, class Shape, class Kernel>
-void visit_nodes(const Kernel& kernel, const Shape& block, const Grid<D>& grid) {
-  if constexpr (requires { kernel.prepare(block, grid); }) kernel.prepare(block, grid);
+/// Visits four particles at a time, group by group, whose sums are brought to the nodes at its end.
+template <int D, int K, class... Kernels>
+[[gnu::noinline, gnu::flatten]] void visit_packs(const PointBlock<D, K>& block, const Grid<D>& grid,
+                                                 const Kernels&... kernels) {
+  using Nodes = PackStencil<D, K>;
+  visit_groups<Nodes>(block, grid, OnGroup<D, Kernels, Nodes, PointBlock<D, K>>(kernels)...);
+}
+
+template <int D, class Shape, class... Kernels>
+void visit_nodes(const Shape& block, const Grid<D>& grid, const Kernels&... kernels) {
+  const auto prepare = [&](const auto& kernel) {
+    if constexpr (requires { kernel.prepare(block, grid); }) kernel.prepare(block, grid);
+  };
+  (prepare(kernels), ...);
   if constexpr (requires { block.groups; })
-    if (block.is_grouped) return visit_packs(kernel, block, grid);
-  visit_each(kernel, block, grid);
+    if (block.is_grouped) return visit_packs(block, grid, kernels...);
+  visit_each(block, grid, kernels...);
+}
+template <int D, class Shape, class First, class Second>
+void visit_nodes(const Shape& block, const Grid<D>& grid, const Fused<First, Second>& kernels) {
+  visit_nodes(block, grid, kernels.first, kernels.second);
 }
 
 template <int D, class Kernel>
@@ -82,7 +107,7 @@ Fault run_kernel(const Kernel& kernel, AnyBlock<D>& block, const Grid<D>& grid) 
   return std::visit(
       [&]<class Shape>(Shape& own) {
         if constexpr (!std::invocable<const Kernel&, Shape&, const Grid<D>&>)
-          visit_nodes(kernel, own, grid);
+          visit_nodes(own, grid, kernel);
         else if constexpr (std::same_as<std::invoke_result_t<const Kernel&, Shape&, const Grid<D>&>, Fault>)
           return kernel(own, grid);
         else

@@ -206,7 +206,8 @@ class PackStencil {
   }
 
   template <int C, class V>
-  [[gnu::always_inline]] void add(const std::array<Double4, K * C>& sum, const Line& line, std::vector<V>& field) const {
+  [[gnu::always_inline]] void add(const std::array<Double4, K * C>& sum, const Line& line,
+                                  std::vector<V>& field) const {
     static_assert(padded_size<C> == V::RowsAtCompileTime);
     double* const nodes = field[first_].data() + padded_size<C> * line.offset;
     for_constants<K>([&](auto i) { add_sums<C>(&sum[i * C], nodes + i * padded_size<C>); });

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "solver/stencils/block.hpp"
 #include "solver/simd/pack.hpp"
+#include "solver/stencils/block.hpp"
 
 namespace mpmvv::solver {
 

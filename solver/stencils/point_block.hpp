@@ -16,11 +16,11 @@ struct PointBlock : Block<D> {
 
   using Block<D>::Block;
 
-  int first[room];                   ///< storage index of the first node
-  alignas(32) double N[D][K][room];  ///< weights
+  int first[room];                    ///< storage index of the first node
+  alignas(32) double N[D][K][room];   ///< weights
   alignas(32) double dN[D][K][room];  ///< gradients, per length, where a kernel of the sweep uses them
-  int groups;                        ///< of particles that share their nodes
-  int group[block_size<D> + 1];      ///< where each begins, and the end
+  int groups;                         ///< of particles that share their nodes
+  int group[block_size<D> + 1];       ///< where each begins, and the end
 
   /// Of the k-th particle.
   template <bool with_gradients = true>

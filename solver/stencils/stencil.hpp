@@ -4,8 +4,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "solver/simd/pair_line.hpp"
 #include "solver/simd/padded.hpp"
+#include "solver/simd/pair_line.hpp"
 
 namespace mpmvv::solver {
 

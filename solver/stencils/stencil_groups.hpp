@@ -52,8 +52,8 @@ int list_groups(Block& block, const GroupEnds<Block>& ends) {
   return packs;
 }
 
-/// Whether visits by packs pay: measured, one costs about as much as five thirds of a visit to a particle by itself, and
-/// so does bringing the sums of a group to its nodes.
+/// Whether visits by packs pay: measured, one costs about as much as five thirds of a visit to a particle by itself,
+/// and so does bringing the sums of a group to its nodes.
 constexpr bool pays(int groups, int packs, int count) {
   return 5 * (packs + groups) <= 3 * count;
 }

@@ -10,11 +10,7 @@ namespace mpmvv::solver {
 
 template <int D>
 AnyBlock<D> make_block(const AnyBasis& basis, int slab) {
-  return std::visit(
-      [slab]<class B>(const B&) {
-        return AnyBlock<D>(std::in_place_type<BlockOf<D, B>>, slab);
-      },
-      basis);
+  return std::visit([slab]<class B>(const B&) { return AnyBlock<D>(std::in_place_type<BlockOf<D, B>>, slab); }, basis);
 }
 
 template <int D>
@@ -71,8 +67,8 @@ Fault sweep_slab(int slab, const AnyBasis& basis, const Particles<D>& particles,
 }  // namespace
 
 template <int D>
-Fault sweep(Adds adds, const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid,
-            const Slabs<D>& slabs, ThreadPool& pool, std::initializer_list<AnyKernel<D>> kernels) {
+Fault sweep(Adds adds, const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid, const Slabs<D>& slabs,
+            ThreadPool& pool, std::initializer_list<AnyKernel<D>> kernels) {
   std::atomic<unsigned> faults{0};
   for_slabs(adds, slabs, pool, [&](int slab) {
     faults |= static_cast<unsigned>(sweep_slab(slab, basis, particles, grid, slabs, kernels));

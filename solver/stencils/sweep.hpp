@@ -20,7 +20,7 @@ Fault evaluate(const AnyBasis& basis, const Particles<D>& particles, const Grid<
 /// One visit to all particles: block by block the stencils once, then every kernel in turn. No kernel may read on nodes
 /// what another one of the sweep changes, nor a later block's particles.
 template <int D>
-Fault sweep(Adds adds, const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid,
-            const Slabs<D>& slabs, ThreadPool& pool, std::initializer_list<AnyKernel<D>> kernels);
+Fault sweep(Adds adds, const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid, const Slabs<D>& slabs,
+            ThreadPool& pool, std::initializer_list<AnyKernel<D>> kernels);
 
 }  // namespace mpmvv::solver

@@ -34,8 +34,7 @@ struct ArmStencil : Stencil<D, K> {
 
 /// p_i += N_ip m_p C_p (x_i - x_p) of a block's particles.
 template <int D, int K>
-[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, const PointBlock<D, K>& block,
-                                      Grid<D>& grid) {
+[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, const PointBlock<D, K>& block, Grid<D>& grid) {
   for (int k = 0; k < block.count; ++k) {
     const std::size_t p = block.begin + static_cast<std::size_t>(k);
     const ArmStencil<D, K> nodes(block.stencil(k, grid), grid, particles.x[p]);
@@ -49,8 +48,7 @@ template <int D, int K>
 
 /// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹ of a block's particles.
 template <int D, int K>
-[[gnu::noinline]] void gather_affine(Particles<D>& particles, const PointBlock<D, K>& block,
-                                     const Grid<D>& grid) {
+[[gnu::noinline]] void gather_affine(Particles<D>& particles, const PointBlock<D, K>& block, const Grid<D>& grid) {
   for (int k = 0; k < block.count; ++k) {
     const std::size_t p = block.begin + static_cast<std::size_t>(k);
     const ArmStencil<D, K> nodes(block.stencil(k, grid), grid, particles.x[p]);

@@ -19,10 +19,7 @@ class ExpandedInverse {
 
   /// Of so many terms.
   ExpandedInverse(const Step<D>& s, int order)
-      : order_(order),
-        product_(s, order - 1),
-        start_(s.grid().size()),
-        image_(s.grid().size(), Padded<D>::Zero()) {}
+      : order_(order), product_(s, order - 1), start_(s.grid().size()), image_(s.grid().size(), Padded<D>::Zero()) {}
 
   /// w = m̃_k⁻¹ m w₁, from the lumped velocities w₁ given. Walls hold nothing meanwhile; or, held nodes eliminated, they
   /// keep w₁ there, and the rest of w tends to the solution of (m̃ w)_i = m_i w₁_i on the nodes i that are free.

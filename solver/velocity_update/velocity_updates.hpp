@@ -25,7 +25,13 @@ using AnyVelocityUpdate = std::variant<Flip,  //
                                        Apic>;
 
 inline bool has_affine_field(const AnyVelocityUpdate& update) {
-  return std::visit([]<class U>(const U&) { return requires { U::has_affine_field; }; }, update);
+  return std::visit(
+      []<class U>(const U&) {
+        return requires {
+          U::has_affine_field;
+        };
+      },
+      update);
 }
 
 /// 0 for one that takes no expanded inverse.

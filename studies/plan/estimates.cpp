@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "solver/basis/bases.hpp"
-#include "solver/integrator/words.hpp"
+#include "solver/integrator/integrators.hpp"
 #include "solver/velocity_update/apic.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/settings/named.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 /// Doubles that a field of so many components takes on a node.
 int padded(int components) {
-  return components == 3 ? solver::lanes<3> : components;
+  return components == 3 ? solver::padded_size<3> : components;
 }
 
 /// Doubles on each node: momentum with mass, force, velocity, acceleration, and what systems of masses keep.
@@ -39,7 +39,7 @@ double doubles_per_domain(const Scheme& scheme, int D) {
 double doubles_per_particle(const Scheme& scheme, int D) {
   const bool has_domain = width_of(named<solver::AnyBasis>(scheme.basis)) == solver::ParticleWidth::domain;
   const double widths = has_domain ? 2 * D * D : 2 * D;
-  const double stages = solver::is_staged(scheme.integrator) ? 2 * (2 * D + D * D) : 0;
+  const double stages = solver::integrator_named(scheme.integrator).is_staged ? 2 * (2 * D + D * D) : 0;
   const double rate = scheme.integrator.ends_with('+') ? D : 0;
   const double affine = scheme.velocity_update == solver::Apic::word ? D * D : 0;
   const double history = scheme.material == solver::MieGruneisen::word ? sizeof(solver::ThermalState) / 8.0 : 0;

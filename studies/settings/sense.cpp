@@ -8,7 +8,7 @@
 
 #include "solver/basis/bases.hpp"
 #include "solver/boundary/wall.hpp"
-#include "solver/integrator/words.hpp"
+#include "solver/integrator/integrators.hpp"
 #include "solver/velocity_update/affine.hpp"
 #include "solver/velocity_update/velocity_updates.hpp"
 #include "studies/problems/problem.hpp"
@@ -43,7 +43,7 @@ void require_sense_of_mass(const Case& c, int ghosts, bool mirrored) {
 
 void require_sense_of_velocity_update(const Scheme& s) {
   const bool plain = s.velocity_update == "flip" && s.position == "first-order";
-  if (!plain && (solver::is_staggered(s.integrator) || s.integrator == "rk4"))
+  if (!plain && (solver::integrator_named(s.integrator).is_staggered || s.integrator == "rk4"))
     throw UsageError(fmt::format(
         "velocity_update '{}' with integrator '{}' (flip with position 'first-order', or an integrator whose "
         "steps have positions and velocities at their ends: usl, usf, usavg, usl+, usavg+)",
@@ -79,7 +79,7 @@ void require_sense_of_walls(const Case& c, const Problem& problem, const std::ve
                                    solver::Wall::word, "xyz"[k / 2], k % 2 == 0 ? "min" : "max", problem.name));
   }
   if (!moving) return;
-  if (solver::is_staggered(s.integrator) || solver::is_staged(s.integrator))
+  if (solver::integrator_named(s.integrator).is_staggered || solver::integrator_named(s.integrator).is_staged)
     throw UsageError(
         fmt::format("boundary 'wall' with integrator '{}' (one whose steps have positions and velocities at their "
                     "ends: usl, usf, usavg, usl+, usavg+)",

@@ -3,7 +3,7 @@
 
 #include "solver/basis/bases.hpp"
 #include "solver/boundary/boundaries.hpp"
-#include "solver/integrator/words.hpp"
+#include "solver/integrator/integrators.hpp"
 #include "solver/material/materials.hpp"
 #include "solver/velocity_update/velocity_updates.hpp"
 #include "solver/words.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "solver/boundary/wall.hpp"
-#include "solver/integrator/words.hpp"
+#include "solver/integrator/integrators.hpp"
 #include "solver/velocity_update/velocity_updates.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/settings/boundaries.hpp"
@@ -150,7 +150,7 @@ Scheme make_scheme(const Settings& settings, const Problem& problem, bool quarte
     throw UsageError("basis 'ugimp' without smoothing_length (in cells, > 0 and at most 1)");
   }
   set_velocity_update(settings, scheme);
-  if (!solver::is_staggered(scheme.integrator)) {
+  if (!solver::integrator_named(scheme.integrator).is_staggered) {
     if (const auto it = settings.find("start"); it != settings.end())
       throw UsageError(fmt::format("start in {} has no meaning for integrator '{}' (only cd and uvf take it)",
                                    it->second.where, scheme.integrator));

@@ -2,8 +2,8 @@
 #include <random>
 
 #include "mms/derived.hpp"
-#include "solver/simd/pack.hpp"
 #include "solver/material/materials.hpp"
+#include "solver/simd/pack.hpp"
 #include "solver/words.hpp"
 #include "tests/solver/stencils.hpp"
 
