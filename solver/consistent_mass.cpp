@@ -3,23 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/stencils/node_loop.hpp"
+#include "solver/kernels/add_mass_product.hpp"
 #include "solver/step.hpp"
 
 namespace mpmvv::solver {
-
-/// Σ_p N_ip m_p Σ_j N_jp c_j, to where boundaries expect a mass: a node kernel.
-template <int D>
-struct MapCouplings {
-  const Particles<D>& particles;
-  const std::vector<double>& c;
-  std::vector<Padded<D + 1>>& couplings;
-
-  auto& field() const { return couplings; }
-  [[gnu::always_inline]] auto operator()(const auto& who, const auto& nodes, const auto&) const {
-    return padded_alone<D>(who.of(particles.m) * nodes.gather(c));
-  }
-};
 
 template <int D>
 ConsistentMass<D>::ConsistentMass(Step<D>& s, const ConsistentMassSettings& settings, double cell_mass)
@@ -53,7 +40,7 @@ void ConsistentMass<D>::set_couplings(Step<D>& s) {
     coverage_[n] = m < covered_mass_[n] ? most * m / covered_mass_[n] : most;
   }
   s.clear(couplings_);
-  s.sweep({MapCouplings<D>{s.particles(), coverage_, couplings_}});
+  s.sweep({AddScalarMassProduct<D>{s.particles(), coverage_, couplings_}});
   s.sum_images(couplings_);
   product_.prepare(s);
 }

@@ -1,39 +1,11 @@
 #include "solver/integrator/integrators.hpp"
 #include "solver/kernels/map_to_grid.hpp"
-#include "solver/stencils/node_loop.hpp"
+#include "solver/kernels/update_particles.hpp"
 #include "solver/step.hpp"
 
 namespace mpmvv::solver {
 
 namespace {
-
-/// v_p += Σ_i N_ip a_i Δt                                      W (18)
-template <int D>
-struct UpdateVelocity {
-  Particles<D>& particles;
-  const Grid<D>& grid;
-  double dt;
-
-  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
-    who.add(particles.v, (dt * nodes.gather(grid.a)).eval());
-  }
-};
-
-/// x_p += Σ_i N_ip v_i Δt, and F_p by the same velocity        W (17), (10), (11)
-template <int D>
-struct UpdatePositionAndDeformation {
-  static constexpr bool uses_gradients = true;
-  Particles<D>& particles;
-  const Grid<D>& grid;
-  double dt;
-  DeformationStep<D> deform;
-
-  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
-    const auto v = nodes.gather_with_gradient(grid.v);
-    who.add(particles.x, (dt * v.value).eval());
-    who.set(particles.F, deform(who.of(particles.F), v.gradient));
-  }
-};
 
 /// Update velocity first: the central difference with (47) replaced by W (51), the grid velocity mapped anew from the
 /// updated particle velocities.

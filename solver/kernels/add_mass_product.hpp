@@ -19,4 +19,17 @@ struct AddMassProduct {
   }
 };
 
+/// The same of a number on each node, to where boundaries expect a mass.
+template <int D>
+struct AddScalarMassProduct {
+  const Particles<D>& particles;
+  const std::vector<double>& c;
+  std::vector<Padded<D + 1>>& product;
+
+  auto& field() const { return product; }
+  [[gnu::always_inline]] auto operator()(const auto& who, const auto& nodes, const auto&) const {
+    return padded_alone<D>(who.of(particles.m) * nodes.gather(c));
+  }
+};
+
 }  // namespace mpmvv::solver

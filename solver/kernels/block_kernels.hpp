@@ -36,7 +36,9 @@ struct EvaluateStress {
 
  private:
   [[gnu::noinline, gnu::flatten]] void evaluate_packs(const auto& m, Block<D>& block) const {
-    for_packs(block, [&](const ParticlePack<D>& pack, int k) { put(m.kirchhoff(pack.of(particles.F)), block, k); });
+    for_packs(
+        block, [&](const ParticlePack<D>& pack, int k)
+                   __attribute__((always_inline)) { put(m.kirchhoff(pack.of(particles.F)), block, k); });
   }
   void evaluate_each(const auto& m, Block<D>& block, const StressStep& step) const {
     for_packs(block, [&](const ParticlePack<D>& pack, int k) {

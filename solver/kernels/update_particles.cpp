@@ -27,4 +27,12 @@ template Fault run_kernel(const UpdateVelocityAndRate<1>&, AnyBlock<1>&, const G
 template Fault run_kernel(const UpdateVelocityAndRate<2>&, AnyBlock<2>&, const Grid<2>&);
 template Fault run_kernel(const UpdateVelocityAndRate<3>&, AnyBlock<3>&, const Grid<3>&);
 
+template Fault run_kernel(const UpdateVelocity<1>&, AnyBlock<1>&, const Grid<1>&);
+template Fault run_kernel(const UpdateVelocity<2>&, AnyBlock<2>&, const Grid<2>&);
+template Fault run_kernel(const UpdateVelocity<3>&, AnyBlock<3>&, const Grid<3>&);
+
+template Fault run_kernel(const UpdatePositionAndDeformation<1>&, AnyBlock<1>&, const Grid<1>&);
+template Fault run_kernel(const UpdatePositionAndDeformation<2>&, AnyBlock<2>&, const Grid<2>&);
+template Fault run_kernel(const UpdatePositionAndDeformation<3>&, AnyBlock<3>&, const Grid<3>&);
+
 }  // namespace mpmvv::solver

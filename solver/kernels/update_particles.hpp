@@ -8,19 +8,16 @@
 /// Node kernels (stencils/kernel.hpp) that update particles from the grid.
 namespace mpmvv::solver {
 
-/// V' and (X' - X)/Δt of a particle or a pack, N table 1, task 4; `v` is S v. Where the fields are known to be those of
-/// `flip`, that is V' = V + Δt S a and S v, without a look at which there are: most cases are, and in the bar the whole
-/// step took 1.25 times as long with it.
-template <class Vector, bool is_flip>
+/// V' and (X' - X)/Δt of a particle or a pack, N table 1, task 4; `v` is S v.
+template <class Vector>
 struct Advance {
   Vector velocity, rate;
 
   template <int D>
   [[gnu::always_inline]] Advance(const VelocityFields<D>& fields, double dt, const Grid<D>& grid, const Vector& V,
                                  const auto& v, const auto& nodes)
-      : velocity(v.template head<D>()), rate(velocity) {
-    if (is_flip || fields.acceleration) velocity = V + (dt * nodes.gather(*fields.acceleration)).template head<D>();
-    if constexpr (is_flip) return;
+      : velocity(v.template head<D>()) {
+    if (fields.acceleration) velocity = V + (dt * nodes.gather(*fields.acceleration)).template head<D>();
     if (fields.velocity) velocity = nodes.gather(*fields.velocity).template head<D>();
     rate = fields.before * V + fields.after * velocity;
     if (fields.drift == &grid.v)
@@ -29,17 +26,29 @@ struct Advance {
       rate += nodes.gather(*fields.drift).template head<D>();
   }
 };
+template <int D, class Vector>
+Advance(const VelocityFields<D>&, double, const Grid<D>&, const Vector&, const auto&, const auto&) -> Advance<Vector>;
 
-/// Whether the fields are those of `flip` with positions of first order.
+/// Whether the fields are those of `flip` with positions of first order: most cases have these, and a step of the bar
+/// took 1.25 times as long where every particle asked which there are.
 template <int D>
 bool are_flip(const VelocityFields<D>& fields, const Grid<D>& grid) {
   return fields.acceleration && !fields.velocity && fields.drift == &grid.v && fields.before == 0 && fields.after == 0;
 }
 
-template <bool is_flip, int D, class Vector>
-[[gnu::always_inline]] inline auto advance(const VelocityFields<D>& fields, double dt, const Grid<D>& grid,
-                                           const Vector& V, const auto& v, const auto& nodes) {
-  return Advance<Vector, is_flip>(fields, dt, grid, V, v, nodes);
+/// Task 4 of N table 1; `v` is S v.
+template <bool is_flip, int D>
+[[gnu::always_inline]] inline void update_velocity_and_position(Particles<D>& particles, const Grid<D>& grid,
+                                                                const VelocityFields<D>& fields, double dt,
+                                                                const auto& who, const auto& v, const auto& nodes) {
+  if constexpr (is_flip) {
+    who.add(particles.v, (dt * nodes.gather(*fields.acceleration)).eval());
+    who.add(particles.x, (dt * v).eval());
+  } else {
+    const Advance advance(fields, dt, grid, who.of(particles.v), v, nodes);
+    who.add(particles.x, (dt * advance.rate).eval());
+    who.set(particles.v, advance.velocity);
+  }
 }
 
 /// C_p, where particles have one.
@@ -75,9 +84,7 @@ struct UpdateParticle {
   void prepare(const auto& block, const Grid<D>&) const { keep_affine(particles, block, grid); }
   [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
     const auto v = nodes.gather_with_gradient(grid.v);
-    const auto to = advance<is_flip>(fields, dt, grid, who.of(particles.v), v.value, nodes);
-    who.add(particles.x, (dt * to.rate).eval());
-    who.set(particles.v, to.velocity);
+    update_velocity_and_position<is_flip>(particles, grid, fields, dt, who, v.value, nodes);
     who.set(particles.F, deform(who.of(particles.F), v.gradient));
   }
 };
@@ -92,9 +99,7 @@ struct UpdateVelocityAndPosition {
 
   void prepare(const auto& block, const Grid<D>&) const { keep_affine(particles, block, grid); }
   [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
-    const auto to = advance<is_flip>(fields, dt, grid, who.of(particles.v), nodes.gather(grid.v), nodes);
-    who.add(particles.x, (dt * to.rate).eval());
-    who.set(particles.v, to.velocity);
+    update_velocity_and_position<is_flip>(particles, grid, fields, dt, who, nodes.gather(grid.v), nodes);
   }
 };
 
@@ -108,9 +113,37 @@ struct UpdateVelocityAndRate {
 
   void prepare(const auto& block, const Grid<D>&) const { keep_affine(particles, block, grid); }
   [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
-    const auto to = advance<false>(fields, dt, grid, who.of(particles.v), nodes.gather(grid.v), nodes);
-    who.set(particles.rate, to.rate);
-    who.set(particles.v, to.velocity);
+    const Advance advance(fields, dt, grid, who.of(particles.v), nodes.gather(grid.v), nodes);
+    who.set(particles.rate, advance.rate);
+    who.set(particles.v, advance.velocity);
+  }
+};
+
+/// v_p += Σ_i N_ip a_i Δt                                      W (18)
+template <int D>
+struct UpdateVelocity {
+  Particles<D>& particles;
+  const Grid<D>& grid;
+  double dt;
+
+  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
+    who.add(particles.v, (dt * nodes.gather(grid.a)).eval());
+  }
+};
+
+/// x_p += Σ_i N_ip v_i Δt, and F_p by the same velocity        W (17), (10), (11)
+template <int D>
+struct UpdatePositionAndDeformation {
+  static constexpr bool uses_gradients = true;
+  Particles<D>& particles;
+  const Grid<D>& grid;
+  double dt;
+  DeformationStep<D> deform;
+
+  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
+    const auto v = nodes.gather_with_gradient(grid.v);
+    who.add(particles.x, (dt * v.value).eval());
+    who.set(particles.F, deform(who.of(particles.F), v.gradient));
   }
 };
 

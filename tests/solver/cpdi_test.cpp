@@ -21,7 +21,7 @@ Grid<D> small_grid() {
 template <int D>
 struct RandomParticle {
   Particles<D> particles;
-  CpdiBlock<D, Cpdi::support> block;
+  CpdiBlock<D, Cpdi::support> block{0};
   CpdiStencil<D, Cpdi::support> nodes;
 
   RandomParticle(std::mt19937& random, const Grid<D>& grid, double reach = domain_reach) {
@@ -33,7 +33,7 @@ struct RandomParticle {
       for (int e = 0; e < D; ++e) particles.R[0](d, e) = edge(random);
     }
     block.begin = 0, block.count = 1;
-    EXPECT_EQ(evaluate_stencils(Cpdi{}, particles, grid, block), Fault::none);
+    EXPECT_EQ(evaluate_stencils(Cpdi{}, particles, grid, true, block), Fault::none);
     nodes = block.stencil(0, grid);
   }
 };

@@ -2,33 +2,34 @@
 
 #include <random>
 
-#include "solver/mpm_sweeps.hpp"
+#include "solver/mpm.hpp"
+#include "solver/step.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
-namespace mpmvv::solver::round_trip_test {
+namespace mpmvv::solver::mass_product_test {
 
 /// A body whose particles have masses, domains and velocities on the nodes of their own.
 template <int D, class B>
 class TurnedBody {
  public:
   /// Domains up to so many cells wide along each axis.
-  explicit TurnedBody(double extent) : mpm_(scene(extent)), u_(mpm_.grid().size()) {
+  explicit TurnedBody(double extent) : step_(scene(extent)), u_(step_.grid().size()) {
     std::mt19937 random(5);
     for (auto& velocity : u_) velocity = Padded<D>::NullaryExpr([&] { return some_(random); });
   }
 
   /// SᵀM S u, as one of so many.
-  std::vector<Padded<D>> map(int most) {
-    MassProduct<D> mass_product(mpm_, most);
-    mass_product.prepare(mpm_);
-    uses_boxes_ = mass_product.uses_cache();
+  std::vector<Padded<D>> product(int most) {
+    MassProduct<D> product(step_, most);
+    product.prepare(step_);
+    uses_cache_ = product.uses_cache();
     std::vector<Padded<D>> image(u_.size(), Padded<D>::Zero());
-    mass_product.map(mpm_, u_, image);
+    product.add(step_, u_, image);
     return image;
   }
 
-  bool uses_cache() const { return uses_boxes_; }  ///< the last time
+  bool uses_cache() const { return uses_cache_; }  ///< the last time
 
  private:
   static Scene<D> scene(double extent) {
@@ -44,17 +45,17 @@ class TurnedBody {
   }
 
   static inline std::uniform_real_distribution<double> some_{-1, 1};
-  Mpm<D> mpm_;
+  Step<D> step_;
   std::vector<Padded<D>> u_;
-  bool uses_boxes_ = false;
+  bool uses_cache_ = false;
 };
 
 template <int D, class B>
-void expect_kept_boxes_to_change_nothing(double extent, bool fits) {
+void expect_the_cache_to_change_nothing(double extent, bool fits) {
   TurnedBody<D, B> body(extent);
-  const auto once = body.map(1);
+  const auto once = body.product(1);
   EXPECT_FALSE(body.uses_cache());
-  const auto often = body.map(2);
+  const auto often = body.product(2);
   EXPECT_EQ(body.uses_cache(), fits);
   const double cell_mass = std::pow(1.0 / 6, D);
   for (std::size_t n = 0; n < once.size(); ++n)
@@ -67,10 +68,10 @@ using Domains = ::testing::Types<Cpdi, B2Cpdi>;
 TYPED_TEST_SUITE(MassProducts, Domains);
 
 TYPED_TEST(MassProducts, AreTheSameOnceAndOften) {
-  for (const double extent : {0.5, 1.0, 3.0}) {  // the last: wider than boxes
-    expect_kept_boxes_to_change_nothing<1, TypeParam>(extent, extent < 3);
-    expect_kept_boxes_to_change_nothing<2, TypeParam>(extent, extent < 3);
-    expect_kept_boxes_to_change_nothing<3, TypeParam>(extent, extent < 3);
+  for (const double extent : {0.5, 1.0, 3.0}) {  // the last: wider than the cache takes
+    expect_the_cache_to_change_nothing<1, TypeParam>(extent, extent < 3);
+    expect_the_cache_to_change_nothing<2, TypeParam>(extent, extent < 3);
+    expect_the_cache_to_change_nothing<3, TypeParam>(extent, extent < 3);
   }
 }
 
@@ -98,38 +99,38 @@ TYPED_TEST(MassProducts, FollowTheParticles) {
   expect_to_go_on_as_if_begun_anew(scene);
 }
 
-/// Keeps the box of one particle in the plane, so many cells wide.
+/// Keeps the stencil of one particle in the plane, so many cells wide.
 template <class B>
-void keep_one(CpdiStencilCache<2>& boxes, double extent, const Grid<2>& grid) {
+void keep_one(CpdiStencilCache<2>& cache, double extent, const Grid<2>& grid) {
   Particles<2> particles;
   particles.resize(1);
   particles.x[0] = {0.47, 0.52};
   particles.R = {extent * Mat<2>::Identity()};
-  CpdiBlock<2, B::support, Evaluates::weights> block;
+  CpdiBlock<2, B::support> block(0);
   block.begin = 0, block.count = 1;
-  EXPECT_EQ(evaluate_stencils(B{}, particles, grid, block), Fault::none);
-  boxes.clear();
-  boxes.keep(block, grid);
+  EXPECT_EQ(evaluate_stencils(B{}, particles, grid, false, block), Fault::none);
+  cache.clear();
+  cache.keep(block, grid);
 }
 
 template <class B>
 void expect_a_partition_of_unity() {
   const auto grid = grid_for<B, 2>(Vec<2>::Zero(), 0.125, {8, 8});
-  CpdiStencilCache<2> boxes(B::support, 1);
+  CpdiStencilCache<2> cache(B::support, 1);
   for (const double extent : {0.1, 0.5, 1.0}) {
-    keep_one<B>(boxes, extent, grid);
-    EXPECT_TRUE(boxes.are_complete());
-    const auto box = boxes.template stencil<B::support + 1>(0, grid);
+    keep_one<B>(cache, extent, grid);
+    EXPECT_TRUE(cache.is_complete());
+    const auto nodes = cache.template stencil<B::support + 1>(0, grid);
     const std::vector<Padded<2>> ones(grid.size(), Padded<2>::Ones());
-    EXPECT_LT((box.gather(ones) - Padded<2>::Ones()).norm(), 1e-15);
+    EXPECT_LT((nodes.gather(ones) - Padded<2>::Ones()).norm(), 1e-15);
   }
-  keep_one<B>(boxes, 2.5, grid);
-  EXPECT_FALSE(boxes.are_complete());
+  keep_one<B>(cache, 2.5, grid);
+  EXPECT_FALSE(cache.is_complete());
 }
 
-TEST(KeptBoxesOfDomains, AreAPartitionOfUnityWhileTheyFit) {
+TEST(CpdiStencilCaches, AreAPartitionOfUnityWhileTheyFit) {
   expect_a_partition_of_unity<Cpdi>();
   expect_a_partition_of_unity<B2Cpdi>();
 }
 
-}  // namespace mpmvv::solver::round_trip_test
+}  // namespace mpmvv::solver::mass_product_test

@@ -1,8 +1,9 @@
-#include "solver/kernels/node_kernels.hpp"
-#include "solver/mass_product.hpp"
+#include "solver/kernels/add_mass_product.hpp"
+#include "solver/kernels/map_to_grid.hpp"
+#include "solver/kernels/update_particles.hpp"
 #include "tests/solver/moved_body.hpp"
 
-namespace mpmvv::solver::companies_test {
+namespace mpmvv::solver::particle_pack_test {
 
 template <class B, int D>
 void expect_to_map_as_each_alone(const AnyMaterial& material) {
@@ -11,12 +12,21 @@ void expect_to_map_as_each_alone(const AnyMaterial& material) {
     auto& particles = body->particles;
     auto& grid = body->grid;
     if (std::holds_alternative<MieGruneisen>(material)) particles.thermal.resize(particles.size());
-    body->visit(body == &together, EvaluateStress<D>{particles, material, 1}, MapMomentum<D>{particles, grid},
-                MapInternalForce<D>{particles, grid});
+    body->visit(body == &together, {EvaluateStress<D>{particles, material, 1},
+                                    Fused{MapMomentum<D>{particles, grid}, MapInternalForce<D>{particles, grid}}});
   }
   expect_near<D + 1>(together.grid.p, alone.grid.p, "momentum");
   expect_near<D>(together.grid.f, alone.grid.f, "force");
 }
+
+/// A body force of its own on each particle.
+template <int D>
+struct SetBodyForce {
+  void operator()(Block<D>& block, const Grid<D>&) const {
+    for (int k = 0; k < block.count; ++k)
+      block.b[k] = Vec<D>::Constant(std::sin(3.0 * static_cast<double>(block.begin) + k));
+  }
+};
 
 template <class B, int D>
 void expect_forces_with_a_body_force_as_each_alone() {
@@ -24,13 +34,8 @@ void expect_forces_with_a_body_force_as_each_alone() {
   const AnyMaterial material = NeoHookeanLog{0, 1};
   for (auto* body : {&together, &alone}) {
     auto& particles = body->particles;
-    const EvaluateStress<D> stress{particles, material, 1};
-    const auto both = [&](auto& block, const Grid<D>& grid) {
-      stress(block, grid);
-      for (int k = 0; k < block.count; ++k)
-        block.b[k] = Vec<D>::Constant(std::sin(3.0 * static_cast<double>(block.begin) + k));
-    };
-    body->visit(body == &together, both, MapForces<D>{particles, body->grid});
+    body->visit(body == &together,
+                {EvaluateStress<D>{particles, material, 1}, SetBodyForce<D>{}, MapForces<D>{particles, body->grid}});
   }
   expect_near<D>(together.grid.f, alone.grid.f, "force");
 }
@@ -39,18 +44,18 @@ template <class B, int D>
 void expect_to_move_as_each_alone(Deformation rule) {
   MovedBody<D, B> together, alone;
   for (auto* body : {&together, &alone})
-    body->visit(body == &together, NoStage{}, UpdateVelocity<D>{body->particles, body->grid, 0.1},
-                UpdatePositionAndDeformation<D>{body->particles, body->grid, 0.1, {0.01, rule}});
+    body->visit(body == &together, {UpdateVelocity<D>{body->particles, body->grid, 0.1},
+                                    UpdatePositionAndDeformation<D>{body->particles, body->grid, 0.1, {0.01, rule}}});
   expect_near<D>(together.particles.x, alone.particles.x, "position");
   expect_near<D>(together.particles.v, alone.particles.v, "velocity");
   expect_near<D>(together.particles.F, alone.particles.F, "deformation");
 }
 
 template <class B, int D>
-void expect_round_trips_as_each_alone() {
+void expect_mass_products_as_each_alone() {
   MovedBody<D, B> together, alone;
   for (auto* body : {&together, &alone})
-    body->visit(body == &together, NoStage{}, MapMassProduct<D>{body->particles, body->grid.v, body->grid.f});
+    body->visit(body == &together, {AddMassProduct<D>{body->particles, body->grid.v, body->grid.f}});
   expect_near<D>(together.grid.f, alone.grid.f, "momentum");
 }
 
@@ -64,7 +69,7 @@ void expect_all_as_each_alone() {
     expect_forces_with_a_body_force_as_each_alone<B, D>();
     expect_to_move_as_each_alone<B, D>(Deformation::linear);
     expect_to_move_as_each_alone<B, D>(Deformation::exponential);
-    expect_round_trips_as_each_alone<B, D>();
+    expect_mass_products_as_each_alone<B, D>();
   }
 }
 
@@ -88,21 +93,22 @@ PointBlock<1, BSpline3::support> block_in(const std::vector<int>& cells) {
   particles.resize(cells.size());
   for (std::size_t p = 0; p < cells.size(); ++p)
     particles.x[p][0] = cells[p] + 0.1 + 0.8 * static_cast<double>(p) / static_cast<double>(cells.size());
-  PointBlock<1, BSpline3::support> block;
+  PointBlock<1, BSpline3::support> block(0);
   block.begin = 0;
   block.count = static_cast<int>(cells.size());
-  EXPECT_EQ(set_up(BSpline3{}, particles, Grid<1>(Vec<1>(0), 1, {10}, 1, 2), block), Fault::none);
+  EXPECT_EQ(evaluate_stencils(BSpline3{}, particles, Grid<1>(Vec<1>(0), 1, {10}, 1, 2), true, block), Fault::none);
+  group_by_stencil(block);
   return block;
 }
 
-TEST(Runs, AreOfNeighboursWithTheSameNodes) {
+TEST(StencilGroups, AreOfNeighboursWithTheSameNodes) {
   auto block = block_in({3, 3, 3, 3, 3, 4, 3, 3, 7});
   EXPECT_EQ(list_groups(block, find_group_ends(block)), 2 + 1 + 1 + 1);
-  ASSERT_EQ(block.runs, 4);
-  EXPECT_EQ(std::vector<int>(block.run, block.run + 5), (std::vector{0, 5, 6, 8, 9}));
+  ASSERT_EQ(block.groups, 4);
+  EXPECT_EQ(std::vector<int>(block.group, block.group + 5), (std::vector{0, 5, 6, 8, 9}));
 }
 
-TEST(Runs, AreFoundInBlocksOfEverySize) {
+TEST(StencilGroups, AreFoundInBlocksOfEverySize) {
   std::mt19937 random(8);
   for (int count = 1; count <= block_size<1>; ++count) {
     std::vector<int> cells(static_cast<std::size_t>(count));
@@ -115,7 +121,7 @@ TEST(Runs, AreFoundInBlocksOfEverySize) {
       if (block.first[k] != block.first[k - 1]) expected.push_back(k);
     expected.push_back(count);
     list_groups(block, find_group_ends(block));
-    EXPECT_EQ(std::vector<int>(block.run, block.run + block.runs + 1), expected) << count;
+    EXPECT_EQ(std::vector<int>(block.group, block.group + block.groups + 1), expected) << count;
   }
 }
 
@@ -126,7 +132,7 @@ PointBlock<1, BSpline3::support> block_of(int first, int second) {
   return block_in(cells);
 }
 
-TEST(Runs, AreLeftToTheNextBlockWhenAFullOneMayCutThem) {
+TEST(StencilGroups, AreLeftToTheNextBlockWhenAFullOneMayCutThem) {
   EXPECT_EQ(block_of(100, 28).count, 100);
   EXPECT_EQ(block_of(64, 64).count, 128);
   EXPECT_EQ(block_of(127, 1).count, 127);
@@ -136,7 +142,7 @@ TEST(Runs, AreLeftToTheNextBlockWhenAFullOneMayCutThem) {
   EXPECT_EQ(block_in(cells).count, 128) << "not in packs";
 }
 
-TEST(Runs, GoInCompaniesWhereThatPays) {
+TEST(StencilGroups, GoInPacksWhereThatPays) {
   EXPECT_TRUE(block_in(std::vector<int>(16, 5)).is_grouped);
   EXPECT_TRUE(block_in({1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2}).is_grouped);
   EXPECT_TRUE(block_in({1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3}).is_grouped);
@@ -151,7 +157,7 @@ TEST(Extents, AreOfAllParticlesOfABlockAndNoOthers) {
   std::vector<Vec<2>> x(20);
   for (auto& at : x) at = Vec<2>::NullaryExpr([&] { return some(random); });
   for (int count = 1; count < 12; ++count) {
-    Block<2> block;
+    Block<2> block(0);
     block.begin = 3, block.count = count;
     const Extent<2> extent(block, x);
     Vec<2> least = x[3], most = x[3];
@@ -173,10 +179,10 @@ void expect_fault_at_every_place(double astray) {
       particles.resize(count);
       for (auto& x : particles.x) x = {0.51, 0.47};
       particles.x[p][1] = astray;
-      PointBlock<2, BSpline2::support> block;
+      PointBlock<2, BSpline2::support> block(0);
       block.begin = 0;
       block.count = static_cast<int>(count);
-      EXPECT_EQ(evaluate_stencils(BSpline2{}, particles, grid, block), Fault::outside) << astray << ' ' << p;
+      EXPECT_EQ(evaluate_stencils(BSpline2{}, particles, grid, true, block), Fault::outside) << astray << ' ' << p;
     }
 }
 
@@ -196,11 +202,11 @@ void expect_sorted_by_nodes() {
   const auto grid = grid_for<B, 2>(scene.lower, scene.h, scene.cells);
   ThreadPool alone(1);
   Slabs<2>(grid, B{}).sort(scene.particles, grid, alone);
-  PointBlock<2, B::support, Evaluates::weights> block;
+  PointBlock<2, B::support> block(0);
   int last = 0;
   for (block.begin = 0; block.begin < scene.particles.size(); ++block.begin) {
     block.count = 1;
-    ASSERT_EQ(evaluate_stencils(B{}, scene.particles, grid, block), Fault::none);
+    ASSERT_EQ(evaluate_stencils(B{}, scene.particles, grid, false, block), Fault::none);
     EXPECT_LE(last, block.first[0]) << B::word;
     last = block.first[0];
   }
@@ -215,7 +221,7 @@ TEST(Slabs, SortParticlesByTheirNodes) {
   expect_sorted_by_nodes<B2Gimp>();
 }
 
-TEST(Fours, ReadAndWriteEveryCountOfNumbers) {
+TEST(Packs, ReadAndWriteEveryCountOfNumbers) {
   const auto check = []<int n>(std::integral_constant<int, n>) {
     std::array<std::array<double, n>, 4> from, to{};
     for (std::size_t lane = 0; lane < 4; ++lane)
@@ -230,4 +236,4 @@ TEST(Fours, ReadAndWriteEveryCountOfNumbers) {
   for_constants<9>([&](auto k) { check(std::integral_constant<int, k + 1>{}); });
 }
 
-}  // namespace mpmvv::solver::companies_test
+}  // namespace mpmvv::solver::particle_pack_test

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <random>
 
+#include "solver/parallel/slabs.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
