@@ -5,16 +5,16 @@
 #include "cli/results.hpp"
 #include "studies/claims/claim.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 namespace {
 
 int claims(const std::string& db, bool json) {
-  const auto mutants = own_mutants(Store(db, Store::Mode::read), "goldens");
-  const auto judged = judge_claims(with_mutants(own_results(db), mutants, own_alarms("goldens")));
+  const auto mutants = own_mutants(store::Store(db, store::Store::Mode::read), "goldens");
+  const auto judged = claims::judge_claims(with_mutants(own_results(db), mutants, own_alarms("goldens")));
   if (json) {
     nlohmann::json all = nlohmann::json::array();
-    for (const Claim& c : judged)
+    for (const claims::Claim& c : judged)
       all.push_back({{"id", c.id},
                      {"statement", c.statement},
                      {"verdict", c.verdict},
@@ -23,7 +23,7 @@ int claims(const std::string& db, bool json) {
     print_json({{"claims", all}});
     return 0;
   }
-  for (const Claim& c : judged)
+  for (const claims::Claim& c : judged)
     print("{:<10} {:<10} {}\n", c.id, c.verdict, c.verdict == "open" ? c.statement : c.evidence);
   return 0;
 }
@@ -39,4 +39,4 @@ void add_claims(CLI::App& app, int& exit_code) {
   command->callback([db, json, &exit_code] { exit_code = claims(*db, *json); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

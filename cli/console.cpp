@@ -7,7 +7,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 namespace {
 
@@ -16,7 +16,8 @@ namespace {
     std::signal(SIGPIPE, SIG_DFL);
     std::raise(SIGPIPE);
   }
-  throw UsageError(fmt::format("cannot write to standard output: {} (a place with room)", std::strerror(errno)));
+  throw support::UsageError(
+      fmt::format("cannot write to standard output: {} (a place with room)", std::strerror(errno)));
 }
 
 }  // namespace
@@ -33,4 +34,4 @@ void note_text(const std::string& text) {
   std::fputs(text.c_str(), stderr);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

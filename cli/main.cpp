@@ -14,7 +14,7 @@
 #include "studies/store/provenance.hpp"
 #include "studies/support/reason.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 void print_json(const nlohmann::json& object) {
   constexpr bool only_ascii = true;  // no character that a terminal obeys
@@ -45,7 +45,7 @@ void survive_failed_writes() {
 }
 
 std::string version() {
-  const Provenance own = current_provenance();
+  const store::Provenance own = store::current_provenance();
   return fmt::format("mpmvv {}{}\ndigest {}\n{}, {}", own.commit, own.dirty ? " with changes" : "", own.digest,
                      own.compiler, own.build_type);
 }
@@ -108,16 +108,16 @@ int run_program(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace mpmvv
+}  // namespace mpmvv::cli
 
 int main(int argc, char** argv) {
-  mpmvv::fill_standard_streams();
-  mpmvv::survive_failed_writes();
+  mpmvv::cli::fill_standard_streams();
+  mpmvv::cli::survive_failed_writes();
   try {
-    const int exit_code = mpmvv::run_program(argc, argv);
-    mpmvv::flush_text();
+    const int exit_code = mpmvv::cli::run_program(argc, argv);
+    mpmvv::cli::flush_text();
     return exit_code;
   } catch (const std::exception& e) {
-    return mpmvv::complain(mpmvv::reason_of(e));
+    return mpmvv::cli::complain(mpmvv::support::reason_of(e));
   }
 }

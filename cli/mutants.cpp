@@ -18,7 +18,11 @@
 #include "studies/support/error.hpp"
 #include "studies/support/process.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
+
+using store::current_provenance;
+using store::Store;
+using support::UsageError;
 
 namespace {
 
@@ -122,7 +126,7 @@ int list(const MutantsOptions& options) {
 }
 
 int answer(const std::vector<Mutant>& mutants, bool json) {
-  const Provenance own = current_provenance();
+  const store::Provenance own = current_provenance();
   if (json)
     print_json(to_json({own.digest, own.commit, mutants}));
   else
@@ -139,7 +143,7 @@ int tell_known(const MutantsOptions& options) {
     note("{} knows no mutant of this program (`mpmvv mutants --db` tries some)\n", options.db);
     return missing;
   }
-  const Provenance own = current_provenance();
+  const store::Provenance own = current_provenance();
   if (mutants.empty()) throw UsageError(fmt::format("{} knows no mutant of this program (try some)", options.db));
   const auto file = publish({own.digest, own.commit + (own.dirty ? " with changes" : ""), mutants}, options.lists());
   note("published in {}\n", file.string());
@@ -176,7 +180,7 @@ class Results {
 /// What a campaign calls beside what it builds.
 void require_tools() {
   for (const char* tool : {"cmake", "ninja"})
-    if (!run_process({tool, "--version"}, ".", {}, std::chrono::seconds(60)).good())
+    if (!support::run_process({tool, "--version"}, ".", {}, std::chrono::seconds(60)).good())
       throw UsageError(fmt::format("no program '{}' that starts on the PATH (install what `./run build` does)", tool));
 }
 
@@ -231,4 +235,4 @@ void add_mutants(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = mutants(*options); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -15,7 +15,7 @@
 #include "studies/claims/claim.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 namespace {
 
@@ -24,16 +24,16 @@ struct ReportOptions {
 };
 
 /// What `./run benchmark` left beside the store, unless it measured another program.
-std::optional<Benchmark> own_benchmark(const std::string& db, const std::string& digest) {
+std::optional<reports::Benchmark> own_benchmark(const std::string& db, const std::string& digest) {
   const auto file = std::filesystem::path(db).parent_path() / "benchmark.json";
-  auto benchmark = read_benchmark(file);
+  auto benchmark = reports::read_benchmark(file);
   if (!benchmark || benchmark->digest == digest) return benchmark;
   note("{} measured another build of the program: left out (`./run benchmark` makes it anew)\n", file.string());
   return std::nullopt;
 }
 
 /// Shows the mistakes of the published campaign, for a build that has none of its own.
-void show_published_mutants(ReportInput& input, const std::string& goldens) {
+void show_published_mutants(reports::ReportInput& input, const std::string& goldens) {
   const auto folder = std::filesystem::path(goldens) / "mutants";
   TriedMutants tried = read_tried(folder);
   input.mutants = reviewed(std::move(tried.mutants), folder);
@@ -50,25 +50,27 @@ bool has_goldens(const std::filesystem::path& folder) {
 
 int report(const ReportOptions& options) {
   require_apart("--out", options.out, {options.db, options.goldens, options.goldens + "/mutants"});
-  ReportInput input;
-  input.provenance = current_provenance();
+  reports::ReportInput input;
+  input.provenance = store::current_provenance();
   input.studies = own_results(options.db);
   if (input.studies.empty())
-    throw UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
+    throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
   if (has_goldens(options.goldens))
-    for (const GateResult& r : run_gate(read_goldens(options.goldens), input.studies).results)
+    for (const goldens::GateResult& r :
+         goldens::run_gate(goldens::read_goldens(options.goldens), input.studies).results)
       input.gate.push_back({r.study + ": " + r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
-  const Store store(options.db, Store::Mode::read);
+  const store::Store store(options.db, store::Store::Mode::read);
   input.mutants = own_mutants(store, options.goldens);
-  for (const Claim& claim : judge_claims(with_mutants(input.studies, input.mutants, own_alarms(options.goldens))))
+  for (const claims::Claim& claim :
+       claims::judge_claims(with_mutants(input.studies, input.mutants, own_alarms(options.goldens))))
     input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
   if (input.mutants.empty()) show_published_mutants(input, options.goldens);
   input.alarms = own_alarms(options.goldens);
   input.versions = store.versions();
-  if (has_trends(input)) input.trends = trends_in(store, input.versions);
+  if (reports::has_trends(input)) input.trends = trends_in(store, input.versions);
   input.benchmark = own_benchmark(options.db, input.provenance.digest);
   const bool terminal = isatty(STDERR_FILENO);
-  const ReportSummary summary = write_report(input, options.out, [terminal](const std::string& what) {
+  const reports::ReportSummary summary = reports::write_report(input, options.out, [terminal](const std::string& what) {
     if (terminal) note("{}\n", what);
   });
   print("{}/index.html: {} figures ({} drawn), {} tables ({} written)\n", options.out, summary.figures,
@@ -87,4 +89,4 @@ void add_report(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = report(*options); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
@@ -134,4 +134,4 @@ std::vector<Table> mutant_tables(const std::vector<Mutant>& mutants, const std::
   return tables;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

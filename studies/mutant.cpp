@@ -11,6 +11,9 @@
 
 namespace mpmvv {
 
+using records::PartVerdict;
+using records::StudyResult;
+
 namespace {
 
 constexpr std::array stage_words{"unit tests", "quick", "nightly"};

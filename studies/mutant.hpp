@@ -70,6 +70,6 @@ MutantScore score_of(const std::vector<Mutant>& mutants);
 
 /// What they and the runs without a mistake say on claim X-mutants, as the parts of a study; without parts when there
 /// are no planted ones.
-StudyResult mutant_study(const std::vector<Mutant>& mutants, const std::vector<AlarmRun>& runs);
+records::StudyResult mutant_study(const std::vector<Mutant>& mutants, const std::vector<AlarmRun>& runs);
 
 }  // namespace mpmvv

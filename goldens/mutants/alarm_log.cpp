@@ -9,6 +9,9 @@
 
 namespace mpmvv {
 
+using support::TomlTable;
+using support::UsageError;
+
 namespace {
 
 int count_of(const TomlTable& table, const char* key) {

@@ -13,6 +13,8 @@
 
 namespace mpmvv {
 
+using support::UsageError;
+
 namespace {
 
 using std::chrono::seconds;

@@ -10,6 +10,14 @@
 
 namespace mpmvv {
 
+using cases::fingerprint;
+using support::make_folder;
+using support::ProcessEnd;
+using support::read_file;
+using support::run_process;
+using support::UsageError;
+using support::write_if_changed;
+
 namespace fs = std::filesystem;
 
 namespace {

@@ -11,6 +11,9 @@
 
 namespace mpmvv {
 
+using support::TomlTable;
+using support::UsageError;
+
 namespace {
 
 [[noreturn]] void refuse(const std::string& wrong, const std::string& where, const std::string& right) {

@@ -16,6 +16,9 @@
 
 namespace mpmvv {
 
+using support::ProcessEnd;
+using support::UsageError;
+
 namespace fs = std::filesystem;
 using std::chrono::seconds;
 

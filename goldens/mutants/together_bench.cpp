@@ -9,6 +9,8 @@
 
 namespace mpmvv {
 
+using support::UsageError;
+
 namespace {
 
 /// Whether a mutant is caught by nothing but goldens that cannot judge.

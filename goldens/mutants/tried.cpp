@@ -11,6 +11,10 @@
 
 namespace mpmvv {
 
+using support::read_file;
+using support::UsageError;
+using support::write_if_changed;
+
 namespace {
 
 using nlohmann::json;

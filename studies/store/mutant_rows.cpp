@@ -8,7 +8,7 @@
 #include "studies/store/run_rows.hpp"
 #include "studies/store/seal.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
 
 namespace {
 
@@ -98,4 +98,4 @@ void copy_mutants(const Database& from, Database& to) {
       if (!has_mutant(to, digest, stored.mutant)) insert_mutant(to, stored);
 }
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

@@ -6,7 +6,7 @@
 #include "studies/store/database.hpp"
 #include "studies/store/provenance.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
 
 /// A mutant as its rows hold it.
 struct StoredMutant {
@@ -23,4 +23,4 @@ std::vector<StoredMutant> load_mutants(const Database& database, const std::stri
 /// Copies the mutants that `to` lacks.
 void copy_mutants(const Database& from, Database& to);
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

@@ -6,8 +6,10 @@
 #include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 namespace mutants_test {
+
+using store::Store;
 
 using testing::HasSubstr;
 
@@ -115,4 +117,4 @@ TEST_F(KnownMutants, PublishedOnesCountWithoutAStore) {
 }
 
 }  // namespace mutants_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -14,6 +14,8 @@
 namespace mpmvv {
 namespace mutant_campaign_test {
 
+using support::UsageError;
+
 namespace fs = std::filesystem;
 using std::chrono::seconds;
 using testing::ElementsAre;

@@ -15,6 +15,8 @@
 namespace mpmvv {
 namespace mutant_edit_test {
 
+using support::UsageError;
+
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsSupersetOf;

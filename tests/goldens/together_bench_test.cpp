@@ -13,6 +13,8 @@
 namespace mpmvv {
 namespace together_bench_test {
 
+using support::UsageError;
+
 using std::chrono::seconds;
 using testing::ElementsAre;
 using testing::IsEmpty;

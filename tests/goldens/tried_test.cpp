@@ -11,6 +11,8 @@
 namespace mpmvv {
 namespace tried_test {
 
+using support::UsageError;
+
 using testing::HasSubstr;
 
 const Mutant sign{.name = "sign",

@@ -8,7 +8,11 @@
 namespace mpmvv {
 namespace mutant_test {
 
-using namespace store_samples;
+using claims::Claim;
+using claims::judge_claims;
+using store::Store;
+
+using namespace store::store_samples;
 
 Mutant mutant(const std::string& name, std::vector<Trial> trials, const std::string& gate = "g1") {
   return {.name = name,
