@@ -72,7 +72,7 @@ class Step {
   // From the grid to particles: the last sweep of a step, after which all is ready for the next.
   void update_particles(double dt);                                             ///< v_p, x_p by the velocity update
   void update_particles(double dt, const DeformationStep<D>& deform);           ///< and F_p by the grid's v
-  void move_particles_and_deform(double dt, const DeformationStep<D>& deform);  ///< x_p at its rate, F_p likewise
+  void move_particles_and_deform(double dt, const DeformationStep<D>& deform);  ///< x_p at its rate, F_p by v
 
   /// How F follows the grid's velocity gradient for so long.
   DeformationStep<D> deformation(double dt) const { return {dt, scene_.deformation}; }

@@ -3,7 +3,7 @@
 
 namespace mpmvv::solver {
 
-/// The body continued by its mirror image. Ghost nodes are folded onto their images (mass, tangential momentum and
+/// The body continued by its mirror image. Ghost nodes are added to their images (mass, tangential momentum and
 /// force as they are, normal ones reversed); afterwards the ghosts carry the mirrored field.
 struct Mirror {
   static constexpr std::string_view word = "mirror";
@@ -20,7 +20,7 @@ struct Mirror {
     grid.for_plane(face.axis, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][face.axis] = 0; });
   }
 
-  /// Nothing to do: a field made from folded data is mirrored already.
+  /// Nothing to do: a field made from sums over images is mirrored already.
   template <int D>
   void constrain(Grid<D>&, Face, std::vector<Padded<D>>&) const {}
 

@@ -17,7 +17,7 @@ struct Periodic {
     for_images(grid, face.axis, period, [&field](int image, int node) { field[image] = field[node]; });
   }
 
-  /// Nothing to do: a field made from folded data is periodic already.
+  /// Nothing to do: a field made from sums over images is periodic already.
   template <int D>
   void constrain(Grid<D>&, Face, std::vector<Padded<D>>&) const {}
 

@@ -42,7 +42,7 @@ class ActiveNodes {
 
  private:
   std::size_t nodes_;
-  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> runs_;  ///< of each piece: the first, past the last
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> runs_;  ///< of each chunk: the first, past the last
 };
 
 }  // namespace mpmvv::solver

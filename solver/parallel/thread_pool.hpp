@@ -23,8 +23,8 @@ class Task {
   void (*call_)(const void* visit, int k);
 };
 
-/// A fixed team of threads that takes numbered tasks, each the next one left. Which thread runs a task never decides a
-/// result: the tasks of one `run` are independent of each other.
+/// A fixed number of threads that takes numbered tasks, each the next one left. Which thread runs a task never decides
+/// a result: the tasks of one `run` are independent of each other.
 class ThreadPool {
  public:
   /// Of so many threads, or of fewer where the system grants no more.
@@ -87,13 +87,13 @@ class ThreadPool {
   std::vector<std::jthread> threads_;
 };
 
-inline constexpr std::size_t chunk = 16384;  ///< of a range that a team shares
+inline constexpr std::size_t chunk = 16384;  ///< of a range that threads share
 
 constexpr std::size_t count_chunks(std::size_t count) {
   return (count + chunk - 1) / chunk;
 }
 
-/// Calls visit(begin, end) for the pieces of [0, count); the k-th begins at k times `piece`.
+/// Calls visit(begin, end) for the chunks of [0, count); the k-th begins at k times `chunk`.
 template <class Visit>
 void for_chunks(ThreadPool& pool, std::size_t count, const Visit& visit) {
   pool.run(static_cast<int>(count_chunks(count)), [&](int task) {

@@ -14,7 +14,7 @@ struct Pack {
 
   Pack() = default;
   [[gnu::always_inline]] Pack(double same) : of{same, same, same, same} {}
-  [[gnu::always_inline]] explicit Pack(const Double4& quad) : of(quad) {}
+  [[gnu::always_inline]] explicit Pack(const Double4& four) : of(four) {}
 
   double operator[](std::size_t lane) const { return of[lane]; }
 
@@ -28,13 +28,13 @@ struct Pack {
 };
 
 /// Whether all are true.
-[[gnu::always_inline]] inline bool all(const Mask4& truths) {
-  return (truths[0] & truths[1] & truths[2] & truths[3]) != 0;
+[[gnu::always_inline]] inline bool all(const Mask4& mask) {
+  return (mask[0] & mask[1] & mask[2] & mask[3]) != 0;
 }
 
 /// Whether one is true.
-inline bool any(const Mask4& truths) {
-  return (truths[0] | truths[1] | truths[2] | truths[3]) != 0;
+inline bool any(const Mask4& mask) {
+  return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 }
 
 /// Each moved into [least, most], a NaN to `least`; true in `strays` for those that had to be moved.

@@ -54,14 +54,15 @@ template <int D, class Work>
     return work();
 }
 
-/// The nodes that a run of particles shares, K along each axis, with the weights of each particle. Lanes are particles:
-/// what is gathered is theirs, four at a time, and what a run adds to a node is summed over all of it first.
+/// The nodes that a group of particles shares, K along each axis, with the weights of each particle. Lanes are
+/// particles: what is gathered is theirs, four at a time, and what a group adds to a node is summed over all of it
+/// first.
 ///
 /// Its loops go line by line of nodes along the first axis, with what fits into the processor's registers.
 template <int D, int K>
 class PackStencil {
  public:
-  /// `place` is of the first of the four, or of the run.
+  /// `place` is of the first of the pack, or of the group.
   [[gnu::always_inline]] PackStencil(const PointBlock<D, K>& block, const Grid<D>& grid, int place)
       : N_(&block.N[0][0][place]), dN_(&block.dN[0][0][place]), first_(static_cast<std::size_t>(block.first[place])) {
     for (int d = 0; d < D; ++d) stride_[static_cast<std::size_t>(d)] = grid.stride(d);
@@ -92,7 +93,7 @@ class PackStencil {
     });
   }
 
-  /// φ_i += Σ_p N_ip value_p of a run of so many fours
+  /// φ_i += Σ_p N_ip value_p of a group of so many packs
   template <int C, class V>
   [[gnu::always_inline]] void scatter(const PackVec<C>* source, int packs, std::vector<V>& field) const {
     apart_in_space<D>([&] {
@@ -111,7 +112,7 @@ class PackStencil {
     });
   }
 
-  /// φ_i += Σ_p gradient_p ∇N_ip, and with a value Σ_p N_ip value_p, likewise
+  /// φ_i += Σ_p gradient_p ∇N_ip, and with a value Σ_p N_ip value_p, of a group of so many packs
   template <class Source>
   requires requires(Source source) { source.gradient; }
   [[gnu::always_inline]] void scatter(const Source* source, int packs, std::vector<Padded<D>>& field) const {
@@ -119,16 +120,16 @@ class PackStencil {
       for_lines([&](const Line& line) {
         std::array<Double4, K * D> sum{};
         for (int at = 0; at < 4 * packs; at += 4) {
-          const Source& of_four = source[at / 4];
+          const Source& of_pack = source[at / 4];
           const Double4 weight = line_weight(line, at);
           for_constants<D>([&](auto c) {
-            const Double4 slope = weight * of_four.gradient(c.value, 0).of;
+            const Double4 slope = weight * of_pack.gradient(c.value, 0).of;
             Double4 value{};
-            if constexpr (requires { of_four.value; }) value = weight * of_four.value[c.value].of;
+            if constexpr (requires { of_pack.value; }) value = weight * of_pack.value[c.value].of;
             for_constants<D - 1>(
-                [&](auto d) { value += line_slope(line, d + 1, at) * of_four.gradient(c.value, d.value + 1).of; });
+                [&](auto d) { value += line_slope(line, d + 1, at) * of_pack.gradient(c.value, d.value + 1).of; });
             for_constants<K>([&](auto i) {
-              if constexpr (D > 1 || requires { of_four.value; }) sum[i * D + c] += N(0, i, at) * value;
+              if constexpr (D > 1 || requires { of_pack.value; }) sum[i * D + c] += N(0, i, at) * value;
               sum[i * D + c] += dN(0, i, at) * slope;
             });
           });
@@ -155,7 +156,7 @@ class PackStencil {
     return sum;
   }
 
-  /// Likewise Σ_i φ_i ∇N_ip, and then Σ_i N_ip φ_i
+  /// Σ_i φ_i ∇N_ip over the axes up to `axis`, and then Σ_i N_ip φ_i, of one component
   template <int axis>
   [[gnu::always_inline]] std::array<Double4, axis + 2> value_and_gradient(const double* nodes) const {
     std::array<Double4, axis + 2> sum{};

@@ -9,7 +9,7 @@
 
 namespace mpmvv::solver {
 
-/// A particle for an operation that serves one or a company: reads and writes its fields.
+/// A particle for a kernel that serves one or a pack: reads and writes its fields.
 template <int D>
 struct ParticleRef {
   std::size_t begin;  ///< of the block
@@ -102,7 +102,7 @@ class ParticlePack {
   int count_;
 };
 
-/// Calls visit(company, k) for every four particles of a block, the first of them at place k. What is beyond the last
+/// Calls visit(pack, k) for every four particles of a block, the first of them at place k. What is beyond the last
 /// repeats it.
 template <int D, class Visit>
 [[gnu::always_inline]] inline void for_packs(const Block<D>& block, const Visit& visit) {
