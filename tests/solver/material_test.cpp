@@ -28,21 +28,9 @@ Mat<D> tau_of(const M& material, const Mat<D>& F) {
   return material.kirchhoff(F);
 }
 
-/// Materials to try the properties with; a new material adds its own.
+/// Materials to try the properties with: of Lamé constants. One of other constants has its own.
 template <class M>
-std::vector<M> samples();
-template <>
-std::vector<NeoHookeanLog> samples() {
-  return {{0, 5000}, {3000, 4000}, {1, 0}};
-}
-
-template <>
-std::vector<NeoHookeanSquare> samples() {
-  return {{0, 5000}, {3000, 4000}, {1, 0}};
-}
-
-template <>
-std::vector<LinearElastic> samples() {
+std::vector<M> samples() {
   return {{0, 5000}, {3000, 4000}, {1, 0}};
 }
 
@@ -94,7 +82,7 @@ TYPED_TEST(Material, StressIsTheDerivativeOfTheEnergy) {  // τ = ∂W/∂F Fᵀ
 }
 
 TYPED_TEST(Material, TurnsWithTheBody) {  // τ(QF) = Q τ(F) Qᵀ, W(QF) = W(F)
-  if (!turns_with_the_body<TypeParam>) return;
+  if (!turns_with_the_body<TypeParam>) GTEST_SKIP() << "a small-strain law";
   for (const TypeParam& material : samples<TypeParam>()) {
     const Mat<2> turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
     for (const auto& F : deformations<2>()) {
