@@ -66,7 +66,7 @@ void print_gate(const GateReport& report) {
 }
 
 int gate(const GateOptions& options) {
-  require_apart("--junit", options.junit, {options.db, options.goldens, options.goldens + "/mutants"});
+  require_apart("--junit", options.junit, {options.db, options.goldens});
   const auto goldens = read_goldens(options.goldens);
   const GateReport report =
       run_gate(goldens, own_results(options.db), options.only, options.as_set ? Trials::judged : Trials::inconclusive);

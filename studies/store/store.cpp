@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "studies/store/mutant_rows.hpp"
 #include "studies/store/run_rows.hpp"
 #include "studies/store/schema.hpp"
 #include "studies/store/seal.hpp"
@@ -63,20 +62,6 @@ std::vector<StudyResult> Store::studies(const std::string& digest) const {
   std::vector<StudyResult> results;
   for (db::StoredStudy& study : db::load_studies(impl_->database, digest)) results.push_back(std::move(study.result));
   return results;
-}
-
-void Store::keep_mutant(const Mutant& mutant, const Provenance& p) {
-  db::Transaction transaction(impl_->database, Kind::write);
-  db::insert_mutant(impl_->database, {mutant, p});
-  transaction.commit();
-}
-
-std::vector<Mutant> Store::mutants(const std::string& digest) const {
-  db::Transaction one_state(impl_->database, Kind::read);
-  std::vector<Mutant> mutants;
-  for (db::StoredMutant& stored : db::load_mutants(impl_->database, digest))
-    mutants.push_back(std::move(stored.mutant));
-  return mutants;
 }
 
 std::vector<Version> Store::versions() const {
@@ -157,7 +142,6 @@ std::int64_t Store::merge(const std::filesystem::path& file, const std::filesyst
   db::open_store(file, Mode::create_or_write, db::migrations(), [&](db::Database& to) {
     copied = db::copy_runs(from, to);
     db::copy_studies(from, to);
-    db::copy_mutants(from, to);
   });
   return copied;
 }

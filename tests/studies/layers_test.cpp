@@ -49,6 +49,7 @@ TEST(Layers, EachFolderIncludesOnlyWhatItMay) {
     EXPECT_FALSE(includes.empty()) << folder;
     for (const Include& include : includes) {
       const std::string target = folder_of(include.target);
+      EXPECT_NE(target, "tests") << include.file << " includes " << include.target;
       if (!may.contains(target) || target == folder) continue;
       EXPECT_TRUE(others.contains(target)) << include.file << " includes " << include.target;
     }
