@@ -15,8 +15,8 @@ struct StageResult {
 
 /// A variant of the program with one mistake, and how the gate took it. A stage that it has not met has no result.
 struct MutantResult {
-  std::string name, what;
-  std::string file;
+  std::string name = {}, what = {};
+  std::string file = {};
   int line = 0;                         ///< the first one changed
   std::string before = {}, after = {};  ///< its text, without and with the mistake
   std::string reason = {};              ///< why nothing can show it; empty when something should

@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "tests/mutation/code_tokens.hpp"
 
@@ -134,6 +135,31 @@ std::vector<Region> occurrences_of(const std::string& code, const std::string& t
     const Part& last = *(from + (std::ssize(wanted) - 1));
     found.push_back({from->at, last.at + last.text.size()});
   }
+}
+
+/// The edit distance of tokens, with a free choice of where in the text to begin and to end (P. H. Sellers, J.
+/// Algorithms 1 (1980) 359).
+Likeness most_like(const std::string& code, const std::string& text) {
+  struct Path {
+    std::size_t cost = 0, begin = 0;
+  };
+  const std::vector<Part> wanted = parts_of(code), all = parts_of(text);
+  std::vector<Path>
+      column;  // of each number of the code's tokens: the cheapest way to have them end at a token of the text
+  for (std::size_t k = 0; k <= wanted.size(); ++k) column.push_back({k, 0});
+  Likeness best{{}, wanted.size(), wanted.size()};
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    Path diagonal = std::exchange(column[0], {0, j + 1});
+    for (std::size_t k = 1; k < column.size(); ++k) {
+      Path path{diagonal.cost + (wanted[k - 1] == all[j] ? 0 : 1), diagonal.begin};
+      for (const Path& other : {column[k], column[k - 1]})
+        if (other.cost + 1 < path.cost) path = {other.cost + 1, other.begin};
+      diagonal = std::exchange(column[k], path);
+    }
+    if (const Path& whole = column.back(); whole.cost < best.differing && whole.begin <= j)
+      best = {{all[whole.begin].at, all[j].at + all[j].text.size()}, whole.cost, wanted.size()};
+  }
+  return best;
 }
 
 }  // namespace mpmvv::mutation

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,12 @@ bool is_same_code(const std::string& one, const std::string& other);
 
 /// Where a text has the code: its tokens, with any white space and comments between them. Empty where it is no code.
 std::vector<Region> occurrences_of(const std::string& code, const std::string& text);
+
+/// Where a text is most like some code, and how many tokens have to change, be added or go to make it that.
+struct Likeness {
+  Region region;
+  std::size_t differing = 0, tokens = 0;  ///< tokens: of the code
+};
+Likeness most_like(const std::string& code, const std::string& text);
 
 }  // namespace mpmvv::mutation

@@ -18,6 +18,7 @@
 #include "tests/mutation/program_gate.hpp"
 #include "tests/mutation/results.hpp"
 #include "tests/mutation/texts.hpp"
+#include "tests/mutation/unmatched.hpp"
 
 namespace mpmvv::mutation {
 
@@ -28,7 +29,7 @@ struct Options {
   std::vector<std::string> only;
   Draw draw{.count = 100, .seed = 1};
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  bool list = false, known = false, publish = false, json = false;
+  bool list = false, check = false, known = false, publish = false, json = false;
 
   std::filesystem::path lists() const { return source + "/tests/mutation"; }
   std::filesystem::path planted() const { return lists() / "planted.toml"; }
@@ -71,6 +72,26 @@ int tell_known(const Options& options, const Results& results) {
   return missing;
 }
 
+/// Prints the entries of the lists that do not match the sources.
+int check(const Options& options, const Reasons& reasons) {
+  const auto mistakes = read_mistakes(options.planted());
+  const auto wrong = unmatched(mistakes, reasons.explanations(), read_sources(options.source));
+  for (const Unmatched& entry : wrong) {
+    print("{}\n", entry.complaint);
+    if (!entry.nearest.empty()) print("    {}\n", entry.nearest);
+  }
+  note("{} of {} entries do not match the sources\n", wrong.size(), mistakes.size() + reasons.explanations().size());
+  return wrong.empty() ? 0 : 1;
+}
+
+/// An explanation that does not match any more may be wrong, so that a campaign does not begin with one either.
+void require_match(const Options& options, const std::vector<Mistake>& mistakes, const Reasons& reasons) {
+  const auto wrong = unmatched(mistakes, reasons.explanations(), read_sources(options.source));
+  if (wrong.empty()) return;
+  const std::string more = wrong.size() == 1 ? "" : fmt::format("; --check lists {} more", wrong.size() - 1);
+  throw UsageError(wrong.front().complaint + more);
+}
+
 /// What a campaign calls beside what it builds.
 void require_tools() {
   for (const char* tool : {"cmake", "ninja"})
@@ -81,9 +102,6 @@ void require_tools() {
 CampaignPlan reasoned_plan(const Options& options, const std::vector<Mistake>& mistakes, const Reasons& reasons,
                            const ScratchTree& tree, const std::string& gate) {
   CampaignPlan plan = plan_of(mistakes, options.draw, tree, gate);
-  std::vector<Mutant> drawn;
-  for (const Candidate& candidate : plan.draws) drawn.push_back(candidate.mutant);
-  reasons.check(drawn);
   keep_named(plan, options.only);
   for (auto* candidates : {&plan.planted, &plan.draws})
     for (Candidate& candidate : *candidates) candidate.mutant.reason = reasons.of(candidate.mutant);
@@ -92,11 +110,13 @@ CampaignPlan reasoned_plan(const Options& options, const std::vector<Mistake>& m
 
 int run(const Options& options) {
   if (options.list) return list(options);
-  if (options.results.empty()) throw UsageError("no --results given (a file such as results/mutants.json)");
   const Reasons reasons(options.lists());
+  if (options.check) return check(options, reasons);
+  if (options.results.empty()) throw UsageError("no --results given (a file such as results/mutants.json)");
   ResultsFile results(options.results, reasons, current_provenance());
   if (options.known || options.publish) return tell_known(options, results.known());
   const auto mistakes = read_mistakes(options.planted());
+  require_match(options, mistakes, reasons);
   require_tools();
   const std::filesystem::path work = options.work.empty() ? options.source + "/build/mutation" : options.work;
   ScratchTree tree(options.source, work, program_parts());
@@ -128,6 +148,7 @@ void add_options(CLI::App& app, int& exit_code) {
   app.add_option("--jobs", options->jobs, "compilers and cases at once (default: all cores)")
       ->check(CLI::Range(1, 1024));
   app.add_flag("--list", options->list, "print the planted mistakes");
+  app.add_flag("--check", options->check, "print the planted mistakes and explanations that the sources do not match");
   app.add_flag("--known", options->known, "print what is known of this program's mutants, try none")->excludes(only);
   app.add_flag("--publish", options->publish, "write its summary to tests/mutation/summary.json, too")->excludes(only);
   app.add_flag("--json", options->json, "print one JSON object");

@@ -145,12 +145,4 @@ std::vector<Mutant> Reasons::reviewed(std::vector<Mutant> mutants) const {
   return all;
 }
 
-void Reasons::check(const std::vector<Mutant>& mutants) const {
-  for (const Explanation& explanation : explained_)
-    if (std::ranges::none_of(mutants, [&](const Mutant& mutant) { return explanation.is_of(mutant); }))
-      refuse(
-          fmt::format("no mutation of {} makes '{}' of '{}'", explanation.file, explanation.after, explanation.before),
-          explanation.where, "a line as it stands there; where it has changed, see whether the reason still holds");
-}
-
 }  // namespace mpmvv::mutation

@@ -55,8 +55,7 @@ class Reasons {
   /// not name any more, and with what has not been tried. None where no mutant is given.
   std::vector<Mutant> reviewed(std::vector<Mutant> mutants) const;
 
-  /// UsageError unless every explanation is of one of these mutants: it does not outlive the line that it is given for.
-  void check(const std::vector<Mutant>& mutants) const;
+  const std::vector<Explanation>& explanations() const { return explained_; }
 
  private:
   std::vector<Mistake> planted_;

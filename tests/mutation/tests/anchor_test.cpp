@@ -40,6 +40,21 @@ TEST(Anchors, CodeIsFoundByItsTokens) {
   EXPECT_EQ(found("b + c", "b + c + b + c").size(), 2U);
 }
 
+std::string nearest(const std::string& code, const std::string& text, std::size_t differing) {
+  const Likeness found = most_like(code, text);
+  EXPECT_EQ(found.differing, differing) << code;
+  return text.substr(found.region.begin, found.region.end - found.region.begin);
+}
+
+TEST(Anchors, SimilarCodeIsFoundByTheTokensThatDiffer) {
+  EXPECT_EQ(nearest("a = b + c;", "x; a = b+c; y", 0), "a = b+c;");
+  EXPECT_EQ(nearest("a = b + c;", "x; a = renamed + c; y", 1), "a = renamed + c;");
+  EXPECT_EQ(nearest("a = b + c;", "x; a = s.b + c; y", 2), "a = s.b + c;");
+  EXPECT_EQ(nearest("a = s.b + c;", "x; a = b  // here\n + c; y", 2), "a = b  // here\n + c;");
+  EXPECT_EQ(nearest("a = b + c;", "a - b + d; a = b - c;", 1), "a = b - c;");
+  EXPECT_EQ(nearest("a", "", 1), "");
+}
+
 TEST(Anchors, DefinitionsAreFound) {
   const auto size_of = [](const std::string& name, const std::string& text) {
     return definitions_of(name, text).size();

@@ -103,6 +103,36 @@ TEST(MutantsCommand, APathOfAnyKindIsTakenOrRefusedInOneLine) {
     }
 }
 
+/// A tree with a source, and lists of which one mistake and one explanation are not of it.
+TEST(MutantsCommand, WhatTheSourcesDoNotMatchIsListed) {
+  const Folder folder;
+  fs::create_directories(folder / "tests/mutation");
+  fs::create_directories(folder / "solver/basis");
+  folder.write("solver/basis/a.hpp", "inline int f(int x, int y) {\n  return x + 2 * y;\n}\n");
+  const std::string mistake = "[[mistake]]\nname = \"NAME\"\nwhat = \"w\"\nfile = \"a.hpp\"\nreplace = \"0\"\n";
+  const auto named = [&](const std::string& name) { return std::string(mistake).replace(20, 4, name); };
+  folder.write("tests/mutation/planted.toml",
+               named("good") + "find = \"x + 2 * y\"\n" + named("moved") + "find = \"return z + 2 * y;\"\n");
+  folder.write("tests/mutation/explained.toml",
+               "[[survivor]]\nfile = \"a.hpp\"\nbefore = \"return x + 3;\"\nafter = \"x - 3\"\nreason = \"r\"\n");
+  const std::string source = " --source '" + (folder / "") + "'";
+  const Answer answer = call(folder, "--check" + source);
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.out, HasSubstr("'find' of mistake 'moved' occurs nowhere in solver/basis/a.hpp in "));
+  EXPECT_THAT(answer.out, HasSubstr("planted.toml:7 (code that occurs there exactly once)\n    solver/basis/a.hpp:2 "
+                                    "differs in 1 of 7 tokens: return x + 2 * y;\n"));
+  EXPECT_THAT(answer.out, HasSubstr("no mutation of a.hpp makes 'x - 3' of 'return x + 3;' in "));
+  EXPECT_THAT(answer.err, HasSubstr("2 of 3 entries do not match the sources"));
+
+  const Answer campaign = call(folder, "--results '" + (folder / "m.json") + "'" + source);
+  EXPECT_EQ(campaign.code, 2);
+  EXPECT_THAT(campaign.err, HasSubstr("'moved' occurs nowhere"));
+  EXPECT_THAT(campaign.err, HasSubstr("; --check lists 1 more\n"));
+  EXPECT_EQ(std::count(campaign.err.begin(), campaign.err.end(), '\n'), 1);
+  EXPECT_FALSE(fs::exists(folder / "m.json"));
+  EXPECT_FALSE(fs::exists(folder / "build"));
+}
+
 /// Results with one planted mistake that the quick gate has caught, tried by this program.
 class KnownMutants : public testing::Test {
  protected:
