@@ -49,8 +49,8 @@ std::string nearest(const std::string& code, const std::string& text, std::size_
 TEST(Anchors, SimilarCodeIsFoundByTheTokensThatDiffer) {
   EXPECT_EQ(nearest("a = b + c;", "x; a = b+c; y", 0), "a = b+c;");
   EXPECT_EQ(nearest("a = b + c;", "x; a = renamed + c; y", 1), "a = renamed + c;");
-  EXPECT_EQ(nearest("a = b + c;", "x; a = s.b + c; y", 2), "a = s.b + c;");
-  EXPECT_EQ(nearest("a = s.b + c;", "x; a = b  // here\n + c; y", 2), "a = b  // here\n + c;");
+  EXPECT_EQ(nearest("r = a * b + c;", "x; r = a * s.b + c; y", 2), "r = a * s.b + c;");
+  EXPECT_EQ(nearest("r = a * s.b + c;", "x; r = a * b  // here\n + c; y", 2), "r = a * b  // here\n + c;");
   EXPECT_EQ(nearest("a = b + c;", "a - b + d; a = b - c;", 1), "a = b - c;");
   EXPECT_EQ(nearest("a", "", 1), "");
 }
