@@ -62,7 +62,8 @@ class MutationResultsOnDisk : public testing::Test {
 
   /// The claim on mutants.
   nlohmann::json claim() const {
-    for (const auto& claim : in_folder("claims --json --db results/r.db").json()["claims"])
+    const nlohmann::json answer = in_folder("claims --json --db results/r.db").json();
+    for (const auto& claim : answer["claims"])
       if (claim["id"] == "X-mutants") return claim;
     return {};
   }
