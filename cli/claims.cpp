@@ -5,7 +5,7 @@
 #include "cli/results.hpp"
 #include "studies/claims/claim.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 namespace {
 
@@ -13,7 +13,7 @@ int claims(const std::string& db, bool json) {
   const auto judged = judged_claims(own_results(db), own_mutation(db));
   if (json) {
     nlohmann::json all = nlohmann::json::array();
-    for (const Claim& c : judged)
+    for (const claims::Claim& c : judged)
       all.push_back({{"id", c.id},
                      {"statement", c.statement},
                      {"verdict", c.verdict},
@@ -22,7 +22,7 @@ int claims(const std::string& db, bool json) {
     print_json({{"claims", all}});
     return 0;
   }
-  for (const Claim& c : judged)
+  for (const claims::Claim& c : judged)
     print("{:<10} {:<10} {}\n", c.id, c.verdict, c.verdict == "open" ? c.statement : c.evidence);
   return 0;
 }
@@ -38,4 +38,4 @@ void add_claims(CLI::App& app, int& exit_code) {
   command->callback([db, json, &exit_code] { exit_code = claims(*db, *json); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

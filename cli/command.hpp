@@ -5,7 +5,7 @@
 
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 /// Each command adds itself to the program: its options, and a callback that does the work and sets `exit_code`.
 void add_run(CLI::App& app, int& exit_code);
@@ -22,6 +22,6 @@ void add_list(CLI::App& app, int& exit_code);
 void add_db(CLI::App& app, int& exit_code);
 
 /// `--param k=v` as a setting; UsageError when it has not that form.
-Setting parameter_setting(const std::string& text);
+settings::Setting parameter_setting(const std::string& text);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -8,7 +8,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 namespace {
 
@@ -17,7 +17,8 @@ namespace {
     std::signal(SIGPIPE, SIG_DFL);
     std::raise(SIGPIPE);
   }
-  throw UsageError(fmt::format("cannot write to standard output: {} (a place with room)", std::strerror(errno)));
+  throw support::UsageError(
+      fmt::format("cannot write to standard output: {} (a place with room)", std::strerror(errno)));
 }
 
 }  // namespace
@@ -39,4 +40,4 @@ void print_json(const nlohmann::json& object) {
   print_text(object.dump(2, ' ', only_ascii, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

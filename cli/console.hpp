@@ -8,7 +8,7 @@
 
 #include "studies/support/printable.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 /// Writes to standard output; a UsageError where that fails.
 void print_text(const std::string& text);
@@ -26,7 +26,7 @@ auto shown(const T& value) {
   if constexpr (std::is_arithmetic_v<T>)
     return value;
   else
-    return printable(value);
+    return support::printable(value);
 }
 
 template <class T>
@@ -42,4 +42,4 @@ void note(fmt::format_string<Shown<T>...> format, const T&... values) {
   note_text(fmt::format(format, shown(values)...));
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -16,7 +16,9 @@
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
+
+using goldens::Verdict;
 
 namespace {
 
@@ -28,29 +30,30 @@ struct CostOptions {
 /// A case as the options of `mpmvv run`, and what it costs.
 struct CostedCase {
   std::string name;
-  CostRatio cost;
+  goldens::CostRatio cost;
 };
 
 std::vector<std::string> read_cases(const std::string& file) {
-  std::istringstream in(require_file(file, "a file with the options of a run on each line"));
+  std::istringstream in(support::require_file(file, "a file with the options of a run on each line"));
   std::vector<std::string> cases;
   for (std::string line; std::getline(in, line);) {
     line.erase(std::min(line.find_first_of("#\r"), line.size()));
     if (line.find_first_not_of(" \t") != std::string::npos) cases.push_back(line);
   }
-  if (cases.empty()) throw UsageError(fmt::format("{} names no case (the options of a run on each line)", file));
+  if (cases.empty())
+    throw support::UsageError(fmt::format("{} names no case (the options of a run on each line)", file));
   return cases;
 }
 
-ProcessEnd run_with(const std::string& program, const std::string& options) {
+support::ProcessEnd run_with(const std::string& program, const std::string& options) {
   std::vector<std::string> command{program, "run", "--json", "--threads", "1"};
   std::istringstream words(options);
   for (std::string word; words >> word;) command.push_back(word);
-  return run_process(command, ".", {}, std::chrono::minutes(5));
+  return support::run_process(command, ".", {}, std::chrono::minutes(5));
 }
 
 /// ns per particle and step; none where the program has not carried the run out.
-std::optional<double> cost_of(const ProcessEnd& end) {
+std::optional<double> cost_of(const support::ProcessEnd& end) {
   if (!end.good()) return {};
   const auto record = nlohmann::json::parse(end.output, nullptr, false);
   if (!record.is_object() || record.value("status", nlohmann::json()) != "ok") return {};
@@ -59,12 +62,12 @@ std::optional<double> cost_of(const ProcessEnd& end) {
 }
 
 double required_cost(const std::string& program, const std::string& options) {
-  const ProcessEnd end = run_with(program, options);
+  const support::ProcessEnd end = run_with(program, options);
   if (const auto cost = cost_of(end)) return *cost;
   const std::string how = end.start_error != 0 ? std::strerror(end.start_error)
                           : end.timed_out      ? "not at its end after five minutes"
                                                : end.output.substr(0, 300);
-  throw UsageError(
+  throw support::UsageError(
       fmt::format("{} does not carry out the case '{}' (a program like this one, and a run that ends ok): {}", program,
                   options, how));
 }
@@ -75,11 +78,11 @@ bool refuses(const std::string& program, const std::string& options) {
   return run_with(program, options).exit_code == usage_error;
 }
 
-CostRatio beside(const std::string& own, const std::string& baseline, const std::string& options) {
+goldens::CostRatio beside(const std::string& own, const std::string& baseline, const std::string& options) {
   bool own_first = false;
-  return measure_cost([&] {
+  return goldens::measure_cost([&] {
     own_first = !own_first;
-    CostPair pair;
+    goldens::CostPair pair;
     if (own_first) pair.now = required_cost(own, options);
     pair.baseline = required_cost(baseline, options);
     if (!own_first) pair.now = required_cost(own, options);
@@ -137,7 +140,7 @@ int cost(const CostOptions& options) {
     print_json(cost_json(costed, left_out));
   else
     print("cost: {} pass, {} fail, {} inconclusive (at most {} of the baseline's)\n", count(costed, Verdict::pass),
-          count(costed, Verdict::fail), count(costed, Verdict::inconclusive), cost_band);
+          count(costed, Verdict::fail), count(costed, Verdict::inconclusive), goldens::cost_band);
   return count(costed, Verdict::fail) > 0 ? 1 : count(costed, Verdict::pass) < costed.size() || costed.empty() ? 3 : 0;
 }
 
@@ -152,4 +155,4 @@ void add_cost(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = cost(*options); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

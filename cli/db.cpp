@@ -8,7 +8,9 @@
 #include "studies/store/store.hpp"
 #include "studies/support/file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
+
+using store::Store;
 
 namespace {
 
@@ -54,7 +56,7 @@ int export_records(const DbOptions& options) {
     print_text(csv);
     return 0;
   }
-  write_if_changed(options.out, csv);
+  support::write_if_changed(options.out, csv);
   return 0;
 }
 
@@ -82,4 +84,4 @@ void add_db(CLI::App& app, int& exit_code) {
       ->add_option("--out", options->out, "file (default: standard output)");
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -13,7 +13,7 @@
 #include "cli/console.hpp"
 #include "studies/support/reason.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 namespace {
 
@@ -92,8 +92,8 @@ int enter(int argc, char** argv, const std::string& name, const std::string& des
     flush_text();
     return exit_code;
   } catch (const std::exception& e) {
-    return complain(name, reason_of(e));
+    return complain(name, support::reason_of(e));
   }
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 /// Gives a program its commands and options, with callbacks that do the work and set the exit code.
 using AddCommands = std::function<void(CLI::App& app, int& exit_code)>;
@@ -12,4 +12,4 @@ using AddCommands = std::function<void(CLI::App& app, int& exit_code)>;
 /// and exit code 2.
 int enter(int argc, char** argv, const std::string& name, const std::string& description, const AddCommands& add);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -17,7 +17,9 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
+
+using goldens::Verdict;
 
 namespace {
 
@@ -35,12 +37,12 @@ bool in_github_actions() {
 
 /// Makes the folder in which a new file will lie.
 void make_folder_of(const std::filesystem::path& file) {
-  if (file.has_parent_path()) make_folder(file.parent_path());
+  if (file.has_parent_path()) support::make_folder(file.parent_path());
 }
 
-nlohmann::json gate_json(const GateReport& report) {
+nlohmann::json gate_json(const goldens::GateReport& report) {
   nlohmann::json results = nlohmann::json::array();
-  for (const GateResult& r : report.results)
+  for (const goldens::GateResult& r : report.results)
     results.push_back({{"study", r.study},
                        {"name", r.name},
                        {"verdict", to_string(r.verdict)},
@@ -54,9 +56,9 @@ nlohmann::json gate_json(const GateReport& report) {
 }
 
 /// Failures first, then what is inconclusive, then the rest in the order of the goldens.
-void print_gate(const GateReport& report) {
+void print_gate(const goldens::GateReport& report) {
   for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
-    for (const GateResult& r : report.results) {
+    for (const goldens::GateResult& r : report.results) {
       if (r.verdict != verdict) continue;
       print("{:<12} {:<10} {}: expected {}, measured {}{}\n", to_string(r.verdict), r.study, r.name, r.expected,
             r.measured, r.reason.empty() ? "" : " (" + r.reason + ")");
@@ -67,15 +69,16 @@ void print_gate(const GateReport& report) {
 
 int gate(const GateOptions& options) {
   require_apart("--junit", options.junit, {options.db, options.goldens});
-  const auto goldens = read_goldens(options.goldens);
-  const GateReport report =
-      run_gate(goldens, own_results(options.db), options.only, options.as_set ? Trials::judged : Trials::inconclusive);
-  if (!options.junit.empty()) write_if_changed(options.junit, junit_xml(report));
+  const auto goldens = goldens::read_goldens(options.goldens);
+  const goldens::GateReport report =
+      goldens::run_gate(goldens, own_results(options.db), options.only,
+                        options.as_set ? goldens::Trials::judged : goldens::Trials::inconclusive);
+  if (!options.junit.empty()) support::write_if_changed(options.junit, goldens::junit_xml(report));
   if (options.json)
     print_json(gate_json(report));
   else
     print_gate(report);
-  if (options.github || (in_github_actions() && !options.json)) print_text(github_annotations(report));
+  if (options.github || (in_github_actions() && !options.json)) print_text(goldens::github_annotations(report));
   return report.exit_code();
 }
 
@@ -88,20 +91,21 @@ int propose(const ProposeOptions& options) {
   const auto study =
       std::find_if(results.begin(), results.end(), [&](const auto& s) { return s.name == options.study; });
   if (study == results.end())
-    throw UsageError(
+    throw support::UsageError(
         fmt::format("no results of study '{}' in {} (run `mpmvv study` on it first)", options.study, options.db));
-  const auto provenance =
-      Store(options.db, Store::Mode::read).study_provenance(study->name, current_provenance().digest);
-  const std::string text = propose_goldens(
-      *study, *provenance, has_goldens(options.goldens) ? read_goldens(options.goldens) : std::vector<Golden>{});
+  const auto provenance = store::Store(options.db, store::Store::Mode::read)
+                              .study_provenance(study->name, store::current_provenance().digest);
+  const std::string text = goldens::propose_goldens(
+      *study, *provenance,
+      goldens::has_goldens(options.goldens) ? goldens::read_goldens(options.goldens) : std::vector<goldens::Golden>{});
   if (options.out.empty()) {
     print_text(text);
     return 0;
   }
   if (std::filesystem::exists(std::filesystem::symlink_status(options.out)))
-    throw UsageError(fmt::format("{} exists (name a new file, review, then move it)", options.out));
+    throw support::UsageError(fmt::format("{} exists (name a new file, review, then move it)", options.out));
   make_folder_of(options.out);
-  write_if_changed(options.out, text);
+  support::write_if_changed(options.out, text);
   return 0;
 }
 
@@ -133,4 +137,4 @@ void add_propose(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = propose(*options); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -8,7 +8,13 @@
 #include "cli/results.hpp"
 #include "goldens/comparison.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
+
+using claims::Finding;
+using claims::Trend;
+using goldens::Change;
+using store::Store;
+using store::Version;
 
 namespace {
 
@@ -56,7 +62,7 @@ struct CompareOptions {
   bool json = false, all = false;
 };
 
-void print_comparison(const Comparison& comparison, const Version& a, const Version& b, bool all) {
+void print_comparison(const goldens::Comparison& comparison, const Version& a, const Version& b, bool all) {
   print("from {}, {}\nto   {}, {}\n", label(a), a.time, label(b), b.time);
   for (const Change& change : comparison.changes)
     if (all || change.bands != 0) print_change(change);
@@ -64,18 +70,18 @@ void print_comparison(const Comparison& comparison, const Version& a, const Vers
   for (const std::string& what : comparison.only_before) print("only in the first: {}\n", what);
   for (const std::string& what : comparison.only_after) print("only in the second: {}\n", what);
   print("{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} costs shown as ratios\n",
-        comparison.changed(), comparison.changes.size(), relative_round_off, absolute_round_off,
+        comparison.changed(), comparison.changes.size(), goldens::relative_round_off, goldens::absolute_round_off,
         comparison.costs.size());
 }
 
-nlohmann::json comparison_json(const Comparison& comparison, const Version& a, const Version& b, bool all) {
+nlohmann::json comparison_json(const goldens::Comparison& comparison, const Version& a, const Version& b, bool all) {
   nlohmann::json changes = nlohmann::json::array(), costs = nlohmann::json::array();
   for (const Change& change : comparison.changes)
     if (all || change.bands != 0) changes.push_back(change_json(change));
   for (const Change& cost : comparison.costs) costs.push_back(change_json(cost));
   return {{"from", version_json(a)},
           {"to", version_json(b)},
-          {"round_off", {{"relative", relative_round_off}, {"absolute", absolute_round_off}}},
+          {"round_off", {{"relative", goldens::relative_round_off}, {"absolute", goldens::absolute_round_off}}},
           {"compared", comparison.changes.size()},
           {"changed", comparison.changed()},
           {"changes", changes},
@@ -87,9 +93,10 @@ nlohmann::json comparison_json(const Comparison& comparison, const Version& a, c
 int compare_versions(const CompareOptions& options) {
   const Store store(options.db, Store::Mode::read);
   const auto versions = store.versions();
-  const Version& a = find_version(versions, options.a);
-  const Version& b = find_version(versions, options.b.empty() ? current_provenance().digest : options.b);
-  const Comparison comparison = compare(findings_of(store.studies(a.digest)), findings_of(store.studies(b.digest)));
+  const Version& a = store::find_version(versions, options.a);
+  const Version& b = store::find_version(versions, options.b.empty() ? store::current_provenance().digest : options.b);
+  const goldens::Comparison comparison =
+      goldens::compare(claims::findings_of(store.studies(a.digest)), claims::findings_of(store.studies(b.digest)));
   if (options.json)
     print_json(comparison_json(comparison, a, b, options.all));
   else
@@ -154,4 +161,4 @@ void add_trend(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = trend(*options); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -9,7 +9,7 @@
 #include "studies/problems/problem.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 namespace {
 
@@ -32,10 +32,10 @@ const std::vector<std::pair<std::string, std::string>>& word_lists() {
   return lists;
 }
 
-nlohmann::json problem_json(const Problem& p) {
-  const Parameters defaults = complete_parameters(p, {});
+nlohmann::json problem_json(const problems::Problem& p) {
+  const problems::Parameters defaults = problems::complete_parameters(p, {});
   nlohmann::json parameters = nlohmann::json::array();
-  for (const Parameter& parameter : p.parameters)
+  for (const problems::Parameter& parameter : p.parameters)
     parameters.push_back({{"name", parameter.name},
                           {"default", parameter.value},
                           {"unit", parameter.unit},
@@ -51,19 +51,19 @@ nlohmann::json problem_json(const Problem& p) {
 }
 
 void print_problems() {
-  for (const Problem& p : problems()) {
-    const Parameters defaults = complete_parameters(p, {});
+  for (const problems::Problem& p : problems::problems()) {
+    const problems::Parameters defaults = problems::complete_parameters(p, {});
     print("{}  ({}D, {})\n  L = {} m, wave speed {} = {:g} m/s, end time {} = {:g} s, boundary {}\n", p.name,
           p.dimension(), p.source, p.length(defaults), p.wave_speed_formula, p.wave_speed(defaults), p.end_time_formula,
           p.end_time(defaults), p.boundary);
-    for (const Parameter& parameter : p.parameters)
+    for (const problems::Parameter& parameter : p.parameters)
       print("  {} = {:g} {}, allowed: {}\n", parameter.name, parameter.value, parameter.unit, parameter.range);
   }
 }
 
 std::vector<std::string> check_names() {
   std::vector<std::string> names;
-  for (const Check& check : checks()) names.push_back(check.name);
+  for (const checks::Check& check : checks::checks()) names.push_back(check.name);
   return names;
 }
 
@@ -72,7 +72,7 @@ int list(const std::string& what, bool json) {
   std::vector<std::string> known{"problems", "checks"};
   if (what.empty() || what == "problems") {
     all["problems"] = nlohmann::json::array();
-    for (const Problem& p : problems()) all["problems"].push_back(problem_json(p));
+    for (const problems::Problem& p : problems::problems()) all["problems"].push_back(problem_json(p));
     if (!json) print_problems();
   }
   const auto print_words = [&](const std::string& name, const std::vector<std::string>& words) {
@@ -81,11 +81,11 @@ int list(const std::string& what, bool json) {
   };
   for (const auto& [name, key] : word_lists()) {
     known.push_back(name);
-    if (what.empty() || what == name) print_words(name, words_of_key(key));
+    if (what.empty() || what == name) print_words(name, settings::words_of_key(key));
   }
   if (what.empty() || what == "checks") print_words("checks", check_names());
   if (all.empty())
-    throw UsageError(fmt::format("nothing to list under '{}' (known: {})", what, fmt::join(known, ", ")));
+    throw support::UsageError(fmt::format("nothing to list under '{}' (known: {})", what, fmt::join(known, ", ")));
   if (json) print_json(all);
   return 0;
 }
@@ -102,4 +102,4 @@ void add_list(CLI::App& app, int& exit_code) {
   command->callback([what, json, &exit_code] { exit_code = list(*what, *json); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -4,12 +4,12 @@
 #include "cli/entry.hpp"
 #include "studies/store/provenance.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 namespace {
 
 std::string version() {
-  const Provenance own = current_provenance();
+  const store::Provenance own = store::current_provenance();
   return fmt::format("mpmvv {}{}\ndigest {}\n{}, {}", own.commit, own.dirty ? " with changes" : "", own.digest,
                      own.compiler, own.build_type);
 }
@@ -32,9 +32,9 @@ void add_commands(CLI::App& app, int& exit_code) {
 }
 
 }  // namespace
-}  // namespace mpmvv
+}  // namespace mpmvv::cli
 
 int main(int argc, char** argv) {
-  return mpmvv::enter(argc, argv, "mpmvv", "Verification and validation of the Material Point Method",
-                      mpmvv::add_commands);
+  return mpmvv::cli::enter(argc, argv, "mpmvv", "Verification and validation of the Material Point Method",
+                           mpmvv::cli::add_commands);
 }

@@ -4,7 +4,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 namespace {
 
@@ -33,8 +33,8 @@ void require_apart(const std::string& option, const fs::path& output, const std:
   for (const fs::path& input : inputs)
     for (const fs::path& file : with_content(input))
       if (is_in(file, output))
-        throw UsageError(fmt::format("{} {} would overwrite '{}', which this command reads (another place)", option,
-                                     output.string(), file.string()));
+        throw support::UsageError(fmt::format("{} {} would overwrite '{}', which this command reads (another place)",
+                                              option, output.string(), file.string()));
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 /// UsageError where `output`, a file or a folder that `option` names, is or holds one of the inputs, under whatever
 /// name: files are told apart by what they are on the disk. Of an input that is a folder, every file in it counts.
 void require_apart(const std::string& option, const std::filesystem::path& output,
                    const std::vector<std::filesystem::path>& inputs);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

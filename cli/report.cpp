@@ -15,7 +15,7 @@
 #include "studies/claims/claim.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 namespace {
 
@@ -24,21 +24,22 @@ struct ReportOptions {
 };
 
 /// What `./run benchmark` left beside the store, unless it measured another program.
-std::optional<Benchmark> own_benchmark(const std::string& db, const std::string& digest) {
+std::optional<reports::Benchmark> own_benchmark(const std::string& db, const std::string& digest) {
   const auto file = std::filesystem::path(db).parent_path() / "benchmark.json";
-  auto benchmark = read_benchmark(file);
+  auto benchmark = reports::read_benchmark(file);
   if (!benchmark || benchmark->digest == digest) return benchmark;
   note("{} measured another build of the program: left out (`./run benchmark` makes it anew)\n", file.string());
   return std::nullopt;
 }
 
 /// This program's mutants or, for a build that has none of its own, the published ones, which decide no claim.
-std::optional<MutationResults> shown_mutation(const std::string& db, std::optional<MutationResults> own) {
+std::optional<reports::MutationResults> shown_mutation(const std::string& db,
+                                                       std::optional<reports::MutationResults> own) {
   if (own) return own;
-  if (read_mutation_results(mutants_beside(db)))
+  if (reports::read_mutation_results(mutants_beside(db)))
     note("{} tried another build of the program: left out (`./run mutants` makes it anew)\n",
          mutants_beside(db).string());
-  return read_mutation_results(published / "summary.json");
+  return reports::read_mutation_results(published / "summary.json");
 }
 
 /// The first report of a study comes before its first golden.
@@ -51,25 +52,26 @@ bool has_goldens(const std::filesystem::path& folder) {
 
 int report(const ReportOptions& options) {
   require_apart("--out", options.out, {options.db, options.goldens, published});
-  ReportInput input;
-  input.provenance = current_provenance();
+  reports::ReportInput input;
+  input.provenance = store::current_provenance();
   input.studies = own_results(options.db);
   if (input.studies.empty())
-    throw UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
+    throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
   if (has_goldens(options.goldens))
-    for (const GateResult& r : run_gate(read_goldens(options.goldens), input.studies).results)
+    for (const goldens::GateResult& r :
+         goldens::run_gate(goldens::read_goldens(options.goldens), input.studies).results)
       input.gate.push_back({r.study + ": " + r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
-  const Store store(options.db, Store::Mode::read);
+  const store::Store store(options.db, store::Store::Mode::read);
   auto mutation = own_mutation(options.db);
-  for (const Claim& claim : judged_claims(input.studies, mutation))
+  for (const claims::Claim& claim : judged_claims(input.studies, mutation))
     input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
   input.mutation = shown_mutation(options.db, std::move(mutation));
   input.alarms = own_alarms();
   input.versions = store.versions();
-  if (has_trends(input)) input.trends = trends_in(store, input.versions);
+  if (reports::has_trends(input)) input.trends = trends_in(store, input.versions);
   input.benchmark = own_benchmark(options.db, input.provenance.digest);
   const bool terminal = isatty(STDERR_FILENO);
-  const ReportSummary summary = write_report(input, options.out, [terminal](const std::string& what) {
+  const reports::ReportSummary summary = reports::write_report(input, options.out, [terminal](const std::string& what) {
     if (terminal) note("{}\n", what);
   });
   print("{}/index.html: {} figures ({} drawn), {} tables ({} written)\n", options.out, summary.figures,
@@ -88,4 +90,4 @@ void add_report(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = report(*options); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -13,11 +13,11 @@
 #include "studies/store/provenance.hpp"
 #include "studies/store/store.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 /// What the store holds of the running program's own digest.
-inline std::vector<StudyResult> own_results(const std::string& db) {
-  return Store(db, Store::Mode::read).studies(current_provenance().digest);
+inline std::vector<records::StudyResult> own_results(const std::string& db) {
+  return store::Store(db, store::Store::Mode::read).studies(store::current_provenance().digest);
 }
 
 /// Where the mutation campaign and `./run alarms` publish their results, from the top of the tree.
@@ -30,35 +30,35 @@ inline std::filesystem::path mutants_beside(const std::string& db) {
 
 /// How the gate took this program's mutants: what `./run mutants` left beside the store or has published, whichever
 /// tried more of them.
-inline std::optional<MutationResults> own_mutation(const std::string& db) {
-  const std::string digest = current_provenance().digest;
-  std::optional<MutationResults> most;
+inline std::optional<reports::MutationResults> own_mutation(const std::string& db) {
+  const std::string digest = store::current_provenance().digest;
+  std::optional<reports::MutationResults> most;
   for (const auto& file : {mutants_beside(db), published / "summary.json"}) {
-    auto results = read_mutation_results(file);
+    auto results = reports::read_mutation_results(file);
     if (results && results->digest == digest && (!most || results->tried() > most->tried())) most = std::move(results);
   }
   return most;
 }
 
 /// The published runs without a mistake, of this program's sources.
-inline std::vector<AlarmRun> own_alarms() {
-  AlarmLog log = read_alarms(published / "alarms.toml");
-  if (log.digest != current_provenance().digest) log.runs.clear();
+inline std::vector<reports::AlarmRun> own_alarms() {
+  reports::AlarmLog log = reports::read_alarms(published / "alarms.toml");
+  if (log.digest != store::current_provenance().digest) log.runs.clear();
   return log.runs;
 }
 
 /// The claims by the studies of a store, and by the mutants and the runs without a mistake.
-inline std::vector<Claim> judged_claims(std::vector<StudyResult> studies,
-                                        const std::optional<MutationResults>& mutation) {
-  studies.push_back(mutation_study(mutation, own_alarms()));
-  return judge_claims(studies);
+inline std::vector<claims::Claim> judged_claims(std::vector<records::StudyResult> studies,
+                                                const std::optional<reports::MutationResults>& mutation) {
+  studies.push_back(reports::mutation_study(mutation, own_alarms()));
+  return claims::judge_claims(studies);
 }
 
 /// The trends over these versions of a store.
-inline std::vector<Trend> trends_in(const Store& store, const std::vector<Version>& versions) {
-  std::vector<std::vector<Finding>> findings;
-  for (const Version& version : versions) findings.push_back(findings_of(store.studies(version.digest)));
-  return trends_of(findings);
+inline std::vector<claims::Trend> trends_in(const store::Store& store, const std::vector<store::Version>& versions) {
+  std::vector<std::vector<claims::Finding>> findings;
+  for (const store::Version& version : versions) findings.push_back(claims::findings_of(store.studies(version.digest)));
+  return claims::trends_of(findings);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -11,11 +11,13 @@
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
+
+using support::UsageError;
 
 namespace {
 
-nlohmann::json scheme_json(const Scheme& s) {
+nlohmann::json scheme_json(const cases::Scheme& s) {
   nlohmann::json json{{"basis", s.basis},
                       {"integrator", s.integrator},
                       {"velocity_update", s.velocity_update},
@@ -35,8 +37,8 @@ nlohmann::json scheme_json(const Scheme& s) {
   return json;
 }
 
-nlohmann::json record_json(const Record& r) {
-  const Errors& e = r.error;
+nlohmann::json record_json(const records::Record& r) {
+  const records::Errors& e = r.error;
   return {
       {"problem", r.the_case.problem.name},
       {"quarter", r.the_case.problem.quarter},
@@ -76,8 +78,8 @@ std::string or_dash(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:.6e}", value);
 }
 
-void print_record(const Record& r) {
-  const Scheme& s = r.the_case.scheme;
+void print_record(const records::Record& r) {
+  const cases::Scheme& s = r.the_case.scheme;
   print("{}  basis {}  integrator {}  boundary {}\n", r.the_case.problem.name, s.basis, s.integrator, s.boundary);
   print("cells {}  ppc {}  particles {}  steps {}  dt {:.6g} s  cfl {:.4g}  end time {:.6g} s\n",
         r.the_case.resolution.cells, r.the_case.resolution.ppc, r.particles, r.steps, r.the_case.resolution.dt, r.cfl,
@@ -114,33 +116,33 @@ struct RunOptions {
 };
 
 int run(const RunOptions& options) {
-  std::vector<Setting> settings;
+  std::vector<settings::Setting> settings;
   for (const auto& [key, option] : options.given)
     if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
   for (const std::string& parameter : options.parameters) {
     settings.push_back(parameter_setting(parameter));
-    const auto same = [&](const Setting& earlier) { return earlier.key == settings.back().key; };
+    const auto same = [&](const settings::Setting& earlier) { return earlier.key == settings.back().key; };
     if (std::any_of(settings.begin(), settings.end() - 1, same))
       throw UsageError(fmt::format("--param {} after another value for it (each parameter once)", parameter));
   }
   for (const auto& [key, option] : options.flags)
     if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
-  const Case c = make_case(settings);
+  const cases::Case c = settings::make_case(settings);
   if (c.measure.repeat > 0 && options.threads > 1)
     throw UsageError("--threads beside --repeat (cost is measured on one thread)");
   if (c.measure.repeat > 0 && !options.vtu.empty())
     throw UsageError("--vtu beside --repeat (cost is measured without writing; run twice)");
-  const Record record = run_case(c, options.threads, options.vtu);
+  const records::Record record = runs::run_case(c, options.threads, options.vtu);
   if (options.json)
     print_json(record_json(record));
   else
     print_record(record);
-  return record.status == Status::failed ? 1 : 0;
+  return record.status == records::Status::failed ? 1 : 0;
 }
 
 }  // namespace
 
-Setting parameter_setting(const std::string& text) {
+settings::Setting parameter_setting(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
     throw UsageError(fmt::format("--param {} (name=value, as in --param amplitude=0.02)", text));
@@ -150,7 +152,7 @@ Setting parameter_setting(const std::string& text) {
 void add_run(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Run one case and print its record");
-  for (const SettingKey& key : setting_keys()) {
+  for (const settings::SettingKey& key : settings::setting_keys()) {
     std::string name = "--" + key.key;
     std::replace(name.begin(), name.end(), '_', '-');
     if (key.is_flag)
@@ -165,4 +167,4 @@ void add_run(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

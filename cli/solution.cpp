@@ -9,7 +9,9 @@
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
+
+using support::UsageError;
 
 namespace {
 
@@ -22,28 +24,30 @@ struct SolutionOptions {
 std::vector<double> coordinates(const std::string& text, int dimension) {
   std::vector<double> X;
   std::istringstream parts(text.ends_with(',') ? text + ',' : text);  // so that a trailing comma is an empty part
-  for (std::string part; std::getline(parts, part, ',');) X.push_back(parse_number({"coordinate", part, "--at"}));
+  for (std::string part; std::getline(parts, part, ',');)
+    X.push_back(settings::parse_number({"coordinate", part, "--at"}));
   if (static_cast<int>(X.size()) != dimension)
     throw UsageError(fmt::format("--at {} has {} coordinates (the problem has {})", text, X.size(), dimension));
   return X;
 }
 
-ProblemChoice choice_of(const Problem& problem, const std::vector<std::string>& texts) {
-  std::vector<Setting> settings{{"problem", problem.name, "--problem"}};
+cases::ProblemChoice choice_of(const problems::Problem& problem, const std::vector<std::string>& texts) {
+  std::vector<settings::Setting> settings{{"problem", problem.name, "--problem"}};
   for (const std::string& text : texts) settings.push_back(parameter_setting(text));
-  return make_choice(settings);
+  return settings::make_choice(settings);
 }
 
 template <int D>
-nlohmann::json evaluate(const Problem& problem, const ProblemChoice& choice, const std::vector<double>& at, double t) {
+nlohmann::json evaluate(const problems::Problem& problem, const cases::ProblemChoice& choice,
+                        const std::vector<double>& at, double t) {
   constexpr double round_off = 1e-12;  // m; for points on the surface
-  const Setup<D> setup = make_setup<D>(problem, choice, 0);
+  const problems::Setup<D> setup = problems::make_setup<D>(problem, choice, 0);
   if (!setup.solution) throw UsageError(fmt::format("problem '{}' has no exact solution", problem.name));
   const auto& solution = *setup.solution;
   const mms::Vec<D> X = Eigen::Map<const mms::Vec<D>>(at.data());
-  if (!std::visit([&X](const auto& body) { return contains(body, X, round_off); }, setup.body))
+  if (!std::visit([&X](const auto& body) { return problems::contains(body, X, round_off); }, setup.body))
     throw UsageError(fmt::format("--at {} is outside the body ({})", fmt::join(at, ","),
-                                 std::visit([](const auto& body) { return description(body); }, setup.body)));
+                                 std::visit([](const auto& body) { return problems::description(body); }, setup.body)));
   const auto vector = [](const mms::Vec<D>& v) { return std::vector<double>(v.data(), v.data() + D); };
   const auto rows = [](const mms::Mat<D>& m) {
     std::vector<std::vector<double>> all(D);
@@ -73,10 +77,10 @@ void require_finite(const nlohmann::json& fields, const SolutionOptions& options
 }
 
 int solution(const SolutionOptions& options) {
-  const Problem& problem = find_problem(options.problem, "--problem");
-  const ProblemChoice choice = choice_of(problem, options.parameters);
+  const problems::Problem& problem = problems::find_problem(options.problem, "--problem");
+  const cases::ProblemChoice choice = choice_of(problem, options.parameters);
   const auto at = coordinates(options.at, problem.dimension());
-  const double t = parse_number({"time", options.time, "--time"});
+  const double t = settings::parse_number({"time", options.time, "--time"});
   const nlohmann::json json = problem.dimension() == 1   ? evaluate<1>(problem, choice, at, t)
                               : problem.dimension() == 2 ? evaluate<2>(problem, choice, at, t)
                                                          : evaluate<3>(problem, choice, at, t);
@@ -102,4 +106,4 @@ void add_solution(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = solution(*options); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

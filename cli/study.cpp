@@ -12,7 +12,10 @@
 #include "studies/plan/study_runner.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
+
+using plan::Overriding;
+using records::Series;
 
 namespace {
 
@@ -24,53 +27,54 @@ struct StudyOptions {
 };
 
 /// A line that rewrites itself on a terminal; nothing elsewhere.
-std::function<void(const Progress&)> progress_line() {
+std::function<void(const plan::Progress&)> progress_line() {
   if (!isatty(STDERR_FILENO)) return {};
-  return [](const Progress& p) {
+  return [](const plan::Progress& p) {
     note("\r\033[K[{}/{}] {}", p.done, p.total, p.label);
     if (p.done == p.total) note("\r\033[K");
     std::fflush(stderr);
   };
 }
 
-std::string number_or_status(const Point& point, const std::string& quantity) {
-  if (point.status != Status::ok) return to_string(point.status);
+std::string number_or_status(const records::Point& point, const std::string& quantity) {
+  if (point.status != records::Status::ok) return to_string(point.status);
   const auto y = point.y.find(quantity);
   return y == point.y.end() ? "-" : fmt::format("{:.4e}", y->second);
 }
 
 /// Quantities to print: those that are fitted or drawn, and cost where it was measured.
-std::vector<std::string> quantities_of(const StudyResult& study) {
+std::vector<std::string> quantities_of(const records::StudyResult& study) {
   std::vector<std::string> quantities;
   const auto add = [&quantities](const std::string& q) {
     if (std::find(quantities.begin(), quantities.end(), q) == quantities.end()) quantities.push_back(q);
   };
-  for (const Figure& figure : study.figures) add(figure.quantity);
+  for (const records::Figure& figure : study.figures) add(figure.quantity);
   for (const Series& series : study.series)
-    for (const ObservedOrder& order : series.orders) add(order.norm);
+    for (const fits::ObservedOrder& order : series.orders) add(order.norm);
   for (const Series& series : study.series)
-    for (const Point& point : series.points)
+    for (const records::Point& point : series.points)
       if (point.y.contains("step_seconds")) add("step_seconds");
   return quantities;
 }
 
 /// The errors of all series by swept value; curves of a check are left to the report.
-void print_errors(const StudyResult& study, const std::string& quantity) {
+void print_errors(const records::StudyResult& study, const std::string& quantity) {
   constexpr std::size_t longest_table = 40;
   if (study.series.empty() || study.series[0].points.empty() || study.series[0].points.size() > longest_table) return;
   print("  {} by {}\n", quantity, study.sweep);
   for (const Series& series : study.series) {
     print("    {}\n", series.name);
-    for (const Point& point : series.points) print("      {:>10.6g}  {}\n", point.x, number_or_status(point, quantity));
+    for (const records::Point& point : series.points)
+      print("      {:>10.6g}  {}\n", point.x, number_or_status(point, quantity));
   }
 }
 
-void print_replicates(const ReplicateFit& fit) {
+void print_replicates(const fits::ReplicateFit& fit) {
   print("    replicates: {} runs that scatter by {:.2g} of the error, order ± {:.2f}, lack of fit p = {:.2g}\n",
         fit.observations, fit.scatter, fit.half_width, fit.lack_of_fit);
 }
 
-void print_order(const Series& series, const ObservedOrder& order) {
+void print_order(const Series& series, const fits::ObservedOrder& order) {
   const std::string interval = std::isnan(order.half_width) ? "" : fmt::format(" ± {:.2f}", order.half_width);
   print("  order {:.2f}{} of '{}' in {} over [{:g}, {:g}], {}\n", order.order, interval, series.name, order.norm,
         order.from, order.to, order.asymptotic ? "asymptotic" : "not asymptotic");
@@ -80,7 +84,7 @@ void print_order(const Series& series, const ObservedOrder& order) {
   if (order.replicates) print_replicates(*order.replicates);
 }
 
-void print_extrapolation(const Series& series, const Extrapolation& e) {
+void print_extrapolation(const Series& series, const fits::Extrapolation& e) {
   const std::string index = std::isnan(e.convergence_index) ? "" : fmt::format(" (GCI {:.2g})", e.convergence_index);
   print("  '{}' in {} over [{:g}, {:g}]: {}, free order {:.2f}, limit {:.5g}, finest grid {:.5g} ± {:.2g}{}{}\n",
         series.name, e.norm, e.from, e.to, e.model, e.order, e.limit, e.finest, e.uncertainty, index,
@@ -89,7 +93,7 @@ void print_extrapolation(const Series& series, const Extrapolation& e) {
 
 void print_limit(const Series& series) {
   if (!series.limit) return;
-  const StabilityLimit& limit = *series.limit;
+  const fits::StabilityLimit& limit = *series.limit;
   if (!limit.found)
     print("  no {} limit of '{}' in the range searched\n", limit.key, series.name);
   else
@@ -97,23 +101,23 @@ void print_limit(const Series& series) {
           limit.stable, limit.unstable, limit.probes.size(), limit.monotone ? "" : ", NOT MONOTONE");
 }
 
-void print_study(const StudyResult& study) {
+void print_study(const records::StudyResult& study) {
   print("{}: {}\n", study.name, study.title);
   for (const std::string& quantity : quantities_of(study)) print_errors(study, quantity);
   for (const Series& series : study.series) {
-    for (const ObservedOrder& order : series.orders) print_order(series, order);
-    for (const Extrapolation& extrapolation : series.extrapolations) print_extrapolation(series, extrapolation);
+    for (const fits::ObservedOrder& order : series.orders) print_order(series, order);
+    for (const fits::Extrapolation& extrapolation : series.extrapolations) print_extrapolation(series, extrapolation);
     print_limit(series);
   }
-  for (const Value& value : study.values) print("  {} = {:.6g}  {}\n", value.name, value.value, value.meaning);
-  for (const ClaimPart& part : study.parts)
+  for (const records::Value& value : study.values) print("  {} = {:.6g}  {}\n", value.name, value.value, value.meaning);
+  for (const records::ClaimPart& part : study.parts)
     print("  {} {}: {}\n    {}\n", part.claim, to_string(part.verdict), part.statement, part.evidence);
 }
 
-Setting setting_from(const std::string& text, const char* option) {
+settings::Setting setting_from(const std::string& text, const char* option) {
   const auto equals = text.find('=');
   if (equals == 0 || equals == std::string::npos)
-    throw UsageError(fmt::format("{} {} (key=value, as in {} shuffle=1)", option, text, option));
+    throw support::UsageError(fmt::format("{} {} (key=value, as in {} shuffle=1)", option, text, option));
   return {text.substr(0, equals), text.substr(equals + 1), option};
 }
 
@@ -125,38 +129,38 @@ std::vector<Overriding> overriding_settings(const StudyOptions& options) {
 }
 
 /// A setting of `--set-where-taken` that no series takes is a mistake of the user: UsageError with the refusal.
-void require_taken(const std::vector<Overriding>& settings, const std::vector<StudyPlan>& plans) {
+void require_taken(const std::vector<Overriding>& settings, const std::vector<plan::StudyPlan>& plans) {
   for (std::size_t k = 0; k < settings.size(); ++k) {
     std::string refusal;
     bool taken = false;
-    for (const StudyPlan& plan : plans) {
+    for (const plan::StudyPlan& plan : plans) {
       if (plan.overridden.empty()) continue;  // a check
       taken = taken || plan.overridden[k].series > 0;
       if (!plan.overridden[k].refusal.empty()) refusal = plan.overridden[k].refusal;
     }
     if (!taken && !refusal.empty())
-      throw UsageError(
+      throw support::UsageError(
           fmt::format("no series takes {} = {} ({})", settings[k].setting.key, settings[k].setting.value, refusal));
   }
 }
 
 int study(const StudyOptions& options) {
   const std::vector<Overriding> overriding = overriding_settings(options);
-  std::vector<StudyPlan> plans;
+  std::vector<plan::StudyPlan> plans;
   for (const std::string& file : options.files) {
-    plans.push_back(read_study(file, overriding));
-    for (const Overridden& done : plans.back().overridden) note("{}: {}\n", plans.back().name, done.what);
+    plans.push_back(plan::read_study(file, overriding));
+    for (const plan::Overridden& done : plans.back().overridden) note("{}: {}\n", plans.back().name, done.what);
     for (std::size_t k = 0; k + 1 < plans.size(); ++k)
       if (plans[k].name == plans.back().name)
-        throw UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
+        throw support::UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
   }
   require_taken(overriding, plans);
   require_apart("--db", options.db, {options.files.begin(), options.files.end()});
-  Store store(options.db, Store::Mode::create_or_write);
-  RunnerCounts counts;
-  const auto outcomes = run_studies(plans, store, {options.jobs, progress_line()}, counts);
+  store::Store store(options.db, store::Store::Mode::create_or_write);
+  plan::RunnerCounts counts;
+  const auto outcomes = plan::run_studies(plans, store, {options.jobs, progress_line()}, counts);
   std::size_t failed = 0;
-  for (const StudyOutcome& outcome : outcomes) {
+  for (const plan::StudyOutcome& outcome : outcomes) {
     failed += outcome.failed;
     if (outcome.trouble.empty())
       print_study(outcome.result);
@@ -186,4 +190,4 @@ void add_study(CLI::App& app, int& exit_code) {
   command->callback([options, &exit_code] { exit_code = study(*options); });
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -9,7 +9,9 @@
 
 #include "goldens/golden.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
+
+using claims::Finding;
 
 namespace {
 
@@ -126,4 +128,4 @@ Comparison compare(const std::vector<Finding>& before, const std::vector<Finding
   return comparison;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

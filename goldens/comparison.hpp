@@ -5,7 +5,7 @@
 
 #include "studies/claims/finding.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 
 /// Two numbers that differ by no more than this are the same up to round-off: |a - b| <= relative max(|a|, |b|), or
 /// both are at most `absolute` in size.
@@ -18,7 +18,7 @@ struct Change {
     double x = 0, before = 0, after = 0;
   };
 
-  Finding before, after;
+  claims::Finding before, after;
   std::optional<AtLevel> largest;  ///< when any level changed
   double bands = 0;                ///< in widths of the goldens' bands; positive: worse, or neither; 0: unchanged
 };
@@ -32,6 +32,6 @@ struct Comparison {
   std::size_t changed() const;
 };
 
-Comparison compare(const std::vector<Finding>& before, const std::vector<Finding>& after);
+Comparison compare(const std::vector<claims::Finding>& before, const std::vector<claims::Finding>& after);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

@@ -6,7 +6,7 @@
 
 #include "studies/fits/median.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 
 namespace {
 
@@ -39,9 +39,9 @@ CostRatio cost_ratio(const std::vector<CostPair>& pairs) {
   std::ranges::sort(ratios);
   const std::size_t rank = rank_of_bounds(ratios.size());
   constexpr double unbounded = std::numeric_limits<double>::infinity();
-  return {.now = median_of(values_of(pairs, &CostPair::now)),
-          .baseline = median_of(values_of(pairs, &CostPair::baseline)),
-          .ratio = median_of(ratios),
+  return {.now = fits::median_of(values_of(pairs, &CostPair::now)),
+          .baseline = fits::median_of(values_of(pairs, &CostPair::baseline)),
+          .ratio = fits::median_of(ratios),
           .least = rank == 0 ? 0 : ratios[rank - 1],
           .most = rank == 0 ? unbounded : ratios[ratios.size() - rank],
           .pairs = pairs.size()};
@@ -54,4 +54,4 @@ CostRatio measure_cost(const std::function<CostPair()>& measure) {
   return cost_ratio(pairs);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

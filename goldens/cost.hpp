@@ -4,7 +4,7 @@
 
 #include "goldens/verdict.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 
 /// The most that a case may cost beside a baseline before the gate fails it.
 inline constexpr double cost_band = 1.1;
@@ -30,4 +30,4 @@ CostRatio cost_ratio(const std::vector<CostPair>& pairs);
 /// Measures nine pairs, and while the verdict is inconclusive more of them, up to 45.
 CostRatio measure_cost(const std::function<CostPair()>& measure);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

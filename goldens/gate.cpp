@@ -10,7 +10,10 @@
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
+
+using records::Series;
+using records::StudyResult;
 
 namespace {
 
@@ -36,10 +39,10 @@ struct Band {
 
 /// Judges a limit that was not found because all probes agree, so that it lies outside the scan: a failure when the
 /// scan covers the whole band.
-Judgement judge_unfound(const StabilityLimit& limit, const Band& band) {
+Judgement judge_unfound(const fits::StabilityLimit& limit, const Band& band) {
   if (limit.probes.empty()) return inconclusive("", "limit not found: no probes");
   if (!limit.monotone) return inconclusive("", "limit not found: stability is not monotone");
-  const auto [first, last] = std::ranges::minmax(limit.probes, {}, &Probe::value);
+  const auto [first, last] = std::ranges::minmax(limit.probes, {}, &fits::Probe::value);
   const std::string measured =
       fmt::format("all {} from {:.6g} to {:.6g}", first.stable ? "stable" : "unstable", first.value, last.value);
   if (first.value <= band.lower && band.upper <= last.value) return fail(measured, "no limit inside the golden's band");
@@ -48,7 +51,7 @@ Judgement judge_unfound(const StabilityLimit& limit, const Band& band) {
 
 Judgement judge(const LimitGolden& golden, const Series& series) {
   if (!series.limit) return missing(fmt::format("no limit of '{}'", golden.series));
-  const StabilityLimit& limit = *series.limit;
+  const fits::StabilityLimit& limit = *series.limit;
   const Band band{golden.expected * (1 - golden.band), golden.expected * (1 + golden.band)};
   if (!limit.found) return judge_unfound(limit, band);
 
@@ -65,14 +68,14 @@ Judgement judge(const LimitGolden& golden, const Series& series) {
 }
 
 Judgement judge(const StatusGolden& golden, const Series& series) {
-  const Point* point = find_point(series, golden.at);
+  const records::Point* point = find_point(series, golden.at);
   if (!point) return missing(fmt::format("no point of '{}' at {}", golden.series, golden.at));
   const std::string measured = status_text(*point);
   return point->status == golden.expected ? pass(measured) : fail(measured, "another status than the golden's");
 }
 
 Judgement judge(const ValueGolden& golden, const StudyResult& study) {
-  const Value* value = find(study.values, golden.name, &Value::name);
+  const records::Value* value = find(study.values, golden.name, &records::Value::name);
   if (!value) return missing(fmt::format("no value '{}'", golden.name));
   const std::string measured = fmt::format("{:.6g}", value->value);
   if (std::isnan(value->value)) return inconclusive(measured, "the value was not measured");
@@ -90,7 +93,7 @@ Judgement judge(const OfSeries& golden, const StudyResult& study) {
 /// Results of a trial (`study --set`) are inconclusive, and a golden that nobody has reviewed cannot pass.
 Judgement judge(const Golden& golden, const StudyResult& study, Trials trials) {
   Judgement found = std::visit([&](const auto& expectation) { return judge(expectation, study); }, golden.expectation);
-  const std::string trial = trials == Trials::judged ? "" : trial_of(study.text);
+  const std::string trial = trials == Trials::judged ? "" : store::trial_of(study.text);
   if (!trial.empty()) return inconclusive(found.measured, fmt::format("made with --set: {}", trial));
   if (found.verdict == Verdict::pass && !golden.reviewed)
     return inconclusive(found.measured, "not reviewed: its file has no reviewed = \"DATE: who and on what grounds\"");
@@ -124,10 +127,10 @@ int GateReport::exit_code() const {
 
 GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<StudyResult>& studies,
                     const std::vector<std::string>& only, Trials trials) {
-  if (goldens.empty()) throw UsageError("no golden to judge (at least one)");
+  if (goldens.empty()) throw support::UsageError("no golden to judge (at least one)");
   for (const std::string& study : only) {
     if (!find(goldens, study, &Golden::study)) {
-      throw UsageError(fmt::format("no golden for study '{}' (a study with goldens)", study));
+      throw support::UsageError(fmt::format("no golden for study '{}' (a study with goldens)", study));
     }
   }
   GateReport report;
@@ -138,4 +141,4 @@ GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<StudyR
   return report;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

@@ -6,7 +6,7 @@
 #include "goldens/verdict.hpp"
 #include "studies/records/result.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 
 /// One golden, judged.
 struct GateResult {
@@ -33,7 +33,7 @@ enum class Trials { inconclusive, judged };
 
 /// Holds the goldens against the stored studies; only those of the studies named in `only`, unless it is empty.
 /// UsageError when there is nothing to judge or a name in `only` has no golden.
-GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<StudyResult>& studies,
+GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<records::StudyResult>& studies,
                     const std::vector<std::string>& only = {}, Trials trials = Trials::inconclusive);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

@@ -4,14 +4,14 @@
 
 #include "studies/support/printable.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 
 namespace {
 
 /// Without what would end a command's message, or, as a property, the property, and without what a log obeys.
 std::string percent_escaped(const std::string& text, bool property) {
   std::string out;
-  for (const char c : printable(text)) {
+  for (const char c : support::printable(text)) {
     const bool special = c == '%' || (property && (c == ':' || c == ','));
     out += special ? fmt::format("%{:02X}", static_cast<int>(c)) : std::string(1, c);
   }
@@ -38,4 +38,4 @@ std::string github_annotations(const GateReport& report) {
   return lines;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

@@ -3,10 +3,10 @@
 
 #include "goldens/gate.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 
 /// Workflow commands of GitHub Actions, a line each, that mark the goldens in a change: `::error` for what failed,
 /// `::warning` for what is inconclusive.
 std::string github_annotations(const GateReport& report);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

@@ -14,14 +14,16 @@
 #include "studies/support/error.hpp"
 #include "studies/support/toml_file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
+
+using support::TomlTable;
 
 namespace {
 
 constexpr double round_off = 1e-9;  ///< so that 2 - 1.85 is not wider than 0.15
 
 [[noreturn]] void reject(const std::string& wrong, const std::string& where, const std::string& right) {
-  throw UsageError(fmt::format("{} in {} ({})", wrong, where, right));
+  throw support::UsageError(fmt::format("{} in {} ({})", wrong, where, right));
 }
 
 double number(const TomlTable& table, const std::string& key) {
@@ -56,7 +58,7 @@ std::string word(const TomlTable& table, const std::string& key) {
 }
 
 std::string norm(const TomlTable& table) {
-  std::vector<std::string> known = norm_words();
+  std::vector<std::string> known = records::norm_words();
   known.emplace_back("y");
   const std::string text = table.text("norm");
   if (std::ranges::find(known, text) == known.end()) {
@@ -97,7 +99,7 @@ std::vector<double> finest(const TomlTable& table, const std::vector<double>& wi
   const auto sound = [](double x) { return x > 0 && x <= largest_number; };
   if (level.size() != 2 || !std::ranges::all_of(level, sound))
     reject("a finest level that is none", table.where("finest"), "a swept value and the error there, both above 0");
-  if (!window.empty() && !Window{window[0], window[1]}.holds(level[0]))
+  if (!window.empty() && !fits::Window{window[0], window[1]}.holds(level[0]))
     reject(fmt::format("a finest level {} outside the window", level[0]), table.where("finest"),
            fmt::format("a swept value from {} to {}", window[0], window[1]));
   return level;
@@ -169,7 +171,8 @@ StatusGolden read_status(const TomlTable& table) {
   if (expected != "ok" && expected != "unstable") {
     reject(fmt::format("unknown status '{}'", expected), table.where("expected"), "known: ok, unstable");
   }
-  return {word(table, "series"), positive(table, "at"), expected == "ok" ? Status::ok : Status::unstable};
+  return {word(table, "series"), positive(table, "at"),
+          expected == "ok" ? records::Status::ok : records::Status::unstable};
 }
 
 std::vector<Golden> goldens_of(const TomlTable& document) {
@@ -228,10 +231,10 @@ std::vector<Golden> read_goldens(const std::filesystem::path& directory) {
       fmt::format("`mpmvv propose --db DB --study NAME --out {}` writes a first one, to be reviewed",
                   (directory / "NAME.toml").string());
   if (!std::filesystem::is_directory(directory))
-    throw UsageError(fmt::format("no directory '{}' (one with goldens, *.toml; {})", directory.string(), how));
+    throw support::UsageError(fmt::format("no directory '{}' (one with goldens, *.toml; {})", directory.string(), how));
   const auto files = golden_files(directory);
   if (files.empty())
-    throw UsageError(fmt::format("no golden in '{}' (at least one *.toml; {})", directory.string(), how));
+    throw support::UsageError(fmt::format("no golden in '{}' (at least one *.toml; {})", directory.string(), how));
 
   std::vector<Golden> goldens;
   for (const std::filesystem::path& file : files) {
@@ -241,4 +244,4 @@ std::vector<Golden> read_goldens(const std::filesystem::path& directory) {
   return goldens;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

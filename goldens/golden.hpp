@@ -7,7 +7,7 @@
 
 #include "studies/records/record.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 
 /// The usual bands. A golden with a wider one must say why.
 inline constexpr double order_band = 0.15;  ///< absolute, either side
@@ -68,7 +68,7 @@ struct ValueGolden {
 struct StatusGolden {
   std::string series;
   double at = 0;
-  Status expected = Status::ok;
+  records::Status expected = records::Status::ok;
 };
 
 /// One reviewed expectation of a study.
@@ -95,4 +95,4 @@ std::vector<Golden> read_goldens(const std::filesystem::path& directory);
 /// The goldens of one file's text; `file` stands for it in messages.
 std::vector<Golden> parse_goldens(const std::string& text, const std::string& file);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

@@ -4,7 +4,7 @@
 
 #include "goldens/golden.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 
 namespace {
 
@@ -49,4 +49,4 @@ std::string expected_text(const Golden& golden) {
   return std::visit(ExpectedTextOf{}, golden.expectation);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

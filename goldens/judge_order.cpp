@@ -8,7 +8,13 @@
 #include "studies/fits/observed_order.hpp"
 #include "studies/fits/window.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
+
+using fits::same_level;
+
+using fits::ObservedOrder;
+using records::Point;
+using records::Series;
 
 namespace {
 
@@ -16,14 +22,14 @@ namespace {
 std::vector<const Point*> window_of(const ObservedOrder& fit, const Series& series) {
   std::vector<const Point*> points;
   for (const Point& point : series.points)
-    if (Window{fit.from, fit.to}.holds(point.x)) points.push_back(&point);
+    if (fits::Window{fit.from, fit.to}.holds(point.x)) points.push_back(&point);
   return points;
 }
 
 /// How many points of the fit's window are no results, so that a shrunken window is seen.
 std::string order_text(const ObservedOrder& fit, const Series& series) {
   const auto lost =
-      std::ranges::count_if(window_of(fit, series), [](const Point* p) { return p->status != Status::ok; });
+      std::ranges::count_if(window_of(fit, series), [](const Point* p) { return p->status != records::Status::ok; });
   const std::string loss = lost > 0 ? fmt::format(", {} unstable or failed", lost) : "";
   return fmt::format("{:.6g} ({} points{})", fit.order, fit.points, loss);
 }
@@ -54,21 +60,21 @@ bool has_grown(const OrderGolden& golden, const Series& series) {
 
 /// How far the segment orders inside the fit's window lie from each other.
 double segment_spread(const ObservedOrder& fit) {
-  const Window window{fit.from, fit.to};
+  const fits::Window window{fit.from, fit.to};
   double least = INFINITY, most = -INFINITY;
-  for (const SegmentOrder& s : fit.segments)
+  for (const fits::SegmentOrder& s : fit.segments)
     if (window.holds(s.from) && window.holds(s.to)) least = std::min(least, s.order), most = std::max(most, s.order);
   return most - least;
 }
 
 /// An order inside the band, or outside it with an interval that reaches in.
 Judgement judge_interval(const OrderGolden& golden, const ObservedOrder& fit, const std::string& measured) {
-  const double width = half_width(fit),
+  const double width = fits::half_width(fit),
                widest = std::max(golden.upper - golden.lower, interval_margin * golden.interval);
   if (fit.order < golden.lower || fit.order > golden.upper)
     return inconclusive(measured, fmt::format("outside the band, but its interval of ± {:.2g} reaches in", width));
   if (width > widest) return inconclusive(measured, fmt::format("its interval of ± {:.2g} is too wide", width));
-  const bool scattered = segment_spread(fit) > 2 * asymptotic_spread;  // twice: what just was may just be no more
+  const bool scattered = segment_spread(fit) > 2 * fits::asymptotic_spread;  // twice: what just was may just be no more
   if (golden.asymptotic && scattered) return inconclusive(measured, "the window is not asymptotic any more");
   return pass(measured);
 }
@@ -84,7 +90,7 @@ Judgement judge(const OrderGolden& golden, const Series& series) {
   if (fit->points < 3) return inconclusive(measured, "fewer than 3 usable points in the window");
   const int wanted = golden.points > 0 ? golden.points : static_cast<int>(window_of(*fit, series).size());
   if (fit->points < wanted) return fail(measured, fmt::format("fewer usable points than {}", wanted));
-  const double width = half_width(*fit);
+  const double width = fits::half_width(*fit);
   if (fit->order + width < golden.lower) return fail(measured, "order below the golden's band");
   if (fit->order > golden.upper + absurd) return fail(measured, "order absurdly high");
   if (const auto lack = lacking_level(golden, *fit, series)) return {lack->verdict, measured, lack->reason};
@@ -96,4 +102,4 @@ Judgement judge(const OrderGolden& golden, const Series& series) {
   return judge_interval(golden, *fit, measured);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 
-namespace mpmvv {
+#include "studies/fits/window.hpp"
+
+namespace mpmvv::goldens {
+
+using records::Point;
 
 Judgement pass(std::string measured) {
   return {Verdict::pass, std::move(measured), ""};
@@ -22,8 +26,8 @@ Judgement missing(const std::string& what) {
   return inconclusive("", "missing: " + what);
 }
 
-const Point* find_point(const Series& series, double at) {
-  const auto found = std::ranges::find_if(series.points, [&](const Point& p) { return same_level(p.x, at); });
+const Point* find_point(const records::Series& series, double at) {
+  const auto found = std::ranges::find_if(series.points, [&](const Point& p) { return fits::same_level(p.x, at); });
   return found == series.points.end() ? nullptr : &*found;
 }
 
@@ -31,10 +35,10 @@ std::string status_text(const Point& point) {
   return point.reason.empty() ? to_string(point.status) : fmt::format("{}: {}", to_string(point.status), point.reason);
 }
 
-std::optional<Judgement> lacking(const Series& series, const std::string& norm, double at) {
+std::optional<Judgement> lacking(const records::Series& series, const std::string& norm, double at) {
   const Point* point = find_point(series, at);
   if (!point) return missing(fmt::format("no point of '{}' at {}", series.name, at));
-  if (point->status != Status::ok)
+  if (point->status != records::Status::ok)
     return fail(status_text(*point), fmt::format("no error at {}: the run is not ok", at));
   const auto error = point->y.find(norm);
   if (error == point->y.end()) return missing(fmt::format("no {} of '{}' at {}", norm, series.name, at));
@@ -42,4 +46,4 @@ std::optional<Judgement> lacking(const Series& series, const std::string& norm, 
   return std::nullopt;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

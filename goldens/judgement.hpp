@@ -7,7 +7,7 @@
 #include "goldens/verdict.hpp"
 #include "studies/records/result.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 
 /// What a gate finds of one golden.
 struct Judgement {
@@ -22,19 +22,14 @@ Judgement better(std::string measured, std::string reason);
 Judgement inconclusive(std::string measured, std::string reason);
 Judgement missing(const std::string& what);
 
-/// Whether two swept values are one, up to round-off.
-inline bool same_level(double a, double b) {
-  return std::abs(a - b) <= 1e-9 * std::abs(b);
-}
-
 /// The point of a series at a swept value, up to round-off; nullptr when there is none.
-const Point* find_point(const Series& series, double at);
+const records::Point* find_point(const records::Series& series, double at);
 
-std::string status_text(const Point& point);
+std::string status_text(const records::Point& point);
 
 /// Why there is no error at a level that a golden names; nullopt where there is one.
-std::optional<Judgement> lacking(const Series& series, const std::string& norm, double at);
+std::optional<Judgement> lacking(const records::Series& series, const std::string& norm, double at);
 
-Judgement judge(const OrderGolden& golden, const Series& series);
+Judgement judge(const OrderGolden& golden, const records::Series& series);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

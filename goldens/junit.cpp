@@ -7,7 +7,7 @@
 
 #include "studies/support/printable.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 
 namespace {
 
@@ -19,7 +19,7 @@ bool is_forbidden(std::string_view character) {
 /// The text as XML holds it, in attributes as well as in content.
 std::string escaped(const std::string& text) {
   std::string out;
-  for (const char c : printable(text)) {
+  for (const char c : support::printable(text)) {
     switch (c) {
       case '&':
         out += "&amp;";
@@ -82,4 +82,4 @@ std::string junit_xml(const GateReport& report) {
       report.results.size(), report.count(Verdict::fail), suites);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

@@ -14,7 +14,13 @@
 #include "studies/support/error.hpp"
 #include "studies/support/printable.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
+
+using fits::half_width;
+using fits::ObservedOrder;
+using records::Point;
+using records::Series;
+using support::UsageError;
 
 namespace {
 
@@ -40,7 +46,7 @@ class Draft {
     remark(text);
     line("");
   }
-  void remark(const std::string& text) { text_ += "# " + printable(text) + '\n'; }
+  void remark(const std::string& text) { text_ += "# " + support::printable(text) + '\n'; }
   void line(const std::string& text) { text_ += text + '\n'; }
   void table(const std::string& kind, const std::string& body) {
     line(fmt::format("[[{}]]\n{}\n", kind, body));
@@ -60,11 +66,11 @@ bool finer(const std::string& sweep, double a, double b) {
 
 /// The stable point with the finest grid among the swept values of a window; nullptr when there is none.
 const Point* finest_stable(const std::string& sweep, const Series& series, const std::string& norm,
-                           const Window& window = {-INFINITY, INFINITY}) {
+                           const fits::Window& window = {-INFINITY, INFINITY}) {
   const Point* finest = nullptr;
   for (const Point& point : series.points) {
     const auto error = point.y.find(norm);
-    if (!window.holds(point.x) || point.status != Status::ok || error == point.y.end()) continue;
+    if (!window.holds(point.x) || point.status != records::Status::ok || error == point.y.end()) continue;
     if (!(error->second > 0 && error->second <= largest_number)) continue;
     if (!finest || finer(sweep, point.x, finest->x)) finest = &point;
   }
@@ -117,7 +123,7 @@ void propose_error(Draft& draft, const std::string& sweep, const Series& series,
                                    quoted(series.name), norm, point->x, point->y.at(norm), error_band));
 }
 
-void propose_limit(Draft& draft, const Series& series, const StabilityLimit& limit) {
+void propose_limit(Draft& draft, const Series& series, const fits::StabilityLimit& limit) {
   if (!limit.found || !limit.monotone) {
     draft.refusal(fmt::format("No limit of {} in {}: {}.", quoted(series.name), limit.key,
                               limit.found ? "stability is not monotone" : "not found"));
@@ -145,7 +151,7 @@ double round_off_bound(double size) {
   return size == 0 ? 1e-15 : std::pow(10, std::ceil(std::log10(size)) + 1);
 }
 
-void propose_value(Draft& draft, const Value& value) {
+void propose_value(Draft& draft, const records::Value& value) {
   const double size = std::abs(value.value);
   if (!(size <= largest_number)) {
     draft.refusal(fmt::format("No value {}: {}.", quoted(value.name),
@@ -171,7 +177,7 @@ void propose_series(Draft& draft, const std::string& sweep, const Series& series
   if (series.limit) propose_limit(draft, series, *series.limit);
 }
 
-void refuse_worse(const StudyResult& study, std::vector<Golden> standing) {
+void refuse_worse(const records::StudyResult& study, std::vector<Golden> standing) {
   std::erase_if(standing, [&](const Golden& golden) { return golden.study != study.name; });
   if (standing.empty()) return;
   for (const GateResult& result : run_gate(standing, {study}).results)
@@ -184,7 +190,7 @@ void refuse_worse(const StudyResult& study, std::vector<Golden> standing) {
 
 }  // namespace
 
-std::string propose_goldens(const StudyResult& study, const Provenance& provenance,
+std::string propose_goldens(const records::StudyResult& study, const store::Provenance& provenance,
                             const std::vector<Golden>& standing) {
   if (provenance.dirty) {
     throw UsageError(
@@ -192,7 +198,7 @@ std::string propose_goldens(const StudyResult& study, const Provenance& provenan
                     "the study again)",
                     study.name, provenance.commit));
   }
-  if (const std::string trial = trial_of(study.text); !trial.empty())
+  if (const std::string trial = store::trial_of(study.text); !trial.empty())
     throw UsageError(fmt::format("the results of study '{}' were made with --set: {} (run the study as it stands)",
                                  study.name, trial));
   refuse_worse(study, standing);
@@ -203,11 +209,11 @@ std::string propose_goldens(const StudyResult& study, const Provenance& provenan
   draft.remark("then add reviewed = \"DATE: who and on what grounds\".");
   draft.line(fmt::format("study = {}\n", quoted(study.name)));
   for (const Series& series : study.series) propose_series(draft, study.sweep, series);
-  for (const Value& value : study.values) propose_value(draft, value);
+  for (const records::Value& value : study.values) propose_value(draft, value);
   if (!draft.has_tables()) {
     throw UsageError(fmt::format("nothing to propose for study '{}' (orders, limits or check values)", study.name));
   }
   return draft.text();
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

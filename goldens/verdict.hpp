@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 
 /// What a gate says of one golden. `inconclusive`: the store has no result that could pass or fail it.
 enum class Verdict { pass, fail, inconclusive };
@@ -18,4 +18,4 @@ inline std::string to_string(Verdict v) {
   return "inconclusive";
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// A run of the quick gate on sources without a mistake, with another order and place of the particles.
 struct AlarmRun {
@@ -20,7 +20,7 @@ struct AlarmLog {
   std::vector<AlarmRun> runs;
 };
 
-/// What such a file holds; nothing where there is none. UsageError on every mistake in it, with FILE:LINE.
+/// What such a file holds; nothing where there is none. support::UsageError on every mistake in it, with FILE:LINE.
 AlarmLog read_alarms(const std::filesystem::path& file);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
@@ -143,4 +143,4 @@ Axis make_axis(const AxisWish& wish, std::span<const double> values) {
   return axis;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

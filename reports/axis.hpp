@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 struct Tic {
   double at = 0;
@@ -35,4 +35,4 @@ struct AxisWish {
 /// An axis that holds all values it can show (a logarithmic one: the positive ones), with tics.
 Axis make_axis(const AxisWish& wish, std::span<const double> values);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

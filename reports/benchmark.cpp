@@ -11,7 +11,7 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
@@ -49,7 +49,7 @@ std::string percent(double fraction) {
 
 double machine(const Benchmark& benchmark, const std::string& name, const std::string& counter) {
   const BenchmarkRow* row = benchmark.find("machine/" + name);
-  return row ? row->median(counter) : not_measured;
+  return row ? row->median(counter) : support::not_measured;
 }
 
 Table skip_table(const Benchmark& benchmark) {
@@ -128,13 +128,13 @@ Table machine_table(const Benchmark& benchmark) {
 
 double BenchmarkRow::median(const std::string& counter) const {
   const auto it = counters.find(counter);
-  if (it == counters.end()) return not_measured;
-  return median_of(it->second);
+  if (it == counters.end()) return support::not_measured;
+  return fits::median_of(it->second);
 }
 
 double BenchmarkRow::range(const std::string& counter) const {
   const auto it = counters.find(counter);
-  if (it == counters.end()) return not_measured;
+  if (it == counters.end()) return support::not_measured;
   const auto [least, largest] = std::ranges::minmax(it->second);
   return (largest - least) / median(counter);
 }
@@ -145,7 +145,7 @@ const BenchmarkRow* Benchmark::find(const std::string& name) const {
 }
 
 std::optional<Benchmark> read_benchmark(const std::filesystem::path& file) {
-  const auto text = read_file(file);
+  const auto text = support::read_file(file);
   if (!text) return std::nullopt;
   try {
     const auto json = nlohmann::json::parse(*text);
@@ -154,7 +154,7 @@ std::optional<Benchmark> read_benchmark(const std::filesystem::path& file) {
     std::ranges::stable_sort(benchmark.rows, {}, order_of);
     return benchmark;
   } catch (const nlohmann::json::exception&) {
-    throw UsageError(
+    throw support::UsageError(
         fmt::format("{} is not what the benchmark writes (`./run benchmark` makes it anew)", file.string()));
   }
 }
@@ -166,4 +166,4 @@ std::vector<Table> benchmark_tables(const Benchmark& benchmark) {
   return tables;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -7,7 +7,7 @@
 
 #include "reports/table.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// One benchmark over all its repetitions.
 struct BenchmarkRow {
@@ -36,4 +36,4 @@ std::optional<Benchmark> read_benchmark(const std::filesystem::path& file);
 /// What scenes skip and what that saves; the cost of a step; what the machine can do.
 std::vector<Table> benchmark_tables(const Benchmark& benchmark);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

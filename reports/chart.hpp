@@ -5,7 +5,7 @@
 #include "reports/axis.hpp"
 #include "studies/records/result.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// What a dot stands for: inside or outside a fit's window, blown up (drawn at the upper edge), or nothing to draw.
 enum class Mark { inside, outside, unstable, absent };
@@ -73,23 +73,23 @@ struct Chart {
 };
 
 /// One figure of a study: its points, fits, floors, limits and reference slopes.
-Chart error_chart(const StudyResult& study, const Figure& figure);
+Chart error_chart(const records::StudyResult& study, const records::Figure& figure);
 
 /// Every probe of every limit of a study, stable or not, one row per series.
-Chart stability_map(const StudyResult& study, const Figure& figure);
+Chart stability_map(const records::StudyResult& study, const records::Figure& figure);
 
 /// Error against the measured cost: a curve for each series, and the Pareto front of all.
-Chart work_chart(const StudyResult& study, const Figure& figure);
+Chart work_chart(const records::StudyResult& study, const records::Figure& figure);
 
 /// Particles and their voxels, one panel for each series, side by side and to scale.
-Chart particle_chart(const StudyResult& study, const Figure& figure);
+Chart particle_chart(const records::StudyResult& study, const records::Figure& figure);
 
 /// The series that a figure draws, in its order; all of the study's when it names none.
 /// Throws UsageError when the figure names a series that the study lacks.
-std::vector<const Series*> figure_series(const StudyResult& study, const Figure& figure);
+std::vector<const records::Series*> figure_series(const records::StudyResult& study, const records::Figure& figure);
 
 /// All figures of a study. One of kind `limit` gets a stability map at least: a figure without values is drawn as
 /// one, and where there is none it is added under the name STUDY-map.
-std::vector<Chart> charts_of(const StudyResult& study);
+std::vector<Chart> charts_of(const records::StudyResult& study);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -6,9 +6,12 @@
 #include "reports/chart.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
-std::vector<const Series*> figure_series(const StudyResult& study, const Figure& figure) {
+using records::Figure;
+using records::Series;
+
+std::vector<const Series*> figure_series(const records::StudyResult& study, const Figure& figure) {
   std::vector<const Series*> chosen;
   for (const auto& s : study.series)
     if (figure.series.empty()) chosen.push_back(&s);
@@ -17,7 +20,7 @@ std::vector<const Series*> figure_series(const StudyResult& study, const Figure&
     if (it == study.series.end()) {
       std::vector<std::string> known;
       for (const auto& s : study.series) known.push_back(s.name);
-      throw UsageError(
+      throw support::UsageError(
           fmt::format("figure '{}' of study '{}' names the series '{}', which the study lacks (it has: {})",
                       figure.name, study.name, name, fmt::join(known, ", ")));
     }
@@ -26,10 +29,10 @@ std::vector<const Series*> figure_series(const StudyResult& study, const Figure&
   return chosen;
 }
 
-std::vector<Chart> charts_of(const StudyResult& study) {
+std::vector<Chart> charts_of(const records::StudyResult& study) {
   const auto has_value = [&](const Figure& f) {
     return std::ranges::any_of(study.series, [&](const Series& s) {
-      return std::ranges::any_of(s.points, [&](const Point& p) { return p.y.contains(f.quantity); });
+      return std::ranges::any_of(s.points, [&](const records::Point& p) { return p.y.contains(f.quantity); });
     });
   };
   const bool limits = study.kind == "limit";
@@ -54,4 +57,4 @@ std::vector<Chart> charts_of(const StudyResult& study) {
   return charts;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -9,7 +9,7 @@
 #include "studies/claims/samples.hpp"
 #include "studies/fits/work_precision.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
@@ -20,10 +20,10 @@ struct Bid {
 };
 
 /// Series that reach the error, cheapest first.
-std::vector<Bid> bids(double error, const StudyResult& study, const Figure& figure) {
+std::vector<Bid> bids(double error, const records::StudyResult& study, const records::Figure& figure) {
   std::vector<Bid> result;
-  for (const Series* series : figure_series(study, figure)) {
-    const double cost = cost_to_reach(error, pareto_front(work_points(*series, figure.quantity)));
+  for (const records::Series* series : figure_series(study, figure)) {
+    const double cost = fits::cost_to_reach(error, fits::pareto_front(claims::work_points(*series, figure.quantity)));
     if (std::isfinite(cost)) result.push_back({series->name, cost});
   }
   std::ranges::stable_sort(result, {}, &Bid::cost);
@@ -31,21 +31,21 @@ std::vector<Bid> bids(double error, const StudyResult& study, const Figure& figu
 }
 
 /// The powers of ten among a figure's errors.
-std::vector<double> error_decades(const StudyResult& study, const Figure& figure) {
+std::vector<double> error_decades(const records::StudyResult& study, const records::Figure& figure) {
   double least = INFINITY, largest = 0;
-  for (const Series* series : figure_series(study, figure))
-    for (const WorkPoint& p : work_points(*series, figure.quantity))
+  for (const records::Series* series : figure_series(study, figure))
+    for (const fits::WorkPoint& p : claims::work_points(*series, figure.quantity))
       least = std::min(least, p.error), largest = std::max(largest, p.error);
-  return largest > 0 ? decades(least, largest) : std::vector<double>{};
+  return largest > 0 ? fits::decades(least, largest) : std::vector<double>{};
 }
 
 }  // namespace
 
-Table cheapest_table(const StudyResult& study) {
+Table cheapest_table(const records::StudyResult& study) {
   Table table{"Cheapest series for a given error (step seconds on one core, power laws between measured runs)",
               {"error", "cheapest", "s", "next", "s", "times as much", "do not reach it"},
               {}};
-  for (const Figure& figure : study.figures) {
+  for (const records::Figure& figure : study.figures) {
     if (figure.kind != "work-precision") continue;
     const std::size_t all = figure_series(study, figure).size();
     Table::Group group{fmt::format("{}: {}", figure.name, figure.quantity), {}};
@@ -63,4 +63,4 @@ Table cheapest_table(const StudyResult& study) {
   return table;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

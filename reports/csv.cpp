@@ -1,15 +1,16 @@
 #include "reports/csv.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <set>
 #include <vector>
 
 #include "reports/text.hpp"
-#include "studies/support/csv_field.hpp"
+#include "studies/support/csv.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
+
+using records::StudyResult;
 
 namespace {
 
@@ -19,9 +20,7 @@ class Csv {
   explicit Csv(const std::vector<std::string>& columns) { add(columns); }
 
   void add(const std::vector<std::string>& fields) {
-    std::vector<std::string> quoted;
-    for (const auto& f : fields) quoted.push_back(csv_field(f));
-    text_ += fmt::format("{}\n", fmt::join(quoted, ","));
+    text_ += support::csv_line(fields);
     ++lines_;
   }
 
@@ -77,8 +76,8 @@ Csv fits_csv(const StudyResult& study) {
            "lack_of_fit"});
   for (const auto& series : study.series)
     for (const auto& o : series.orders) {
-      const FloorFit floor = o.floor.value_or(FloorFit{});
-      const ReplicateFit replicates = o.replicates.value_or(ReplicateFit{});
+      const fits::FloorFit floor = o.floor.value_or(fits::FloorFit{});
+      const fits::ReplicateFit replicates = o.replicates.value_or(fits::ReplicateFit{});
       csv.add({series.name,
                o.norm,
                exact(o.from),
@@ -167,4 +166,4 @@ std::map<std::string, std::string> csv_tables(const StudyResult& study) {
   return files;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

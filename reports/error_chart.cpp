@@ -8,8 +8,14 @@
 #include "reports/chart.hpp"
 #include "reports/reference_slope.hpp"
 #include "reports/text.hpp"
+#include "studies/claims/samples.hpp"
+#include "studies/fits/window.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
+
+using fits::ObservedOrder;
+using records::Series;
+using records::Status;
 
 namespace {
 
@@ -23,14 +29,13 @@ std::vector<const ObservedOrder*> orders_of(const Series& series, const std::str
 }
 
 bool in_window(const ObservedOrder& o, double x) {
-  const double slack = 1e-9 * std::abs(x);
-  return x >= o.from - slack && x <= o.to + slack;
+  return fits::Window{o.from, o.to}.holds(x);
 }
 
 /// Builds the chart of one figure; each step is one kind of thing on it.
 class ErrorChart {
  public:
-  ErrorChart(const StudyResult& study, const Figure& figure)
+  ErrorChart(const records::StudyResult& study, const records::Figure& figure)
       : study_(study), figure_(figure), series_(figure_series(study, figure)) {
     chart_.name = figure.name;
     chart_.caption = figure.caption;
@@ -50,7 +55,7 @@ class ErrorChart {
 
  private:
   bool is_number_on(bool log, double v) const { return std::isfinite(v) && (!log || v > 0); }
-  double step_size(double x) const { return study_.sweep == "cells" ? 1 / x : x; }
+  double step_size(double x) const { return claims::step_size(x, study_.sweep); }
 
   std::string key_of(const Series& s) const {
     std::string key = s.name, separator = "   ";
@@ -71,7 +76,7 @@ class ErrorChart {
     missing_.push_back(fmt::format("{} at {} ({})", series, brief(x), why));
   }
 
-  Dot dot_of(const Series& s, const Point& p) {
+  Dot dot_of(const Series& s, const records::Point& p) {
     const auto y = p.y.find(figure_.quantity);
     const double value = y == p.y.end() ? NAN : y->second;
     Dot dot{p.x, value, value, Mark::inside};
@@ -196,8 +201,8 @@ class ErrorChart {
                     missing_.size() > shown ? fmt::format("; and {} more", missing_.size() - shown) : ""));
   }
 
-  const StudyResult& study_;
-  const Figure& figure_;
+  const records::StudyResult& study_;
+  const records::Figure& figure_;
   std::vector<const Series*> series_;
   std::vector<std::string> missing_;
   bool has_values_ = false;
@@ -206,8 +211,8 @@ class ErrorChart {
 
 }  // namespace
 
-Chart error_chart(const StudyResult& study, const Figure& figure) {
+Chart error_chart(const records::StudyResult& study, const records::Figure& figure) {
   return ErrorChart(study, figure).make();
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

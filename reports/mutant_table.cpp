@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
@@ -121,4 +121,4 @@ std::vector<Table> mutant_tables(const MutationResults& mutation, const std::vec
   return tables;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

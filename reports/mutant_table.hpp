@@ -5,10 +5,10 @@
 #include "reports/mutation_results.hpp"
 #include "reports/table.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// The score; the planted mistakes, and what caught them; the random ones that nothing has caught; runs without a
 /// mistake. Each is left out where there is nothing to show.
 std::vector<Table> mutant_tables(const MutationResults& mutation, const std::vector<AlarmRun>& alarms);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <set>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
-PartVerdict catch_verdict(const PlantedScore& score) {
-  if (!score.missed.empty()) return PartVerdict::fails;
-  return score.open > 0 ? PartVerdict::inconclusive : PartVerdict::holds;
+records::PartVerdict catch_verdict(const PlantedScore& score) {
+  if (!score.missed.empty()) return records::PartVerdict::fails;
+  return score.open > 0 ? records::PartVerdict::inconclusive : records::PartVerdict::holds;
 }
 
 std::string catch_evidence(const PlantedScore& score) {
@@ -25,10 +25,10 @@ std::string catch_evidence(const PlantedScore& score) {
 /// Asked of the quick gate: no false alarm in so many runs.
 constexpr std::size_t runs_without_alarm = 200;
 
-PartVerdict alarm_verdict(const MutationResults& mutation, const std::vector<AlarmRun>& runs) {
+records::PartVerdict alarm_verdict(const MutationResults& mutation, const std::vector<AlarmRun>& runs) {
   if (!mutation.unchanged_passes.value_or(true) || std::ranges::any_of(runs, &AlarmRun::is_alarm))
-    return PartVerdict::fails;
-  return runs.size() < runs_without_alarm ? PartVerdict::inconclusive : PartVerdict::holds;
+    return records::PartVerdict::fails;
+  return runs.size() < runs_without_alarm ? records::PartVerdict::inconclusive : records::PartVerdict::holds;
 }
 
 std::string alarm_evidence(const MutationResults& mutation, const std::vector<AlarmRun>& runs) {
@@ -43,14 +43,14 @@ std::string alarm_evidence(const MutationResults& mutation, const std::vector<Al
 
 }  // namespace
 
-StudyResult mutation_study(const std::optional<MutationResults>& mutation, const std::vector<AlarmRun>& runs) {
-  StudyResult study;
+records::StudyResult mutation_study(const std::optional<MutationResults>& mutation, const std::vector<AlarmRun>& runs) {
+  records::StudyResult study;
   study.name = "mutants";
   study.title = "Planted mistakes";
   study.kind = "check";
   study.claims = {"X-mutants"};
   if (!mutation || mutation->planted.should_show == 0) return study;
-  const auto add = [&study](const std::string& statement, PartVerdict verdict, const std::string& evidence) {
+  const auto add = [&study](const std::string& statement, records::PartVerdict verdict, const std::string& evidence) {
     study.parts.push_back({"X-mutants", statement, verdict, evidence, ""});
   };
   add("tests and goldens catch every planted mistake that an order, an error, a limit or a report can show",
@@ -60,4 +60,4 @@ StudyResult mutation_study(const std::optional<MutationResults>& mutation, const
   return study;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -7,7 +7,7 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
@@ -80,13 +80,14 @@ MutationResults results_from(const json& all) {
 }  // namespace
 
 std::optional<MutationResults> read_mutation_results(const std::filesystem::path& file) {
-  const auto text = read_file(file);
+  const auto text = support::read_file(file);
   if (!text) return std::nullopt;
   try {
     return results_from(json::parse(*text));
   } catch (const json::exception&) {
-    throw UsageError(fmt::format("{} is not what `./run mutants` writes (which makes it anew)", file.string()));
+    throw support::UsageError(
+        fmt::format("{} is not what `./run mutants` writes (which makes it anew)", file.string()));
   }
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// How a part of the gate took a mutant.
 struct StageResult {
@@ -60,7 +60,7 @@ struct MutationResults {
   int tried() const { return planted.should_show - planted.untried + random.tried; }
 };
 
-/// Reads what the campaign writes; nullopt when the file is absent. UsageError on anything else.
+/// Reads what the campaign writes; nullopt when the file is absent. support::UsageError on anything else.
 std::optional<MutationResults> read_mutation_results(const std::filesystem::path& file);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

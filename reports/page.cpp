@@ -14,7 +14,7 @@
 #include "reports/text.hpp"
 #include "studies/support/file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
@@ -58,7 +58,7 @@ data table_data(const Table& table) {
                  {"groups", list_of(table.groups, group)}});
 }
 
-data part_data(const ClaimPart& part) {
+data part_data(const records::ClaimPart& part) {
   return object({{"claim", part.claim},
                  {"claim_anchor", anchor(part.claim)},
                  {"statement", part.statement},
@@ -117,7 +117,7 @@ data claim_data(const ClaimLine& claim, const std::vector<Section>& sections) {
                  {"claim_studies", studies}});
 }
 
-data provenance_data(const Provenance& p) {
+data provenance_data(const store::Provenance& p) {
   return object({{"digest", p.digest},
                  {"commit", p.commit},
                  {"dirty", p.dirty},
@@ -135,7 +135,7 @@ std::vector<Picture> pictures_of(const std::vector<Chart>& charts, const std::fi
   std::vector<Picture> pictures;
   for (const auto& c : charts)
     pictures.push_back(
-        {c.name, folder, c.caption, c.notes, read_file(out_dir / folder / (c.name + ".svg")).value_or("")});
+        {c.name, folder, c.caption, c.notes, support::read_file(out_dir / folder / (c.name + ".svg")).value_or("")});
   return pictures;
 }
 
@@ -162,4 +162,4 @@ std::string render_page(const ReportInput& input, const std::vector<Section>& se
               {"sections", list_of(sections, section_data)}})));
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -6,7 +6,7 @@
 #include "reports/chart.hpp"
 #include "reports/report.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// A figure on the page.
 struct Picture {
@@ -19,7 +19,7 @@ struct Picture {
 
 /// One study's part of the page.
 struct Section {
-  const StudyResult* study = nullptr;
+  const records::StudyResult* study = nullptr;
   std::vector<Picture> pictures;
   std::vector<std::string> tables;  ///< names of its files in tables/
 };
@@ -31,4 +31,4 @@ std::vector<Picture> pictures_of(const std::vector<Chart>& charts, const std::fi
 /// The whole page, from the template page.mustache. Every text is escaped.
 std::string render_page(const ReportInput& input, const std::vector<Section>& sections);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

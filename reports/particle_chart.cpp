@@ -3,7 +3,9 @@
 
 #include "reports/chart.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
+
+using records::Point;
 
 namespace {
 
@@ -27,7 +29,7 @@ struct Bounds {
 };
 
 /// The axes hold all panels; each panel has its own tics.
-void set_axes(Chart& chart, const Figure& figure, const Bounds& bounds, double pitch, std::size_t panels) {
+void set_axes(Chart& chart, const records::Figure& figure, const Bounds& bounds, double pitch, std::size_t panels) {
   const double margin = 0.03 * (bounds.top - bounds.bottom);
   const std::vector<double> across{bounds.left - margin, bounds.right + margin}, up{bounds.bottom, bounds.top};
   chart.x = make_axis({figure.xlabel, false, {}, {}}, across);
@@ -51,7 +53,7 @@ Rule frame_of(const Bounds& b, double offset) {
 
 }  // namespace
 
-Chart particle_chart(const StudyResult& study, const Figure& figure) {
+Chart particle_chart(const records::StudyResult& study, const records::Figure& figure) {
   constexpr int black_circle = 6;
   constexpr double gap = 0.12, few = 300, axes_width = 650;
   Chart chart;
@@ -61,7 +63,7 @@ Chart particle_chart(const StudyResult& study, const Figure& figure) {
   const auto series = figure_series(study, figure);
   Bounds bounds;
   std::size_t most = 0;
-  for (const Series* s : series) {
+  for (const records::Series* s : series) {
     for (const Point& p : s->points) bounds.add(box_of(p));
     most = std::max(most, s->points.size());
   }
@@ -91,4 +93,4 @@ Chart particle_chart(const StudyResult& study, const Figure& figure) {
   return chart;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

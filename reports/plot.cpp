@@ -15,7 +15,9 @@
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
+
+using support::read_file;
 
 namespace fs = std::filesystem;
 
@@ -54,10 +56,10 @@ void write_sources(const fs::path& folder, const Plot& plot) {
     std::error_code ignored;
     fs::remove(folder / (plot.name + ending), ignored);
   }
-  write_if_changed(folder / (plot.name + ".dat"), plot.data);
+  support::write_if_changed(folder / (plot.name + ".dat"), plot.data);
   const auto file = pending_script_file(folder, plot);
   const auto refuse = [&] {
-    throw UsageError(
+    throw support::UsageError(
         fmt::format("cannot write {} ({}); name a folder that can be written", file.string(), std::strerror(errno)));
   };
   try {
@@ -80,7 +82,7 @@ std::string last_line(const std::string& text) {
 /// Throws when the folder takes no more, as on a full disk.
 void require_room(const fs::path& picture) {
   constexpr std::size_t more_than_a_picture = 1 << 20;
-  write_if_changed(picture, std::string(more_than_a_picture, ' '));
+  support::write_if_changed(picture, std::string(more_than_a_picture, ' '));
   std::error_code ignored;
   fs::remove(picture, ignored);
 }
@@ -93,7 +95,7 @@ std::string why_not_started(int error) {
                           : "the gnuplot that comes first on the PATH has to be a program");
 }
 
-std::string what_went_wrong(const ProcessEnd& end, std::chrono::milliseconds limit) {
+std::string what_went_wrong(const support::ProcessEnd& end, std::chrono::milliseconds limit) {
   if (end.start_error != 0) return why_not_started(end.start_error);
   if (end.timed_out)
     return fmt::format("gnuplot was still running after {} s and was stopped",
@@ -119,7 +121,7 @@ void fix_creation_date(const fs::path& pdf) {
 
 /// gnuplot takes no notice that `]]>` may not stand in a text.
 void close_no_section(const fs::path& svg) {
-  write_if_changed(svg, replace_all(read_file(svg).value_or(""), "]]>", "]]&gt;"));
+  support::write_if_changed(svg, replace_all(read_file(svg).value_or(""), "]]>", "]]&gt;"));
 }
 
 }  // namespace
@@ -135,19 +137,20 @@ int draw(const std::vector<Plot>& plots, const fs::path& folder, std::chrono::mi
   }
   if (changed.empty()) return 0;
 
-  const auto end = run_process(command, folder, {{"LC_ALL", "C.UTF-8"}}, limit, kept_variables);
+  const auto end = support::run_process(command, folder, {{"LC_ALL", "C.UTF-8"}}, limit, kept_variables);
   auto culprit = std::ranges::find_if_not(changed, [&](const Plot* p) { return has_pictures(folder, *p); });
   if (culprit == changed.end() && !end.good()) --culprit;
   if (culprit != changed.end()) {
     require_room(folder / ((*culprit)->name + ".svg"));
-    throw UsageError(fmt::format("cannot draw figure '{}': {}", (*culprit)->name, what_went_wrong(end, limit)));
+    throw support::UsageError(
+        fmt::format("cannot draw figure '{}': {}", (*culprit)->name, what_went_wrong(end, limit)));
   }
   for (const auto* plot : changed) {
     fix_creation_date(folder / (plot->name + ".pdf"));
     close_no_section(folder / (plot->name + ".svg"));
-    move_file(pending_script_file(folder, *plot), script_file(folder, *plot));
+    support::move_file(pending_script_file(folder, *plot), script_file(folder, *plot));
   }
   return static_cast<int>(changed.size());
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

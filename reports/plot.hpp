@@ -6,7 +6,7 @@
 
 #include "reports/chart.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// A chart as its files say it: NAME.gp makes NAME.svg and NAME.pdf of NAME.dat, all in one folder.
 struct Plot {
@@ -22,4 +22,4 @@ Plot plot_of(const Chart& chart);
 int draw(const std::vector<Plot>& plots, const std::filesystem::path& folder,
          std::chrono::milliseconds limit = std::chrono::seconds(60));
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

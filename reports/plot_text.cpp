@@ -8,7 +8,7 @@
 #include "reports/plot.hpp"
 #include "reports/text.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
@@ -280,4 +280,4 @@ Plot plot_of(const Chart& chart) {
   return {chart.name, script_text(chart), data_text(chart)};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
@@ -140,4 +140,4 @@ void add_reference_slope(Chart& chart, double p, const std::string& sweep) {
   chart.labels.push_back({place(mark->run), "1", Label::Side::centre});
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

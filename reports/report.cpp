@@ -16,7 +16,9 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
+
+using records::StudyResult;
 
 namespace fs = std::filesystem;
 
@@ -25,8 +27,8 @@ namespace {
 /// UsageError where a name of a study or figure cannot be the name of a file.
 void check_names(const std::vector<StudyResult>& studies, const std::vector<std::vector<Chart>>& charts) {
   const auto check = [](const std::string& what, const std::string& name) {
-    if (!is_file_stem(name))
-      throw UsageError(
+    if (!support::is_file_stem(name))
+      throw support::UsageError(
           fmt::format("{} '{}' cannot name a file (use letters, digits, '.', '_', '+' and '-')", what, name));
   };
   for (std::size_t i = 0; i < studies.size(); ++i) {
@@ -54,9 +56,9 @@ std::vector<std::vector<Chart>> charts_of_all(const std::vector<StudyResult>& st
 }
 
 void write_table(const fs::path& file, const std::string& text, ReportSummary& summary) {
-  make_folder(file.parent_path());
+  support::make_folder(file.parent_path());
   ++summary.tables;
-  summary.tables_written += write_if_changed(file, text) ? 1 : 0;
+  summary.tables_written += support::write_if_changed(file, text) ? 1 : 0;
 }
 
 std::vector<std::string> write_tables(const StudyResult& study, const fs::path& folder, ReportSummary& summary) {
@@ -80,7 +82,7 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
     for (const auto& chart : of_study) plots.push_back(plot_of(chart));
   const ReportPlace place(out_dir, progress);
   const fs::path figures = place.draft() / "figures", tables = place.draft() / "tables";
-  make_folder(figures);
+  support::make_folder(figures);
 
   ReportSummary summary;
   summary.figures = static_cast<int>(plots.size());
@@ -100,10 +102,10 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
   progress(fmt::format("tables: {} of {} written", summary.tables_written, summary.tables));
 
   if (has_trends(input)) write_trends(input, place.draft(), summary);
-  write_if_changed(place.draft() / "index.html", render_page(input, sections));
+  support::write_if_changed(place.draft() / "index.html", render_page(input, sections));
   place.take_place();
   progress(fmt::format("report: {}", (out_dir / "index.html").string()));
   return summary;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

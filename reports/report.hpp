@@ -13,7 +13,7 @@
 #include "studies/store/provenance.hpp"
 #include "studies/store/version.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// One expectation of the goldens, judged.
 struct GateLine {
@@ -32,13 +32,13 @@ struct ClaimLine {
 };
 
 struct ReportInput {
-  std::vector<StudyResult> studies;
+  std::vector<records::StudyResult> studies;
   std::vector<GateLine> gate;
   std::vector<ClaimLine> claims;
-  Provenance provenance;
+  store::Provenance provenance;
   std::optional<Benchmark> benchmark = {};
-  std::vector<Version> versions = {};  ///< all of the store, by time
-  std::vector<Trend> trends = {};      ///< over these versions
+  std::vector<store::Version> versions = {};  ///< all of the store, by time
+  std::vector<claims::Trend> trends = {};     ///< over these versions
   std::optional<MutationResults> mutation = {};
   std::vector<AlarmRun> alarms = {};  ///< runs of the gate without a mistake
 };
@@ -61,4 +61,4 @@ struct ReportSummary {
 ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
                            const std::function<void(const std::string&)>& progress);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

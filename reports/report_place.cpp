@@ -15,7 +15,9 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
+
+using support::make_folder;
 
 namespace fs = std::filesystem;
 
@@ -101,7 +103,8 @@ void ReportPlace::take_lock(const std::function<void(const std::string&)>& progr
   while (true) {
     make_folder(folder_);
     lock_ = open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_ < 0) throw UsageError(fmt::format("cannot read the folder {}; name another one", folder_.string()));
+    if (lock_ < 0)
+      throw support::UsageError(fmt::format("cannot read the folder {}; name another one", folder_.string()));
     if (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       progress(fmt::format("waiting for the end of another report into {}", folder_.string()));
       while (flock(lock_, LOCK_EX) != 0 && errno == EINTR) continue;
@@ -126,18 +129,18 @@ void ReportPlace::begin_draft() const {
 void ReportPlace::take_place() const {
   for (const auto& file : files_in_order(draft_))
     if (fs::is_directory(folder_ / file))
-      throw UsageError(
+      throw support::UsageError(
           fmt::format("{} is a folder where the report has a file (move it away)", (folder_ / file).string()));
-  move_file(draft_, whole_);
+  support::move_file(draft_, whole_);
   put_into_place();
 }
 
 void ReportPlace::put_into_place() const {
   for (const auto& file : files_in_order(whole_)) {
     make_folder((folder_ / file).parent_path());
-    move_file(whole_ / file, folder_ / file);
+    support::move_file(whole_ / file, folder_ / file);
   }
   remove_tree(whole_);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// A report's folder while the next report is made. The new report is written to a draft folder inside it; when it is
 /// complete its files are moved to their places, the page last. Until then the old report stays as it was. Other files
@@ -35,4 +35,4 @@ class ReportPlace {
   int lock_ = -1;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

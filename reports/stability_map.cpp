@@ -5,12 +5,12 @@
 
 #include "reports/chart.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
-std::vector<const Series*> probed_series(const StudyResult& study, const Figure& figure) {
-  std::vector<const Series*> result;
+std::vector<const records::Series*> probed_series(const records::StudyResult& study, const records::Figure& figure) {
+  std::vector<const records::Series*> result;
   for (const auto& s : study.series)
     if (s.limit && (figure.series.empty() || std::ranges::find(figure.series, s.name) != figure.series.end()))
       result.push_back(&s);
@@ -18,20 +18,20 @@ std::vector<const Series*> probed_series(const StudyResult& study, const Figure&
 }
 
 /// The rectangle around the final bracket of a limit.
-std::vector<Place> frame(const StabilityLimit& limit, double row) {
+std::vector<Place> frame(const fits::StabilityLimit& limit, double row) {
   const double low = row - 0.32, high = row + 0.32;
   return {
       {limit.stable, low}, {limit.stable, high}, {limit.unstable, high}, {limit.unstable, low}, {limit.stable, low}};
 }
 
-std::string limit_text(const StabilityLimit& limit) {
+std::string limit_text(const fits::StabilityLimit& limit) {
   const std::string text = limit.found ? fmt::format("{:#.3g}", limit.value()) : "not found";
   return limit.monotone ? text : text + ", not monotone";
 }
 
 }  // namespace
 
-Chart stability_map(const StudyResult& study, const Figure& figure) {
+Chart stability_map(const records::StudyResult& study, const records::Figure& figure) {
   const auto series = probed_series(study, figure);
   Chart chart;
   chart.name = figure.name;
@@ -73,4 +73,4 @@ Chart stability_map(const StudyResult& study, const Figure& figure) {
   return chart;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

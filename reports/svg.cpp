@@ -2,7 +2,7 @@
 
 #include "reports/text.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
@@ -28,4 +28,4 @@ std::string inline_svg(const std::string& file, const std::string& name, const s
   return svg.replace(0, 4, "<svg role=\"img\" aria-label=\"Figure " + name + "\"");
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

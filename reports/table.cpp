@@ -9,7 +9,11 @@
 
 #include "reports/text.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
+
+using records::Series;
+using records::StudyResult;
+using support::not_measured;
 
 namespace {
 
@@ -36,7 +40,7 @@ std::set<std::string> fitted_norms(const StudyResult& study) {
 std::string segment_order(const Series& series, const std::string& norm, double x) {
   for (const auto& order : series.orders) {
     if (order.norm != norm) continue;
-    const auto segment = std::ranges::find(order.segments, x, &SegmentOrder::to);
+    const auto segment = std::ranges::find(order.segments, x, &fits::SegmentOrder::to);
     if (segment != order.segments.end()) return order_text(segment->order, not_measured);
   }
   return "–";
@@ -50,7 +54,7 @@ std::string yes(bool b) {
   return b ? "yes" : "no";
 }
 
-std::string floor_text(const FloorFit& floor) {
+std::string floor_text(const fits::FloorFit& floor) {
   if (!floor.accepted) return "refused: " + floor.reason;
   return fmt::format("E0 = {}, order {}: {}", brief(floor.floor), order_text(floor.order, not_measured), floor.reason);
 }
@@ -209,4 +213,4 @@ std::string latex_tables(const std::string& title, const std::vector<Table>& tab
   return text;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -4,7 +4,7 @@
 
 #include "studies/records/result.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// A table for people: texts in columns, rows in titled groups.
 struct Table {
@@ -20,18 +20,20 @@ struct Table {
   bool empty() const { return groups.empty(); }
 };
 
-Table points_table(const StudyResult& study);  ///< with the order of each segment; no series too long to be read
-Table fits_table(const StudyResult& study);
-Table replicates_table(const StudyResult& study);
-Table extrapolations_table(const StudyResult& study);
-Table limits_table(const StudyResult& study);
-Table values_table(const StudyResult& study);
-Table cheapest_table(const StudyResult& study);  ///< of each power of ten of the error, where cost was measured
+Table points_table(
+    const records::StudyResult& study);  ///< with the order of each segment; no series too long to be read
+Table fits_table(const records::StudyResult& study);
+Table replicates_table(const records::StudyResult& study);
+Table extrapolations_table(const records::StudyResult& study);
+Table limits_table(const records::StudyResult& study);
+Table values_table(const records::StudyResult& study);
+Table cheapest_table(
+    const records::StudyResult& study);  ///< of each power of ten of the error, where cost was measured
 
 /// All tables of a study that have rows.
-std::vector<Table> tables_of(const StudyResult& study);
+std::vector<Table> tables_of(const records::StudyResult& study);
 
 /// As booktabs tables, for \input into a document; the title stands in a comment.
 std::string latex_tables(const std::string& title, const std::vector<Table>& tables);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -13,7 +13,7 @@
 #include "reports/svg.hpp"
 
 /// What a page's template is filled with.
-namespace mpmvv::template_data {
+namespace mpmvv::reports::template_data {
 
 using kainjow::mustache::data;
 
@@ -60,4 +60,4 @@ inline data picture_data(const Picture& p) {
                  {"svg", inline_svg(p.svg, p.name, "svg-" + anchor(p.name) + "-")}});
 }
 
-}  // namespace mpmvv::template_data
+}  // namespace mpmvv::reports::template_data

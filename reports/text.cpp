@@ -8,7 +8,7 @@
 #include <map>
 #include <string_view>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 std::string exact(double v) {
   return std::isnan(v) ? "" : fmt::format("{:.17g}", v);
@@ -174,4 +174,4 @@ std::string replace_all(std::string text, const std::string& from, const std::st
   return text;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

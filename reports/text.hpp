@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// For machines: 17 significant digits, nothing for NaN.
 std::string exact(double v);
@@ -23,4 +23,4 @@ std::string marked_up_text(const std::string& text);
 /// The text with every occurrence of `from` replaced.
 std::string replace_all(std::string text, const std::string& from, const std::string& to);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

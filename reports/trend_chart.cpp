@@ -5,7 +5,10 @@
 #include <cmath>
 #include <optional>
 
-namespace mpmvv {
+namespace mpmvv::reports {
+
+using claims::Finding;
+using claims::Trend;
 
 namespace {
 
@@ -23,7 +26,7 @@ constexpr TrendKind trend_kinds[] = {{Finding::Kind::order, "orders", "observed 
                                      {Finding::Kind::error, "errors", "error at the finest level", true},
                                      {Finding::Kind::limit, "limits", "stability limit", false}};
 
-Axis version_axis(const std::vector<Version>& versions) {
+Axis version_axis(const std::vector<store::Version>& versions) {
   Axis axis;
   axis.label = "commit";
   axis.names = true;
@@ -46,7 +49,7 @@ Curve trend_curve(const Trend& trend, int style, bool log) {
 }
 
 std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind, const std::vector<Trend>& trends,
-                                 const std::vector<Version>& versions) {
+                                 const std::vector<store::Version>& versions) {
   Chart chart;
   chart.name = fmt::format("{}-{}", study, kind.name);
   chart.caption = fmt::format("Study {}: {} in each version.", study, kind.label);
@@ -66,11 +69,11 @@ std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind
 }  // namespace
 
 std::vector<Chart> trend_charts(const std::string& study, const std::vector<Trend>& trends,
-                                const std::vector<Version>& versions) {
+                                const std::vector<store::Version>& versions) {
   std::vector<Chart> charts;
   for (const TrendKind& kind : trend_kinds)
     if (auto chart = trend_chart(study, kind, trends, versions)) charts.push_back(std::move(*chart));
   return charts;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

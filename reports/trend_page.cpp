@@ -9,7 +9,7 @@
 #include "reports/trend_chart.hpp"
 #include "studies/support/file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 namespace {
 
@@ -17,7 +17,7 @@ using template_data::data;
 
 constexpr const char* trends_folder = "trends";
 
-data version_data(const Version& version, std::size_t number) {
+data version_data(const store::Version& version, std::size_t number) {
   return template_data::object({{"number", std::to_string(number)},
                                 {"time", version.time},
                                 {"commits", template_data::text_list(version.commits)},
@@ -31,8 +31,8 @@ data trend_section_data(const std::string& study, const std::vector<Picture>& pi
 }
 
 std::map<std::string, std::vector<Chart>> charts_by_study(const ReportInput& input) {
-  std::map<std::string, std::vector<Trend>> trends;
-  for (const Trend& trend : input.trends) trends[trend.study].push_back(trend);
+  std::map<std::string, std::vector<claims::Trend>> trends;
+  for (const claims::Trend& trend : input.trends) trends[trend.study].push_back(trend);
   std::map<std::string, std::vector<Chart>> charts;
   for (const auto& [study, of_study] : trends)
     if (auto drawn = trend_charts(study, of_study, input.versions); !drawn.empty()) charts[study] = std::move(drawn);
@@ -46,7 +46,7 @@ void write_trends(const ReportInput& input, const std::filesystem::path& out_dir
   std::vector<Plot> plots;
   for (const auto& [study, of_study] : charts)
     for (const Chart& chart : of_study) plots.push_back(plot_of(chart));
-  make_folder(out_dir / trends_folder);
+  support::make_folder(out_dir / trends_folder);
   summary.figures += static_cast<int>(plots.size());
   summary.figures_drawn += draw(plots, out_dir / trends_folder);
 
@@ -55,7 +55,7 @@ void write_trends(const ReportInput& input, const std::filesystem::path& out_dir
   for (const auto& [study, of_study] : charts)
     sections << trend_section_data(study, pictures_of(of_study, out_dir, trends_folder));
   kainjow::mustache::mustache page{std::string(trend_template)};
-  write_if_changed(
+  support::write_if_changed(
       out_dir / "trend.html",
       marked_up_text(page.render(template_data::object({{"style", template_data::partial(style_template)},
                                                         {"picture_list", template_data::partial(pictures_template)},
@@ -63,4 +63,4 @@ void write_trends(const ReportInput& input, const std::filesystem::path& out_dir
                                                         {"sections", sections}}))));
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

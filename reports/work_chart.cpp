@@ -5,16 +5,18 @@
 #include "studies/claims/samples.hpp"
 #include "studies/fits/work_precision.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
-Chart work_chart(const StudyResult& study, const Figure& figure) {
+using fits::WorkPoint;
+
+Chart work_chart(const records::StudyResult& study, const records::Figure& figure) {
   Chart chart;
   chart.name = figure.name;
   chart.caption = figure.caption;
   std::vector<WorkPoint> all;
   std::vector<std::string> without;
-  for (const Series* series : figure_series(study, figure)) {
-    const auto points = work_points(*series, figure.quantity);
+  for (const records::Series* series : figure_series(study, figure)) {
+    const auto points = claims::work_points(*series, figure.quantity);
     all.insert(all.end(), points.begin(), points.end());
     Curve curve{series->name, series->name, static_cast<int>(chart.curves.size()), true, true, true, {}};
     for (const WorkPoint& p : points) curve.dots.push_back({p.cost, p.error, p.error, Mark::inside});
@@ -22,7 +24,7 @@ Chart work_chart(const StudyResult& study, const Figure& figure) {
     if (points.size() < series->points.size())
       without.push_back(fmt::format("{} of {}", series->points.size() - points.size(), series->name));
   }
-  const auto front = pareto_front(all);
+  const auto front = fits::pareto_front(all);
   Rule band{Rule::Kind::front, plain_style, "Pareto front", {}};
   for (const WorkPoint& p : front) band.path.push_back({p.cost, p.error});
   if (!band.path.empty()) chart.rules.push_back(std::move(band));
@@ -37,4 +39,4 @@ Chart work_chart(const StudyResult& study, const Figure& figure) {
   return chart;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

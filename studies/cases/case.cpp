@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace mpmvv {
+namespace mpmvv::cases {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::string fingerprint(const std::string& text) {
   return fmt::format("{:016x}", hash);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cases

@@ -5,7 +5,7 @@
 
 #include "studies/cases/scheme.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cases {
 
 /// Which problem, with every physical value spelled out (defaults filled in).
 struct ProblemChoice {
@@ -59,4 +59,4 @@ std::string canonical_text(const Case& c);
 /// 64-bit FNV-1a hash of a text in hexadecimal: a short name for people; stores compare the whole text.
 std::string fingerprint(const std::string& text);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cases

@@ -2,7 +2,7 @@
 #include <compare>
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::cases {
 
 /// How a problem is solved. What each word means: docs/theory.md; they are checked in studies/settings/settings.hpp.
 struct Scheme {
@@ -28,4 +28,4 @@ struct Scheme {
   auto operator<=>(const Scheme&) const = default;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cases

@@ -6,7 +6,7 @@
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -85,4 +85,4 @@ CheckResult check_bases() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

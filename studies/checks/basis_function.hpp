@@ -6,7 +6,7 @@
 
 #include "solver/basis/basis.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 /// One basis function of a node far from every face, as a function of the distance x from its node, in cells.
 template <solver::Basis B>
@@ -48,4 +48,4 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -4,12 +4,12 @@
 
 #include "studies/records/result.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 /// What a check measured: named numbers, and curves (series of points with the quantity `y`).
 struct CheckResult {
-  std::vector<Value> values;
-  std::vector<Series> series;
+  std::vector<records::Value> values;
+  std::vector<records::Series> series;
 
   void add(const std::string& name, double value, const std::string& meaning) {
     values.push_back({name, value, meaning});
@@ -55,4 +55,4 @@ CheckResult check_pulse_profiles();
 CheckResult check_elongation();
 CheckResult check_wall_spectra();
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -4,7 +4,7 @@
 #include "studies/checks/check.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 const std::vector<Check>& checks() {
   static const std::vector<Check> all{
@@ -43,13 +43,13 @@ const Check& find_check(const std::string& name, const std::string& where) {
     if (check.name == name) return check;
     known.push_back(check.name);
   }
-  throw UsageError(fmt::format("unknown check '{}' in {} (known: {})", name, where, fmt::join(known, ", ")));
+  throw support::UsageError(fmt::format("unknown check '{}' in {} (known: {})", name, where, fmt::join(known, ", ")));
 }
 
 void CheckResult::add_curve(const std::string& name, const std::vector<double>& x, const std::vector<double>& y) {
-  Series curve{name, {}, {}, {}};
-  for (std::size_t k = 0; k < x.size(); ++k) curve.points.push_back({x[k], Status::ok, "", {{"y", y[k]}}});
+  records::Series curve{name, {}, {}, {}};
+  for (std::size_t k = 0; k < x.size(); ++k) curve.points.push_back({x[k], records::Status::ok, "", {{"y", y[k]}}});
   series.push_back(curve);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -3,7 +3,7 @@
 
 #include "studies/checks/profiles/particle_panel.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -29,7 +29,7 @@ Voxels voxels_of(const solver::Mpm<3>& mpm, int cells) {
 }
 
 /// The voxels that positions and deformation gradients of the exact solution give.
-Voxels exact_voxels_of(const MovingBody<3>& motion, int cells) {
+Voxels exact_voxels_of(const profiles::MovingBody<3>& motion, int cells) {
   Voxels voxels{static_cast<std::size_t>(cells * per_cell), {}, {}};
   for (const Vec& X : motion.X()) {
     voxels.centre.push_back(X + motion.solution().u(X, motion.mpm().time()));
@@ -78,14 +78,14 @@ CheckResult check_cube_voxels() {
   CheckResult result;
   double coarse_gap = 0;
   for (const int cells : {8, 16}) {
-    MovingBody<3> motion({{"problem", "cube", ""},
-                          {"basis", "cpgimp", ""},
-                          {"integrator", "cd", ""},
-                          {"boundary", "symmetry", ""},
-                          {"cells", std::to_string(cells), ""},
-                          {"ppc", std::to_string(per_cell), ""},
-                          {"cfl", "0.4", ""},
-                          {"end_time", "0.005", ""}});
+    profiles::MovingBody<3> motion({{"problem", "cube", ""},
+                                    {"basis", "cpgimp", ""},
+                                    {"integrator", "cd", ""},
+                                    {"boundary", "symmetry", ""},
+                                    {"cells", std::to_string(cells), ""},
+                                    {"ppc", std::to_string(per_cell), ""},
+                                    {"cfl", "0.4", ""},
+                                    {"end_time", "0.005", ""}});
     motion.step_to(motion.resolution().steps);
     const Tiling tiling = tiling_of(voxels_of(motion.mpm(), cells));
     const double spacing = 1.0 / (cells * per_cell);
@@ -104,9 +104,9 @@ CheckResult check_cube_voxels() {
     coarse_gap = tiling.gap;
     const auto n = static_cast<std::uint32_t>(cells * per_cell);
     result.series.push_back(
-        particle_panel("t = 0.005 s", motion.mpm(), [n](std::uint32_t id) { return id / (n * n) == n / 2; }));
+        profiles::particle_panel("t = 0.005 s", motion.mpm(), [n](std::uint32_t id) { return id / (n * n) == n / 2; }));
   }
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -6,7 +6,7 @@
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -90,4 +90,4 @@ CheckResult check_density_extent() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -10,7 +10,7 @@
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -120,4 +120,4 @@ CheckResult check_derived_solutions() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

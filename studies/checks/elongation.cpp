@@ -7,7 +7,9 @@
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
+
+using settings::Setting;
 
 namespace {
 
@@ -15,8 +17,8 @@ namespace {
 /// the elongation alone makes them.
 class PulledBar {
  public:
-  explicit PulledBar(const std::vector<Setting>& scheme) : c_(make_case(settings(scheme))) {
-    Stage<1> stage = make_stage<1>(c_, find_problem(c_.problem.name, ""), 1);
+  explicit PulledBar(const std::vector<Setting>& scheme) : c_(settings::make_case(settings(scheme))) {
+    runs::Stage<1> stage = runs::make_stage<1>(c_, problems::find_problem(c_.problem.name, ""), 1);
     solver::Mpm<1> mpm(std::move(stage.scene));
     const double rate = c_.problem.parameters.at("rate"), spacing = stage.X[1][0] - stage.X[0][0];
     x_.resize(stage.X.size());
@@ -26,7 +28,7 @@ class PulledBar {
       separated_ = largest_spacing(mpm.particles()) > 1.5 * spacing * (1 + elongation / 100);
       elongation_ = elongation;
       if (elongation < 5 * static_cast<double>(errors_.size() + 1) && !separated_) continue;
-      ErrorNorms norms;
+      runs::ErrorNorms norms;
       for (std::size_t p = 0; p < x_.size(); ++p)
         norms.add(std::abs(mpm.particles().v[p][0] - rate * stage.X[mpm.particles().id[p]][0]));
       elongations_.push_back(elongation);
@@ -59,7 +61,7 @@ class PulledBar {
     return largest;
   }
 
-  Case c_;
+  cases::Case c_;
   std::vector<double> x_;  ///< by id, which is the order along the bar
   double elongation_ = 0;
   bool separated_ = false;
@@ -81,4 +83,4 @@ CheckResult check_elongation() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

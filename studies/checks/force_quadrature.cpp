@@ -4,7 +4,7 @@
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -46,4 +46,4 @@ CheckResult check_force_quadrature() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -8,7 +8,7 @@
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -134,13 +134,13 @@ void add_projection(const MassMatrices& s, CheckResult& result) {
 struct Step {
   Vector V, V_new, rate;  ///< V, V', (X' - X)/Δt
 
-  explicit Step(const std::vector<Setting>& update) {
-    std::vector<Setting> settings{
+  explicit Step(const std::vector<settings::Setting>& update) {
+    std::vector<settings::Setting> settings{
         {"problem", "bar", ""}, {"basis", "bspline2", ""}, {"integrator", "usl", ""}, {"boundary", "periodic", ""},
         {"cells", "16", ""},    {"ppc", "3", ""},          {"cfl", "0.2", ""}};
     settings.insert(settings.end(), update.begin(), update.end());
-    const Case c = make_case(settings);
-    Stage<1> stage = make_stage<1>(c, find_problem("bar", ""), 1);
+    const cases::Case c = settings::make_case(settings);
+    runs::Stage<1> stage = runs::make_stage<1>(c, problems::find_problem("bar", ""), 1);
     auto& velocities = stage.scene.particles.v;  // the bar starts at rest
     for (std::size_t p = 0; p < velocities.size(); ++p)
       velocities[p][0] = 5 * std::sin(7.0 * static_cast<double>(p * p));
@@ -192,4 +192,4 @@ CheckResult check_pic_updates() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -5,7 +5,7 @@
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -39,16 +39,16 @@ template <int D>
 GhostMass measure(const WalledBody& body, const std::string& basis) {
   GhostMass result;
   for (const char* amplitude : {"0", body.amplitude}) {
-    const std::vector<Setting> settings{{"problem", body.problem, ""},
-                                        {"basis", basis, ""},
-                                        {"boundary", body.boundary, ""},
-                                        {"integrator", "cd", ""},
-                                        {"cells", std::to_string(body.cells), ""},
-                                        {"ppc", std::to_string(body.ppc), ""},
-                                        {"cfl", body.cfl, ""},
-                                        {"param.amplitude", amplitude, ""}};
-    const Case c = make_case(settings);
-    auto stage = make_stage<D>(c, find_problem(body.problem, ""), 1);
+    const std::vector<settings::Setting> settings{{"problem", body.problem, ""},
+                                                  {"basis", basis, ""},
+                                                  {"boundary", body.boundary, ""},
+                                                  {"integrator", "cd", ""},
+                                                  {"cells", std::to_string(body.cells), ""},
+                                                  {"ppc", std::to_string(body.ppc), ""},
+                                                  {"cfl", body.cfl, ""},
+                                                  {"param.amplitude", amplitude, ""}};
+    const cases::Case c = settings::make_case(settings);
+    auto stage = runs::make_stage<D>(c, problems::find_problem(body.problem, ""), 1);
     solver::Mpm<D> mpm(std::move(stage.scene));
     for (std::int64_t k = 0; k < c.resolution.steps; ++k) {
       if (!mpm.step(c.resolution.dt)) throw std::runtime_error("ghost-mass: " + mpm.fault());
@@ -89,4 +89,4 @@ CheckResult check_ghost_mass() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -4,7 +4,7 @@
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -82,4 +82,4 @@ CheckResult check_gimp_kinks() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -4,7 +4,7 @@
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -70,4 +70,4 @@ CheckResult check_jump_errors() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

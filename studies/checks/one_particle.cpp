@@ -6,7 +6,7 @@
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -42,15 +42,15 @@ struct Comparison {
 /// The solver beside the recursion over some three oscillations (20 h/C).
 Comparison compare(const std::string& integrator,
                    OneParticle (*advance)(const OneParticle&, const Constants&, double)) {
-  const std::vector<Setting> settings{{"problem", "one-particle", ""},
-                                      {"basis", "linear", ""},
-                                      {"integrator", integrator, ""},
-                                      {"cells", "1", ""},
-                                      {"ppc", "1", ""},
-                                      {"cfl", "0.02", ""},
-                                      {"end_time", "0.2", ""}};
-  const Case c = make_case(settings);
-  auto stage = make_stage<1>(c, find_problem("one-particle", ""), 1);
+  const std::vector<settings::Setting> settings{{"problem", "one-particle", ""},
+                                                {"basis", "linear", ""},
+                                                {"integrator", integrator, ""},
+                                                {"cells", "1", ""},
+                                                {"ppc", "1", ""},
+                                                {"cfl", "0.02", ""},
+                                                {"end_time", "0.2", ""}};
+  const cases::Case c = settings::make_case(settings);
+  auto stage = runs::make_stage<1>(c, problems::find_problem("one-particle", ""), 1);
   const auto& start = stage.scene.particles;
   const Constants constants{c.problem.parameters.at("youngs_modulus"), stage.scene.h, start.V0[0], start.m[0], -1};
   Constants printed = constants;
@@ -72,7 +72,7 @@ Comparison compare(const std::string& integrator,
     result.steps.push_back(static_cast<double>(k + 1));
     result.solver_F.push_back(p.F[0](0, 0));
     result.recursion_F.push_back(recursion.F);
-    result.printed_F.push_back(wrong.F < 2 ? wrong.F : not_measured);
+    result.printed_F.push_back(wrong.F < 2 ? wrong.F : support::not_measured);
   }
   return result;
 }
@@ -97,4 +97,4 @@ CheckResult check_one_particle() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -6,7 +6,7 @@
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -82,4 +82,4 @@ CheckResult check_open_bases() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

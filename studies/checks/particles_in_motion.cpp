@@ -2,7 +2,7 @@
 
 #include "studies/checks/profiles/particle_panel.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -12,12 +12,12 @@ struct Moment {
   int eighths;
 };
 
-CheckResult particles_at(const std::vector<Moment>& moments, const std::vector<Setting>& settings) {
-  MovingBody<2> motion(settings);
+CheckResult particles_at(const std::vector<Moment>& moments, const std::vector<settings::Setting>& settings) {
+  profiles::MovingBody<2> motion(settings);
   CheckResult result;
   for (const auto& [name, eighths] : moments) {
     motion.step_to(motion.resolution().steps * eighths / 8);
-    result.series.push_back(particle_panel(name, motion.mpm(), [](std::uint32_t) { return true; }));
+    result.series.push_back(profiles::particle_panel(name, motion.mpm(), [](std::uint32_t) { return true; }));
   }
   return result;
 }
@@ -69,4 +69,4 @@ CheckResult check_vortex_particles() {
                                                                        {"cfl", "0.2", ""}});
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -4,7 +4,7 @@
 
 #include "studies/checks/profiles/profile.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -12,7 +12,7 @@ namespace {
 struct Peak {
   double x = 0, height = 0;
 
-  explicit Peak(const Profile& profile) {
+  explicit Peak(const profiles::Profile& profile) {
     const auto at = std::max_element(profile.y.begin(), profile.y.end()) - profile.y.begin();
     const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at, 1, std::ssize(profile.y) - 2));
     const double width = profile.x[k + 1] - profile.x[k];
@@ -24,7 +24,7 @@ struct Peak {
 };
 
 /// The largest |σ| where theory has none yet: behind the pulse, more than two cells from its end.
-double ringing_behind(const Profile& profile, double from, double to) {
+double ringing_behind(const profiles::Profile& profile, double from, double to) {
   double largest = 0;
   for (std::size_t k = 0; k < profile.x.size(); ++k)
     if (profile.x[k] >= from && profile.x[k] <= to) largest = std::max(largest, std::abs(profile.y[k]));
@@ -40,17 +40,17 @@ CheckResult check_pulse_profiles() {
   CheckResult result;
   result.add_curve("theory", {0, 0.05, 0.1, 0.15, 0.2}, {0, 0, stress, 0, 0});
   for (const int order : {0, 1, 2, 4, 8}) {
-    std::vector<Setting> settings{{"problem", "pulse", ""},  {"basis", "bspline2", ""},
-                                  {"integrator", "usl", ""}, {"deformation", "exponential", ""},
-                                  {"cells", "10", ""},       {"ppc", "2", ""},
-                                  {"cfl", "0.2", ""}};
+    std::vector<settings::Setting> settings{{"problem", "pulse", ""},  {"basis", "bspline2", ""},
+                                            {"integrator", "usl", ""}, {"deformation", "exponential", ""},
+                                            {"cells", "10", ""},       {"ppc", "2", ""},
+                                            {"cfl", "0.2", ""}};
     if (order > 0)
       settings.insert(settings.end(), {{"velocity_update", "fmpm", ""}, {"order", std::to_string(order), ""}});
     else
       settings.push_back({"position", "second-order", ""});
-    MovingBody<2> bar(settings);
+    profiles::MovingBody<2> bar(settings);
     bar.step_to(bar.resolution().steps);
-    const Profile sigma = profile(bar, [&bar](std::size_t p) { return bar.mpm().stress(p)(0, 0); });
+    const profiles::Profile sigma = profiles::profile(bar, [&bar](std::size_t p) { return bar.mpm().stress(p)(0, 0); });
     const std::string name = order == 0 ? "FLIP" : "FMPM(" + std::to_string(order) + ")";
     result.add_curve(name, sigma.x, sigma.y);
     const Peak peak(sigma);
@@ -60,7 +60,8 @@ CheckResult check_pulse_profiles() {
                "largest stress behind the pulse over the peak of theory");
   }
   const auto value = [&result](const std::string& name) {
-    return std::find_if(result.values.begin(), result.values.end(), [&](const Value& v) { return v.name == name; })
+    return std::find_if(result.values.begin(), result.values.end(),
+                        [&](const records::Value& v) { return v.name == name; })
         ->value;
   };
   for (const int order : {2, 4, 8}) {
@@ -72,4 +73,4 @@ CheckResult check_pulse_profiles() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

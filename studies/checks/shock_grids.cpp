@@ -1,16 +1,16 @@
 #include "studies/checks/profiles/shocked_bar.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
 /// How far apart neighbouring columns of the plateau's particles are, over det F of the particles between them: 1 where
 /// positions and deformation gradients tell of one motion.
-double spacing_over_volume_ratio(const ShockedBar& bar) {
+double spacing_over_volume_ratio(const profiles::ShockedBar& bar) {
   const auto& particles = bar.body.mpm().particles();
-  const Profile J = profile(bar.body, [&](std::size_t p) { return particles.thermal[p].J; });
+  const profiles::Profile J = profiles::profile(bar.body, [&](std::size_t p) { return particles.thermal[p].J; });
   const double column = bar.body.mpm().grid().h() / bar.body.resolution().ppc;
-  Profile ratio;
+  profiles::Profile ratio;
   for (std::size_t k = 1; k + 1 < J.x.size(); ++k)
     ratio.x.push_back(J.x[k]), ratio.y.push_back((J.x[k + 1] - J.x[k - 1]) / (2 * column * J.y[k]));
   return bar.plateau(ratio).mean;
@@ -20,10 +20,10 @@ double spacing_over_volume_ratio(const ShockedBar& bar) {
 
 CheckResult check_shock_grids() {
   const std::vector<double> cells{8, 10, 13, 16, 20};
-  const mms::Hugoniot shock = theoretical_shock();
+  const mms::Hugoniot shock = profiles::theoretical_shock();
   std::vector<double> plateau, front, foot, width, temperature, spacing;
   for (const double n : cells) {
-    const ShockedBar bar({"FMPM(4)", "fmpm", "4", true}, static_cast<int>(n), "2.4e-6", shock);
+    const profiles::ShockedBar bar({"FMPM(4)", "fmpm", "4", true}, static_cast<int>(n), "2.4e-6", shock);
     plateau.push_back(bar.plateau(bar.pressure).mean / shock.pressure());
     temperature.push_back(bar.plateau(bar.temperature).mean / shock.temperature());
     front.push_back(bar.front / bar.expected_front);
@@ -41,4 +41,4 @@ CheckResult check_shock_grids() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

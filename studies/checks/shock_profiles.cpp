@@ -2,12 +2,12 @@
 
 #include "studies/checks/profiles/shocked_bar.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
-void add_method(const ShockMethod& method, const mms::Hugoniot& shock, CheckResult& result) {
-  const ShockedBar bar(method, 10, "4e-6", shock);
+void add_method(const profiles::ShockMethod& method, const mms::Hugoniot& shock, CheckResult& result) {
+  const profiles::ShockedBar bar(method, 10, "4e-6", shock);
   const std::string label = method.label();
   result.add_curve("pressure, " + label, bar.pressure.x, bar.pressure.y);
   result.add_curve("temperature, " + label, bar.temperature.x, bar.temperature.y);
@@ -25,22 +25,23 @@ void add_theory(const mms::Hugoniot& shock, CheckResult& result) {
                wall = end - std::sqrt(2 * shock.energy()) * t;
   const std::vector<double> x{0, front, front, wall};
   result.add_curve("pressure, theory", x, {0, 0, shock.pressure(), shock.pressure()});
-  const double at_rest = complete_parameters(find_problem("shock", "the check"), {}).at("temperature");
+  const double at_rest =
+      problems::complete_parameters(problems::find_problem("shock", "the check"), {}).at("temperature");
   result.add_curve("temperature, theory", x, {at_rest, at_rest, shock.temperature(), shock.temperature()});
 }
 
 }  // namespace
 
 CheckResult check_shock_profiles() {
-  constexpr ShockMethod methods[] = {{"FLIP", "flip", "", true},     {"XPIC(4)", "xpic", "4", true},
-                                     {"FMPM(1)", "fmpm", "1", true}, {"FMPM(2)", "fmpm", "2", true},
-                                     {"FMPM(4)", "fmpm", "4", true}, {"FLIP", "flip", "", false},
-                                     {"FMPM(4)", "fmpm", "4", false}};
-  const mms::Hugoniot shock = theoretical_shock();
+  constexpr profiles::ShockMethod methods[] = {{"FLIP", "flip", "", true},     {"XPIC(4)", "xpic", "4", true},
+                                               {"FMPM(1)", "fmpm", "1", true}, {"FMPM(2)", "fmpm", "2", true},
+                                               {"FMPM(4)", "fmpm", "4", true}, {"FLIP", "flip", "", false},
+                                               {"FMPM(4)", "fmpm", "4", false}};
+  const mms::Hugoniot shock = profiles::theoretical_shock();
   CheckResult result;
   add_theory(shock, result);
-  for (const ShockMethod& method : methods) add_method(method, shock, result);
+  for (const profiles::ShockMethod& method : methods) add_method(method, shock, result);
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -6,7 +6,7 @@
 #include "studies/checks/check.hpp"
 #include "studies/checks/mapping/spectrum.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 namespace {
 
@@ -67,7 +67,7 @@ class ForceFreeBar {
 double largest_radius(const solver::AnyBasis& basis, double depth, WallMethod method, int order) {
   double largest = 0;
   for (const double offset : {0.0, 0.2, 0.4, 0.6, 0.8})
-    largest = std::max(largest, spectral_radius(ForceFreeBar(basis, offset, depth).map(method, order)));
+    largest = std::max(largest, mapping::spectral_radius(ForceFreeBar(basis, offset, depth).map(method, order)));
   return largest;
 }
 
@@ -110,4 +110,4 @@ CheckResult check_wall_spectra() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 
-namespace mpmvv {
+namespace mpmvv::claims {
+
+using records::ClaimPart;
+using records::PartVerdict;
 
 const std::vector<ClaimText>& claim_list() {
   static const std::vector<ClaimText> claims{
@@ -115,12 +118,12 @@ std::string evidence_of(const std::vector<ClaimPart>& parts) {
 
 }  // namespace
 
-std::vector<Claim> judge_claims(const std::vector<StudyResult>& studies) {
+std::vector<Claim> judge_claims(const std::vector<records::StudyResult>& studies) {
   std::vector<Claim> claims;
   for (const ClaimText& text : claim_list()) {
     Claim claim{text.id, text.statement, "", "", {}};
     std::vector<ClaimPart> parts;
-    for (const StudyResult& study : studies)
+    for (const records::StudyResult& study : studies)
       for (const ClaimPart& part : study.parts) {
         if (part.claim != claim.id) continue;
         parts.push_back(part);
@@ -133,4 +136,4 @@ std::vector<Claim> judge_claims(const std::vector<StudyResult>& studies) {
   return claims;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

@@ -4,7 +4,7 @@
 
 #include "studies/records/result.hpp"
 
-namespace mpmvv {
+namespace mpmvv::claims {
 
 /// The verdict on one row of the list of claims.
 struct Claim {
@@ -18,7 +18,7 @@ struct Claim {
 /// Every claim of the list, judged from the parts that the studies hold: `confirmed` when all parts hold, `refuted`
 /// when none does, `partly` in between, `shown` when only figures are asked for, `open` without a study or while
 /// a part is inconclusive and nothing else is known.
-std::vector<Claim> judge_claims(const std::vector<StudyResult>& studies);
+std::vector<Claim> judge_claims(const std::vector<records::StudyResult>& studies);
 
 /// Ids and statements of all claims.
 struct ClaimText {
@@ -27,4 +27,4 @@ struct ClaimText {
 };
 const std::vector<ClaimText>& claim_list();
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

@@ -7,7 +7,9 @@
 
 #include "studies/claims/measured.hpp"
 
-namespace mpmvv {
+namespace mpmvv::claims {
+
+using records::PartVerdict;
 
 namespace {
 
@@ -29,8 +31,8 @@ PartVerdict verdict_on(const Criterion& c, const Interval& interval) {
 /// What is measured is held against the bounds with its interval, which can only withhold a verdict and never make one:
 /// residuals of a deterministic method are bias, so an interval that contains the order claimed says nothing for it,
 /// but one that reaches across a bound says that other points might lie on its other side.
-ClaimPart judge(const Criterion& criterion, const StudyResult& result) {
-  ClaimPart part{criterion.claim, criterion.statement, PartVerdict::shown, "", ""};
+records::ClaimPart judge(const Criterion& criterion, const records::StudyResult& result) {
+  records::ClaimPart part{criterion.claim, criterion.statement, PartVerdict::shown, "", ""};
   if (criterion.kind == Criterion::Kind::shown) {
     part.evidence = "shown in the figure";
     return part;
@@ -60,4 +62,4 @@ ClaimPart judge(const Criterion& criterion, const StudyResult& result) {
   return part;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

@@ -6,7 +6,7 @@
 #include "studies/fits/window.hpp"
 #include "studies/records/result.hpp"
 
-namespace mpmvv {
+namespace mpmvv::claims {
 
 /// What a claim asks of the results, as a number with bounds. Committed before the claim's first full run.
 struct Criterion {
@@ -35,12 +35,12 @@ struct Criterion {
   std::string name;  ///< of a check's value
   std::string norm;
   std::string over_norm;  ///< norm to compare the order with
-  Window window;
+  fits::Window window;
   std::optional<double> at_least, at_most;
   std::string reason;  ///< why it fails, written after the evidence was checked
 };
 
 /// Judges one criterion by the results.
-ClaimPart judge(const Criterion& criterion, const StudyResult& result);
+records::ClaimPart judge(const Criterion& criterion, const records::StudyResult& result);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

@@ -9,23 +9,28 @@
 #include <set>
 
 #include "studies/claims/claim.hpp"
+#include "studies/claims/samples.hpp"
 
-namespace mpmvv {
+namespace mpmvv::claims {
+
+using records::Series;
+using records::StudyResult;
+using support::not_measured;
 
 namespace {
 
 /// Whether a quantity is an error. The `y` of a check's curves counts as one.
 bool is_error(const std::string& quantity) {
-  const auto has_its_name = [&](const RunNumber& number) { return quantity == number.name; };
-  return std::ranges::none_of(run_by_products(), has_its_name) && quantity != "particles" && quantity != "steps" &&
-         quantity != "dt";
+  const auto has_its_name = [&](const records::RunNumber& number) { return quantity == number.name; };
+  return std::ranges::none_of(records::run_by_products(), has_its_name) && quantity != "particles" &&
+         quantity != "steps" && quantity != "dt";
 }
 
 /// What is fitted or drawn of a series against the swept value.
 std::set<std::string> followed(const StudyResult& study, const Series& series) {
   std::set<std::string> quantities;
-  for (const ObservedOrder& order : series.orders) quantities.insert(order.norm);
-  for (const Figure& figure : study.figures)
+  for (const fits::ObservedOrder& order : series.orders) quantities.insert(order.norm);
+  for (const records::Figure& figure : study.figures)
     if (figure.kind != "particles" && is_error(figure.quantity)) quantities.insert(figure.quantity);
   return quantities;
 }
@@ -33,16 +38,17 @@ std::set<std::string> followed(const StudyResult& study, const Series& series) {
 /// The sound points of a quantity, in increasing x.
 std::vector<Finding::Level> levels_of(const Series& series, const std::string& quantity) {
   std::vector<Finding::Level> levels;
-  for (const Point& point : series.points)
+  for (const records::Point& point : series.points)
     if (const auto y = point.y.find(quantity);
-        point.status == Status::ok && y != point.y.end() && !std::isnan(y->second))
+        point.status == records::Status::ok && y != point.y.end() && !std::isnan(y->second))
       levels.push_back({point.x, y->second});
   std::ranges::stable_sort(levels, {}, &Finding::Level::x);
   return levels;
 }
 
 const Finding::Level& finest(const StudyResult& study, const std::vector<Finding::Level>& levels) {
-  return study.sweep == "cells" ? levels.back() : levels.front();
+  const auto h = [&](const Finding::Level& level) { return step_size(level.x, study.sweep); };
+  return h(levels.back()) < h(levels.front()) ? levels.back() : levels.front();
 }
 
 Finding numbered(Finding finding) {
@@ -50,7 +56,7 @@ Finding numbered(Finding finding) {
   return finding;
 }
 
-Finding order_finding(const StudyResult& study, const Series& series, const ObservedOrder& order) {
+Finding order_finding(const StudyResult& study, const Series& series, const fits::ObservedOrder& order) {
   return numbered({study.name,
                    Finding::Kind::order,
                    fmt::format("order of '{}' in {} over [{:g}, {:g}]", series.name, order.norm, order.from, order.to),
@@ -76,7 +82,7 @@ void add_errors(std::vector<Finding>& findings, const StudyResult& study, const 
   }
 }
 
-Finding limit_finding(const StudyResult& study, const Series& series, const StabilityLimit& limit) {
+Finding limit_finding(const StudyResult& study, const Series& series, const fits::StabilityLimit& limit) {
   Finding finding{study.name,
                   Finding::Kind::limit,
                   fmt::format("{} limit of '{}'", limit.key, series.name),
@@ -92,7 +98,7 @@ Finding limit_finding(const StudyResult& study, const Series& series, const Stab
 }
 
 /// An extrapolated value as a finding. Its uncertainty is that of the finest grid's value, as the procedure gives it.
-Finding extrapolated_finding(const StudyResult& study, const Series& series, const Extrapolation& e) {
+Finding extrapolated_finding(const StudyResult& study, const Series& series, const fits::Extrapolation& e) {
   return numbered({study.name,
                    Finding::Kind::value,
                    fmt::format("extrapolated {} of '{}' over [{:g}, {:g}]", e.norm, series.name, e.from, e.to),
@@ -105,7 +111,7 @@ Finding extrapolated_finding(const StudyResult& study, const Series& series, con
 }
 
 void add_statuses(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {
-  for (const Point& point : series.points)
+  for (const records::Point& point : series.points)
     findings.push_back({study.name,
                         Finding::Kind::status,
                         fmt::format("status of '{}' at {:g}", series.name, point.x),
@@ -146,14 +152,15 @@ std::string text(const Finding& finding) {
 std::vector<Finding> findings_of(const StudyResult& study) {
   std::vector<Finding> findings;
   for (const Series& series : study.series) {
-    for (const ObservedOrder& order : series.orders) findings.push_back(order_finding(study, series, order));
+    for (const fits::ObservedOrder& order : series.orders) findings.push_back(order_finding(study, series, order));
     add_errors(findings, study, series);
-    for (const Extrapolation& e : series.extrapolations) findings.push_back(extrapolated_finding(study, series, e));
+    for (const fits::Extrapolation& e : series.extrapolations)
+      findings.push_back(extrapolated_finding(study, series, e));
     if (series.limit) findings.push_back(limit_finding(study, series, *series.limit));
     if (study.kind != "check") add_statuses(findings, study, series);
     add_cost(findings, study, series);
   }
-  for (const Value& value : study.values)
+  for (const records::Value& value : study.values)
     findings.push_back(
         numbered({study.name, Finding::Kind::value, fmt::format("value '{}'", value.name), value.value, "", 0, {}}));
   return findings;
@@ -168,4 +175,4 @@ std::vector<Finding> findings_of(const std::vector<StudyResult>& studies) {
   return findings;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

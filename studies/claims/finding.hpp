@@ -4,7 +4,9 @@
 
 #include "studies/records/result.hpp"
 
-namespace mpmvv {
+namespace mpmvv::claims {
+
+using support::not_measured;
 
 /// One result of a study under a name, so that versions can be laid side by side.
 struct Finding {
@@ -33,9 +35,9 @@ std::string text(const Finding& finding);
 
 /// Orders, errors in every norm that is fitted or drawn, curves, limits, values, extrapolated ones too, statuses, and
 /// cost in ns per particle and step where it was measured alone (`repeat`).
-std::vector<Finding> findings_of(const StudyResult& study);
+std::vector<Finding> findings_of(const records::StudyResult& study);
 
 /// The findings of all studies, and the verdicts of the claims that they judge.
-std::vector<Finding> findings_of(const std::vector<StudyResult>& studies);
+std::vector<Finding> findings_of(const std::vector<records::StudyResult>& studies);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

@@ -12,9 +12,17 @@
 
 #include "studies/claims/samples.hpp"
 #include "studies/fits/replicates.hpp"
+#include "studies/fits/window.hpp"
 #include "studies/fits/work_precision.hpp"
 
-namespace mpmvv {
+namespace mpmvv::claims {
+
+using fits::ObservedOrder;
+using fits::StabilityLimit;
+using records::Point;
+using records::Series;
+using records::Status;
+using records::StudyResult;
 
 namespace {
 
@@ -28,21 +36,21 @@ const Series* find_series(const StudyResult& result, const std::string& name) {
 double error_at(const Point& point, const std::string& norm) {
   if (point.status == Status::unstable) return std::numeric_limits<double>::infinity();
   const auto y = point.y.find(norm);
-  return y == point.y.end() ? not_measured : y->second;
+  return y == point.y.end() ? support::not_measured : y->second;
 }
 
 double error_at(const Series& series, double x, const std::string& norm) {
   for (const Point& point : series.points)
-    if (std::abs(point.x - x) <= 1e-9 * std::abs(x)) return error_at(point, norm);
-  return not_measured;
+    if (fits::same_level(point.x, x)) return error_at(point, norm);
+  return support::not_measured;
 }
 
 /// The order over the points in the window that are stable; `missing` when one failed or has not been measured.
 ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
                            Measured& out) {
-  ObservedOrder fit = fit_order(samples_of(series, norm, result.sweep), c.window.from, c.window.to);
+  ObservedOrder fit = fits::fit_order(samples_of(series, norm, result.sweep), c.window.from, c.window.to);
   if (const auto all = replicate_samples_of(series, norm, result.sweep); !all.empty())
-    fit.replicates = fit_replicates(all, c.window.from, c.window.to);
+    fit.replicates = fits::fit_replicates(all, c.window.from, c.window.to);
   const auto stable = std::count_if(series.points.begin(), series.points.end(), [&](const Point& point) {
     return c.window.holds(point.x) && point.status != Status::unstable;
   });
@@ -52,7 +60,7 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
 }
 
 void add_order(const std::string& label, const ObservedOrder& fit, const std::string& remark, Measured& out) {
-  const double width = half_width(fit);
+  const double width = fits::half_width(fit);
   const std::string interval = width > 0 ? fmt::format(" (±{:.2g})", width) : "";
   out.add(label + interval + remark, fit.order, Interval{fit.order - width, fit.order + width});
 }
@@ -134,7 +142,7 @@ double slope_of(const Criterion& c, const Series& series) {
 double first_value(const Criterion& c, const Series& series) {
   for (const Point& point : series.points)
     if (c.window.holds(point.x)) return error_at(point, c.norm);
-  return not_measured;
+  return support::not_measured;
 }
 
 void measure_slope(const Criterion& c, const Series& series, const Series& over, Measured& out) {
@@ -188,17 +196,18 @@ std::string never_there(const Series& series, double cost, const Series& over, d
 
 /// A series that never gets down to an error costs without end there, whatever the other one does.
 void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
-  const auto own = pareto_front(work_points(series, c.norm)), other = pareto_front(work_points(over, c.norm));
+  const auto own = fits::pareto_front(work_points(series, c.norm)),
+             other = fits::pareto_front(work_points(over, c.norm));
   if (own.empty() || other.empty()) out.missing = fmt::format("no cost of '{}'", own.empty() ? series.name : over.name);
-  for (const double error : decades(c.window.from, c.window.to)) {
-    const double cost = cost_to_reach(error, own), other_cost = cost_to_reach(error, other);
+  for (const double error : fits::decades(c.window.from, c.window.to)) {
+    const double cost = fits::cost_to_reach(error, own), other_cost = fits::cost_to_reach(error, other);
     out.add(fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error),
             std::isinf(cost) ? cost : cost / other_cost, never_there(series, cost, over, other_cost));
   }
 }
 
 void measure_value(const Criterion& c, const StudyResult& result, Measured& out) {
-  for (const Value& value : result.values)
+  for (const records::Value& value : result.values)
     if (value.name == c.name) return out.add(value.meaning, value.value);
   out.missing = fmt::format("the check has no value '{}'", c.name);
 }
@@ -259,4 +268,4 @@ Measured measure(const Criterion& c, const StudyResult& result) {
   return out;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

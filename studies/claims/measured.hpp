@@ -4,7 +4,7 @@
 
 #include "studies/claims/criterion.hpp"
 
-namespace mpmvv {
+namespace mpmvv::claims {
 
 /// Where a number may lie: an order by its replicates or residuals, a limit by its bracket.
 struct Interval {
@@ -31,6 +31,6 @@ struct Measured {
   }
 };
 
-Measured measure(const Criterion& c, const StudyResult& result);
+Measured measure(const Criterion& c, const records::StudyResult& result);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

@@ -2,42 +2,40 @@
 
 #include <cmath>
 
-namespace mpmvv {
+namespace mpmvv::claims {
 
-namespace {
+using fits::ErrorSample;
 
-/// The step size h of a swept value x: 1/x for a sweep over `cells`, else x itself.
 double step_size(double x, const std::string& sweep) {
   return sweep == "cells" ? 1 / x : x;
 }
 
-}  // namespace
-
-std::vector<ErrorSample> samples_of(const Series& series, const std::string& norm, const std::string& sweep) {
+std::vector<ErrorSample> samples_of(const records::Series& series, const std::string& norm, const std::string& sweep) {
   std::vector<ErrorSample> samples;
-  for (const Point& point : series.points)
-    if (const auto y = point.y.find(norm); y != point.y.end() && point.status == Status::ok)
+  for (const records::Point& point : series.points)
+    if (const auto y = point.y.find(norm); y != point.y.end() && point.status == records::Status::ok)
       samples.push_back({point.x, step_size(point.x, sweep), y->second});
   return samples;
 }
 
-std::vector<ErrorSample> replicate_samples_of(const Series& series, const std::string& norm, const std::string& sweep) {
+std::vector<ErrorSample> replicate_samples_of(const records::Series& series, const std::string& norm,
+                                              const std::string& sweep) {
   std::vector<ErrorSample> samples;
-  for (const Point& point : series.points)
+  for (const records::Point& point : series.points)
     if (const auto all = point.replicates.find(norm); all != point.replicates.end())
       for (const double e : all->second) samples.push_back({point.x, step_size(point.x, sweep), e});
   return samples;
 }
 
-std::vector<WorkPoint> work_points(const Series& series, const std::string& norm) {
-  std::vector<WorkPoint> points;
-  for (const Point& point : series.points) {
+std::vector<fits::WorkPoint> work_points(const records::Series& series, const std::string& norm) {
+  std::vector<fits::WorkPoint> points;
+  for (const records::Point& point : series.points) {
     const auto cost = point.y.find("step_seconds"), error = point.y.find(norm);
-    if (point.status == Status::ok && cost != point.y.end() && error != point.y.end() && cost->second > 0 &&
+    if (point.status == records::Status::ok && cost != point.y.end() && error != point.y.end() && cost->second > 0 &&
         error->second > 0 && std::isfinite(error->second))
       points.push_back({cost->second, error->second});
   }
   return points;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

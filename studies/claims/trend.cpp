@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-namespace mpmvv {
+namespace mpmvv::claims {
 
 namespace {
 
@@ -25,11 +25,11 @@ std::vector<Trend> trends_of(const std::vector<std::vector<Finding>>& versions) 
       const auto [place, is_new] = places.try_emplace({finding.study, finding.name}, trends.size());
       if (is_new)
         trends.push_back(
-            {finding.study, finding.kind, finding.name, std::vector<double>(versions.size(), not_measured)});
+            {finding.study, finding.kind, finding.name, std::vector<double>(versions.size(), support::not_measured)});
       trends[place->second].numbers[v] = finding.number;
     }
   std::ranges::stable_sort(trends, {}, &Trend::study);
   return trends;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

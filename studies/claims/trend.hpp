@@ -4,7 +4,7 @@
 
 #include "studies/claims/finding.hpp"
 
-namespace mpmvv {
+namespace mpmvv::claims {
 
 /// One result over the versions of a store: a fitted order, the error at the finest level, a stability limit or a
 /// value of a check.
@@ -18,4 +18,4 @@ struct Trend {
 /// The trends of the versions' findings, in the order in which these first name them, those of a study together.
 std::vector<Trend> trends_of(const std::vector<std::vector<Finding>>& versions);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

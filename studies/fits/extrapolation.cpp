@@ -11,7 +11,9 @@
 #include <limits>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::fits {
+
+using support::not_measured;
 
 namespace {
 
@@ -174,4 +176,4 @@ Extrapolation extrapolate(std::span<const ErrorSample> samples, double from, dou
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

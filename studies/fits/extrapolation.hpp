@@ -5,7 +5,9 @@
 #include "studies/fits/observed_order.hpp"
 #include "studies/support/not_measured.hpp"
 
-namespace mpmvv {
+namespace mpmvv::fits {
+
+using support::not_measured;
 
 /// A quantity without an exact value, extrapolated over the grids of a window (extrapolation.hpp).
 struct Extrapolation {
@@ -35,4 +37,4 @@ struct Extrapolation {
 /// searched.
 Extrapolation extrapolate(std::span<const ErrorSample> samples, double from, double to);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

@@ -9,7 +9,7 @@
 
 #include "studies/fits/observed_order.hpp"
 
-namespace mpmvv {
+namespace mpmvv::fits {
 namespace {
 
 constexpr std::size_t least_points = 6;
@@ -168,4 +168,4 @@ FloorFit fit_floor(std::span<const ErrorSample> samples, double from, double to)
   return fit;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

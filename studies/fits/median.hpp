@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::fits {
 
 /// Of at least one value.
 inline double median_of(std::vector<double> values) {
@@ -10,4 +10,4 @@ inline double median_of(std::vector<double> values) {
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

@@ -10,7 +10,9 @@
 #include "studies/fits/window.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::fits {
+
+using support::not_measured;
 namespace {
 
 bool usable(const ErrorSample& s) {
@@ -108,7 +110,8 @@ std::vector<ErrorSample> usable_samples(std::span<const ErrorSample> samples, do
 
 std::vector<ErrorSample> samples_within(std::span<const ErrorSample> samples, double from, double to) {
   if (!(from <= to))
-    throw UsageError(fmt::format("fit window from {} to {} is empty (from must not be greater than to)", from, to));
+    throw support::UsageError(
+        fmt::format("fit window from {} to {} is empty (from must not be greater than to)", from, to));
   const Window window{from, to};
   std::vector<ErrorSample> chosen;
   std::copy_if(samples.begin(), samples.end(), std::back_inserter(chosen),
@@ -149,4 +152,4 @@ double half_width(const ObservedOrder& fit) {
   return std::isnan(width) ? 0 : width;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

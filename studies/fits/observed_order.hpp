@@ -6,7 +6,9 @@
 
 #include "studies/support/not_measured.hpp"
 
-namespace mpmvv {
+namespace mpmvv::fits {
+
+using support::not_measured;
 
 /// Order between two neighbouring points.
 struct SegmentOrder {
@@ -92,4 +94,4 @@ double half_width(const ObservedOrder& fit);
 /// `reason` gives the numbers.
 FloorFit fit_floor(std::span<const ErrorSample> samples, double from, double to);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

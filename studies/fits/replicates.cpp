@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::fits {
 
 ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, double to) {
   std::map<double, std::vector<double>> levels;  // log e by log h
@@ -44,4 +44,4 @@ ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, d
   return fit;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

@@ -3,7 +3,7 @@
 
 #include "studies/fits/observed_order.hpp"
 
-namespace mpmvv {
+namespace mpmvv::fits {
 
 /// What true replicates say of the line log e = log C + p log h: several samples at each h, from runs that differ in
 /// what should not matter (where the body lies on the grid, say). Over the usable samples of the window:
@@ -16,4 +16,4 @@ namespace mpmvv {
 /// geometric means.
 ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, double to);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

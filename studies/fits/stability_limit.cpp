@@ -10,7 +10,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::fits {
 namespace {
 
 constexpr double most_scan_steps = 1000;
@@ -24,7 +24,7 @@ double scan_steps(const LimitSearch& search) {
 
 void require_sound(const LimitSearch& search) {
   const auto reject = [&](const std::string& what) {
-    throw UsageError(fmt::format("limit search of '{}': {}", search.key, what));
+    throw support::UsageError(fmt::format("limit search of '{}': {}", search.key, what));
   };
   if (!(search.from > 0) || !std::isfinite(search.from))
     reject(fmt::format("from = {} (must be positive and finite)", search.from));
@@ -115,4 +115,4 @@ StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates) {
   return common;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

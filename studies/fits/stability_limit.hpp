@@ -5,7 +5,7 @@
 
 #include "studies/support/not_measured.hpp"
 
-namespace mpmvv {
+namespace mpmvv::fits {
 
 /// One probe of a limit search.
 struct Probe {
@@ -16,12 +16,12 @@ struct Probe {
 
 /// Stability limit by scan and bisection: the true limit lies between `stable` and `unstable`.
 struct StabilityLimit {
-  std::string key;                 ///< what was varied: `cfl`, `smoothing_length`
-  double stable = not_measured;    ///< last stable value next to the limit
-  double unstable = not_measured;  ///< first unstable value next to it
-  bool monotone = true;            ///< false: a stable probe lies beyond an unstable one
-  bool found = false;              ///< false: nothing unstable, or the stable end itself unstable
-  std::vector<Probe> probes;       ///< in increasing value
+  std::string key;                          ///< what was varied: `cfl`, `smoothing_length`
+  double stable = support::not_measured;    ///< last stable value next to the limit
+  double unstable = support::not_measured;  ///< first unstable value next to it
+  bool monotone = true;                     ///< false: a stable probe lies beyond an unstable one
+  bool found = false;                       ///< false: nothing unstable, or the stable end itself unstable
+  std::vector<Probe> probes;                ///< in increasing value
 
   double value() const { return (stable + unstable) / 2; }
 };
@@ -58,4 +58,4 @@ StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe);
 /// where some are found and others are not, or some are stable throughout and others nowhere. At least one limit.
 StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

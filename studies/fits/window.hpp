@@ -1,14 +1,25 @@
 #pragma once
 #include <cmath>
 
-namespace mpmvv {
+namespace mpmvv::fits {
+
+/// How far apart, relative, two swept values may lie that are the same: what is left of a number after its way through
+/// a study file, a division and a store.
+inline constexpr double level_slack = 1e-9;
+
+/// Whether `x` is the swept value `level`.
+inline bool same_level(double x, double level) {
+  return std::abs(x - level) <= level_slack * std::abs(level);
+}
 
 /// A declared window of swept values.
 struct Window {
   double from = 0, to = 0;
 
-  /// Whether x lies inside, to a relative 1e-9.
-  bool holds(double x) const { return x >= from - 1e-9 * std::abs(from) && x <= to + 1e-9 * std::abs(to); }
+  /// Whether x lies inside, its ends included.
+  bool holds(double x) const {
+    return x >= from - level_slack * std::abs(from) && x <= to + level_slack * std::abs(to);
+  }
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace mpmvv {
+namespace mpmvv::fits {
 
 std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points) {
   std::sort(points.begin(), points.end(), [](const WorkPoint& a, const WorkPoint& b) {
@@ -32,4 +32,4 @@ std::vector<double> decades(double from, double to) {
   return errors;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

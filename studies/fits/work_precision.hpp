@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::fits {
 
 /// What a run cost and how accurate it was.
 struct WorkPoint {
@@ -21,4 +21,4 @@ double cost_to_reach(double error, const std::vector<WorkPoint>& front);
 /// The powers of ten within [from, to], largest first. Both must be positive.
 std::vector<double> decades(double from, double to);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

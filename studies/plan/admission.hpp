@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <mutex>
 
-namespace mpmvv {
+namespace mpmvv::plan {
 
 /// Lets cases start, in the order in which they ask, as soon as the threads and the memory they need are free. One that
 /// needs all threads runs alone; one that needs more memory than there is starts when all of it is free.
@@ -56,4 +56,4 @@ class Admission {
   std::uint64_t last_ticket_ = 0, next_ticket_ = 0;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

@@ -10,7 +10,10 @@
 #include "studies/runs/run_case.hpp"
 #include "studies/support/parallel.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
+
+using cases::Case;
+using records::Record;
 
 namespace {
 
@@ -33,8 +36,11 @@ std::string label(const Case& c) {
 
 }  // namespace
 
-CasePool::CasePool(Store& store, const RunnerOptions& options)
-    : store_(store), options_(options), provenance_(current_provenance()), admission_(options.jobs, usable_memory()) {}
+CasePool::CasePool(store::Store& store, const RunnerOptions& options)
+    : store_(store),
+      options_(options),
+      provenance_(store::current_provenance()),
+      admission_(options.jobs, usable_memory()) {}
 
 std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
   std::vector<Case> missing;
@@ -59,7 +65,7 @@ std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
 bool CasePool::known(const Case& c) {
   if (records_.contains(c)) return true;
   const auto stored = store_.find(c, provenance_.digest);
-  if (!stored || is_worth_another_try(*stored)) return false;
+  if (!stored || records::is_worth_another_try(*stored)) return false;
   records_.emplace(c, *stored);
   ++counts_.reused;
   return true;
@@ -74,7 +80,7 @@ void CasePool::run_all(std::vector<Case> missing) {
                    [](const Case& a, const Case& b) { return work_estimate(a) > work_estimate(b); });
   double work_of_all = 0;
   for (const Case& c : missing) work_of_all += work_estimate(c);
-  for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run_one(missing[k], work_of_all); });
+  support::for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run_one(missing[k], work_of_all); });
 }
 
 /// Measures costs. Nothing else runs and nothing is written during that time.
@@ -84,7 +90,7 @@ void CasePool::time_all(const std::vector<Case>& cases) {
   std::vector<Record> records;
   {
     const Admission::Place place(admission_, options_.jobs, memory);
-    records = run_timed(cases);
+    records = runs::run_timed(cases);
   }
   for (const Record& record : records) keep(record);
 }
@@ -92,7 +98,7 @@ void CasePool::time_all(const std::vector<Case>& cases) {
 void CasePool::run_one(const Case& c, double work_of_all) {
   const int threads = is_big(c, work_of_all, options_.jobs) ? options_.jobs : 1;
   const Admission::Place place(admission_, threads, memory_estimate(c));
-  keep(run_case(c, threads));
+  keep(runs::run_case(c, threads));
 }
 
 /// One thread at a time writes to the store, all that has finished in one transaction; the others go on running.
@@ -126,4 +132,4 @@ void CasePool::keep(const Record& record) {
   kept_.notify_all();
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

@@ -12,11 +12,14 @@
 #include "studies/plan/plan_rules.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
+
+using claims::Criterion;
+using support::UsageError;
 
 namespace {
 
-Criterion::Kind criterion_kind(const TomlTable& table) {
+Criterion::Kind criterion_kind(const support::TomlTable& table) {
   static const std::vector<std::pair<std::string, Criterion::Kind>> kinds{
       {"order", Criterion::Kind::order},
       {"order-difference", Criterion::Kind::order_difference},
@@ -43,18 +46,18 @@ Criterion::Kind criterion_kind(const TomlTable& table) {
 }
 
 bool is_ratio(Criterion::Kind kind) {
-  using enum Criterion::Kind;
+  using enum claims::Criterion::Kind;
   return kind == error_ratio || kind == limit_ratio || kind == cost_ratio || kind == slope_ratio || kind == slope_share;
 }
 
 bool is_fit(Criterion::Kind kind) {
-  using enum Criterion::Kind;
+  using enum claims::Criterion::Kind;
   return kind == order || kind == order_difference || kind == slope_ratio || kind == slope_share;
 }
 
 }  // namespace
 
-Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
+Criterion read_criterion(const support::TomlTable& table, const StudyPlan& plan) {
   table.allow_only({"claim", "statement", "measure", "series", "over", "name", "norm", "over_norm", "window",
                     "at_least", "at_most", "reason"});
   Criterion c;
@@ -104,7 +107,7 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   c.window = read_window(table, "window");
   if (c.kind == Criterion::Kind::cost_ratio) {
     require_cost(plan, table.where("measure"));
-    if (!(c.window.from > 0) || decades(c.window.from, c.window.to).empty())
+    if (!(c.window.from > 0) || fits::decades(c.window.from, c.window.to).empty())
       throw UsageError(
           fmt::format("window in {} holds no power of ten (two errors, the smaller first)", table.where("window")));
     return c;
@@ -113,4 +116,4 @@ Criterion read_criterion(const TomlTable& table, const StudyPlan& plan) {
   return c;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

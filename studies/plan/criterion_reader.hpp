@@ -2,9 +2,9 @@
 #include "studies/plan/study.hpp"
 #include "studies/support/toml_file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
 
 /// One `[[criterion]]` of a study file whose series, sweep and limit are read. UsageError with file and line.
-Criterion read_criterion(const TomlTable& table, const StudyPlan& plan);
+claims::Criterion read_criterion(const support::TomlTable& table, const StudyPlan& plan);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

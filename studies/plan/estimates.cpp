@@ -8,7 +8,7 @@
 #include "studies/problems/problem.hpp"
 #include "studies/settings/named.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
 
 namespace {
 
@@ -18,26 +18,26 @@ int padded(int components) {
 }
 
 /// Doubles on each node: momentum with mass, force, velocity, acceleration, and what systems of masses keep.
-int doubles_per_node(const Scheme& scheme, int D) {
+int doubles_per_node(const cases::Scheme& scheme, int D) {
   const int grid = padded(D + 1) + 3 * padded(D);
   if (scheme.mass == "consistent") return grid + 3 + padded(D + 1) + 5 * padded(D);
   return grid + (scheme.order > 0 ? 2 * padded(D) : 0);
 }
 
 /// Doubles of each particle that systems of masses keep: the nodes of its domain.
-double doubles_per_domain(const Scheme& scheme, int D) {
+double doubles_per_domain(const cases::Scheme& scheme, int D) {
   if (scheme.mass != "consistent" && scheme.order < 3) return 0;
   return std::visit(
       [D]<class B>(const B&) {
         return B::width == solver::ParticleWidth::domain ? solver::power(B::support + 1, D) + 0.5 : 0.0;
       },
-      named<solver::AnyBasis>(scheme.basis));
+      settings::named<solver::AnyBasis>(scheme.basis));
 }
 
 /// Doubles of each particle: positions (with the reference ones), velocities, F, widths or edges, mass, volume,
 /// identity, spatial parts of the body force, and what the scheme and the material keep beside.
-double doubles_per_particle(const Scheme& scheme, int D) {
-  const bool has_domain = width_of(named<solver::AnyBasis>(scheme.basis)) == solver::ParticleWidth::domain;
+double doubles_per_particle(const cases::Scheme& scheme, int D) {
+  const bool has_domain = width_of(settings::named<solver::AnyBasis>(scheme.basis)) == solver::ParticleWidth::domain;
   const double widths = has_domain ? 2 * D * D : 2 * D;
   const double stages = solver::is_staged(scheme.integrator) ? 2 * (2 * D + D * D) : 0;
   const double rate = scheme.integrator.ends_with('+') ? D : 0;
@@ -48,21 +48,21 @@ double doubles_per_particle(const Scheme& scheme, int D) {
 
 }  // namespace
 
-double work_estimate(const Case& c) {
-  const int dimension = find_problem(c.problem.name, "the case").dimension();
+double work_estimate(const cases::Case& c) {
+  const int dimension = problems::find_problem(c.problem.name, "the case").dimension();
   const double expansion = c.scheme.order > 0 ? 1 + 0.2 * (c.scheme.order - 1) : 1;
-  return expansion * extent(c).cells_of_body * std::pow(c.resolution.ppc, dimension) *
+  return expansion * problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, dimension) *
          static_cast<double>(c.resolution.steps);
 }
 
-double memory_estimate(const Case& c) {
-  const int D = find_problem(c.problem.name, "the case").dimension();
-  const auto [cells_of_body, cells_of_domain] = extent(c);
-  const int beside = 1 + 2 * ghosts_of(named<solver::AnyBasis>(c.scheme.basis));
+double memory_estimate(const cases::Case& c) {
+  const int D = problems::find_problem(c.problem.name, "the case").dimension();
+  const auto [cells_of_body, cells_of_domain] = problems::extent(c);
+  const int beside = 1 + 2 * ghosts_of(settings::named<solver::AnyBasis>(c.scheme.basis));
   const double nodes = std::pow(std::pow(cells_of_domain, 1.0 / D) + beside, D);
   const double sorting = 8 * (1 + D + D * D) + 12;  // bytes: a number, a vector, a matrix, three indices
   return (8 * doubles_per_particle(c.scheme, D) + sorting) * cells_of_body * std::pow(c.resolution.ppc, D) +
          8 * doubles_per_node(c.scheme, D) * nodes;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

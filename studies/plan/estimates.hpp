@@ -1,12 +1,12 @@
 #pragma once
 #include "studies/cases/case.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
 
 /// Number of particles times steps, more for an expanded inverse: to run long cases first.
-double work_estimate(const Case& c);
+double work_estimate(const cases::Case& c);
 
 /// Upper estimate of the memory that a run of this case takes, in bytes.
-double memory_estimate(const Case& c);
+double memory_estimate(const cases::Case& c);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

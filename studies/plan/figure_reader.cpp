@@ -9,14 +9,18 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
+
+using records::Figure;
+using support::TomlTable;
+using support::UsageError;
 
 namespace {
 
 std::string read_name(const TomlTable& table, const StudyPlan& plan) {
   const std::string name = table.text("name", plan.name);
-  if (!is_file_stem(name))
-    throw UsageError(fmt::format("figure name '{}' in {} ({})", name, table.where("name"), file_stem_rule));
+  if (!support::is_file_stem(name))
+    throw UsageError(fmt::format("figure name '{}' in {} ({})", name, table.where("name"), support::file_stem_rule));
   for (const Figure& other : plan.figures)
     if (other.name == name)
       throw UsageError(fmt::format("figure '{}' twice in {} (names must differ)", name, table.where("name")));
@@ -72,4 +76,4 @@ Figure read_figure(const TomlTable& table, const StudyPlan& plan) {
   return figure;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

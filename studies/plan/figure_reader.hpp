@@ -2,9 +2,9 @@
 #include "studies/plan/study.hpp"
 #include "studies/support/toml_file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
 
 /// One `[[figure]]` of a study file whose series, sweep and limit are read. UsageError with file and line.
-Figure read_figure(const TomlTable& table, const StudyPlan& plan);
+records::Figure read_figure(const support::TomlTable& table, const StudyPlan& plan);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

@@ -6,7 +6,7 @@
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
 
 namespace {
 
@@ -16,11 +16,11 @@ bool varies(const StudyPlan& plan, const std::string& key) {
 }
 
 /// Why a series does not take a setting; empty when it does.
-std::string refusal(const StudyPlan& plan, SeriesPlan series, const Setting& setting) {
+std::string refusal(const StudyPlan& plan, SeriesPlan series, const settings::Setting& setting) {
   series.settings.push_back(setting);
   try {
     try_cases(plan, series);
-  } catch (const UsageError& e) {
+  } catch (const support::UsageError& e) {
     return e.what();
   }
   return "";
@@ -29,13 +29,13 @@ std::string refusal(const StudyPlan& plan, SeriesPlan series, const Setting& set
 }  // namespace
 
 void try_cases(const StudyPlan& plan, const SeriesPlan& series) {
-  const auto require_different_replicates = [&](const std::vector<Case>& cases) {
+  const auto require_different_replicates = [&](const std::vector<cases::Case>& cases) {
     if (plan.replicates)
       require_different_runs(cases, fmt::format("replicates of series '{}'", series.name), plan.replicates->where);
   };
-  std::vector<Case> swept, at_end_of_search;
+  std::vector<cases::Case> swept, at_end_of_search;
   for (const double value : plan.values) {
-    const std::vector<Case> replicates = replicates_at(plan, series, value);
+    const std::vector<cases::Case> replicates = replicates_at(plan, series, value);
     require_different_replicates(replicates);
     swept.push_back(replicates.front());
   }
@@ -50,11 +50,11 @@ void try_cases(const StudyPlan& plan, const SeriesPlan& series) {
 
 void override_series(const std::vector<Overriding>& settings, StudyPlan& plan) {
   for (const auto& [setting, where_taken] : settings) {
-    require_known_key(setting.key, setting.where);
+    settings::require_known_key(setting.key, setting.where);
     const bool is_varied = varies(plan, setting.key);
     if (is_varied && !where_taken)
-      throw UsageError(fmt::format("{} in {} for study '{}', which varies it itself (another key)", setting.key,
-                                   setting.where, plan.name));
+      throw support::UsageError(fmt::format("{} in {} for study '{}', which varies it itself (another key)",
+                                            setting.key, setting.where, plan.name));
     Overridden done;
     for (SeriesPlan& series : plan.series) {
       if (where_taken && is_varied) continue;
@@ -67,9 +67,9 @@ void override_series(const std::vector<Overriding>& settings, StudyPlan& plan) {
       ++done.series;
     }
     done.what = fmt::format("{} = {} in {} of {} series", setting.key, setting.value, done.series, plan.series.size());
-    if (done.series > 0) plan.text = with_trial(plan.text, done.what);
+    if (done.series > 0) plan.text = store::with_trial(plan.text, done.what);
     plan.overridden.push_back(done);
   }
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

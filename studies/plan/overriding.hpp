@@ -3,7 +3,7 @@
 
 #include "studies/plan/study.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
 
 /// Makes every case of a series, to check it: UsageError where one is wrong or two that should differ are the same.
 void try_cases(const StudyPlan& plan, const SeriesPlan& series);
@@ -12,4 +12,4 @@ void try_cases(const StudyPlan& plan, const SeriesPlan& series);
 /// UsageError on an unknown key, and on one that the study varies itself unless it may be left out.
 void override_series(const std::vector<Overriding>& settings, StudyPlan& plan);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

@@ -8,7 +8,10 @@
 #include "studies/records/record.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
+
+using settings::Setting;
+using support::UsageError;
 
 namespace {
 
@@ -56,15 +59,15 @@ void require_word(const std::string& what, const std::string& word, const std::v
     throw UsageError(fmt::format("unknown {} '{}' in {} (known: {})", what, word, where, fmt::join(known, ", ")));
 }
 
-std::string norm_of(const TomlTable& table, const char* key) {
+std::string norm_of(const support::TomlTable& table, const char* key) {
   const std::string norm = table.text(key);
-  std::vector<std::string> known = norm_words();
+  std::vector<std::string> known = records::norm_words();
   known.insert(known.end(), {"ns_per_particle_step", "y"});
   require_word(key, norm, known, table.where(key));
   return norm;
 }
 
-std::vector<std::string> series_names(const TomlTable& table, const char* key, const StudyPlan& plan) {
+std::vector<std::string> series_names(const support::TomlTable& table, const char* key, const StudyPlan& plan) {
   const auto names = table.texts(key);
   std::vector<std::string> known;
   for (const SeriesPlan& series : plan.series) known.push_back(series.name);
@@ -73,14 +76,14 @@ std::vector<std::string> series_names(const TomlTable& table, const char* key, c
   return names;
 }
 
-Window read_window(const TomlTable& table, const char* key) {
+fits::Window read_window(const support::TomlTable& table, const char* key) {
   const auto ends = table.numbers(key);
   if (ends.size() != 2 || !(ends[0] <= ends[1]))
     throw UsageError(fmt::format("{} in {} (two swept values, the smaller first)", key, table.where(key)));
   return {ends[0], ends[1]};
 }
 
-void require_points(const StudyPlan& plan, const Window& window, int least, const std::string& where) {
+void require_points(const StudyPlan& plan, const fits::Window& window, int least, const std::string& where) {
   if (!plan.check.empty()) return;
   const auto count = std::ranges::count_if(plan.values, [&](double x) { return window.holds(x); });
   if (count < least)
@@ -103,8 +106,8 @@ void require_no_idle_settings(const StudyPlan& plan, const SeriesPlan& series) {
                     plan.limit->where, plan.sweep, series.name, plan.sweep));
 }
 
-void require_different_runs(std::vector<Case> cases, const std::string& what, const std::string& where) {
-  for (Case& c : cases) c.measure = {};
+void require_different_runs(std::vector<cases::Case> cases, const std::string& what, const std::string& where) {
+  for (cases::Case& c : cases) c.measure = {};
   std::ranges::sort(cases);
   if (std::ranges::adjacent_find(cases) != cases.end())
     throw UsageError(
@@ -144,4 +147,4 @@ std::vector<std::string> measured_series(const StudyPlan& plan, const std::strin
   return names;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

@@ -7,28 +7,28 @@
 
 /// What the parts of a study file (fits, figures, criteria) may name, held against the plan read so far. Each throws
 /// UsageError with file and line.
-namespace mpmvv {
+namespace mpmvv::plan {
 
 void require_word(const std::string& what, const std::string& word, const std::vector<std::string>& known,
                   const std::string& where);
 
 /// The norm that a table names under `key`.
-std::string norm_of(const TomlTable& table, const char* key);
+std::string norm_of(const support::TomlTable& table, const char* key);
 
 /// Names of series that a table lists under `key`; each must exist (checks make theirs when they run).
-std::vector<std::string> series_names(const TomlTable& table, const char* key, const StudyPlan& plan);
+std::vector<std::string> series_names(const support::TomlTable& table, const char* key, const StudyPlan& plan);
 
-Window read_window(const TomlTable& table, const char* key);
+fits::Window read_window(const support::TomlTable& table, const char* key);
 
 /// A window must hold enough swept values; the curves of a check are known only when it has run.
-void require_points(const StudyPlan& plan, const Window& window, int least, const std::string& where);
+void require_points(const StudyPlan& plan, const fits::Window& window, int least, const std::string& where);
 
 /// Throws where a series is neither swept nor searched; where one of its settings has no effect, because the sweep, the
 /// limit's search or the replicates overwrite it in every run; and where a limit lacks a value for the swept key.
 void require_no_idle_settings(const StudyPlan& plan, const SeriesPlan& series);
 
 /// Throws where two runs that should differ (two series, two replicates) differ at most in what is measured.
-void require_different_runs(std::vector<Case> cases, const std::string& what, const std::string& where);
+void require_different_runs(std::vector<cases::Case> cases, const std::string& what, const std::string& where);
 
 /// Throws unless every series measures its cost (`repeat`).
 void require_cost(const StudyPlan& plan, const std::string& where);
@@ -43,4 +43,4 @@ void require_measured(const StudyPlan& plan, const std::string& norm, const std:
 std::vector<std::string> measured_series(const StudyPlan& plan, const std::string& norm, std::vector<std::string> names,
                                          const std::string& where);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

@@ -11,23 +11,23 @@
 #include "studies/records/result.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
 
 /// One line of a study's plot: a name and the settings in which it differs from the study's fixed ones.
 struct SeriesPlan {
   std::string name;
-  std::vector<Setting> settings;  ///< the fixed ones, overwritten by its own
+  std::vector<settings::Setting> settings;  ///< the fixed ones, overwritten by its own
   std::string where;
 
   /// The setting that counts, the last one of its key; null without one.
-  const Setting* setting(const std::string& key) const;
+  const settings::Setting* setting(const std::string& key) const;
 };
 
 /// What to fit: which norm, over which window, for which series; and the window of a fit with a floor, if any.
 struct FitPlan {
   std::string norm;
-  Window window;
-  std::optional<Window> floor;
+  fits::Window window;
+  std::optional<fits::Window> floor;
   std::vector<std::string> series;  ///< empty: all
 };
 
@@ -41,7 +41,7 @@ struct ReplicatePlan {
 
 /// A limit to search, of which series.
 struct LimitPlan {
-  LimitSearch search;
+  fits::LimitSearch search;
   std::vector<std::string> series;  ///< empty: all
   std::string where;
 };
@@ -49,13 +49,13 @@ struct LimitPlan {
 /// A quantity to extrapolate over the grids of a window, for which series.
 struct ExtrapolationPlan {
   std::string norm;
-  Window window;
+  fits::Window window;
   std::vector<std::string> series;  ///< empty: all
 };
 
 /// A setting of `study --set`, which overrides that of every series, or (`--set-where-taken`) of those that take it.
 struct Overriding {
-  Setting setting;
+  settings::Setting setting;
   bool where_taken = false;
 };
 
@@ -81,8 +81,8 @@ struct StudyPlan {
   std::optional<ReplicatePlan> replicates;
   std::vector<FitPlan> fits;
   std::vector<ExtrapolationPlan> extrapolations;
-  std::vector<Figure> figures;
-  std::vector<Criterion> criteria;
+  std::vector<records::Figure> figures;
+  std::vector<claims::Criterion> criteria;
   std::vector<Overridden> overridden;  ///< as the settings were given
 
   std::string kind() const { return !check.empty() ? "check" : limit ? "limit" : "convergence"; }
@@ -100,12 +100,12 @@ StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overri
 bool varies_with(const SeriesPlan& series, const std::string& key);
 
 /// The case of a series at a value of the swept (or searched) key; `where` goes into messages about the value.
-Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where);
+cases::Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where);
 
 /// A series by itself, or its replicates.
 std::vector<SeriesPlan> replicates_of(const StudyPlan& plan, const SeriesPlan& series);
 
 /// The cases of a series at a swept value: one, or its replicates'.
-std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series, double value);
+std::vector<cases::Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series, double value);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

@@ -15,13 +15,17 @@
 #include "studies/support/file.hpp"
 #include "studies/support/toml_file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
+
+using settings::Setting;
+using support::TomlTable;
+using support::UsageError;
 
 namespace {
 
 std::vector<std::string> claim_ids() {
   std::vector<std::string> ids;
-  for (const ClaimText& claim : claim_list()) ids.emplace_back(claim.id);
+  for (const claims::ClaimText& claim : claims::claim_list()) ids.emplace_back(claim.id);
   return ids;
 }
 
@@ -35,7 +39,7 @@ std::vector<Setting> settings_of(const TomlTable& table, std::initializer_list<c
       for (const std::string& name : parameters.keys())
         settings.push_back({"param." + name, parameters.scalar_text(name), parameters.where(name)});
     } else {
-      require_known_key(key, table.where(key));
+      settings::require_known_key(key, table.where(key));
       settings.push_back({key, table.scalar_text(key), table.where(key)});
     }
   }
@@ -49,8 +53,8 @@ void read_sweep(const TomlTable& root, StudyPlan& plan) {
   if (keys.size() != 1)
     throw UsageError(fmt::format("sweep in {} has {} keys (one key with its values)", sweep->where(), keys.size()));
   plan.sweep = keys[0];
-  require_known_key(plan.sweep, sweep->where(plan.sweep));
-  if (!words_of_key(plan.sweep).empty())
+  settings::require_known_key(plan.sweep, sweep->where(plan.sweep));
+  if (!settings::words_of_key(plan.sweep).empty())
     throw UsageError(fmt::format("sweep over '{}' in {}, which takes words (a key that takes numbers)", plan.sweep,
                                  sweep->where(plan.sweep)));
   plan.sweep_where = sweep->where(plan.sweep);
@@ -80,7 +84,7 @@ void read_limit(const TomlTable& root, StudyPlan& plan) {
   const auto table = root.table("limit");
   if (!table) return;
   table->allow_only({"key", "from", "to", "scan_ratio", "tolerance", "stable", "series"});
-  LimitSearch search;
+  fits::LimitSearch search;
   search.key = table->text("key");
   require_word("limit key", search.key, {"cfl", "smoothing_length"}, table->where("key"));
   search.from = table->number("from");
@@ -91,7 +95,7 @@ void read_limit(const TomlTable& root, StudyPlan& plan) {
   require_word("stable side", stable, {"below", "above"}, table->where("stable"));
   search.stable_below = stable == "below";
   try {
-    require_sound(search);
+    fits::require_sound(search);
   } catch (const UsageError& e) {
     throw UsageError(fmt::format("{} in {}", e.what(), table->where()));
   }
@@ -108,7 +112,7 @@ void read_replicates(const TomlTable& root, StudyPlan& plan) {
   if (keys.size() != 1 || (plan.sweep.empty() && !plan.limit) || is_varied(keys[0]))
     throw UsageError(fmt::format("replicates in {} (one key with its values, beside a sweep or a limit of another)",
                                  table->where()));
-  require_known_key(keys[0], table->where(keys[0]));
+  settings::require_known_key(keys[0], table->where(keys[0]));
   plan.replicates = ReplicatePlan{keys[0], table->numbers(keys[0]), table->where(keys[0])};
   if (plan.replicates->values.size() < 2)
     throw UsageError(fmt::format("fewer than two replicates in {}", plan.replicates->where));
@@ -153,8 +157,8 @@ void try_cases(const StudyPlan& plan, const std::filesystem::path& file) {
 /// The name of a study is the stem of its file. Reports name files by it, too.
 std::string study_name(const std::filesystem::path& file) {
   const std::string name = file.stem().string();
-  if (!is_file_stem(name))
-    throw UsageError(fmt::format("study file '{}' cannot name a study ({})", file.string(), file_stem_rule));
+  if (!support::is_file_stem(name))
+    throw UsageError(fmt::format("study file '{}' cannot name a study ({})", file.string(), support::file_stem_rule));
   return name;
 }
 
@@ -177,13 +181,13 @@ bool StudyPlan::searches(const SeriesPlan& one) const {
 bool varies_with(const SeriesPlan& series, const std::string& key) {
   if (key != "order") return true;
   const Setting* update = series.setting("velocity_update");
-  return update && solver::expands_inverse(named<solver::AnyVelocityUpdate>(update->value));
+  return update && solver::expands_inverse(settings::named<solver::AnyVelocityUpdate>(update->value));
 }
 
-Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where) {
+cases::Case case_at(const SeriesPlan& series, const std::string& key, double value, const std::string& where) {
   auto settings = series.settings;
   if (varies_with(series, key)) settings.push_back({key, fmt::format("{}", value), where});
-  return make_case(settings);
+  return settings::make_case(settings);
 }
 
 std::vector<SeriesPlan> replicates_of(const StudyPlan& plan, const SeriesPlan& series) {
@@ -196,8 +200,8 @@ std::vector<SeriesPlan> replicates_of(const StudyPlan& plan, const SeriesPlan& s
   return replicates;
 }
 
-std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series, double value) {
-  std::vector<Case> cases;
+std::vector<cases::Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series, double value) {
+  std::vector<cases::Case> cases;
   for (const SeriesPlan& one : replicates_of(plan, series))
     cases.push_back(case_at(one, plan.sweep, value, plan.sweep_where));
   return cases;
@@ -205,7 +209,7 @@ std::vector<Case> replicates_at(const StudyPlan& plan, const SeriesPlan& series,
 
 StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding) {
   const std::string name = study_name(file);
-  const std::string text = require_file(file, "a study file, TOML");
+  const std::string text = support::require_file(file, "a study file, TOML");
   const TomlTable root = TomlTable::parse(text, file.string());
   root.allow_only({"title", "claims", "check", "fixed", "series", "sweep", "limit", "replicates", "fit", "extrapolate",
                    "figure", "criterion"});
@@ -217,7 +221,7 @@ StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overri
   for (const std::string& claim : plan.claims) require_word("claim", claim, claim_ids(), root.where("claims"));
   plan.check = root.text("check", "");
   if (!plan.check.empty()) {
-    find_check(plan.check, root.where("check"));
+    checks::find_check(plan.check, root.where("check"));
     for (const char* key : {"fixed", "series", "sweep", "limit", "replicates"})
       if (root.has(key))
         throw UsageError(fmt::format("'{}' in {} beside a check (a check brings its own)", key, root.where(key)));
@@ -241,4 +245,4 @@ StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overri
   return plan;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

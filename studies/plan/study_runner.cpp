@@ -16,7 +16,14 @@
 #include "studies/support/parallel.hpp"
 #include "studies/support/reason.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
+
+using cases::Case;
+using records::Point;
+using records::Record;
+using records::Series;
+using records::Status;
+using records::StudyResult;
 
 namespace {
 
@@ -30,9 +37,9 @@ Point point_of(double x, const Record& r) {
   const auto add = [&point](const char* name, double value) {
     if (!std::isnan(value)) point.y[name] = value;
   };
-  for (const RunNumber& number : run_errors()) add(number.name, number.get(r));
-  for (const RunNumber& number : run_by_products()) add(number.name, number.get(r));
-  add("energy_loss", energy_loss(r.energy));
+  for (const records::RunNumber& number : records::run_errors()) add(number.name, number.get(r));
+  for (const records::RunNumber& number : records::run_by_products()) add(number.name, number.get(r));
+  add("energy_loss", records::energy_loss(r.energy));
   return point;
 }
 
@@ -83,27 +90,27 @@ Series swept_series(const StudyPlan& plan, const SeriesPlan& series, std::span<c
 
 /// The probe at the value that was run: a time step is made smaller than the CFL number asked for, to divide the end
 /// time.
-Probe probe_of(const std::string& key, double asked, const Record& r) {
+fits::Probe probe_of(const std::string& key, double asked, const Record& r) {
   if (r.status == Status::failed) throw StudyTrouble(fmt::format("a probe at {} failed: {}", asked, r.reason));
   return {key == "cfl" ? r.cfl : asked, r.status == Status::ok, r.reason};
 }
 
-StabilityLimit search_limit(const LimitSearch& search, const SeriesPlan& series, CasePool& pool) {
-  return find_limit(search, [&](const std::vector<double>& values) {
+fits::StabilityLimit search_limit(const fits::LimitSearch& search, const SeriesPlan& series, CasePool& pool) {
+  return fits::find_limit(search, [&](const std::vector<double>& values) {
     std::vector<Case> cases;
     for (const double value : values) cases.push_back(case_at(series, search.key, value, series.where));
     const auto records = pool.get(cases);
-    std::vector<Probe> probes;
+    std::vector<fits::Probe> probes;
     for (std::size_t k = 0; k < values.size(); ++k) probes.push_back(probe_of(search.key, values[k], records[k]));
     return probes;
   });
 }
 
-StabilityLimit search_limit(const StudyPlan& plan, const SeriesPlan& series, CasePool& pool) {
-  std::vector<StabilityLimit> limits;
+fits::StabilityLimit search_limit(const StudyPlan& plan, const SeriesPlan& series, CasePool& pool) {
+  std::vector<fits::StabilityLimit> limits;
   for (const SeriesPlan& one : replicates_of(plan, series))
     limits.push_back(search_limit(plan.limit->search, one, pool));
-  return common_limit(limits);
+  return fits::common_limit(limits);
 }
 
 bool is_wanted(const std::vector<std::string>& names, const Series& series) {
@@ -114,13 +121,13 @@ void fit(const StudyPlan& plan, StudyResult& result) {
   for (Series& series : result.series)
     for (const FitPlan& wanted : plan.fits) {
       if (!is_wanted(wanted.series, series)) continue;
-      const auto samples = samples_of(series, wanted.norm, result.sweep);
-      ObservedOrder order = fit_order(samples, wanted.window.from, wanted.window.to);
+      const auto samples = claims::samples_of(series, wanted.norm, result.sweep);
+      fits::ObservedOrder order = fits::fit_order(samples, wanted.window.from, wanted.window.to);
       order.norm = wanted.norm;
-      if (wanted.floor) order.floor = fit_floor(samples, wanted.floor->from, wanted.floor->to);
+      if (wanted.floor) order.floor = fits::fit_floor(samples, wanted.floor->from, wanted.floor->to);
       if (plan.replicates)
-        order.replicates = fit_replicates(replicate_samples_of(series, wanted.norm, result.sweep), wanted.window.from,
-                                          wanted.window.to);
+        order.replicates = fits::fit_replicates(claims::replicate_samples_of(series, wanted.norm, result.sweep),
+                                                wanted.window.from, wanted.window.to);
       series.orders.push_back(order);
     }
 }
@@ -129,31 +136,31 @@ void extrapolate_series(const StudyPlan& plan, StudyResult& result) {
   for (Series& series : result.series)
     for (const ExtrapolationPlan& wanted : plan.extrapolations) {
       if (!is_wanted(wanted.series, series)) continue;
-      Extrapolation extrapolation =
-          extrapolate(samples_of(series, wanted.norm, result.sweep), wanted.window.from, wanted.window.to);
+      fits::Extrapolation extrapolation = fits::extrapolate(claims::samples_of(series, wanted.norm, result.sweep),
+                                                            wanted.window.from, wanted.window.to);
       extrapolation.norm = wanted.norm;
       series.extrapolations.push_back(extrapolation);
     }
 }
 
 /// What a check measured: from the store when this digest has run the same file, else anew.
-CheckResult check_result(const StudyPlan& plan, const std::vector<StudyResult>& stored) {
+checks::CheckResult check_result(const StudyPlan& plan, const std::vector<StudyResult>& stored) {
   for (const StudyResult& s : stored)
     if (s.name == plan.name && s.text == plan.text) {
-      CheckResult result{s.values, s.series};
+      checks::CheckResult result{s.values, s.series};
       for (Series& series : result.series) series.orders.clear(), series.extrapolations.clear();
       return result;
     }
   try {
-    return find_check(plan.check, plan.name).run();
+    return checks::find_check(plan.check, plan.name).run();
   } catch (const std::exception& e) {
-    throw StudyTrouble(fmt::format("its check ended early: {}", reason_of(e)));
+    throw StudyTrouble(fmt::format("its check ended early: {}", support::reason_of(e)));
   }
 }
 
 class StudyRunner {
  public:
-  StudyRunner(Store& store, const RunnerOptions& options)
+  StudyRunner(store::Store& store, const RunnerOptions& options)
       : store_(store), options_(options), stored_(store.studies(provenance_.digest)), pool_(store, options) {}
 
   void run_untimed(const std::vector<StudyPlan>& plans) {
@@ -172,7 +179,7 @@ class StudyRunner {
       const auto cases = measure(plan, outcome);
       fit(plan, result);
       extrapolate_series(plan, result);
-      for (const Criterion& criterion : plan.criteria) result.parts.push_back(judge(criterion, result));
+      for (const claims::Criterion& criterion : plan.criteria) result.parts.push_back(claims::judge(criterion, result));
       store_.keep_study(result, cases, provenance_);
     } catch (const StudyTrouble& trouble) {
       outcome.trouble = trouble.what();
@@ -187,8 +194,8 @@ class StudyRunner {
   std::vector<std::vector<Case>> measure(const StudyPlan& plan, StudyOutcome& outcome) {
     StudyResult& result = outcome.result;
     if (!plan.check.empty()) {
-      const CheckResult checked = check_result(plan, stored_);
-      result.sweep = find_check(plan.check, plan.name).abscissa;
+      const checks::CheckResult checked = check_result(plan, stored_);
+      result.sweep = checks::find_check(plan.check, plan.name).abscissa;
       result.values = checked.values;
       result.series = checked.series;
     }
@@ -201,23 +208,23 @@ class StudyRunner {
       result.series.push_back(swept_series(plan, series, records));
       cases.push_back(plan.replicates ? std::vector<Case>{} : own);
     }
-    for_each_parallel(plan.series.size(), options_.jobs, [&](std::size_t k) {
+    support::for_each_parallel(plan.series.size(), options_.jobs, [&](std::size_t k) {
       if (plan.searches(plan.series[k])) result.series[k].limit = search_limit(plan, plan.series[k], pool_);
     });
     return cases;
   }
 
-  Store& store_;
+  store::Store& store_;
   const RunnerOptions& options_;
-  const Provenance provenance_ = current_provenance();
+  const store::Provenance provenance_ = store::current_provenance();
   const std::vector<StudyResult> stored_;
   CasePool pool_;
 };
 
 }  // namespace
 
-std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, Store& store, const RunnerOptions& options,
-                                      RunnerCounts& counts) {
+std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, store::Store& store,
+                                      const RunnerOptions& options, RunnerCounts& counts) {
   StudyRunner runner(store, options);
   runner.run_untimed(plans);
   std::vector<StudyOutcome> outcomes;
@@ -226,4 +233,4 @@ std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, Store
   return outcomes;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

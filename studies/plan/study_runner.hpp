@@ -7,7 +7,7 @@
 #include "studies/records/result.hpp"
 #include "studies/store/store.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
 
 /// How far a study run has come; called after every finished case, from one thread at a time.
 struct Progress {
@@ -21,7 +21,7 @@ struct RunnerOptions {
 };
 
 struct StudyOutcome {
-  StudyResult result;
+  records::StudyResult result;
   std::size_t failed = 0;  ///< cases with status `failed`
   std::string trouble;     ///< why it could not be brought to its end and was not kept; else empty
 };
@@ -32,7 +32,7 @@ struct RunnerCounts {
 
 /// Runs what the store does not hold yet, all studies' sweeps in one pool, and keeps every record as soon as it is
 /// there and every study as soon as it is whole. Results do not depend on `jobs`.
-std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, Store& store, const RunnerOptions& options,
-                                      RunnerCounts& counts);
+std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, store::Store& store,
+                                      const RunnerOptions& options, RunnerCounts& counts);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

@@ -4,7 +4,7 @@
 #include "mms/radial_profile.hpp"
 #include "studies/problems/parameters.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 // What the problems on rings and shells share.
 inline Parameter inner_radius_parameter(double value) {
@@ -43,4 +43,4 @@ inline bool has_poissons_ratio(const Parameters& p) {
   return p.at("poissons_ratio") != 0;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

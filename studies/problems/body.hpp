@@ -10,7 +10,7 @@
 #include "solver/types.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 /// An interval, a square or a cube.
 template <int D>
@@ -133,7 +133,7 @@ bool contains(const Annulus<D>& annulus, const solver::Vec<D>& X, double slack =
 inline int cells_in(double length, double h) {
   const double cells = std::ceil(length / h - 1e-9);
   if (!(cells <= 1e8))
-    throw UsageError(
+    throw support::UsageError(
         fmt::format("the body reaches {:.3g} m far, {:.3g} cells of {:.3g} m (at most 1e8)", length, cells, h));
   return static_cast<int>(cells);
 }
@@ -177,4 +177,4 @@ Domain<D> domain(const Annulus<D>& annulus, double h) {
   return d;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

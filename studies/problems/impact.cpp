@@ -1,6 +1,6 @@
 #include "studies/problems/parameters.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 namespace {
 
@@ -51,4 +51,4 @@ Problem impact_problem() {
           .setup = &impact_setup};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

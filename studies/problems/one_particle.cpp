@@ -1,6 +1,6 @@
 #include "studies/problems/parameters.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 namespace {
 
@@ -30,4 +30,4 @@ Problem one_particle_problem() {
           .setup = &one_particle_setup};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

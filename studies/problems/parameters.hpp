@@ -2,7 +2,7 @@
 #include "mms/elasticity.hpp"
 #include "studies/problems/problem.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 // Parameters that several problems share, with the ranges in which they make sense.
 inline Parameter amplitude_parameter(double value) {
@@ -40,4 +40,4 @@ Material neo_hookean(double youngs_modulus, double poissons_ratio) {
           youngs_modulus / (2 * (1 + poissons_ratio))};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

@@ -14,9 +14,9 @@
 #include "studies/cases/case.hpp"
 #include "studies/problems/body.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
-using Parameters = decltype(ProblemChoice::parameters);  ///< by name, all of a problem's parameters present
+using Parameters = decltype(cases::ProblemChoice::parameters);  ///< by name, all of a problem's parameters present
 
 struct Parameter {
   std::string name;
@@ -84,7 +84,7 @@ Parameters complete_parameters(const Problem& problem, const Parameters& given);
 
 /// The setup of a choice: the whole body, or its quarter. `h` is the cell width, for bodies that depend on it.
 template <int D>
-Setup<D> make_setup(const Problem& problem, const ProblemChoice& choice, double h) {
+Setup<D> make_setup(const Problem& problem, const cases::ProblemChoice& choice, double h) {
   Setup<D> setup = std::get<SetupFunction<D>>(problem.setup)(choice.parameters);
   if (auto* box = std::get_if<Box<D>>(&setup.body)) box->reach = box->end_speed * choice.end_time;
   if constexpr (D > 1) {
@@ -98,7 +98,7 @@ Setup<D> make_setup(const Problem& problem, const ProblemChoice& choice, double 
 struct Extent {
   double cells_of_body, cells_of_domain;
 };
-Extent extent(const Case& c);
+Extent extent(const cases::Case& c);
 
 // The problems, each defined in its own file.
 Problem bar_problem();
@@ -116,4 +116,4 @@ Problem shock_problem();
 Problem swing_problem();
 Problem one_particle_problem();
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

@@ -4,7 +4,7 @@
 #include "studies/problems/problem.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 const std::vector<Problem>& problems() {
   static const std::vector<Problem> all{
@@ -32,7 +32,7 @@ const Problem& find_problem(const std::string& name, const std::string& where) {
     if (problem.name == name) return problem;
     known.push_back(problem.name);
   }
-  throw UsageError(fmt::format("unknown problem '{}' in {} (known: {})", name, where, fmt::join(known, ", ")));
+  throw support::UsageError(fmt::format("unknown problem '{}' in {} (known: {})", name, where, fmt::join(known, ", ")));
 }
 
 Parameters complete_parameters(const Problem& problem, const Parameters& given) {
@@ -70,7 +70,7 @@ bool Problem::is_curved(const Parameters& values) const {
   return std::visit(curved, setup);
 }
 
-Extent extent(const Case& c) {
+Extent extent(const cases::Case& c) {
   const Problem& problem = find_problem(c.problem.name, "the case");
   const double h = problem.length(c.problem.parameters) / c.resolution.cells;
   const auto extent_of = [&]<int D>(SetupFunction<D>) {
@@ -85,4 +85,4 @@ Extent extent(const Case& c) {
   return std::visit(extent_of, problem.setup);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

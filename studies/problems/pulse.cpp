@@ -2,7 +2,7 @@
 
 #include "studies/problems/parameters.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 namespace {
 
@@ -43,4 +43,4 @@ Problem pulse_problem() {
           .setup = &pulse_setup};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

@@ -2,7 +2,7 @@
 
 #include "studies/problems/annulus.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 namespace {
 
@@ -37,4 +37,4 @@ Problem ring_problem() {
           .setup = &ring_setup};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

@@ -2,7 +2,7 @@
 
 #include "studies/problems/annulus.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 namespace {
 
@@ -36,4 +36,4 @@ Problem shell_problem() {
           .setup = &shell_setup};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

@@ -1,6 +1,6 @@
 #include "studies/problems/parameters.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 namespace {
 
@@ -81,4 +81,4 @@ Problem shock_problem() {
       .setup = &shock_setup};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

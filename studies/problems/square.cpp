@@ -2,7 +2,7 @@
 
 #include "studies/problems/parameters.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 namespace {
 
@@ -33,4 +33,4 @@ Problem square_problem() {
           .setup = &square_setup};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

@@ -2,7 +2,7 @@
 
 #include "studies/problems/parameters.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 namespace {
 
@@ -70,4 +70,4 @@ Problem stretch_3d_problem() {
   return stretch_in<3>("stretch-3d", ",ymin=free,ymax=free,zmin=free,zmax=free");
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

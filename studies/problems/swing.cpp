@@ -1,7 +1,7 @@
 #include "mms/derived.hpp"
 #include "studies/problems/parameters.hpp"
 
-namespace mpmvv {
+namespace mpmvv::problems {
 
 namespace {
 
@@ -70,4 +70,4 @@ Problem swing_problem() {
           .setup = &swing_setup};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::problems

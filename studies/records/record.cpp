@@ -11,7 +11,7 @@
 #include "studies/records/result.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::records {
 
 namespace {
 
@@ -24,7 +24,7 @@ template <class Enum, std::size_t N>
 Enum from_word(const std::array<const char*, N>& words, const std::string& word, const char* what) {
   const auto it = std::find(words.begin(), words.end(), word);
   if (it == words.end())
-    throw UsageError(fmt::format("unknown {} '{}' (known: {})", what, word, fmt::join(words, ", ")));
+    throw support::UsageError(fmt::format("unknown {} '{}' (known: {})", what, word, fmt::join(words, ", ")));
   return static_cast<Enum>(it - words.begin());
 }
 
@@ -107,4 +107,4 @@ PartVerdict part_verdict_from(const std::string& word) {
   return from_word<PartVerdict>(verdict_words, word, "verdict of a claim's part");
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::records

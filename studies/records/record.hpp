@@ -7,7 +7,9 @@
 #include "studies/cases/case.hpp"
 #include "studies/support/not_measured.hpp"
 
-namespace mpmvv {
+namespace mpmvv::records {
+
+using support::not_measured;
 
 /// `unstable` is a result of the method (blown up); `failed` is not (the run could not be carried out).
 enum class Status { ok, unstable, failed };
@@ -63,7 +65,7 @@ struct Cost {
 
 /// What came out of one case.
 struct Record {
-  Case the_case;
+  cases::Case the_case;
   std::int64_t particles = 0;
   std::int64_t steps = 0;  ///< steps really taken
   double cfl = not_measured;
@@ -97,4 +99,4 @@ const std::vector<RunNumber>& run_by_products();
 /// What fits, criteria and goldens may ask of a run: its errors and balances, and the energy loss.
 const std::vector<std::string>& norm_words();
 
-}  // namespace mpmvv
+}  // namespace mpmvv::records

@@ -9,7 +9,7 @@
 #include "studies/fits/stability_limit.hpp"
 #include "studies/records/record.hpp"
 
-namespace mpmvv {
+namespace mpmvv::records {
 
 /// One point of a series: a run at one value of the swept key, or a point of a curve made by a check.
 struct Point {
@@ -24,15 +24,15 @@ struct Point {
 struct Series {
   std::string name;
   std::vector<Point> points;  ///< in the order of the sweep
-  std::vector<ObservedOrder> orders;
-  std::optional<StabilityLimit> limit;
-  std::vector<Extrapolation> extrapolations = {};
+  std::vector<fits::ObservedOrder> orders;
+  std::optional<fits::StabilityLimit> limit;
+  std::vector<fits::Extrapolation> extrapolations = {};
 };
 
 /// A named number measured by a check.
 struct Value {
   std::string name;
-  double value = not_measured;
+  double value = support::not_measured;
   std::string meaning;  ///< one line for people
 };
 
@@ -80,4 +80,4 @@ struct StudyResult {
   std::vector<ClaimPart> parts;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::records

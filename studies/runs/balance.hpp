@@ -4,7 +4,7 @@
 #include "solver/mpm.hpp"
 #include "studies/records/record.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 
 /// Momenta of the particles, and the sizes that their changes are measured by.
 template <int D>
@@ -28,10 +28,11 @@ struct Momenta {
 
 /// NaN when nothing moves.
 template <int D>
-Balance balance(const Momenta<D>& start, const Momenta<D>& end, double mass_of_particles, double mass_of_body) {
+records::Balance balance(const Momenta<D>& start, const Momenta<D>& end, double mass_of_particles,
+                         double mass_of_body) {
   return {.mass = mass_of_particles / mass_of_body - 1,
           .momentum = (end.linear - start.linear).norm() / std::max(start.speed, end.speed),
           .angular_momentum = (end.angular - start.angular).norm() / std::max(start.swing, end.swing)};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

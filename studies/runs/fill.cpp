@@ -4,7 +4,9 @@
 
 #include "studies/runs/sphere_patch.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
+
+using problems::Annulus;
 
 using solver::Mat;
 using solver::Vec;
@@ -71,7 +73,7 @@ std::vector<SurfacePatch<D>> flat_surface(const auto& body, FillDensity density)
     for (int d = 0; d < D; ++d)
       for (const double outward : {-1.0, 1.0}) {
         const Vec<D> step = outward * width * Vec<D>::Unit(d);
-        if (!contains<D>(body, v.X + step))
+        if (!problems::contains<D>(body, v.X + step))
           patches.push_back({voxel, v.X + step / 2, std::pow(width, D - 1) * outward * Vec<D>::Unit(d)});
       }
     ++voxel;
@@ -82,14 +84,15 @@ std::vector<SurfacePatch<D>> flat_surface(const auto& body, FillDensity density)
 }  // namespace
 
 template <int D>
-void fill_lattice(const Body<D>& body, FillDensity density, const PlaceVoxel<D>& place) {
+void fill_lattice(const problems::Body<D>& body, FillDensity density, const PlaceVoxel<D>& place) {
   const double width = density.h / density.ppc;
   Voxel<D> voxel{{}, std::pow(width, D), width * Mat<D>::Identity()};
-  const Domain<D> all = std::visit([&](const auto& shape) { return domain(shape, density.h); }, body);
+  const problems::Domain<D> all =
+      std::visit([&](const auto& shape) { return problems::domain(shape, density.h); }, body);
   solver::Index<D> count = all.cells;
   for (int& n : count) n *= density.ppc;
   for_lattice<D>(all.lower, width, count, [&](const Vec<D>& X) {
-    if (!std::visit([&X](const auto& shape) { return contains<D>(shape, X); }, body)) return;
+    if (!std::visit([&X](const auto& shape) { return problems::contains<D>(shape, X); }, body)) return;
     voxel.X = X;
     place(voxel);
   });
@@ -112,21 +115,21 @@ void fill_conforming(const Annulus<D>& annulus, FillDensity density, const Place
 }
 
 template <int D>
-std::vector<SurfacePatch<D>> surface(const Body<D>& body, FillDensity density) {
-  if (const auto* cuboid = std::get_if<Cuboid<D>>(&body)) return flat_surface<D>(*cuboid, density);
-  if (const auto* box = std::get_if<Box<D>>(&body)) return flat_surface<D>(*box, density);
+std::vector<SurfacePatch<D>> surface(const problems::Body<D>& body, FillDensity density) {
+  if (const auto* cuboid = std::get_if<problems::Cuboid<D>>(&body)) return flat_surface<D>(*cuboid, density);
+  if (const auto* box = std::get_if<problems::Box<D>>(&body)) return flat_surface<D>(*box, density);
   if constexpr (D > 1)
     if (const auto* annulus = std::get_if<Annulus<D>>(&body)) return annulus_surface(*annulus, density);
   return {};
 }
 
-template void fill_lattice<1>(const Body<1>&, FillDensity, const PlaceVoxel<1>&);
-template void fill_lattice<2>(const Body<2>&, FillDensity, const PlaceVoxel<2>&);
-template void fill_lattice<3>(const Body<3>&, FillDensity, const PlaceVoxel<3>&);
+template void fill_lattice<1>(const problems::Body<1>&, FillDensity, const PlaceVoxel<1>&);
+template void fill_lattice<2>(const problems::Body<2>&, FillDensity, const PlaceVoxel<2>&);
+template void fill_lattice<3>(const problems::Body<3>&, FillDensity, const PlaceVoxel<3>&);
 template void fill_conforming<2>(const Annulus<2>&, FillDensity, const PlaceVoxel<2>&);
 template void fill_conforming<3>(const Annulus<3>&, FillDensity, const PlaceVoxel<3>&);
-template std::vector<SurfacePatch<1>> surface<1>(const Body<1>&, FillDensity);
-template std::vector<SurfacePatch<2>> surface<2>(const Body<2>&, FillDensity);
-template std::vector<SurfacePatch<3>> surface<3>(const Body<3>&, FillDensity);
+template std::vector<SurfacePatch<1>> surface<1>(const problems::Body<1>&, FillDensity);
+template std::vector<SurfacePatch<2>> surface<2>(const problems::Body<2>&, FillDensity);
+template std::vector<SurfacePatch<3>> surface<3>(const problems::Body<3>&, FillDensity);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

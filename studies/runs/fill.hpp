@@ -5,7 +5,7 @@
 
 #include "studies/problems/body.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 
 /// The part of a body that a material point stands for.
 template <int D>
@@ -34,15 +34,15 @@ using PlaceVoxel = std::function<void(const Voxel<D>&)>;
 /// Equal cubes of width h/ppc, in line with the grid: all of a cuboid; of an annulus those whose middle lies inside,
 /// which leaves stairs where it is curved. First axis fastest.
 template <int D>
-void fill_lattice(const Body<D>& body, FillDensity density, const PlaceVoxel<D>& place);
+void fill_lattice(const problems::Body<D>& body, FillDensity density, const PlaceVoxel<D>& place);
 
 /// Rows that follow the surfaces of an annulus, ppc per h, from the inner one outwards; along a row the spacing is
 /// about its thickness, and the same in every quadrant.
 template <int D>
-void fill_conforming(const Annulus<D>& annulus, FillDensity density, const PlaceVoxel<D>& place);
+void fill_conforming(const problems::Annulus<D>& annulus, FillDensity density, const PlaceVoxel<D>& place);
 
 /// The surface of a body that its fill follows: a cuboid on its lattice, an annulus in conforming rows.
 template <int D>
-std::vector<SurfacePatch<D>> surface(const Body<D>& body, FillDensity density);
+std::vector<SurfacePatch<D>> surface(const problems::Body<D>& body, FillDensity density);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

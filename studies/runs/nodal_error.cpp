@@ -3,7 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace mpmvv {
+namespace mpmvv::runs {
 
 namespace {
 
@@ -20,12 +20,12 @@ bool counts(const solver::Mpm<D>& mpm, std::size_t n) {
 
 /// The material point at x; none when no part of the body is there.
 template <int D>
-std::optional<mms::Vec<D>> reference_point(const mms::ManufacturedSolution<D>& solution, const Body<D>& body,
+std::optional<mms::Vec<D>> reference_point(const mms::ManufacturedSolution<D>& solution, const problems::Body<D>& body,
                                            const mms::Vec<D>& x, double t) {
   constexpr double round_off = 1e-12;  // m; for nodes on a face
   try {
     const auto X = solution.reference_point(x, t);
-    if (std::visit([&X](const auto& shape) { return contains(shape, X, round_off); }, body)) return X;
+    if (std::visit([&X](const auto& shape) { return problems::contains(shape, X, round_off); }, body)) return X;
   } catch (const std::domain_error&) {
   }
   return std::nullopt;
@@ -34,7 +34,8 @@ std::optional<mms::Vec<D>> reference_point(const mms::ManufacturedSolution<D>& s
 }  // namespace
 
 template <int D>
-ErrorNorms acceleration_errors(solver::Mpm<D>& mpm, const mms::ManufacturedSolution<D>& solution, const Body<D>& body) {
+ErrorNorms acceleration_errors(solver::Mpm<D>& mpm, const mms::ManufacturedSolution<D>& solution,
+                               const problems::Body<D>& body) {
   mpm.map_acceleration();
   ErrorNorms norms;
   for (std::size_t n = 0; n < mpm.grid().size(); ++n) {
@@ -46,8 +47,8 @@ ErrorNorms acceleration_errors(solver::Mpm<D>& mpm, const mms::ManufacturedSolut
   return norms;
 }
 
-template ErrorNorms acceleration_errors(solver::Mpm<1>&, const mms::ManufacturedSolution<1>&, const Body<1>&);
-template ErrorNorms acceleration_errors(solver::Mpm<2>&, const mms::ManufacturedSolution<2>&, const Body<2>&);
-template ErrorNorms acceleration_errors(solver::Mpm<3>&, const mms::ManufacturedSolution<3>&, const Body<3>&);
+template ErrorNorms acceleration_errors(solver::Mpm<1>&, const mms::ManufacturedSolution<1>&, const problems::Body<1>&);
+template ErrorNorms acceleration_errors(solver::Mpm<2>&, const mms::ManufacturedSolution<2>&, const problems::Body<2>&);
+template ErrorNorms acceleration_errors(solver::Mpm<3>&, const mms::ManufacturedSolution<3>&, const problems::Body<3>&);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

@@ -4,7 +4,7 @@
 #include "studies/problems/body.hpp"
 #include "studies/runs/norms.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 
 /// δ_i = |a_i - a(X_i, t)| with X_i + u(X_i, t) = x_i, W (A.1) and (A.2), over the nodes i that lie in the body. The
 /// a_i are mapped anew from the particles at the solver's time t, for a step leaves those of its start. Nodes on a wall
@@ -12,10 +12,14 @@ namespace mpmvv {
 /// across periodic faces one counts, ghost nodes do not, nor do nodes too light to be accelerated. A control point of
 /// an open-knot basis counts as the node at its abscissa.
 template <int D>
-ErrorNorms acceleration_errors(solver::Mpm<D>& mpm, const mms::ManufacturedSolution<D>& solution, const Body<D>& body);
+ErrorNorms acceleration_errors(solver::Mpm<D>& mpm, const mms::ManufacturedSolution<D>& solution,
+                               const problems::Body<D>& body);
 
-extern template ErrorNorms acceleration_errors(solver::Mpm<1>&, const mms::ManufacturedSolution<1>&, const Body<1>&);
-extern template ErrorNorms acceleration_errors(solver::Mpm<2>&, const mms::ManufacturedSolution<2>&, const Body<2>&);
-extern template ErrorNorms acceleration_errors(solver::Mpm<3>&, const mms::ManufacturedSolution<3>&, const Body<3>&);
+extern template ErrorNorms acceleration_errors(solver::Mpm<1>&, const mms::ManufacturedSolution<1>&,
+                                               const problems::Body<1>&);
+extern template ErrorNorms acceleration_errors(solver::Mpm<2>&, const mms::ManufacturedSolution<2>&,
+                                               const problems::Body<2>&);
+extern template ErrorNorms acceleration_errors(solver::Mpm<3>&, const mms::ManufacturedSolution<3>&,
+                                               const problems::Body<3>&);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

@@ -5,7 +5,7 @@
 
 #include "studies/records/record.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 
 /// Mean, root mean square and maximum of the particles' displacement errors δ_p, W (64). One NaN makes all three NaN.
 class ErrorNorms {
@@ -26,4 +26,4 @@ class ErrorNorms {
   std::size_t count_ = 0;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

@@ -19,7 +19,11 @@
 #include "studies/support/error.hpp"
 #include "studies/support/reason.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
+
+using cases::Case;
+using records::Record;
+using records::Status;
 
 namespace {
 
@@ -63,7 +67,7 @@ class Watch {
   double most_energy_, most_error_;
 };
 
-void note_errors_over_steps(Errors& errors, const ErrorNorms& now) {
+void note_errors_over_steps(records::Errors& errors, const ErrorNorms& now) {
   const auto larger = [](double so_far, double value) { return value <= so_far ? so_far : value; };  // takes NaN over
   errors.l1_all_steps = larger(errors.l1_all_steps, now.l1());
   errors.l2_all_steps = larger(errors.l2_all_steps, now.l2());
@@ -98,7 +102,7 @@ double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, std::i
 }
 
 template <int D>
-void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Record& record) {
+void run(const Case& c, const problems::Problem& problem, int threads, VtuSeries* vtu, Record& record) {
   const double start = wall_seconds();
   Stage<D> stage = make_stage<D>(c, problem, threads);
   solver::Mpm<D> mpm(std::move(stage.scene));
@@ -142,7 +146,7 @@ void run(const Case& c, const Problem& problem, int threads, VtuSeries* vtu, Rec
 }
 
 /// One run of the case, whatever its dimension.
-Record run_once(const Case& c, const Problem& problem, int threads, VtuSeries* vtu) {
+Record run_once(const Case& c, const problems::Problem& problem, int threads, VtuSeries* vtu) {
   Record record;
   record.the_case = c;
   record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells /
@@ -158,12 +162,12 @@ Record run_once(const Case& c, const Problem& problem, int threads, VtuSeries* v
       default:
         run<3>(c, problem, threads, vtu, record);
     }
-  } catch (const UsageError&) {
+  } catch (const support::UsageError&) {
     throw;
   } catch (const std::exception& e) {
     record.status = Status::failed;
-    record.failure = failure_of(e);
-    record.reason = reason_of(e);
+    record.failure = records::failure_of(e);
+    record.reason = support::reason_of(e);
   }
   return record;
 }
@@ -179,7 +183,7 @@ void measure_costs(std::vector<Record>& records) {
       const Case& c = records[k].the_case;
       if (records[k].status != Status::ok || round >= c.measure.repeat) continue;
       const Record repeated =
-          round > 0 ? run_once(c, find_problem(c.problem.name, "the case"), 1, nullptr) : records[k];
+          round > 0 ? run_once(c, problems::find_problem(c.problem.name, "the case"), 1, nullptr) : records[k];
       costs[k].push_back(repeated.ns_per_particle_step);
       due = true;
     }
@@ -188,7 +192,7 @@ void measure_costs(std::vector<Record>& records) {
     Record& record = records[k];
     if (costs[k].empty()) continue;
     const auto [least, most] = std::minmax_element(costs[k].begin(), costs[k].end());
-    record.ns_per_particle_step = median_of(costs[k]);
+    record.ns_per_particle_step = fits::median_of(costs[k]);
     record.cost.step_seconds =
         1e-9 * record.ns_per_particle_step * static_cast<double>(record.particles * record.steps);
     record.cost.spread = (*most - *least) / record.ns_per_particle_step;
@@ -201,14 +205,15 @@ Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
   if (c.measure.repeat > 0) return run_timed({c}).front();
   std::optional<VtuSeries> frames;
   if (!vtu.empty()) frames.emplace(vtu);
-  return run_once(c, find_problem(c.problem.name, "the case"), threads, frames ? &*frames : nullptr);
+  return run_once(c, problems::find_problem(c.problem.name, "the case"), threads, frames ? &*frames : nullptr);
 }
 
 std::vector<Record> run_timed(const std::vector<Case>& cases) {
   std::vector<Record> records;
-  for (const Case& c : cases) records.push_back(run_once(c, find_problem(c.problem.name, "the case"), 1, nullptr));
+  for (const Case& c : cases)
+    records.push_back(run_once(c, problems::find_problem(c.problem.name, "the case"), 1, nullptr));
   measure_costs(records);
   return records;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

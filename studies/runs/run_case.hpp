@@ -4,16 +4,16 @@
 
 #include "studies/records/record.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 
 /// Runs one case to its end, or until it blows up. What goes wrong on the way (memory, say) is a record with status
 /// `failed`. Apart from the cost, records do not depend on `threads`. A case that asks for its cost goes to
 /// `run_timed`; the particle states of others go to the directory `vtu` unless it is empty (UsageError when it cannot
 /// be written).
-Record run_case(const Case& c, int threads, const std::filesystem::path& vtu = {});
+records::Record run_case(const cases::Case& c, int threads, const std::filesystem::path& vtu = {});
 
 /// Runs cases whose cost is measured: on one thread, as often as each says (`repeat`), taking turns. The caller sees to
 /// it that nothing else runs on the machine.
-std::vector<Record> run_timed(const std::vector<Case>& cases);
+std::vector<records::Record> run_timed(const std::vector<cases::Case>& cases);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

@@ -8,7 +8,7 @@
 #include "studies/runs/scene.hpp"
 
 /// Errors of a run's particles against the exact solution.
-namespace mpmvv {
+namespace mpmvv::runs {
 
 /// x moved by whole periods to the smallest distance from 0.
 inline double nearest_image(double x, double period) {
@@ -70,4 +70,4 @@ double stress_error(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
   return norms.l2();
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

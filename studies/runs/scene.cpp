@@ -10,7 +10,9 @@
 #include "studies/settings/boundaries.hpp"
 #include "studies/settings/named.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
+
+using cases::Case;
 
 namespace {
 
@@ -21,7 +23,7 @@ template <int D>
 void fill(Stage<D>& stage, const Case& c) {
   auto& scene = stage.scene;
   const auto width = width_of(scene.basis);
-  const auto about = static_cast<std::size_t>(extent(c).cells_of_body * std::pow(c.resolution.ppc, D) + 0.5);
+  const auto about = static_cast<std::size_t>(problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, D) + 0.5);
   stage.X.reserve(about);
   scene.particles.V0.reserve(about);
   const PlaceVoxel<D> place = [&](const Voxel<D>& voxel) {
@@ -34,7 +36,7 @@ void fill(Stage<D>& stage, const Case& c) {
   };
   const FillDensity density{scene.h, c.resolution.ppc};
   if (c.scheme.fill == "lattice") return fill_lattice<D>(stage.setup.body, density, place);
-  if constexpr (D > 1) fill_conforming<D>(std::get<Annulus<D>>(stage.setup.body), density, place);
+  if constexpr (D > 1) fill_conforming<D>(std::get<problems::Annulus<D>>(stage.setup.body), density, place);
 }
 
 /// Position, velocity and deformation gradient at t = 0; with start `exact` the velocity of -Δt/2, W §4.
@@ -69,8 +71,8 @@ solver::FlipPosition flip_position(const std::string& word) {
 
 /// The velocity update with the order, interval and positions of the scheme, where it takes them. `cfl` is the Courant
 /// number of a step.
-solver::AnyVelocityUpdate velocity_update(const Scheme& scheme, double cfl) {
-  auto update = named<solver::AnyVelocityUpdate>(scheme.velocity_update);
+solver::AnyVelocityUpdate velocity_update(const cases::Scheme& scheme, double cfl) {
+  auto update = settings::named<solver::AnyVelocityUpdate>(scheme.velocity_update);
   const auto choose = [&](auto& u) {
     if constexpr (requires { u.order; }) u.order = scheme.order;
     if constexpr (requires { u.interval; })
@@ -90,8 +92,8 @@ solver::WallMethod wall_method(const std::string& word) {
 
 /// The faces' boundaries, walls with their motions.
 template <int D>
-void set_boundaries(Stage<D>& stage, const Scheme& scheme) {
-  const auto faces = boundary_faces(scheme.boundary, D, "the case");
+void set_boundaries(Stage<D>& stage, const cases::Scheme& scheme) {
+  const auto faces = settings::boundary_faces(scheme.boundary, D, "the case");
   for (std::size_t k = 0; k < faces.size(); ++k) {
     auto& boundary = stage.scene.boundary[k];
     solver::from_word(faces[k], boundary);
@@ -108,8 +110,8 @@ void set_boundaries(Stage<D>& stage, const Scheme& scheme) {
 /// Moves the grid down by the offset along the axes where nothing holds it, with a cell more where the body ends.
 template <int D>
 void shift_grid(solver::Scene<D>& scene, const Case& c) {
-  const auto faces = boundary_faces(c.scheme.boundary, D, "the case");
-  const auto movable = movable_axes(faces);
+  const auto faces = settings::boundary_faces(c.scheme.boundary, D, "the case");
+  const auto movable = settings::movable_axes(faces);
   for (std::size_t d = 0; d < D; ++d) {
     if (c.resolution.grid_offset == 0 || !movable[d]) continue;
     scene.lower[static_cast<int>(d)] -= c.resolution.grid_offset * scene.h;
@@ -132,12 +134,12 @@ void shuffle(solver::Particles<D>& particles, int seed) {
 }  // namespace
 
 template <int D>
-Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
+Stage<D> make_stage(const Case& c, const problems::Problem& problem, int threads) {
   Stage<D> stage;
   auto& scene = stage.scene;
   scene.h = problem.length(c.problem.parameters) / c.resolution.cells;
-  stage.setup = make_setup<D>(problem, c.problem, scene.h);
-  const auto all = std::visit([&scene](const auto& body) { return domain(body, scene.h); }, stage.setup.body);
+  stage.setup = problems::make_setup<D>(problem, c.problem, scene.h);
+  const auto all = std::visit([&scene](const auto& body) { return problems::domain(body, scene.h); }, stage.setup.body);
   scene.lower = all.lower;
   scene.cells = all.cells;
   shift_grid(scene, c);
@@ -153,7 +155,7 @@ Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
   scene.threads = threads;
   set_boundaries(stage, c.scheme);
 
-  scene.basis = named<solver::AnyBasis>(c.scheme.basis);
+  scene.basis = settings::named<solver::AnyBasis>(c.scheme.basis);
   if (auto* ugimp = std::get_if<solver::UGimp>(&scene.basis)) ugimp->smoothing_length = c.scheme.smoothing_length;
   fill(stage, c);
   set_initial_state(stage, c);
@@ -173,8 +175,8 @@ Stage<D> make_stage(const Case& c, const Problem& problem, int threads) {
   return stage;
 }
 
-template Stage<1> make_stage<1>(const Case&, const Problem&, int);
-template Stage<2> make_stage<2>(const Case&, const Problem&, int);
-template Stage<3> make_stage<3>(const Case&, const Problem&, int);
+template Stage<1> make_stage<1>(const Case&, const problems::Problem&, int);
+template Stage<2> make_stage<2>(const Case&, const problems::Problem&, int);
+template Stage<3> make_stage<3>(const Case&, const problems::Problem&, int);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

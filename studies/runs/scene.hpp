@@ -8,7 +8,7 @@
 #include "studies/problems/problem.hpp"
 #include "studies/runs/fill.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 
 /// The manufactured solution's body force as the solver takes it.
 template <int D>
@@ -56,7 +56,7 @@ class SolutionTraction final : public solver::SurfaceLoad<D> {
 /// A case ready to run: the problem's solution sampled at the particles, and the scene made from it.
 template <int D>
 struct Stage {
-  Setup<D> setup;
+  problems::Setup<D> setup;
   std::vector<solver::Vec<D>> X;  ///< reference positions by particle id
   std::unique_ptr<mms::PointwiseSolution<D>> points;
   std::unique_ptr<SolutionBodyForce<D>> body_force;
@@ -72,16 +72,16 @@ struct Stage {
 
 /// ρ₀ times the volume of the body.
 template <int D>
-double mass_of(const Setup<D>& setup) {
-  return setup.density * std::visit([](const auto& body) { return volume(body); }, setup.body);
+double mass_of(const problems::Setup<D>& setup) {
+  return setup.density * std::visit([](const auto& body) { return problems::volume(body); }, setup.body);
 }
 
 /// The body filled with particles in their state at t = 0.
 template <int D>
-Stage<D> make_stage(const Case& c, const Problem& problem, int threads);
+Stage<D> make_stage(const cases::Case& c, const problems::Problem& problem, int threads);
 
-extern template Stage<1> make_stage<1>(const Case&, const Problem&, int);
-extern template Stage<2> make_stage<2>(const Case&, const Problem&, int);
-extern template Stage<3> make_stage<3>(const Case&, const Problem&, int);
+extern template Stage<1> make_stage<1>(const cases::Case&, const problems::Problem&, int);
+extern template Stage<2> make_stage<2>(const cases::Case&, const problems::Problem&, int);
+extern template Stage<3> make_stage<3>(const cases::Case&, const problems::Problem&, int);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

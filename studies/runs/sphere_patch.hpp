@@ -5,7 +5,7 @@
 
 #include "solver/types.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 
 /// A part of the unit circle (D = 2) or sphere (D = 3). With e the unit vector from the origin, everything that a shell
 /// of any thickness needs of it:
@@ -65,4 +65,4 @@ void for_sphere_patches(double spacing, bool quarter, const Visit& visit) {
     for_sphere(spacing, quarter, visit);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iterator>
 #include <regex>
 
 #include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 
 namespace {
 
@@ -52,7 +52,7 @@ VtuSeries::VtuSeries(std::filesystem::path dir) : dir_(std::move(dir)) {
   std::error_code error;
   std::filesystem::create_directories(dir_, error);
   if (error)
-    throw UsageError(
+    throw support::UsageError(
         fmt::format("cannot make {} in --vtu: {} (a directory that may be written)", dir_.string(), error.message()));
 }
 
@@ -90,22 +90,15 @@ void VtuSeries::write(const solver::Mpm<D>& mpm, const std::vector<solver::Vec<D
   fmt::format_to(std::back_inserter(text), "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
 
   const std::string name = fmt::format("particles-{:04}.vtu", count_++);
-  write_file(name, fmt::to_string(text));
+  support::write_if_changed(dir_ / name, fmt::to_string(text));
   entries_ += fmt::format("<DataSet timestep=\"{:.17g}\" file=\"{}\"/>\n", mpm.time(), name);
-  write_file("particles.pvd", "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" +
-                                  entries_ + "</Collection>\n</VTKFile>\n");
-}
-
-void VtuSeries::write_file(const std::string& name, const std::string& text) const {
-  std::ofstream out(dir_ / name);
-  out << text << std::flush;
-  if (!out)
-    throw UsageError(
-        fmt::format("cannot write {} (a directory with room that may be written)", (dir_ / name).string()));
+  support::write_if_changed(dir_ / "particles.pvd",
+                            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" +
+                                entries_ + "</Collection>\n</VTKFile>\n");
 }
 
 template void VtuSeries::write<1>(const solver::Mpm<1>&, const std::vector<solver::Vec<1>>&);
 template void VtuSeries::write<2>(const solver::Mpm<2>&, const std::vector<solver::Vec<2>>&);
 template void VtuSeries::write<3>(const solver::Mpm<3>&, const std::vector<solver::Vec<3>>&);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

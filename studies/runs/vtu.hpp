@@ -6,7 +6,7 @@
 
 #include "solver/mpm.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 
 /// Particle states as VTK files for ParaView: DIR/particles-0000.vtu, ... and DIR/particles.pvd, which lists them with
 /// their times. Fields: displacement, velocity, deformation_gradient (row by row), mass. ASCII, 17 digits.
@@ -29,11 +29,10 @@ class VtuSeries {
 
  private:
   void remove_earlier() const;
-  void write_file(const std::string& name, const std::string& text) const;
 
   std::filesystem::path dir_;
   std::string entries_;  ///< of the collection
   int count_ = 0;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

@@ -11,7 +11,9 @@
 #include "studies/problems/problem.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::settings {
+
+using support::UsageError;
 
 namespace {
 
@@ -74,4 +76,4 @@ std::vector<bool> movable_axes(const std::vector<std::string>& faces) {
   return movable;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

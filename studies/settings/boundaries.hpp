@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::settings {
 
 /// The words of all faces (xmin, xmax, ymin, ...) that a boundary setting describes: one word for all, or
 /// `xmin=symmetry,xmax=free` with every face named. UsageError otherwise.
@@ -14,4 +14,4 @@ std::string canonical_boundary(const std::string& text, int dimension, const std
 /// By axis, whether the grid may be shifted along it against the body: both faces are periodic or free.
 std::vector<bool> movable_axes(const std::vector<std::string>& faces);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

@@ -6,7 +6,7 @@
 #include "solver/words.hpp"
 
 /// From words to the solver's types and back, so that a rule can ask for a property of a type and need not list words.
-namespace mpmvv {
+namespace mpmvv::settings {
 
 /// The alternative with this word, which must be one.
 template <class Any>
@@ -25,4 +25,4 @@ std::vector<std::string> words_with(const Property& property) {
   return words;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

@@ -6,7 +6,9 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::settings {
+
+using problems::Problem;
 
 namespace {
 
@@ -35,8 +37,8 @@ class Scales {
 
  private:
   [[noreturn]] void refuse(const std::string& what, double value, const char* unit) const {
-    throw UsageError(fmt::format("the {} of problem '{}' is {} {}{} (a number from {} to {})", what, problem_.name,
-                                 size_text(value), unit, given_, least_size, largest_size));
+    throw support::UsageError(fmt::format("the {} of problem '{}' is {} {}{} (a number from {} to {})", what,
+                                          problem_.name, size_text(value), unit, given_, least_size, largest_size));
   }
 
   const Problem& problem_;
@@ -45,24 +47,24 @@ class Scales {
 
 // A point of the body where nothing vanishes by symmetry.
 template <int D>
-Vec<D> point_in(const Cuboid<D>& cuboid) {
+Vec<D> point_in(const problems::Cuboid<D>& cuboid) {
   return cuboid.lower + Vec<D>::Constant(0.3 * cuboid.length);
 }
 template <int D>
-Vec<D> point_in(const Annulus<D>& annulus) {
+Vec<D> point_in(const problems::Annulus<D>& annulus) {
   return Vec<D>::Constant((0.7 * annulus.inner + 0.3 * annulus.outer) / std::sqrt(D));
 }
 template <int D>
-Vec<D> point_in(const Blocks<D>& blocks) {
+Vec<D> point_in(const problems::Blocks<D>& blocks) {
   return 0.3 * blocks.size;
 }
 template <int D>
-Vec<D> point_in(const Box<D>& box) {
+Vec<D> point_in(const problems::Box<D>& box) {
   return box.lower + 0.3 * box.size;
 }
 
 template <int D>
-void require_motion(const Scales& scales, const Setup<D>& setup, double mass, double end_time) {
+void require_motion(const Scales& scales, const problems::Setup<D>& setup, double mass, double end_time) {
   const Vec<D> X = std::visit([](const auto& body) { return point_in(body); }, setup.body);
   const auto require_speed = [&](double speed) {
     scales.require_bounded("speed", speed, "m/s");
@@ -83,15 +85,15 @@ bool has_size(double value) {
   return std::abs(value) >= least_size && std::abs(value) <= largest_size;
 }
 
-void require_scales(const ProblemChoice& choice, const Problem& problem, const std::string& given) {
+void require_scales(const cases::ProblemChoice& choice, const Problem& problem, const std::string& given) {
   const Scales scales(problem, given);
   const double speed = problem.wave_speed(choice.parameters);
   scales.require("length " + problem.length_formula, problem.length(choice.parameters), "m");
   scales.require("wave speed " + problem.wave_speed_formula, speed, "m/s");
   scales.require("end time", choice.end_time, "s");
-  const auto require_body = [&]<int D>(SetupFunction<D>) {
-    const Setup<D> setup = make_setup<D>(problem, choice, 0);
-    const double size = std::visit([](const auto& body) { return volume(body); }, setup.body);
+  const auto require_body = [&]<int D>(problems::SetupFunction<D>) {
+    const problems::Setup<D> setup = problems::make_setup<D>(problem, choice, 0);
+    const double size = std::visit([](const auto& body) { return problems::volume(body); }, setup.body);
     const double mass = setup.density * size;
     scales.require("volume", size, "m3");
     scales.require("mass", mass, "kg");
@@ -102,7 +104,7 @@ void require_scales(const ProblemChoice& choice, const Problem& problem, const s
   std::visit(require_body, problem.setup);
 }
 
-void require_scales(const Case& c, const Problem& problem, const std::string& given) {
+void require_scales(const cases::Case& c, const Problem& problem, const std::string& given) {
   const Scales scales(problem, given);
   const double h = problem.length(c.problem.parameters) / c.resolution.cells;
   scales.require("cell width", h, "m");
@@ -114,7 +116,7 @@ void require_scales(const Case& c, const Problem& problem, const std::string& gi
   const double volume_of_particle = std::pow(h / c.resolution.ppc, D);
   scales.require("volume of a particle", volume_of_particle, "m3");
   scales.require("mass of a particle", density * volume_of_particle, "kg");
-  extent(c);  // a domain of more cells than there are numbers for is refused there
+  problems::extent(c);  // a domain of more cells than there are numbers for is refused there
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

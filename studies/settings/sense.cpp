@@ -16,7 +16,10 @@
 #include "studies/settings/named.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::settings {
+
+using cases::Scheme;
+using support::UsageError;
 
 namespace {
 
@@ -24,7 +27,7 @@ bool is_affine(const solver::AnyBasis& basis) {
   return std::visit([]<class B>(const B&) { return solver::has_affine_fields<B>; }, basis);
 }
 
-void require_sense_of_mass(const Case& c, int ghosts, bool mirrored) {
+void require_sense_of_mass(const cases::Case& c, int ghosts, bool mirrored) {
   if (c.scheme.mass != "consistent") return;
   if (c.scheme.wall_acceleration == "difference")
     throw UsageError(
@@ -68,7 +71,8 @@ void require_sense_of_deformation(const Scheme& s) {
     throw UsageError("deformation 'exponential' with integrator 'rk4', whose stages are linear (use linear)");
 }
 
-void require_sense_of_walls(const Case& c, const Problem& problem, const std::vector<std::string>& faces) {
+void require_sense_of_walls(const cases::Case& c, const problems::Problem& problem,
+                            const std::vector<std::string>& faces) {
   const Scheme& s = c.scheme;
   bool moving = false;
   for (std::size_t k = 0; k < faces.size(); ++k) {
@@ -95,9 +99,9 @@ void require_sense_of_walls(const Case& c, const Problem& problem, const std::ve
 
 }  // namespace
 
-void require_sense(const Case& c) {
+void require_sense(const cases::Case& c) {
   const Scheme& s = c.scheme;
-  const Problem& problem = find_problem(c.problem.name, "the case");
+  const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
   const int dimension = problem.dimension();
   const auto faces = boundary_faces(s.boundary, dimension, "the case");
   const auto has = [&faces](const char* word) { return std::find(faces.begin(), faces.end(), word) != faces.end(); };
@@ -179,4 +183,4 @@ void require_sense(const Case& c) {
     throw UsageError("blowup_error and blowup_energy must be > 0");
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

@@ -11,7 +11,9 @@
 #include "studies/settings/word_keys.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::settings {
+
+using cases::Scheme;
 
 namespace {
 
@@ -96,7 +98,8 @@ void require_known_key(const std::string& key, const std::string& where) {
     if (k.key == key) return;
     known.push_back(k.key);
   }
-  throw UsageError(fmt::format("unknown key '{}' in {} (known: {}, param)", key, where, fmt::join(known, ", ")));
+  throw support::UsageError(
+      fmt::format("unknown key '{}' in {} (known: {}, param)", key, where, fmt::join(known, ", ")));
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

@@ -4,7 +4,9 @@
 
 #include "studies/settings/scales.hpp"
 
-namespace mpmvv {
+namespace mpmvv::settings {
+
+using support::UsageError;
 
 double number(const Settings& settings, const std::string& key, double absent) {
   const auto it = settings.find(key);
@@ -70,4 +72,4 @@ std::string most_extreme(std::span<const Setting> given) {
   return most ? fmt::format(" with {} = {} in {}", most->key, most->value, most->where) : "";
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

@@ -10,7 +10,7 @@
 #include "studies/support/error.hpp"
 
 /// The values that settings give. What has no meaning is a UsageError with key, value, place and what would be right.
-namespace mpmvv {
+namespace mpmvv::settings {
 
 using Settings = std::map<std::string, Setting>;
 
@@ -36,9 +36,9 @@ Integer count(const Setting& setting, Integer least, Integer most) {
   const char* end = setting.value.data() + setting.value.size();
   const auto [stop, error] = std::from_chars(setting.value.data(), end, value);
   if (error != std::errc{} || stop != end || value < least || value > most)
-    throw UsageError(fmt::format("{} = {} in {} (a whole number from {} to {})", setting.key, setting.value,
-                                 setting.where, least, most));
+    throw support::UsageError(fmt::format("{} = {} in {} (a whole number from {} to {})", setting.key, setting.value,
+                                          setting.where, least, most));
   return value;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

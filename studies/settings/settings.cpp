@@ -18,23 +18,29 @@
 #include "studies/settings/word_keys.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::settings {
+
+using cases::Case;
+using cases::ProblemChoice;
+using cases::Scheme;
+using problems::Problem;
+using support::UsageError;
 
 namespace {
 
 const Problem& chosen_problem(const Settings& settings) {
   const Setting& name = required(settings, "problem");
-  return find_problem(name.value, name.where);
+  return problems::find_problem(name.value, name.where);
 }
 
-Parameters given_parameters(const Settings& settings, const Problem& problem) {
-  Parameters given;
+problems::Parameters given_parameters(const Settings& settings, const Problem& problem) {
+  problems::Parameters given;
   for (const auto& [key, setting] : settings) {
     if (!key.starts_with("param.")) continue;
     const std::string name = key.substr(6);
-    const Parameter* known = nullptr;
+    const problems::Parameter* known = nullptr;
     std::vector<std::string> names;
-    for (const Parameter& parameter : problem.parameters) {
+    for (const problems::Parameter& parameter : problem.parameters) {
       names.push_back(parameter.name);
       if (parameter.name == name) known = &parameter;
     }
@@ -49,7 +55,8 @@ Parameters given_parameters(const Settings& settings, const Problem& problem) {
 }
 
 ProblemChoice make_choice(const Settings& settings, const Problem& problem) {
-  ProblemChoice choice{problem.name, complete_parameters(problem, given_parameters(settings, problem)), 0, false};
+  ProblemChoice choice{problem.name, problems::complete_parameters(problem, given_parameters(settings, problem)), 0,
+                       false};
   if (problem.objection)
     if (const std::string objection = problem.objection(choice.parameters); !objection.empty())
       throw UsageError(fmt::format("parameters of problem '{}': {}", problem.name, objection));
@@ -240,4 +247,4 @@ Case make_case(std::span<const Setting> given) {
   return c;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

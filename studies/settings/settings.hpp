@@ -5,7 +5,7 @@
 
 #include "studies/cases/case.hpp"
 
-namespace mpmvv {
+namespace mpmvv::settings {
 
 /// One choice as a user wrote it, on the command line or in a study file.
 struct Setting {
@@ -29,13 +29,13 @@ std::vector<std::string> words_of_key(const std::string& key);
 void require_known_key(const std::string& key, const std::string& where);
 
 /// The problem that these settings choose, and its values; other keys are not looked at. Throws as make_case does.
-ProblemChoice make_choice(std::span<const Setting> settings);
+cases::ProblemChoice make_choice(std::span<const Setting> settings);
 
 /// The case that these settings describe, later ones overwriting earlier ones. Every value is checked here, alone
 /// and in combination; a UsageError says what is wrong, where, and what would be right.
-Case make_case(std::span<const Setting> settings);
+cases::Case make_case(std::span<const Setting> settings);
 
 /// A number, wholly and finite; UsageError otherwise.
 double parse_number(const Setting& setting);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

@@ -4,7 +4,7 @@
 
 #include "studies/cases/scheme.hpp"
 
-namespace mpmvv {
+namespace mpmvv::settings {
 
 /// Key and member of Scheme that take one of a few words.
 struct WordKey {
@@ -15,4 +15,4 @@ struct WordKey {
 
 const std::vector<WordKey>& word_keys();
 
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

@@ -11,7 +11,9 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
+
+using support::UsageError;
 
 namespace {
 
@@ -229,4 +231,4 @@ void Transaction::roll_back() noexcept {
   }
 }
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

@@ -13,7 +13,7 @@
 
 struct sqlite3;
 
-namespace mpmvv::db {
+namespace mpmvv::store {
 
 /// A value is of another kind than its column's: the file is damaged. `Database::each` says which file.
 struct WrongKind : std::runtime_error {
@@ -135,4 +135,4 @@ class Transaction {
   Database& database_;
 };
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

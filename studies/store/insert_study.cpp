@@ -4,7 +4,7 @@
 #include "studies/store/seal.hpp"
 #include "studies/store/study_rows.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
 
 namespace {
 
@@ -26,7 +26,7 @@ void insert_items(Database& database, const char* table, Parent parent, const st
   for (std::size_t k = 0; k < items.size(); ++k) insert_item(database, table, parent, k, columns_of(items[k]));
 }
 
-void insert_point(Database& database, std::int64_t series, std::size_t ordinal, const Point& point,
+void insert_point(Database& database, std::int64_t series, std::size_t ordinal, const records::Point& point,
                   const std::string& case_text, const std::string& digest) {
   Value run;
   std::map<std::string, double> from_run;
@@ -49,7 +49,7 @@ void insert_point(Database& database, std::int64_t series, std::size_t ordinal, 
     });
 }
 
-void insert_order(Database& database, std::int64_t series, std::size_t ordinal, const ObservedOrder& order) {
+void insert_order(Database& database, std::int64_t series, std::size_t ordinal, const fits::ObservedOrder& order) {
   Columns columns{{"norm", order.norm},
                   {"window_from", order.from},
                   {"window_to", order.to},
@@ -74,31 +74,31 @@ void insert_order(Database& database, std::int64_t series, std::size_t ordinal, 
                                    {"replicate_half_width", order.replicates->half_width},
                                    {"lack_of_fit", order.replicates->lack_of_fit}});
   const std::int64_t id = insert_item(database, "fits", {"series", series}, ordinal, columns);
-  insert_items(database, "segments", {"fit", id}, order.segments, [](const SegmentOrder& s) {
+  insert_items(database, "segments", {"fit", id}, order.segments, [](const fits::SegmentOrder& s) {
     return Columns{{"x_from", s.from}, {"x_to", s.to}, {"segment_order", s.order}};
   });
 }
 
-void insert_limit(Database& database, std::int64_t series, const StabilityLimit& limit) {
+void insert_limit(Database& database, std::int64_t series, const fits::StabilityLimit& limit) {
   database.insert("limits", {{"series", series},
                              {"swept_key", limit.key},
                              {"stable", limit.stable},
                              {"unstable", limit.unstable},
                              {"monotone", limit.monotone},
                              {"found", limit.found}});
-  insert_items(database, "probes", {"series", series}, limit.probes, [](const Probe& p) {
+  insert_items(database, "probes", {"series", series}, limit.probes, [](const fits::Probe& p) {
     return Columns{{"value", p.value}, {"stable", p.stable}, {"reason", p.reason}};
   });
 }
 
-void insert_series(Database& database, std::int64_t study, std::size_t ordinal, const Series& series,
+void insert_series(Database& database, std::int64_t study, std::size_t ordinal, const records::Series& series,
                    const std::vector<std::string>& cases, const std::string& digest) {
   const std::int64_t id = insert_item(database, "series", {"study", study}, ordinal, {{"name", series.name}});
   for (std::size_t k = 0; k < series.points.size(); ++k)
     insert_point(database, id, k, series.points[k], k < cases.size() ? cases[k] : "", digest);
   for (std::size_t k = 0; k < series.orders.size(); ++k) insert_order(database, id, k, series.orders[k]);
   if (series.limit) insert_limit(database, id, *series.limit);
-  insert_items(database, "extrapolations", {"series", id}, series.extrapolations, [](const Extrapolation& e) {
+  insert_items(database, "extrapolations", {"series", id}, series.extrapolations, [](const fits::Extrapolation& e) {
     return Columns{{"norm", e.norm},
                    {"window_from", e.from},
                    {"window_to", e.to},
@@ -114,7 +114,7 @@ void insert_series(Database& database, std::int64_t study, std::size_t ordinal, 
   });
 }
 
-void insert_figure(Database& database, std::int64_t study, std::size_t ordinal, const Figure& figure) {
+void insert_figure(Database& database, std::int64_t study, std::size_t ordinal, const records::Figure& figure) {
   const std::int64_t id = insert_item(database, "figures", {"study", study}, ordinal,
                                       {{"name", figure.name},
                                        {"caption", figure.caption},
@@ -142,7 +142,7 @@ void insert_figure(Database& database, std::int64_t study, std::size_t ordinal, 
 }  // namespace
 
 void insert_study(Database& database, const StoredStudy& study) {
-  const StudyResult& s = study.result;
+  const records::StudyResult& s = study.result;
   const Provenance& p = study.provenance;
   database.change("DELETE FROM studies WHERE name = ? AND digest = ?", {s.name, p.digest});
   database.insert("studies", {{"name", s.name},
@@ -158,14 +158,14 @@ void insert_study(Database& database, const StoredStudy& study) {
   insert_items(database, "study_claims", parent, s.claims, [](const std::string& claim) {
     return Columns{{"claim", claim}};
   });
-  insert_items(database, "claim_parts", parent, s.parts, [](const ClaimPart& part) {
+  insert_items(database, "claim_parts", parent, s.parts, [](const records::ClaimPart& part) {
     return Columns{{"claim", part.claim},
                    {"statement", part.statement},
                    {"verdict", to_string(part.verdict)},
                    {"evidence", part.evidence},
                    {"reason", part.reason}};
   });
-  insert_items(database, "check_values", parent, s.values, [](const mpmvv::Value& v) {
+  insert_items(database, "check_values", parent, s.values, [](const mpmvv::records::Value& v) {
     return Columns{{"name", v.name}, {"value", v.value}, {"meaning", v.meaning}};
   });
   const std::vector<std::string> no_runs;
@@ -175,4 +175,4 @@ void insert_study(Database& database, const StoredStudy& study) {
   seal(database, Sealed::study, id);
 }
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

@@ -6,7 +6,7 @@
 #include "studies/store/seal.hpp"
 #include "studies/store/study_rows.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
 
 namespace {
 
@@ -19,52 +19,52 @@ auto load_items(const Database& database, const char* table, const char* parent,
   return items;
 }
 
-ObservedOrder load_order(const Database& database, const Row& row) {
-  ObservedOrder order{.norm = row["norm"].text(),
-                      .from = row["window_from"].real(),
-                      .to = row["window_to"].real(),
-                      .points = static_cast<int>(row["points"].integer()),
-                      .order = row["fitted_order"].real(),
-                      .half_width = row["half_width"].real(),
-                      .constant = row["constant"].real(),
-                      .r_squared = row["r_squared"].real(),
-                      .asymptotic = row["asymptotic"].flag(),
-                      .asymptotic_from = row["asymptotic_from"].real(),
-                      .asymptotic_to = row["asymptotic_to"].real(),
-                      .segments = load_items(database, "segments", "fit", row["id"],
-                                             [](const Row& s) {
-                                               return SegmentOrder{.from = s["x_from"].real(),
-                                                                   .to = s["x_to"].real(),
-                                                                   .order = s["segment_order"].real()};
-                                             }),
-                      .floor = std::nullopt};
+fits::ObservedOrder load_order(const Database& database, const Row& row) {
+  fits::ObservedOrder order{.norm = row["norm"].text(),
+                            .from = row["window_from"].real(),
+                            .to = row["window_to"].real(),
+                            .points = static_cast<int>(row["points"].integer()),
+                            .order = row["fitted_order"].real(),
+                            .half_width = row["half_width"].real(),
+                            .constant = row["constant"].real(),
+                            .r_squared = row["r_squared"].real(),
+                            .asymptotic = row["asymptotic"].flag(),
+                            .asymptotic_from = row["asymptotic_from"].real(),
+                            .asymptotic_to = row["asymptotic_to"].real(),
+                            .segments = load_items(database, "segments", "fit", row["id"],
+                                                   [](const Row& s) {
+                                                     return fits::SegmentOrder{.from = s["x_from"].real(),
+                                                                               .to = s["x_to"].real(),
+                                                                               .order = s["segment_order"].real()};
+                                                   }),
+                            .floor = std::nullopt};
   if (!row["floor_accepted"].null())
-    order.floor = FloorFit{.constant = row["floor_constant"].real(),
-                           .order = row["floor_order"].real(),
-                           .floor = row["floor_value"].real(),
-                           .residual = row["floor_residual"].real(),
-                           .accepted = row["floor_accepted"].flag(),
-                           .reason = row["floor_reason"].text()};
+    order.floor = fits::FloorFit{.constant = row["floor_constant"].real(),
+                                 .order = row["floor_order"].real(),
+                                 .floor = row["floor_value"].real(),
+                                 .residual = row["floor_residual"].real(),
+                                 .accepted = row["floor_accepted"].flag(),
+                                 .reason = row["floor_reason"].text()};
   if (!row["replicate_observations"].null())
-    order.replicates = ReplicateFit{.observations = static_cast<int>(row["replicate_observations"].integer()),
-                                    .scatter = row["replicate_scatter"].real(),
-                                    .half_width = row["replicate_half_width"].real(),
-                                    .lack_of_fit = row["lack_of_fit"].real()};
+    order.replicates = fits::ReplicateFit{.observations = static_cast<int>(row["replicate_observations"].integer()),
+                                          .scatter = row["replicate_scatter"].real(),
+                                          .half_width = row["replicate_half_width"].real(),
+                                          .lack_of_fit = row["lack_of_fit"].real()};
   return order;
 }
 
-StabilityLimit load_limit(const Database& database, const Row& row) {
+fits::StabilityLimit load_limit(const Database& database, const Row& row) {
   return {.key = row["swept_key"].text(),
           .stable = row["stable"].real(),
           .unstable = row["unstable"].real(),
           .monotone = row["monotone"].flag(),
           .found = row["found"].flag(),
           .probes = load_items(database, "probes", "series", row["series"], [](const Row& p) {
-            return Probe{.value = p["value"].real(), .stable = p["stable"].flag(), .reason = p["reason"].text()};
+            return fits::Probe{.value = p["value"].real(), .stable = p["stable"].flag(), .reason = p["reason"].text()};
           })};
 }
 
-Extrapolation load_extrapolation(const Row& row) {
+fits::Extrapolation load_extrapolation(const Row& row) {
   return {.norm = row["norm"].text(),
           .from = row["window_from"].real(),
           .to = row["window_to"].real(),
@@ -80,11 +80,11 @@ Extrapolation load_extrapolation(const Row& row) {
 }
 
 /// A point and the text of its case.
-std::pair<Point, std::string> load_point(const Database& database, const Row& row) {
-  Point point{.x = row["x"].real(),
-              .status = status_from(row["point_status"].text()),
-              .reason = row["point_reason"].text(),
-              .y = {}};
+std::pair<records::Point, std::string> load_point(const Database& database, const Row& row) {
+  records::Point point{.x = row["x"].real(),
+                       .status = records::status_from(row["point_status"].text()),
+                       .reason = row["point_reason"].text(),
+                       .y = {}};
   std::string case_text;
   if (!row["run"].null()) {
     require_intact(database, Sealed::run, row["run"]);
@@ -100,8 +100,8 @@ std::pair<Point, std::string> load_point(const Database& database, const Row& ro
 }
 
 /// A series and the texts of its cases.
-std::pair<Series, std::vector<std::string>> load_series(const Database& database, const Row& row) {
-  Series series{.name = row["name"].text(), .points = {}, .orders = {}, .limit = std::nullopt};
+std::pair<records::Series, std::vector<std::string>> load_series(const Database& database, const Row& row) {
+  records::Series series{.name = row["name"].text(), .points = {}, .orders = {}, .limit = std::nullopt};
   std::vector<std::string> cases;
   const Value& id = row["id"];
   database.each(
@@ -119,7 +119,7 @@ std::pair<Series, std::vector<std::string>> load_series(const Database& database
   return {series, cases};
 }
 
-Figure load_figure(const Database& database, const Row& row) {
+records::Figure load_figure(const Database& database, const Row& row) {
   return {
       .name = row["name"].text(),
       .caption = row["caption"].text(),
@@ -153,19 +153,20 @@ StoredStudy load_study(const Database& database, const Row& row) {
                                .series = {},
                                .values = load_items(database, "check_values", "study", id,
                                                     [](const Row& r) {
-                                                      return mpmvv::Value{.name = r["name"].text(),
-                                                                          .value = r["value"].real(),
-                                                                          .meaning = r["meaning"].text()};
+                                                      return mpmvv::records::Value{.name = r["name"].text(),
+                                                                                   .value = r["value"].real(),
+                                                                                   .meaning = r["meaning"].text()};
                                                     }),
                                .figures = load_items(database, "figures", "study", id,
                                                      [&](const Row& r) { return load_figure(database, r); }),
                                .parts = load_items(database, "claim_parts", "study", id,
                                                    [](const Row& r) {
-                                                     return ClaimPart{.claim = r["claim"].text(),
-                                                                      .statement = r["statement"].text(),
-                                                                      .verdict = part_verdict_from(r["verdict"].text()),
-                                                                      .evidence = r["evidence"].text(),
-                                                                      .reason = r["reason"].text()};
+                                                     return records::ClaimPart{
+                                                         .claim = r["claim"].text(),
+                                                         .statement = r["statement"].text(),
+                                                         .verdict = records::part_verdict_from(r["verdict"].text()),
+                                                         .evidence = r["evidence"].text(),
+                                                         .reason = r["reason"].text()};
                                                    })},
                     .cases = {},
                     .provenance = read_provenance(row)};
@@ -200,4 +201,4 @@ void copy_studies(const Database& from, Database& to) {
   });
 }
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

@@ -9,7 +9,9 @@
 #include "studies/store/seal.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
+
+using support::UsageError;
 
 namespace {
 
@@ -160,4 +162,4 @@ Database open_store(const fs::path& file, Store::Mode mode, Steps steps, const W
   return open_for_writing(file, create, steps, work);
 }
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

@@ -7,7 +7,7 @@
 
 #include "mpmvv_build_info.hpp"
 
-namespace mpmvv {
+namespace mpmvv::store {
 
 namespace {
 
@@ -36,4 +36,4 @@ Provenance current_provenance() {
           .time = now()};
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::store

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::store {
 
 /// Where a result comes from. Everything but `cpu` and `time` is fixed by the build.
 struct Provenance {
@@ -18,4 +18,4 @@ struct Provenance {
 /// Of the running program, now.
 Provenance current_provenance();
 
-}  // namespace mpmvv
+}  // namespace mpmvv::store

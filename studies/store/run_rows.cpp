@@ -5,20 +5,23 @@
 
 #include "studies/store/seal.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
+
+using records::Record;
+using records::RunNumber;
 
 namespace {
 
 /// Calls visit(number) for each number of a run that has a column of its name.
 template <class Visit>
 void for_numbers(const Visit& visit) {
-  for (const auto* numbers : {&run_errors(), &run_by_products()})
+  for (const auto* numbers : {&records::run_errors(), &records::run_by_products()})
     for (const RunNumber& number : *numbers) visit(number);
 }
 
 Columns run_columns(const Record& r) {
   const auto& [problem, scheme, resolution, measure] = r.the_case;
-  Columns columns{{"case_text", canonical_text(r.the_case)},
+  Columns columns{{"case_text", cases::canonical_text(r.the_case)},
                   {"problem", problem.name},
                   {"basis", scheme.basis},
                   {"integrator", scheme.integrator},
@@ -32,7 +35,7 @@ Columns run_columns(const Record& r) {
                   {"steps", r.steps},
                   {"status", to_string(r.status)},
                   {"reason", r.reason},
-                  {"failure", r.failure == Failure::none ? Value() : Value(to_string(r.failure))}};
+                  {"failure", r.failure == records::Failure::none ? Value() : Value(to_string(r.failure))}};
   for_numbers([&](const RunNumber& number) { columns.emplace_back(number.name, number.get(r)); });
   return columns;
 }
@@ -89,12 +92,12 @@ void insert_run(Database& database, const Record& r, const Provenance& p) {
   Columns columns = run_columns(r);
   columns.insert(columns.end(),
                  {{"provenance", provenance_id(database, p)}, {"digest", p.digest}, {"kept_at", p.time}});
-  insert_row(database, columns, canonical_text(r.the_case), p.digest);
+  insert_row(database, columns, cases::canonical_text(r.the_case), p.digest);
 }
 
-std::optional<Record> find_run(const Database& database, const Case& c, const std::string& digest) {
+std::optional<Record> find_run(const Database& database, const cases::Case& c, const std::string& digest) {
   std::optional<Record> found;
-  const std::string case_text = canonical_text(c);
+  const std::string case_text = cases::canonical_text(c);
   database.each("SELECT * FROM runs WHERE case_text = ? AND digest = ?", {case_text, digest}, [&](const Row& row) {
     require_intact(database, Sealed::run, row["id"]);
     if (row["case_text"].text() != case_text || row["digest"].text() != digest)
@@ -103,8 +106,8 @@ std::optional<Record> find_run(const Database& database, const Case& c, const st
     found = Record{.the_case = c,
                    .particles = row["particles"].integer(),
                    .steps = row["steps"].integer(),
-                   .status = status_from(row["status"].text()),
-                   .failure = failure.null() ? Failure::none : failure_from(failure.text()),
+                   .status = records::status_from(row["status"].text()),
+                   .failure = failure.null() ? records::Failure::none : records::failure_from(failure.text()),
                    .reason = row["reason"].text(),
                    .error = {},
                    .energy = {},
@@ -140,4 +143,4 @@ std::int64_t copy_runs(const Database& from, Database& to) {
   return copied;
 }
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

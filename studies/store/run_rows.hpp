@@ -8,7 +8,7 @@
 #include "studies/store/database.hpp"
 #include "studies/store/provenance.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
 
 /// The id of the row for this build and processor, made when it is not there.
 std::int64_t provenance_id(Database& database, const Provenance& p);
@@ -17,9 +17,9 @@ std::int64_t provenance_id(Database& database, const Provenance& p);
 Provenance read_provenance(const Row& row);
 
 /// Keeps a run unless its key is there; a run that was carried out takes the place of a `failed` one.
-void insert_run(Database& database, const Record& r, const Provenance& p);
+void insert_run(Database& database, const records::Record& r, const Provenance& p);
 
-std::optional<Record> find_run(const Database& database, const Case& c, const std::string& digest);
+std::optional<records::Record> find_run(const Database& database, const cases::Case& c, const std::string& digest);
 
 /// What a row of `runs` gives to a point of a series: the errors that were measured, cost, energy, size.
 std::map<std::string, double> run_quantities(const Row& row);
@@ -27,4 +27,4 @@ std::map<std::string, double> run_quantities(const Row& row);
 /// Copies the runs that `to` lacks; their number.
 std::int64_t copy_runs(const Database& from, Database& to);
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

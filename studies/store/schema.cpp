@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace mpmvv::db {
+namespace mpmvv::store {
 
 namespace {
 
@@ -340,4 +340,4 @@ std::span<const char* const> migrations() {
   return all_migrations;
 }
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

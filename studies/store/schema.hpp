@@ -7,7 +7,7 @@
 #include "studies/store/database.hpp"
 #include "studies/store/store.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
 
 inline constexpr std::int64_t application_id = 0x4D504D56;  ///< "MPMV" in the file's header
 
@@ -21,4 +21,4 @@ std::span<const char* const> migrations();
 Database open_store(const std::filesystem::path& file, Store::Mode mode,
                     std::span<const char* const> steps = migrations(), const std::function<void(Database&)>& work = {});
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

@@ -9,7 +9,7 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
 
 namespace {
 
@@ -103,7 +103,7 @@ std::string complaint(const Database& database, const Noun& noun, const Value& i
   const std::string name =
       database.scalar(fmt::format("SELECT {} FROM {} WHERE id = ?", noun.label, noun.table), {id}).to_string();
   return fmt::format("row {} of {} ({}) is not as it was written", id.to_string(), noun.table,
-                     is_file_stem(name) ? name : "without a name");
+                     support::is_file_stem(name) ? name : "without a name");
 }
 
 std::vector<Value> ids(const Database& database, const Noun& noun) {
@@ -135,10 +135,10 @@ std::vector<std::string> broken_seals(const Database& database) {
   for (const Sealed kind : all_kinds)
     for (const Value& id : ids(database, noun_of(kind))) try {
         if (!is_intact(database, noun_of(kind), id)) broken.push_back(complaint(database, noun_of(kind), id));
-      } catch (const UsageError& e) {
+      } catch (const support::UsageError& e) {
         broken.emplace_back(e.what());
       }
   return broken;
 }
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

@@ -5,7 +5,7 @@
 
 #include "studies/store/database.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
 
 /// A seal shows that something is as it was written, as SQLite has no checksums: the CRC-64 of a row and of the rows
 /// that belong to it, ids included. NULL does not count, so a column that is added empty leaves every seal as it is.
@@ -26,4 +26,4 @@ void require_intact(const Database& database, Sealed kind, const Value& id);
 /// The rows whose seal does not fit what they hold, in words for people.
 std::vector<std::string> broken_seals(const Database& database);
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

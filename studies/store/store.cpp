@@ -9,58 +9,62 @@
 #include "studies/store/schema.hpp"
 #include "studies/store/seal.hpp"
 #include "studies/store/study_rows.hpp"
-#include "studies/support/csv_field.hpp"
+#include "studies/support/csv.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::store {
 
-using Kind = db::Transaction::Kind;
+using cases::Case;
+using records::Status;
+
+using Kind = Transaction::Kind;
 
 struct Store::Impl {
-  mutable db::Database database;  ///< a reading transaction changes nothing
+  mutable Database database;  ///< a reading transaction changes nothing
 };
 
 namespace {
 
-std::vector<std::string> csv_fields(const db::Values& values) {
-  std::vector<std::string> fields;
-  for (const db::Value& value : values) fields.push_back(csv_field(value.to_string()));
-  return fields;
+std::vector<std::string> texts_of(const Values& values) {
+  std::vector<std::string> texts;
+  for (const Value& value : values) texts.push_back(value.to_string());
+  return texts;
 }
 
 }  // namespace
 
 Store::Store(const std::filesystem::path& file, Mode mode)
-    : impl_(std::make_unique<Impl>(Impl{db::open_store(file, mode)})) {}
+    : impl_(std::make_unique<Impl>(Impl{open_store(file, mode)})) {}
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 
-std::optional<Record> Store::find(const Case& c, const std::string& digest) const {
-  return db::find_run(impl_->database, c, digest);
+std::optional<records::Record> Store::find(const Case& c, const std::string& digest) const {
+  return find_run(impl_->database, c, digest);
 }
 
-void Store::keep(std::span<const Record> records, const Provenance& p) {
-  db::Transaction transaction(impl_->database, Kind::write);
-  for (const Record& r : records) db::insert_run(impl_->database, r, p);
+void Store::keep(std::span<const records::Record> records, const Provenance& p) {
+  Transaction transaction(impl_->database, Kind::write);
+  for (const records::Record& r : records) insert_run(impl_->database, r, p);
   transaction.commit();
 }
 
-void Store::keep_study(const StudyResult& s, const std::vector<std::vector<Case>>& cases, const Provenance& p) {
-  db::StoredStudy study{.result = s, .cases = {}, .provenance = p};
+void Store::keep_study(const records::StudyResult& s, const std::vector<std::vector<Case>>& cases,
+                       const Provenance& p) {
+  StoredStudy study{.result = s, .cases = {}, .provenance = p};
   for (const std::vector<Case>& of_series : cases) {
     std::vector<std::string>& texts = study.cases.emplace_back();
-    for (const Case& c : of_series) texts.push_back(canonical_text(c));
+    for (const Case& c : of_series) texts.push_back(cases::canonical_text(c));
   }
-  db::Transaction transaction(impl_->database, Kind::write);
-  db::insert_study(impl_->database, study);
+  Transaction transaction(impl_->database, Kind::write);
+  insert_study(impl_->database, study);
   transaction.commit();
 }
 
-std::vector<StudyResult> Store::studies(const std::string& digest) const {
-  db::Transaction one_state(impl_->database, Kind::read);
-  std::vector<StudyResult> results;
-  for (db::StoredStudy& study : db::load_studies(impl_->database, digest)) results.push_back(std::move(study.result));
+std::vector<records::StudyResult> Store::studies(const std::string& digest) const {
+  Transaction one_state(impl_->database, Kind::read);
+  std::vector<records::StudyResult> results;
+  for (StoredStudy& study : load_studies(impl_->database, digest)) results.push_back(std::move(study.result));
   return results;
 }
 
@@ -71,7 +75,7 @@ std::vector<Version> Store::versions() const {
       "(SELECT provenance, kept_at FROM runs UNION ALL SELECT provenance, kept_at FROM studies) AS kept "
       "ON kept.provenance = provenance.id WHERE digest IN (SELECT digest FROM studies) "
       "GROUP BY digest, git_commit, dirty ORDER BY first, min(provenance.id)",
-      {}, [&](const db::Row& row) {
+      {}, [&](const Row& row) {
         const std::string commit = row["git_commit"].text() + (row["dirty"].flag() ? "-dirty" : "");
         const auto known = std::ranges::find(versions, row["digest"].text(), &Version::digest);
         if (known == versions.end())
@@ -87,13 +91,13 @@ std::optional<Provenance> Store::study_provenance(const std::string& study, cons
   impl_->database.each(
       "SELECT * FROM studies JOIN provenance ON provenance.id = studies.provenance "
       "WHERE studies.name = ? AND studies.digest = ?",
-      {study, digest}, [&](const db::Row& row) { found = db::read_provenance(row); });
+      {study, digest}, [&](const Row& row) { found = read_provenance(row); });
   return found;
 }
 
 std::vector<std::pair<std::string, std::string>> Store::info() const {
-  const db::Database& database = impl_->database;
-  db::Transaction one_state(impl_->database, Kind::read);
+  const Database& database = impl_->database;
+  Transaction one_state(impl_->database, Kind::read);
   const auto number = [&](const char* query) { return database.scalar(query).to_string(); };
   std::vector<std::pair<std::string, std::string>> lines{
       {"file", database.file().string()},
@@ -107,7 +111,7 @@ std::vector<std::pair<std::string, std::string>> Store::info() const {
   database.each(
       "SELECT provenance.digest, git_commit, dirty, count(*) AS records, max(kept_at) AS last FROM runs "
       "JOIN provenance ON provenance.id = runs.provenance GROUP BY provenance.id ORDER BY last DESC",
-      {}, [&](const db::Row& row) {
+      {}, [&](const Row& row) {
         lines.emplace_back(
             "digest " + row["digest"].text(),
             fmt::format("commit {}{}, {} records, last {}", row["git_commit"].text(),
@@ -119,44 +123,44 @@ std::vector<std::pair<std::string, std::string>> Store::info() const {
 std::vector<std::string> Store::check() const {
   std::vector<std::string> faults;
   try {
-    impl_->database.each("PRAGMA integrity_check", {}, [&](const db::Row& row) {
+    impl_->database.each("PRAGMA integrity_check", {}, [&](const Row& row) {
       if (const std::string& text = row.values().front().text(); text != "ok") faults.push_back(text);
     });
-    impl_->database.each("PRAGMA foreign_key_check", {}, [&](const db::Row& row) {
+    impl_->database.each("PRAGMA foreign_key_check", {}, [&](const Row& row) {
       faults.push_back(fmt::format("row {} of table {} refers to a missing row of table {}", row["rowid"].to_string(),
                                    row["table"].text(), row["parent"].text()));
     });
-    for (std::string& broken : db::broken_seals(impl_->database)) faults.push_back(std::move(broken));
-  } catch (const UsageError& e) {
+    for (std::string& broken : broken_seals(impl_->database)) faults.push_back(std::move(broken));
+  } catch (const support::UsageError& e) {
     faults.emplace_back(e.what());
   }
   return faults;
 }
 
 std::int64_t Store::merge(const std::filesystem::path& file, const std::filesystem::path& other) {
-  db::Database from = db::open_store(other, Mode::read);
+  Database from = open_store(other, Mode::read);
   if (std::error_code absent; std::filesystem::equivalent(other, file, absent))
-    throw UsageError(fmt::format("results store '{}' merged into itself (name another store)", file.string()));
-  db::Transaction one_state(from, Kind::read);
+    throw support::UsageError(fmt::format("results store '{}' merged into itself (name another store)", file.string()));
+  Transaction one_state(from, Kind::read);
   std::int64_t copied = 0;
-  db::open_store(file, Mode::create_or_write, db::migrations(), [&](db::Database& to) {
-    copied = db::copy_runs(from, to);
-    db::copy_studies(from, to);
+  open_store(file, Mode::create_or_write, migrations(), [&](Database& to) {
+    copied = copy_runs(from, to);
+    copy_studies(from, to);
   });
   return copied;
 }
 
 std::size_t Store::forget(const std::string& study) {
-  db::Transaction transaction(impl_->database, Kind::write);
+  Transaction transaction(impl_->database, Kind::write);
   const auto versions = static_cast<std::size_t>(
       impl_->database.scalar("SELECT count(*) FROM studies NOT INDEXED WHERE name = ?", {study}).integer());
   if (versions == 0) {
     std::vector<std::string> names;
     impl_->database.each("SELECT DISTINCT name FROM studies ORDER BY name", {},
-                         [&](const db::Row& row) { names.push_back(row["name"].text()); });
-    throw UsageError(fmt::format("no study '{}' in results store '{}' (it has: {})", study,
-                                 impl_->database.file().string(),
-                                 names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+                         [&](const Row& row) { names.push_back(row["name"].text()); });
+    throw support::UsageError(fmt::format("no study '{}' in results store '{}' (it has: {})", study,
+                                          impl_->database.file().string(),
+                                          names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }
   impl_->database.change("DELETE FROM studies WHERE name = ?", {study});
   transaction.commit();
@@ -168,12 +172,12 @@ std::string Store::export_csv() const {
   impl_->database.each(
       "SELECT runs.*, git_commit, dirty, compiler, flags, build_type, cpu FROM runs JOIN provenance "
       "ON provenance.id = runs.provenance ORDER BY runs.id",
-      {}, [&](const db::Row& row) {
-        db::require_intact(impl_->database, db::Sealed::run, row["id"]);
-        if (csv.empty()) csv = fmt::format("{}\n", fmt::join(row.names(), ","));
-        csv += fmt::format("{}\n", fmt::join(csv_fields(row.values()), ","));
+      {}, [&](const Row& row) {
+        require_intact(impl_->database, Sealed::run, row["id"]);
+        if (csv.empty()) csv = support::csv_line(row.names());
+        csv += support::csv_line(texts_of(row.values()));
       });
   return csv;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::store

@@ -13,7 +13,7 @@
 #include "studies/store/provenance.hpp"
 #include "studies/store/version.hpp"
 
-namespace mpmvv {
+namespace mpmvv::store {
 
 /// The results store: one SQLite file. Two processes may write it at once. Every message is a UsageError with
 /// the file's name: not a store, another application's, a newer schema, read-only, disk full, absent.
@@ -31,21 +31,22 @@ class Store {
   Store& operator=(Store&&) noexcept;
 
   /// The record of this case made by this digest, if it is there.
-  std::optional<Record> find(const Case& c, const std::string& digest) const;
+  std::optional<records::Record> find(const cases::Case& c, const std::string& digest) const;
 
   /// Keeps finished records in one transaction: a killed run loses nothing that was kept. Keeping the same key again
   /// (two processes) is no error; the first one stays, unless it has `failed`. A failure of the machine gives way to
   /// one of the case, and both to a run that was carried out.
-  void keep(std::span<const Record> records, const Provenance& p);
-  void keep(const Record& r, const Provenance& p) { keep({&r, 1}, p); }
+  void keep(std::span<const records::Record> records, const Provenance& p);
+  void keep(const records::Record& r, const Provenance& p) { keep({&r, 1}, p); }
 
   /// Replaces what the store holds of this study for this digest, in one transaction. Points that are runs
   /// are linked by their case; `cases[s][k]` is the case of series s, point k (empty for checks). Their records must
   /// have been kept; the points come back with all that was measured in the run, and with what they have beyond it.
-  void keep_study(const StudyResult& s, const std::vector<std::vector<Case>>& cases, const Provenance& p);
+  void keep_study(const records::StudyResult& s, const std::vector<std::vector<cases::Case>>& cases,
+                  const Provenance& p);
 
   /// Studies of this digest by name, in name order. Empty when there is none.
-  std::vector<StudyResult> studies(const std::string& digest) const;
+  std::vector<records::StudyResult> studies(const std::string& digest) const;
 
   /// The versions that studies were kept of, by the time of their first result.
   std::vector<Version> versions() const;
@@ -75,4 +76,4 @@ class Store {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::store

@@ -6,11 +6,11 @@
 #include "studies/store/database.hpp"
 #include "studies/store/provenance.hpp"
 
-namespace mpmvv::db {
+namespace mpmvv::store {
 
 /// A study as its rows hold it.
 struct StoredStudy {
-  StudyResult result;
+  records::StudyResult result;
   std::vector<std::vector<std::string>> cases;  ///< by series and point: text of the case, empty where there is no run
   Provenance provenance;
 };
@@ -25,4 +25,4 @@ std::vector<StoredStudy> load_studies(const Database& database, const std::strin
 /// Copies the studies that `to` lacks; their runs must be there.
 void copy_studies(const Database& from, Database& to);
 
-}  // namespace mpmvv::db
+}  // namespace mpmvv::store

@@ -4,7 +4,7 @@
 
 #include "studies/support/printable.hpp"
 
-namespace mpmvv {
+namespace mpmvv::store {
 
 namespace {
 
@@ -14,7 +14,7 @@ constexpr std::string_view mark = "# Run with ";
 
 std::string with_trial(std::string text, const std::string& what) {
   if (!text.empty() && text.back() != '\n') text += '\n';
-  return text + fmt::format("{}{}\n", mark, printable(what));
+  return text + fmt::format("{}{}\n", mark, support::printable(what));
 }
 
 /// The lines at the end that have the mark.
@@ -31,4 +31,4 @@ std::string trial_of(const std::string& text) {
   return trial;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::store

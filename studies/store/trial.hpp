@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::store {
 
 /// The text of a study with a line that says what `study --set` has put on top of it: the store keeps it so.
 std::string with_trial(std::string text, const std::string& what);
@@ -10,4 +10,4 @@ std::string with_trial(std::string text, const std::string& what);
 /// empty for a study as its file has it.
 std::string trial_of(const std::string& text);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::store

@@ -7,7 +7,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::store {
 
 namespace {
 
@@ -43,9 +43,11 @@ const Version& find_version(const std::vector<Version>& versions, const std::str
   if (found.empty()) found = matching(versions, [&](const std::string& text) { return text.starts_with(prefix); });
   if (found.size() == 1) return *found.front();
   if (found.empty())
-    throw UsageError(fmt::format("no results of a version '{}' (there are: {})", prefix,
-                                 versions.empty() ? "none" : labels(matching(versions, [](auto&) { return true; }))));
-  throw UsageError(fmt::format("version '{}' may be {} (a longer prefix, or the digest)", prefix, labels(found)));
+    throw support::UsageError(
+        fmt::format("no results of a version '{}' (there are: {})", prefix,
+                    versions.empty() ? "none" : labels(matching(versions, [](auto&) { return true; }))));
+  throw support::UsageError(
+      fmt::format("version '{}' may be {} (a longer prefix, or the digest)", prefix, labels(found)));
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::store

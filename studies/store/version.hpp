@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::store {
 
 /// One state of the sources that decide a result, of which a store holds studies.
 struct Version {
@@ -19,4 +19,4 @@ std::string label(const Version& version);
 /// begin so. UsageError that names the versions there are when there is none or more than one.
 const Version& find_version(const std::vector<Version>& versions, const std::string& prefix);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::store

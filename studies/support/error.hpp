@@ -2,11 +2,11 @@
 #include <stdexcept>
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 /// Bad input: one line that says what is wrong, where, and what would be right. The program exits with 2.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

@@ -12,7 +12,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 namespace fs = std::filesystem;
 
@@ -96,4 +96,4 @@ void make_folder(const fs::path& folder) {
                                  failed ? failed.message() : "a file is in its place"));
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

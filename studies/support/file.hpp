@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 /// The whole content; nullopt when the file is absent, cannot be read or is none, as a folder, a pipe or a device.
 std::optional<std::string> read_file(const std::filesystem::path& file);
@@ -26,4 +26,4 @@ bool is_file_stem(const std::string& text);
 /// Makes the folder and its parents; throws UsageError when that fails.
 void make_folder(const std::filesystem::path& folder);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

@@ -1,8 +1,8 @@
 #pragma once
 #include <limits>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

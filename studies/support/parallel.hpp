@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 /// Calls task(k) for k = 0 ... count - 1, started in that order on up to `jobs` threads; rethrows the first
 /// exception, after which no further task is started. Where the system grants fewer threads, those do all of it.
@@ -37,4 +37,4 @@ void for_each_parallel(std::size_t count, int jobs, const Task& task) {
   if (first) std::rethrow_exception(first);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

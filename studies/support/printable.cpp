@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <iterator>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::string printable(std::string_view text) {
   return line;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

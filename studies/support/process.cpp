@@ -13,7 +13,7 @@
 #include <string_view>
 #include <thread>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 namespace {
 
@@ -113,4 +113,4 @@ ProcessEnd run_process(const std::vector<std::string>& command, const std::files
   return end;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 /// How a child process ended.
 struct ProcessEnd {
@@ -26,4 +26,4 @@ ProcessEnd run_process(const std::vector<std::string>& command, const std::files
                        const std::map<std::string, std::string>& environment, std::chrono::milliseconds limit,
                        const std::optional<std::set<std::string>>& kept = std::nullopt);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 namespace {
 
@@ -40,4 +40,4 @@ std::string reason_of(const std::exception& error) {
   return fmt::format("a mistake in mpmvv itself: {} (please report it with the command)", error.what());
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

@@ -2,9 +2,9 @@
 #include <exception>
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 /// What an exception says, in one line for a user, whichever library has thrown it.
 std::string reason_of(const std::exception& error);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

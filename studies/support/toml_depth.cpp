@@ -7,7 +7,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 namespace {
 
@@ -55,4 +55,4 @@ void require_shallow(std::string_view text, const std::string& name) {
   }
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

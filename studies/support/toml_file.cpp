@@ -13,7 +13,7 @@
 #include "studies/support/file.hpp"
 #include "studies/support/toml_depth.hpp"
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 namespace {
 
@@ -187,4 +187,4 @@ std::string TomlTable::scalar_text(const std::string& key) const {
   node_->reject(key, node, wanted);
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 /// A table of a TOML file, read only. Every access checks the type; every message is a UsageError of the form
 /// "what is wrong in FILE:LINE (what would be right)".
@@ -45,4 +45,4 @@ class TomlTable {
   std::shared_ptr<const Node> node_;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::support

@@ -6,7 +6,7 @@
 int main(int count, char** arguments) {
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
-  benchmark::AddCustomContext("digest", mpmvv::current_provenance().digest);
+  benchmark::AddCustomContext("digest", mpmvv::store::current_provenance().digest);
   mpmvv::add_machine_benchmarks();
   mpmvv::add_step_benchmarks();
   mpmvv::add_skip_benchmarks();

@@ -15,6 +15,16 @@
 /// What a scene does not need and therefore does not pay: each row is run with it (`paid`) and without (`skipped`).
 namespace mpmvv {
 
+using cases::Case;
+using records::Record;
+using records::Status;
+using runs::run_case;
+using settings::make_case;
+using settings::Setting;
+using store::current_provenance;
+using store::Provenance;
+using store::Store;
+
 namespace {
 
 using namespace solver;

@@ -5,7 +5,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 namespace cost_command_test {
 
 using testing::HasSubstr;
@@ -67,4 +67,4 @@ TEST_F(CostCommand, RefusesWhatIsNoCase) {
 }
 
 }  // namespace cost_command_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -4,7 +4,7 @@
 #include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 namespace faults_test {
 
 namespace fs = std::filesystem;
@@ -287,4 +287,4 @@ TEST_F(Faults, AFlagTakesTrueAndFalseAlone) {
 }
 
 }  // namespace faults_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

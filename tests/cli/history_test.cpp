@@ -7,7 +7,7 @@
 #include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 namespace history_test {
 
 using testing::AllOf;
@@ -15,13 +15,13 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-StudyResult bar_study(double order, double finest) {
-  StudyResult study;
+records::StudyResult bar_study(double order, double finest) {
+  records::StudyResult study;
   study.name = "bar";
   study.kind = "convergence";
   study.sweep = "cells";
-  Series series{"linear", {}, {}, {}};
-  series.points = {{8, Status::ok, "", {{"l2", 1e-2}}}, {16, Status::ok, "", {{"l2", finest}}}};
+  records::Series series{"linear", {}, {}, {}};
+  series.points = {{8, records::Status::ok, "", {{"l2", 1e-2}}}, {16, records::Status::ok, "", {{"l2", finest}}}};
   series.orders.resize(1);
   series.orders[0].norm = "l2";
   series.orders[0].from = 8;
@@ -33,10 +33,10 @@ StudyResult bar_study(double order, double finest) {
   return study;
 }
 
-void keep(const std::string& db, const StudyResult& study, const std::string& digest, const std::string& commit,
-          const std::string& time) {
-  const Provenance p{digest, commit, false, "GNU 12.2.0", "-O3", "Release", "CPU", time};
-  Store(db, Store::Mode::create_or_write).keep_study(study, {}, p);
+void keep(const std::string& db, const records::StudyResult& study, const std::string& digest,
+          const std::string& commit, const std::string& time) {
+  const store::Provenance p{digest, commit, false, "GNU 12.2.0", "-O3", "Release", "CPU", time};
+  store::Store(db, store::Store::Mode::create_or_write).keep_study(study, {}, p);
 }
 
 /// Two versions in one store: the order drops, the finest error grows.
@@ -151,4 +151,4 @@ TEST(Workflow, RunsWordsThatThereAre) {
 }
 
 }  // namespace history_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -5,7 +5,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 namespace mutation_results_test {
 
 using testing::HasSubstr;
@@ -17,7 +17,7 @@ class MutationResultsOnDisk : public testing::Test {
   MutationResultsOnDisk() {
     std::filesystem::create_directories(folder_ / "tests/mutation");
     std::filesystem::create_directories(folder_ / "results");
-    Store(folder_ / "results/r.db", Store::Mode::create_or_write);
+    store::Store(folder_ / "results/r.db", store::Store::Mode::create_or_write);
   }
 
   std::string own_digest() const {
@@ -123,4 +123,4 @@ TEST(Program, KnowsNothingOfMutants) {
 }
 
 }  // namespace mutation_results_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

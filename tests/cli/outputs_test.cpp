@@ -5,7 +5,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 namespace outputs_test {
 
 using testing::HasSubstr;
@@ -18,7 +18,7 @@ class Outputs : public testing::Test {
     std::filesystem::create_directories(folder / "goldens");
     folder.write("goldens/g.toml", "[[order]]\n");
     folder.write("tests/mutation/summary.json", "{}\n");
-    Store(folder / "v.db", Store::Mode::create_or_write);
+    store::Store(folder / "v.db", store::Store::Mode::create_or_write);
     std::filesystem::create_hard_link(folder / "v.db", folder / "hard");
     std::filesystem::create_symlink("v.db", folder / "soft");
     std::filesystem::create_symlink("goldens", folder / "same-goldens");
@@ -67,4 +67,4 @@ TEST_F(Outputs, OfAnotherPlaceAreWritten) {
 }
 
 }  // namespace outputs_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 /// A folder of its own for one test, removed at the end.
 class Folder {
@@ -62,4 +62,4 @@ inline Answer call(const Folder& folder, const std::string& arguments, const std
   return answer;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

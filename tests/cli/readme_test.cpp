@@ -3,7 +3,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 namespace readme_test {
 
 /// The fenced block that follows `<!-- walk: NAME -->` in the README.
@@ -106,4 +106,4 @@ TEST_F(ReadmeNightly, TheSolutionIsADisplacementField) {
 }
 
 }  // namespace readme_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -3,7 +3,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 namespace run_test {
 
 using testing::HasSubstr;
@@ -343,4 +343,4 @@ TEST(ListCommand, NamesProblemsAndWords) {
 }
 
 }  // namespace run_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace mpmvv {
+namespace mpmvv::cli {
 
 /// A study file of two series that takes no time.
 inline constexpr const char* small_study = R"(title = "Small"
@@ -36,4 +36,4 @@ window = [8, 64]
 at_least = 1.5
 )";
 
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

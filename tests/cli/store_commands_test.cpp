@@ -11,7 +11,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 namespace store_commands_test {
 
 using testing::HasSubstr;
@@ -158,12 +158,12 @@ TEST(GateCommand, ATrialPassesOnlyWhereItIsAskedFor) {
 TEST(ProposeCommand, MakesTheFolderOfItsFileAndNeedsNoGoldens) {
   const Folder folder;
   const std::string db = folder / "r.db", file = folder / "new/goldens/s.toml";
-  StudyResult study;
+  records::StudyResult study;
   study.name = "s";
   study.values = {{"gap", 1, "a gap"}};
-  Provenance clean = current_provenance();
+  store::Provenance clean = store::current_provenance();
   clean.dirty = false;
-  Store(db, Store::Mode::create_or_write).keep_study(study, {}, clean);
+  store::Store(db, store::Store::Mode::create_or_write).keep_study(study, {}, clean);
   std::filesystem::create_directories(folder / "none");
   const std::string propose = "propose --db " + db + " --study s --goldens " + (folder / "none") + " --out ";
   const Answer made = call(folder, propose + file);
@@ -200,4 +200,4 @@ TEST(ReportCommand, WritesOnePageAndItsFigures) {
 }
 
 }  // namespace store_commands_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

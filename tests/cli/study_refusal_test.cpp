@@ -7,7 +7,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 namespace study_refusal_test {
 
 using testing::HasSubstr;
@@ -125,4 +125,4 @@ TEST(BadStudyName, IsRefusedAtTheEntry) {
 }
 
 }  // namespace study_refusal_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

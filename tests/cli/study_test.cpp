@@ -7,7 +7,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cli {
 namespace study_test {
 
 using testing::AllOf;
@@ -253,4 +253,4 @@ TEST(StudyCommand, AFitOfAllSeriesLeavesOutThoseThatDoWithoutItsNorm) {
 }
 
 }  // namespace study_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cli

@@ -5,8 +5,10 @@
 
 #include <cmath>
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 namespace comparison_test {
+
+using claims::Finding;
 
 using Kind = Finding::Kind;
 using testing::ElementsAre;
@@ -16,7 +18,7 @@ Finding number(Kind kind, const std::string& name, double value, int better = 0)
   return {"s", kind, name, value, "", better, {}};
 }
 Finding word(const std::string& name, const std::string& text) {
-  return {"s", Kind::status, name, not_measured, text, 0, {}};
+  return {"s", Kind::status, name, support::not_measured, text, 0, {}};
 }
 Finding error(const std::vector<Finding::Level>& levels) {
   return {"s", Kind::error, "error", levels.back().y, "", -1, levels};
@@ -59,12 +61,12 @@ TEST(Compare, MeasuresInTheGoldensBands) {
 /// As findings of a study have it, to the sign of a change.
 TEST(Compare, KnowsTheBetterSideOfALimit) {
   const auto study = [](const char* key, double stable, double unstable) {
-    StudyResult result;
+    records::StudyResult result;
     result.name = "s";
     result.series.resize(1);
-    StabilityLimit& limit = result.series[0].limit.emplace();
+    fits::StabilityLimit& limit = result.series[0].limit.emplace();
     limit.key = key, limit.stable = stable, limit.unstable = unstable, limit.found = true;
-    return findings_of(result);
+    return claims::findings_of(result);
   };
   const auto change = [&](const char* key, double ratio) {
     const bool below = std::string(key) == "cfl";
@@ -112,7 +114,7 @@ TEST(Compare, WorstStandsFirst) {
 }
 
 TEST(Compare, ANumberThatIsLostIsTheWorst) {
-  Finding lost = number(Kind::order, "o", not_measured, 1);
+  Finding lost = number(Kind::order, "o", support::not_measured, 1);
   lost.word = "not measured";
   EXPECT_EQ(bands(number(Kind::order, "o", 2, 1), lost), INFINITY);
   EXPECT_EQ(bands(lost, number(Kind::order, "o", 2, 1)), -INFINITY);
@@ -148,4 +150,4 @@ TEST(Compare, ListsWhatOnlyOneHas) {
 }
 
 }  // namespace comparison_test
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

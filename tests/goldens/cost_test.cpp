@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 namespace cost_test {
 
 /// Pairs whose noise has a median of one.
@@ -73,4 +73,4 @@ TEST(Cost, TheIntervalHoldsTheTrueRatio) {
 }
 
 }  // namespace cost_test
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

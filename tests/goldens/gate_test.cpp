@@ -10,8 +10,14 @@
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 namespace gate_test {
+
+using fits::StabilityLimit;
+using records::Point;
+using records::Status;
+using records::StudyResult;
+using support::not_measured;
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -32,7 +38,7 @@ StabilityLimit bracket(double stable, double unstable) {
 
 /// A study that passes all goldens above.
 StudyResult healthy() {
-  Series a;
+  records::Series a;
   a.name = "a";
   a.points = {{16, Status::ok, "", {{"l2", 1.6e-3}}},
               {32, Status::ok, "", {{"l2", 4e-4}}},
@@ -130,7 +136,7 @@ TEST(Gate, IntervalsOfReplicatesComeBeforeThoseOfResiduals) {
   const GateResult result = judge(Golden{"s", "s.toml:9", OrderGolden{"a", "l2", 2, 1.85, 2.15}}, [](StudyResult& s) {
     s.series[0].orders[0].order = 1.7;
     s.series[0].orders[0].half_width = 1;
-    s.series[0].orders[0].replicates = ReplicateFit{12, 0.01, 0.02, 0.5};
+    s.series[0].orders[0].replicates = fits::ReplicateFit{12, 0.01, 0.02, 0.5};
   });
   EXPECT_EQ(result.verdict, Verdict::fail);
 }
@@ -234,7 +240,7 @@ TEST(Gate, ACurvesWindowNeedsNoPointsAtItsEnds) {
 TEST(Gate, AnOrderIsThatOfItsOwnNormAndBothEndsOfItsWindow) {
   const auto judged = [](const std::string& norm, double from, double to) {
     return judge(Golden{"s", "", OrderGolden{"a", norm, 2, 1.85, 2.15, {from, to}}}, [](StudyResult& s) {
-      Series& a = s.series[0];
+      records::Series& a = s.series[0];
       for (const double x : {8, 128}) a.points.push_back({x, Status::ok, "", {}});
       for (Point& point : a.points) point.y = {{"l1", 1e-4}, {"l2", 1e-4}};
       a.orders.assign(5, a.orders[0]);
@@ -314,7 +320,7 @@ TEST(Gate, WhatNobodyHasReviewedDoesNotPass) {
 
 TEST(Gate, ATrialDecidesNothingUnlessItIsAskedFor) {
   StudyResult study = healthy();
-  study.text = with_trial("title = \"S\"", "shuffle = 3 in 1 of 1 series");
+  study.text = store::with_trial("title = \"S\"", "shuffle = 3 in 1 of 1 series");
   const Golden three{"s", "", OrderGolden{"a", "l2", 3, 2.85, 3.15}};
   for (const Golden& golden : {order_two, three}) {
     const GateReport report = run_gate({golden}, {study});
@@ -464,12 +470,12 @@ TEST(Gate, OnlyTheNamedStudiesAreJudged) {
   const GateReport report = run_gate({order_two, other}, {healthy()}, {"s"});
   ASSERT_EQ(report.results.size(), 1U);
   EXPECT_EQ(report.results[0].study, "s");
-  EXPECT_THROW(run_gate({order_two, other}, {healthy()}, {"s", "u"}), UsageError);
+  EXPECT_THROW(run_gate({order_two, other}, {healthy()}, {"s", "u"}), support::UsageError);
 }
 
 TEST(Gate, AGateThatChecksNothingIsAnError) {
-  EXPECT_THROW(run_gate({}, {healthy()}), UsageError);
+  EXPECT_THROW(run_gate({}, {healthy()}), support::UsageError);
 }
 
 }  // namespace gate_test
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

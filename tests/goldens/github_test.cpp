@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 namespace github_test {
 
 TEST(Github, MarksTheLinesOfGoldensThatDoNotPass) {
@@ -33,4 +33,4 @@ TEST(Github, NoNameBeginsACommandOfItsOwn) {
 }
 
 }  // namespace github_test
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

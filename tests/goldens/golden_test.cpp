@@ -8,7 +8,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 namespace golden_test {
 
 using testing::AllOf;
@@ -23,7 +23,7 @@ template <class Action>
 std::string message(Action action) {
   try {
     action();
-  } catch (const UsageError& error) {
+  } catch (const support::UsageError& error) {
     return error.what();
   }
   return "no UsageError";
@@ -54,7 +54,7 @@ TEST(Golden, ReadsEveryKind) {
   EXPECT_EQ(error.expected, 1e-5);
   EXPECT_EQ(std::get<LimitGolden>(goldens[2].expectation).expected, 0.8);
   EXPECT_EQ(std::get<ValueGolden>(goldens[3].expectation).upper, 1e-14);
-  EXPECT_EQ(std::get<StatusGolden>(goldens[4].expectation).expected, Status::unstable);
+  EXPECT_EQ(std::get<StatusGolden>(goldens[4].expectation).expected, records::Status::unstable);
   EXPECT_EQ(goldens[1].study, "s");
   EXPECT_EQ(goldens[1].where, "s.toml:9");
   EXPECT_EQ(subject(goldens[1]), "error of 'linear' in linf at 512");
@@ -242,4 +242,4 @@ TEST_F(GoldenDirectory, NothingToReadIsAnError) {
 }
 
 }  // namespace golden_test
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

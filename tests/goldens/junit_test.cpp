@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 namespace junit_test {
 
 using boost::property_tree::ptree;
@@ -69,4 +69,4 @@ TEST(Junit, HoldsNoCharacterThatXmlForbids) {
 }
 
 }  // namespace junit_test
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

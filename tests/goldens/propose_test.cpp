@@ -11,15 +11,21 @@
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::goldens {
 namespace propose_test {
+
+using records::Series;
+using records::Status;
+using records::StudyResult;
+using support::not_measured;
+using support::UsageError;
 
 using testing::HasSubstr;
 
-const Provenance clean{"d1", "abc", false, "GNU 12.2.0", "-O3", "Release", "cpu", "2026-11-21T00:00:00Z"};
+const store::Provenance clean{"d1", "abc", false, "GNU 12.2.0", "-O3", "Release", "cpu", "2026-11-21T00:00:00Z"};
 
-ObservedOrder fitted(const std::string& norm, int points, double order) {
-  ObservedOrder fit;
+fits::ObservedOrder fitted(const std::string& norm, int points, double order) {
+  fits::ObservedOrder fit;
   fit.norm = norm;
   fit.from = 16;
   fit.to = 64;
@@ -28,8 +34,8 @@ ObservedOrder fitted(const std::string& norm, int points, double order) {
   return fit;
 }
 
-StabilityLimit cfl_limit(double stable, double unstable) {
-  StabilityLimit limit;
+fits::StabilityLimit cfl_limit(double stable, double unstable) {
+  fits::StabilityLimit limit;
   limit.key = "cfl";
   limit.stable = stable;
   limit.unstable = unstable;
@@ -132,7 +138,7 @@ TEST(Propose, WhatCouldNotPassIsNoGolden) {
 TEST(Propose, TheIntervalIsTheOneThatTheGateTakes) {
   Series series = convergent();
   series.orders[0].half_width = 3;
-  series.orders[0].replicates = ReplicateFit{12, 0.01, 0.5, 0.5};
+  series.orders[0].replicates = fits::ReplicateFit{12, 0.01, 0.5, 0.5};
   EXPECT_EQ(std::get<OrderGolden>(proposed(study_with(series))[0].expectation).interval, 0.5);
 }
 
@@ -148,7 +154,7 @@ TEST(Propose, AWindowIsCalledAsymptoticWhereItWas) {
 
 TEST(Propose, ATrialIsRefused) {
   StudyResult study = study_with(convergent());
-  study.text = with_trial("", "shuffle = 3 in 1 of 1 series");
+  study.text = store::with_trial("", "shuffle = 3 in 1 of 1 series");
   EXPECT_THROW(propose_goldens(study, clean), UsageError);
 }
 
@@ -159,7 +165,7 @@ TEST(Propose, LeavesTheMarkToTheReviewer) {
 
 TEST(Propose, AnErrorInEveryFittedNormOnce) {
   Series series = convergent();
-  for (Point& point : series.points) point.y["linf"] = 2 * point.y["l2"];
+  for (records::Point& point : series.points) point.y["linf"] = 2 * point.y["l2"];
   series.orders = {fitted("l2", 3, 2), fitted("linf", 3, 2), fitted("l2", 3, 2)};
   series.orders[2].from = 32;
   const auto goldens = proposed(study_with(series));
@@ -274,7 +280,7 @@ TEST(Propose, TextOfPeopleCannotBreakTheFile) {
 }
 
 TEST(Propose, ADirtyTreeIsRefused) {
-  Provenance dirty = clean;
+  store::Provenance dirty = clean;
   dirty.dirty = true;
   EXPECT_THROW(propose_goldens(study_with(convergent()), dirty), UsageError);
 }
@@ -284,4 +290,4 @@ TEST(Propose, NothingToProposeIsAnError) {
 }
 
 }  // namespace propose_test
-}  // namespace mpmvv
+}  // namespace mpmvv::goldens

@@ -9,6 +9,8 @@
 
 namespace mpmvv::mutation {
 
+using support::UsageError;
+
 namespace {
 
 /// Whether a mutant is caught by nothing but goldens that cannot judge.
@@ -68,7 +70,7 @@ Trial BatchBench::meet(GateStage stage, std::chrono::seconds limit) {
     if (!is_doubtful(trial)) return trial;
   }
   if (!alone_.build(edit_))
-    throw UsageError(
+    throw support::UsageError(
         fmt::format("an edit of {} compiles with others, but not alone: {}", edit_->file, alone_.complaint()));
   return alone_.meet(stage, limit);
 }

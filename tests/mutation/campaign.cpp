@@ -13,6 +13,8 @@
 
 namespace mpmvv::mutation {
 
+using support::UsageError;
+
 namespace {
 
 using std::chrono::seconds;
@@ -98,12 +100,12 @@ class Campaign {
     if (!baseline_.trial(stage)) {
       meet(baseline_, nullptr, stage, std::chrono::hours(12));
       if (!baseline_.builds)
-        throw UsageError(fmt::format("the tree does not build (one that does): {}", bench_.complaint()));
+        throw support::UsageError(fmt::format("the tree does not build (one that does): {}", bench_.complaint()));
     }
     const Trial& trial = *baseline_.trial(stage);
     if (trial.caught)
-      throw UsageError(fmt::format("the tree does not pass its {}: {} (one that does)", to_string(stage),
-                                   fmt::join(trial.by, ", ")));
+      throw support::UsageError(fmt::format("the tree does not pass its {}: {} (one that does)", to_string(stage),
+                                            fmt::join(trial.by, ", ")));
     return seconds(std::lround(120 + 5 * trial.seconds));
   }
 

@@ -38,22 +38,22 @@ struct Options {
 int list(const Options& options) {
   const auto mistakes = read_mistakes(options.planted());
   if (!options.json) {
-    for (const Mistake& mistake : mistakes) print_text(text_of(mistake));
+    for (const Mistake& mistake : mistakes) cli::print_text(text_of(mistake));
     return 0;
   }
   nlohmann::json json = nlohmann::json::array();
   for (const Mistake& m : mistakes)
     json.push_back({{"name", m.name}, {"what", m.what}, {"file", m.file}, {"equivalent", m.reason}});
-  print_json({{"mistakes", json}});
+  cli::print_json({{"mistakes", json}});
   return 0;
 }
 
 int answer(const Results& results, bool json) {
   const Score score = score_of(results.mutants);
   if (json)
-    print_json(to_json(results));
+    cli::print_json(to_json(results));
   else
-    print_text(text_of(score));
+    cli::print_text(text_of(score));
   return score.missed.empty() ? 0 : 1;
 }
 
@@ -61,14 +61,14 @@ int tell_known(const Options& options, const Results& results) {
   constexpr int missing = 3;
   const bool knows_none = results.mutants.empty();
   if (options.publish) {
-    if (knows_none) throw UsageError(options.results + " knows no mutant of this program (try some)");
-    note("published in {}\n", publish(results, options.lists()).string());
+    if (knows_none) throw support::UsageError(options.results + " knows no mutant of this program (try some)");
+    cli::note("published in {}\n", publish(results, options.lists()).string());
   }
   if (!knows_none || options.json) {
     const int verdict = answer(results, options.json);
     if (!knows_none) return verdict;
   }
-  note("{} knows no mutant of this program (`./run mutants` tries some)\n", options.results);
+  cli::note("{} knows no mutant of this program (`./run mutants` tries some)\n", options.results);
   return missing;
 }
 
@@ -77,10 +77,11 @@ int check(const Options& options, const Reasons& reasons) {
   const auto mistakes = read_mistakes(options.planted());
   const auto wrong = unmatched(mistakes, reasons.explanations(), read_sources(options.source));
   for (const Unmatched& entry : wrong) {
-    print("{}\n", entry.complaint);
-    if (!entry.nearest.empty()) print("    {}\n", entry.nearest);
+    cli::print("{}\n", entry.complaint);
+    if (!entry.nearest.empty()) cli::print("    {}\n", entry.nearest);
   }
-  note("{} of {} entries do not match the sources\n", wrong.size(), mistakes.size() + reasons.explanations().size());
+  cli::note("{} of {} entries do not match the sources\n", wrong.size(),
+            mistakes.size() + reasons.explanations().size());
   return wrong.empty() ? 0 : 1;
 }
 
@@ -89,14 +90,15 @@ void require_match(const Options& options, const std::vector<Mistake>& mistakes,
   const auto wrong = unmatched(mistakes, reasons.explanations(), read_sources(options.source));
   if (wrong.empty()) return;
   const std::string more = wrong.size() == 1 ? "" : fmt::format("; --check lists {} more", wrong.size() - 1);
-  throw UsageError(wrong.front().complaint + more);
+  throw support::UsageError(wrong.front().complaint + more);
 }
 
 /// What a campaign calls beside what it builds.
 void require_tools() {
   for (const char* tool : {"cmake", "ninja"})
-    if (!run_process({tool, "--version"}, ".", {}, std::chrono::seconds(60)).good())
-      throw UsageError(fmt::format("no program '{}' that starts on the PATH (install what `./run build` does)", tool));
+    if (!support::run_process({tool, "--version"}, ".", {}, std::chrono::seconds(60)).good())
+      throw support::UsageError(
+          fmt::format("no program '{}' that starts on the PATH (install what `./run build` does)", tool));
 }
 
 CampaignPlan reasoned_plan(const Options& options, const std::vector<Mistake>& mistakes, const Reasons& reasons,
@@ -112,8 +114,8 @@ int run(const Options& options) {
   if (options.list) return list(options);
   const Reasons reasons(options.lists());
   if (options.check) return check(options, reasons);
-  if (options.results.empty()) throw UsageError("no --results given (a file such as results/mutants.json)");
-  ResultsFile results(options.results, reasons, current_provenance());
+  if (options.results.empty()) throw support::UsageError("no --results given (a file such as results/mutants.json)");
+  ResultsFile results(options.results, reasons, store::current_provenance());
   if (options.known || options.publish) return tell_known(options, results.known());
   const auto mistakes = read_mistakes(options.planted());
   require_match(options, mistakes, reasons);
@@ -125,7 +127,7 @@ int run(const Options& options) {
 
   Results known = results.known();
   const auto find = [&](const Mutant& wanted) { return known_result(known.mutants, wanted); };
-  const auto tell = [](const std::string& line) { note("{}\n", line); };
+  const auto tell = [](const std::string& line) { cli::note("{}\n", line); };
   const auto keep = [&](const Mutant& mutant) { results.keep(mutant); };
   ScratchTree batch_tree(options.source, work / "batch", program_parts());
   ProgramBench alone(tree, options.jobs), batched(batch_tree, options.jobs);

@@ -13,27 +13,30 @@
 
 namespace mpmvv::mutation {
 
+using support::TomlTable;
+using support::UsageError;
+
 namespace {
 
 [[noreturn]] void refuse(const std::string& wrong, const std::string& where, const std::string& right) {
-  throw UsageError(fmt::format("{} in {} ({})", wrong, where, right));
+  throw support::UsageError(fmt::format("{} in {} ({})", wrong, where, right));
 }
 
-std::string filled(const TomlTable& table, const std::string& key) {
+std::string filled(const support::TomlTable& table, const std::string& key) {
   const std::string text = table.text(key);
   if (text.find_first_not_of(" \t\n") == std::string::npos)
     refuse(fmt::format("'{}' is blank", key), table.where(key), "a text");
   return text;
 }
 
-std::string kebab_name(const TomlTable& table) {
+std::string kebab_name(const support::TomlTable& table) {
   const std::string name = filled(table, "name");
   if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos)
     refuse(fmt::format("name '{}'", name), table.where("name"), "lower-case letters, digits and '-'");
   return name;
 }
 
-Mistake read_mistake(const TomlTable& table) {
+Mistake read_mistake(const support::TomlTable& table) {
   table.allow_only({"name", "what", "file", "function", "find", "replace", "equivalent"});
   Mistake mistake{.name = kebab_name(table),
                   .what = filled(table, "what"),
@@ -51,11 +54,11 @@ Mistake read_mistake(const TomlTable& table) {
 }  // namespace
 
 std::vector<Mistake> read_mistakes(const std::filesystem::path& file) {
-  const TomlTable document = TomlTable::read(file);
+  const support::TomlTable document = support::TomlTable::read(file);
   document.allow_only({"mistake"});
   std::vector<Mistake> mistakes;
   std::set<std::string> names;
-  for (const TomlTable& table : document.tables("mistake")) {
+  for (const support::TomlTable& table : document.tables("mistake")) {
     mistakes.push_back(read_mistake(table));
     if (!names.insert(mistakes.back().name).second)
       refuse(fmt::format("a second mistake '{}'", mistakes.back().name), mistakes.back().where, "another name");
@@ -100,10 +103,10 @@ Edit edit_of(const Mistake& mistake, const std::string& file, const std::string&
 }
 
 std::vector<Explanation> read_explanations(const std::filesystem::path& file) {
-  const TomlTable document = TomlTable::read(file);
+  const support::TomlTable document = support::TomlTable::read(file);
   document.allow_only({"survivor"});
   std::vector<Explanation> explanations;
-  for (const TomlTable& table : document.tables("survivor")) {
+  for (const support::TomlTable& table : document.tables("survivor")) {
     table.allow_only({"file", "before", "after", "reason"});
     explanations.push_back({filled(table, "file"), filled(table, "before"), filled(table, "after"),
                             filled(table, "reason"), table.where()});

@@ -65,7 +65,7 @@ void keep_named(CampaignPlan& plan, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto has_name = [&](const Candidate& c) { return c.mutant.name == name; };
     if (std::ranges::none_of(plan.planted, has_name) && std::ranges::none_of(plan.draws, has_name))
-      throw UsageError(fmt::format("no mutant '{}' (see --list, or random-1, random-2, ...)", name));
+      throw support::UsageError(fmt::format("no mutant '{}' (see --list, or random-1, random-2, ...)", name));
   }
   std::erase_if(plan.planted, std::not_fn(is_named));
   std::erase_if(plan.draws, std::not_fn(is_named));

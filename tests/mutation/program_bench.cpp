@@ -12,6 +12,9 @@
 
 namespace mpmvv::mutation {
 
+using support::ProcessEnd;
+using support::UsageError;
+
 namespace fs = std::filesystem;
 using std::chrono::seconds;
 
@@ -36,7 +39,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-std::string how_it_ended(const ProcessEnd& end, seconds limit) {
+std::string how_it_ended(const support::ProcessEnd& end, seconds limit) {
   if (end.timed_out || end.exit_code == out_of_time) return fmt::format("not at its end after {} s", limit.count());
   return end.exit_code > 128 ? fmt::format("ended by signal {}", end.exit_code - 128)
                              : fmt::format("exit code {}", end.exit_code);
@@ -60,12 +63,13 @@ ProgramBench::ProgramBench(ScratchTree& scratch, int jobs)
 
 void ProgramBench::configure() const {
   if (fs::exists(scratch_.build() / "build.ninja")) return;
-  const ProcessEnd end = scratch_.run(
+  const support::ProcessEnd end = scratch_.run(
       {"cmake", "--preset", "mutants", "-B", scratch_.build().string(), "--log-level=WARNING"}, build_limit);
-  if (!end.good()) throw UsageError(fmt::format("cmake cannot configure {}: {}", scratch_.tree().string(), end.output));
+  if (!end.good())
+    throw support::UsageError(fmt::format("cmake cannot configure {}: {}", scratch_.tree().string(), end.output));
 }
 
-ProcessEnd ProgramBench::make(const std::vector<std::string>& targets) const {
+support::ProcessEnd ProgramBench::make(const std::vector<std::string>& targets) const {
   std::vector<std::string> command{"cmake",   "--build", scratch_.build().string(), "--parallel", std::to_string(jobs_),
                                    "--target"};
   command.insert(command.end(), targets.begin(), targets.end());
@@ -74,13 +78,13 @@ ProcessEnd ProgramBench::make(const std::vector<std::string>& targets) const {
 
 /// A compiler that ends without having found an error has told nothing of the mutant.
 bool ProgramBench::compiles(const std::string& target) {
-  const ProcessEnd end = make({target});
+  const support::ProcessEnd end = make({target});
   if (end.good()) return true;
   complaint_ = last_lines(end.output);
   const bool is_error = end.output.find(" error: ") != std::string::npos;
   const bool is_killed = end.output.find("Killed signal") != std::string::npos;
   if (!is_error || is_killed)
-    throw UsageError(fmt::format("cannot build {}: {} (memory and disk for a compiler)", target, complaint_));
+    throw support::UsageError(fmt::format("cannot build {}: {} (memory and disk for a compiler)", target, complaint_));
   return false;
 }
 
@@ -114,7 +118,7 @@ std::vector<int> ProgramBench::build(const std::vector<Choice>& choices) {
   configure();
   std::vector<std::string> targets = test_programs("");
   targets.insert(targets.begin(), "mpmvv");
-  const ProcessEnd end = make(targets);
+  const support::ProcessEnd end = make(targets);
   if (end.good()) return numbers;
   complaint_ = last_lines(end.output);
   const std::set<int> bad = choices_named(end.output, places);
@@ -139,7 +143,7 @@ Trial ProgramBench::meet(GateStage stage, seconds limit) {
   return trial;
 }
 
-ProcessEnd ProgramBench::run(const std::vector<std::string>& command, seconds limit) const {
+support::ProcessEnd ProgramBench::run(const std::vector<std::string>& command, seconds limit) const {
   return scratch_.run(command, limit, {{choice_variable, std::to_string(chosen_)}});
 }
 
@@ -150,9 +154,10 @@ seconds ProgramBench::limit_of(const std::string& name, seconds stage_limit) con
 }
 
 /// Of what waits for ever, instead of working, the processors see nothing.
-ProcessEnd ProgramBench::run_confined(const std::string& name, const std::vector<std::string>& command, seconds limit) {
+support::ProcessEnd ProgramBench::run_confined(const std::string& name, const std::vector<std::string>& command,
+                                               seconds limit) {
   const auto start = std::chrono::steady_clock::now();
-  const ProcessEnd end = run(confined_command(jobs_ * limit, command), 20 * limit);
+  const support::ProcessEnd end = run(confined_command(jobs_ * limit, command), 20 * limit);
   if (!is_edited_ && end.good()) usual_[name] = seconds_since(start);
   return end;
 }
@@ -167,7 +172,7 @@ Trial ProgramBench::run_unit_tests(seconds stage_limit) {
       return trial;
     }
     const seconds limit = limit_of(test, stage_limit);
-    const ProcessEnd end = run_confined(
+    const support::ProcessEnd end = run_confined(
         test, {program(test), "--gtest_fail_fast", "--gtest_color=no", "--gtest_filter=-*Nightly*"}, limit);
     if (end.good()) continue;
     trial.caught = true;
@@ -189,13 +194,13 @@ Trial ProgramBench::run_gate(GateStage stage, const std::vector<std::string>& st
 std::vector<std::string> ProgramBench::complaints_of(const std::string& study, const std::string& db,
                                                      seconds stage_limit) {
   const seconds limit = limit_of(study, stage_limit);
-  const ProcessEnd ran = run_confined(
+  const support::ProcessEnd ran = run_confined(
       study,
       {program("mpmvv"), "study", "--db", db, "--jobs", std::to_string(jobs_), fmt::format("studies/{}.toml", study)},
       limit);
   const std::string ending = fmt::format("{}: {}", study, how_it_ended(ran, limit));
   if (ran.timed_out || ran.exit_code > 1) return {ending};
-  const ProcessEnd judged = run({program("mpmvv"), "gate", "--db", db, "--json", "--only", study}, gate_limit);
+  const support::ProcessEnd judged = run({program("mpmvv"), "gate", "--db", db, "--json", "--only", study}, gate_limit);
   if (ran.good() && judged.good()) return {};
   const auto goldens = goldens_not_passed(judged.output);
   return goldens.empty() ? std::vector{ending} : goldens;

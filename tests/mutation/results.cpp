@@ -112,15 +112,15 @@ json to_json(const Results& results) {
 std::optional<Results> read_results(const fs::path& file) {
   std::error_code absent;
   if (!fs::exists(fs::symlink_status(file, absent))) return std::nullopt;
-  const std::string text = require_file(file, "what `./run mutants` writes");
+  const std::string text = support::require_file(file, "what `./run mutants` writes");
   const auto refuse = [&file](const char* why) {
-    throw UsageError(fmt::format("{}: {} (what `./run mutants` writes)", file.string(), why));
+    throw support::UsageError(fmt::format("{}: {} (what `./run mutants` writes)", file.string(), why));
   };
   try {
     const json all = json::parse(text);
     Results results{all.at("digest"), all.at("commit"), {}};
     for (const json& mutant : all.at("mutants")) results.mutants.push_back(mutant_from(mutant));
-    if (!is_file_stem(results.digest)) refuse("a digest that cannot name a file");
+    if (!support::is_file_stem(results.digest)) refuse("a digest that cannot name a file");
     return results;
   } catch (const json::exception&) {
     refuse("not of this form");
@@ -132,16 +132,16 @@ std::optional<Results> read_results(const fs::path& file) {
 
 fs::path publish(const Results& results, const fs::path& folder) {
   const fs::path file = folder / "summary.json";
-  write_if_changed(file, summary_of(results).dump(1) + "\n");
+  support::write_if_changed(file, summary_of(results).dump(1) + "\n");
   return file;
 }
 
-ResultsFile::ResultsFile(fs::path file, Reasons reasons, const Provenance& own)
+ResultsFile::ResultsFile(fs::path file, Reasons reasons, const store::Provenance& own)
     : file_(std::move(file)), reasons_(std::move(reasons)), results_{own.digest, "", {}} {
   const fs::path folder = fs::absolute(file_).parent_path();
   if (access(folder.c_str(), W_OK) != 0)
-    throw UsageError(fmt::format("no folder '{}' that may be written for results '{}' (make it first)", folder.string(),
-                                 file_.string()));
+    throw support::UsageError(fmt::format("no folder '{}' that may be written for results '{}' (make it first)",
+                                          folder.string(), file_.string()));
   if (auto kept = read_results(file_)) {
     if (kept->digest == own.digest)
       results_ = std::move(*kept);
@@ -164,11 +164,12 @@ void ResultsFile::keep(const Mutant& mutant) {
   else
     *same = mutant;
   if (other_digest_) {
-    move_file(file_, fs::path(file_).replace_filename(fmt::format(
-                         "{}-{}{}", file_.stem().string(), other_digest_->substr(0, 8), file_.extension().string())));
+    support::move_file(
+        file_, fs::path(file_).replace_filename(fmt::format("{}-{}{}", file_.stem().string(),
+                                                            other_digest_->substr(0, 8), file_.extension().string())));
     other_digest_.reset();
   }
-  write_if_changed(file_, to_json(known()).dump(1) + "\n");
+  support::write_if_changed(file_, to_json(known()).dump(1) + "\n");
 }
 
 }  // namespace mpmvv::mutation

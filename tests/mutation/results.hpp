@@ -35,7 +35,7 @@ std::filesystem::path publish(const Results& results, const std::filesystem::pat
 class ResultsFile {
  public:
   /// UsageError, with nothing written, when the file cannot be or holds something else.
-  ResultsFile(std::filesystem::path file, Reasons reasons, const Provenance& own);
+  ResultsFile(std::filesystem::path file, Reasons reasons, const store::Provenance& own);
 
   /// What it knows of this program's mutants, reviewed.
   Results known() const;

@@ -10,13 +10,21 @@
 
 namespace mpmvv::mutation {
 
+using cases::fingerprint;
+using support::make_folder;
+using support::ProcessEnd;
+using support::read_file;
+using support::run_process;
+using support::UsageError;
+using support::write_if_changed;
+
 namespace fs = std::filesystem;
 
 namespace {
 
 std::string content_of(const fs::path& file) {
-  if (auto content = read_file(file)) return std::move(*content);
-  throw UsageError(fmt::format("cannot read '{}' (a file of the tree)", file.string()));
+  if (auto content = support::read_file(file)) return std::move(*content);
+  throw support::UsageError(fmt::format("cannot read '{}' (a file of the tree)", file.string()));
 }
 
 /// Without links, so that two names of one place are equal.
@@ -24,7 +32,8 @@ fs::path resolved(const fs::path& place) {
   std::error_code failed;
   const fs::path path = fs::weakly_canonical(fs::absolute(place), failed);
   if (failed)
-    throw UsageError(fmt::format("cannot follow '{}': {} (name another folder)", place.string(), failed.message()));
+    throw support::UsageError(
+        fmt::format("cannot follow '{}': {} (name another folder)", place.string(), failed.message()));
   return path;
 }
 
@@ -35,16 +44,16 @@ constexpr const char* marker_text =
 /// The marker is the program's own file, not a link to one.
 bool is_marked(const fs::path& work) {
   const fs::path marker = work / marker_name;
-  return fs::is_regular_file(fs::symlink_status(marker)) && read_file(marker) == marker_text;
+  return fs::is_regular_file(fs::symlink_status(marker)) && support::read_file(marker) == marker_text;
 }
 
 /// What the program has not made is not its own to empty.
 void require_scratch(const fs::path& work) {
   if (!fs::exists(work)) return;
   if (!fs::is_directory(work))
-    throw UsageError(fmt::format("work folder '{}' is a file (name a folder)", work.string()));
+    throw support::UsageError(fmt::format("work folder '{}' is a file (name a folder)", work.string()));
   if (!fs::is_empty(work) && !is_marked(work))
-    throw UsageError(
+    throw support::UsageError(
         fmt::format("work folder '{}' is neither empty nor a scratch folder of this program, with its file '{}' "
                     "(name another folder, or a new one)",
                     work.string(), marker_name));
@@ -53,7 +62,7 @@ void require_scratch(const fs::path& work) {
 /// A link in a scratch folder is not the program's, and leads out of it.
 void require_no_link(const fs::path& place) {
   if (fs::is_symlink(place))
-    throw UsageError(
+    throw support::UsageError(
         fmt::format("'{}' in a work folder is a link (take it away, or name another folder)", place.string()));
 }
 
@@ -68,12 +77,13 @@ ScratchTree::ScratchTree(const fs::path& source, const fs::path& work, const std
   const fs::path top = resolved(source), way = top.lexically_relative(work_);
   const std::string place = work_.lexically_relative(top).string();
   if (*way.begin() != "..")
-    throw UsageError(fmt::format("work folder '{}' holds the source tree (another folder)", work_.string()));
+    throw support::UsageError(fmt::format("work folder '{}' holds the source tree (another folder)", work_.string()));
   for (const std::string& part : parts) {
     if (!fs::exists(source / part))
-      throw UsageError(fmt::format("no '{}' in '{}' (the top of the source tree)", part, source.string()));
+      throw support::UsageError(fmt::format("no '{}' in '{}' (the top of the source tree)", part, source.string()));
     if (is_within(place, part))
-      throw UsageError(fmt::format("work folder '{}' lies in the tree's '{}' (another folder)", work.string(), part));
+      throw support::UsageError(
+          fmt::format("work folder '{}' lies in the tree's '{}' (another folder)", work.string(), part));
   }
   require_scratch(work_);
   for (const fs::path& folder : {build(), tree()}) require_no_link(folder);
@@ -108,7 +118,7 @@ void ScratchTree::apply(const std::map<std::string, std::string>& texts) {
     originals[file] = std::ranges::binary_search(files_, file) ? std::optional(text(file)) : std::nullopt;
   for (const auto& [file, original] : originals_)
     if (!texts.contains(file)) restore(file, original);
-  for (const auto& [file, changed] : texts) write_if_changed(tree() / file, changed);
+  for (const auto& [file, changed] : texts) support::write_if_changed(tree() / file, changed);
   originals_ = std::move(originals);
 }
 
@@ -118,32 +128,33 @@ void ScratchTree::undo() {
 
 void ScratchTree::restore(const std::string& file, const std::optional<std::string>& original) const {
   if (original)
-    write_if_changed(tree() / file, *original);
+    support::write_if_changed(tree() / file, *original);
   else
     fs::remove(tree() / file);
 }
 
-ProcessEnd ScratchTree::run(const std::vector<std::string>& command, std::chrono::seconds limit,
-                            const std::map<std::string, std::string>& environment) const {
-  ProcessEnd end = run_process(command, tree(), environment, limit);
+support::ProcessEnd ScratchTree::run(const std::vector<std::string>& command, std::chrono::seconds limit,
+                                     const std::map<std::string, std::string>& environment) const {
+  support::ProcessEnd end = support::run_process(command, tree(), environment, limit);
   if (end.start_error != 0)
-    throw UsageError(fmt::format("cannot start '{}' in {} (a program that is installed or was built)", command.front(),
-                                 tree().string()));
+    throw support::UsageError(fmt::format("cannot start '{}' in {} (a program that is installed or was built)",
+                                          command.front(), tree().string()));
   return end;
 }
 
 void ScratchTree::lock() {
-  make_folder(work_);
-  write_if_changed(work_ / marker_name, marker_text);
+  support::make_folder(work_);
+  support::write_if_changed(work_ / marker_name, marker_text);
   lock_ = boost::interprocess::file_lock((work_ / marker_name).c_str());
   if (!lock_.try_lock())
-    throw UsageError(fmt::format("another process works in '{}' (wait for it, or another folder)", work_.string()));
+    throw support::UsageError(
+        fmt::format("another process works in '{}' (wait for it, or another folder)", work_.string()));
 }
 
 void ScratchTree::copy(const fs::path& source, const std::string& part) {
   const auto copy_file = [&](const std::string& file) {
-    make_folder((tree() / file).parent_path());
-    write_if_changed(tree() / file, content_of(source / file));
+    support::make_folder((tree() / file).parent_path());
+    support::write_if_changed(tree() / file, content_of(source / file));
     files_.push_back(file);
   };
   if (!fs::is_directory(source / part)) return copy_file(part);

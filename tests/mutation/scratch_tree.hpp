@@ -41,8 +41,8 @@ class ScratchTree {
   void undo();
 
   /// Runs a command in the copy's top, with these environment variables.
-  ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit,
-                 const std::map<std::string, std::string>& environment = {}) const;
+  support::ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit,
+                          const std::map<std::string, std::string>& environment = {}) const;
 
  private:
   using Originals = std::map<std::string, std::optional<std::string>>;  ///< texts by file; of new ones none

@@ -15,7 +15,7 @@ namespace {
 std::string in_lines(const std::string& start, std::size_t indentation, const std::string& words) {
   constexpr std::size_t width = 100;
   std::string text, line = start;
-  std::istringstream in(printable(words));
+  std::istringstream in(support::printable(words));
   bool is_first = true;
   for (std::string word; in >> word; is_first = false) {
     if (!is_first && line.size() + 1 + word.size() > width) {
@@ -49,7 +49,8 @@ std::string by_stage(const Catches& catches) {
 std::string text_of(const Mistake& mistake) {
   const std::string place =
       mistake.function.empty() ? mistake.file : fmt::format("{} of {}", mistake.function, mistake.file);
-  return printable(fmt::format("{}  ({}{})", mistake.name, place, mistake.reason.empty() ? "" : ", equivalent")) +
+  return support::printable(
+             fmt::format("{}  ({}{})", mistake.name, place, mistake.reason.empty() ? "" : ", equivalent")) +
          "\n" + in_lines("    ", 4, mistake.what);
 }
 

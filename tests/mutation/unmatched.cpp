@@ -48,7 +48,7 @@ std::optional<Unmatched> judge(const Mistake& mistake, const Sources& sources) {
     const std::string file = file_of(mistake, files_of(sources));
     edit_of(mistake, file, sources.at(file));
     return std::nullopt;
-  } catch (const UsageError& e) {
+  } catch (const support::UsageError& e) {
     return Unmatched{e.what(), nearest(mistake.find, mistake.file, sources)};
   }
 }
@@ -85,7 +85,7 @@ Sources read_sources(const fs::path& top) {
       const std::string extension = entry.path().extension().string();
       if (extension == ".hpp" || extension == ".cpp")
         sources[entry.path().lexically_relative(top).generic_string()] =
-            require_file(entry.path(), "a source of the program");
+            support::require_file(entry.path(), "a source of the program");
     }
   }
   return sources;

@@ -7,7 +7,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace alarm_log_test {
 
 using testing::HasSubstr;
@@ -36,10 +36,10 @@ TEST_F(MutantFiles, RunsWithoutAMistakeAreRead) {
   try {
     read_alarms(folder_ / "alarms.toml");
     ADD_FAILURE();
-  } catch (const UsageError& e) {
+  } catch (const support::UsageError& e) {
     EXPECT_THAT(e.what(), HasSubstr("alarms.toml:6 (a count)"));
   }
 }
 
 }  // namespace alarm_log_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

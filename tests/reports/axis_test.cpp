@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace axis_test {
 
 std::vector<std::string> texts(const Axis& axis) {
@@ -85,4 +85,4 @@ TEST(Axis, RangesThatTicsCannotStepThroughAreWidened) {
 }
 
 }  // namespace axis_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -10,7 +10,7 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace benchmark_test {
 
 using testing::ElementsAre;
@@ -85,7 +85,7 @@ TEST(Benchmark, AbsentIsNoneAndAnythingElseIsRefused) {
   const TempFolder folder;
   EXPECT_FALSE(read_benchmark(folder / "benchmark.json"));
   for (const char* text : {"", "no json", "{}", R"({"context": {}, "benchmarks": [{}]})"})
-    EXPECT_THROW(benchmark_of(folder, text), UsageError) << text;
+    EXPECT_THROW(benchmark_of(folder, text), support::UsageError) << text;
 }
 
 TEST(Benchmark, StandsInTheReport) {
@@ -105,4 +105,4 @@ TEST(Benchmark, StandsInTheReport) {
 }
 
 }  // namespace benchmark_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

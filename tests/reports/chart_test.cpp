@@ -9,8 +9,12 @@
 #include "studies/support/error.hpp"
 #include "tests/reports/synthetic.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace chart_test {
+
+using records::Series;
+using records::Status;
+using records::StudyResult;
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -69,9 +73,9 @@ TEST(ErrorChart, KeyHasOrderAndInterval) {
 
 TEST(ErrorChart, KeyHasNoIntervalWithoutOne) {
   auto study = synthetic::convergence();
-  study.series[1].orders[0].half_width = not_measured;
+  study.series[1].orders[0].half_width = support::not_measured;
   EXPECT_THAT(error_chart(study, study.figures[0]).curves[1].key, testing::EndsWith("2.01"));
-  study.series[1].orders[0].order = not_measured;
+  study.series[1].orders[0].order = support::not_measured;
   EXPECT_EQ(error_chart(study, study.figures[0]).curves[1].key, "bspline2, 4 PPC");
 }
 
@@ -140,7 +144,7 @@ TEST(ErrorChart, ReferenceSlopeKeepsClearOfThePoints) {
 TEST(ErrorChart, LimitOfTheSweptKeyIsBracketed) {
   auto study = synthetic::convergence();
   study.sweep = "cfl";
-  StabilityLimit limit;
+  fits::StabilityLimit limit;
   limit.key = "cfl", limit.stable = 60, limit.unstable = 61, limit.found = true;
   study.series[1].limit = limit;
   const auto brackets = rules(error_chart(study, study.figures[0]), Rule::Kind::limit);
@@ -155,7 +159,7 @@ TEST(ErrorChart, SaysWhatItCouldNotDraw) {
   auto study = synthetic::convergence();
   auto& points = study.series[1].points;
   points[0].status = Status::failed;
-  points[1].y["l2"] = not_measured;
+  points[1].y["l2"] = support::not_measured;
   points[2].y["l2"] = 0;
   study.figures[0].series = {"bspline2, 4 PPC"};
   const auto chart = error_chart(study, study.figures[0]);
@@ -192,7 +196,7 @@ TEST(ErrorChart, UnknownSeriesIsNamed) {
   try {
     error_chart(study, study.figures[0]);
     FAIL();
-  } catch (const UsageError& e) {
+  } catch (const support::UsageError& e) {
     EXPECT_STREQ(e.what(),
                  "figure 's-fig4' of study 'weights' names the series 'M', which the study lacks (it has: N, dN/dx)");
   }
@@ -209,7 +213,7 @@ StudyResult work_study() {
     study.series[1].points.push_back({n, Status::ok, "", {{"l2", 0.5 / (n * n)}, {"step_seconds", n * n}}});
   }
   study.series[0].points[3] = {8, Status::unstable, "blown up", {}};
-  Figure figure;
+  records::Figure figure;
   figure.name = "x-cost", figure.kind = "work-precision", figure.xlabel = "s", figure.ylabel = "error";
   study.figures = {figure};
   return study;
@@ -244,7 +248,7 @@ StudyResult particle_study() {
   for (auto& series : study.series)
     for (const double y : {0.5, 1.5})
       series.points.push_back({0.5, Status::ok, "", {{"y", y}, {"width_x", 1}, {"width_y", 1}}});
-  Figure figure;
+  records::Figure figure;
   figure.name = "particles", figure.kind = "particles", figure.xlabel = "x", figure.ylabel = "y";
   study.figures = {figure};
   return study;
@@ -301,7 +305,7 @@ TEST(StabilityMap, HasEveryProbeAndEveryLimit) {
 
 TEST(StabilityMap, DeclaredFigureWithoutValuesIsTheMap) {
   auto study = synthetic::limits();
-  Figure figure;
+  records::Figure figure;
   figure.name = "s-fig9", figure.xlabel = "CFL number", figure.series = {"l = 2h/8, 4 PPC"};
   study.figures = {figure};
   const auto charts = charts_of(study);
@@ -312,4 +316,4 @@ TEST(StabilityMap, DeclaredFigureWithoutValuesIsTheMap) {
 }
 
 }  // namespace chart_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -5,15 +5,15 @@
 #include "studies/fits/work_precision.hpp"
 #include "tests/reports/synthetic.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace cheapest_table_test {
 
-StudyResult measured(const std::vector<double>& errors) {
-  StudyResult study = synthetic::convergence();
+records::StudyResult measured(const std::vector<double>& errors) {
+  records::StudyResult study = synthetic::convergence();
   study.figures[0].kind = "work-precision";
   study.series = {{"s", {}, {}, std::nullopt}};
   for (const double error : errors)
-    study.series[0].points.push_back({1, Status::ok, "", {{"l2", error}, {"step_seconds", 1 / error}}});
+    study.series[0].points.push_back({1, records::Status::ok, "", {{"l2", error}, {"step_seconds", 1 / error}}});
   return study;
 }
 
@@ -23,9 +23,9 @@ TEST(CheapestTable, APowerOfTenThatNoneReachesHasNoRow) {
 }
 
 TEST(CheapestTable, AnInfiniteErrorHasNoDecades) {
-  EXPECT_TRUE(work_points(measured({INFINITY}).series[0], "l2").empty());
+  EXPECT_TRUE(claims::work_points(measured({INFINITY}).series[0], "l2").empty());
   EXPECT_TRUE(cheapest_table(measured({INFINITY})).empty());
 }
 
 }  // namespace cheapest_table_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

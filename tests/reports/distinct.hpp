@@ -6,7 +6,7 @@
 #include "studies/records/result.hpp"
 
 /// Results in which no two numbers are equal, nor look equal when they are rounded for a table.
-namespace mpmvv::distinct {
+namespace mpmvv::reports::distinct {
 
 /// Every number 2 % above the last one.
 class Numbers {
@@ -19,30 +19,31 @@ class Numbers {
   int count_ = 1000;
 };
 
-inline ObservedOrder order(const std::string& norm, const std::vector<Point>& points, bool alternate, Numbers& n) {
-  ObservedOrder o{norm,     n.next(),  n.next(), n.count(), n.next(), n.next(), n.next(),
-                  n.next(), alternate, n.next(), n.next(),  {},       {}};
+inline fits::ObservedOrder order(const std::string& norm, const std::vector<records::Point>& points, bool alternate,
+                                 Numbers& n) {
+  fits::ObservedOrder o{norm,     n.next(),  n.next(), n.count(), n.next(), n.next(), n.next(),
+                        n.next(), alternate, n.next(), n.next(),  {},       {}};
   for (std::size_t i = 1; i < points.size(); ++i) o.segments.push_back({points[i - 1].x, points[i].x, n.next()});
-  o.floor = FloorFit{n.next(), n.next(), n.next(), n.next(), !alternate, "why of " + norm};
-  o.replicates = ReplicateFit{n.count(), n.next(), n.next(), n.next()};
+  o.floor = fits::FloorFit{n.next(), n.next(), n.next(), n.next(), !alternate, "why of " + norm};
+  o.replicates = fits::ReplicateFit{n.count(), n.next(), n.next(), n.next()};
   return o;
 }
 
-inline Extrapolation extrapolation(const std::string& quantity, Numbers& n) {
+inline fits::Extrapolation extrapolation(const std::string& quantity, Numbers& n) {
   return {quantity, n.next(), n.next(), n.count(), "model of " + quantity, n.next(), n.next(),
           n.next(), n.next(), n.next(), n.next(),  "remark on " + quantity};
 }
 
-inline StabilityLimit limit(bool found, bool monotone, Numbers& n) {
-  StabilityLimit l{"cfl", n.next(), n.next(), monotone, found, {}};
+inline fits::StabilityLimit limit(bool found, bool monotone, Numbers& n) {
+  fits::StabilityLimit l{"cfl", n.next(), n.next(), monotone, found, {}};
   for (const bool stable : {true, false, true}) l.probes.push_back({n.next(), stable, stable ? "" : "det F <= 0"});
   return l;
 }
 
 /// Everything that a table or a file of values can hold.
-inline StudyResult everything() {
+inline records::StudyResult everything() {
   Numbers n;
-  StudyResult study;
+  records::StudyResult study;
   study.name = "all-numbers";
   study.title = "All numbers";
   study.kind = "convergence";
@@ -50,11 +51,11 @@ inline StudyResult everything() {
   study.claims = {"X-one", "X-two"};
   for (const char* name : {"first", "second", "third, last"}) {
     const bool alternate = study.series.size() % 2 == 1;
-    Series s{name, {}, {}, std::nullopt};
+    records::Series s{name, {}, {}, std::nullopt};
     for (int i = 0; i < 3; ++i) {
-      Point p{n.next(), i == 2 && alternate ? Status::unstable : Status::ok, "", {}};
+      records::Point p{n.next(), i == 2 && alternate ? records::Status::unstable : records::Status::ok, "", {}};
       for (const char* quantity : {"l1", "l2", "linf"}) p.y[quantity] = n.next();
-      if (p.status == Status::unstable) p.reason = "energy";
+      if (p.status == records::Status::unstable) p.reason = "energy";
       for (const char* quantity : {"l1", "l2"}) p.replicates[quantity] = {n.next(), n.next(), n.next()};
       s.points.push_back(p);
     }
@@ -64,32 +65,32 @@ inline StudyResult everything() {
     study.series.push_back(s);
   }
   study.values = {{"gap", n.next(), "of the gap"}, {"slope", n.next(), "of the slope"}};
-  study.parts = {{"X-one", "asked one", PartVerdict::holds, "found one", "why one"},
-                 {"X-two", "asked two", PartVerdict::fails, "found two", "why two"}};
+  study.parts = {{"X-one", "asked one", records::PartVerdict::holds, "found one", "why one"},
+                 {"X-two", "asked two", records::PartVerdict::fails, "found two", "why two"}};
   return study;
 }
 
-inline Figure figure(const std::string& name, const std::string& kind) {
-  Figure f;
+inline records::Figure figure(const std::string& name, const std::string& kind) {
+  records::Figure f;
   f.name = name, f.caption = "Caption of " + name, f.kind = kind;
   f.xlabel = "abscissa of " + name, f.ylabel = "ordinate of " + name;
   return f;
 }
 
 /// Power laws with windows of their own: the first is fitted in two norms, the last not at all, and one run blows up.
-inline StudyResult laws() {
-  StudyResult study;
+inline records::StudyResult laws() {
+  records::StudyResult study;
   study.name = "laws";
   study.sweep = "cells";
   const std::vector<double> cells{7, 12, 21, 36, 62};
   const std::vector<double> p{1.07, 2.13, 1.61}, constant{0.31, 4.7, 1.1};
   for (std::size_t k = 0; k < 3; ++k) {
-    Series s{"law " + std::to_string(k), {}, {}, std::nullopt};
+    records::Series s{"law " + std::to_string(k), {}, {}, std::nullopt};
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const double y = constant[k] * std::pow(cells[i], -p[k]) * (1 + 0.01 * static_cast<double>((7 * i + 3 * k) % 5));
-      s.points.push_back({cells[i], Status::ok, "", {{"l2", y}, {"linf", 3 * y}}});
+      s.points.push_back({cells[i], records::Status::ok, "", {{"l2", y}, {"linf", 3 * y}}});
     }
-    ObservedOrder o;
+    fits::ObservedOrder o;
     o.norm = "l2", o.from = k == 0 ? 12 : 7, o.to = k == 0 ? 62 : 21;
     o.order = p[k], o.half_width = k == 0 ? 0.031 : 0.051, o.constant = constant[k];
     if (k < 2) s.orders.push_back(o);
@@ -98,42 +99,43 @@ inline StudyResult laws() {
   auto other = study.series[0].orders[0];
   other.norm = "linf", other.from = 7, other.to = 21, other.constant = 0.93;
   study.series[0].orders.push_back(other);
-  study.series[1].orders[0].floor = FloorFit{4.4, 2.2, 0.0017, 0.002, true, ""};
-  study.series[2].points[1] = {cells[1], Status::unstable, "energy", {}};
+  study.series[1].orders[0].floor = fits::FloorFit{4.4, 2.2, 0.0017, 0.002, true, ""};
+  study.series[2].points[1] = {cells[1], records::Status::unstable, "energy", {}};
   study.figures = {figure("laws", "curves")};
   study.figures[0].slopes = {2};
   return study;
 }
 
 /// Errors over the key whose limits are known: one series stable below its limit, one above.
-inline StudyResult brackets() {
-  StudyResult study;
+inline records::StudyResult brackets() {
+  records::StudyResult study;
   study.name = "brackets";
   study.sweep = "cfl";
   for (const char* name : {"below", "above"}) {
-    Series s{name, {}, {}, StabilityLimit{"cfl", 0.61, 0.67, true, true, {}}};
+    records::Series s{name, {}, {}, fits::StabilityLimit{"cfl", 0.61, 0.67, true, true, {}}};
     const double base = study.series.empty() ? 2.3 : 3.1;
-    for (const double x : {0.12, 0.31, 0.53, 0.94}) s.points.push_back({x, Status::ok, "", {{"l2", base + x}}});
+    for (const double x : {0.12, 0.31, 0.53, 0.94})
+      s.points.push_back({x, records::Status::ok, "", {{"l2", base + x}}});
     study.series.push_back(s);
   }
-  study.series[1].limit = StabilityLimit{"cfl", 0.43, 0.37, true, true, {}};
+  study.series[1].limit = fits::StabilityLimit{"cfl", 0.43, 0.37, true, true, {}};
   study.figures = {figure("brackets", "curves")};
   study.figures[0].log_x = study.figures[0].log_y = false;
   return study;
 }
 
 /// Two curves of too many points for marks, in a quantity that is not the first one.
-inline StudyResult curves() {
-  StudyResult study;
+inline records::StudyResult curves() {
+  records::StudyResult study;
   study.name = "curves";
   study.kind = "check";
   study.sweep = "x";
   for (const char* name : {"rising", "falling"}) {
-    Series s{name, {}, {}, std::nullopt};
+    records::Series s{name, {}, {}, std::nullopt};
     const double sign = study.series.empty() ? 1 : -1;
     for (int i = 0; i < 50; ++i) {
       const double x = 0.1 * i - 2;
-      s.points.push_back({x, Status::ok, "", {{"l2", x + 7}, {"slope", sign * (x + 0.1 * x * x) + 0.3}}});
+      s.points.push_back({x, records::Status::ok, "", {{"l2", x + 7}, {"slope", sign * (x + 0.1 * x * x) + 0.3}}});
     }
     study.series.push_back(s);
   }
@@ -144,14 +146,14 @@ inline StudyResult curves() {
 }
 
 /// Three limits, the second not found, the third not monotone.
-inline StudyResult limits() {
-  StudyResult study;
+inline records::StudyResult limits() {
+  records::StudyResult study;
   study.name = "limits";
   study.kind = "limit";
   study.sweep = "cfl";
   double v = 0.2;
   for (const char* name : {"upper", "middle", "lower"}) {
-    Series s{name, {}, {}, StabilityLimit{}};
+    records::Series s{name, {}, {}, fits::StabilityLimit{}};
     s.limit->key = "cfl";
     for (const bool stable : {true, true, false, false}) s.limit->probes.push_back({v *= 1.13, stable, ""});
     s.limit->stable = s.limit->probes[1].value, s.limit->unstable = s.limit->probes[2].value;
@@ -164,13 +166,13 @@ inline StudyResult limits() {
 }
 
 /// Costs and errors of two series, which cross; the cost on a logarithmic axis, the error not.
-inline StudyResult costs() {
-  StudyResult study;
+inline records::StudyResult costs() {
+  records::StudyResult study;
   study.name = "costs";
   study.sweep = "cells";
   study.series = {{"slow", {}, {}, {}}, {"fast", {}, {}, {}}};
   const auto add = [&](std::size_t k, double x, double cost, double error) {
-    study.series[k].points.push_back({x, Status::ok, "", {{"l2", error}, {"step_seconds", cost}}});
+    study.series[k].points.push_back({x, records::Status::ok, "", {{"l2", error}, {"step_seconds", cost}}});
   };
   add(0, 8, 1.3, 0.37), add(0, 16, 14, 0.23), add(0, 32, 170, 0.087);
   add(1, 9, 2.1, 0.53), add(1, 18, 11, 0.29), add(1, 36, 97, 0.071);
@@ -180,12 +182,12 @@ inline StudyResult costs() {
 }
 
 /// Panels of particles, two of which have voxels of other widths than heights.
-inline StudyResult particles() {
-  StudyResult study;
+inline records::StudyResult particles() {
+  records::StudyResult study;
   study.name = "particles";
   study.kind = "check";
   const auto particle = [](double x, double y, double width, double height) {
-    return Point{x, Status::ok, "", {{"y", y}, {"width_x", width}, {"width_y", height}}};
+    return records::Point{x, records::Status::ok, "", {{"y", y}, {"width_x", width}, {"width_y", height}}};
   };
   study.series = {{"at first", {particle(0.31, 1.7, 0.25, 0.6), particle(1.13, 0.45, 0.4, 0.7)}, {}, {}},
                   {"at last", {particle(0.62, 1.2, 0.3, 0.5), particle(1.46, 2.1, 0.35, 0.8)}, {}, {}}};
@@ -193,4 +195,4 @@ inline StudyResult particles() {
   return study;
 }
 
-}  // namespace mpmvv::distinct
+}  // namespace mpmvv::reports::distinct

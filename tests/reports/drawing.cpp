@@ -11,7 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace mpmvv::read_back {
+namespace mpmvv::reports::read_back {
 
 namespace {
 
@@ -240,4 +240,4 @@ Drawing read_drawing(const std::string& svg) {
   return Reader().read(root);
 }
 
-}  // namespace mpmvv::read_back
+}  // namespace mpmvv::reports::read_back

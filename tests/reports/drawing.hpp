@@ -5,7 +5,7 @@
 
 /// A picture of a report as someone reads it who knows nothing but its SVG: values by the texts of the tics, series by
 /// the look that the key gives them.
-namespace mpmvv::read_back {
+namespace mpmvv::reports::read_back {
 
 struct ReadTic {
   double pixel = 0;
@@ -75,4 +75,4 @@ struct Drawing {
 /// Of a picture that gnuplot has drawn for us. Throws std::runtime_error on anything else.
 Drawing read_drawing(const std::string& svg);
 
-}  // namespace mpmvv::read_back
+}  // namespace mpmvv::reports::read_back

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace mutant_table_test {
 
 using testing::Contains;
@@ -73,4 +73,4 @@ TEST(MutantTables, RunsWithoutAMistakeAreCountedByBuild) {
 }
 
 }  // namespace mutant_table_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

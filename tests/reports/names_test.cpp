@@ -14,8 +14,10 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace names_test {
+
+using records::StudyResult;
 
 namespace fs = std::filesystem;
 using testing::Contains;
@@ -94,8 +96,9 @@ void expect_markup(const std::string& text) {
 /// One study for each kind of figure, its series of these names.
 std::vector<StudyResult> studies_of(std::span<const Name> names) {
   StudyResult curves = synthetic::check(), panels = synthetic::check(), limits = synthetic::limits();
-  const Series curve = curves.series[0], limit = limits.series[0];
-  Series panel{"", {{0, Status::ok, "", {{"y", 0}}}, {1, Status::ok, "", {{"y", 1}}}}, {}, std::nullopt};
+  const records::Series curve = curves.series[0], limit = limits.series[0];
+  records::Series panel{
+      "", {{0, records::Status::ok, "", {{"y", 0}}}, {1, records::Status::ok, "", {{"y", 1}}}}, {}, std::nullopt};
   for (StudyResult* study : {&curves, &panels, &limits}) study->series.clear();
   for (const Name& name : names) {
     for (const auto& [study, series] : {std::pair{&curves, &curve}, {&panels, &panel}, {&limits, &limit}}) {
@@ -132,7 +135,7 @@ TEST(Names, AreDrawnAsTheyAreWritten) {
 TEST(Names, AreAxisLabelsAsTheyAreWritten) {
   const TempFolder folder;
   StudyResult study = synthetic::check();
-  const Figure figure = study.figures[0];
+  const records::Figure figure = study.figures[0];
   study.figures.clear();
   for (std::size_t k = 0; k < nasty_names().size(); ++k) {
     study.figures.push_back(figure);
@@ -211,4 +214,4 @@ TEST(Names, NeverShareAFileOrAnId) {
 }
 
 }  // namespace names_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -13,7 +13,7 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace plot_test {
 
 namespace fs = std::filesystem;
@@ -21,7 +21,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-std::vector<Plot> plots(const StudyResult& study) {
+std::vector<Plot> plots(const records::StudyResult& study) {
   std::vector<Plot> result;
   for (const auto& chart : charts_of(study)) result.push_back(plot_of(chart));
   return result;
@@ -31,7 +31,7 @@ std::string message(const std::vector<Plot>& drawn, const fs::path& folder,
                     std::chrono::milliseconds limit = std::chrono::seconds(60)) {
   try {
     draw(drawn, folder, limit);
-  } catch (const UsageError& e) {
+  } catch (const support::UsageError& e) {
     return e.what();
   }
   return "no error";
@@ -218,9 +218,9 @@ TEST(Plot, StudyWithoutAnyValueIsStillDrawn) {
   auto study = synthetic::convergence();
   study.figures[0].quantity = "unknown";
   for (auto& s : study.series)
-    for (auto& p : s.points) p.status = Status::ok;
+    for (auto& p : s.points) p.status = records::Status::ok;
   EXPECT_EQ(draw(plots(study), folder.path()), 1);
 }
 
 }  // namespace plot_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

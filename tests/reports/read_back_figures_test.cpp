@@ -10,8 +10,12 @@
 #include "tests/reports/written_report.hpp"
 
 /// What stands where in the figures of a report: their values as the tics say them, their series as the key does.
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace read_back_figures_test {
+
+using claims::Finding;
+using records::Series;
+using records::StudyResult;
 
 using read_back::Drawing;
 using read_back::Look;
@@ -62,9 +66,9 @@ TEST(ReadBackFigures, PointsOfEveryLawStandWhereTheyWereMeasured) {
     const auto marks = from_left(drawing, drawing.look_of(s.name));
     ASSERT_EQ(marks.size(), s.points.size());
     for (std::size_t i = 0; i < marks.size(); ++i) {
-      const Point& p = s.points[i];
+      const records::Point& p = s.points[i];
       expect_near(drawing.x.value(marks[i].at.x), p.x);
-      if (p.status == Status::unstable) {
+      if (p.status == records::Status::unstable) {
         EXPECT_EQ(marks[i].kind, Kind::cross);
         EXPECT_GT((drawing.bottom - marks[i].at.y) / (drawing.bottom - drawing.top), 0.95) << "at the upper edge";
         continue;
@@ -84,7 +88,7 @@ TEST(ReadBackFigures, FitsAndFloorsHaveTheirSeriesColour) {
   EXPECT_EQ(drawing.key[2].text, "law 2");
   for (const std::size_t k : {0u, 1u}) {
     SCOPED_TRACE(k);
-    const ObservedOrder& o = study.series[k].orders[0];
+    const fits::ObservedOrder& o = study.series[k].orders[0];
     const auto fits = lines_of(drawing, drawing.key[k].look.colour, 2);
     ASSERT_EQ(fits.size(), 1u);
     for (const auto& [spot, x] : {std::pair{fits[0].path.front(), o.from}, std::pair{fits[0].path.back(), o.to}}) {
@@ -203,7 +207,7 @@ TEST(ReadBackFigures, EveryRowOfAStabilityMapIsThatOfItsSeries) {
   EXPECT_EQ(rows.size(), study.series.size());
   for (const Series& s : study.series) {
     SCOPED_TRACE(s.name);
-    const StabilityLimit& limit = *s.limit;
+    const fits::StabilityLimit& limit = *s.limit;
     const MapRow& row = rows[s.name];
     ASSERT_EQ(row.stable.size(), 2u);
     ASSERT_EQ(row.unstable.size(), 2u);
@@ -267,10 +271,10 @@ TEST(ReadBackFigures, ParticlesAndVoxelsLieInTheirPanels) {
   const auto panels = panel_axes(drawing.x);
   ASSERT_EQ(panels.size(), study.series.size());
   ASSERT_EQ(drawing.labels.size(), study.series.size());
-  std::vector<Point> all;
+  std::vector<records::Point> all;
   std::vector<std::size_t> panel_of;
   for (std::size_t k = 0; k < study.series.size(); ++k)
-    for (const Point& p : study.series[k].points) all.push_back(p), panel_of.push_back(k);
+    for (const records::Point& p : study.series[k].points) all.push_back(p), panel_of.push_back(k);
   ASSERT_EQ(drawing.marks.size(), all.size());
   ASSERT_EQ(drawing.boxes.size(), all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -325,4 +329,4 @@ TEST(ReadBackFigures, TrendsStandAboveTheCommitsOfTheirVersions) {
 }
 
 }  // namespace read_back_figures_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

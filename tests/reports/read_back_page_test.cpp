@@ -10,7 +10,7 @@
 #include "tests/reports/written_report.hpp"
 
 /// What stands where on a report's page beside its studies: verdicts, the benchmark, mutants.
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace read_back_page_test {
 
 using read_back::ExpectedTable;
@@ -34,10 +34,10 @@ TEST(ReadBackPage, VerdictsStandBesideWhatTheyAreOf) {
                     {"verdict", c.verdict},
                     {"evidence", c.evidence},
                     {"studies", c.id == "X-none" ? "" : "all-numbers"}});
-  for (const ClaimPart& p : input.studies[0].parts)
+  for (const records::ClaimPart& p : input.studies[0].parts)
     criteria.add("", {{"claim", p.claim},
                       {"criterion", p.statement},
-                      {"verdict", p.verdict == PartVerdict::holds ? "holds" : "fails"},
+                      {"verdict", p.verdict == records::PartVerdict::holds ? "holds" : "fails"},
                       {"evidence", p.evidence},
                       {"reason", p.reason}});
   const auto& p = input.provenance;
@@ -189,4 +189,4 @@ TEST(ReadBackPage, MutantsHaveEveryStageUnderItsName) {
 }
 
 }  // namespace read_back_page_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -5,8 +5,10 @@
 #include "tests/reports/written_report.hpp"
 
 /// What stands where in the tables of a report, for people and for programs.
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace read_back_tables_test {
+
+using records::Series;
 
 using read_back::ExpectedTable;
 using read_back::WrittenReport;
@@ -32,18 +34,18 @@ std::string yes(bool b) {
 
 /// Calls `add` with every series of the study and each member of the range that it has.
 template <class Range, class Add>
-void for_each(const StudyResult& study, Range Series::*range, const Add& add) {
+void for_each(const records::StudyResult& study, Range Series::*range, const Add& add) {
   for (const Series& series : study.series)
     for (const auto& item : series.*range) add(series, item);
 }
 
 TEST(ReadBackTables, FilesForProgramsHaveEveryNumberUnderItsName) {
-  const StudyResult study = distinct::everything();
+  const records::StudyResult study = distinct::everything();
   ExpectedTable points, fits, replicates, extrapolations, limits, probes, values;
-  for_each(study, &Series::points, [&](const Series& s, const Point& p) {
+  for_each(study, &Series::points, [&](const Series& s, const records::Point& p) {
     points.add("", {{"series", s.name},
                     {"x", exact(p.x)},
-                    {"status", p.status == Status::ok ? "ok" : "unstable"},
+                    {"status", p.status == records::Status::ok ? "ok" : "unstable"},
                     {"l1", exact(p.y.at("l1"))},
                     {"l2", exact(p.y.at("l2"))},
                     {"linf", exact(p.y.at("linf"))},
@@ -56,7 +58,7 @@ TEST(ReadBackTables, FilesForProgramsHaveEveryNumberUnderItsName) {
                             {"replicate", std::to_string(k + 1)},
                             {"value", exact(runs[k])}});
   });
-  for_each(study, &Series::orders, [&](const Series& s, const ObservedOrder& o) {
+  for_each(study, &Series::orders, [&](const Series& s, const fits::ObservedOrder& o) {
     fits.add("", {{"series", s.name},
                   {"norm", o.norm},
                   {"from", exact(o.from)},
@@ -80,7 +82,7 @@ TEST(ReadBackTables, FilesForProgramsHaveEveryNumberUnderItsName) {
                   {"replicate_half_width", exact(o.replicates->half_width)},
                   {"lack_of_fit", exact(o.replicates->lack_of_fit)}});
   });
-  for_each(study, &Series::extrapolations, [&](const Series& s, const Extrapolation& e) {
+  for_each(study, &Series::extrapolations, [&](const Series& s, const fits::Extrapolation& e) {
     extrapolations.add("", {{"series", s.name},
                             {"quantity", e.norm},
                             {"from", exact(e.from)},
@@ -102,14 +104,14 @@ TEST(ReadBackTables, FilesForProgramsHaveEveryNumberUnderItsName) {
                     {"unstable", exact(s.limit->unstable)},
                     {"found", word(s.limit->found)},
                     {"monotone", word(s.limit->monotone)}});
-    for (const Probe& p : s.limit->probes)
+    for (const fits::Probe& p : s.limit->probes)
       probes.add("", {{"series", s.name},
                       {"key", s.limit->key},
                       {"value", exact(p.value)},
                       {"stable", word(p.stable)},
                       {"reason", p.reason}});
   }
-  for (const Value& v : study.values)
+  for (const records::Value& v : study.values)
     values.add("", {{"name", v.name}, {"value", exact(v.value)}, {"meaning", v.meaning}});
   const WrittenReport report(read_back::input_of(study));
   for (const ExpectedTable* table : {&points, &fits, &replicates, &extrapolations, &limits, &probes, &values})
@@ -117,25 +119,25 @@ TEST(ReadBackTables, FilesForProgramsHaveEveryNumberUnderItsName) {
 }
 
 /// The order of the segment that ends at the i-th point.
-std::string segment(const ObservedOrder& o, std::size_t i) {
+std::string segment(const fits::ObservedOrder& o, std::size_t i) {
   return i == 0 ? "–" : fmt::format("{:.2f}", o.segments[i - 1].order);
 }
 
 TEST(ReadBackTables, TablesForPeopleHaveEveryNumberUnderItsName) {
-  const StudyResult study = distinct::everything();
+  const records::StudyResult study = distinct::everything();
   ExpectedTable points, fits, replicates, extrapolations, limits, values;
   for (const Series& s : study.series)
     for (std::size_t i = 0; i < s.points.size(); ++i) {
-      const Point& p = s.points[i];
+      const records::Point& p = s.points[i];
       points.add(s.name, {{"cells", brief(p.x)},
-                          {"status", p.status == Status::ok ? "ok" : "unstable: " + p.reason},
+                          {"status", p.status == records::Status::ok ? "ok" : "unstable: " + p.reason},
                           {"l1", fmt::format("{:.3e}", p.y.at("l1"))},
                           {"order", segment(s.orders[0], i)},
                           {"l2", fmt::format("{:.3e}", p.y.at("l2"))},
                           {"linf", fmt::format("{:.3e}", p.y.at("linf"))},
                           {"order", segment(s.orders[1], i)}});
     }
-  for_each(study, &Series::orders, [&](const Series& s, const ObservedOrder& o) {
+  for_each(study, &Series::orders, [&](const Series& s, const fits::ObservedOrder& o) {
     const std::string floor =
         fmt::format("E0 = {:.4g}, order {:.2f}: {}", o.floor->floor, o.floor->order, o.floor->reason);
     fits.add(s.name, {{"norm", o.norm},
@@ -154,7 +156,7 @@ TEST(ReadBackTables, TablesForPeopleHaveEveryNumberUnderItsName) {
                             {"scatter", brief(o.replicates->scatter)},
                             {"lack of fit p", brief(o.replicates->lack_of_fit)}});
   });
-  for_each(study, &Series::extrapolations, [&](const Series& s, const Extrapolation& e) {
+  for_each(study, &Series::extrapolations, [&](const Series& s, const fits::Extrapolation& e) {
     extrapolations.add(s.name, {{"quantity", e.norm},
                                 {"window", range(e.from, e.to)},
                                 {"grids", std::to_string(e.points)},
@@ -174,7 +176,7 @@ TEST(ReadBackTables, TablesForPeopleHaveEveryNumberUnderItsName) {
                     {"unstable at", brief(s.limit->unstable)},
                     {"monotone", yes(s.limit->monotone)},
                     {"probes", std::to_string(s.limit->probes.size())}});
-  for (const Value& v : study.values)
+  for (const records::Value& v : study.values)
     values.add("", {{"name", v.name}, {"value", brief(v.value)}, {"meaning", v.meaning}});
   const WrittenReport report(read_back::input_of(study));
   for (const ExpectedTable* table : {&points, &fits, &replicates, &extrapolations, &limits, &values})
@@ -200,4 +202,4 @@ TEST(ReadBackTables, CheapestSeriesStandsBesideItsCost) {
 }
 
 }  // namespace read_back_tables_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

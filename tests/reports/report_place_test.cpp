@@ -12,7 +12,7 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace report_place_test {
 
 namespace fs = std::filesystem;
@@ -43,7 +43,7 @@ std::map<std::string, std::string> files_of(const fs::path& folder) {
 std::string refusal(const std::string& label, const fs::path& out) {
   try {
     write_report(input(label), out, silent);
-  } catch (const UsageError& e) {
+  } catch (const support::UsageError& e) {
     return e.what();
   }
   return "no error";
@@ -144,4 +144,4 @@ TEST(ReportPlace, OfTwoReportsAtOnceTheLastOneStandsWhole) {
 }
 
 }  // namespace report_place_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

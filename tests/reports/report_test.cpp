@@ -10,8 +10,10 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace report_test {
+
+using claims::Finding;
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -137,7 +139,7 @@ ReportInput input_with_trends() {
   auto in = input();
   in.versions = {{"00ff", {"8be1f2c0"}, "2026-01-01T00:00:00Z"}, {"11aa", {"<7>", "9cd"}, "2026-01-02T00:00:00Z"}};
   in.trends = {{"bar-bases", Finding::Kind::order, "order of 'a' & 'b'", {2, 1.9}},
-               {"bar-bases", Finding::Kind::error, "error of 'a'", {1e-3, not_measured}},
+               {"bar-bases", Finding::Kind::error, "error of 'a'", {1e-3, support::not_measured}},
                {"bar-cfl", Finding::Kind::limit, "limit of 'a'", {0.8, 0.8}},
                {"weights", Finding::Kind::value, "value 'gap'", {1, 1}}};
   return in;
@@ -182,7 +184,7 @@ TEST(Report, EmptyInputGivesAPage) {
 std::string refusal(const ReportInput& in, const fs::path& out) {
   try {
     write_report(in, out, silent);
-  } catch (const UsageError& e) {
+  } catch (const support::UsageError& e) {
     return e.what();
   }
   return "no error";
@@ -203,4 +205,4 @@ TEST(Report, FileInPlaceOfTheFolderIsReported) {
 }
 
 }  // namespace report_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

@@ -11,7 +11,7 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace table_test {
 
 using testing::AllOf;
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 TEST(Csv, HasEveryPointWithSeventeenDigits) {
   auto study = synthetic::convergence();
   study.series[1].points[0].y["l2"] = 0.1;
-  study.series[1].points[0].y["l1"] = not_measured;
+  study.series[1].points[0].y["l1"] = support::not_measured;
   const std::string text = csv_tables(study).at("bar-bases.csv");
   EXPECT_THAT(text, testing::StartsWith("series,x,status,l1,l2,linf,wall_seconds,reason\n"));
   EXPECT_THAT(text, HasSubstr("\"bspline2, 4 PPC\",8,ok,,0.10000000000000001,"));
@@ -55,14 +55,14 @@ TEST(Table, FitsSayWindowIntervalAndFloor) {
 }
 
 TEST(Table, CheapestSeriesOfEachPowerOfTen) {
-  StudyResult study;
-  study.series = {Series{"first order", {}, {}, {}}, Series{"second order", {}, {}, {}}};
+  records::StudyResult study;
+  study.series = {records::Series{"first order", {}, {}, {}}, records::Series{"second order", {}, {}, {}}};
   for (const double n : {1.0, 10.0, 100.0}) {
-    study.series[0].points.push_back({n, Status::ok, "", {{"l2", 0.1 / n}, {"step_seconds", n}}});
-    study.series[1].points.push_back({n, Status::ok, "", {{"l2", 1 / (n * n)}, {"step_seconds", 4 * n}}});
+    study.series[0].points.push_back({n, records::Status::ok, "", {{"l2", 0.1 / n}, {"step_seconds", n}}});
+    study.series[1].points.push_back({n, records::Status::ok, "", {{"l2", 1 / (n * n)}, {"step_seconds", 4 * n}}});
   }
   EXPECT_TRUE(cheapest_table(study).empty()) << "no figure asks for it";
-  Figure figure;
+  records::Figure figure;
   figure.name = "x-cost", figure.kind = "work-precision";
   study.figures = {figure};
   const auto table = cheapest_table(study);
@@ -103,12 +103,12 @@ TEST(LatexNightly, TablesCompile) {
     std::ofstream(folder / "table.tex") << latex_tables(study.title, tables_of(study));
     std::ofstream(folder / "main.tex") << "\\documentclass{article}\\usepackage{booktabs}\n"
                                           "\\begin{document}\\input{table}\\end{document}\n";
-    const auto end = run_process({"pdflatex", "-halt-on-error", "-interaction=nonstopmode", "main.tex"}, folder.path(),
-                                 {}, std::chrono::seconds(60));
+    const auto end = support::run_process({"pdflatex", "-halt-on-error", "-interaction=nonstopmode", "main.tex"},
+                                          folder.path(), {}, std::chrono::seconds(60));
     if (end.start_error != 0) GTEST_SKIP() << "no pdflatex";
     EXPECT_TRUE(end.good()) << end.output;
   }
 }
 
 }  // namespace table_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

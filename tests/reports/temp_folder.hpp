@@ -8,7 +8,7 @@
 #include <iterator>
 #include <string>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 
 /// A folder of this test alone, gone at its end.
 class TempFolder {
@@ -49,4 +49,4 @@ class PathVariable {
   std::string before_;
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

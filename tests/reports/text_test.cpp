@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace mpmvv {
+namespace mpmvv::reports {
 namespace text_test {
 
 TEST(Text, ExactNumbersReadBackAsThemselves) {
@@ -32,4 +32,4 @@ TEST(Text, LatexSpecialCharactersAreEscaped) {
 }
 
 }  // namespace text_test
-}  // namespace mpmvv
+}  // namespace mpmvv::reports

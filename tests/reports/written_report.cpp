@@ -7,7 +7,7 @@
 
 #include "reports/text.hpp"
 
-namespace mpmvv::read_back {
+namespace mpmvv::reports::read_back {
 
 namespace {
 
@@ -161,7 +161,7 @@ void ExpectedTable::add(const std::string& group, const Row& row) {
   table_.groups.back().rows.push_back(cells);
 }
 
-ReportInput input_of(const StudyResult& study) {
+ReportInput input_of(const records::StudyResult& study) {
   ReportInput input;
   input.studies = {study};
   return input;
@@ -220,4 +220,4 @@ std::vector<std::string> WrittenReport::linked_texts(const std::string& ending) 
   return texts;
 }
 
-}  // namespace mpmvv::read_back
+}  // namespace mpmvv::reports::read_back

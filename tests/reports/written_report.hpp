@@ -8,7 +8,7 @@
 #include "tests/reports/drawing.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv::read_back {
+namespace mpmvv::reports::read_back {
 
 /// A row as its reader sees it: what stands under which column.
 using Row = std::vector<std::pair<std::string, std::string>>;
@@ -23,7 +23,7 @@ class ExpectedTable {
   Table table_;
 };
 
-ReportInput input_of(const StudyResult& study);
+ReportInput input_of(const records::StudyResult& study);
 
 /// A report in a folder of its own, read from the files that its pages lead to.
 class WrittenReport {
@@ -46,4 +46,4 @@ class WrittenReport {
   TempFolder folder_;
 };
 
-}  // namespace mpmvv::read_back
+}  // namespace mpmvv::reports::read_back

@@ -38,20 +38,21 @@ void expect_words(const std::string& name, const std::vector<std::string>& words
 }
 
 TEST(Docs, NameEveryWordOfEverySetting) {
-  for (const SettingKey& key : setting_keys()) expect_words("theory.md", words_of_key(key.key));
+  for (const settings::SettingKey& key : settings::setting_keys())
+    expect_words("theory.md", settings::words_of_key(key.key));
 }
 
 TEST(Docs, NameEveryProblem) {
-  for (const Problem& problem : problems()) expect_words("problems.md", {problem.name});
+  for (const problems::Problem& problem : problems::problems()) expect_words("problems.md", {problem.name});
 }
 
 TEST(Docs, NameEveryNumberOfARun) {
-  expect_words("measuring.md", norm_words());
+  expect_words("measuring.md", records::norm_words());
 }
 
 TEST(Docs, HaveARowForEveryClaim) {
   const std::string text = page("claims.md");
-  for (const ClaimText& claim : claim_list())
+  for (const claims::ClaimText& claim : claims::claim_list())
     EXPECT_NE(text.find("\n| " + std::string(claim.id) + " |"), std::string::npos) << claim.id;
 }
 

@@ -32,38 +32,112 @@ std::vector<Include> includes_of(const std::string& folder) {
   return all;
 }
 
-std::string folder_of(const std::string& path) {
-  return path.substr(0, path.find('/'));
+/// `solver/basis/gimp.hpp` -> `solver`, `studies/fits/window.hpp` -> `studies/fits`.
+std::string room_of(const std::string& path) {
+  const std::size_t first = path.find('/'), second = path.find('/', first + 1);
+  const bool is_room = path.starts_with("studies/") && second != std::string::npos;
+  return path.substr(0, is_room ? second : first);
 }
 
-/// The layers of the house: a folder may include itself and those named here.
+using Rooms = std::set<std::string>;
+
+/// A room may include itself, those named here, and what these may include.
+const std::map<std::string, Rooms> may_include{
+    {"mms", {}},
+    {"solver", {}},
+    {"studies/support", {}},
+    {"studies/fits", {"studies/support"}},
+    {"studies/cases", {"studies/support"}},
+    {"studies/records", {"studies/cases", "studies/fits"}},
+    {"studies/claims", {"studies/records"}},
+    {"studies/store", {"studies/records"}},
+    {"studies/problems", {"studies/cases", "mms", "solver"}},
+    {"studies/settings", {"studies/problems"}},
+    {"studies/runs", {"studies/settings", "studies/records"}},
+    {"studies/checks", {"studies/runs"}},
+    {"studies/plan", {"studies/checks", "studies/claims", "studies/store"}},
+    {"goldens", {"studies/claims", "studies/store"}},
+    {"reports", {"studies/claims", "studies/store"}},
+    {"cli", {"goldens", "reports", "studies/plan"}},
+};
+
+/// Adds all that a room may include, and what these may.
+void reach(const std::string& room, Rooms& reached) {
+  for (const std::string& next : may_include.at(room))
+    if (reached.insert(next).second) reach(next, reached);
+}
+
+Rooms reach_of(const std::string& room) {
+  Rooms reached;
+  reach(room, reached);
+  EXPECT_FALSE(reached.contains(room)) << room << " may include itself by way of others";
+  reached.insert(room);
+  return reached;
+}
+
+using Includes = std::map<std::string, std::set<std::string>>;
+
+/// Every source with the headers of ours that it includes.
+const Includes& includes() {
+  static const Includes all = [] {
+    Includes found;
+    for (const std::string folder : {"mms", "solver", "studies", "goldens", "reports", "cli"})
+      for (const Include& include : includes_of(folder)) {
+        auto& targets = found[include.file];
+        if (fs::exists(fs::path(MPMVV_SOURCE_DIR) / include.target)) targets.insert(include.target);
+      }
+    return found;
+  }();
+  return all;
+}
+
+/// The rooms that a source sees through its includes and theirs, to their end.
+void follow(const std::string& file, std::set<std::string>& seen) {
+  if (!seen.insert(file).second) return;
+  if (const auto found = includes().find(file); found != includes().end())
+    for (const std::string& target : found->second) follow(target, seen);
+}
+
+Rooms rooms_seen_from(const std::string& room) {
+  std::set<std::string> seen;
+  for (const auto& [file, targets] : includes())
+    if (room_of(file) == room) follow(file, seen);
+  Rooms rooms;
+  for (const std::string& file : seen) rooms.insert(room_of(file));
+  return rooms;
+}
+
 TEST(Layers, EachFolderIncludesOnlyWhatItMay) {
-  const std::map<std::string, std::set<std::string>> may{{"mms", {}},
-                                                         {"solver", {}},
-                                                         {"studies", {"mms", "solver"}},
-                                                         {"goldens", {"studies"}},
-                                                         {"reports", {"studies"}},
-                                                         {"cli", {"studies", "goldens", "reports"}}};
-  for (const auto& [folder, others] : may) {
-    const auto includes = includes_of(folder);
-    EXPECT_FALSE(includes.empty()) << folder;
-    for (const Include& include : includes) {
-      const std::string target = folder_of(include.target);
-      EXPECT_NE(target, "tests") << include.file << " includes " << include.target;
-      if (!may.contains(target) || target == folder) continue;
-      EXPECT_TRUE(others.contains(target)) << include.file << " includes " << include.target;
-    }
+  Rooms rooms;
+  for (const auto& [file, targets] : includes()) {
+    rooms.insert(room_of(file));
+    ASSERT_TRUE(may_include.contains(room_of(file))) << file;
+    const Rooms reach = reach_of(room_of(file));
+    for (const std::string& target : targets)
+      EXPECT_TRUE(reach.contains(room_of(target))) << file << " includes " << target;
+  }
+  for (const auto& [room, others] : may_include) EXPECT_TRUE(rooms.contains(room)) << room;
+}
+
+TEST(Layers, IncludesAreFollowedToTheirEnd) {
+  EXPECT_TRUE(rooms_seen_from("cli").contains("solver"));
+  EXPECT_TRUE(rooms_seen_from("studies/runs").contains("mms"));
+  for (const auto& [room, others] : may_include) {
+    const Rooms reach = reach_of(room);
+    for (const std::string& seen : rooms_seen_from(room)) EXPECT_TRUE(reach.contains(seen)) << room << " sees " << seen;
   }
 }
 
-/// goldens and reports see the nouns of studies, never what ties them to solver and mms.
+/// Solutions and solver share no line; goldens and reports see the nouns of studies, never what ties them to either.
 TEST(Layers, RecordsAreFreeOfSolverAndSolutions) {
-  std::set<std::string> tied;
-  for (const Include& include : includes_of("studies"))
-    if (folder_of(include.target) == "solver" || folder_of(include.target) == "mms") tied.insert(include.file);
-  ASSERT_TRUE(tied.contains("studies/problems/problem.hpp"));
-  for (const std::string folder : {"goldens", "reports"})
-    for (const Include& include : includes_of(folder)) EXPECT_FALSE(tied.contains(include.target)) << include.file;
+  EXPECT_FALSE(rooms_seen_from("mms").contains("solver"));
+  EXPECT_FALSE(rooms_seen_from("solver").contains("mms"));
+  for (const char* room : {"studies/records", "studies/claims", "studies/store", "goldens", "reports"})
+    for (const char* tied : {"mms", "solver"}) EXPECT_FALSE(rooms_seen_from(room).contains(tied)) << room;
+}
+
+TEST(Layers, FitsKnowNothingOfMpm) {
+  EXPECT_EQ(rooms_seen_from("studies/fits"), (Rooms{"studies/fits", "studies/support"}));
 }
 
 /// What users name is made printable there.
@@ -86,7 +160,7 @@ TEST(Layers, EachLibraryIsNamedInOnePlace) {
     for (const Include& include : includes_of(folder))
       for (const char* library : {"sqlite3.h", "gnuplot-iostream.h", "toml++"})
         if (include.target.starts_with(library)) places[library].insert(include.file);
-  EXPECT_EQ(places["sqlite3.h"].size(), 1U);
+  EXPECT_EQ(places["sqlite3.h"], std::set<std::string>{"studies/store/database.cpp"});
   EXPECT_EQ(places["gnuplot-iostream.h"].size(), 1U);
   EXPECT_EQ(places["toml++"].size(), 1U);
 }

@@ -4,7 +4,7 @@
 #include "studies/checks/mapping/mapped_body.hpp"
 
 /// The bodies on which the properties are measured: a block of particles amid a wider grid of unit cells.
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 enum class Placement { uniform, translated, random };
 
@@ -41,4 +41,4 @@ struct BlockOfParticles {
   }
 };
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

@@ -8,7 +8,7 @@
 #include "studies/checks/mapping/sum_properties.hpp"
 
 /// The smallest bodies that settle a claim, each with the number that does.
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 /// A line of unit cells with particles of the given widths from `lower` on.
 inline MappedBody<1> line_of(double lower, const std::vector<double>& widths, const Weighting& weighting) {
@@ -90,4 +90,4 @@ inline double change_carried_by_grid() {
   return (phi(moved_nodes, carried(particles), carried(points)) - phi(nodes, particles, points)).cwiseAbs().maxCoeff();
 }
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

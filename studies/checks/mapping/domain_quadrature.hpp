@@ -7,7 +7,7 @@
 
 #include "studies/checks/mapping/particle_tiling.hpp"
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 /// Gauss points of the particles' boxes, cut where pieces of nodal functions join (at nodes and midway): exact for
 /// polynomials of degree 5 along each axis on every piece, so for a linear density times two basis functions.
@@ -62,4 +62,4 @@ struct DomainQuadrature {
   }
 };
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

@@ -5,7 +5,7 @@
 #include "studies/checks/mapping/subject.hpp"
 
 /// Properties of the particle basis as a field, each as a number that measures by how much a subject departs from it.
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 /// Random values for the particles, the same on every machine.
 inline Eigen::VectorXd random_data(Eigen::Index count) {
@@ -64,4 +64,4 @@ double field_of_one(const Subject<D>& s) {
   return (F.transpose() * s.N() - s.phi()).cwiseAbs().maxCoeff() / s.largest();
 }
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

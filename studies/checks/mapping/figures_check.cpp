@@ -6,7 +6,7 @@
 #include "studies/checks/check.hpp"
 #include "studies/checks/mapping/cases.hpp"
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 namespace {
 
@@ -183,9 +183,9 @@ void add_domains(CheckResult& result) {
 
 }  // namespace
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 /// B-fig16.5, and B Figs. 16.2 to 16.4.
 CheckResult check_mapping_figures() {
@@ -196,4 +196,4 @@ CheckResult check_mapping_figures() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -6,7 +6,7 @@
 #include "studies/checks/mapping/particle_tiling.hpp"
 #include "studies/checks/mapping/spectrum.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks::mapping {
 
 namespace {
 
@@ -19,9 +19,9 @@ constexpr int most_terms = 64;
 /// number is Δt): the matrices of FMPM(k), USL, with GIMP, N table 1.
 class LinearBar {
  public:
-  explicit LinearBar(const mapping::ParticleTiling<1>& tiling) : volumes_(tiling.volumes()) {
-    const mapping::OverlayGrid<1> grid{solver::Vec<1>(0), solver::Vec<1>(1), {16}};
-    const mapping::NodalBasis<1> basis(solver::Gimp{}, grid);
+  explicit LinearBar(const ParticleTiling<1>& tiling) : volumes_(tiling.volumes()) {
+    const OverlayGrid<1> grid{solver::Vec<1>(0), solver::Vec<1>(1), {16}};
+    const NodalBasis<1> basis(solver::Gimp{}, grid);
     const Matrix S = Matrix(basis.weights(tiling.x, tiling.width)).transpose();
     const Matrix G = Matrix(basis.gradients(0, tiling.x, tiling.width)).transpose();
     const Vector masses = S.transpose() * volumes_;
@@ -57,7 +57,7 @@ class LinearBar {
     map.bottomRightCorner(n, n).setIdentity();
     map.topRows(n) += S_ * v;
     map.bottomRows(n) += dt * G_ * v;
-    return mpmvv::spectral_radius(map);
+    return mapping::spectral_radius(map);
   }
 
   /// The CFL number up to which no mode grows, to a thousandth: the first of a fine scan that does, then halved in on.
@@ -80,15 +80,15 @@ class LinearBar {
 std::vector<LinearBar> bars_in_motion() {
   std::vector<LinearBar> bars;
   for (int place = 0; place < 10; ++place)
-    bars.emplace_back(mapping::uniform_tiling<1>(solver::Vec<1>(3 + 0.1 * place), solver::Vec<1>(10), {20}));
+    bars.emplace_back(uniform_tiling<1>(solver::Vec<1>(3 + 0.1 * place), solver::Vec<1>(10), {20}));
   return bars;
 }
 
 std::vector<LinearBar> uneven_bars() {
   std::vector<LinearBar> bars;
   for (std::uint64_t seed = 0; seed < 5; ++seed)
-    bars.emplace_back(mapping::random_tiling<1>(solver::Vec<1>(3.05 + 0.2 * static_cast<double>(seed)),
-                                                solver::Vec<1>(10), {24}, seed));
+    bars.emplace_back(
+        random_tiling<1>(solver::Vec<1>(3.05 + 0.2 * static_cast<double>(seed)), solver::Vec<1>(10), {24}, seed));
   return bars;
 }
 
@@ -111,11 +111,15 @@ void add_limits(const std::string& name, const std::vector<LinearBar>& bars, Che
 
 }  // namespace
 
+}  // namespace mpmvv::checks::mapping
+
+namespace mpmvv::checks {
+
 CheckResult check_high_order_spectra() {
   CheckResult result;
-  add_limits("two per cell", bars_in_motion(), result);
-  add_limits("uneven", uneven_bars(), result);
+  mapping::add_limits("two per cell", mapping::bars_in_motion(), result);
+  mapping::add_limits("uneven", mapping::uneven_bars(), result);
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

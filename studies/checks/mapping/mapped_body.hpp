@@ -5,7 +5,7 @@
 #include "studies/checks/mapping/domain_quadrature.hpp"
 #include "studies/checks/mapping/particle_basis.hpp"
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 /// Where a mapping's nodal functions are weighed over a particle: N_j(x_p) itself, a Dirac formulation, or their
 /// average over its box, B (16.16).
@@ -103,4 +103,4 @@ Eigen::VectorXd MappedBody<D>::weights_of(const DomainQuadrature<D>& points, Mas
   return weights;
 }
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

@@ -4,7 +4,7 @@
 #include "studies/checks/mapping/subject.hpp"
 
 /// Motion of particles and grid, each as a number that measures by how much a subject departs from a property of B.
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 /// Φ_p of the moved body at the places to which `place` takes the lattice's points, less Φ_p before.
 template <int D, class Place>
@@ -155,4 +155,4 @@ double rate_misfit(const MappedBody<D>& body) {
   return worst;
 }
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

@@ -10,7 +10,7 @@
 #include "solver/basis/linear.hpp"
 #include "solver/types.hpp"
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 template <int D>
 using Points = std::vector<solver::Vec<D>>;
@@ -94,4 +94,4 @@ class NodalBasis {
   OverlayGrid<D> grid_;
 };
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 #include <vector>
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 namespace {
 
@@ -56,4 +56,4 @@ Eigen::MatrixXd nodal_values(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v,
   return F;
 }
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 /// The implied particle basis functions Φ_p(x) = Σ_i N_i(x) ψ_ip, B (16.30). Matrices: v is nodes x particles, v_ip;
 /// M holds the particles' masses (or volumes); m is the consistent mass matrix, nodes x nodes. Nodes without mass take
@@ -32,4 +32,4 @@ class ParticleBasis {
 Eigen::MatrixXd nodal_values(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v, const Eigen::VectorXd& M,
                              const Eigen::MatrixXd& f);
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

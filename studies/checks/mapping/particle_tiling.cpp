@@ -5,7 +5,7 @@
 
 #include "studies/checks/basis_function.hpp"
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 namespace {
 
@@ -131,4 +131,4 @@ template ParticleTiling<1> random_tiling<1>(const solver::Vec<1>&, const solver:
 template ParticleTiling<2> random_tiling<2>(const solver::Vec<2>&, const solver::Vec<2>&, const solver::Index<2>&,
                                             std::uint64_t);
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

@@ -5,7 +5,7 @@
 
 #include "studies/checks/mapping/nodal_basis.hpp"
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 /// Particles at the centres of boxes Ω_p that fill a block without gaps or overlaps: their physical domains. The
 /// density is linear in space, so that a box's mass is its volume times the density at its centre.
@@ -45,4 +45,4 @@ ParticleTiling<D> random_tiling(const solver::Vec<D>& lower, const solver::Vec<D
 
 ParticleTiling<1> tiling_of_widths(double lower, const std::vector<double>& widths);
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

@@ -10,7 +10,7 @@
 #include "studies/checks/mapping/shape_properties.hpp"
 #include "studies/checks/mapping/sum_properties.hpp"
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 namespace {
 
@@ -104,9 +104,9 @@ class PropertyTable {
       result.add(name, value, meaning);
     }
     for (const auto& [body, properties] : cells_) {
-      Series series{body, {}, {}, {}};
+      records::Series series{body, {}, {}, {}};
       for (const auto& [property, values] : properties)
-        series.points.push_back({static_cast<double>(property), Status::ok, "", values});
+        series.points.push_back({static_cast<double>(property), records::Status::ok, "", values});
       result.series.push_back(series);
     }
   }
@@ -179,9 +179,9 @@ void add_rates(CheckResult& result) {
 
 }  // namespace
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 /// B (i) to (xiv), B-phi and B-vol.
 CheckResult check_mapping_properties() {
@@ -195,4 +195,4 @@ CheckResult check_mapping_properties() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

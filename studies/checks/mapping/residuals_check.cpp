@@ -7,7 +7,7 @@
 #include "studies/checks/check.hpp"
 #include "studies/checks/mapping/cases.hpp"
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 namespace {
 
@@ -134,9 +134,9 @@ void add_residuals(CheckResult& result, WeightedBy weighted_by, const std::strin
 
 }  // namespace
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping
 
-namespace mpmvv {
+namespace mpmvv::checks {
 
 /// B-lsq, and its part of B-vol.
 CheckResult check_mapping_residuals() {
@@ -146,4 +146,4 @@ CheckResult check_mapping_residuals() {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

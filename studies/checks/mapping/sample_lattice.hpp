@@ -1,7 +1,7 @@
 #pragma once
 #include "studies/checks/mapping/nodal_basis.hpp"
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 /// Points all over a grid but its outermost cells, `per_cell` to a cell along each axis; nodes are among them.
 template <int D>
@@ -59,4 +59,4 @@ class SampleLattice {
   Points<D> points_;
 };
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

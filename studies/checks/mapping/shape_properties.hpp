@@ -4,7 +4,7 @@
 #include "studies/checks/mapping/subject.hpp"
 
 /// Shapes, each as a number that measures by how much a subject departs from a property of B.
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 /// Largest |Φ_p(x_p + s) - Φ_p(x_p - s)| over the peak in the body.
 template <int D>
@@ -152,4 +152,4 @@ double valley(const Subject<D>& s) {
   return worst;
 }
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

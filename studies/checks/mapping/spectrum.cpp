@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
-namespace mpmvv {
+namespace mpmvv::checks::mapping {
 
 double spectral_radius(const Eigen::MatrixXd& map) {
   return map.eigenvalues().cwiseAbs().maxCoeff();
@@ -12,4 +12,4 @@ Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& symmetric) {
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks::mapping

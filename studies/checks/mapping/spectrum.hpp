@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-namespace mpmvv {
+namespace mpmvv::checks::mapping {
 
 /// The largest modulus of an eigenvalue.
 double spectral_radius(const Eigen::MatrixXd& map);
@@ -9,4 +9,4 @@ double spectral_radius(const Eigen::MatrixXd& map);
 /// In ascending order.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& symmetric);
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks::mapping

@@ -5,7 +5,7 @@
 #include "studies/checks/mapping/mapped_body.hpp"
 #include "studies/checks/mapping/sample_lattice.hpp"
 
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 /// Measured where a property has no meaning for a subject.
 inline constexpr double no_meaning = std::numeric_limits<double>::quiet_NaN();
@@ -95,4 +95,4 @@ Points<D> symmetric_offsets(const OverlayGrid<D>& grid) {
   return offsets;
 }
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

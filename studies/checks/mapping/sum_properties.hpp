@@ -4,7 +4,7 @@
 #include "studies/checks/mapping/subject.hpp"
 
 /// Sums over particles and bounds, each as a number that measures by how much a subject departs from a property of B.
-namespace mpmvv::mapping {
+namespace mpmvv::checks::mapping {
 
 /// Σ_i N_i over the nodes that take part, on the lattice.
 template <int D>
@@ -100,4 +100,4 @@ double positivity(const Subject<D>& s) {
   return std::max({0.0, s.phi().maxCoeff() - 1, -s.phi().minCoeff()});
 }
 
-}  // namespace mpmvv::mapping
+}  // namespace mpmvv::checks::mapping

@@ -8,18 +8,18 @@
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks::profiles {
 
 /// A run of a problem with a solution that a check looks at on its way.
 template <int D>
 class MovingBody {
  public:
-  explicit MovingBody(const std::vector<Setting>& settings)
-      : case_(make_case(settings)),
-        stage_(make_stage<D>(case_, find_problem(case_.problem.name, "the check"), 1)),
+  explicit MovingBody(const std::vector<settings::Setting>& settings)
+      : case_(settings::make_case(settings)),
+        stage_(runs::make_stage<D>(case_, problems::find_problem(case_.problem.name, "the check"), 1)),
         mpm_(std::move(stage_.scene)) {}
 
-  const Resolution& resolution() const { return case_.resolution; }
+  const cases::Resolution& resolution() const { return case_.resolution; }
   const solver::Mpm<D>& mpm() const { return mpm_; }
   const mms::ManufacturedSolution<D>& solution() const { return *stage_.setup.solution; }
   const std::vector<solver::Vec<D>>& X() const { return stage_.X; }  ///< reference positions by particle id
@@ -31,20 +31,20 @@ class MovingBody {
   }
 
  private:
-  Case case_;
-  Stage<D> stage_;
+  cases::Case case_;
+  runs::Stage<D> stage_;
   solver::Mpm<D> mpm_;
   std::int64_t step_ = 0;
 };
 
 /// The particles that `wanted(id)` chooses, seen along z: positions, and the voxels' widths where the basis has any.
 template <int D, class Wanted>
-Series particle_panel(const std::string& name, const solver::Mpm<D>& mpm, const Wanted& wanted) {
+records::Series particle_panel(const std::string& name, const solver::Mpm<D>& mpm, const Wanted& wanted) {
   const auto& particles = mpm.particles();
-  Series panel{name, {}, {}, {}};
+  records::Series panel{name, {}, {}, {}};
   for (std::size_t p = 0; p < particles.size(); ++p) {
     if (!wanted(particles.id[p])) continue;
-    Point point{particles.x[p][0], Status::ok, "", {{"y", particles.x[p][1]}}};
+    records::Point point{particles.x[p][0], records::Status::ok, "", {{"y", particles.x[p][1]}}};
     if (!particles.l.empty()) {
       point.y["width_x"] = particles.l[p][0] * mpm.grid().h();
       point.y["width_y"] = particles.l[p][1] * mpm.grid().h();
@@ -54,4 +54,4 @@ Series particle_panel(const std::string& name, const solver::Mpm<D>& mpm, const 
   return panel;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks::profiles

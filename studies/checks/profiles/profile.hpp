@@ -6,7 +6,7 @@
 
 #include "studies/checks/profiles/particle_panel.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks::profiles {
 
 /// A quantity along x: means over the particles of each column of the lattice.
 struct Profile {
@@ -33,4 +33,4 @@ Profile profile(const MovingBody<D>& body, const Value& value) {
   return result;
 }
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks::profiles

@@ -7,7 +7,7 @@
 #include "mms/hugoniot.hpp"
 #include "studies/checks/profiles/profile.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks::profiles {
 
 /// A velocity update of N Fig. 8, with or without artificial viscosity.
 struct ShockMethod {
@@ -17,18 +17,18 @@ struct ShockMethod {
   std::string label() const { return std::string(name) + (viscous ? "" : ", no artificial viscosity"); }
 
   /// `cells` per 2.5 mm; the end time in s
-  std::vector<Setting> settings(int cells, const char* end_time) const {
-    std::vector<Setting> all{{"problem", "shock", ""},
-                             {"basis", "b2cpdi", ""},
-                             {"integrator", "usl", ""},
-                             {"deformation", "exponential", ""},
-                             {"velocity_update", update, ""},
-                             {"wall_depth", "1.5", ""},
-                             {"wall_gradient", "estimated", ""},
-                             {"cells", std::to_string(cells), ""},
-                             {"ppc", "2", ""},
-                             {"end_time", end_time, ""},
-                             {"cfl", "0.2", ""}};
+  std::vector<settings::Setting> settings(int cells, const char* end_time) const {
+    std::vector<settings::Setting> all{{"problem", "shock", ""},
+                                       {"basis", "b2cpdi", ""},
+                                       {"integrator", "usl", ""},
+                                       {"deformation", "exponential", ""},
+                                       {"velocity_update", update, ""},
+                                       {"wall_depth", "1.5", ""},
+                                       {"wall_gradient", "estimated", ""},
+                                       {"cells", std::to_string(cells), ""},
+                                       {"ppc", "2", ""},
+                                       {"end_time", end_time, ""},
+                                       {"cfl", "0.2", ""}};
     if (*order)
       all.push_back({"order", order, ""});
     else
@@ -41,7 +41,7 @@ struct ShockMethod {
 
 /// The shock of the problem's defaults.
 inline mms::Hugoniot theoretical_shock() {
-  const Parameters p = complete_parameters(find_problem("shock", "the check"), {});
+  const problems::Parameters p = problems::complete_parameters(problems::find_problem("shock", "the check"), {});
   return {{p.at("bulk_modulus"), p.at("density"), p.at("hugoniot_slope"), p.at("gamma"), p.at("heat_capacity"),
            p.at("temperature")},
           p.at("velocity")};
@@ -100,4 +100,4 @@ struct ShockedBar {
   PlateauRange ringing() const { return {pressure, end - expected_front, first}; }
 };
 
-}  // namespace mpmvv
+}  // namespace mpmvv::checks::profiles

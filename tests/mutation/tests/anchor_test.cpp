@@ -80,7 +80,7 @@ std::string complaint(const std::string& function, const std::string& find) {
   mistake.where = "planted.toml:7";
   try {
     edit_of(mistake, "solver/a.hpp", two);
-  } catch (const UsageError& e) {
+  } catch (const support::UsageError& e) {
     return e.what();
   }
   return "";
@@ -102,7 +102,7 @@ TEST(Anchors, AFileThatIsNoneOrTwoIsNamed) {
   const auto refusal = [](const std::string& file) -> std::string {
     try {
       file_of({.name = "m", .file = file, .where = "planted.toml:7"}, files);
-    } catch (const UsageError& e) {
+    } catch (const support::UsageError& e) {
       return e.what();
     }
     return "";

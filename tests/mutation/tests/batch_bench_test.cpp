@@ -13,6 +13,8 @@
 namespace mpmvv::mutation {
 namespace batch_bench_test {
 
+using support::UsageError;
+
 using std::chrono::seconds;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -127,7 +129,7 @@ TEST_F(BatchBenches, TheNightlyGateIsMetAlone) {
 TEST_F(BatchBenches, WhatCompilesWithOthersHasToCompileAlone) {
   alone_.broken = {"a"};
   EXPECT_TRUE(bench_.build(&a_));
-  EXPECT_THROW(bench_.meet(GateStage::nightly, seconds(1)), UsageError);
+  EXPECT_THROW(bench_.meet(GateStage::nightly, seconds(1)), support::UsageError);
 }
 
 TEST(CompilersComplaints, NameTheChoicesWhoseLinesTheyName) {

@@ -15,6 +15,8 @@
 namespace mpmvv::mutation {
 namespace mutant_campaign_test {
 
+using support::UsageError;
+
 namespace fs = std::filesystem;
 using std::chrono::seconds;
 using testing::ElementsAre;
@@ -151,11 +153,11 @@ TEST_F(Campaigns, AGateThatFailsOnTheUnchangedTreeProvesNothing) {
   try {
     run({{planted_}, {}, 0});
     ADD_FAILURE();
-  } catch (const UsageError& e) {
+  } catch (const support::UsageError& e) {
     EXPECT_THAT(e.what(), HasSubstr("does not pass its quick: golden"));
   }
   bench_.broken = {""};
-  EXPECT_THROW(run({{silent_}, {}, 0}), UsageError);
+  EXPECT_THROW(run({{silent_}, {}, 0}), support::UsageError);
 }
 
 class ScratchTrees : public testing::Test {
@@ -227,7 +229,7 @@ TEST_F(ScratchTrees, TheDigestIsThatOfTheUneditedFiles) {
 
 TEST_F(ScratchTrees, WhatNeverEndsIsStopped) {
   EXPECT_TRUE(scratch().run({"sleep", "60"}, seconds(0)).timed_out);
-  EXPECT_THROW(scratch().run({"./no-such-program"}, seconds(1)), UsageError);
+  EXPECT_THROW(scratch().run({"./no-such-program"}, seconds(1)), support::UsageError);
 }
 
 TEST_F(ScratchTrees, OneProcessWorksThereAtATime) {
@@ -237,7 +239,7 @@ TEST_F(ScratchTrees, OneProcessWorksThereAtATime) {
         try {
           scratch();
           std::exit(0);
-        } catch (const UsageError&) {
+        } catch (const support::UsageError&) {
           std::exit(3);
         }
       },
@@ -245,14 +247,14 @@ TEST_F(ScratchTrees, OneProcessWorksThereAtATime) {
 }
 
 TEST_F(ScratchTrees, BadPlacesAreRefused) {
-  EXPECT_THROW(ScratchTree(source_, folder_ / "work", {"absent"}), UsageError);
-  EXPECT_THROW(ScratchTree(source_, source_ / "code/work", {"code"}), UsageError);
+  EXPECT_THROW(ScratchTree(source_, folder_ / "work", {"absent"}), support::UsageError);
+  EXPECT_THROW(ScratchTree(source_, source_ / "code/work", {"code"}), support::UsageError);
 }
 
 /// What is not the program's own stays as it is.
 TEST_F(ScratchTrees, OnlyWhatIsEmptyOrItsOwnIsAScratchFolder) {
   const auto refuses = [&](const fs::path& work) {
-    EXPECT_THROW(ScratchTree(source_, work, {"code", "notes"}), UsageError) << work;
+    EXPECT_THROW(ScratchTree(source_, work, {"code", "notes"}), support::UsageError) << work;
   };
   const fs::path foreign = folder_ / "foreign", marker = folder_ / "work/mpmvv-scratch";
   fs::create_directories(foreign / "tree/code");

@@ -12,6 +12,11 @@ namespace mpmvv::mutation {
 namespace mutants_test {
 
 namespace fs = std::filesystem;
+using cli::Answer;
+using cli::call;
+using cli::Folder;
+using cli::read_text;
+using cli::shell;
 using testing::HasSubstr;
 
 const std::string tree = std::string(" --source '") + MPMVV_SOURCE_DIR + "'";

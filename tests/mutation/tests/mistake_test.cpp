@@ -35,7 +35,7 @@ class MutantFiles : public testing::Test {
   std::string complaint(const std::string& text) const {
     try {
       read_mistakes(write(text));
-    } catch (const UsageError& e) {
+    } catch (const support::UsageError& e) {
       return e.what();
     }
     return "";
@@ -93,7 +93,7 @@ TEST_F(MutantFiles, WhatIsToBeFoundOccursOnce) {
     try {
       edit_of(mistake, "a.hpp", other);
       ADD_FAILURE() << other;
-    } catch (const UsageError& e) {
+    } catch (const support::UsageError& e) {
       EXPECT_THAT(e.what(), HasSubstr("exactly once"));
       EXPECT_THAT(e.what(), HasSubstr("list.toml:2"));
     }

@@ -42,17 +42,17 @@ TEST(MutantScores, CountWhatNobodyHasTried) {
 }
 
 /// What `mpmvv claims` says, which knows the file alone.
-std::string verdict_on(const std::vector<Mutant>& mutants, const std::vector<AlarmRun>& runs) {
+std::string verdict_on(const std::vector<Mutant>& mutants, const std::vector<reports::AlarmRun>& runs) {
   const OwnFolder folder;
   std::ofstream(folder / "mutants.json") << to_json({"d1", "c0ffee", mutants});
-  const auto results = read_mutation_results(folder / "mutants.json");
-  for (const Claim& claim : judge_claims({mutation_study(results, runs)}))
+  const auto results = reports::read_mutation_results(folder / "mutants.json");
+  for (const claims::Claim& claim : claims::judge_claims({reports::mutation_study(results, runs)}))
     if (claim.id == "X-mutants") return claim.verdict;
   return "";
 }
 
 TEST(MutantScores, JudgeTheirClaim) {
-  std::vector<AlarmRun> runs(200, {.build = "g++", .pass = 1});
+  std::vector<reports::AlarmRun> runs(200, {.build = "g++", .pass = 1});
   EXPECT_EQ(verdict_on({}, runs), "open");
   EXPECT_EQ(verdict_on(sample(), runs), "partly");
   std::vector<Mutant> all = sample();
@@ -67,7 +67,7 @@ TEST(MutantScores, JudgeTheirClaim) {
 TEST(MutantScores, AskForManyRunsWithoutAnAlarm) {
   std::vector<Mutant> all = sample();
   std::erase_if(all, [](const Mutant& m) { return m.name == "missed" || m.name == "open"; });
-  std::vector<AlarmRun> runs(199, {.build = "g++", .pass = 1});
+  std::vector<reports::AlarmRun> runs(199, {.build = "g++", .pass = 1});
   EXPECT_EQ(verdict_on(all, runs), "partly") << "too few";
   runs.emplace_back();
   EXPECT_EQ(verdict_on(all, runs), "partly") << "one has judged nothing";

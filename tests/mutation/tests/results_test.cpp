@@ -109,7 +109,7 @@ TEST_F(TriedFile, AnythingElseIsRefused) {
     std::ofstream(file_) << text;
     try {
       open().keep(sign);
-    } catch (const UsageError& e) {
+    } catch (const support::UsageError& e) {
       EXPECT_EQ(text_of(file_), text) << "left as it is";
       return e.what();
     }
@@ -149,7 +149,7 @@ TEST_F(TriedFile, IsWholeWhenItsWriterIsKilled) {
     const std::size_t before = std::filesystem::exists(file_) ? kept().size() : 0;
     open().keep(sign);
     EXPECT_GE(kept().size(), before);
-    EXPECT_TRUE(read_mutation_results(file_));
+    EXPECT_TRUE(reports::read_mutation_results(file_));
   }
 }
 
@@ -158,7 +158,7 @@ TEST(Summaries, HoldTheScoreAndTheSurvivorsAlone) {
   std::vector<Mutant> all = sample();
   for (std::size_t k = 6; k < all.size(); ++k) all[k].seed = 3;
   publish({"d1", "c0ffee", all}, folder / "");
-  const auto published = read_mutation_results(folder / "summary.json");
+  const auto published = reports::read_mutation_results(folder / "summary.json");
   ASSERT_TRUE(published);
   EXPECT_EQ(published->digest, "d1");
   EXPECT_EQ(published->commit, "c0ffee");
@@ -182,10 +182,10 @@ TEST(Summaries, AreOfTheWholeFileToo) {
   std::vector<Mutant> all = sample();
   all[0].gate = "g2";
   std::ofstream(folder / "mutants.json") << to_json({"d1", "c0ffee", all});
-  const auto results = read_mutation_results(folder / "mutants.json");
+  const auto results = reports::read_mutation_results(folder / "mutants.json");
   ASSERT_TRUE(results);
   ASSERT_EQ(results->mistakes.size(), 5U);
-  const MutantResult& seen = results->mistakes[0];
+  const reports::MutantResult& seen = results->mistakes[0];
   EXPECT_EQ(seen.name, "seen");
   EXPECT_EQ(seen.line, 12);
   EXPECT_TRUE(seen.by_earlier_gate);

@@ -49,7 +49,7 @@ inline std::vector<Mutant> sample() {
   return all;
 }
 
-inline Provenance provenance(const std::string& digest = "d1") {
+inline store::Provenance provenance(const std::string& digest = "d1") {
   return {.digest = digest,
           .commit = "c0ffee",
           .dirty = false,

@@ -11,8 +11,11 @@
 #include "studies/records/result.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::cases {
 namespace case_test {
+
+using records::PartVerdict;
+using records::Status;
 
 Case bar_case() {
   return {.problem = {.name = "bar", .parameters = {{"amplitude", 0.05}, {"density", 1}}, .end_time = 0.01},
@@ -95,14 +98,15 @@ TEST(Fingerprint, IsFnv1a) {
 }
 
 TEST(Words, StatusAndVerdictReadBack) {
-  for (const Status s : {Status::ok, Status::unstable, Status::failed}) EXPECT_EQ(status_from(to_string(s)), s);
+  for (const Status s : {Status::ok, Status::unstable, Status::failed})
+    EXPECT_EQ(records::status_from(to_string(s)), s);
   for (const PartVerdict v : {PartVerdict::holds, PartVerdict::fails, PartVerdict::shown, PartVerdict::inconclusive})
-    EXPECT_EQ(part_verdict_from(to_string(v)), v);
+    EXPECT_EQ(records::part_verdict_from(to_string(v)), v);
   EXPECT_EQ(to_string(Status::unstable), "unstable");
   EXPECT_EQ(to_string(PartVerdict::inconclusive), "inconclusive");
-  EXPECT_THROW(status_from("fine"), UsageError);
-  EXPECT_THROW(part_verdict_from(""), UsageError);
+  EXPECT_THROW(records::status_from("fine"), support::UsageError);
+  EXPECT_THROW(records::part_verdict_from(""), support::UsageError);
 }
 
 }  // namespace case_test
-}  // namespace mpmvv
+}  // namespace mpmvv::cases

@@ -7,7 +7,7 @@
 #include "studies/checks/mapping/cases.hpp"
 #include "studies/checks/mapping/shape_properties.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 namespace particle_basis_test {
 
 using namespace mapping;
@@ -136,4 +136,4 @@ TEST(Valley, IsARiseAfterAFall) {
 }
 
 }  // namespace particle_basis_test
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -7,12 +7,12 @@
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::checks {
 namespace particle_panel_test {
 
 /// The largest displacement error over all particles and steps of the run that the pictures are taken from.
 double largest_error() {
-  std::vector<Setting> settings;
+  std::vector<settings::Setting> settings;
   for (const auto& [key, value] : std::vector<std::pair<std::string, std::string>>{{"problem", "square"},
                                                                                    {"basis", "cpgimp"},
                                                                                    {"integrator", "cd"},
@@ -22,7 +22,7 @@ double largest_error() {
                                                                                    {"cfl", "0.4"},
                                                                                    {"every_step", "true"}})
     settings.push_back({key, value, ""});
-  return run_case(make_case(settings), 1).error.linf_all_steps;
+  return runs::run_case(settings::make_case(settings), 1).error.linf_all_steps;
 }
 
 /// u = 0.1 (sin πX cos 2πt/T, sin πY sin 2πt/T), W (56): the mean over the particles differs from that of the exact
@@ -38,7 +38,7 @@ TEST(ParticlePanel, TheSquaresParticlesFollowItsSolutionAndTheirVoxelsFillIt) {
     const auto& panel = result.series[static_cast<std::size_t>(k)];
     ASSERT_EQ(panel.points.size(), 16U * 16U);
     double x = 0, y = 0, area = 0;
-    for (const Point& p : panel.points) {
+    for (const records::Point& p : panel.points) {
       x += p.x / 256, y += p.y.at("y") / 256;
       area += p.y.at("width_x") * p.y.at("width_y");
       EXPECT_GT(p.x, 0);
@@ -52,4 +52,4 @@ TEST(ParticlePanel, TheSquaresParticlesFollowItsSolutionAndTheirVoxelsFillIt) {
 }
 
 }  // namespace particle_panel_test
-}  // namespace mpmvv
+}  // namespace mpmvv::checks

@@ -4,20 +4,20 @@
 
 #include <algorithm>
 
-namespace mpmvv {
+namespace mpmvv::claims {
 namespace claim_test {
 
-std::string verdict(std::vector<PartVerdict> verdicts) {
-  StudyResult study;
+std::string verdict(std::vector<records::PartVerdict> verdicts) {
+  records::StudyResult study;
   study.name = "a-study";
-  for (const PartVerdict v : verdicts) study.parts.push_back({"S-fig10", "statement", v, "evidence", ""});
+  for (const records::PartVerdict v : verdicts) study.parts.push_back({"S-fig10", "statement", v, "evidence", ""});
   for (const Claim& claim : judge_claims({study}))
     if (claim.id == "S-fig10") return claim.verdict;
   return "";
 }
 
 TEST(Claims, VerdictFollowsFromTheParts) {
-  using enum PartVerdict;
+  using enum records::PartVerdict;
   EXPECT_EQ(verdict({}), "open");
   EXPECT_EQ(verdict({holds, holds}), "confirmed");
   EXPECT_EQ(verdict({fails, fails}), "refuted");
@@ -38,4 +38,4 @@ TEST(Claims, EveryIdIsThereOnce) {
 }
 
 }  // namespace claim_test
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

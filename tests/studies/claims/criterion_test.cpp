@@ -3,8 +3,14 @@
 
 #include "studies/plan/study.hpp"
 
-namespace mpmvv {
+namespace mpmvv::claims {
 namespace criterion_test {
+
+using records::PartVerdict;
+using records::Point;
+using records::Series;
+using records::Status;
+using records::StudyResult;
 
 using testing::HasSubstr;
 
@@ -21,7 +27,7 @@ StudyResult two_series() {
       result.series[1].points.push_back({n, Status::unstable, "blown up", {}});
   }
   result.values = {{"round_off", 3e-16, "largest difference"}};
-  StabilityLimit limit;
+  fits::StabilityLimit limit;
   limit.key = "cfl", limit.stable = 0.99, limit.unstable = 1.01, limit.found = true;
   result.series[0].limit = limit;
   return result;
@@ -40,7 +46,7 @@ using Kind = Criterion::Kind;
 
 TEST(Criterion, OrderInsideAndOutsideItsBounds) {
   EXPECT_EQ(judge(criterion(Kind::order, "good", 1.9, 2.1), two_series()).verdict, PartVerdict::holds);
-  const ClaimPart part = judge(criterion(Kind::order, "good", 2.1, {}), two_series());
+  const records::ClaimPart part = judge(criterion(Kind::order, "good", 2.1, {}), two_series());
   EXPECT_EQ(part.verdict, PartVerdict::fails);
   EXPECT_EQ(part.reason, "why not");
   EXPECT_THAT(part.evidence, HasSubstr("= 2 "));
@@ -149,7 +155,7 @@ TEST(Criterion, ARatioOfLimitsReachesFromTheEndsOfBothBrackets) {  // [1, 1.5] o
 
 TEST(Criterion, AnUnstablePointBreaksALowerBoundOfTheOrderOnly) {
   EXPECT_EQ(judge(criterion(Kind::order, "bad", 1.5, 2.5), two_series()).verdict, PartVerdict::fails);
-  const ClaimPart part = judge(criterion(Kind::order, "bad", {}, 2.5), two_series());
+  const records::ClaimPart part = judge(criterion(Kind::order, "bad", {}, 2.5), two_series());
   EXPECT_EQ(part.verdict, PartVerdict::holds);
   EXPECT_THAT(part.evidence, HasSubstr("unstable at 64"));
 }
@@ -254,4 +260,4 @@ TEST(Criterion, AnUnknownSeriesIsInconclusive) {
 }
 
 }  // namespace criterion_test
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

@@ -8,19 +8,21 @@
 
 #include "studies/claims/trend.hpp"
 
-namespace mpmvv {
+namespace mpmvv::claims {
 namespace finding_test {
+
+using records::StudyResult;
 
 using testing::ElementsAre;
 using testing::NanSensitiveDoubleEq;
 
 StudyResult sample() {
-  Series a{"a",
-           {{8, Status::ok, "", {{"l2", 4e-4}, {"linf", 1}, {"kinetic", 5}}},
-            {16, Status::ok, "", {{"l2", 1e-4}, {"linf", 1}, {"kinetic", 5}}},
-            {32, Status::unstable, "", {}}},
-           {},
-           StabilityLimit{}};
+  records::Series a{"a",
+                    {{8, records::Status::ok, "", {{"l2", 4e-4}, {"linf", 1}, {"kinetic", 5}}},
+                     {16, records::Status::ok, "", {{"l2", 1e-4}, {"linf", 1}, {"kinetic", 5}}},
+                     {32, records::Status::unstable, "", {}}},
+                    {},
+                    fits::StabilityLimit{}};
   a.orders.resize(1);
   a.orders[0].norm = "l2";
   a.orders[0].from = 8;
@@ -76,8 +78,8 @@ TEST(Findings, ACheckHasCurvesInsteadOfErrors) {
 TEST(Findings, AnExtrapolatedValueHasItsUncertainty) {
   StudyResult study = sample();
   study.series[0].extrapolations = {
-      {"kinetic", 8, 64, 4, "φ0 + α h", 1, 0.25, 0, 0.3, 0.0625, not_measured},
-      {"kinetic", 32, 64, 2, "none: 2 usable points in the window (4 needed)", not_measured}};
+      {"kinetic", 8, 64, 4, "φ0 + α h", 1, 0.25, 0, 0.3, 0.0625, support::not_measured},
+      {"kinetic", 32, 64, 2, "none: 2 usable points in the window (4 needed)", support::not_measured}};
   const Finding finding = found(study, "extrapolated kinetic of 'a' over [8, 64]");
   EXPECT_EQ(finding.kind, Finding::Kind::value);
   EXPECT_EQ(text(finding), "0.25 (the finest grid's ± 0.062)");
@@ -88,7 +90,7 @@ TEST(Findings, AnExtrapolatedValueHasItsUncertainty) {
 TEST(Findings, AStudyWithoutAClaimGivesNoVerdict) {
   StudyResult study = sample();
   EXPECT_EQ(findings_of(std::vector{study}).size(), findings_of(study).size());
-  study.parts = {{"S-fig10", "", PartVerdict::holds, "", ""}};
+  study.parts = {{"S-fig10", "", records::PartVerdict::holds, "", ""}};
   EXPECT_EQ(findings_of(std::vector{study}).back().word, "confirmed");
 }
 
@@ -104,4 +106,4 @@ TEST(Trends, HaveANumberPerVersion) {
 }
 
 }  // namespace finding_test
-}  // namespace mpmvv
+}  // namespace mpmvv::claims

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv::extrapolation_test {
+namespace mpmvv::fits::extrapolation_test {
 
 using testing::HasSubstr;
 
@@ -154,4 +154,4 @@ TEST(Extrapolation, OrderOfTheSamplesDoesNotMatter) {
   EXPECT_DOUBLE_EQ(extrapolate(samples, 8, 64).uncertainty, before);
 }
 
-}  // namespace mpmvv::extrapolation_test
+}  // namespace mpmvv::fits::extrapolation_test

@@ -9,7 +9,7 @@
 
 #include "studies/fits/observed_order.hpp"
 
-namespace mpmvv {
+namespace mpmvv::fits {
 namespace floor_model_test {
 
 using ::testing::HasSubstr;
@@ -167,4 +167,4 @@ TEST(FloorFit, IsTheMinimumOfTheRelativeMisfit) {
 }
 
 }  // namespace floor_model_test
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

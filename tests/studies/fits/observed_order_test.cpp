@@ -10,7 +10,7 @@
 #include "studies/support/error.hpp"
 #include "tests/numbers.hpp"
 
-namespace mpmvv {
+namespace mpmvv::fits {
 namespace observed_order_test {
 
 std::vector<ErrorSample> sweep(const std::function<double(double)>& error, int levels) {
@@ -177,10 +177,10 @@ TEST(ObservedOrder, OnePerCentOfScatterStaysAsymptotic) {
 
 TEST(ObservedOrder, EmptyWindowIsAnError) {
   const auto samples = sweep([](double h) { return h; }, 4);
-  EXPECT_THROW(fit_order(samples, 64, 8), UsageError);
-  EXPECT_THROW(fit_order(samples, nan, 8), UsageError);
-  EXPECT_THROW(fit_floor(samples, 8, nan), UsageError);
+  EXPECT_THROW(fit_order(samples, 64, 8), support::UsageError);
+  EXPECT_THROW(fit_order(samples, nan, 8), support::UsageError);
+  EXPECT_THROW(fit_floor(samples, 8, nan), support::UsageError);
 }
 
 }  // namespace observed_order_test
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

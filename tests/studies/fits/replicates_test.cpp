@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace mpmvv::replicates_test {
+namespace mpmvv::fits::replicates_test {
 
 /// `count` samples at each number of cells: e(h) times exp(scatter z), z normal.
 template <class Error>
@@ -61,4 +61,4 @@ TEST(Replicates, OutsideTheWindowDoNotCount) {
   EXPECT_EQ(fit_replicates(sampled(quadratic, 3, 0.1, 1), 16, 64).observations, 9);
 }
 
-}  // namespace mpmvv::replicates_test
+}  // namespace mpmvv::fits::replicates_test

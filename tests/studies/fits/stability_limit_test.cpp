@@ -12,7 +12,7 @@
 #include "studies/support/error.hpp"
 #include "tests/numbers.hpp"
 
-namespace mpmvv {
+namespace mpmvv::fits {
 namespace stability_limit_test {
 
 using ::testing::HasSubstr;
@@ -248,7 +248,7 @@ TEST(StabilityLimit, IsDeterministic) {
 TEST(StabilityLimit, BadSearchesAreRejectedBeforeAnyProbe) {
   const auto rejects = [](LimitSearch search, const std::string& why) {
     Prober prober{[](double) { return true; }};
-    EXPECT_THAT([&] { find_limit(search, prober.batch()); }, ThrowsMessage<UsageError>(HasSubstr(why)));
+    EXPECT_THAT([&] { find_limit(search, prober.batch()); }, ThrowsMessage<support::UsageError>(HasSubstr(why)));
     EXPECT_TRUE(prober.asked.empty());
   };
   for (const double bad : {0.0, -1.0, nan, infinity}) rejects({.key = "cfl", .from = bad, .to = 2}, "'cfl': from =");
@@ -266,4 +266,4 @@ TEST(StabilityLimit, AMissingVerdictIsABugOfTheCaller) {
 }
 
 }  // namespace stability_limit_test
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

@@ -7,19 +7,21 @@
 
 #include "studies/claims/samples.hpp"
 
-namespace mpmvv {
+namespace mpmvv::fits {
 namespace work_precision_test {
+
+using records::Status;
 
 using testing::ElementsAre;
 using testing::IsEmpty;
 
 TEST(WorkPrecision, OnlySoundRunsWithACostArePoints) {
-  Series series{"s", {}, {}, {}};
+  records::Series series{"s", {}, {}, {}};
   series.points = {{8, Status::ok, "", {{"l2", 0.1}, {"step_seconds", 2}}},
                    {16, Status::ok, "", {{"l2", 0.1}}},
                    {32, Status::unstable, "", {{"l2", 0.1}, {"step_seconds", 2}}},
                    {64, Status::ok, "", {{"l1", 0.1}, {"step_seconds", 2}}}};
-  EXPECT_THAT(work_points(series, "l2"), ElementsAre(WorkPoint{2, 0.1}));
+  EXPECT_THAT(claims::work_points(series, "l2"), ElementsAre(WorkPoint{2, 0.1}));
 }
 
 TEST(WorkPrecision, NoPointOfTheFrontIsBeatenAndEveryOtherIs) {
@@ -55,4 +57,4 @@ TEST(WorkPrecision, Decades) {
 }
 
 }  // namespace work_precision_test
-}  // namespace mpmvv
+}  // namespace mpmvv::fits

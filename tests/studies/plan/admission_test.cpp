@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace mpmvv {
+namespace mpmvv::plan {
 namespace admission_test {
 
 constexpr int threads = 4;
@@ -55,4 +55,4 @@ TEST(Admission, MoreMemoryThanThereIsStartsWhenAllIsFree) {
 }
 
 }  // namespace admission_test
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

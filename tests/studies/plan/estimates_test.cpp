@@ -5,14 +5,14 @@
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
 namespace estimates_test {
 
-double memory(const std::vector<Setting>& more) {
-  std::vector<Setting> settings{
+double memory(const std::vector<settings::Setting>& more) {
+  std::vector<settings::Setting> settings{
       {"problem", "cube", ""}, {"cells", "8", ""}, {"ppc", "2", ""}, {"cfl", "0.2", ""}, {"basis", "bspline2", ""}};
   settings.insert(settings.end(), more.begin(), more.end());
-  return memory_estimate(make_case(settings));
+  return memory_estimate(settings::make_case(settings));
 }
 
 /// Vectors in space are padded to four components.
@@ -32,4 +32,4 @@ TEST(MemoryEstimate, CountsTheNodesKeptOfDomains) {
 }
 
 }  // namespace estimates_test
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

@@ -6,10 +6,14 @@
 
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv {
+namespace mpmvv::plan {
 namespace study_runner_test {
 
-using store_samples::StoreTest;
+using records::Failure;
+using records::StudyResult;
+using store::Store;
+
+using store::store_samples::StoreTest;
 using StudyRunner = StoreTest;
 
 constexpr const char* text = R"(title = "Bar"
@@ -60,18 +64,18 @@ TEST_F(StudyRunner, WhatTheMachineCouldNotDoIsTriedAgain) {
   Store store(folder_ / "r.db", Store::Mode::create_or_write);
   const std::vector<Failure> failures{Failure::of_machine, Failure::of_case, Failure::none, Failure::of_machine};
   for (std::size_t k = 0; k < failures.size(); ++k) {
-    Record record;
+    records::Record record;
     record.the_case = replicates_at(plan, plan.series[0], plan.values[k]).front();
-    record.status = Status::failed;
+    record.status = records::Status::failed;
     record.failure = failures[k];
-    store.keep(record, current_provenance());
+    store.keep(record, store::current_provenance());
   }
   for (const std::size_t ran : {7U, 0U}) {
     RunnerCounts counts;
     const StudyOutcome outcome = run_studies({plan}, store, {}, counts).front();
     EXPECT_EQ(counts.ran, ran);
     EXPECT_EQ(outcome.failed, 1U);
-    EXPECT_EQ(outcome.result.series[0].points[1].status, Status::failed);
+    EXPECT_EQ(outcome.result.series[0].points[1].status, records::Status::failed);
   }
 }
 
@@ -111,11 +115,11 @@ to = 3.1
 series = ["quadratic"]
 )");
   EXPECT_FALSE(result.series[0].limit);
-  for (const Series& series : result.series) EXPECT_EQ(series.points.size(), 2U);
-  const StabilityLimit& limit = result.series[1].limit.value();
+  for (const records::Series& series : result.series) EXPECT_EQ(series.points.size(), 2U);
+  const fits::StabilityLimit& limit = result.series[1].limit.value();
   ASSERT_TRUE(limit.found);
   double last = 0;
-  for (const Probe& probe : limit.probes) {
+  for (const fits::Probe& probe : limit.probes) {
     EXPECT_NEAR(40 / probe.value, std::round(40 / probe.value), 1e-9);
     EXPECT_GT(probe.value, last + 1e-9) << "each run once";
     last = probe.value;
@@ -133,15 +137,15 @@ TEST_F(StudyRunner, AReplicateThatBlowsUpSpeaksForItsPoint) {
   };
   for (const char* cfl : {"3, 0.2, 0.25", "0.2, 3, 0.25", "0.2, 0.25, 3"}) {
     const StudyResult result = replicated(cfl);
-    for (const Point& point : result.series[1].points) {
-      EXPECT_EQ(point.status, Status::unstable) << cfl;
+    for (const records::Point& point : result.series[1].points) {
+      EXPECT_EQ(point.status, records::Status::unstable) << cfl;
       EXPECT_NE(point.reason, "");
       EXPECT_TRUE(point.y.empty() && point.replicates.empty());
     }
   }
-  const Series sound = replicated("0.2, 0.25, 0.3").series[1];
+  const records::Series sound = replicated("0.2, 0.25, 0.3").series[1];
   EXPECT_EQ(sound.orders[0].replicates->observations, 9);
-  for (const Point& point : sound.points) {
+  for (const records::Point& point : sound.points) {
     const std::vector<double>& l2 = point.replicates.at("l2");
     ASSERT_EQ(l2.size(), 3U);
     EXPECT_NEAR(point.y.at("l2"), std::cbrt(l2[0] * l2[1] * l2[2]), 1e-12 * l2[0]);
@@ -151,12 +155,12 @@ TEST_F(StudyRunner, AReplicateThatBlowsUpSpeaksForItsPoint) {
 /// A result that no check has made, so that one taken from the store is known by it.
 TEST_F(StudyRunner, ACheckRunsAgainWhenItsStudyHasChangedAndOnlyThen) {
   const std::string study = "title = \"Jump\"\nclaims = []\ncheck = \"jump-errors\"\n";
-  StudyResult kept = store_samples::study("check", "Jump");
+  StudyResult kept = store::store_samples::study("check", "Jump");
   kept.kind = "check", kept.text = study;
   kept.values = {{"forged", 7, "seven"}};
-  kept.series = {store_samples::series("curve", {store_samples::point(1, {{"y", 2}})})};
+  kept.series = {store::store_samples::series("curve", {store::store_samples::point(1, {{"y", 2}})})};
   kept.series[0].orders.resize(1);
-  Store(folder_ / "check.db", Store::Mode::create_or_write).keep_study(kept, {{}}, current_provenance());
+  Store(folder_ / "check.db", Store::Mode::create_or_write).keep_study(kept, {{}}, store::current_provenance());
   const StudyResult again = result_of(folder_, "check", study);
   ASSERT_EQ(again.values.size(), 1U);
   EXPECT_EQ(again.values[0].name, "forged");
@@ -169,4 +173,4 @@ TEST_F(StudyRunner, ACheckRunsAgainWhenItsStudyHasChangedAndOnlyThen) {
 }
 
 }  // namespace study_runner_test
-}  // namespace mpmvv
+}  // namespace mpmvv::plan

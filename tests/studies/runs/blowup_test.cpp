@@ -3,22 +3,24 @@
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 namespace blowup_test {
 
-Record run(const std::vector<Setting>& more) {
-  std::vector<Setting> settings{{"problem", "bar", ""}, {"basis", "bspline2", ""}, {"integrator", "cd", ""},
-                                {"cells", "8", ""},     {"ppc", "2", ""},          {"cfl", "0.2", ""},
-                                {"steps", "100", ""}};
+using records::Status;
+
+records::Record run(const std::vector<settings::Setting>& more) {
+  std::vector<settings::Setting> settings{{"problem", "bar", ""}, {"basis", "bspline2", ""}, {"integrator", "cd", ""},
+                                          {"cells", "8", ""},     {"ppc", "2", ""},          {"cfl", "0.2", ""},
+                                          {"steps", "100", ""}};
   settings.insert(settings.end(), more.begin(), more.end());
-  return run_case(make_case(settings), 1);
+  return run_case(settings::make_case(settings), 1);
 }
 
 /// However long a run is and whatever else is measured of it, it ends where it has left its bounds.
 TEST(BlowUp, IsLookedForOnTheWayAndAtTheEnd) {
   for (const char* key : {"blowup_error", "blowup_energy"})
     for (const char* every_step : {"false", "true"}) {
-      const Record record = run({{key, "1e-4", ""}, {"every_step", every_step, ""}});
+      const records::Record record = run({{key, "1e-4", ""}, {"every_step", every_step, ""}});
       EXPECT_EQ(record.status, Status::unstable);
       EXPECT_EQ(record.steps, 32);
       EXPECT_NE(record.reason.find("at step 32 of 100"), std::string::npos) << record.reason;
@@ -30,10 +32,10 @@ TEST(BlowUp, IsLookedForOnTheWayAndAtTheEnd) {
 /// The largest error is 0.091, 0.124, 0.098 and 0.101 amplitudes at steps 32, 64, 96 and 100.
 TEST(BlowUp, IsOneAlsoWhenTheRunComesBack) {
   EXPECT_EQ(run({{"blowup_error", "0.13", ""}}).status, Status::ok);
-  const Record record = run({{"blowup_error", "0.112", ""}});
+  const records::Record record = run({{"blowup_error", "0.112", ""}});
   EXPECT_EQ(record.status, Status::unstable);
   EXPECT_EQ(record.steps, 64);
 }
 
 }  // namespace blowup_test
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

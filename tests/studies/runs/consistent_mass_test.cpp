@@ -3,7 +3,7 @@
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 namespace consistent_mass_test {
 
 using solver::ConsistentMassSettings;
@@ -12,11 +12,11 @@ using Positions = std::vector<solver::Vec<2>>;
 /// Positions at the end of a run of the square by particle id; `exact` the solution's.
 Positions run_square(const std::string& basis, const std::optional<ConsistentMassSettings>& mass,
                      Positions* exact = nullptr) {
-  const std::vector<Setting> settings{
+  const std::vector<settings::Setting> settings{
       {"problem", "square", ""}, {"basis", basis, ""}, {"integrator", "cd", ""}, {"boundary", "symmetry", ""},
       {"cells", "8", ""},        {"ppc", "2", ""},     {"cfl", "0.2", ""}};
-  const Case c = make_case(settings);
-  auto stage = make_stage<2>(c, find_problem("square", ""), 1);
+  const cases::Case c = settings::make_case(settings);
+  auto stage = make_stage<2>(c, problems::find_problem("square", ""), 1);
   stage.scene.consistent_mass = mass;
   solver::Mpm<2> mpm(std::move(stage.scene));
   for (std::int64_t k = 0; k < c.resolution.steps; ++k) EXPECT_TRUE(mpm.step(c.resolution.dt)) << mpm.fault();
@@ -58,4 +58,4 @@ TEST(ConsistentMass, ItsRegularisationDoesNotDecideTheSquare) {
 }
 
 }  // namespace consistent_mass_test
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

@@ -5,14 +5,16 @@
 #include <Eigen/LU>
 #include <numbers>
 
-namespace mpmvv {
+namespace mpmvv::runs {
 namespace fill_test {
+
+using problems::Annulus;
 
 using solver::Mat;
 using solver::Vec;
 
 template <int D>
-std::vector<Voxel<D>> voxels(const Body<D>& body, FillDensity density, bool conforming) {
+std::vector<Voxel<D>> voxels(const problems::Body<D>& body, FillDensity density, bool conforming) {
   std::vector<Voxel<D>> all;
   const PlaceVoxel<D> place = [&all](const Voxel<D>& voxel) { all.push_back(voxel); };
   if (conforming)
@@ -42,7 +44,7 @@ TYPED_TEST_SUITE(ConformingFill, Dimensions);
 TYPED_TEST(ConformingFill, HasTheVolumeOfTheBody) {
   constexpr int D = TypeParam::value;
   for (const auto& annulus : {this->whole_body, this->quarter_body})
-    EXPECT_NEAR(total(voxels<D>(annulus, this->density, true)), volume(annulus), 1e-12);
+    EXPECT_NEAR(total(voxels<D>(annulus, this->density, true)), problems::volume(annulus), 1e-12);
 }
 
 TYPED_TEST(ConformingFill, HasTheFirstMomentOfTheQuarter) {
@@ -94,11 +96,11 @@ TYPED_TEST(ConformingFill, SurfaceIsClosedAndAsLargeAsTheBodys) {
     EXPECT_NEAR(patch.normal.normalized().dot(patch.X.normalized()), outward, 1e-14);
   }
   EXPECT_LT(sum.norm(), 1e-12);
-  EXPECT_NEAR(divergence / (D * volume(this->whole_body)), 1, 0.01);
+  EXPECT_NEAR(divergence / (D * problems::volume(this->whole_body)), 1, 0.01);
 }
 
 TEST(LatticeFill, FillsABoxAndItsSurface) {
-  const Cuboid<3> box{{1, 2, 3}, 0.5, 0.25};
+  const problems::Cuboid<3> box{{1, 2, 3}, 0.5, 0.25};
   const auto all = voxels<3>(box, {0.125, 2}, false);
   EXPECT_EQ(all.size(), 512u);
   EXPECT_NEAR(total(all), volume(box), 1e-15);
@@ -122,10 +124,10 @@ TEST(Domain, HoldsTheMotionAndPutsNodesOnTheBoxAndTheOrigin) {
   EXPECT_EQ(around.cells, (solver::Index<2>{20, 20}));
   EXPECT_EQ(around.lower, solver::Vec<2>(-1.25, -1.25));
   EXPECT_EQ(domain(Annulus<2>{0.5, 1, 1.1, true}, 0.125).cells, (solver::Index<2>{10, 10}));
-  const auto margin = domain(Cuboid<2>{{0, 0}, 1, 0.2}, 0.125);
+  const auto margin = domain(problems::Cuboid<2>{{0, 0}, 1, 0.2}, 0.125);
   EXPECT_EQ(margin.cells, (solver::Index<2>{12, 12}));
   EXPECT_EQ(margin.lower, solver::Vec<2>(-0.25, -0.25));
 }
 
 }  // namespace fill_test
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

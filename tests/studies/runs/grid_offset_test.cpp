@@ -9,13 +9,13 @@
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv::grid_offset_test {
+namespace mpmvv::runs::grid_offset_test {
 
-using Settings = std::vector<Setting>;
+using Settings = std::vector<settings::Setting>;
 
-Record run(Settings settings, const Settings& more = {}) {
+records::Record run(Settings settings, const Settings& more = {}) {
   settings.insert(settings.end(), more.begin(), more.end());
-  return run_case(make_case(settings), 1);
+  return run_case(settings::make_case(settings), 1);
 }
 
 Settings given(const std::string& problem, const std::string& basis, const std::string& cells) {
@@ -23,7 +23,7 @@ Settings given(const std::string& problem, const std::string& basis, const std::
           {"ppc", "3", "test"},         {"cfl", "0.2", "test"},   {"integrator", "usl", "test"}};
 }
 
-const Setting offset{"grid_offset", "0.3", "test"}, shuffled{"shuffle", "7", "test"};
+const settings::Setting offset{"grid_offset", "0.3", "test"}, shuffled{"shuffle", "7", "test"};
 
 TEST(GridOffset, ChangesWhereParticlesLieInCellsButNotTheSolution) {
   const double plain = run(given("bar", "bspline3", "32")).error.l2;
@@ -33,8 +33,8 @@ TEST(GridOffset, ChangesWhereParticlesLieInCellsButNotTheSolution) {
 }
 
 TEST(GridOffset, KeepsTheBalancesOfFreeBodies) {
-  const Record record = run(given("impact", "gimp", "4"), {offset});
-  EXPECT_EQ(record.status, Status::ok) << record.reason;
+  const records::Record record = run(given("impact", "gimp", "4"), {offset});
+  EXPECT_EQ(record.status, records::Status::ok) << record.reason;
   EXPECT_LT(record.balance.momentum, 1e-12);
 }
 
@@ -42,13 +42,13 @@ TEST(GridOffset, HasNoMeaningBetweenFixedFaces) {
   try {
     run(given("square", "bspline2", "8"), {{"boundary", "symmetry", "test"}, offset});
     FAIL() << "accepted";
-  } catch (const UsageError& e) {
+  } catch (const support::UsageError& e) {
     EXPECT_THAT(e.what(), testing::HasSubstr("grid_offset with boundary 'symmetry'"));
   }
   EXPECT_THROW(
-      make_case(Settings{
+      settings::make_case(Settings{
           {"problem", "bar", ""}, {"cells", "8", ""}, {"ppc", "2", ""}, {"cfl", "0.1", ""}, {"grid_offset", "1", ""}}),
-      UsageError);
+      support::UsageError);
 }
 
 TEST(Shuffle, ChangesRoundOffAlone) {
@@ -60,4 +60,4 @@ TEST(Shuffle, ChangesRoundOffAlone) {
   }
 }
 
-}  // namespace mpmvv::grid_offset_test
+}  // namespace mpmvv::runs::grid_offset_test

@@ -3,7 +3,7 @@
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 namespace mass_cutoff_test {
 
 /// Positions at the end of a run of the square by particle id, and the largest displacement error.
@@ -13,15 +13,15 @@ struct Outcome {
 };
 
 Outcome run_square(const std::string& basis, const std::string& integrator, double mass_cutoff) {
-  const std::vector<Setting> settings{{"problem", "square", ""},
-                                      {"basis", basis, ""},
-                                      {"integrator", integrator, ""},
-                                      {"boundary", "symmetry", ""},
-                                      {"cells", "16", ""},
-                                      {"ppc", "2", ""},
-                                      {"cfl", "0.4", ""}};
-  const Case c = make_case(settings);
-  auto stage = make_stage<2>(c, find_problem("square", ""), 1);
+  const std::vector<settings::Setting> settings{{"problem", "square", ""},
+                                                {"basis", basis, ""},
+                                                {"integrator", integrator, ""},
+                                                {"boundary", "symmetry", ""},
+                                                {"cells", "16", ""},
+                                                {"ppc", "2", ""},
+                                                {"cfl", "0.4", ""}};
+  const cases::Case c = settings::make_case(settings);
+  auto stage = make_stage<2>(c, problems::find_problem("square", ""), 1);
   stage.scene.mass_cutoff = mass_cutoff;
   solver::Mpm<2> mpm(std::move(stage.scene));
   for (std::int64_t k = 0; k < c.resolution.steps; ++k) EXPECT_TRUE(mpm.step(c.resolution.dt)) << mpm.fault();
@@ -54,4 +54,4 @@ TEST(MassCutoff, DoesNotDecideTheSquare) {
 }
 
 }  // namespace mass_cutoff_test
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

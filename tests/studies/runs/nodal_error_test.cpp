@@ -8,10 +8,13 @@
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 namespace nodal_error_test {
 
-std::vector<Setting> bar_settings(const std::string& boundary) {
+using settings::make_case;
+using support::UsageError;
+
+std::vector<settings::Setting> bar_settings(const std::string& boundary) {
   return {{"problem", "bar", ""}, {"basis", "linear", ""}, {"integrator", "usl", ""}, {"boundary", boundary, ""},
           {"cells", "6", ""},     {"ppc", "3", ""},        {"cfl", "0.1", ""},        {"steps", "7", ""}};
 }
@@ -50,8 +53,8 @@ ErrorNorms plain_errors(const solver::Particles<1>& particles, const std::vector
 
 TEST(NodalError, IsThatOfTheAccelerationsAtTheEndTime) {
   for (const bool periodic : {true, false}) {
-    const Case c = make_case(bar_settings(periodic ? "periodic" : "dirichlet"));
-    auto stage = make_stage<1>(c, find_problem("bar", ""), 1);
+    const cases::Case c = make_case(bar_settings(periodic ? "periodic" : "dirichlet"));
+    auto stage = make_stage<1>(c, problems::find_problem("bar", ""), 1);
     solver::Mpm<1> mpm(std::move(stage.scene));
     for (int k = 0; k < 7; ++k) ASSERT_TRUE(mpm.step(c.resolution.dt));
     const ErrorNorms measured = acceleration_errors(mpm, *stage.setup.solution, stage.setup.body);
@@ -65,9 +68,9 @@ TEST(NodalError, IsThatOfTheAccelerationsAtTheEndTime) {
 
 TEST(NodalError, IsMeasuredOnlyWhenAskedForAndChangesNothingElse) {
   auto settings = bar_settings("dirichlet");
-  const Record without = run_case(make_case(settings), 1);
+  const records::Record without = run_case(make_case(settings), 1);
   settings.push_back({"nodal_error", "true", ""});
-  const Record with = run_case(make_case(settings), 1);
+  const records::Record with = run_case(make_case(settings), 1);
   EXPECT_TRUE(std::isnan(without.error.nodal_l1) && std::isnan(without.error.nodal_linf));
   EXPECT_LT(with.error.nodal_l1, with.error.nodal_l2);
   EXPECT_LT(with.error.nodal_l2, with.error.nodal_linf);
@@ -80,11 +83,11 @@ TEST(NodalError, IsRefusedWhereItHasNoMeaning) {
   settings.push_back({"nodal_error", "true", ""});
   settings.push_back({"wall_acceleration", "difference", ""});
   EXPECT_THROW(make_case(settings), UsageError);
-  EXPECT_THROW(make_case(std::vector<Setting>{{"problem", "one-particle", ""},
-                                              {"cells", "1", ""},
-                                              {"ppc", "1", ""},
-                                              {"cfl", "0.1", ""},
-                                              {"nodal_error", "true", ""}}),
+  EXPECT_THROW(make_case(std::vector<settings::Setting>{{"problem", "one-particle", ""},
+                                                        {"cells", "1", ""},
+                                                        {"ppc", "1", ""},
+                                                        {"cfl", "0.1", ""},
+                                                        {"nodal_error", "true", ""}}),
                UsageError);
 }
 
@@ -115,4 +118,4 @@ TEST(Integrators, OnlyStaggeredOnesHaveAStart) {
 }
 
 }  // namespace nodal_error_test
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

@@ -5,18 +5,18 @@
 #include "solver/words.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 namespace scene_test {
 
-using Settings = std::vector<Setting>;
+using Settings = std::vector<settings::Setting>;
 
 solver::AnyVelocityUpdate update_of(const std::string& word, const Settings& more) {
   Settings settings{{"problem", "bar", ""},       {"cells", "8", ""},        {"ppc", "2", ""},
                     {"cfl", "0.2", ""},           {"basis", "bspline2", ""}, {"integrator", "usl", ""},
                     {"velocity_update", word, ""}};
   settings.insert(settings.end(), more.begin(), more.end());
-  const Case c = make_case(settings);
-  return make_stage<1>(c, find_problem("bar", ""), 1).scene.velocity_update;
+  const cases::Case c = settings::make_case(settings);
+  return make_stage<1>(c, problems::find_problem("bar", ""), 1).scene.velocity_update;
 }
 
 TEST(Scene, HasTheVelocityUpdateThatTheCaseNames) {
@@ -63,4 +63,4 @@ TEST(Scene, PeriodicFmpmTakesTheNearestNumberOfSteps) {
 }
 
 }  // namespace scene_test
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

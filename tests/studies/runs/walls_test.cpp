@@ -8,13 +8,16 @@
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::runs {
 namespace walls_test {
+
+using records::Record;
+using settings::make_case;
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-std::vector<Setting> stretch(const std::string& problem, const Pairs& more) {
-  std::vector<Setting> settings;
+std::vector<settings::Setting> stretch(const std::string& problem, const Pairs& more) {
+  std::vector<settings::Setting> settings;
   for (const auto& [key, value] : Pairs{{"problem", problem}, {"basis", "cpdi"}, {"cells", "4"}, {"ppc", "2"}})
     settings.push_back({key, value, "a.toml:1"});
   for (const auto& [key, value] : more) settings.push_back({key, value, "a.toml:9"});
@@ -29,15 +32,15 @@ Record run(const std::string& problem, Pairs more) {
 }
 
 TEST(Stretch, WallsHaveTheDepthAndGradientAskedFor) {
-  const Case plain = make_case(stretch("stretch", {}));
+  const cases::Case plain = make_case(stretch("stretch", {}));
   EXPECT_EQ(plain.scheme.boundary, "xmin=wall,xmax=wall,ymin=free,ymax=free");
   EXPECT_EQ(plain.scheme.wall_depth, 1);
   EXPECT_EQ(plain.scheme.wall_gradient, "given");
   EXPECT_EQ(plain.problem.end_time, 80);
-  const Case other = make_case(stretch("stretch", {{"wall_depth", "2.5"}, {"wall_gradient", "estimated"}}));
+  const cases::Case other = make_case(stretch("stretch", {{"wall_depth", "2.5"}, {"wall_gradient", "estimated"}}));
   EXPECT_EQ(other.scheme.wall_depth, 2.5);
   EXPECT_EQ(other.scheme.wall_gradient, "estimated");
-  const Case bar = make_case(stretch("bar", {}));
+  const cases::Case bar = make_case(stretch("bar", {}));
   EXPECT_EQ(bar.scheme.wall_depth, 0);
   EXPECT_EQ(bar.scheme.wall_gradient, "none");
 }
@@ -49,7 +52,7 @@ TEST(Stretch, IsTheSameInEveryDimension) {
   EXPECT_EQ(line.particles, 10);
   EXPECT_EQ(space.particles, 40);
   for (const Record& r : {line, plane, space}) {
-    EXPECT_EQ(r.status, Status::ok) << r.reason;
+    EXPECT_EQ(r.status, records::Status::ok) << r.reason;
     EXPECT_NEAR(r.error.velocity, line.error.velocity, 1e-6 * line.error.velocity);
     EXPECT_NEAR(r.error.l2, line.error.l2, 1e-6 * line.error.l2);
   }
@@ -59,14 +62,16 @@ TEST(Stretch, IsTheSameInEveryDimension) {
 TEST(Stretch, ErrorsOfPeriodicSidesAreTakenByTheirOwnPeriod) {
   const Pairs sides{{"boundary", "xmin=wall,xmax=wall,ymin=periodic,ymax=periodic"}, {"grid_offset", "0.25"}};
   const Record record = run("stretch", sides), plain = run("stretch", {});
-  EXPECT_EQ(record.status, Status::ok) << record.reason;
+  EXPECT_EQ(record.status, records::Status::ok) << record.reason;
   EXPECT_NEAR(record.error.l2, plain.error.l2, 1e-6 * plain.error.l2);
 }
 
 /// At any time a wall is where the end of the square is, moves as it does, and says how the velocity changes there.
 TEST(Swing, WallsMoveAsTheSolutionDoes) {
-  const Parameters parameters = complete_parameters(find_problem("swing", "the test"), {{"amplitude", -0.1}});
-  const auto setup = std::get<SetupFunction<2>>(find_problem("swing", "the test").setup)(parameters);
+  const problems::Parameters parameters =
+      problems::complete_parameters(problems::find_problem("swing", "the test"), {{"amplitude", -0.1}});
+  const auto setup =
+      std::get<problems::SetupFunction<2>>(problems::find_problem("swing", "the test").setup)(parameters);
   const solver::Vec<2> step = 1e-6 * solver::Vec<2>::Unit(0);
   for (const double t : {0.0, 0.0013, 0.0051, 0.0098})
     for (const int face : {0, 1}) {
@@ -125,7 +130,7 @@ TEST(Walls, WhatTheyDoNotGoWith) {
     try {
       make_case(stretch(problem, settings));
       ADD_FAILURE() << message;
-    } catch (const UsageError& e) {
+    } catch (const support::UsageError& e) {
       EXPECT_NE(std::string(e.what()).find(message), std::string::npos) << e.what();
     }
   }
@@ -133,4 +138,4 @@ TEST(Walls, WhatTheyDoNotGoWith) {
 }
 
 }  // namespace walls_test
-}  // namespace mpmvv
+}  // namespace mpmvv::runs

@@ -8,12 +8,12 @@
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::settings {
 namespace scales_test {
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-Case case_of(const std::string& problem, const Pairs& more) {
+cases::Case case_of(const std::string& problem, const Pairs& more) {
   const bool one = problem == "one-particle";
   std::vector<Setting> settings{{"problem", problem, ""},
                                 {"basis", one ? "linear" : "bspline2", ""},
@@ -24,11 +24,11 @@ Case case_of(const std::string& problem, const Pairs& more) {
   return make_case(settings);
 }
 
-void expect_sizes(const Case& c, const std::string& what) {
-  const Problem& problem = find_problem(c.problem.name, "");
+void expect_sizes(const cases::Case& c, const std::string& what) {
+  const problems::Problem& problem = problems::find_problem(c.problem.name, "");
   const double speed = problem.wave_speed(c.problem.parameters);
   const double cell_masses = std::visit([&](auto make) { return make(c.problem.parameters).density; }, problem.setup) *
-                             extent(c).cells_of_body;
+                             problems::extent(c).cells_of_body;
   for (const double size : {speed, cell_masses, c.problem.end_time, c.resolution.dt, speed * c.resolution.dt})
     EXPECT_TRUE(std::isnormal(size) && size > 0) << what << ": " << size;
   EXPECT_GE(c.resolution.steps, 1) << what;
@@ -36,9 +36,9 @@ void expect_sizes(const Case& c, const std::string& what) {
 
 /// The numbers at the ends of what a double takes, one at a time: refused, or all that follows is a number.
 TEST(Scales, NoExtremeNumberOfAnyProblemRunsIntoNonsense) {
-  for (const Problem& problem : problems()) {
+  for (const problems::Problem& problem : problems::problems()) {
     std::vector<std::string> keys{"end_time", "cfl", "dt"};
-    for (const Parameter& parameter : problem.parameters) keys.push_back("param." + parameter.name);
+    for (const problems::Parameter& parameter : problem.parameters) keys.push_back("param." + parameter.name);
     for (const std::string& key : keys)
       for (const char* value : {"5e-324", "1e-308", "1e-300", "1e-149", "1e-75", "1e75", "1e149", "1e300", "1e308"}) {
         Pairs settings{{key, value}};
@@ -47,7 +47,7 @@ TEST(Scales, NoExtremeNumberOfAnyProblemRunsIntoNonsense) {
         const std::string what = problem.name + " with " + key + " = " + value;
         try {
           expect_sizes(case_of(problem.name, settings), what);
-        } catch (const UsageError& e) {
+        } catch (const support::UsageError& e) {
           EXPECT_THAT(e.what(), testing::Not(testing::ContainsRegex("\\b(inf|nan)\\b"))) << what;
         }
       }
@@ -58,7 +58,7 @@ TEST(Scales, WhatFollowsIsNamedWithTheNumberItComesFrom) {
   const auto complaint = [](const std::string& problem, const Pairs& settings) -> std::string {
     try {
       case_of(problem, settings);
-    } catch (const UsageError& e) {
+    } catch (const support::UsageError& e) {
       return e.what();
     }
     return "";
@@ -83,4 +83,4 @@ TEST(Scales, WhatFollowsIsNamedWithTheNumberItComesFrom) {
 }
 
 }  // namespace scales_test
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

@@ -7,8 +7,10 @@
 #include "studies/settings/boundaries.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::settings {
 namespace settings_test {
+
+using support::UsageError;
 
 std::vector<Setting> bar_settings(std::initializer_list<std::pair<const char*, const char*>> more = {}) {
   std::vector<Setting> settings{{"problem", "bar", "a.toml:1"}, {"cells", "32", "a.toml:2"}, {"ppc", "4", "a.toml:3"}};
@@ -17,7 +19,8 @@ std::vector<Setting> bar_settings(std::initializer_list<std::pair<const char*, c
 }
 
 TEST(Settings, CflDividesTheEndTime) {
-  const Case c = make_case(bar_settings({{"cfl", "0.3"}}));  // C = 100, h = 1/32, T = 0.01: Δt <= 9.375e-5, 107 steps
+  const cases::Case c =
+      make_case(bar_settings({{"cfl", "0.3"}}));  // C = 100, h = 1/32, T = 0.01: Δt <= 9.375e-5, 107 steps
   EXPECT_EQ(c.resolution.steps, 107);
   EXPECT_DOUBLE_EQ(c.resolution.dt, 0.01 / 107);
   EXPECT_EQ(make_case(bar_settings({{"cfl", "0.32"}})).resolution.steps, 100)
@@ -33,19 +36,19 @@ TEST(Settings, NoStepIsLongerThanTheCflNumberAllows) {
                                    {"1.29", 25},
                                    {"31", 2},
                                    {"33", 1}}) {
-    const Resolution resolution = make_case(bar_settings({{"cfl", cfl}})).resolution;  // T/Δt = 32/cfl
+    const cases::Resolution resolution = make_case(bar_settings({{"cfl", cfl}})).resolution;  // T/Δt = 32/cfl
     EXPECT_EQ(resolution.steps, steps) << cfl;
     EXPECT_LE(resolution.dt * 100 * 32, std::stod(cfl) * (1 + 1e-9)) << cfl;
   }
 }
 
 TEST(Settings, ThePapersStepIsCflPointTwoAt512Cells) {
-  const Case c = make_case(bar_settings({{"dt", "4e-6"}}));
+  const cases::Case c = make_case(bar_settings({{"dt", "4e-6"}}));
   EXPECT_EQ(c.resolution.steps, 2500);
 }
 
 TEST(Settings, DefaultsAreFilledInAndPartOfTheCase) {
-  const Case c = make_case(bar_settings({{"cfl", "0.3"}}));
+  const cases::Case c = make_case(bar_settings({{"cfl", "0.3"}}));
   EXPECT_EQ(c.problem.parameters.at("amplitude"), 0.05);
   EXPECT_EQ(c.problem.parameters.at("youngs_modulus"), 1e4);
   EXPECT_EQ(c.scheme.boundary, "periodic");
@@ -58,10 +61,10 @@ TEST(Settings, LaterOnesOverwriteEarlierOnes) {
 }
 
 TEST(Settings, AVelocityUpdateWithoutOrderIsTheSameAtEveryOrder) {
-  SeriesPlan series{"flip", bar_settings({{"cfl", "0.3"}, {"velocity_update", "xpic"}}), ""};
-  EXPECT_EQ(case_at(series, "order", 3, "").scheme.order, 3);
+  plan::SeriesPlan series{"flip", bar_settings({{"cfl", "0.3"}, {"velocity_update", "xpic"}}), ""};
+  EXPECT_EQ(plan::case_at(series, "order", 3, "").scheme.order, 3);
   series.settings.push_back({"velocity_update", "flip", "a.toml:9"});
-  EXPECT_EQ(case_at(series, "order", 3, "").scheme.order, 0);
+  EXPECT_EQ(plan::case_at(series, "order", 3, "").scheme.order, 0);
 }
 
 TEST(Settings, AnErrorNamesTheLineOfTheSetting) {
@@ -121,4 +124,4 @@ TEST(Settings, BoundariesPerFace) {
 }
 
 }  // namespace settings_test
-}  // namespace mpmvv
+}  // namespace mpmvv::settings

@@ -4,7 +4,7 @@
 #include "studies/store/seal.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv {
+namespace mpmvv::store {
 namespace store_open_test {
 
 using namespace store_samples;
@@ -28,9 +28,7 @@ class StoreOpen : public StoreTest {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "something was left behind";
   }
 
-  void execute(const std::string& statements) const {
-    db::Database(file_, db::Database::Access::create).execute(statements);
-  }
+  void execute(const std::string& statements) const { Database(file_, Database::Access::create).execute(statements); }
 };
 
 TEST_F(StoreOpen, AnAbsentStoreIsMadeOnlyWhereThatIsAsked) {
@@ -88,7 +86,7 @@ TEST_F(StoreOpen, ANewerSchemaIsRefused) {
 
 TEST_F(StoreOpen, ASchemaThatItsTablesDoNotHaveIsRefused) {
   Store(file_, Mode::create_or_write);
-  for (const int schema : {-1, -2'147'483'647, 0, 1, static_cast<int>(db::migrations().size()) - 1}) {
+  for (const int schema : {-1, -2'147'483'647, 0, 1, static_cast<int>(migrations().size()) - 1}) {
     execute(fmt::format("PRAGMA user_version = {}", schema));
     expect_refused("is damaged");
   }
@@ -144,22 +142,22 @@ constexpr std::array two_steps{"CREATE TABLE a (x)", "CREATE TABLE b (x); INSERT
 constexpr std::array broken_second_step{"CREATE TABLE a (x)", "CREATE TABLE b (x); nonsense"};
 
 TEST_F(StoreOpen, AnOlderSchemaIsBroughtUpToDateByWritingOnly) {
-  db::open_store(file_, Mode::create_or_write, std::span(two_steps).first(1)).execute("INSERT INTO a VALUES (5)");
-  EXPECT_THAT(complaint([&] { db::open_store(file_, Mode::read, two_steps); }), HasSubstr("older schema 1"));
-  const db::Database database = db::open_store(file_, Mode::write, two_steps);
+  open_store(file_, Mode::create_or_write, std::span(two_steps).first(1)).execute("INSERT INTO a VALUES (5)");
+  EXPECT_THAT(complaint([&] { open_store(file_, Mode::read, two_steps); }), HasSubstr("older schema 1"));
+  const Database database = open_store(file_, Mode::write, two_steps);
   EXPECT_EQ(database.scalar("PRAGMA user_version").integer(), 2);
   EXPECT_EQ(database.scalar("SELECT a.x + b.x FROM a, b").integer(), 6);
 }
 
 TEST_F(StoreOpen, AMigrationThatFailsLeavesTheStoreAsItWas) {
-  db::open_store(file_, Mode::create_or_write, std::span(two_steps).first(1));
+  open_store(file_, Mode::create_or_write, std::span(two_steps).first(1));
   const std::string before = bytes_of(file_);
-  EXPECT_NE(complaint([&] { db::open_store(file_, Mode::write, broken_second_step); }), "");
+  EXPECT_NE(complaint([&] { open_store(file_, Mode::write, broken_second_step); }), "");
   EXPECT_EQ(bytes_of(file_), before);
 }
 
 TEST_F(StoreOpen, AnOlderStoreIsSealedAsItIsBroughtUpToDate) {
-  db::open_store(file_, Mode::create_or_write, db::migrations().first(db::first_sealed_schema - 1))
+  open_store(file_, Mode::create_or_write, migrations().first(first_sealed_schema - 1))
       .execute(
           "INSERT INTO provenance VALUES (3, 'd1', 'c0ffee', 0, '', '', '', '');"
           "INSERT INTO studies VALUES (5, 's', 'd1', 3, '', '', '', '', '')");
@@ -171,7 +169,7 @@ TEST_F(StoreOpen, AnOlderStoreIsSealedAsItIsBroughtUpToDate) {
 /// Schemas 5 to 8 had tables for mutation testing.
 TEST_F(StoreOpen, AnOlderStoreOpensWithoutItsMutants) {
   constexpr std::size_t last_with_mutants = 8;
-  db::open_store(file_, Mode::create_or_write, db::migrations().first(last_with_mutants))
+  open_store(file_, Mode::create_or_write, migrations().first(last_with_mutants))
       .execute(
           "INSERT INTO provenance VALUES (3, 'd1', 'c0ffee', 0, '', '', '', '');"
           "INSERT INTO mutants VALUES (5, 'sign', 'd1', 3, '', 'g', 'planted', '', 'a.hpp', 1, '+', '-', 1, 7);"
@@ -183,9 +181,9 @@ TEST_F(StoreOpen, AnOlderStoreOpensWithoutItsMutants) {
 }
 
 TEST_F(StoreOpen, ACreationThatFailsLeavesNoFile) {
-  EXPECT_NE(complaint([&] { db::open_store(file_, Mode::create_or_write, broken_second_step); }), "");
+  EXPECT_NE(complaint([&] { open_store(file_, Mode::create_or_write, broken_second_step); }), "");
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
 }  // namespace store_open_test
-}  // namespace mpmvv
+}  // namespace mpmvv::store

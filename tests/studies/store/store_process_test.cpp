@@ -11,7 +11,7 @@
 #include "studies/store/run_rows.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv {
+namespace mpmvv::store {
 namespace store_process_test {
 
 using namespace store_samples;
@@ -119,14 +119,14 @@ TEST_F(StoreProcesses, AKilledProcessLosesNoRecordThatItKept) {
 TEST_F(StoreProcesses, AWriteThatWasKilledHalfWayIsUndoneByTheNextReader) {
   Store(file_, Mode::create_or_write).keep(record(8), provenance());
   // Pages of tables that a new store's schema has dropped are free, and no journal restores what lay there.
-  db::Database(file_, db::Database::Access::write).execute("VACUUM");
+  Database(file_, Database::Access::write).execute("VACUUM");
   const std::string before = bytes_of(file_);
   exit_status(start([&] {
-    db::Database database(file_, db::Database::Access::write);
+    Database database(file_, Database::Access::write);
     database.execute("PRAGMA cache_size = 1; BEGIN IMMEDIATE");
     database.execute("DELETE FROM runs");
     const std::string long_text(100'000, 'x');
-    for (int i = 0; i < 100; ++i) db::provenance_id(database, provenance(fmt::format("{}{}", long_text, i)));
+    for (int i = 0; i < 100; ++i) provenance_id(database, provenance(fmt::format("{}{}", long_text, i)));
     return raise(SIGKILL);
   }));
   ASSERT_TRUE(std::filesystem::exists(file_.string() + "-journal"));
@@ -172,7 +172,7 @@ TEST_F(StoreProcesses, AFolderThatTakesNoJournalIsFoundOutAtOnce) {
 int fill(const std::filesystem::path& file, const std::string& text) {
   Store store(file, Mode::create_or_write);
   for (int cells = 1; cells < 100'000; ++cells) {
-    Record r = record(cells);
+    records::Record r = record(cells);
     r.reason = std::string(10'000, 'x');
     const std::string said = complaint([&] { store.keep(r, provenance()); });
     if (said.empty()) continue;
@@ -219,4 +219,4 @@ TEST_F(StoreProcesses, AQuotaLosesNothing) {
 }
 
 }  // namespace store_process_test
-}  // namespace mpmvv
+}  // namespace mpmvv::store

@@ -12,7 +12,7 @@
 #include "studies/store/store.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv::store_samples {
+namespace mpmvv::store::store_samples {
 
 /// A folder of its own for every test, gone at its end.
 class StoreTest : public testing::Test {
@@ -36,7 +36,7 @@ template <class Action>
 std::string complaint(Action action) {
   try {
     action();
-  } catch (const UsageError& e) {
+  } catch (const support::UsageError& e) {
     return e.what();
   }
   return {};
@@ -53,19 +53,19 @@ inline Provenance provenance(const std::string& digest = "d1") {
           .time = "2024-05-06T07:08:09Z"};
 }
 
-inline Case bar(int cells) {
+inline cases::Case bar(int cells) {
   return {.problem = {.name = "bar", .parameters = {{"amplitude", 0.05}}, .end_time = 0.01},
           .scheme = {.basis = "bspline2", .integrator = "cd", .boundary = "xmin=symmetry,xmax=free"},
           .resolution = {.cells = cells, .ppc = 4, .dt = 0.01 / 3, .steps = 3},
           .measure = {}};
 }
 
-inline Record record(int cells) {
+inline records::Record record(int cells) {
   return {.the_case = bar(cells),
           .particles = 4 * cells,
           .steps = 3,
           .cfl = 1.0 / 3,
-          .status = Status::ok,
+          .status = records::Status::ok,
           .reason = "",
           .error = {.l1 = 0.1 / cells, .l2 = 0.2 / cells, .linf = 0.3 / cells},
           .energy = {.kinetic = 1.0 / 7, .strain = 1e-300, .initial_total = 5},
@@ -74,26 +74,27 @@ inline Record record(int cells) {
           .ns_per_particle_step = 12.5};
 }
 
-inline StudyResult study(const std::string& name, const std::string& title = "", std::vector<Series> series = {}) {
-  StudyResult s;
+inline records::StudyResult study(const std::string& name, const std::string& title = "",
+                                  std::vector<records::Series> series = {}) {
+  records::StudyResult s;
   s.name = name;
   s.title = title;
   s.series = std::move(series);
   return s;
 }
 
-inline Series series(const std::string& name, std::vector<Point> points = {}) {
-  Series s;
+inline records::Series series(const std::string& name, std::vector<records::Point> points = {}) {
+  records::Series s;
   s.name = name;
   s.points = std::move(points);
   return s;
 }
 
-inline Point point(double x, std::map<std::string, double> y = {}) {
-  Point p;
+inline records::Point point(double x, std::map<std::string, double> y = {}) {
+  records::Point p;
   p.x = x;
   p.y = std::move(y);
   return p;
 }
 
-}  // namespace mpmvv::store_samples
+}  // namespace mpmvv::store::store_samples

@@ -7,8 +7,10 @@
 #include "studies/store/schema.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv {
+namespace mpmvv::store {
 namespace store_seal_test {
+
+using records::StudyResult;
 
 using namespace store_samples;
 using testing::HasSubstr;
@@ -20,19 +22,19 @@ StudyResult full_study() {
   StudyResult s = study("full", "T", {series("a", {point(8, {{"own", 3}}), point(16)})});
   s.claims = {"S-fig10"};
   s.values = {{"v", 1.5, "m"}};
-  s.parts = {{"S-fig10", "st", PartVerdict::holds, "e", "r"}};
+  s.parts = {{"S-fig10", "st", records::PartVerdict::holds, "e", "r"}};
   s.figures.resize(1);
-  Figure& figure = s.figures[0];
+  records::Figure& figure = s.figures[0];
   figure.name = "f", figure.series = figure.marks = {"a"}, figure.slopes = {2};
   figure.x_min = 1, figure.x_max = 2, figure.y_min = 3, figure.y_max = 4;
-  Series& one = s.series[0];
+  records::Series& one = s.series[0];
   one.points[0].replicates = {{"own", {2.5, 3.5}}};
   one.orders = {{.norm = "l2",
                  .order = 2,
                  .segments = {{8, 16, 1.9}},
-                 .floor = FloorFit{1, 2, 3, 4, true, "r"},
-                 .replicates = ReplicateFit{25, 0.04, 0.1, 0.3}}};
-  one.limit = StabilityLimit{.key = "cfl", .stable = 0.5, .unstable = 1, .probes = {{0.5, true, "p"}}};
+                 .floor = fits::FloorFit{1, 2, 3, 4, true, "r"},
+                 .replicates = fits::ReplicateFit{25, 0.04, 0.1, 0.3}}};
+  one.limit = fits::StabilityLimit{.key = "cfl", .stable = 0.5, .unstable = 1, .probes = {{0.5, true, "p"}}};
   one.extrapolations = {{"l2", 4, 64, 5, "model", 1.1, -0.5, 1e-3, 0.02, 0.1, 0.2, "remark"}};
   return s;
 }
@@ -42,10 +44,10 @@ class SealedStore : public StoreTest {
   void SetUp() override {
     StoreTest::SetUp();
     Store store(file_, Store::Mode::create_or_write);
-    Record failed = record(16);
-    failed.status = Status::failed;
-    failed.failure = Failure::of_case;
-    for (const Record& r : {record(8), failed}) store.keep(r, provenance());
+    records::Record failed = record(16);
+    failed.status = records::Status::failed;
+    failed.failure = records::Failure::of_case;
+    for (const records::Record& r : {record(8), failed}) store.keep(r, provenance());
     store.keep_study(full_study(), {{bar(8), bar(16)}}, provenance());
   }
 
@@ -66,20 +68,21 @@ class SealedStore : public StoreTest {
 
   static std::string text_of(const StudyResult& s) {
     std::string text = s.text + s.sweep + s.kind;
-    for (const Series& one : s.series) {
+    for (const records::Series& one : s.series) {
       text += one.name;
-      for (const Point& p : one.points) {
+      for (const records::Point& p : one.points) {
         text += fmt::format("{} {} {}", p.x, to_string(p.status), p.reason);
         for (const auto& [quantity, value] : p.y) text += fmt::format("{}={} ", quantity, value);
       }
-      for (const ObservedOrder& o : one.orders)
+      for (const fits::ObservedOrder& o : one.orders)
         text += fmt::format("{} {} {} {}", o.norm, o.from, o.order, o.segments.size());
       if (one.limit) text += fmt::format("{} {} {}", one.limit->key, one.limit->stable, one.limit->probes.size());
-      for (const Extrapolation& e : one.extrapolations) text += fmt::format("{} {} {}", e.norm, e.limit, e.remark);
+      for (const fits::Extrapolation& e : one.extrapolations)
+        text += fmt::format("{} {} {}", e.norm, e.limit, e.remark);
     }
-    for (const Value& v : s.values) text += fmt::format("{} {} {}", v.name, v.value, v.meaning);
-    for (const ClaimPart& p : s.parts) text += p.claim + p.statement + p.evidence + to_string(p.verdict);
-    for (const Figure& f : s.figures)
+    for (const records::Value& v : s.values) text += fmt::format("{} {} {}", v.name, v.value, v.meaning);
+    for (const records::ClaimPart& p : s.parts) text += p.claim + p.statement + p.evidence + to_string(p.verdict);
+    for (const records::Figure& f : s.figures)
       text += fmt::format("{} {} {} {}", f.name, f.caption, f.series.size(), f.slopes.size());
     return text;
   }
@@ -92,7 +95,7 @@ class SealedStore : public StoreTest {
 
 TEST_F(SealedStore, HoldsWhatIsWrittenOnly) {
   EXPECT_THAT(Store(file_, Store::Mode::read).check(), IsEmpty());
-  db::Database(file_, db::Database::Access::write).execute("UPDATE runs SET l2 = l2 * 1.0000001 WHERE cells = 8");
+  Database(file_, Database::Access::write).execute("UPDATE runs SET l2 = l2 * 1.0000001 WHERE cells = 8");
   const Store store(file_, Store::Mode::read);
   EXPECT_THAT(store.check(), testing::ElementsAre(HasSubstr("row 1 of runs (bar) is not as it was written")));
   const std::vector<std::function<void()>> readers{[&] { store.find(bar(8), "d1"); }, [&] { store.studies("d1"); },
@@ -106,17 +109,17 @@ TEST_F(SealedStore, HoldsWhatIsWrittenOnly) {
 /// Of a table of the store: its column and a value of another kind than the column's.
 TEST_F(SealedStore, EveryColumnIsUnderSealAndNoKindOfValueIsABug) {
   // Without STRICT, NOT NULL and CHECK a column takes anything; the statements that made the tables return afterwards.
-  db::Database lax(file_, db::Database::Access::write);
+  Database lax(file_, Database::Access::write);
   std::vector<std::pair<std::string, std::string>> tables;
   lax.each("SELECT name, sql FROM sqlite_schema WHERE type = 'table'", {},
-           [&](const db::Row& row) { tables.emplace_back(row["name"].text(), row["sql"].text()); });
+           [&](const Row& row) { tables.emplace_back(row["name"].text(), row["sql"].text()); });
   const std::regex rules("STRICT,? ?|NOT NULL|CHECK \\([^()]*\\([^()]*\\)\\)| (INTEGER|TEXT|REAL)(?! PRIMARY)");
   std::vector<std::pair<std::string, std::string>> columns;
   lax.execute("PRAGMA writable_schema = ON");
   for (const auto& [name, sql] : tables) {
     lax.change("UPDATE sqlite_schema SET sql = ? WHERE name = ?", {std::regex_replace(sql, rules, " "), name});
     lax.each("SELECT name FROM pragma_table_info(?)", {name},
-             [&, table = name](const db::Row& row) { columns.emplace_back(table, row["name"].text()); });
+             [&, table = name](const Row& row) { columns.emplace_back(table, row["name"].text()); });
   }
   ASSERT_GT(columns.size(), 100U);
   const std::string damaged = folder_ / "damaged.db";
@@ -124,7 +127,7 @@ TEST_F(SealedStore, EveryColumnIsUnderSealAndNoKindOfValueIsABug) {
     for (const char* value : {"NULL", "'x'", "-7.25", "x''"}) {
       std::filesystem::copy_file(file_, damaged, std::filesystem::copy_options::overwrite_existing);
       {
-        db::Database database(damaged, db::Database::Access::write);
+        Database database(damaged, Database::Access::write);
         database.execute("PRAGMA synchronous = OFF; PRAGMA foreign_keys = OFF; PRAGMA writable_schema = ON");
         const auto changed = [&] {
           return database.change(
@@ -160,4 +163,4 @@ TEST_F(SealedStore, NoFlippedBitChangesWhatIsReadUnseen) {
 }
 
 }  // namespace store_seal_test
-}  // namespace mpmvv
+}  // namespace mpmvv::store

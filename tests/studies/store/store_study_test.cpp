@@ -6,8 +6,15 @@
 #include "tests/numbers.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv {
+namespace mpmvv::store {
 namespace store_study_test {
+
+using fits::FloorFit;
+using fits::ObservedOrder;
+using records::PartVerdict;
+using records::Series;
+using records::StudyResult;
+using support::not_measured;
 
 using namespace store_samples;
 using testing::IsEmpty;
@@ -16,7 +23,7 @@ using testing::SizeIs;
 /// Everything as text, to be compared. Structured bindings name every member: a new one does not compile until it is
 /// compared too.
 struct Text {
-  static std::string of(const SegmentOrder& s) {
+  static std::string of(const fits::SegmentOrder& s) {
     const auto& [from, to, order] = s;
     return fmt::format("{}..{}: {}", from, to, order);
   }
@@ -26,12 +33,12 @@ struct Text {
     return fmt::format("floor {} {} {} {} {} '{}'", constant, order, floor, residual, accepted, reason);
   }
 
-  static std::string of(const ReplicateFit& r) {
+  static std::string of(const fits::ReplicateFit& r) {
     const auto& [observations, scatter, half_width, lack_of_fit] = r;
     return fmt::format("replicates {} {} {} {}", observations, scatter, half_width, lack_of_fit);
   }
 
-  static std::string of(const Extrapolation& e) {
+  static std::string of(const fits::Extrapolation& e) {
     const auto& [norm, from, to, points, model, order, limit, deviation, finest, uncertainty, index, remark] = e;
     return fmt::format("extrapolation {} {} {} {} '{}' {} {} {} {} {} {} '{}'", norm, from, to, points, model, order,
                        limit, deviation, finest, uncertainty, index, remark);
@@ -59,17 +66,17 @@ struct Text {
                        constant, r2, asymptotic, a_from, a_to, of(segments), of(floor), of(replicates));
   }
 
-  static std::string of(const Point& p) {
+  static std::string of(const records::Point& p) {
     const auto& [x, status, reason, y, replicates] = p;
     return fmt::format("point {} {} '{}' {} {}", x, to_string(status), reason, y, replicates);
   }
 
-  static std::string of(const Probe& p) {
+  static std::string of(const fits::Probe& p) {
     const auto& [value, stable, reason] = p;
     return fmt::format("probe {} {} '{}'", value, stable, reason);
   }
 
-  static std::string of(const StabilityLimit& l) {
+  static std::string of(const fits::StabilityLimit& l) {
     const auto& [key, stable, unstable, monotone, found, probes] = l;
     return fmt::format("limit {} {} {} {} {}\n{}", key, stable, unstable, monotone, found, of(probes));
   }
@@ -79,19 +86,19 @@ struct Text {
     return fmt::format("series {}\n{}{}{}{}", name, of(points), of(orders), of(limit), of(extrapolations));
   }
 
-  static std::string of(const Value& v) {
+  static std::string of(const records::Value& v) {
     const auto& [name, value, meaning] = v;
     return fmt::format("value {} {} {}", name, value, meaning);
   }
 
-  static std::string of(const Figure& f) {
+  static std::string of(const records::Figure& f) {
     const auto& [name, caption, xlabel, ylabel, log_x, log_y, quantity, series, marks, slopes, x0, x1, y0, y1, kind] =
         f;
     return fmt::format("figure {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", name, caption, xlabel, ylabel, log_x,
                        log_y, quantity, of(series), of(marks), of(slopes), of(x0), of(x1), of(y0), of(y1), kind);
   }
 
-  static std::string of(const ClaimPart& p) {
+  static std::string of(const records::ClaimPart& p) {
     const auto& [claim, statement, verdict, evidence, reason] = p;
     return fmt::format("part {} {} {} {} '{}'", claim, statement, to_string(verdict), evidence, reason);
   }
@@ -104,8 +111,9 @@ struct Text {
 };
 
 /// The point that a run of this record makes.
-Point point_of(const Record& r) {
-  Point p{.x = static_cast<double>(r.the_case.resolution.cells), .status = r.status, .reason = r.reason, .y = {}};
+records::Point point_of(const records::Record& r) {
+  records::Point p{
+      .x = static_cast<double>(r.the_case.resolution.cells), .status = r.status, .reason = r.reason, .y = {}};
   const auto add = [&](const char* name, double value) {
     if (!std::isnan(value)) p.y[name] = value;
   };
@@ -135,9 +143,9 @@ Point point_of(const Record& r) {
   return p;
 }
 
-Record unstable(int cells) {
-  Record r = record(cells);
-  r.status = Status::unstable;
+records::Record unstable(int cells) {
+  records::Record r = record(cells);
+  r.status = records::Status::unstable;
   r.reason = "NaN at step 2";
   r.error = {.linf_all_steps = 7};
   r.energy = {};
@@ -158,7 +166,7 @@ ObservedOrder order_with_floor() {
           .asymptotic_to = 64,
           .segments = {{8, 16, 1.9}, {16, 32, not_measured}},
           .floor = FloorFit{1, 2, 1e-4, 0.01, true, "small and clearly below"},
-          .replicates = ReplicateFit{25, 0.04, not_measured, 0.3}};
+          .replicates = fits::ReplicateFit{25, 0.04, not_measured, 0.3}};
 }
 
 ObservedOrder order_without_values(std::optional<FloorFit> floor) {
@@ -176,15 +184,15 @@ Series runs() {
 
 Series curve() {
   Series s = series("curve", {point(0.25, {{"y", 1}, {"z", not_measured}}), point(not_measured)});
-  s.points.back().status = Status::failed;
+  s.points.back().status = records::Status::failed;
   s.points.back().reason = "no value";
   s.orders = {order_without_values(std::nullopt)};
-  s.limit = StabilityLimit{.key = "cfl",
-                           .stable = 0.9,
-                           .unstable = not_measured,
-                           .monotone = false,
-                           .found = true,
-                           .probes = {{0.5, true, ""}, {1.1, false, "energy"}}};
+  s.limit = fits::StabilityLimit{.key = "cfl",
+                                 .stable = 0.9,
+                                 .unstable = not_measured,
+                                 .monotone = false,
+                                 .found = true,
+                                 .probes = {{0.5, true, ""}, {1.1, false, "energy"}}};
   s.points.front().replicates = {{"y", {0.9, 1.1}}, {"z", {not_measured}}};
   s.extrapolations = {{"y", 4, 64, 5, "φ0 + α h", 1.1, -0.5, 1e-3, 0.02, 1.0 / 3, not_measured, "not monotone"},
                       {"z", 1, 2, 0, "none", not_measured, not_measured}};
@@ -197,7 +205,7 @@ Series limit_without_probes() {
   return s;
 }
 
-Figure full_figure() {
+records::Figure full_figure() {
   return {.name = "s-fig10",
           .caption = "Fig. 10",
           .xlabel = "cells",
@@ -224,14 +232,14 @@ StudyResult everything() {
           .claims = {"S-fig10", "S-fig11"},
           .series = {runs(), series("empty"), curve(), limit_without_probes()},
           .values = {{"sum", 1 + 1e-15, "ΣN"}, {"unknown", not_measured, ""}},
-          .figures = {full_figure(), Figure{}},
+          .figures = {full_figure(), records::Figure{}},
           .parts = {{"S-fig10", "order 2", PartVerdict::holds, "1.97", ""},
                     {"S-fig11", "flat", PartVerdict::fails, "0.3", "round-off"},
                     {"S-fig11", "look", PartVerdict::shown, "", ""},
                     {"S-fig11", "limit", PartVerdict::inconclusive, "", ""}}};
 }
 
-const std::vector<std::vector<Case>> cases_of_everything{{bar(8), bar(16)}};
+const std::vector<std::vector<cases::Case>> cases_of_everything{{bar(8), bar(16)}};
 
 class StoredStudyTest : public StoreTest {
  protected:
@@ -327,4 +335,4 @@ TEST_F(StoredStudyTest, AStudyWhoseRunIsMissingIsRefusedWhole) {
 }
 
 }  // namespace store_study_test
-}  // namespace mpmvv
+}  // namespace mpmvv::store

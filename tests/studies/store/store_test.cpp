@@ -8,8 +8,12 @@
 #include "tests/numbers.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv {
+namespace mpmvv::store {
 namespace store_test {
+
+using records::Failure;
+using records::Record;
+using records::Status;
 
 using namespace store_samples;
 using testing::Contains;
@@ -27,9 +31,10 @@ std::string describe(const Record& r) {
   const auto& [kinetic, strain, initial_total] = energy;
   const auto& [step_seconds, spread] = cost;
   return fmt::format("{} {} {} {} {} {} '{}' {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}",
-                     canonical_text(c), particles, steps, cfl, to_string(status), to_string(failure), reason, l1, l2,
-                     linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf, velocity, stress, mass, momentum,
-                     angular_momentum, kinetic, strain, initial_total, wall_seconds, ns, step_seconds, spread);
+                     cases::canonical_text(c), particles, steps, cfl, to_string(status), to_string(failure), reason, l1,
+                     l2, linf, l1_all, l2_all, linf_all, nodal_l1, nodal_l2, nodal_linf, velocity, stress, mass,
+                     momentum, angular_momentum, kinetic, strain, initial_total, wall_seconds, ns, step_seconds,
+                     spread);
 }
 
 TEST_F(StoreTest, ARecordComesBackWhole) {
@@ -60,10 +65,10 @@ TEST_F(StoreTest, NaNAndInfinityComeBackAsNaN) {
   Store store(file_, Store::Mode::create_or_write);
   Record r = record(8);
   r.error.linf = infinity;
-  r.cfl = not_measured;
+  r.cfl = support::not_measured;
   store.keep(r, provenance());
   const Record found = store.find(r.the_case, "d1").value();
-  r.error.linf = not_measured;
+  r.error.linf = support::not_measured;
   EXPECT_EQ(describe(found), describe(r));
 }
 
@@ -73,7 +78,7 @@ TEST_F(StoreTest, TheKeyIsTheWholeCaseAndTheDigest) {
   EXPECT_TRUE(store.find(bar(8), "d1"));
   EXPECT_FALSE(store.find(bar(8), "d2"));
   EXPECT_FALSE(store.find(bar(9), "d1"));
-  Case more_measured = bar(8);
+  cases::Case more_measured = bar(8);
   more_measured.measure.every_step = true;
   EXPECT_FALSE(store.find(more_measured, "d1"));
 }
@@ -108,9 +113,9 @@ Record failed(Failure failure) {
 }
 
 TEST_F(StoreTest, AFailureSaysWhoseItIs) {
-  EXPECT_EQ(failure_of(std::bad_alloc()), Failure::of_machine);
-  EXPECT_EQ(failure_of(std::system_error(EAGAIN, std::generic_category())), Failure::of_machine);
-  EXPECT_EQ(failure_of(std::length_error("")), Failure::of_case);
+  EXPECT_EQ(records::failure_of(std::bad_alloc()), Failure::of_machine);
+  EXPECT_EQ(records::failure_of(std::system_error(EAGAIN, std::generic_category())), Failure::of_machine);
+  EXPECT_EQ(records::failure_of(std::length_error("")), Failure::of_case);
   Store store(file_, Store::Mode::create_or_write);
   for (const Failure failure : {Failure::of_machine, Failure::of_case, Failure::of_machine}) {
     store.keep(failed(failure), provenance());
@@ -138,7 +143,7 @@ TEST_F(StoreTest, InfoCountsWhatIsThere) {
   store.keep(unstable, provenance("d2"));
   store.keep_study(study("s"), {}, provenance("d1"));
   const auto info = store.info();
-  EXPECT_THAT(info, Contains(Pair("schema", std::to_string(db::migrations().size()))));
+  EXPECT_THAT(info, Contains(Pair("schema", std::to_string(migrations().size()))));
   EXPECT_THAT(info, Contains(Pair("studies", "1")));
   EXPECT_THAT(info, Contains(Pair("records", "2")));
   EXPECT_THAT(info, Contains(Pair("records ok", "1")));
@@ -159,7 +164,7 @@ TEST_F(StoreTest, CsvHasEveryRecordWith17DigitsAndNaNEmpty) {
   EXPECT_THAT(lines[0], HasSubstr("id,case_text,digest,"));
   EXPECT_THAT(lines[0], HasSubstr("l1,l2,linf,l1_all_steps,l2_all_steps,linf_all_steps,kinetic"));
   EXPECT_THAT(lines[0], HasSubstr("git_commit,dirty,compiler,flags,build_type,cpu"));
-  EXPECT_THAT(lines[1], HasSubstr("\"" + canonical_text(bar(8)) + "\",d1,"));
+  EXPECT_THAT(lines[1], HasSubstr("\"" + cases::canonical_text(bar(8)) + "\",d1,"));
   EXPECT_THAT(lines[1], HasSubstr(",0.012500000000000001,0.025000000000000001,0.037499999999999999,,,,"));
   EXPECT_THAT(lines[2], HasSubstr("c0ffee,1,GNU 12.2.0,'-O3,Release,\"A \"\"fast\"\", one\""));
 }
@@ -203,7 +208,7 @@ TEST_F(StoreTest, MergeCopiesWhatIsMissing) {
   EXPECT_EQ(here.find(bar(8), "d1")->wall_seconds, 1);
   EXPECT_EQ(describe(here.find(bar(16), "d1").value()), describe(record(16)));
   EXPECT_EQ(describe(here.find(bar(8), "d2").value()), describe(record(8)));
-  const std::vector<StudyResult> studies = here.studies("d1");
+  const std::vector<records::StudyResult> studies = here.studies("d1");
   ASSERT_THAT(studies, SizeIs(2));
   EXPECT_EQ(studies[0].title, "ours");
   EXPECT_EQ(studies[1].series[0].points[1].y.at("l2"), 0.2 / 16);
@@ -241,4 +246,4 @@ TEST_F(StoreTest, MergeOfSomethingElseChangesNothing) {
 }
 
 }  // namespace store_test
-}  // namespace mpmvv
+}  // namespace mpmvv::store

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mpmvv {
+namespace mpmvv::store {
 namespace trial_test {
 
 TEST(Trial, IsReadFromTheTextThatSaysIt) {
@@ -18,4 +18,4 @@ TEST(Trial, IsReadFromTheTextThatSaysIt) {
 }
 
 }  // namespace trial_test
-}  // namespace mpmvv
+}  // namespace mpmvv::store

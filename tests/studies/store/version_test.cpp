@@ -2,7 +2,7 @@
 
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv {
+namespace mpmvv::store {
 namespace version_test {
 
 using namespace store_samples;
@@ -61,4 +61,4 @@ TEST(FindVersion, SaysWhichThereAre) {
 }
 
 }  // namespace version_test
-}  // namespace mpmvv
+}  // namespace mpmvv::store

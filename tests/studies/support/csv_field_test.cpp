@@ -1,10 +1,10 @@
-#include "studies/support/csv_field.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
 
-namespace mpmvv {
+#include "studies/support/csv.hpp"
+
+namespace mpmvv::support {
 namespace csv_field_test {
 
 TEST(CsvField, IsQuotedWhereItHasToBe) {
@@ -27,4 +27,4 @@ TEST(CsvField, NumbersStay) {
 }
 
 }  // namespace csv_field_test
-}  // namespace mpmvv
+}  // namespace mpmvv::support

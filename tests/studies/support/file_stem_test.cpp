@@ -2,7 +2,7 @@
 
 #include "studies/support/file.hpp"
 
-namespace mpmvv {
+namespace mpmvv::support {
 namespace file_stem_test {
 
 TEST(FileStem, StaysInItsFolder) {
@@ -13,4 +13,4 @@ TEST(FileStem, StaysInItsFolder) {
 }
 
 }  // namespace file_stem_test
-}  // namespace mpmvv
+}  // namespace mpmvv::support

@@ -7,7 +7,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::support {
 namespace file_test {
 
 namespace fs = std::filesystem;
@@ -65,4 +65,4 @@ TEST_F(File, DoesNotTakeThePlaceOfADevice) {
 }
 
 }  // namespace file_test
-}  // namespace mpmvv
+}  // namespace mpmvv::support

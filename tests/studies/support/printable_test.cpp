@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mpmvv {
+namespace mpmvv::support {
 namespace printable_test {
 
 TEST(Printable, TextStaysAsItIs) {
@@ -32,4 +32,4 @@ TEST(Printable, WhatATerminalObeysIsShown) {
 }
 
 }  // namespace printable_test
-}  // namespace mpmvv
+}  // namespace mpmvv::support

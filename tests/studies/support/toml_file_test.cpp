@@ -8,7 +8,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv {
+namespace mpmvv::support {
 namespace toml_file_test {
 
 using testing::AllOf;
@@ -177,4 +177,4 @@ TEST_F(TomlFileOnDisk, AnEmptyFileIsAnEmptyTable) {
 }
 
 }  // namespace toml_file_test
-}  // namespace mpmvv
+}  // namespace mpmvv::support

@@ -1,9 +1,9 @@
-#include "studies/support/csv_field.hpp"
+#include "studies/support/csv.hpp"
 
 #include <charconv>
 #include <string_view>
 
-namespace mpmvv {
+namespace mpmvv::support {
 
 namespace {
 
@@ -30,4 +30,10 @@ std::string csv_field(const std::string& text) {
   return quoted + '"';
 }
 
-}  // namespace mpmvv
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& field : fields) line += (&field == &fields.front() ? "" : ",") + csv_field(field);
+  return line + '\n';
+}
+
+}  // namespace mpmvv::support
