@@ -10,8 +10,7 @@ namespace mpmvv::cli {
 namespace {
 
 int claims(const std::string& db, bool json) {
-  const auto mutants = own_mutants(store::Store(db, store::Store::Mode::read), "goldens");
-  const auto judged = claims::judge_claims(with_mutants(own_results(db), mutants, own_alarms("goldens")));
+  const auto judged = judged_claims(own_results(db), own_mutation(db));
   if (json) {
     nlohmann::json all = nlohmann::json::array();
     for (const claims::Claim& c : judged)

@@ -18,14 +18,10 @@ void add_compare(CLI::App& app, int& exit_code);
 void add_trend(CLI::App& app, int& exit_code);
 void add_cost(CLI::App& app, int& exit_code);
 void add_claims(CLI::App& app, int& exit_code);
-void add_mutants(CLI::App& app, int& exit_code);
 void add_list(CLI::App& app, int& exit_code);
 void add_db(CLI::App& app, int& exit_code);
 
 /// `--param k=v` as a setting; UsageError when it has not that form.
 settings::Setting parameter_setting(const std::string& text);
-
-/// One JSON object, indented, to standard output. NaN and infinity become null.
-void print_json(const nlohmann::json& object);
 
 }  // namespace mpmvv::cli

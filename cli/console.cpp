@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "studies/support/error.hpp"
 
@@ -32,6 +33,11 @@ void flush_text() {
 
 void note_text(const std::string& text) {
   std::fputs(text.c_str(), stderr);
+}
+
+void print_json(const nlohmann::json& object) {
+  constexpr bool only_ascii = true;  // no character that a terminal obeys
+  print_text(object.dump(2, ' ', only_ascii, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace mpmvv::cli

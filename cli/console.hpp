@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -12,6 +13,9 @@ namespace mpmvv::cli {
 /// Writes to standard output; a UsageError where that fails.
 void print_text(const std::string& text);
 void flush_text();  ///< writes out what is still buffered; a UsageError where that fails
+
+/// One JSON object, indented, to standard output. NaN and infinity become null.
+void print_json(const nlohmann::json& object);
 
 /// Writes to standard error; a failure to do so is ignored.
 void note_text(const std::string& text);

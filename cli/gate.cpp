@@ -68,7 +68,7 @@ void print_gate(const goldens::GateReport& report) {
 }
 
 int gate(const GateOptions& options) {
-  require_apart("--junit", options.junit, {options.db, options.goldens, options.goldens + "/mutants"});
+  require_apart("--junit", options.junit, {options.db, options.goldens});
   const auto goldens = goldens::read_goldens(options.goldens);
   const goldens::GateReport report =
       goldens::run_gate(goldens, own_results(options.db), options.only,

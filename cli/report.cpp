@@ -32,12 +32,14 @@ std::optional<reports::Benchmark> own_benchmark(const std::string& db, const std
   return std::nullopt;
 }
 
-/// Shows the mistakes of the published campaign, for a build that has none of its own.
-void show_published_mutants(reports::ReportInput& input, const std::string& goldens) {
-  const auto folder = std::filesystem::path(goldens) / "mutants";
-  TriedMutants tried = read_tried(folder);
-  input.mutants = reviewed(std::move(tried.mutants), folder);
-  input.mutants_commit = tried.commit;
+/// This program's mutants or, for a build that has none of its own, the published ones, which decide no claim.
+std::optional<reports::MutationResults> shown_mutation(const std::string& db,
+                                                       std::optional<reports::MutationResults> own) {
+  if (own) return own;
+  if (reports::read_mutation_results(mutants_beside(db)))
+    note("{} tried another build of the program: left out (`./run mutants` makes it anew)\n",
+         mutants_beside(db).string());
+  return reports::read_mutation_results(published / "summary.json");
 }
 
 /// The first report of a study comes before its first golden.
@@ -49,7 +51,7 @@ bool has_goldens(const std::filesystem::path& folder) {
 }
 
 int report(const ReportOptions& options) {
-  require_apart("--out", options.out, {options.db, options.goldens, options.goldens + "/mutants"});
+  require_apart("--out", options.out, {options.db, options.goldens, published});
   reports::ReportInput input;
   input.provenance = store::current_provenance();
   input.studies = own_results(options.db);
@@ -60,12 +62,11 @@ int report(const ReportOptions& options) {
          goldens::run_gate(goldens::read_goldens(options.goldens), input.studies).results)
       input.gate.push_back({r.study + ": " + r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
   const store::Store store(options.db, store::Store::Mode::read);
-  input.mutants = own_mutants(store, options.goldens);
-  for (const claims::Claim& claim :
-       claims::judge_claims(with_mutants(input.studies, input.mutants, own_alarms(options.goldens))))
+  auto mutation = own_mutation(options.db);
+  for (const claims::Claim& claim : judged_claims(input.studies, mutation))
     input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
-  if (input.mutants.empty()) show_published_mutants(input, options.goldens);
-  input.alarms = own_alarms(options.goldens);
+  input.mutation = shown_mutation(options.db, std::move(mutation));
+  input.alarms = own_alarms();
   input.versions = store.versions();
   if (reports::has_trends(input)) input.trends = trends_in(store, input.versions);
   input.benchmark = own_benchmark(options.db, input.provenance.digest);

@@ -1,10 +1,14 @@
 #pragma once
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "goldens/mutants/alarm_log.hpp"
-#include "goldens/mutants/mistake.hpp"
-#include "goldens/mutants/tried.hpp"
+#include "reports/alarm_log.hpp"
+#include "reports/mutation_claim.hpp"
+#include "reports/mutation_results.hpp"
+#include "studies/claims/claim.hpp"
 #include "studies/claims/trend.hpp"
 #include "studies/store/provenance.hpp"
 #include "studies/store/store.hpp"
@@ -16,29 +20,38 @@ inline std::vector<records::StudyResult> own_results(const std::string& db) {
   return store::Store(db, store::Store::Mode::read).studies(store::current_provenance().digest);
 }
 
-/// How the gate took this program's mutants: what its store knows and the goldens' folder publishes, by the lists
-/// there.
-inline std::vector<Mutant> own_mutants(const store::Store& store, const std::string& goldens) {
-  const auto folder = std::filesystem::path(goldens) / "mutants";
+/// Where the mutation campaign and `./run alarms` publish their results, from the top of the tree.
+inline const std::filesystem::path published = "tests/mutation";
+
+/// What `./run mutants` leaves beside a store.
+inline std::filesystem::path mutants_beside(const std::string& db) {
+  return std::filesystem::path(db).parent_path() / "mutants.json";
+}
+
+/// How the gate took this program's mutants: what `./run mutants` left beside the store or has published, whichever
+/// tried more of them.
+inline std::optional<reports::MutationResults> own_mutation(const std::string& db) {
   const std::string digest = store::current_provenance().digest;
-  TriedMutants tried = read_tried(folder);
-  if (tried.digest != digest) tried.mutants.clear();
-  return reviewed(newest(with_published(store.mutants(digest), tried.mutants)), folder);
+  std::optional<reports::MutationResults> most;
+  for (const auto& file : {mutants_beside(db), published / "summary.json"}) {
+    auto results = reports::read_mutation_results(file);
+    if (results && results->digest == digest && (!most || results->tried() > most->tried())) most = std::move(results);
+  }
+  return most;
 }
 
 /// The published runs without a mistake, of this program's sources.
-inline std::vector<AlarmRun> own_alarms(const std::string& goldens) {
-  AlarmLog log = read_alarms(std::filesystem::path(goldens) / "mutants");
+inline std::vector<reports::AlarmRun> own_alarms() {
+  reports::AlarmLog log = reports::read_alarms(published / "alarms.toml");
   if (log.digest != store::current_provenance().digest) log.runs.clear();
   return log.runs;
 }
 
-/// The studies, and what the mutants and the runs without a mistake say on their claim.
-inline std::vector<records::StudyResult> with_mutants(std::vector<records::StudyResult> studies,
-                                                      const std::vector<Mutant>& mutants,
-                                                      const std::vector<AlarmRun>& alarms) {
-  studies.push_back(mutant_study(mutants, alarms));
-  return studies;
+/// The claims by the studies of a store, and by the mutants and the runs without a mistake.
+inline std::vector<claims::Claim> judged_claims(std::vector<records::StudyResult> studies,
+                                                const std::optional<reports::MutationResults>& mutation) {
+  studies.push_back(reports::mutation_study(mutation, own_alarms()));
+  return claims::judge_claims(studies);
 }
 
 /// The trends over these versions of a store.

@@ -14,95 +14,82 @@ std::string of_all(int part, int all) {
   return all == 0 ? "–" : fmt::format("{} of {} ({:.0f} %)", part, all, 100.0 * part / all);
 }
 
-bool is_untried(const Mutant& mutant) {
-  return mutant.kind == Mutant::Kind::planted && mutant.builds && mutant.trials.empty();
-}
-
-Table score_table(const std::vector<Mutant>& mutants) {
-  std::vector<Mutant> tried = mutants;
-  const std::size_t untried = std::erase_if(tried, is_untried);
-  const MutantScore score = score_of(tried);
+Table score_table(const MutationResults& mutation) {
+  const PlantedScore& planted = mutation.planted;
+  const RandomScore& random = mutation.random;
+  const int tried = planted.should_show - planted.untried;
   Table table{"Score: how many mistakes each part of the gate catches",
               {"mistakes", "unit tests", "quick gate", "nightly gate, of what these miss", "any of them", "explained"},
               {}};
+  if (planted.should_show + planted.equivalent + random.tried == 0) return table;
   Table::Group group;
-  group.rows.push_back(
-      {"planted, should show", of_all(score.by_unit_tests, score.planted), of_all(score.by_quick, score.planted),
-       score.by_nightly == 0 ? "–" : fmt::format("{}", score.by_nightly), of_all(score.by_any, score.planted), ""});
-  if (untried > 0) group.rows.push_back({fmt::format("planted, not tried yet: {}", untried), "", "", "", "", ""});
-  if (score.silent > 0)
-    group.rows.push_back({fmt::format("planted, efficiency or robustness only: {}", score.silent), "", "", "", "", ""});
-  if (score.random > 0)
-    group.rows.push_back({"random", "", "", "", of_all(score.random_caught, score.random),
-                          of_all(score.random_explained, score.random - score.random_caught)});
+  group.rows.push_back({"planted, should show", of_all(planted.unit_tests, tried), of_all(planted.quick, tried),
+                        planted.nightly == 0 ? "–" : fmt::format("{}", planted.nightly), of_all(planted.caught, tried),
+                        ""});
+  if (planted.untried > 0)
+    group.rows.push_back({fmt::format("planted, not tried yet: {}", planted.untried), "", "", "", "", ""});
+  if (planted.equivalent > 0)
+    group.rows.push_back(
+        {fmt::format("planted, efficiency or robustness only: {}", planted.equivalent), "", "", "", "", ""});
+  if (random.tried > 0)
+    group.rows.push_back({"random", "", "", "", of_all(random.caught, random.tried),
+                          of_all(random.explained, random.tried - random.caught)});
   table.groups.push_back(std::move(group));
   return table;
 }
 
-std::string trial_text(const Mutant& mutant, GateStage stage) {
-  const Trial* trial = mutant.trial(stage);
+std::string stage_text(const MutantResult& mutant, const std::optional<StageResult>& stage) {
   if (!mutant.builds) return "does not compile";
-  if (!trial) return is_untried(mutant) ? "not tried yet" : "–";
-  if (!trial->caught) return "passes";
-  const std::string more = trial->by.size() > 1 ? fmt::format(" and {} more", trial->by.size() - 1) : "";
-  return trial->by.empty() ? "caught" : trial->by.front() + more;
-}
-
-/// The version of the gate that the unchanged tree passed last.
-std::string newest_gate(const std::vector<Mutant>& mutants) {
-  std::string gate;
-  for (const Mutant& mutant : mutants)
-    if (mutant.kind == Mutant::Kind::baseline) gate = mutant.gate;
-  return gate;
+  if (!stage) return mutant.is_untried() ? "not tried yet" : "–";
+  if (!stage->caught) return "passes";
+  const std::string more = stage->by.size() > 1 ? fmt::format(" and {} more", stage->by.size() - 1) : "";
+  return stage->by.empty() ? "caught" : stage->by.front() + more;
 }
 
 /// Names of mistakes whose results are of an older gate say so: these stand until they are tried anew.
-std::string name_text(const Mutant& mutant, const std::string& gate) {
-  return mutant.trials.empty() || mutant.gate == gate ? mutant.name : mutant.name + " (earlier gate)";
+std::string name_text(const MutantResult& mutant) {
+  return mutant.by_earlier_gate ? mutant.name + " (earlier gate)" : mutant.name;
 }
 
-std::string place(const Mutant& mutant) {
-  return is_untried(mutant) ? mutant.file : fmt::format("{}:{}", mutant.file, mutant.line);
+std::string place(const MutantResult& mutant) {
+  return mutant.line == 0 ? mutant.file : fmt::format("{}:{}", mutant.file, mutant.line);
 }
 
-/// A table of those that belong to one of two titled groups.
-Table grouped(Table table, const std::vector<Mutant>& mutants, const std::function<bool(const Mutant&)>& belongs,
-              const std::function<std::vector<std::string>(const Mutant&)>& row, const char* without_reason,
+/// Those without and with a reason, in two titled groups.
+Table grouped(Table table, const std::vector<MutantResult>& mutants,
+              const std::function<std::vector<std::string>(const MutantResult&)>& row, const char* without_reason,
               const char* with_reason) {
   Table::Group open{without_reason, {}}, explained{with_reason, {}};
-  for (const Mutant& mutant : mutants)
-    if (belongs(mutant)) (mutant.reason.empty() ? open : explained).rows.push_back(row(mutant));
+  for (const MutantResult& mutant : mutants) (mutant.reason.empty() ? open : explained).rows.push_back(row(mutant));
   for (Table::Group* group : {&open, &explained})
     if (!group->rows.empty()) table.groups.push_back(std::move(*group));
   return table;
 }
 
-Table planted_table(const std::vector<Mutant>& mutants) {
-  const std::string gate = newest_gate(mutants);
+Table planted_table(const std::vector<MutantResult>& mistakes) {
   return grouped(
       {"Planted mistakes, and what catches them: the first test, the goldens",
        {"mistake", "what", "where", "unit tests", "quick gate", "nightly gate", "reason"},
        {}},
-      mutants, [](const Mutant& m) { return m.kind == Mutant::Kind::planted; },
-      [&](const Mutant& m) -> std::vector<std::string> {
-        return {name_text(m, gate),
+      mistakes,
+      [](const MutantResult& m) -> std::vector<std::string> {
+        return {name_text(m),
                 m.what,
                 place(m),
-                trial_text(m, GateStage::unit_tests),
-                trial_text(m, GateStage::quick),
-                trial_text(m, GateStage::nightly),
+                stage_text(m, m.unit_tests),
+                stage_text(m, m.quick),
+                stage_text(m, m.nightly),
                 m.reason};
       },
       "that an order, an error, a limit or a report can show", "that change efficiency or robustness only");
 }
 
-Table survivor_table(const std::vector<Mutant>& mutants) {
-  const std::string gate = newest_gate(mutants);
+Table survivor_table(const std::vector<MutantResult>& survivors) {
   return grouped(
       {"Random mutations that nothing catches", {"mutation", "where", "line", "with the mutation", "reason"}, {}},
-      mutants, [](const Mutant& m) { return m.kind == Mutant::Kind::random && m.builds && !m.caught(); },
-      [&](const Mutant& m) -> std::vector<std::string> {
-        return {name_text(m, gate), place(m), m.before, m.after, m.reason};
+      survivors,
+      [](const MutantResult& m) -> std::vector<std::string> {
+        return {name_text(m), place(m), m.before, m.after, m.reason};
       },
       "not explained", "explained");
 }
@@ -126,10 +113,10 @@ Table alarm_table(const std::vector<AlarmRun>& runs) {
 
 }  // namespace
 
-std::vector<Table> mutant_tables(const std::vector<Mutant>& mutants, const std::vector<AlarmRun>& alarms) {
+std::vector<Table> mutant_tables(const MutationResults& mutation, const std::vector<AlarmRun>& alarms) {
   std::vector<Table> tables;
-  if (mutants.empty()) return tables;
-  for (Table table : {score_table(mutants), planted_table(mutants), survivor_table(mutants), alarm_table(alarms)})
+  for (Table table : {score_table(mutation), planted_table(mutation.mistakes), survivor_table(mutation.survivors),
+                      alarm_table(alarms)})
     if (!table.empty()) tables.push_back(std::move(table));
   return tables;
 }

@@ -91,9 +91,10 @@ data benchmark_data(const Benchmark& benchmark) {
 }
 
 data mutants_data(const ReportInput& input) {
-  return object({{"tables", list_of(mutant_tables(input.mutants, input.alarms), table_data)},
-                 {"is_earlier", !input.mutants_commit.empty()},
-                 {"commit", input.mutants_commit}});
+  return object({{"tables", list_of(mutant_tables(*input.mutation, input.alarms), table_data)},
+                 {"is_summary", input.mutation->mistakes.empty()},
+                 {"is_of_another_build", input.mutation->digest != input.provenance.digest},
+                 {"commit", input.mutation->commit}});
 }
 
 data gate_data(const GateLine& g) {
@@ -142,7 +143,7 @@ std::string render_page(const ReportInput& input, const std::vector<Section>& se
   kainjow::mustache::mustache page{std::string(page_template)};
   const auto gate = verdicts(input.gate);
   const std::vector<Benchmark> benchmark_list(input.benchmark ? 1 : 0, input.benchmark.value_or(Benchmark{}));
-  const std::vector<ReportInput> with_mutants(input.mutants.empty() ? 0 : 1, input);
+  const std::vector<ReportInput> with_mutants(input.mutation ? 1 : 0, input);
   return marked_up_text(page.render(
       object({{"overall", overall(gate)},
               {"gate_counts", counts(gate, {"pass", "fail", "inconclusive"})},

@@ -96,9 +96,9 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
   if (input.benchmark)
     write_table(tables / "program/benchmark.tex", latex_tables("Benchmark", benchmark_tables(*input.benchmark)),
                 summary);
-  if (!input.mutants.empty())
+  if (input.mutation)
     write_table(tables / "program/mutants.tex",
-                latex_tables("Planted mistakes", mutant_tables(input.mutants, input.alarms)), summary);
+                latex_tables("Planted mistakes", mutant_tables(*input.mutation, input.alarms)), summary);
   progress(fmt::format("tables: {} of {} written", summary.tables_written, summary.tables));
 
   if (has_trends(input)) write_trends(input, place.draft(), summary);

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "reports/alarm_log.hpp"
 #include "reports/benchmark.hpp"
+#include "reports/mutation_results.hpp"
 #include "studies/claims/trend.hpp"
-#include "studies/mutant.hpp"
 #include "studies/records/result.hpp"
 #include "studies/store/provenance.hpp"
 #include "studies/store/version.hpp"
@@ -38,9 +39,8 @@ struct ReportInput {
   std::optional<Benchmark> benchmark = {};
   std::vector<store::Version> versions = {};  ///< all of the store, by time
   std::vector<claims::Trend> trends = {};     ///< over these versions
-  std::vector<Mutant> mutants = {};           ///< planted mistakes, and what caught each
-  std::string mutants_commit = {};            ///< of the build that tried them, where it is not this one; else empty
-  std::vector<AlarmRun> alarms = {};          ///< runs of the gate without a mistake
+  std::optional<MutationResults> mutation = {};
+  std::vector<AlarmRun> alarms = {};  ///< runs of the gate without a mistake
 };
 
 /// Whether there are trends to draw: it takes two versions.

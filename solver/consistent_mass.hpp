@@ -1,11 +1,9 @@
 #pragma once
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "solver/consistent_mass_settings.hpp"
-#include "solver/round_trip.hpp"
+#include "solver/mass_product.hpp"
 
 namespace mpmvv::solver {
 
@@ -30,156 +28,42 @@ namespace mpmvv::solver {
 template <int D>
 class ConsistentMass {
  public:
-  using Field = std::vector<Packed<D>>;
+  using Field = std::vector<Padded<D>>;
 
-  ConsistentMass(Mpm<D>& s, const ConsistentMassSettings& settings, double cell_mass);
+  ConsistentMass(Step<D>& s, const ConsistentMassSettings& settings, double cell_mass);
 
   /// To be called when masses or positions have changed, before `multiply`.
-  void set_couplings(Mpm<D>& s);
+  void set_couplings(Step<D>& s);
 
   /// q = Cᵀ M̂ u of a constrained field, u = C u.
-  void multiply(Mpm<D>& s, const Field& u, Field& q);
+  void multiply(Step<D>& s, const Field& u, Field& q);
 
   /// Solves Cᵀ M̂ u = Cᵀ b, u = C u, starting from the u given. Nodes up to `least_mass` keep theirs.
   template <class V>
-  void solve(Mpm<D>& s, const std::vector<V>& b, double least_mass, Field& u) {
-    for (std::size_t n = 0; n < b.size(); ++n) residual_[n] = b[n].template head<lanes<D>>();
+  void solve(Step<D>& s, const std::vector<V>& b, double least_mass, Field& u) {
+    for (std::size_t n = 0; n < b.size(); ++n) residual_[n] = b[n].template head<padded_size<D>>();
     solve(s, least_mass, u);
   }
 
  private:
   /// As above, b being in `residual_`.
-  void solve(Mpm<D>& s, double least_mass, Field& u);
-  static double full_mass(const Mpm<D>& s, std::size_t n, double cell_mass);
-  void invert_diagonal(Mpm<D>& s, double least_mass);
-  Packed<D> product(const Field& a, const Field& b) const;
-  Packed<D> residual_norm() const;  ///< squared
+  void solve(Step<D>& s, double least_mass, Field& u);
+  static double full_mass(const Step<D>& s, std::size_t n, double cell_mass);
+  void invert_diagonal(Step<D>& s, double least_mass);
+  Padded<D> product(const Field& a, const Field& b) const;
+  Padded<D> residual_norm() const;  ///< squared
 
   ConsistentMassSettings settings_;
   int most_iterations_;
-  RoundTrip<D> round_trip_;
-  std::vector<double> share_;             ///< one over the number of nodes that folding makes one
+  MassProduct<D> product_;
+  std::vector<double> share_;             ///< one over the number of nodes that the boundaries make one
   std::vector<double> covered_mass_;      ///< θ m_full
   std::vector<double> coverage_;          ///< c
-  std::vector<Packed<D + 1>> couplings_;  ///< in component D: M c
+  std::vector<Padded<D + 1>> couplings_;  ///< in component D: M c
   Field inverse_;                         ///< of Cᵀ diag(m) C, zero where nothing is to be solved
   Field residual_, direction_, image_;    ///< of the iteration
   Field covered_;                         ///< c u, for the product
 };
-
-/// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j of a scalar, to where masses are.
-template <int D>
-struct MapScalarRoundTrip {
-  const Particles<D>& particles;
-  const std::vector<double>& u;
-  std::vector<Packed<D + 1>>& product;
-
-  auto& field() const { return product; }
-  [[gnu::always_inline]] auto operator()(const auto& who, const auto& nodes, const auto&) const {
-    return packed_alone<D>(who.of(particles.m) * nodes.gather(u));
-  }
-};
-
-template <int D>
-ConsistentMass<D>::ConsistentMass(Mpm<D>& s, const ConsistentMassSettings& settings, double cell_mass)
-    : settings_(settings),
-      most_iterations_(
-          static_cast<int>(std::ceil(0.5 / std::sqrt(settings.lumped_share) *
-                                     std::log(2 / settings.tolerance / std::sqrt(settings.lumped_share))))),
-      round_trip_(s, most_iterations_) {
-  const std::size_t nodes = s.grid().size();
-  for (Field* field : {&inverse_, &residual_, &direction_, &image_, &covered_}) field->resize(nodes, Packed<D>::Zero());
-  coverage_.resize(nodes);
-  couplings_.assign(nodes, packed<D>(Vec<D>::Zero(), 1));
-  s.fold(couplings_);
-  for (const auto& images : couplings_) share_.push_back(1 / images[D]);
-  for (std::size_t n = 0; n < nodes; ++n) covered_mass_.push_back(settings.covered * full_mass(s, n, cell_mass));
-}
-
-template <int D>
-double ConsistentMass<D>::full_mass(const Mpm<D>& s, std::size_t n, double cell_mass) {
-  const auto i = s.grid().index(n);
-  for (std::size_t d = 0; d < D; ++d)
-    if (!s.periodic()[d] && (i[d] == 0 || i[d] == s.grid().inside(static_cast<int>(d)) - 1)) cell_mass /= 2;
-  return cell_mass;
-}
-
-template <int D>
-void ConsistentMass<D>::set_couplings(Mpm<D>& s) {
-  const double most = std::sqrt(1 - settings_.lumped_share);
-  for (std::size_t n = 0; n < coverage_.size(); ++n) {
-    const double m = s.grid().m(n);
-    coverage_[n] = m < covered_mass_[n] ? most * m / covered_mass_[n] : most;
-  }
-  s.clear(couplings_);
-  s.sweep(node_loop(MapScalarRoundTrip<D>{s.particles(), coverage_, couplings_}));
-  s.fold(couplings_);
-  round_trip_.prepare(s);
-}
-
-template <int D>
-void ConsistentMass<D>::multiply(Mpm<D>& s, const Field& u, Field& q) {
-  for (std::size_t n = 0; n < u.size(); ++n) covered_[n] = coverage_[n] * u[n];
-  s.clear(q);
-  round_trip_.map(s, covered_, q);
-  s.fold(q);
-  for (std::size_t n = 0; n < u.size(); ++n)
-    q[n] = s.grid().m(n) * u[n] - coverage_[n] * (couplings_[n][D] * u[n] - q[n]);
-  s.constrain_transposed(q);
-}
-
-template <int D>
-void ConsistentMass<D>::solve(Mpm<D>& s, double least_mass, Field& u) {
-  const auto sum = [](const Packed<D>& components) { return components.template head<D>().sum(); };
-  const auto quotient = [](double a, double b) { return b > 0 ? a / b : 0.0; };
-  set_couplings(s);
-  invert_diagonal(s, least_mass);
-  s.constrain_transposed(residual_);
-  const double round_off = 1e-28 * sum(residual_norm());
-
-  multiply(s, u, image_);
-  for (std::size_t n = 0; n < u.size(); ++n) residual_[n] -= image_[n];
-  Packed<D> norm = residual_norm(), previous = Packed<D>::Zero();
-  const double enough = std::max(settings_.tolerance * settings_.tolerance * sum(norm), round_off);
-  for (int k = 0; k < most_iterations_ && sum(norm) > enough; ++k) {  // a NaN ends it
-    const Packed<D> beta = norm.binaryExpr(previous, quotient);
-    for (std::size_t n = 0; n < u.size(); ++n)
-      direction_[n] = inverse_[n].cwiseProduct(residual_[n]) + beta.cwiseProduct(direction_[n]);
-    s.constrain(direction_);
-    multiply(s, direction_, image_);
-    const Packed<D> alpha = norm.binaryExpr(product(direction_, image_), quotient);
-    for (std::size_t n = 0; n < u.size(); ++n) {
-      u[n] += alpha.cwiseProduct(direction_[n]);
-      residual_[n] -= alpha.cwiseProduct(image_[n]);
-    }
-    previous = norm;
-    norm = residual_norm();
-  }
-}
-
-template <int D>
-void ConsistentMass<D>::invert_diagonal(Mpm<D>& s, double least_mass) {
-  std::fill(inverse_.begin(), inverse_.end(), Packed<D>::Ones());
-  s.constrain(inverse_);
-  for (std::size_t n = 0; n < inverse_.size(); ++n) inverse_[n] *= s.grid().m(n) > least_mass ? s.grid().m(n) : 0;
-  s.constrain_transposed(inverse_);
-  for (auto& diagonal : inverse_) diagonal = diagonal.unaryExpr([](double m) { return m > 0 ? 1 / m : 0.0; });
-}
-
-template <int D>
-Packed<D> ConsistentMass<D>::product(const Field& a, const Field& b) const {
-  Packed<D> sum = Packed<D>::Zero();
-  for (std::size_t n = 0; n < a.size(); ++n) sum += share_[n] * a[n].cwiseProduct(b[n]);
-  return sum;
-}
-
-template <int D>
-Packed<D> ConsistentMass<D>::residual_norm() const {
-  Packed<D> sum = Packed<D>::Zero();
-  for (std::size_t n = 0; n < residual_.size(); ++n)
-    sum += share_[n] * residual_[n].cwiseProduct(inverse_[n]).cwiseProduct(residual_[n]);
-  return sum;
-}
 
 extern template class ConsistentMass<1>;
 extern template class ConsistentMass<2>;

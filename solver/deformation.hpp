@@ -2,7 +2,7 @@
 #include <Eigen/LU>
 #include <array>
 
-#include "solver/four.hpp"
+#include "solver/simd/pack.hpp"
 
 namespace mpmvv::solver {
 
@@ -14,10 +14,10 @@ enum class Deformation {
 
 /// C + A B
 template <int D>
-[[gnu::always_inline]] inline PackedMat<D> plus_product(const auto& C, const PackedMat<D>& A, const auto& B) {
-  PackedMat<D> result;
+[[gnu::always_inline]] inline PaddedMat<D> plus_product(const auto& C, const PaddedMat<D>& A, const auto& B) {
+  PaddedMat<D> result;
   for (int c = 0; c < D; ++c) {
-    Packed<D> column = packed<D>(C.col(c));
+    Padded<D> column = padded<D>(C.col(c));
     for (int d = 0; d < D; ++d) column += B(d, c) * A.col(d);
     result.col(c) = column;
   }
@@ -25,8 +25,8 @@ template <int D>
 }
 
 template <int D>
-[[gnu::always_inline]] inline FourMat<D> plus_product(const FourMat<D>& C, const FourMat<D>& A, const FourMat<D>& B) {
-  FourMat<D> result;
+[[gnu::always_inline]] inline PackMat<D> plus_product(const PackMat<D>& C, const PackMat<D>& A, const PackMat<D>& B) {
+  PackMat<D> result;
   for (int c = 0; c < D; ++c)
     for (int r = 0; r < D; ++r) {
       result(r, c) = C(r, c);
@@ -50,15 +50,15 @@ inline std::array<typename Matrix::Scalar, D> characteristic(const Matrix& A) {
 
 /// a A + b I, column by column: at once it would go through memory.
 template <int D>
-inline PackedMat<D> sum_with_identity(double a, const PackedMat<D>& A, double b) {
-  PackedMat<D> sum;
-  for (int d = 0; d < D; ++d) sum.col(d) = a * A.col(d) + Packed<D>(b * Packed<D>::Unit(d));
+inline PaddedMat<D> sum_with_identity(double a, const PaddedMat<D>& A, double b) {
+  PaddedMat<D> sum;
+  for (int d = 0; d < D; ++d) sum.col(d) = a * A.col(d) + Padded<D>(b * Padded<D>::Unit(d));
   return sum;
 }
 
 template <int D>
-[[gnu::always_inline]] inline FourMat<D> sum_with_identity(const Four& a, const FourMat<D>& A, const Four& b) {
-  FourMat<D> sum = a * A;
+[[gnu::always_inline]] inline PackMat<D> sum_with_identity(const Pack& a, const PackMat<D>& A, const Pack& b) {
+  PackMat<D> sum = a * A;
   sum.diagonal().array() += b;
   return sum;
 }

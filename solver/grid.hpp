@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "solver/types.hpp"
+#include "solver/simd/padded.hpp"
 
 namespace mpmvv::solver {
 
@@ -21,10 +21,10 @@ class Grid {
       stride_[d] = static_cast<int>(count);
       count *= static_cast<std::size_t>(inside_[d] + 2 * ghost);
     }
-    p.resize(count, Packed<D + 1>::Zero());
-    f.resize(count, Packed<D>::Zero());
-    v.resize(count, Packed<D>::Zero());
-    a.resize(count, Packed<D>::Zero());
+    p.resize(count, Padded<D + 1>::Zero());
+    f.resize(count, Padded<D>::Zero());
+    v.resize(count, Padded<D>::Zero());
+    a.resize(count, Padded<D>::Zero());
   }
 
   const Vec<D>& lower() const { return lower_; }
@@ -64,10 +64,10 @@ class Grid {
 
   double m(std::size_t n) const { return p[n][D]; }  ///< mass
 
-  std::vector<Packed<D + 1>> p;  ///< momentum, and in component D the mass: they are mapped together
-  std::vector<Packed<D>> f;      ///< force
-  std::vector<Packed<D>> v;      ///< velocity
-  std::vector<Packed<D>> a;      ///< acceleration
+  std::vector<Padded<D + 1>> p;  ///< momentum, and in component D the mass: they are mapped together
+  std::vector<Padded<D>> f;      ///< force
+  std::vector<Padded<D>> v;      ///< velocity
+  std::vector<Padded<D>> a;      ///< acceleration
 
  private:
   Vec<D> lower_;

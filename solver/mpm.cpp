@@ -1,22 +1,122 @@
-#include "solver/mpm_impl.hpp"
+#include "solver/mpm.hpp"
+
+#include <Eigen/LU>
+#include <numeric>
+
+#include "solver/step.hpp"
 
 namespace mpmvv::solver {
 
-template class ConsistentMass<1>;
-template class Mpm<1>;  // the other dimensions have files of their own, compiled beside this one
+template <int D>
+Mpm<D>::Mpm(Scene<D> scene) : step_(std::make_unique<Step<D>>(std::move(scene))) {}
 
-std::vector<std::string_view> integrator_words() {
-  std::vector<std::string_view> words;
-  for (const auto& integrator : integrators<1>) words.push_back(integrator.word);
-  return words;
+template <int D>
+Mpm<D>::~Mpm() = default;
+
+template <int D>
+Mpm<D>::Mpm(Mpm&&) noexcept = default;
+
+template <int D>
+bool Mpm<D>::step(double dt) {
+  step_->advance(dt);
+  return step_->fault() == Fault::none;
 }
 
-bool is_staggered(std::string_view word) {
-  return detail::find_integrator<1>(word).kind == IntegratorKind::staggered;
+template <int D>
+std::string Mpm<D>::fault() const {
+  const Fault fault = step_->fault();
+  if (contains(fault, Fault::outside)) return "a particle left the domain";
+  if (contains(fault, Fault::outgrown))
+    return width_of(step_->scene().basis) == ParticleWidth::domain
+               ? "a corner of a particle is more than " + std::to_string(domain_reach) + " cells from it"
+               : "the width of a particle is not between zero and a cell";
+  if (contains(fault, Fault::inverted)) return "det F <= 0 on a particle";
+  return "";
 }
 
-bool is_staged(std::string_view word) {
-  return detail::find_integrator<1>(word).kind == IntegratorKind::staged;
+template <int D>
+const Particles<D>& Mpm<D>::particles() const {
+  return step_->particles();
 }
+
+template <int D>
+const Grid<D>& Mpm<D>::grid() const {
+  return step_->grid();
+}
+
+template <int D>
+const std::array<bool, D>& Mpm<D>::periodic() const {
+  return step_->periodic();
+}
+
+template <int D>
+double Mpm<D>::time() const {
+  return step_->time();
+}
+
+template <int D>
+std::int64_t Mpm<D>::steps() const {
+  return step_->steps();
+}
+
+template <int D>
+double Mpm<D>::mass() const {
+  return std::accumulate(particles().m.begin(), particles().m.end(), 0.0);
+}
+
+template <int D>
+Mat<D> Mpm<D>::stress(std::size_t p) const {
+  return std::visit(
+      [&]<class M>(const M& material) -> Mat<D> {
+        if constexpr (has_history<M>)
+          return -particles().thermal[p].total_pressure() * Mat<D>::Identity();
+        else
+          return material.kirchhoff(particles().F[p]) / particles().F[p].determinant();
+      },
+      step_->scene().material);
+}
+
+template <int D>
+double Mpm<D>::kinetic_energy() const {
+  double energy = 0;
+  for (std::size_t p = 0; p < particles().size(); ++p)
+    energy += 0.5 * particles().m[p] * particles().v[p].squaredNorm();
+  return energy;
+}
+
+template <int D>
+double Mpm<D>::strain_energy() const {
+  return std::visit(
+      [&all = particles()]<class M>(const M& material) {
+        double energy = 0;
+        for (std::size_t p = 0; p < all.size(); ++p)
+          if constexpr (has_history<M>)
+            energy += all.m[p] * all.thermal[p].energy;
+          else
+            energy += all.V0[p] * material.template energy<D>(all.F[p]);
+        return energy;
+      },
+      step_->scene().material);
+}
+
+template <int D>
+void Mpm<D>::map_acceleration() {
+  step_->map_mass_and_forces();
+  step_->set_acceleration();
+}
+
+template <int D>
+Vec<D> Mpm<D>::node_position(std::size_t n) const {
+  return step_->node_position(n);
+}
+
+template <int D>
+bool Mpm<D>::is_accelerated(std::size_t n) const {
+  return step_->is_accelerated(n);
+}
+
+template class Mpm<1>;
+template class Mpm<2>;
+template class Mpm<3>;
 
 }  // namespace mpmvv::solver

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/material/thermal_state.hpp"
-#include "solver/team.hpp"
+#include "solver/parallel/thread_pool.hpp"
 #include "solver/types.hpp"
 
 namespace mpmvv::solver {
@@ -64,8 +64,8 @@ struct Particles {
   }
 
   /// Reorders every field that is in use: new k = old order[k].
-  void permute(const std::vector<std::uint32_t>& order, Team& team) {
-    const auto reorder = [&](auto& sorted, auto&... fields) { (permute(fields, order, team, sorted), ...); };
+  void permute(const std::vector<std::uint32_t>& order, ThreadPool& pool) {
+    const auto reorder = [&](auto& sorted, auto&... fields) { (permute(fields, order, pool, sorted), ...); };
     auto& [start, sum] = stages;
     reorder(spare_.ids, id);
     reorder(spare_.numbers, m, V0);
@@ -76,11 +76,11 @@ struct Particles {
 
  private:
   template <class T>
-  static void permute(std::vector<T>& field, const std::vector<std::uint32_t>& order, Team& team,
+  static void permute(std::vector<T>& field, const std::vector<std::uint32_t>& order, ThreadPool& pool,
                       std::vector<T>& sorted) {
     if (field.empty()) return;
     sorted.resize(field.size());
-    for_pieces(team, field.size(), [&](std::size_t begin, std::size_t end) {
+    for_chunks(pool, field.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p) sorted[p] = field[order[p]];
     });
     field.swap(sorted);

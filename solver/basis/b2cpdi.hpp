@@ -3,7 +3,7 @@
 
 namespace mpmvv::solver {
 
-/// Convected particle domain interpolation of quadratic B-splines: see solver/corner_stencil.hpp.
+/// Convected particle domain interpolation of quadratic B-splines: see solver/stencils/cpdi_stencil.hpp.
 struct B2Cpdi : BSpline2 {
   static constexpr std::string_view word = "b2cpdi";
   static constexpr int ghost = BSpline2::ghost + domain_reach;

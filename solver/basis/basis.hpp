@@ -27,7 +27,7 @@ struct AxisPoint {
   double width;  ///< width of the particle, for bases that take one
 };
 
-/// What a basis must offer, and in the last two lines what it may. It is one-dimensional; the solver forms tensor
+/// What a basis must offer, and in the last line what it may. It is one-dimensional; the solver forms tensor
 /// products, S (18).
 ///   word          its name in study files and on the command line
 ///   support       number of nodes that reach a point
@@ -38,7 +38,6 @@ struct AxisPoint {
 ///   position      where the i-th degree of freedom sits, in cells: with these Σ_i x_i ∇N_i = I
 ///   evaluate      weights N and gradients dN (per cell width) of the `support` nodes; returns the first node's index
 ///   mass_cutoff   see `mass_cutoff_of` in bases.hpp; needed where gradients jump from cell to cell
-///   SweptAs       another basis that it evaluates as: see `swept`
 template <class B>
 concept Basis = requires(const B basis, AxisPoint point, double* N, double* dN) {
   { B::word } -> std::convertible_to<std::string_view>;
@@ -54,15 +53,5 @@ concept Basis = requires(const B basis, AxisPoint point, double* N, double* dN) 
 /// of functions, centred on nodes, overlap. Particles are sorted by that: to be wrong costs time alone.
 template <class B>
 inline constexpr bool changes_between_nodes = B::ghost > 0 && B::support % 2 == 1;
-
-/// The basis as the sweeps take it: one that names another as `SweptAs`, with which it shares `evaluate`, shares its
-/// sweeps, too.
-template <class B>
-const auto& swept(const B& basis) {
-  if constexpr (requires { typename B::SweptAs; })
-    return static_cast<const typename B::SweptAs&>(basis);
-  else
-    return basis;
-}
 
 }  // namespace mpmvv::solver

@@ -3,7 +3,7 @@
 
 namespace mpmvv::solver {
 
-/// Convected particle domain interpolation of the hats: see solver/corner_stencil.hpp.
+/// Convected particle domain interpolation of the hats: see solver/stencils/cpdi_stencil.hpp.
 struct Cpdi : Linear {
   static constexpr std::string_view word = "cpdi";
   static constexpr int ghost = Linear::ghost + domain_reach;

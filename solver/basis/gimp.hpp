@@ -56,7 +56,6 @@ struct Gimp {
 
 /// cpGIMP: the width follows the particle's stretch, l_p = l_p⁰ diag F, W (7), (63).
 struct CpGimp : Gimp {
-  using SweptAs = Gimp;
   static constexpr std::string_view word = "cpgimp";
   static constexpr ParticleWidth width = ParticleWidth::current;
 };

@@ -27,17 +27,17 @@ struct FaceNodes {
 /// What a boundary treatment must offer, on one face.
 ///   word       its name
 ///   holds      true when it overwrites velocities, so that S (30) has a meaning
-///   fold       adds up what belongs together in a field (momentum with mass, force) just mapped from the particles
-///   constrain  makes a field of vectors (velocity, acceleration) obey the face
+///   sum_images       adds up what belongs together in a field (momentum with mass, force) just mapped from the
+///   particles constrain  makes a field of vectors (velocity, acceleration) obey the face
 /// and one that holds velocities
 ///   constrain_transposed  takes the part of a field of forces that drives what it leaves free
 template <class B>
-concept Boundary = requires(const B boundary, Grid<2>& grid, Face face, std::vector<Packed<3>>& momentum,
-                            std::vector<Packed<2>>& vectors) {
+concept Boundary = requires(const B boundary, Grid<2>& grid, Face face, std::vector<Padded<3>>& momentum,
+                            std::vector<Padded<2>>& vectors) {
   { B::word } -> std::convertible_to<std::string_view>;
   { B::holds } -> std::convertible_to<bool>;
-  boundary.fold(grid, face, momentum);
-  boundary.fold(grid, face, vectors);
+  boundary.sum_images(grid, face, momentum);
+  boundary.sum_images(grid, face, vectors);
   boundary.constrain(grid, face, vectors);
   requires !B::holds || requires {
     boundary.constrain_transposed(grid, face, vectors);

@@ -9,9 +9,9 @@ struct Free {
   static constexpr bool holds = false;
 
   template <int D, class T>
-  void fold(Grid<D>&, Face, std::vector<T>&) const {}
+  void sum_images(Grid<D>&, Face, std::vector<T>&) const {}
   template <int D>
-  void constrain(Grid<D>&, Face, std::vector<Packed<D>>&) const {}
+  void constrain(Grid<D>&, Face, std::vector<Padded<D>>&) const {}
 };
 
 }  // namespace mpmvv::solver

@@ -3,14 +3,14 @@
 
 namespace mpmvv::solver {
 
-/// The body continued by its mirror image. Ghost nodes are folded onto their images (mass, tangential momentum and
+/// The body continued by its mirror image. Ghost nodes are added to their images (mass, tangential momentum and
 /// force as they are, normal ones reversed); afterwards the ghosts carry the mirrored field.
 struct Mirror {
   static constexpr std::string_view word = "mirror";
   static constexpr bool holds = false;
 
   template <int D, class T>
-  void fold(Grid<D>& grid, Face face, std::vector<T>& field) const {
+  void sum_images(Grid<D>& grid, Face face, std::vector<T>& field) const {
     const FaceNodes<D> nodes{grid, face};
     for (int layer = 1; layer <= nodes.layers(); ++layer)
       grid.for_plane(face.axis, nodes.ghost(layer), nodes.image(layer), [&](int ghost, int image) {
@@ -20,9 +20,9 @@ struct Mirror {
     grid.for_plane(face.axis, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][face.axis] = 0; });
   }
 
-  /// Nothing to do: a field made from folded data is mirrored already.
+  /// Nothing to do: a field made from sums over images is mirrored already.
   template <int D>
-  void constrain(Grid<D>&, Face, std::vector<Packed<D>>&) const {}
+  void constrain(Grid<D>&, Face, std::vector<Padded<D>>&) const {}
 
  private:
   template <class V>

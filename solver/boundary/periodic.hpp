@@ -10,16 +10,16 @@ struct Periodic {
   static constexpr bool holds = false;
 
   template <int D, class T>
-  void fold(Grid<D>& grid, Face face, std::vector<T>& field) const {
+  void sum_images(Grid<D>& grid, Face face, std::vector<T>& field) const {
     if (face.upper) return;
     const int period = grid.cells()[face.axis];
     for_images(grid, face.axis, period, [&field](int image, int node) { field[node] += field[image]; });
     for_images(grid, face.axis, period, [&field](int image, int node) { field[image] = field[node]; });
   }
 
-  /// Nothing to do: a field made from folded data is periodic already.
+  /// Nothing to do: a field made from sums over images is periodic already.
   template <int D>
-  void constrain(Grid<D>&, Face, std::vector<Packed<D>>&) const {}
+  void constrain(Grid<D>&, Face, std::vector<Padded<D>>&) const {}
 
  private:
   template <int D, class Visit>

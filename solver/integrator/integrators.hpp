@@ -1,41 +1,40 @@
 #pragma once
-#include <array>
+#include <span>
 #include <string_view>
-
-#include "solver/integrator/rk4.hpp"
-#include "solver/integrator/usavg.hpp"
-#include "solver/integrator/usavg_plus.hpp"
-#include "solver/integrator/usf.hpp"
-#include "solver/integrator/usl.hpp"
-#include "solver/integrator/usl_plus.hpp"
-#include "solver/integrator/uvf.hpp"
-#include "solver/integrator/words.hpp"
+#include <vector>
 
 namespace mpmvv::solver {
 
-enum class IntegratorKind {
-  plain,
-  staggered,  ///< particle velocities live half a step before the positions
-  remapped,   ///< the last stress update takes a velocity mapped anew, before positions move
-  staged      ///< keeps states of the particles beside the current one
-};
-
 template <int D>
+class Step;
+
+/// How a step advances particles and grid, in the order of its equations: a page of sweeps and grid operations, and
+/// what it says of itself.
 struct Integrator {
+  template <int D>
+  using Page = void (*)(Step<D>&, double dt);
+
   std::string_view word;
-  void (*advance)(Mpm<D>&, double dt);
-  IntegratorKind kind = IntegratorKind::plain;
+  Page<1> in_1d;
+  Page<2> in_2d;
+  Page<3> in_3d;
+  bool is_staggered = false;  ///< particle velocities live half a step before the positions
+  bool is_remapped = false;   ///< positions move at a rate that particles keep until the step's last sweep
+  bool is_staged = false;     ///< keeps states of the particles beside the current one
+
+  template <int D>
+  Page<D> page() const {
+    if constexpr (D == 1) return in_1d;
+    if constexpr (D == 2) return in_2d;
+    if constexpr (D == 3) return in_3d;
+  }
 };
 
-/// The one place where integrators are named: add a line here for a new one.
-template <int D>
-inline constexpr std::array integrators{Integrator<D>{"usf", &usf<D>},                                      //
-                                        Integrator<D>{"usl", &usl<D>},                                      //
-                                        Integrator<D>{"usavg", &usavg<D>},                                  //
-                                        Integrator<D>{"usl+", &usl_plus<D>, IntegratorKind::remapped},      //
-                                        Integrator<D>{"usavg+", &usavg_plus<D>, IntegratorKind::remapped},  //
-                                        Integrator<D>{"cd", &usl<D>, IntegratorKind::staggered},            //
-                                        Integrator<D>{"uvf", &uvf<D>, IntegratorKind::staggered},           //
-                                        Integrator<D>{"rk4", &rk4<D>, IntegratorKind::staged}};
+/// All of them, by integrators.cpp.
+std::span<const Integrator> integrators();
+
+/// Throws std::invalid_argument on a word that is none's.
+const Integrator& integrator_named(std::string_view word);
+std::vector<std::string_view> integrator_words();
 
 }  // namespace mpmvv::solver

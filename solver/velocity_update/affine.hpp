@@ -1,7 +1,10 @@
 #pragma once
 #include <algorithm>
 
-#include "solver/point_block.hpp"
+#include "solver/basis/basis.hpp"
+#include "solver/grid.hpp"
+#include "solver/particles.hpp"
+#include "solver/stencils/point_block.hpp"
 
 /// The affine velocity field about a particle, v_p + C_p (x - x_p), that APIC carries: Jiang, Schroeder, Selle, Teran,
 /// Stomakhin 2015, equations (6) to (8) there, and N §2.6. For bases with nodes a cell apart and weights that spread,
@@ -30,24 +33,22 @@ struct ArmStencil : Stencil<D, K> {
 };
 
 /// p_i += N_ip m_p C_p (x_i - x_p) of a block's particles.
-template <int D, int K, Evaluates evaluates>
-[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, const PointBlock<D, K, evaluates>& block,
-                                      Grid<D>& grid) {
+template <int D, int K>
+[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, const PointBlock<D, K>& block, Grid<D>& grid) {
   for (int k = 0; k < block.count; ++k) {
     const std::size_t p = block.begin + static_cast<std::size_t>(k);
     const ArmStencil<D, K> nodes(block.stencil(k, grid), grid, particles.x[p]);
     for (int d = 0; d < D; ++d) {
       Weights<D, K> along = nodes;
       std::ranges::copy(nodes.dN[d], along.N[d]);
-      along.scatter(packed<D>(particles.m[p] * particles.C[p].col(d), 0), grid.p);
+      along.scatter(padded<D>(particles.m[p] * particles.C[p].col(d), 0), grid.p);
     }
   }
 }
 
 /// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹ of a block's particles.
-template <int D, int K, Evaluates evaluates>
-[[gnu::noinline]] void gather_affine(Particles<D>& particles, const PointBlock<D, K, evaluates>& block,
-                                     const Grid<D>& grid) {
+template <int D, int K>
+[[gnu::noinline]] void gather_affine(Particles<D>& particles, const PointBlock<D, K>& block, const Grid<D>& grid) {
   for (int k = 0; k < block.count; ++k) {
     const std::size_t p = block.begin + static_cast<std::size_t>(k);
     const ArmStencil<D, K> nodes(block.stencil(k, grid), grid, particles.x[p]);

@@ -9,9 +9,10 @@ namespace mpmvv::solver {
 /// start: what `pic` filters out of linear fields it keeps. N §2.6, for comparison.
 struct Apic {
   static constexpr std::string_view word = "apic";
+  static constexpr bool has_affine_field = true;
 
   template <int D>
-  VelocityFields<D> fields(Mpm<D>&, double) const {
+  VelocityFields<D> fields(Step<D>&, double) const {
     return {.after = 1};
   }
 };

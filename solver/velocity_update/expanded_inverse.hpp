@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "solver/round_trip.hpp"
+#include "solver/mass_product.hpp"
+#include "solver/step.hpp"
 
 namespace mpmvv::solver {
 
@@ -14,17 +15,17 @@ namespace mpmvv::solver {
 template <int D>
 class ExpandedInverse {
  public:
-  using Field = std::vector<Packed<D>>;
+  using Field = std::vector<Padded<D>>;
 
-  /// Of at most so many terms.
-  ExpandedInverse(const Mpm<D>& s, int order)
-      : round_trip_(s, order - 1), start_(s.grid().size()), image_(s.grid().size(), Packed<D>::Zero()) {}
+  /// Of so many terms.
+  ExpandedInverse(const Step<D>& s, int order)
+      : order_(order), product_(s, order - 1), start_(s.grid().size()), image_(s.grid().size(), Padded<D>::Zero()) {}
 
   /// w = m̃_k⁻¹ m w₁, from the lumped velocities w₁ given. Walls hold nothing meanwhile; or, held nodes eliminated, they
   /// keep w₁ there, and the rest of w tends to the solution of (m̃ w)_i = m_i w₁_i on the nodes i that are free.
-  void apply(Mpm<D>& s, int order, bool eliminates, Field& w) {
-    Packed<D>*const start = start_.data(), *const image = image_.data(), *const sum = w.data();
-    const Packed<D + 1>* const lumped = s.grid().p.data();
+  void apply(Step<D>& s, bool eliminates, Field& w) {
+    Padded<D>*const start = start_.data(), *const image = image_.data(), *const sum = w.data();
+    const Padded<D + 1>* const lumped = s.grid().p.data();
     s.for_nodes([start, image, sum](std::size_t n) {
       start[n] = sum[n];
       image[n].setZero();
@@ -33,10 +34,10 @@ class ExpandedInverse {
       sum[n] += image[n];
       image[n].setZero();
     };
-    round_trip_.prepare(s);
-    for (int term = 1; term < order; ++term) {
-      round_trip_.map(s, w, image_);
-      s.fold(image_);
+    product_.prepare(s);
+    for (int term = 1; term < order_; ++term) {
+      product_.add(s, w, image_);
+      s.sum_images(image_);
       s.for_nodes([=](std::size_t n) {
         image[n] = start[n] - 1 / lumped[n][D] * image[n];
         if (!eliminates) add(n);
@@ -48,7 +49,8 @@ class ExpandedInverse {
   }
 
  private:
-  RoundTrip<D> round_trip_;
+  int order_;
+  MassProduct<D> product_;
   Field start_, image_;  ///< w₁; w₁ - S⁺S w, zero before that
 };
 

@@ -16,17 +16,13 @@ struct Flip {
   static constexpr std::string_view word = "flip";
   FlipPosition position = FlipPosition::first_order;
 
-  /// f and a have served: they hold Δt a and v + Δt a/2 afterwards.
   template <int D>
-  VelocityFields<D> fields(Mpm<D>& s, double dt) const {
+  VelocityFields<D> fields(Step<D>& s, double dt) const {
     auto& grid = s.grid();
-    s.for_nodes([&](std::size_t n) {
-      grid.f[n] = dt * grid.a[n];
-      grid.a[n] = grid.v[n] - 0.5 * grid.f[n];
-    });
-    if (position == FlipPosition::particle) return {.added = &grid.f, .before = 0.5, .after = 0.5};
-    if (position == FlipPosition::second_order) return {.added = &grid.f, .drift = &grid.a};
-    return {.added = &grid.f, .drift = &grid.v};
+    if (position == FlipPosition::particle) return {.acceleration = &grid.a, .before = 0.5, .after = 0.5};
+    if (position == FlipPosition::first_order) return {.acceleration = &grid.a, .drift = &grid.v};
+    s.for_nodes([&](std::size_t n) { grid.f[n] = grid.v[n] - 0.5 * dt * grid.a[n]; });  // forces have served
+    return {.acceleration = &grid.a, .drift = &grid.f};
   }
 };
 

@@ -12,25 +12,14 @@ struct Fmpm {
   int order = 2;              ///< k
   std::int64_t interval = 1;  ///< steps; those between are `flip` with second-order positions: periodic FMPM, N §3.1
 
+  int expansion_order() const { return order; }
+  bool expands_grid_velocity(std::int64_t steps) const { return steps % interval == 0; }
+
   template <int D>
-  VelocityFields<D> fields(Mpm<D>& s, double dt) const {
-    if (!is_due(s)) return Flip{FlipPosition::second_order}.fields(s, dt);
-    sharpen(s);
+  VelocityFields<D> fields(Step<D>& s, double dt) const {
+    if (!expands_grid_velocity(s.steps())) return Flip{.position = FlipPosition::second_order}.fields(s, dt);
+    s.expand_velocity();
     return {.before = 0.5, .after = 0.5};
-  }
-
-  /// The lumped grid velocity becomes m̃_k⁻¹ p.
-  template <int D>
-  void sharpen(Mpm<D>& s) const {
-    if (!is_due(s)) return;
-    s.expand_inverse(order, s.grid().v);
-    s.hold_expanded(s.grid().v);
-  }
-
-  /// Whether the step under way is one of its own.
-  template <int D>
-  bool is_due(const Mpm<D>& s) const {
-    return s.steps() % interval == 0;
   }
 };
 

@@ -11,19 +11,21 @@ struct Xpic {
   static constexpr std::string_view word = "xpic";
   int order = 2;  ///< k
 
-  /// f and a have served: they hold m̃_k⁻¹ p + Δt a and v afterwards.
+  int expansion_order() const { return order; }
+
+  /// Forces and accelerations have served: f then holds m̃_k⁻¹ p + Δt a and a holds v.
   template <int D>
-  VelocityFields<D> fields(Mpm<D>& s, double dt) const {
+  VelocityFields<D> fields(Step<D>& s, double dt) const {
     auto& grid = s.grid();
     s.for_nodes([&](std::size_t n) { grid.f[n] = grid.v[n] - dt * grid.a[n]; });
-    s.expand_inverse(order, grid.f);
+    s.expand_inverse(grid.f);
     s.for_nodes([&](std::size_t n) {
-      const Packed<D> increment = dt * grid.a[n];
+      const Padded<D> increment = dt * grid.a[n];
       grid.f[n] += increment;
       grid.a[n] = grid.v[n] - increment;
     });
     s.hold_expanded(grid.f);
-    return {.taken = &grid.f, .drift = &grid.a, .before = -0.5, .after = 0.5};
+    return {.velocity = &grid.f, .drift = &grid.a, .before = -0.5, .after = 0.5};
   }
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 /// Doubles that a field of so many components takes on a node.
 int padded(int components) {
-  return components == 3 ? solver::lanes<3> : components;
+  return components == 3 ? solver::padded_size<3> : components;
 }
 
 /// Doubles on each node: momentum with mass, force, velocity, acceleration, and what systems of masses keep.
@@ -36,11 +36,12 @@ double doubles_per_domain(const cases::Scheme& scheme, int D) {
 double doubles_per_particle(const cases::Scheme& scheme, int D) {
   const bool has_domain = width_of(settings::named<solver::AnyBasis>(scheme.basis)) == solver::ParticleWidth::domain;
   const double widths = has_domain ? 2 * D * D : 2 * D;
-  const double stages = solver::is_staged(scheme.integrator) ? 2 * (2 * D + D * D) : 0;
-  const double rate = scheme.integrator.ends_with('+') ? D : 0;
+  const solver::Integrator& integrator = solver::integrator_named(scheme.integrator);
+  const double stages = integrator.is_staged ? 2 * (2 * D + D * D) : 0;
+  const double rate = integrator.is_remapped ? D : 0;
   const auto update = settings::named<solver::AnyVelocityUpdate>(scheme.velocity_update);
   const auto material = settings::named<solver::AnyMaterial>(scheme.material);
-  const double affine = settings::is_of_affine_field(update) ? D * D : 0;
+  const double affine = has_affine_field(update) ? D * D : 0;
   const double history = settings::keeps_history(material) ? sizeof(solver::ThermalState) / 8.0 : 0;
   return 3 * D + 2 * D * D + widths + 4 + stages + rate + affine + history + doubles_per_domain(scheme, D);
 }

@@ -20,6 +20,8 @@ template <int D>
 ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
   constexpr std::size_t chunk = 256;
   const auto& particles = mpm.particles();
+  const auto& grid = mpm.grid();
+  const auto& periodic = mpm.periodic();
   ErrorNorms norms;
   solver::Vec<D> u[chunk];
   for (std::size_t begin = 0; begin < particles.size(); begin += chunk) {
@@ -29,8 +31,8 @@ ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const Stage<D>& stage)
       const std::size_t p = begin + k;
       solver::Vec<D> delta = (particles.x[p] - stage.X[particles.id[p]]) - u[k];
       for (int d = 0; d < D; ++d) {
-        const double period = mpm.grid().h() * mpm.grid().cells()[static_cast<std::size_t>(d)];
-        if (mpm.periodic()[static_cast<std::size_t>(d)]) delta[d] = nearest_image(delta[d], period);
+        const double period = grid.h() * grid.cells()[static_cast<std::size_t>(d)];
+        if (periodic[static_cast<std::size_t>(d)]) delta[d] = nearest_image(delta[d], period);
       }
       norms.add(delta.norm());
     }

@@ -117,7 +117,7 @@ void shuffle(solver::Particles<D>& particles, int seed) {
   std::vector<std::uint32_t> order(particles.size());
   std::iota(order.begin(), order.end(), 0U);
   for (std::size_t left = order.size(); left > 1; --left) std::swap(order[left - 1], order[random() % left]);
-  solver::Team alone(1);
+  solver::ThreadPool alone(1);
   particles.permute(order, alone);
 }
 

@@ -89,10 +89,11 @@ void complete_scheme(const Settings& settings, const Problem& problem, bool quar
   scheme.material = problem.material;
   set_smoothing_length(settings, scheme);
   set_velocity_update(settings, scheme);
-  if (!solver::is_staggered(scheme.integrator)) {
+  if (!solver::integrator_named(scheme.integrator).is_staggered) {
     if (const auto it = settings.find("start"); it != settings.end())
       throw UsageError(fmt::format("start in {} has no meaning for integrator '{}' (only {} take it)", it->second.where,
-                                   scheme.integrator, fmt::join(integrators_with(solver::is_staggered), " and ")));
+                                   scheme.integrator,
+                                   fmt::join(integrators_with(&solver::Integrator::is_staggered), " and ")));
     scheme.start = cases::Start::none;
   }
   const auto it = settings.find("boundary");

@@ -1,7 +1,7 @@
 #include "studies/settings/solver_words.hpp"
 
 #include "solver/basis/bases.hpp"
-#include "solver/integrator/words.hpp"
+#include "solver/integrator/integrators.hpp"
 #include "solver/material/materials.hpp"
 #include "solver/velocity_update/velocity_updates.hpp"
 #include "solver/words.hpp"

@@ -1,11 +1,10 @@
 #pragma once
-#include <algorithm>
+#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "solver/basis/bases.hpp"
-#include "solver/integrator/words.hpp"
+#include "solver/integrator/integrators.hpp"
 #include "solver/material/materials.hpp"
 #include "solver/velocity_update/velocity_updates.hpp"
 #include "studies/settings/named.hpp"
@@ -53,25 +52,21 @@ inline bool takes_consistent_mass(const solver::AnyVelocityUpdate& update) {
   return adds_accelerations(update) || takes_interval(update);
 }
 
-inline bool is_of_affine_field(const solver::AnyVelocityUpdate& update) {
-  return std::holds_alternative<solver::Apic>(update);
-}
-
 inline bool keeps_history(const solver::AnyMaterial& material) {
   return std::visit([]<class M>(const M&) { return solver::has_history<M>; }, material);
 }
 
 /// Whether positions and velocities of its steps are those of their ends.
-inline bool has_whole_steps(std::string_view integrator) {
-  return !solver::is_staggered(integrator) && !solver::is_staged(integrator);
+inline bool has_whole_steps(const solver::Integrator& integrator) {
+  return !integrator.is_staggered && !integrator.is_staged;
 }
 
 /// The words of the integrators that have a property: what a message offers.
 template <class Property>
 std::vector<std::string> integrators_with(const Property& property) {
   std::vector<std::string> words;
-  for (const std::string_view word : solver::integrator_words())
-    if (property(word)) words.emplace_back(word);
+  for (const solver::Integrator& integrator : solver::integrators())
+    if (std::invoke(property, integrator)) words.emplace_back(integrator.word);
   return words;
 }
 

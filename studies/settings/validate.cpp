@@ -37,9 +37,9 @@ struct Asked {
   solver::AnyBasis basis = named<solver::AnyBasis>(s.basis);
   solver::AnyVelocityUpdate update = named<solver::AnyVelocityUpdate>(s.velocity_update);
   solver::AnyMaterial material = named<solver::AnyMaterial>(s.material);
+  const solver::Integrator& integrator = solver::integrator_named(s.integrator);
   int ghosts = ghosts_of(basis);
-  bool is_staged = solver::is_staged(s.integrator);
-  bool has_whole_steps = settings::has_whole_steps(s.integrator);
+  bool has_whole_steps = settings::has_whole_steps(integrator);
   bool is_consistent = s.mass == Mass::consistent;
   bool takes_difference = s.wall_acceleration == WallAcceleration::difference;
   bool is_curved = problem.is_curved(parameters);
@@ -89,7 +89,7 @@ constexpr Rule rules[]{
     {[](const Asked& a) { return a.takes_difference && a.s.integrator == "uvf"; },
      "wall_acceleration 'difference' with integrator '{integrator}', which maps the velocity after the acceleration "
      "(use zero, or another integrator)"},
-    {[](const Asked& a) { return a.takes_difference && a.is_staged; },
+    {[](const Asked& a) { return a.takes_difference && a.integrator.is_staged; },
      "wall_acceleration 'difference' with integrator '{integrator}', whose stages have rates and no step to take a "
      "difference over (use zero, or another integrator)"},
 
@@ -107,7 +107,7 @@ constexpr Rule rules[]{
     {[](const Asked& a) { return !a.has_whole_steps && a.s.position != cases::Position::first_order; },
      "velocity_update '{velocity_update}' with integrator '{integrator}' (flip with position 'first-order', or an "
      "integrator whose steps have positions and velocities at their ends: {whole_integrators})"},
-    {[](const Asked& a) { return is_of_affine_field(a.update) && !is_affine(a.basis); },
+    {[](const Asked& a) { return has_affine_field(a.update) && !is_affine(a.basis); },
      "velocity_update '{velocity_update}' with basis '{basis}' ({affine_bases}: nodes a cell apart, whose weights "
      "spread wherever the particle is)"},
     {[](const Asked& a) { return a.is_consistent && !takes_consistent_mass(a.update); },
@@ -119,9 +119,9 @@ constexpr Rule rules[]{
     {[](const Asked& a) { return a.takes_difference && !adds_accelerations(a.update); },
      "wall_acceleration 'difference' with a velocity_update other than 'flip' (use zero)"},
 
-    {[](const Asked& a) { return a.is_staged && a.s.deformation == cases::Deformation::exponential; },
+    {[](const Asked& a) { return a.integrator.is_staged && a.s.deformation == cases::Deformation::exponential; },
      "deformation 'exponential' with integrator '{integrator}', whose stages are linear (use linear)"},
-    {[](const Asked& a) { return a.is_staged && keeps_history(a.material); },
+    {[](const Asked& a) { return a.integrator.is_staged && keeps_history(a.material); },
      "material '{material}' with integrator '{integrator}', whose stages go back in time (use another: its history "
      "goes forward)"},
 

@@ -73,7 +73,7 @@ void require_tables(const Database& database, std::int64_t schema, Steps steps) 
   const Tables wanted = tables_after(database.file(), steps.first(static_cast<std::size_t>(schema)));
   const Tables newest = tables_after(database.file(), steps);
   Tables found = tables_of(database);
-  std::erase_if(found, [&](const auto& table) { return !newest.contains(table.first); });
+  std::erase_if(found, [&](const auto& t) { return !wanted.contains(t.first) && !newest.contains(t.first); });
   for (const auto& [name, sql] : wanted)
     if (!found.contains(name)) database.fail_damaged(fmt::format("table '{}' is missing", name));
   for (const auto& [name, sql] : found)

@@ -121,7 +121,13 @@ constexpr const char* schema_8 = R"sql(
   ALTER TABLE runs ADD COLUMN failure TEXT CHECK (failure IN ('case', 'machine'));
 )sql";
 
-constexpr std::array written{schema_1, schema_2, schema_3, schema_4, schema_5, schema_6, schema_7, schema_8};
+/// Mutation testing keeps its results in a file of its own.
+constexpr const char* schema_9 = R"sql(
+  DROP TABLE mutant_trials;
+  DROP TABLE mutants;
+)sql";
+
+constexpr std::array written{schema_1, schema_2, schema_3, schema_4, schema_5, schema_6, schema_7, schema_8, schema_9};
 
 /// The columns of the numbers of a run that a later schema brings. Before another text is written, they become one,
 /// too.

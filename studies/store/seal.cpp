@@ -76,17 +76,13 @@ std::vector<std::string> rows_of_study() {
 }
 
 const Noun& noun_of(Sealed kind) {
-  static const std::array<Noun, 3> nouns{
+  static const std::array<Noun, 2> nouns{
       {{"runs", "problem", {"runs WHERE id = ?1", "provenance WHERE id = (SELECT provenance FROM runs WHERE id = ?1)"}},
-       {"studies", "name", rows_of_study()},
-       {"mutants",
-        "name",
-        {"mutants WHERE id = ?1", "provenance WHERE id = (SELECT provenance FROM mutants WHERE id = ?1)",
-         "mutant_trials WHERE mutant = ?1 ORDER BY rowid"}}}};
+       {"studies", "name", rows_of_study()}}};
   return nouns[static_cast<std::size_t>(kind)];
 }
 
-constexpr std::array all_kinds{Sealed::run, Sealed::study, Sealed::mutant};
+constexpr std::array all_kinds{Sealed::run, Sealed::study};
 
 std::int64_t seal_of(const Database& database, const Noun& noun, const Value& id) {
   Crc crc;

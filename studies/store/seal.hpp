@@ -9,9 +9,9 @@ namespace mpmvv::store {
 
 /// A seal shows that something is as it was written, as SQLite has no checksums: the CRC-64 of a row and of the rows
 /// that belong to it, ids included. NULL does not count, so a column that is added empty leaves every seal as it is.
-enum class Sealed { run, study, mutant };
+enum class Sealed { run, study };
 
-/// The schema from which on every run, study and mutant has one.
+/// The schema from which on every run and study has one.
 inline constexpr std::int64_t first_sealed_schema = 8;
 
 /// Seals what has just been written under this id.

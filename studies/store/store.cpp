@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "studies/store/mutant_rows.hpp"
 #include "studies/store/run_rows.hpp"
 #include "studies/store/schema.hpp"
 #include "studies/store/seal.hpp"
@@ -67,19 +66,6 @@ std::vector<records::StudyResult> Store::studies(const std::string& digest) cons
   std::vector<records::StudyResult> results;
   for (StoredStudy& study : load_studies(impl_->database, digest)) results.push_back(std::move(study.result));
   return results;
-}
-
-void Store::keep_mutant(const Mutant& mutant, const Provenance& p) {
-  Transaction transaction(impl_->database, Kind::write);
-  insert_mutant(impl_->database, {mutant, p});
-  transaction.commit();
-}
-
-std::vector<Mutant> Store::mutants(const std::string& digest) const {
-  Transaction one_state(impl_->database, Kind::read);
-  std::vector<Mutant> mutants;
-  for (StoredMutant& stored : load_mutants(impl_->database, digest)) mutants.push_back(std::move(stored.mutant));
-  return mutants;
 }
 
 std::vector<Version> Store::versions() const {
@@ -160,7 +146,6 @@ std::int64_t Store::merge(const std::filesystem::path& file, const std::filesyst
   open_store(file, Mode::create_or_write, migrations(), [&](Database& to) {
     copied = copy_runs(from, to);
     copy_studies(from, to);
-    copy_mutants(from, to);
   });
   return copied;
 }

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "studies/mutant.hpp"
 #include "studies/records/record.hpp"
 #include "studies/records/result.hpp"
 #include "studies/store/provenance.hpp"
@@ -20,8 +19,7 @@ namespace mpmvv::store {
 /// the file's name: not a store, another application's, a newer schema, read-only, disk full, absent.
 ///
 /// A record's key is (canonical text of the case, digest). NaN and infinity are kept as NULL and come back as NaN.
-/// Runs, studies and mutants are kept under a seal, and one that is not as it was written is a UsageError to whom reads
-/// it.
+/// Runs and studies are kept under a seal, and one that is not as it was written is a UsageError to whom reads it.
 /// One store object serves one thread at a time.
 class Store {
  public:
@@ -50,12 +48,6 @@ class Store {
   /// Studies of this digest by name, in name order. Empty when there is none.
   std::vector<records::StudyResult> studies(const std::string& digest) const;
 
-  /// Keeps how far the gate has taken a mutant, in the place of the one with this name, digest and gate.
-  void keep_mutant(const Mutant& mutant, const Provenance& p);
-
-  /// Mutants of this digest, in the order of their last keeping.
-  std::vector<Mutant> mutants(const std::string& digest) const;
-
   /// The versions that studies were kept of, by the time of their first result.
   std::vector<Version> versions() const;
 
@@ -68,7 +60,7 @@ class Store {
   /// For `db check`: integrity_check, foreign_key_check and all seals; what is wrong, empty when sound.
   std::vector<std::string> check() const;
 
-  /// Copies every record, study and mutant of another store that the one in `file` lacks, which is made when absent;
+  /// Copies every record and study of another store that the one in `file` lacks, which is made when absent;
   /// the number of records copied. What fails changes nothing and makes no file.
   static std::int64_t merge(const std::filesystem::path& file, const std::filesystem::path& other);
 

@@ -213,8 +213,6 @@ constexpr const char* options_with_paths[] = {
     "cost P",
     "cost /bin/true --cases P",
     "claims --db P",
-    "mutants --known --db P",
-    "mutants --list --source P",
     "db info --json --db P",
     "db check --db P",
     "db merge P --db r.db",
@@ -281,7 +279,7 @@ TEST_F(Faults, AFlagTakesTrueAndFalseAlone) {
   EXPECT_THAT(call(*folder, std::string(a_run) + " --json=false").out, StartsWith("bar "));
   for (const std::string& arguments :
        {run + "--nodal-error=banana", run + "--every-step=1", std::string("list --json=5"),
-        std::string("list --json=banana"), std::string("mutants --list=yes"), std::string("--version=banana")}) {
+        std::string("list --json=banana"), std::string("--version=banana")}) {
     const Answer answer = call(*folder, arguments);
     EXPECT_EQ(answer.code, 2) << arguments;
     EXPECT_THAT(answer.err, HasSubstr("(true or false)")) << arguments;

@@ -14,9 +14,10 @@ using testing::HasSubstr;
 class Outputs : public testing::Test {
  protected:
   void SetUp() override {
-    std::filesystem::create_directories(folder / "goldens/mutants");
+    std::filesystem::create_directories(folder / "tests/mutation");
+    std::filesystem::create_directories(folder / "goldens");
     folder.write("goldens/g.toml", "[[order]]\n");
-    folder.write("goldens/mutants/tried.json", "{}\n");
+    folder.write("tests/mutation/summary.json", "{}\n");
     store::Store(folder / "v.db", store::Store::Mode::create_or_write);
     std::filesystem::create_hard_link(folder / "v.db", folder / "hard");
     std::filesystem::create_symlink("v.db", folder / "soft");
@@ -36,7 +37,8 @@ TEST_F(Outputs, AreNeverAnInputUnderWhateverName) {
       "gate --db v.db --junit hard" + goldens,
       "gate --db v.db --junit goldens/g.toml" + goldens,
       "gate --db v.db --junit same-goldens/g.toml" + goldens,
-      "gate --db v.db --junit goldens/mutants/tried.json" + goldens,
+      "report --db v.db --out tests/mutation" + goldens,
+      "report --db v.db --out tests" + goldens,
       "report --db v.db --out goldens" + goldens,
       "report --db v.db --out same-goldens" + goldens,
       "report --db soft --out ." + goldens,
@@ -53,7 +55,7 @@ TEST_F(Outputs, AreNeverAnInputUnderWhateverName) {
   }
   EXPECT_EQ(read_text(folder / "v.db"), store);
   EXPECT_EQ(read_text(folder / "goldens/g.toml"), "[[order]]\n");
-  EXPECT_EQ(read_text(folder / "goldens/mutants/tried.json"), "{}\n");
+  EXPECT_EQ(read_text(folder / "tests/mutation/summary.json"), "{}\n");
   EXPECT_EQ(read_text(folder / "s.toml"), small_study);
 }
 

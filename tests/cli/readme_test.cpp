@@ -114,6 +114,28 @@ TEST_F(ReadmeNightly, ASettingAndANumberAreAMemberAndAnEntry) {
   EXPECT_THAT(out, testing::ContainsRegex("\"deformation\": [0-9]")) << "and not the scheme's word";
 }
 
+/// A velocity update, an integrator and a material: a file and a line each.
+TEST_F(ReadmeNightly, WhatAStepIsMadeOfIsOneFileAndOneLineEach) {
+  write("solver/velocity_update/pic_mean.hpp", block("velocity-update"));
+  const std::string updates = "solver/velocity_update/velocity_updates.hpp";
+  insert(updates, "                                       Apic>", block("velocity-update-line"));
+  insert(updates, "#include \"solver/velocity_update/xpic.hpp\"", "#include \"solver/velocity_update/pic_mean.hpp\"\n");
+  write("solver/integrator/euler.cpp", block("integrator"));
+  insert("solver/integrator/integrators.cpp", "                              rk4_integrator()}",
+         block("integrator-line"));
+  insert("solver/integrator/integrators.cpp", "Integrator rk4_integrator();", "Integrator euler_integrator();\n");
+  write("solver/material/st_venant_kirchhoff.hpp", block("material"));
+  insert("solver/material/materials.hpp", "                                 MieGruneisen>", block("material-line"));
+  insert("solver/material/materials.hpp", "#include \"solver/material/neo_hookean_log.hpp\"",
+         "#include \"solver/material/st_venant_kirchhoff.hpp\"\n");
+  const std::string out = build_and(
+      "mpmvv test_solver",
+      "./mpmvv list && ./test_solver && ./mpmvv run --problem bar --basis bspline2 --velocity-update pic-mean "
+      "--integrator euler --cells 32 --ppc 4 --cfl 0.1");
+  for (const std::string word : {"pic-mean", "euler", "st-venant-kirchhoff", "status ok"})
+    EXPECT_THAT(out, testing::HasSubstr(word));
+}
+
 /// A displacement field becomes a problem, and the solver converges to it.
 TEST_F(ReadmeNightly, TheSolutionIsADisplacementField) {
   write("studies/problems/bending.cpp", block("solution"));

@@ -263,7 +263,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"gate --db /tmp/never.db --junit ''", "--junit: an empty text"},
         BadInput{"db export --db /tmp/never.db --out ''", "--out: an empty text"},
         BadInput{"study '' --db /tmp/never.db", "files: an empty text"},
-        BadInput{"mutants --db /tmp/never.db --work ''", "--work: an empty text"},
         BadInput{"solution --problem ring --at 0.1,0.1 --time 0", "between the radii"},
         BadInput{"solution --problem ring --at 0.6,0.1 --time 0 --param outer_radius=1.5", "three times"},
         BadInput{"solution --problem ring --at 0.6,0.1 --time 0 --param amplitude=0.9", "det F"},

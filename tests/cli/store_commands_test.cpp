@@ -164,7 +164,7 @@ TEST(ProposeCommand, MakesTheFolderOfItsFileAndNeedsNoGoldens) {
   store::Provenance clean = store::current_provenance();
   clean.dirty = false;
   store::Store(db, store::Store::Mode::create_or_write).keep_study(study, {}, clean);
-  std::filesystem::create_directories(folder / "none/mutants");
+  std::filesystem::create_directories(folder / "none");
   const std::string propose = "propose --db " + db + " --study s --goldens " + (folder / "none") + " --out ";
   const Answer made = call(folder, propose + file);
   EXPECT_EQ(made.code, 0) << made.err;

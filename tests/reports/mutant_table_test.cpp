@@ -9,25 +9,20 @@ namespace mutant_table_test {
 using testing::Contains;
 using testing::ElementsAre;
 
-Mutant planted(const std::string& name, std::vector<Trial> trials) {
-  Mutant mutant;
-  mutant.name = name;
-  mutant.file = "solver/grid.hpp";
-  mutant.line = 7;
-  mutant.before = "a + b";
-  mutant.after = "a - b";
-  mutant.trials = std::move(trials);
-  return mutant;
+MutantResult mutant(const std::string& name) {
+  return {.name = name, .file = "solver/grid.hpp", .line = 7, .before = "a + b", .after = "a - b"};
 }
 
-std::vector<Mutant> both_kinds() {
-  std::vector<Mutant> mutants{
-      planted("sign", {{GateStage::unit_tests, false, {}, 1}, {GateStage::quick, true, {"s: order", "s: error"}, 1}}),
-      planted("speed", {}), planted("random-1", {}), planted("random-2", {})};
-  mutants[1].reason = "costs time only";
-  mutants[2].kind = mutants[3].kind = Mutant::Kind::random;
-  mutants[3].trials = {{GateStage::quick, true, {"s: order"}, 1}};
-  return mutants;
+MutationResults both_kinds() {
+  MutationResults mutation;
+  mutation.planted = {.should_show = 1, .equivalent = 1, .quick = 1, .caught = 1};
+  mutation.random = {.tried = 2, .quick = 1, .caught = 1};
+  mutation.mistakes = {mutant("sign"), mutant("speed")};
+  mutation.mistakes[0].unit_tests = {.caught = false};
+  mutation.mistakes[0].quick = {.caught = true, .by = {"s: order", "s: error"}};
+  mutation.mistakes[1].reason = "costs time only";
+  mutation.survivors = {mutant("random-1")};
+  return mutation;
 }
 
 TEST(MutantTables, ThereAreNoneWithoutMutants) {
@@ -45,6 +40,15 @@ TEST(MutantTables, SayWhatCatchesWhat) {
   EXPECT_THAT(tables[1].groups[1].rows[0], Contains("costs time only"));
 }
 
+TEST(MutantTables, ASummaryHasTheScoreAndTheSurvivors) {
+  MutationResults summary = both_kinds();
+  summary.mistakes.clear();
+  const auto tables = mutant_tables(summary, {});
+  ASSERT_EQ(tables.size(), 2U);
+  EXPECT_THAT(tables[0].groups[0].rows[0], Contains("1 of 1 (100 %)"));
+  EXPECT_THAT(tables[1].groups[0].rows[0], Contains("a - b"));
+}
+
 TEST(MutantTables, OfTheRandomOnesSurvivorsAreListed) {
   const auto tables = mutant_tables(both_kinds(), {});
   ASSERT_EQ(tables[2].groups.size(), 1U);
@@ -53,11 +57,9 @@ TEST(MutantTables, OfTheRandomOnesSurvivorsAreListed) {
 }
 
 TEST(MutantTables, ResultsOfAnotherGateAreMarked) {
-  auto mutants = both_kinds();
-  mutants.emplace_back();
-  mutants.back().kind = Mutant::Kind::baseline;
-  mutants.back().gate = "new";
-  EXPECT_EQ(mutant_tables(mutants, {})[1].groups[0].rows[0][0], "sign (earlier gate)");
+  MutationResults mutation = both_kinds();
+  mutation.mistakes[0].by_earlier_gate = true;
+  EXPECT_EQ(mutant_tables(mutation, {})[1].groups[0].rows[0][0], "sign (earlier gate)");
 }
 
 TEST(MutantTables, RunsWithoutAMistakeAreCountedByBuild) {

@@ -199,7 +199,7 @@ TEST(Names, NeverShareAFileOrAnId) {
   in.studies.push_back(named(synthetic::limits(), "ok-fits.x"));
   in.studies.push_back(named(synthetic::check(), "overview-map"));
   in.benchmark = Benchmark{"", "", {{"skip/x/paid", "", {}}}};
-  in.mutants.emplace_back();
+  in.mutation.emplace();
   write_report(in, folder / "out", [](const std::string&) {});
   const std::string page = content(folder / "out/index.html");
   for (const char* pattern : {" id=[\"']([^\"']*)[\"']", "href=\"((?:figures|tables)/[^\"]*)\""}) {

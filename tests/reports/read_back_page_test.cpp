@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 #include "tests/reports/distinct.hpp"
 #include "tests/reports/written_report.hpp"
@@ -110,36 +113,38 @@ TEST(ReadBackPage, BenchmarkHasEveryTimeUnderItsName) {
 }
 
 /// What the stages say of a mutant: c(aught), p(asses), or nothing more.
-Mutant mutant(const std::string& name, Mutant::Kind kind, const std::string& stages, const std::string& reason = "") {
+MutantResult mutant(const std::string& name, const std::string& stages, const std::string& reason = "") {
   static int line = 10;
-  Mutant m{.name = name, .kind = kind, .what = "what of " + name, .file = name + ".cpp", .line = ++line};
+  MutantResult m{.name = name, .what = "what of " + name, .file = name + ".cpp", .line = ++line};
   m.before = "before " + name, m.after = "after " + name, m.reason = reason;
-  const std::vector<GateStage> all{GateStage::unit_tests, GateStage::quick, GateStage::nightly};
+  const std::array<std::pair<std::optional<StageResult>*, const char*>, 3> all{
+      {{&m.unit_tests, "unit tests"}, {&m.quick, "quick"}, {&m.nightly, "nightly"}}};
   for (std::size_t k = 0; k < stages.size(); ++k) {
-    const bool caught = stages[k] == 'c';
-    std::vector<std::string> by;
-    if (caught) by = {fmt::format("{} by {}", name, to_string(all[k]))};
-    m.trials.push_back({all[k], caught, by, 1});
+    StageResult& stage = all[k].first->emplace();
+    stage.caught = stages[k] == 'c';
+    if (stage.caught) stage.by = {fmt::format("{} by {}", name, all[k].second)};
   }
   return m;
 }
 
-std::string stage_text(const Mutant& m, std::size_t k) {
-  if (m.trials.empty()) return "not tried yet";
-  return k >= m.trials.size() ? "–" : m.trials[k].caught ? m.trials[k].by[0] : "passes";
+std::string stage_text(const MutantResult& m, const std::optional<StageResult>& stage) {
+  if (m.is_untried()) return "not tried yet";
+  return !stage ? "–" : stage->caught ? stage->by[0] : "passes";
 }
 
 TEST(ReadBackPage, MutantsHaveEveryStageUnderItsName) {
-  using enum Mutant::Kind;
   ReportInput input = read_back::input_of(distinct::everything());
-  const std::vector<Mutant> shown{mutant("a", planted, "cc"), mutant("b", planted, "cc"),  mutant("c", planted, "cp"),
-                                  mutant("d", planted, "cp"), mutant("e", planted, "ppc"), mutant("f", planted, "ppp"),
-                                  mutant("g", planted, ""),   mutant("h", planted, "")};
-  const std::vector<Mutant> silent{mutant("s", planted, "pp", "only slower")};
-  const std::vector<Mutant> survivors{mutant("r4", random, "ppp"), mutant("r5", random, "pp", "equivalent")};
-  input.mutants = {mutant("r1", random, "c"), mutant("r2", random, "pc"), mutant("r3", random, "ppc")};
-  for (const auto* some : {&shown, &silent, &survivors})
-    input.mutants.insert(input.mutants.end(), some->begin(), some->end());
+  const std::vector<MutantResult> shown{mutant("a", "cc"),  mutant("b", "cc"),  mutant("c", "cp"), mutant("d", "cp"),
+                                        mutant("e", "ppc"), mutant("f", "ppp"), mutant("g", ""),   mutant("h", "")};
+  const std::vector<MutantResult> silent{mutant("s", "pp", "only slower")};
+  const std::vector<MutantResult> survivors{mutant("r4", "ppp"), mutant("r5", "pp", "equivalent")};
+  MutationResults& mutation = input.mutation.emplace();
+  mutation.planted = {
+      .should_show = 8, .equivalent = 1, .unit_tests = 4, .quick = 2, .nightly = 1, .caught = 5, .untried = 2};
+  mutation.random = {.tried = 5, .caught = 3, .explained = 1};
+  mutation.mistakes = shown;
+  mutation.mistakes.insert(mutation.mistakes.end(), silent.begin(), silent.end());
+  mutation.survivors = survivors;
   input.alarms = {
       {.build = "clang++", .pass = 11, .fail = 2}, {.build = "clang++", .pass = 12}, {.build = "g++", .pass = 7}};
   ExpectedTable score, mistakes, random_ones, alarms;
@@ -155,20 +160,20 @@ TEST(ReadBackPage, MutantsHaveEveryStageUnderItsName) {
   add_score({"planted, not tried yet: 2", "", "", "", "", ""});
   add_score({"planted, efficiency or robustness only: 1", "", "", "", "", ""});
   add_score({"random", "", "", "", "3 of 5 (60 %)", "1 of 2 (50 %)"});
-  const auto place = [](const Mutant& m) { return m.trials.empty() ? m.file : fmt::format("{}:{}", m.file, m.line); };
-  const auto add_mistakes = [&](const std::string& group, const std::vector<Mutant>& mutants) {
-    for (const Mutant& m : mutants)
+  const auto place = [](const MutantResult& m) { return fmt::format("{}:{}", m.file, m.line); };
+  const auto add_mistakes = [&](const std::string& group, const std::vector<MutantResult>& mutants) {
+    for (const MutantResult& m : mutants)
       mistakes.add(group, {{"mistake", m.name},
                            {"what", m.what},
                            {"where", place(m)},
-                           {"unit tests", stage_text(m, 0)},
-                           {"quick gate", stage_text(m, 1)},
-                           {"nightly gate", stage_text(m, 2)},
+                           {"unit tests", stage_text(m, m.unit_tests)},
+                           {"quick gate", stage_text(m, m.quick)},
+                           {"nightly gate", stage_text(m, m.nightly)},
                            {"reason", m.reason}});
   };
   add_mistakes("that an order, an error, a limit or a report can show", shown);
   add_mistakes("that change efficiency or robustness only", silent);
-  for (const Mutant& m : survivors)
+  for (const MutantResult& m : survivors)
     random_ones.add(m.reason.empty() ? "not explained" : "explained", {{"mutation", m.name},
                                                                        {"where", place(m)},
                                                                        {"line", m.before},

@@ -62,12 +62,14 @@ TEST(Report, PlantedMistakesHaveAPlaceOfTheirOwn) {
   const TempFolder folder;
   ReportInput in = input();
   EXPECT_THAT(page_of(in, folder), Not(HasSubstr("id=\"mutants\"")));
-  in.mutants.emplace_back();
-  in.mutants.back().name = "a <sign>";
+  in.mutation.emplace();
+  in.mutation->digest = in.provenance.digest;
+  in.mutation->mistakes = {{.name = "a <sign>"}};
   EXPECT_THAT(page_of(in, folder), AllOf(HasSubstr("id=\"mutants\""), HasSubstr("a &lt;sign&gt;")));
   EXPECT_TRUE(fs::exists(folder / "out/tables/program/mutants.tex"));
   EXPECT_THAT(page_of(in, folder), Not(HasSubstr("were tried with another build")));
-  in.mutants_commit = "c0ffee";
+  in.mutation->digest = "other";
+  in.mutation->commit = "c0ffee";
   EXPECT_THAT(page_of(in, folder), HasSubstr("were tried with another build, of version c0ffee"));
 }
 

@@ -12,7 +12,7 @@ Grid<2> random_grid() {
   Grid<2> grid(Vec<2>::Zero(), 1, {6, 5}, 1, 2);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> value(-1, 1);
-  for (auto& p : grid.p) p = packed<2>(Vec<2>(value(random), value(random)), 2 + value(random));
+  for (auto& p : grid.p) p = padded<2>(Vec<2>(value(random), value(random)), 2 + value(random));
   for (auto& v : grid.v) v = Vec<2>(value(random), value(random));
   return grid;
 }
@@ -38,7 +38,7 @@ void expect_sums_of_images(const Index<D>& cells) {
   for_choices_of_axes<D>([&](const std::bitset<D>& periodic) {
     Grid<D> grid(Vec<D>::Zero(), 1, cells, 1, 2);
     std::mt19937 random(1);
-    for (auto& p : grid.p) p = packed_alone<D>(std::uniform_real_distribution<double>(1, 3)(random));
+    for (auto& p : grid.p) p = padded_alone<D>(std::uniform_real_distribution<double>(1, 3)(random));
     const auto mapped = grid.p;
     std::map<Index<D>, double> sums;
     const auto place = [&](std::size_t n) {
@@ -50,7 +50,7 @@ void expect_sums_of_images(const Index<D>& cells) {
     for (std::size_t n = 0; n < grid.size(); ++n) sums[place(n)] += mapped[n][D];
     for (int d = 0; d < D; ++d)
       for (const bool upper : {false, true})
-        if (periodic[static_cast<std::size_t>(d)]) Periodic{}.fold(grid, {d, upper}, grid.p);
+        if (periodic[static_cast<std::size_t>(d)]) Periodic{}.sum_images(grid, {d, upper}, grid.p);
     for (std::size_t n = 0; n < grid.size(); ++n) EXPECT_NEAR(grid.m(n), sums[place(n)], 1e-13) << periodic << " " << n;
   });
 }
@@ -92,8 +92,8 @@ TEST(PeriodicBoundary, BringsBackAlongItsOwnAxisAlone) {
 
 TEST(PeriodicBoundary, OneCellIsOneNode) {
   Grid<1> grid(Vec<1>::Zero(), 1, {1}, 1, 2);
-  std::fill(grid.v.begin(), grid.v.end(), Packed<1>(1));
-  Periodic{}.fold(grid, {0, false}, grid.v);
+  std::fill(grid.v.begin(), grid.v.end(), Padded<1>(1));
+  Periodic{}.sum_images(grid, {0, false}, grid.v);
   for (const auto& v : grid.v) EXPECT_EQ(v[0], 6);
 }
 
@@ -127,7 +127,7 @@ TEST(MirrorBoundary, FoldsCornersOnce) {
   const auto mapped = grid.p;
   const auto mass = [&mapped](std::size_t n) { return mapped[n][2]; };
   const auto momentum = [&mapped](std::size_t n) { return Vec<2>(mapped[n].head<2>()); };
-  for (const Face face : {faces[0], faces[2]}) Mirror{}.fold(grid, face, grid.p);
+  for (const Face face : {faces[0], faces[2]}) Mirror{}.sum_images(grid, face, grid.p);
   const auto at = [&grid](int i, int j) { return static_cast<std::size_t>(grid.node({i, j})); };
   const auto flipped = [](Vec<2> v, double x, double y) { return Vec<2>(x * v[0], y * v[1]); };
   for (int i : {1, 2})

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <random>
 
+#include "solver/step.hpp"
 #include "tests/numbers.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
@@ -35,32 +36,32 @@ Scene<D> jumbled_box(const AnyBasis& basis, int cells, const AnyBoundary& bounda
 /// A scene with its masses on the grid, and its mass matrix beside it.
 template <int D>
 struct Mapped {
-  Mpm<D> mpm;
+  Step<D> step;
   ConsistentMass<D> mass;
 
   Mapped(const Scene<D>& scene, const ConsistentMassSettings& settings)
-      : mpm(scene), mass(mpm, settings, scene.particles.m[0] * std::pow(2, D)) {
-    mpm.map_acceleration();
-    mass.set_couplings(mpm);
+      : step(scene), mass(step, settings, scene.particles.m[0] * std::pow(2, D)) {
+    step.map_mass_and_forces();
+    mass.set_couplings(step);
   }
 
   /// The matrix of one component, column by column.
   Matrix matrix() {
-    const std::size_t nodes = mpm.grid().size();
+    const std::size_t nodes = step.grid().size();
     Matrix M(nodes, nodes);
-    std::vector<Packed<D>> u(nodes), q(nodes);
+    std::vector<Padded<D>> u(nodes), q(nodes);
     for (std::size_t j = 0; j < nodes; ++j) {
-      std::fill(u.begin(), u.end(), Packed<D>::Zero());
+      std::fill(u.begin(), u.end(), Padded<D>::Zero());
       u[j].setOnes();
-      mass.multiply(mpm, u, q);
+      mass.multiply(step, u, q);
       for (std::size_t i = 0; i < nodes; ++i) M(static_cast<int>(i), static_cast<int>(j)) = q[i][0];
     }
     return M;
   }
 
   Vector lumped() const {
-    Vector m(mpm.grid().size());
-    for (std::size_t n = 0; n < mpm.grid().size(); ++n) m[static_cast<int>(n)] = mpm.grid().m(n);
+    Vector m(step.grid().size());
+    for (std::size_t n = 0; n < step.grid().size(); ++n) m[static_cast<int>(n)] = step.grid().m(n);
     return m;
   }
 };
@@ -73,12 +74,12 @@ template <class B, int D>
 void expect_the_sum_over_particles() {
   const Scene<D> scene = jumbled_box<D>(B{}, 4, Free{});
   Mapped<D> mapped(scene, unregularised);
-  Matrix expected = Matrix::Zero(mapped.mpm.grid().size(), mapped.mpm.grid().size());
+  Matrix expected = Matrix::Zero(mapped.step.grid().size(), mapped.step.grid().size());
   for (std::size_t p = 0; p < scene.particles.size(); ++p) {
-    const auto nodes = reached<D>(Setting<B>{std::get<B>(scene.basis), 0.5}, mapped.mpm.grid(), scene.particles.x[p]);
+    const auto nodes = reached<D>(Setting<B>{std::get<B>(scene.basis), 0.5}, mapped.step.grid(), scene.particles.x[p]);
     for (const auto& i : nodes)
       for (const auto& j : nodes)
-        expected(mapped.mpm.grid().node(i.node), mapped.mpm.grid().node(j.node)) += scene.particles.m[p] * i.N * j.N;
+        expected(mapped.step.grid().node(i.node), mapped.step.grid().node(j.node)) += scene.particles.m[p] * i.N * j.N;
   }
   EXPECT_LT(largest(mapped.matrix() - expected), 1e-11 * scene.particles.m[0]);
 }
@@ -122,11 +123,12 @@ TYPED_TEST(ConsistentMassMatrix, RegularisedKeepsSymmetryRowSumsAndBounds) {
 
 /// One step of no length: the grid then holds the velocities that the particles were mapped to.
 template <int D>
-std::unique_ptr<Mpm<D>> mapped_velocities(Scene<D> scene, const ConsistentMassSettings& settings) {
+std::unique_ptr<Step<D>> mapped_velocities(Scene<D> scene, const ConsistentMassSettings& settings) {
   scene.consistent_mass = settings;
-  auto mpm = std::make_unique<Mpm<D>>(scene);
-  EXPECT_TRUE(mpm->step(0));
-  return mpm;
+  auto s = std::make_unique<Step<D>>(scene);
+  s->advance(0);
+  EXPECT_EQ(s->fault(), Fault::none);
+  return s;
 }
 
 /// The largest error of a particle's velocity, solved for to a tolerance: that of the nodes, e, has
@@ -149,8 +151,8 @@ void expect_linear_velocity_found() {
   for (int k = 0; k < D * D; ++k) G.data()[k] = 0.3 - 0.17 * k;
   for (std::size_t p = 0; p < scene.particles.size(); ++p)
     scene.particles.v[p] = G * scene.particles.x[p] + Vec<D>::Constant(2);
-  const auto mpm = mapped_velocities(scene, unregularised);
-  const auto& grid = mpm->grid();
+  const auto step = mapped_velocities(scene, unregularised);
+  const auto& grid = step->grid();
   double consistent = 0, lumped = 0;
   for (std::size_t p = 0; p < scene.particles.size(); ++p) {
     Vec<D> v = Vec<D>::Zero(), smoothed = Vec<D>::Zero();
@@ -176,16 +178,16 @@ template <int D>
 void expect_solved(const AnyBasis& basis, const AnyBoundary& boundary) {
   const ConsistentMassSettings settings{.tolerance = 1e-12};
   const Scene<D> scene = jumbled_box<D>(basis, std::max(D == 3 ? 4 : 6, 2 * ghosts_of(basis) + 1), boundary);
-  const auto mpm = mapped_velocities(scene, settings);
-  ConsistentMass<D> mass(*mpm, settings, std::pow(scene.h, D));
-  mass.set_couplings(*mpm);
-  std::vector<Packed<D>> p(mpm->grid().size()), q(mpm->grid().size()), v = mpm->grid().v;
-  for (std::size_t n = 0; n < p.size(); ++n) p[n] = mpm->grid().p[n].template head<lanes<D>>();
-  mpm->constrain(v);
-  mpm->constrain_transposed(p);
-  mass.multiply(*mpm, v, q);
+  const auto step = mapped_velocities(scene, settings);
+  ConsistentMass<D> mass(*step, settings, std::pow(scene.h, D));
+  mass.set_couplings(*step);
+  std::vector<Padded<D>> p(step->grid().size()), q(step->grid().size()), v = step->grid().v;
+  for (std::size_t n = 0; n < p.size(); ++n) p[n] = step->grid().p[n].template head<padded_size<D>>();
+  step->constrain(v);
+  step->constrain_transposed(p);
+  mass.multiply(*step, v, q);
   for (std::size_t n = 0; n < p.size(); ++n) {
-    EXPECT_EQ((v[n] - mpm->grid().v[n]).template head<D>().norm(), 0);
+    EXPECT_EQ((v[n] - step->grid().v[n]).template head<D>().norm(), 0);
     EXPECT_LT((p[n] - q[n]).template head<D>().norm(), 1e-11 * std::pow(scene.h, D));
   }
 }
@@ -229,8 +231,8 @@ TEST(ConsistentMass, ReproducesTheVelocityOfASingleParticle) {
   scene.boundary = {Dirichlet{}, Free{}};
   scene.particles = particles_at<1>({Vec<1>(0.4)}, 1);
   scene.particles.v[0][0] = 5;
-  const auto mpm = mapped_velocities(scene, unregularised);
-  EXPECT_NEAR(mpm->grid().v[static_cast<std::size_t>(mpm->grid().node({1}))][0], 5 / 0.4, 1e-9);
+  const auto step = mapped_velocities(scene, unregularised);
+  EXPECT_NEAR(step->grid().v[static_cast<std::size_t>(step->grid().node({1}))][0], 5 / 0.4, 1e-9);
 }
 
 /// Whatever is not a number ends as a fault.

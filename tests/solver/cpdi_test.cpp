@@ -21,8 +21,8 @@ Grid<D> small_grid() {
 template <int D>
 struct RandomParticle {
   Particles<D> particles;
-  CornerBlock<D, Cpdi::support> block;
-  CornerStencil<D, Cpdi::support> nodes;
+  CpdiBlock<D, Cpdi::support> block{0};
+  CpdiStencil<D, Cpdi::support> nodes;
 
   RandomParticle(std::mt19937& random, const Grid<D>& grid, double reach = domain_reach) {
     std::uniform_real_distribution<double> place(0, cells_across), edge(-2 * reach / D, 2 * reach / D);
@@ -33,7 +33,7 @@ struct RandomParticle {
       for (int e = 0; e < D; ++e) particles.R[0](d, e) = edge(random);
     }
     block.begin = 0, block.count = 1;
-    EXPECT_EQ(evaluate_stencils(Cpdi{}, particles, grid, block), Fault::none);
+    EXPECT_EQ(evaluate_stencils(Cpdi{}, particles, grid, true, block), Fault::none);
     nodes = block.stencil(0, grid);
   }
 };
@@ -78,10 +78,10 @@ void expect_means() {
     if (std::abs(p.particles.R[0].determinant()) < 0.02) continue;
     std::vector<Vec<1>> N(grid.size(), Vec<1>::Zero());
     p.nodes.scatter(Vec<1>(1), N);
-    std::array<std::vector<Packed<D>>, D> dN;
+    std::array<std::vector<Padded<D>>, D> dN;
     for (std::size_t d = 0; d < D; ++d) {
-      dN[d].assign(grid.size(), Packed<D>::Zero());
-      ValueAndGradient<D> unit{Packed<D>::Zero(), PackedMat<D>::Zero()};
+      dN[d].assign(grid.size(), Padded<D>::Zero());
+      ValueAndGradient<D> unit{Padded<D>::Zero(), PaddedMat<D>::Zero()};
       unit.gradient(0, static_cast<int>(d)) = 1;
       p.nodes.scatter(unit, dN[d]);
     }
@@ -101,11 +101,11 @@ TEST(Cpdi, TakesTheMeansOfTheInterpolant) {
 }
 
 template <int D>
-Packed<D> random_vector(std::mt19937& random) {
+Padded<D> random_vector(std::mt19937& random) {
   std::uniform_real_distribution<double> component(-1, 1);
   Vec<D> v;
   for (int d = 0; d < D; ++d) v[d] = component(random);
-  return packed<D>(v);
+  return padded<D>(v);
 }
 
 template <int D>

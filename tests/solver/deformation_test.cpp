@@ -12,8 +12,8 @@ namespace mpmvv::solver::deformation_test {
 constexpr double round_off = 12 * 3e-16;  // of twelve terms
 
 template <int D>
-PackedMat<D> padded(const Mat<D>& A) {
-  PackedMat<D> result = PackedMat<D>::Zero();
+PaddedMat<D> padded(const Mat<D>& A) {
+  PaddedMat<D> result = PaddedMat<D>::Zero();
   result.template topRows<D>() = A;
   return result;
 }

@@ -1,17 +1,20 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <random>
 
-#include "solver/stages.hpp"
-#include "solver/sweep.hpp"
+#include "solver/kernels/block_kernels.hpp"
+#include "solver/stencils/stencil_groups.hpp"
+#include "solver/stencils/sweep.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
 namespace mpmvv::solver {
 
-/// Particles on their way, up to 0.4 cells along each axis from where they were sorted, so that runs of particles with
-/// the same nodes have all lengths; with masses, velocities and deformations of their own, on a grid in motion.
+/// Particles on their way, up to 0.4 cells along each axis from where they were sorted, so that groups of
+/// particles with the same nodes have all lengths; with masses, velocities and deformations of their own, on a grid in
+/// motion.
 template <int D, class B>
 struct MovedBody {
   Scene<D> scene = full_scene<D>(B{}, D == 3 ? 8 : 12, D == 1 ? 12 : 3, Free{});
@@ -22,7 +25,7 @@ struct MovedBody {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> some(-1, 1);
     const auto any = [&] { return some(random); };
-    Team alone(1);
+    ThreadPool alone(1);
     Slabs<D>(grid, B{}).sort(particles, grid, alone);
     for (std::size_t p = 0; p < particles.size(); ++p) {
       particles.m[p] *= 1 + 0.5 * any();
@@ -31,29 +34,23 @@ struct MovedBody {
       particles.F[p] += 0.2 * Mat<D>::NullaryExpr(any);
     }
     for (auto* field : {&grid.v, &grid.a})
-      for (auto& value : *field) value = Packed<D>::NullaryExpr(any);
+      for (auto& value : *field) value = Padded<D>::NullaryExpr(any);
   }
 
-  /// Takes all particles through a stage and then some operations.
-  template <class Stage, class... Ops>
-  void visit(bool in_companies, const Stage& stage, const Ops&... ops) {
-    constexpr bool gradients = (uses_gradients<Ops> || ...);
-    PointBlock<D, B::support, gradients ? Evaluates::weights_and_gradients : Evaluates::weights> block;
+  /// Takes all particles through these kernels.
+  void visit(bool is_grouped, std::initializer_list<AnyKernel<D>> kernels) {
+    AnyBlock<D> any = make_block<D>(B{}, 0);
+    auto& block = std::get<PointBlock<D, B::support>>(any);
     for (block.begin = 0; block.begin < particles.size(); block.begin += block.most) {
       block.count = static_cast<int>(std::min<std::size_t>(block.most, particles.size() - block.begin));
-      ASSERT_EQ(evaluate_stencils(B{}, particles, grid, block), Fault::none);
-      list_runs(block, find_run_ends(block));
-      block.in_companies = in_companies;
+      ASSERT_EQ(evaluate(B{}, particles, grid, true, any), Fault::none);
+      list_groups(block, find_group_ends(block));
+      block.is_grouped = is_grouped;
       for (auto& row : block.tau.entry)
         for (auto& entries : row) std::fill(std::begin(entries), std::end(entries), std::nan(""));
-      stage(block, grid);
-      node_loop(ops...)(block, grid);
+      for (const auto& kernel : kernels) kernel(any, grid);
     }
   }
-};
-
-struct NoStage {
-  void operator()(const auto&, const auto&) const {}
 };
 
 /// In the first `rows` of each, which are no padding.

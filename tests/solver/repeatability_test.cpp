@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <random>
 
+#include "solver/parallel/slabs.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
@@ -11,7 +12,7 @@ template <int D>
 Particles<D> in_order(Particles<D> particles) {
   std::vector<std::uint32_t> order(particles.size());
   for (std::size_t p = 0; p < order.size(); ++p) order[particles.id[p]] = static_cast<std::uint32_t>(p);
-  Team alone(1);
+  ThreadPool alone(1);
   particles.permute(order, alone);
   return particles;
 }
@@ -94,7 +95,7 @@ TYPED_TEST(Repeatability, OrderOfCreationDoesNotMatter) {
   std::vector<std::uint32_t> shuffle(scene.particles.size());
   std::iota(shuffle.begin(), shuffle.end(), 0U);
   std::shuffle(shuffle.begin(), shuffle.end(), std::mt19937(9));
-  Team alone(1);
+  ThreadPool alone(1);
   scene.particles.permute(shuffle, alone);
   const auto shuffled = run(scene, 40);
   for (std::size_t p = 0; p < ordered.size(); ++p) {
@@ -198,7 +199,7 @@ TYPED_TEST(SlabsOf, NextButOneShareNoNode) {
   const auto grid = grid_for<TypeParam, 1>(Vec<1>::Zero(), 1, {100});
   Slabs<1> slabs(grid, TypeParam{});
   Particles<1> particles = crowd(100);
-  Team alone(1);
+  ThreadPool alone(1);
   slabs.sort(particles, grid, alone);
   ASSERT_GT(slabs.count(), 4);
   for (int s = 0; s + 2 < slabs.count(); ++s) {
@@ -215,7 +216,7 @@ TEST(Slabs, HoldAboutAsManyParticlesEach) {
   for (auto& x : particles.x) x += corner;
   const Grid<1> grid(corner, 1, {80}, 1, 2);
   Slabs<1> slabs(grid, Linear{});
-  Team alone(1);
+  ThreadPool alone(1);
   slabs.sort(particles, grid, alone);
   ASSERT_EQ(slabs.count(), 10);
   std::size_t most = 0, sum = 0;
@@ -237,7 +238,7 @@ TEST(Slabs, SortKeepsTheOrderWithinACell) {
   std::shuffle(scene.particles.x.begin(), scene.particles.x.end(), std::mt19937(2));
   const Grid<1> grid(scene.lower, scene.h, scene.cells, 1, 2);
   Slabs<1> slabs(grid, Linear{});
-  Team alone(1);
+  ThreadPool alone(1);
   slabs.sort(scene.particles, grid, alone);
   EXPECT_EQ(slabs.count(), 5);
   EXPECT_EQ(slabs.particles(0).first, 0U);

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <utility>
 
-#include "solver/integrator/words.hpp"
+#include "solver/integrator/integrators.hpp"
 #include "solver/mpm.hpp"
 #include "solver/words.hpp"
 

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "solver/basis/bases.hpp"
-#include "solver/sweep.hpp"
+#include "solver/stencils/any_block.hpp"
+#include "solver/stencils/evaluate_domains.hpp"
+#include "solver/stencils/evaluate_points.hpp"
 
 /// Bases as the solver sees them: through the stencil of one particle on a grid.
 namespace mpmvv::solver {
@@ -99,9 +101,9 @@ void for_nodes(const PointBlock<D, K>& block, const Particles<D>&, const Grid<D>
 
 /// Likewise; a node comes once for each corner that reaches it, with that corner's part.
 template <int D, int K, class Visit>
-void for_nodes(const CornerBlock<D, K>& block, const Particles<D>& particles, const Grid<D>& grid, const Visit& visit) {
+void for_nodes(const CpdiBlock<D, K>& block, const Particles<D>& particles, const Grid<D>& grid, const Visit& visit) {
   for (int c = 0; c < 1 << D; ++c) {
-    PointBlock<D, K> corner;
+    PointBlock<D, K> corner(0);
     std::copy(block.first[c], block.first[c] + 1, corner.first);
     for (int d = 0; d < D; ++d)
       for (int i = 0; i < K; ++i) corner.N[d][i][0] = block.S[c][d][i][0], corner.dN[d][i][0] = 0;
@@ -122,10 +124,10 @@ std::vector<Reached<D>> reached(const Setting<B>& setting, const Grid<D>& grid, 
   particles.x[0] = x;
   particles.l = {Vec<D>::Constant(setting.width)};
   particles.R = {setting.width * domain_shape<D>(setting.sheared)};
-  BlockFor<D, B> block;
+  BlockOf<D, B> block(0);
   block.begin = 0;
   block.count = 1;
-  const Fault found = evaluate_stencils(setting.basis, particles, grid, block);
+  const Fault found = evaluate_stencils(setting.basis, particles, grid, true, block);
   if (fault)
     *fault = found;
   else

@@ -2,7 +2,8 @@
 
 #include <Eigen/Geometry>
 
-#include "solver/map_surface_load.hpp"
+#include "solver/kernels/map_surface_load.hpp"
+#include "solver/step.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
@@ -59,15 +60,15 @@ TYPED_TEST_SUITE(SurfaceLoads, TestedBases);
 
 TYPED_TEST(SurfaceLoads, GiveTheGridTheirForceAndMoment) {
   const Vec<2> first = this->place(0), second = this->place(1);
-  Mpm<2> mpm(this->scene);
-  mpm.set_time(2);
-  mpm.map_acceleration();
+  Step<2> s(this->scene);
+  s.set_time(2);
+  s.map_mass_and_forces();
   Vec<2> force = Vec<2>::Zero();
   Mat<2> moment = Mat<2>::Zero();  // Σ x_i ⊗ f_i
-  for (std::size_t n = 0; n < mpm.grid().size(); ++n) {
-    const Vec<2> f = mpm.grid().f[n];
+  for (std::size_t n = 0; n < s.grid().size(); ++n) {
+    const Vec<2> f = s.grid().f[n];
     force += f;
-    moment += mpm.node_position(n) * f.transpose();
+    moment += s.node_position(n) * f.transpose();
   }
   EXPECT_LT((force - 2 * Vec<2>(3.5, 1)).norm(), 1e-13);
   const Mat<2> exact = 2 * (first * Vec<2>(3, -1).transpose() + second * Vec<2>(0.5, 2).transpose());

@@ -32,7 +32,7 @@ Particles<1> bar_at_end(std::string_view integrator, int steps, int cells = 8,
   Swing force(X);
   scene.body_force = &force;
   scene.integrator = integrator;
-  scene.half_start = is_staggered(integrator);
+  scene.half_start = integrator_named(integrator).is_staggered;
   Mpm<1> mpm(scene);
   double farthest = 0;
   for (int k = 0; k < steps; ++k) {

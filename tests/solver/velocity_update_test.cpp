@@ -42,13 +42,13 @@ class Dense {
 
   /// Σ_l (-1)^(l+1) C(k, l) (S⁺S)^(l-1) m⁻¹, N (1)
   Matrix inverse(int order) const {
-    const Matrix round_trip = mass_.cwiseInverse().asDiagonal() * (S_.transpose() * M_.asDiagonal() * S_);
+    const Matrix mass_product = mass_.cwiseInverse().asDiagonal() * (S_.transpose() * M_.asDiagonal() * S_);
     Matrix sum = Matrix::Zero(mass_.size(), mass_.size()), power = Matrix::Identity(mass_.size(), mass_.size());
     double binomial = 1;
     for (int l = 1; l <= order; ++l) {
       binomial *= static_cast<double>(order + 1 - l) / l;
       sum += (l % 2 == 1 ? binomial : -binomial) * power;
-      power = power * round_trip;
+      power = power * mass_product;
     }
     return sum * mass_.cwiseInverse().asDiagonal();
   }

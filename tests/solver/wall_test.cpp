@@ -38,7 +38,7 @@ std::vector<int> held(const Ride& ride, double depth, bool upper, int first, int
   MovingWall<1> wall({&ride, depth, WallGradient::zero}, {0, upper}, grid, places(grid, 0));
   wall.move(0, 0.1, grid.h());
   wall.meet(grid);
-  std::vector<Packed<1>> field(grid.size(), Packed<1>(1));
+  std::vector<Padded<1>> field(grid.size(), Padded<1>(1));
   wall.clear(grid, field);
   std::vector<int> indices;
   for (std::size_t n = 0; n < grid.size(); ++n)
@@ -75,7 +75,7 @@ TEST(Wall, HoldsALinearVelocityAlongItsNormal) {
   const double t = 0.1, dt = 0.02;
   wall.move(t, dt, grid.h());
   wall.meet(grid);
-  std::vector<Packed<2>> v(grid.size(), Packed<2>(100, 200));
+  std::vector<Padded<2>> v(grid.size(), Padded<2>(100, 200));
   wall.hold(grid, v);
   for (std::size_t n = 0; n < grid.size(); ++n) {
     const double x = grid.lower()[0] + grid.h() * grid.index(n)[0], distance = x - ride.position(t);
@@ -95,11 +95,11 @@ TEST(Wall, EstimatesTheGradientOfALinearVelocity) {
       const auto linear = [&](std::size_t n) {
         return 3 + slope(n) * (grid.lower()[0] + grid.h() * grid.index(n)[0] - ride.x0);
       };
-      for (std::size_t n = 0; n < grid.size(); ++n) grid.v[n] = Packed<2>(linear(n), -1);
+      for (std::size_t n = 0; n < grid.size(); ++n) grid.v[n] = Padded<2>(linear(n), -1);
       MovingWall<2> wall({&ride, depth, WallGradient::estimated}, {0, upper}, grid, places(grid, 0));
       wall.move(0, 0.1, grid.h());
       wall.meet(grid);
-      std::vector<Packed<2>> v(grid.size(), Packed<2>(1e9, 1e9));
+      std::vector<Padded<2>> v(grid.size(), Padded<2>(1e9, 1e9));
       wall.hold(grid, v);
       int count = 0;
       for (std::size_t n = 0; n < grid.size(); ++n)

@@ -93,7 +93,7 @@ TEST_F(StoreOpen, ASchemaThatItsTablesDoNotHaveIsRefused) {
 }
 
 TEST_F(StoreOpen, AStoreThatLacksTablesOrColumnsIsRefused) {
-  for (const char* loss : {"DROP TABLE mutant_trials", "ALTER TABLE runs DROP COLUMN wall_seconds",
+  for (const char* loss : {"DROP TABLE check_values", "ALTER TABLE runs DROP COLUMN wall_seconds",
                            "ALTER TABLE probes RENAME TO probe", "ALTER TABLE points RENAME COLUMN x TO y"}) {
     std::filesystem::remove(file_);
     Store(file_, Mode::create_or_write);
@@ -164,6 +164,20 @@ TEST_F(StoreOpen, AnOlderStoreIsSealedAsItIsBroughtUpToDate) {
   EXPECT_THAT(Store(file_, Mode::write).check(), testing::IsEmpty());
   execute("UPDATE provenance SET git_commit = 'c0ffef'");
   EXPECT_THAT(Store(file_, Mode::read).check(), testing::ElementsAre(HasSubstr("row 5 of studies (s)")));
+}
+
+/// Schemas 5 to 8 had tables for mutation testing.
+TEST_F(StoreOpen, AnOlderStoreOpensWithoutItsMutants) {
+  constexpr std::size_t last_with_mutants = 8;
+  open_store(file_, Mode::create_or_write, migrations().first(last_with_mutants))
+      .execute(
+          "INSERT INTO provenance VALUES (3, 'd1', 'c0ffee', 0, '', '', '', '');"
+          "INSERT INTO mutants VALUES (5, 'sign', 'd1', 3, '', 'g', 'planted', '', 'a.hpp', 1, '+', '-', 1, 7);"
+          "INSERT INTO mutant_trials VALUES (5, 'quick', 1, 'golden', 1.5)");
+  Store(file_, Mode::write).keep(record(8), provenance());
+  const Store store(file_, Mode::read);
+  EXPECT_THAT(store.check(), testing::IsEmpty());
+  EXPECT_TRUE(store.find(bar(8), "d1"));
 }
 
 TEST_F(StoreOpen, ACreationThatFailsLeavesNoFile) {

@@ -17,19 +17,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-Mutant mutant() {
-  return {.name = "m",
-          .kind = Mutant::Kind::random,
-          .what = "w",
-          .file = "f",
-          .line = 7,
-          .before = "b",
-          .after = "a",
-          .gate = "g",
-          .builds = true,
-          .trials = {{GateStage::quick, true, {"x"}, 2.5}}};
-}
-
 /// A study with a row in every table.
 StudyResult full_study() {
   StudyResult s = study("full", "T", {series("a", {point(8, {{"own", 3}}), point(16)})});
@@ -62,7 +49,6 @@ class SealedStore : public StoreTest {
     failed.failure = records::Failure::of_case;
     for (const records::Record& r : {record(8), failed}) store.keep(r, provenance());
     store.keep_study(full_study(), {{bar(8), bar(16)}}, provenance());
-    store.keep_mutant(mutant(), provenance());
   }
 
   /// All that a store tells of its contents, or what it complains of.
@@ -72,9 +58,6 @@ class SealedStore : public StoreTest {
       const Store store(file, Store::Mode::read);
       all = store.export_csv();
       for (const StudyResult& s : store.studies("d1")) all += s.name + s.title + text_of(s);
-      for (const Mutant& m : store.mutants("d1"))
-        all +=
-            fmt::format("{}{}{}{}{}{}{}{}", m.name, m.what, m.file, m.line, m.before, m.after, m.gate, m.trials.size());
       for (const auto& [label, text] : store.info())
         if (label != "file") all += label + text;
       for (const Version& v : store.versions()) all += v.digest + v.time;

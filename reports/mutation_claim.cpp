@@ -1,0 +1,63 @@
+#include "reports/mutation_claim.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+namespace mpmvv::reports {
+
+namespace {
+
+records::PartVerdict catch_verdict(const PlantedScore& score) {
+  if (!score.missed.empty()) return records::PartVerdict::fails;
+  return score.open > 0 ? records::PartVerdict::inconclusive : records::PartVerdict::holds;
+}
+
+std::string catch_evidence(const PlantedScore& score) {
+  const std::string open = score.open == 0 ? "" : fmt::format(", {} not tried to the end", score.open);
+  const std::string missed = score.missed.empty() ? "" : fmt::format(", not {}", fmt::join(score.missed, ", "));
+  return fmt::format("{} of {}{}{}; {} by the quick gate alone, {} by the unit tests alone", score.caught,
+                     score.should_show, open, missed, score.quick, score.unit_tests);
+}
+
+/// Asked of the quick gate: no false alarm in so many runs.
+constexpr std::size_t runs_without_alarm = 200;
+
+records::PartVerdict alarm_verdict(const MutationResults& mutation, const std::vector<AlarmRun>& runs) {
+  if (!mutation.unchanged_passes.value_or(true) || std::ranges::any_of(runs, &AlarmRun::is_alarm))
+    return records::PartVerdict::fails;
+  return runs.size() < runs_without_alarm ? records::PartVerdict::inconclusive : records::PartVerdict::holds;
+}
+
+std::string alarm_evidence(const MutationResults& mutation, const std::vector<AlarmRun>& runs) {
+  std::set<std::string> builds;
+  for (const AlarmRun& run : runs) builds.insert(run.build);
+  const auto unchanged = !mutation.unchanged_passes   ? ""
+                         : *mutation.unchanged_passes ? "; the campaign's tree passes"
+                                                      : "; the campaign's tree does not pass";
+  return fmt::format("{} in {} runs of {} builds, other orders and places of the particles{}",
+                     std::ranges::count_if(runs, &AlarmRun::is_alarm), runs.size(), builds.size(), unchanged);
+}
+
+}  // namespace
+
+records::StudyResult mutation_study(const std::optional<MutationResults>& mutation, const std::vector<AlarmRun>& runs) {
+  records::StudyResult study;
+  study.name = "mutants";
+  study.title = "Planted mistakes";
+  study.kind = "check";
+  study.claims = {"X-mutants"};
+  if (!mutation || mutation->planted.should_show == 0) return study;
+  const auto add = [&study](const std::string& statement, records::PartVerdict verdict, const std::string& evidence) {
+    study.parts.push_back({"X-mutants", statement, verdict, evidence, ""});
+  };
+  add("tests and goldens catch every planted mistake that an order, an error, a limit or a report can show",
+      catch_verdict(mutation->planted), catch_evidence(mutation->planted));
+  add(fmt::format("they raise no false alarm (in {} runs of the quick gate)", runs_without_alarm),
+      alarm_verdict(*mutation, runs), alarm_evidence(*mutation, runs));
+  return study;
+}
+
+}  // namespace mpmvv::reports

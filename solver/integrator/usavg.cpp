@@ -1,0 +1,55 @@
+#include "solver/integrator/integrators.hpp"
+#include "solver/step.hpp"
+
+namespace mpmvv::solver {
+
+namespace {
+
+/// Up to the grid velocity of the step's end, with the first half of the stress update.
+template <int D>
+void advance_grid(Step<D>& s, double dt) {
+  s.map_momentum();                                // m_i, p_i
+  s.set_stress_velocity();                         // v_i = p_i / m_i
+  s.deform_and_map_forces(s.deformation(dt / 2));  // F_p' by v; τ_p = τ(F_p'), f_i
+  s.restore_velocity();                            // v_i = p_i / m_i, where `fmpm` has expanded it
+  s.set_acceleration();                            // a_i = f_i / m_i
+  s.advance_velocity(dt);                          // v_i⁺ = v_i + Δt a_i
+}
+
+/// Update stress averaged: N's task 5 done in both places, of `usf` and of `usl`, by half the time step each (N §2.3).
+/// With FLIP both gradients belong to the one configuration x_p^n of the step, L = Σ_i v_i ⊗ ∇N_ip(x^n), so that
+///   F' = (I + Δt/2 L(v)) F^n,   f = f(F'),   F^{n+1} = (I + Δt/2 L(v⁺)) F',
+///   F^{n+1} = (I + Δt (L(v) + L(v⁺))/2 + Δt²/4 L(v⁺) L(v)) F^n:
+/// the mean of the updates of usf and usl, and a product of their halves that neither has; its sum over a run is of
+/// first order in Δt. So is what positions, S (10), and the body force, of t^n, bring in as in usf and usl. Energy: usf
+/// keeps it, usl loses it to the part of a that the product S⁺S of both mappings filters out, for v⁺ = v + Δt a where
+/// the new particle velocities map to v + Δt S⁺S a; usavg loses half of that.
+template <int D>
+void usavg(Step<D>& s, double dt) {
+  advance_grid(s, dt);
+  s.update_particles(dt, s.deformation(dt / 2));  // v_p, x_p; F_p by v⁺
+}
+
+/// Update stress averaged with re-extrapolated momenta, N §2.3: `usavg` but for the velocity of the second half, which
+/// is that of `usl+`. For small motions that is leapfrog in (v, F), half drift, kick, half drift: the energy errors of
+/// usf and usl+, of first order and opposite sign, cancel.
+template <int D>
+void usavg_plus(Step<D>& s, double dt) {
+  advance_grid(s, dt);
+  s.update_velocities_and_map_momentum(dt);                // v_p, (x_p' - x_p)/Δt; p_i
+  s.set_stress_velocity();                                 // v̄_i
+  s.move_particles_and_deform(dt, s.deformation(dt / 2));  // x_p; F_p by v̄
+}
+
+}  // namespace
+
+Integrator usavg_integrator() {
+  return {.word = "usavg", .in_1d = &usavg<1>, .in_2d = &usavg<2>, .in_3d = &usavg<3>};
+}
+
+Integrator usavg_plus_integrator() {
+  return {
+      .word = "usavg+", .in_1d = &usavg_plus<1>, .in_2d = &usavg_plus<2>, .in_3d = &usavg_plus<3>, .is_remapped = true};
+}
+
+}  // namespace mpmvv::solver

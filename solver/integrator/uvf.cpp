@@ -1,0 +1,35 @@
+#include "solver/integrator/integrators.hpp"
+#include "solver/kernels/map_to_grid.hpp"
+#include "solver/kernels/update_particles.hpp"
+#include "solver/step.hpp"
+
+namespace mpmvv::solver {
+
+namespace {
+
+/// Update velocity first: the central difference with (47) replaced by W (51), the grid velocity mapped anew from the
+/// updated particle velocities.
+template <int D>
+void uvf(Step<D>& s, double dt) {
+  auto& particles = s.particles();
+  auto& grid = s.grid();
+
+  s.map_mass_and_forces();  // m_i; τ_p = τ(F_p), f_i                       W (8), (12), (14)
+  s.set_acceleration();     // a_i = f_i / m_i                              W (15)
+
+  s.clear(grid.p);
+  s.sweep({UpdateVelocity<D>{particles, grid, dt},  // v_p                  W (18)
+           MapMomentum<D>{particles, grid}});       // m_i, p_i             W (51)
+  s.sum_momentum_images();
+  s.set_velocity();  // v_i = p_i / m_i                                     W (51)
+
+  s.sweep_and_settle(UpdatePositionAndDeformation<D>{particles, grid, dt, s.deformation(dt)});  // x_p, F_p
+}
+
+}  // namespace
+
+Integrator uvf_integrator() {
+  return {.word = "uvf", .in_1d = &uvf<1>, .in_2d = &uvf<2>, .in_3d = &uvf<3>, .is_staggered = true};
+}
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "solver/stencils/sweep.hpp"
+#include "solver/surface_load.hpp"
+
+namespace mpmvv::solver {
+
+/// f_i += Σ (N_ip + F_p offset · ∇N_ip) force: the weights at the part's middle, continued from its particle's. As
+/// those add up to one and are exact on linear fields, force and moment reach the grid whole; and they do on nodes that
+/// the particle gives mass, where weights of the middle itself would load nodes beyond the body.
+template <int D>
+Fault map_surface_load(const AnyBasis& basis, const SurfaceLoad<D>& load, const Vec<D>* force,
+                       const std::vector<std::uint32_t>& place, const Particles<D>& particles, Grid<D>& grid) {
+  AnyBlock<D> block = make_block<D>(basis, 0);
+  common<D>(block).count = 1;
+  Fault found = Fault::none;
+  for (const auto& part : load.parts()) {
+    const std::size_t p = common<D>(block).begin = place[part.particle];
+    found = found | evaluate<D>(basis, particles, grid, true, block);
+    const Vec<D> reach = particles.F[p] * part.offset;
+    ValueAndGradient<D> source{padded<D>(*force), {}};
+    for (int d = 0; d < D; ++d) source.gradient.col(d) = reach[d] * source.value;
+    std::visit([&](const auto& own) { own.stencil(0, grid).scatter(source, grid.f); }, block);
+    ++force;
+  }
+  return found;
+}
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,138 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "solver/basis/basis.hpp"
+#include "solver/grid.hpp"
+#include "solver/parallel/thread_pool.hpp"
+#include "solver/particles.hpp"
+
+namespace mpmvv::solver {
+
+/// Whether the stages of a sweep add to nodes: slabs that share some then have to take turns.
+enum class Adds { nothing, to_nodes };
+
+/// The domain cut into slabs across its last axis with about as many particles each, and the particles sorted so that
+/// each slab's are contiguous, and in it those that reach the same nodes. A particle may stray one cell out of its slab
+/// before it must be sorted again; slabs are so thick that even then two with one between them share no node. Depends
+/// on the grid, the basis and the particles alone.
+template <int D>
+class Slabs {
+ public:
+  static constexpr int most = 32;
+
+  /// Of any slab, in cells; on average they have one more at least. A particle may stray into it by a cell on either
+  /// side and is evaluated up to `reach` cells further in. Between there the first of the `support` nodes that a point
+  /// reaches moves on by one a cell, or by one less in all where an edge is missed by round-off. A basis of less than
+  /// four nodes takes the slabs of one that has four.
+  template <class B>
+  static constexpr int least_thickness = 2 * (1 + solver::reach(B::width)) + std::max(B::support, 4) + 1;
+
+  template <class B>
+  Slabs(const Grid<D>& grid, const B&)
+      : least_thickness_(static_cast<std::size_t>(least_thickness<B>)),
+        count_(static_cast<std::size_t>(std::clamp(grid.cells()[D - 1] / (least_thickness<B> + 1), 1, most))),
+        offset_(changes_between_nodes<B> ? 0.5 : 0),
+        bounds_(count_ + 1),
+        first_(count_ + 1) {
+    for (int d = 0; d < D; ++d) bins_[d] = grid.cells()[d] + (offset_ > 0 ? 1 : 0);
+    bounds_.back() = static_cast<std::size_t>(bins_[D - 1]);
+  }
+
+  int count() const { return static_cast<int>(count_); }
+
+  std::pair<std::size_t, std::size_t> particles(int slab) const {
+    return {first_[static_cast<std::size_t>(slab)], first_[static_cast<std::size_t>(slab) + 1]};
+  }
+
+  /// Between which positions along the last axis a particle of this slab is near enough to it. The outermost slabs
+  /// have no outer bound.
+  std::pair<double, double> reach(int slab, const Grid<D>& grid) const {
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    const auto bound = [this, &grid](int s) {
+      return grid.lower()[D - 1] + grid.h() * (static_cast<double>(bounds_[static_cast<std::size_t>(s)]) - offset_);
+    };
+    return {slab == 0 ? -unbounded : bound(slab) - grid.h(),
+            slab + 1 == count() ? unbounded : bound(slab + 1) + grid.h()};
+  }
+
+  /// Sorts the particles by bin (the last axis slowest, so by slab), keeping the order of those in one.
+  void sort(Particles<D>& particles, const Grid<D>& grid, ThreadPool& pool) {
+    const std::size_t n = particles.size();
+    bin_.resize(n);
+    for_chunks(pool, n, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) bin_[p] = bin_of(particles.x[p], grid);
+    });
+    if (!std::is_sorted(bin_.begin(), bin_.end())) {
+      place_.assign(count_of_bins() + 1, 0);
+      for (const std::uint32_t b : bin_) ++place_[b + 1];
+      std::partial_sum(place_.begin(), place_.end(), place_.begin());
+      order_.resize(n);
+      for (std::uint32_t p = 0; p < n; ++p) order_[place_[bin_[p]]++] = p;
+      particles.permute(order_, pool);
+    }
+    cut(count_of_bins() / bounds_.back());
+  }
+
+ private:
+  std::size_t count_of_bins() const {
+    std::size_t bins = 1;
+    for (const int along_axis : bins_) bins *= static_cast<std::size_t>(along_axis);
+    return bins;
+  }
+
+  /// Sets the bounds where the particles are divided most evenly, with so many bins to a layer.
+  void cut(std::size_t layer) {
+    std::vector<std::size_t> before(bounds_.back() + 1);  // particles in the layers before each
+    for (const std::uint32_t b : bin_) ++before[b / layer + 1];
+    std::partial_sum(before.begin(), before.end(), before.begin());
+    for (std::size_t s = 1; s < count_; ++s) {
+      const std::size_t lowest = bounds_[s - 1] + least_thickness_;
+      const std::size_t highest = bounds_.back() - (count_ - s) * least_thickness_;
+      const std::size_t target = s * bin_.size() / count_;
+      std::size_t z = lowest;
+      while (z < highest && before[z + 1] <= target) ++z;
+      if (z < highest && target > before[z] && before[z + 1] - target < target - before[z]) ++z;
+      bounds_[s] = z;
+      first_[s] = before[z];
+    }
+    first_.back() = bin_.size();
+  }
+
+  /// Bins are cells, or where the nodes that a particle reaches change half-way between nodes, what lies between there.
+  std::uint32_t bin_of(const Vec<D>& x, const Grid<D>& grid) const {
+    std::uint32_t bin = 0;
+    for (int d = D - 1; d >= 0; --d) {
+      const double xi = (x[d] - grid.lower()[d]) / grid.h() + offset_;
+      const double inside = xi > 0 ? std::min(std::floor(xi), bins_[d] - 1.0) : 0.0;  // 0 for NaN, too
+      bin = bin * static_cast<std::uint32_t>(bins_[d]) + static_cast<std::uint32_t>(inside);
+    }
+    return bin;
+  }
+
+  std::size_t least_thickness_, count_;
+  double offset_;                    ///< of the bins from the cells, in cells
+  Index<D> bins_;                    ///< along each axis
+  std::vector<std::size_t> bounds_;  ///< layer of bins where each slab begins, and the end
+  std::vector<std::size_t> first_;   ///< first particle of each slab, and the end
+
+  std::vector<std::uint32_t> bin_;    ///< of each particle, before the last sort
+  std::vector<std::uint32_t> place_;  ///< where the next particle of each bin goes
+  std::vector<std::uint32_t> order_;  ///< of the particles, old ones in their new places
+};
+
+/// Visits all slabs. Where that adds to nodes, those of one colour, which share none, run at once: the order of
+/// additions on a node does not depend on the number of threads.
+template <int D>
+void for_slabs(Adds adds, const Slabs<D>& slabs, ThreadPool& pool, const Task& visit) {
+  const int colours = adds == Adds::to_nodes ? 2 : 1;
+  for (int colour = 0; colour < colours; ++colour)
+    pool.run((slabs.count() - colour + colours - 1) / colours, [&](int task) { visit(colours * task + colour); });
+}
+
+}  // namespace mpmvv::solver

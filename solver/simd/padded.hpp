@@ -1,0 +1,54 @@
+#pragma once
+#include <type_traits>
+
+#include "solver/simd/double4.hpp"
+#include "solver/types.hpp"
+
+/// Vectors padded to whole vector registers, as the grid keeps them and the particle loops use them. What the padding
+/// holds does not matter.
+namespace mpmvv::solver {
+
+template <int N>
+inline constexpr int padded_size = N == 3 ? 4 : N;
+
+template <int N>
+using Padded = Eigen::Matrix<double, padded_size<N>, 1>;
+
+/// D columns of D components each, every column padded.
+template <int D>
+using PaddedMat = Eigen::Matrix<double, padded_size<D>, D>;
+
+/// Four components put together in a register, where Eigen would go through memory.
+inline Padded<4> padded_of(double a, double b, double c, double d) {
+  const Double4 together{a, b, c, d};
+  return Padded<4>::Map(reinterpret_cast<const double*>(&together));
+}
+
+template <int D, class Vector>
+auto padded(const Vector& vector) {
+  if constexpr (!std::is_same_v<typename Vector::Scalar, double>)
+    return vector.eval();
+  else if constexpr (D == 3)
+    return padded_of(vector[0], vector[1], vector[2], 0);
+  else
+    return Padded<D>(vector);
+}
+
+/// The vector with one more component.
+template <int D>
+Padded<D + 1> padded(const Vec<D>& vector, double last) {
+  if constexpr (D == 1)
+    return {vector[0], last};
+  else if constexpr (D == 2)
+    return padded_of(vector[0], vector[1], last, 0);
+  else
+    return padded_of(vector[0], vector[1], vector[2], last);
+}
+
+/// Zero with one more component.
+template <int D>
+Padded<D + 1> padded_alone(double last) {
+  return padded<D>(Vec<D>(Vec<D>::Zero()), last);
+}
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,69 @@
+#pragma once
+#include "solver/stencils/stencil.hpp"
+
+namespace mpmvv::solver {
+
+/// The nodes of a particle whose domain is a parallelepiped with the columns of R as edges, by convected particle
+/// domain interpolation: Sadeghirad, Brannon and Burghardt, Int. J. Numer. Meth. Engng 86 (2011) 1435, N §2.1. Within
+/// the domain each grid function S_i gives way to the multilinear interpolant of its values at the corners,
+///   x_c = x_p + R s_c/2, s_c in {-1, 1}^D,
+/// whose mean, and the mean of whose gradient, are the particle's,
+///   N_ip = 2^-D Σ_c S_i(x_c),   ∇N_ip = 2^(1-D) R^-T Σ_c s_c S_i(x_c).
+/// With S_i they add up to one and zero, and are exact on linear fields. ∇N is not the derivative of N.
+template <int D, int K>
+struct CpdiStencil {
+  static constexpr int corners = 1 << D;
+
+  /// Component d of s_c
+  static constexpr int sign(int c, int d) { return (c >> d & 1) != 0 ? 1 : -1; }
+
+  std::array<Weights<D, K>, corners> at;  ///< S_i(x_c)
+  PaddedMat<D> slope;                     ///< 2^(1-D) R^-T, per length, by columns: ∇N_ip = slope Σ_c s_c S_i(x_c)
+
+  /// Σ_i N_ip φ_i
+  template <class V>
+  V gather(const std::vector<V>& field) const {
+    V sum = at[0].gather(field);
+    for (int c = 1; c < corners; ++c) sum += at[c].gather(field);
+    return share * sum;
+  }
+
+  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
+  ValueAndGradient<D> gather_with_gradient(const std::vector<Padded<D>>& field) const {
+    Padded<D> sum = Padded<D>::Zero();
+    PaddedMat<D> differences = PaddedMat<D>::Zero();  // Σ_c φ(x_c) ⊗ s_c
+    for (int c = 0; c < corners; ++c) {
+      const Padded<D> value = at[c].gather(field);
+      sum += value;
+      for (int d = 0; d < D; ++d) differences.col(d) += sign(c, d) * value;
+    }
+    ValueAndGradient<D> result{share * sum, PaddedMat<D>::Zero()};
+    for (int d = 0; d < D; ++d)
+      for (int e = 0; e < D; ++e) result.gradient.col(d) += slope(d, e) * differences.col(e);
+    return result;
+  }
+
+  /// φ_i += N_ip value
+  template <class V>
+  void scatter(const V& value, std::vector<V>& field) const {
+    const V part = share * value;
+    for (const auto& corner : at) corner.scatter(part, field);
+  }
+
+  /// φ_i += N_ip value + gradient ∇N_ip
+  void scatter(const ValueAndGradient<D>& source, std::vector<Padded<D>>& field) const {
+    PaddedMat<D> differences = PaddedMat<D>::Zero();  // gradient slope
+    for (int e = 0; e < D; ++e)
+      for (int d = 0; d < D; ++d) differences.col(e) += slope(d, e) * source.gradient.col(d);
+    for (int c = 0; c < corners; ++c) {
+      Padded<D> part = share * source.value;
+      for (int d = 0; d < D; ++d) part += sign(c, d) * differences.col(d);
+      at[c].scatter(part, field);
+    }
+  }
+
+ private:
+  static constexpr double share = 1.0 / corners;
+};
+
+}  // namespace mpmvv::solver

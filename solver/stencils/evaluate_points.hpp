@@ -1,0 +1,104 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/basis/basis.hpp"
+#include "solver/fault.hpp"
+#include "solver/particles.hpp"
+#include "solver/stencils/particle_pack.hpp"
+#include "solver/stencils/point_block.hpp"
+#include "solver/stencils/stencil_groups.hpp"
+
+/// Evaluates the stencils of particles that are points.
+namespace mpmvv::solver {
+
+/// The positions of a block's particles from the lower faces, in cells, moved to where a basis may be evaluated, and
+/// their widths, by axis. The last particle is repeated until the last pack is full.
+template <int D>
+struct PointsByAxis {
+  static constexpr int room = block_size<D> + 4;
+  alignas(32) double xi[D][room], width[D][room];
+};
+
+/// Where a basis may be evaluated along an axis of so many cells, in cells.
+template <class B>
+std::pair<double, double> range_of(int cells) {
+  if (B::ghost == 0) return {0, cells};
+  const double least = std::max(1, (B::support - 1) / 2) - B::ghost;
+  return {least, std::nextafter(cells - least, 0.0)};
+}
+
+/// A particle out of reach of the grid, one whose width is no part of a cell, or a NaN is a fault.
+template <class B, int D>
+[[gnu::flatten]] Fault find_points(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
+                                   PointsByAxis<D>& points) {
+  const double inverse_h = 1 / grid.h();
+  Mask4 outside{}, outgrown{};
+  for_packs(block, [&](const ParticlePack<D>& pack, int k) {
+    const PackVec<D> x = pack.of(particles.x);
+    for (int d = 0; d < D; ++d) {
+      const auto [least, most] = range_of<B>(grid.cells()[d]);
+      const Pack xi = (x[d] - grid.lower()[d]) * inverse_h;
+      store4(confined(xi, least, most, outside).of, &points.xi[d][k]);
+    }
+    if constexpr (B::width != ParticleWidth::none) {
+      const PackVec<D> l = pack.of(particles.l);
+      for (int d = 0; d < D; ++d)
+        store4(confined(l[d], std::numeric_limits<double>::min(), 1, outgrown).of, &points.width[d][k]);
+    }
+  });
+  return (any(outside) ? Fault::outside : Fault::none) | (any(outgrown) ? Fault::outgrown : Fault::none);
+}
+
+/// Weights of the first `padded` points, and their gradients if these are asked for.
+template <bool with_gradients, int D, class B>
+void evaluate_axes(const B& basis, const PointsByAxis<D>& points, const Grid<D>& grid, int padded,
+                   PointBlock<D, B::support>& block) {
+  const double inverse_h = 1 / grid.h();
+  std::fill_n(block.first, padded, grid.node({}));
+  for (int d = 0; d < D; ++d) {
+    const int cells = grid.cells()[d], stride = grid.stride(d);
+    int first[PointsByAxis<D>::room];
+    for (int k = 0; k < padded; ++k) {
+      double N[B::support], dN[B::support];
+      const double width = B::width == ParticleWidth::none ? 0 : points.width[d][k];
+      first[k] = basis.evaluate({points.xi[d][k], cells, width}, N, dN);
+      for (int i = 0; i < B::support; ++i) {
+        block.N[d][i][k] = N[i];
+        if constexpr (with_gradients) block.dN[d][i][k] = dN[i] * inverse_h;
+      }
+    }
+    for (int k = 0; k < padded; ++k) block.first[k] += stride * first[k];
+  }
+}
+
+/// Repeats the last weights: a pack is read from any place on, and the weights beyond the last particle, which are
+/// multiplied by zero, have to be finite.
+template <int D, int K>
+void repeat_last(bool with_gradients, PointBlock<D, K>& block) {
+  const auto repeat = [&block](double* of_node) { std::fill_n(of_node + block.count, 3, of_node[block.count - 1]); };
+  for (int d = 0; d < D; ++d)
+    for (int i = 0; i < K; ++i) {
+      repeat(block.N[d][i]);
+      if (with_gradients) repeat(block.dN[d][i]);
+    }
+}
+
+/// Evaluates the stencils of a block at its particles' positions. With a fault the stencils concerned lie somewhere
+/// inside storage, and the caller stops the run.
+template <int D, class B>
+Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid, bool with_gradients,
+                        PointBlock<D, B::support>& block) {
+  PointsByAxis<D> points;
+  const Fault found = find_points<B>(block, particles, grid, points);
+  const int padded = (block.count + 3) / 4 * 4;
+  if (with_gradients)
+    evaluate_axes<true>(basis, points, grid, padded, block);
+  else
+    evaluate_axes<false>(basis, points, grid, padded, block);
+  repeat_last(with_gradients, block);
+  return found;
+}
+
+}  // namespace mpmvv::solver

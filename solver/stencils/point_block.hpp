@@ -1,0 +1,41 @@
+#pragma once
+#include <type_traits>
+
+#include "solver/grid.hpp"
+#include "solver/stencils/block.hpp"
+#include "solver/stencils/stencil.hpp"
+
+namespace mpmvv::solver {
+
+/// A block with the nodes that each of its particles reaches, K along each axis. Weights and gradients are kept per
+/// axis; a `Stencil` or a `PackStencil` forms their products.
+template <int D, int K>
+struct PointBlock : Block<D> {
+  static constexpr int most = block_size<D>;  ///< particles
+  static constexpr int room = most + 4;       ///< a pack may be read at the last
+
+  using Block<D>::Block;
+
+  int first[room];                    ///< storage index of the first node
+  alignas(32) double N[D][K][room];   ///< weights
+  alignas(32) double dN[D][K][room];  ///< gradients, per length, where a kernel of the sweep uses them
+  int groups;                         ///< of particles that share their nodes
+  int group[block_size<D> + 1];       ///< where each begins, and the end
+
+  /// Of the k-th particle.
+  template <bool with_gradients = true>
+  auto stencil(int k, const Grid<D>& grid) const {
+    std::conditional_t<with_gradients, Stencil<D, K>, Weights<D, K>> s;
+    s.first = static_cast<std::size_t>(first[k]);
+    for (int d = 0; d < D; ++d) {
+      s.stride[static_cast<std::size_t>(d)] = grid.stride(d);
+      for (int i = 0; i < K; ++i) {
+        s.N[d][i] = N[d][i][k];
+        if constexpr (with_gradients) s.dN[d][i] = dN[d][i][k];
+      }
+    }
+    return s;
+  }
+};
+
+}  // namespace mpmvv::solver

@@ -1,0 +1,148 @@
+#include "solver/step.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "solver/integrator/integrators.hpp"
+#include "solver/step_grid.hpp"
+#include "solver/step_sweeps.hpp"
+
+namespace mpmvv::solver {
+
+namespace {
+
+template <int D>
+Grid<D> make_grid(const Scene<D>& scene) {
+  return std::visit(
+      [&scene]<class B>(const B&) { return Grid<D>(scene.lower, scene.h, scene.cells, B::extra_inside, B::ghost); },
+      scene.basis);
+}
+
+template <int D>
+Scene<D> validated(Scene<D> scene) {
+  const auto require = [](bool holds, const char* what) {
+    if (!holds) throw std::invalid_argument(what);
+  };
+  const Particles<D>& particles = scene.particles;
+  const ParticleWidth width = width_of(scene.basis);
+  const bool is_wide = width == ParticleWidth::reference || width == ParticleWidth::current;
+  require(particles.size() > 0, "a scene without particles");
+  require(scene.threads > 0, "a scene without threads");
+  require(!is_wide || particles.l.size() == particles.size(), "particles without the widths that the basis takes");
+  require(width != ParticleWidth::domain || particles.R.size() == particles.size(),
+          "particles without the domains that the basis takes");
+  for (const AnyBoundary& boundary : scene.boundary)
+    if (const auto* wall = std::get_if<Wall>(&boundary)) require(wall->motion, "a wall without a motion");
+  return scene;
+}
+
+/// Mean particle mass density times the volume of a cell.
+template <int D>
+double full_cell_mass(const Particles<D>& particles, double h) {
+  double mass = 0, volume = 0;
+  for (std::size_t p = 0; p < particles.size(); ++p) mass += particles.m[p], volume += particles.V0[p];
+  return mass / volume * std::pow(h, D);
+}
+
+}  // namespace
+
+template <int D>
+Step<D>::Step(Scene<D> scene)
+    : scene_(validated(std::move(scene))),
+      particles_(std::move(scene_.particles)),
+      grid_(make_grid(scene_)),
+      slabs_(std::visit([this](const auto& basis) { return Slabs<D>(grid_, basis); }, scene_.basis)),
+      pool_(scene_.threads),
+      active_nodes_(grid_.size()),
+      integrator_(integrator_named(scene_.integrator)) {
+  make_room();
+  for (int d = 0; d < D; ++d)
+    periodic_[static_cast<std::size_t>(d)] =
+        std::holds_alternative<Periodic>(scene_.boundary[static_cast<std::size_t>(2 * d)]);
+  const double cell_mass = full_cell_mass(particles_, grid_.h());
+  least_mass_ = scene_.mass_cutoff.value_or(mass_cutoff_of(scene_.basis)) * cell_mass;
+  sort();
+  add_walls();
+  if (scene_.consistent_mass)
+    consistent_mass_ = std::make_unique<ConsistentMass<D>>(*this, *scene_.consistent_mass, cell_mass);
+  else if (const int order = expansion_order(scene_.velocity_update); order > 0)
+    expanded_inverse_ = std::make_unique<ExpandedInverse<D>>(*this, order);
+}
+
+template <int D>
+Step<D>::~Step() = default;
+
+/// For the fields that only some schemes have.
+template <int D>
+void Step<D>::make_room() {
+  const std::size_t n = particles_.size();
+  if (integrator_.is_staged) particles_.start_stages();
+  if (integrator_.is_remapped) particles_.rate.resize(n);
+  if (has_affine_field(scene_.velocity_update)) particles_.C.assign(n, Mat<D>::Zero());
+  std::visit(
+      [this, n]<class M>(const M& material) {
+        if constexpr (has_history<M>) particles_.thermal.assign(n, material.state_at_rest());
+      },
+      scene_.material);
+  if (!scene_.surface_load) return;
+  place_.resize(n);
+  load_.resize(scene_.surface_load->parts().size());
+}
+
+template <int D>
+void Step<D>::add_walls() {
+  for_faces([this]<class Boundary>(const Boundary& boundary, Face face) {
+    if constexpr (std::is_same_v<Boundary, Wall>) {
+      std::vector<double> places;
+      for (int i = -grid_.ghost(); i < grid_.nodes(face.axis) - grid_.ghost(); ++i) {
+        Index<D> index{};
+        index[static_cast<std::size_t>(face.axis)] = i;
+        places.push_back(node_position(static_cast<std::size_t>(grid_.node(index)))[face.axis]);
+      }
+      walls_.emplace_back(boundary, face, grid_, places);
+    }
+  });
+}
+
+template <int D>
+void Step<D>::advance(double dt) {
+  const double end = time_ + dt;
+  dt_ = dt;
+  for (auto& wall : walls_) wall.move(time_, dt, grid_.h());
+  integrator_.page<D>()(*this, dt);
+  ++steps_;
+  time_ = end;
+  sort_strays();
+}
+
+template <int D>
+void Step<D>::sort() {
+  slabs_.sort(particles_, grid_, pool_);
+  ++moves_;
+  if (!scene_.surface_load) return;
+  for (std::uint32_t p = 0; p < particles_.size(); ++p) place_[particles_.id[p]] = p;
+}
+
+template <int D>
+void Step<D>::sort_strays() {
+  if (must_sort_.exchange(false)) sort();
+}
+
+template <int D>
+Vec<D> Step<D>::node_position(std::size_t n) const {
+  const Index<D> i = grid_.index(n);
+  Vec<D> x = grid_.lower();
+  std::visit(
+      [&]<class B>(const B&) {
+        for (int d = 0; d < D; ++d)
+          x[d] += grid_.h() * B::position(i[static_cast<std::size_t>(d)], grid_.cells()[static_cast<std::size_t>(d)]);
+      },
+      scene_.basis);
+  return x;
+}
+
+template class Step<1>;
+template class Step<2>;
+template class Step<3>;
+
+}  // namespace mpmvv::solver

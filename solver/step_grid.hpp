@@ -1,0 +1,147 @@
+#pragma once
+#include "solver/consistent_mass.hpp"
+#include "solver/step.hpp"
+#include "solver/velocity_update/expanded_inverse.hpp"
+
+/// The phases of a step that visit nodes.
+namespace mpmvv::solver {
+
+template <int D>
+void Step<D>::clear_grid() {
+  clear(grid_.p);
+  clear(grid_.f);
+}
+
+template <int D>
+void Step<D>::sum_momentum_images() {
+  sum_images(grid_.p);
+  for_nodes([this](std::size_t n) {
+    if (grid_.m(n) > 0) return;
+    grid_.v[n].setZero();
+    grid_.a[n].setZero();
+  });
+  active_nodes_.find(pool_, [this](std::size_t n) { return grid_.m(n) > 0; });
+}
+
+template <int D>
+void Step<D>::constrain(Field& field) {
+  for_faces([&](const auto& boundary, Face face) { boundary.constrain(grid_, face, field); });
+  for (const auto& wall : walls_) wall.clear(grid_, field);
+}
+
+/// Makes velocities obey the faces, moving walls among them.
+template <int D>
+void Step<D>::hold(Field& velocity) {
+  constrain(velocity);
+  for (const auto& wall : walls_) wall.hold(grid_, velocity);
+}
+
+template <int D>
+void Step<D>::constrain_transposed(Field& field) {
+  for_faces([&]<class Boundary>(const Boundary& boundary, Face face) {
+    if constexpr (Boundary::holds) boundary.constrain_transposed(grid_, face, field);
+  });
+  for (const auto& wall : walls_) wall.clear(grid_, field);
+}
+
+/// quotient = field / m_i where a node's mass exceeds `least_mass`, else zero.
+template <int D>
+void Step<D>::divide_by_mass(const auto& field, double least_mass, Field& quotient) {
+  for_nodes([&](std::size_t n) {
+    const double share = grid_.m(n) > least_mass ? 1 / grid_.m(n) : 0.0;
+    quotient[n] = share * field[n].template head<padded_size<D>>();
+  });
+}
+
+template <int D>
+void Step<D>::set_velocity() {
+  has_expanded_velocity_ = false;
+  divide_by_mass(grid_.p, 0, grid_.v);
+  for (auto& wall : walls_) wall.meet(grid_);
+  if (holds_lumped()) hold(grid_.v);
+  if (consistent_mass_) consistent_mass_->solve(*this, grid_.p, 0, grid_.v);
+}
+
+template <int D>
+void Step<D>::set_acceleration() {
+  if (scene_.body_force && scene_.body_force_on == BodyForceOn::grid) add_grid_body_force();
+  divide_by_mass(grid_.f, least_mass_, grid_.a);
+  if (!scene_.difference_acceleration && holds_lumped()) constrain(grid_.a);
+  if (consistent_mass_) consistent_mass_->solve(*this, grid_.f, least_mass_, grid_.a);
+  if (scene_.half_start && steps_ == 0)
+    for (auto& a : grid_.a) a *= 0.5;
+}
+
+template <int D>
+void Step<D>::add_grid_body_force() {
+  for_nodes([&](std::size_t n) {
+    if (is_accelerated(n))
+      grid_.f[n] += grid_.m(n) * padded<D>(scene_.body_force->at_position(node_position(n), time_));
+  });
+}
+
+template <int D>
+void Step<D>::advance_velocity(double dt) {
+  for_nodes([&](std::size_t n) { grid_.v[n] += dt * grid_.a[n]; });
+  if (!holds_lumped()) return;
+  hold(grid_.v);
+  if (scene_.difference_acceleration) set_wall_acceleration(dt);
+  for (const auto& wall : walls_) wall.set_acceleration(grid_, dt);
+}
+
+/// Whether walls hold lumped velocities and accelerations: always, but for those that are expanded first.
+template <int D>
+bool Step<D>::holds_lumped() const {
+  return !expanded_inverse_ || !expands_grid_velocity(scene_.velocity_update, steps_) ||
+         scene_.wall_method != WallMethod::velocity;
+}
+
+template <int D>
+void Step<D>::expand_inverse(Field& velocity) {
+  if (expanded_inverse_) expanded_inverse_->apply(*this, scene_.wall_method == WallMethod::elimination, velocity);
+}
+
+template <int D>
+void Step<D>::hold_expanded(Field& velocity) {
+  if (expanded_inverse_ && scene_.wall_method != WallMethod::lumped) hold(velocity);
+}
+
+template <int D>
+void Step<D>::expand_velocity() {
+  if (!expanded_inverse_ || !expands_grid_velocity(scene_.velocity_update, steps_)) return;
+  expand_inverse(grid_.v);
+  hold_expanded(grid_.v);
+  has_expanded_velocity_ = true;
+}
+
+template <int D>
+void Step<D>::set_stress_velocity() {
+  set_velocity();
+  expand_velocity();
+}
+
+template <int D>
+void Step<D>::restore_velocity() {
+  if (has_expanded_velocity_) set_velocity();
+}
+
+template <int D>
+VelocityFields<D> Step<D>::velocity_fields(double dt) {
+  return std::visit([&](const auto& update) { return update.fields(*this, dt); }, scene_.velocity_update);
+}
+
+template <int D>
+void Step<D>::set_wall_acceleration(double dt) {
+  const auto difference = [&](int n, int) {  // a_i = (v_i^{k+1} - v_i^k)/Δt, v^k as mapped                     S (30)
+    const auto i = static_cast<std::size_t>(n);
+    if (is_accelerated(i)) grid_.a[i] = (grid_.v[i] - grid_.p[i].template head<padded_size<D>>() / grid_.m(i)) / dt;
+  };
+  for_faces([&](const auto& boundary, Face face) {
+    if (!boundary.holds) return;
+    const FaceNodes<D> nodes{grid_, face};
+    for (int layer = 0; layer <= nodes.layers(); ++layer)
+      grid_.for_plane(face.axis, nodes.ghost(layer), nodes.ghost(layer), difference);
+  });
+}
+
+}  // namespace mpmvv::solver

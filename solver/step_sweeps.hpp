@@ -1,0 +1,99 @@
+#pragma once
+#include <functional>
+
+#include "solver/kernels/block_kernels.hpp"
+#include "solver/kernels/map_surface_load.hpp"
+#include "solver/kernels/map_to_grid.hpp"
+#include "solver/kernels/update_particles.hpp"
+#include "solver/stencils/sweep.hpp"
+#include "solver/step.hpp"
+
+/// The parts of a step that visit particles.
+namespace mpmvv::solver {
+
+template <int D>
+void Step<D>::sweep(std::initializer_list<AnyKernel<D>> kernels, Adds adds) {
+  const Fault found = solver::sweep(adds, scene_.basis, particles_, grid_, slabs_, pool_, kernels);
+  if (fault_ == Fault::none) fault_ = found;
+}
+
+template <int D>
+void Step<D>::map_momentum() {
+  clear_grid();
+  sweep({MapMomentum<D>{particles_, grid_}});
+  sum_momentum_images();
+}
+
+template <int D>
+void Step<D>::map_momentum_and_forces() {
+  clear_grid();
+  map_forces([this](const auto& forces) { return Fused{MapMomentum<D>{particles_, grid_}, forces}; });
+  sum_momentum_images();
+}
+
+template <int D>
+void Step<D>::map_mass_and_forces() {
+  clear_grid();
+  map_forces([this](const auto& forces) { return Fused{MapMass<D>{particles_, grid_}, forces}; });
+  sum_momentum_images();
+}
+
+template <int D>
+void Step<D>::deform_and_map_forces(const DeformationStep<D>& deform) {
+  map_forces(std::identity{}, UpdateDeformation<D>{particles_, grid_, deform});
+}
+
+/// By these kernels, then of stress, then by what `with` makes of that of forces.
+template <int D>
+void Step<D>::map_forces(const auto& with, const auto&... before) {
+  const EvaluateStress<D> stress{particles_, scene_.material, dt_};
+  if (scene_.body_force && scene_.body_force_on == BodyForceOn::particles) {
+    scene_.body_force->prepare(time_);
+    sweep({before..., stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
+           with(MapForces<D>{particles_, grid_})});
+  } else {
+    sweep({before..., stress, with(MapInternalForce<D>{particles_, grid_})});
+  }
+  if (scene_.surface_load) add_surface_load();
+  sum_images(grid_.f);
+}
+
+template <int D>
+void Step<D>::add_surface_load() {
+  scene_.surface_load->forces(time_, load_.data());
+  const Fault found = map_surface_load(scene_.basis, *scene_.surface_load, load_.data(), place_, particles_, grid_);
+  if (fault_ == Fault::none) fault_ = found;
+}
+
+template <int D>
+void Step<D>::update_velocities_and_map_momentum(double dt) {
+  const VelocityFields<D> fields = velocity_fields(dt);
+  clear(grid_.p);
+  sweep({UpdateVelocityAndRate<D>{particles_, grid_, fields, dt}, MapMomentum<D>{particles_, grid_}});
+  sum_momentum_images();
+}
+
+template <int D>
+void Step<D>::update_particles(double dt) {
+  const VelocityFields<D> fields = velocity_fields(dt);
+  if (are_flip(fields, grid_))
+    sweep_and_settle(UpdateVelocityAndPosition<D, true>{particles_, grid_, fields, dt});
+  else
+    sweep_and_settle(UpdateVelocityAndPosition<D, false>{particles_, grid_, fields, dt});
+}
+
+template <int D>
+void Step<D>::update_particles(double dt, const DeformationStep<D>& deform) {
+  const VelocityFields<D> fields = velocity_fields(dt);
+  if (are_flip(fields, grid_))
+    sweep_and_settle(UpdateParticle<D, true>{particles_, grid_, fields, dt, deform});
+  else
+    sweep_and_settle(UpdateParticle<D, false>{particles_, grid_, fields, dt, deform});
+}
+
+template <int D>
+void Step<D>::move_particles_and_deform(double dt, const DeformationStep<D>& deform) {
+  sweep_and_settle(MoveByRate<D>{particles_, dt}, UpdateDeformation<D>{particles_, grid_, deform});
+}
+
+}  // namespace mpmvv::solver

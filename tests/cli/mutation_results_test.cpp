@@ -1,0 +1,126 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "studies/store/store.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/cli/small_study.hpp"
+
+namespace mpmvv::cli {
+namespace mutation_results_test {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// A store, and beside it and in tests/mutation what a campaign may have left.
+class MutationResultsOnDisk : public testing::Test {
+ protected:
+  MutationResultsOnDisk() {
+    std::filesystem::create_directories(folder_ / "tests/mutation");
+    std::filesystem::create_directories(folder_ / "results");
+    store::Store(folder_ / "results/r.db", store::Store::Mode::create_or_write);
+  }
+
+  std::string own_digest() const {
+    const std::string version = call(folder_, "--version").out;
+    const std::size_t begin = version.find("\ndigest ") + 8;
+    return version.substr(begin, version.find('\n', begin) - begin);
+  }
+
+  /// So many mistakes tried, of which some are missed.
+  static std::string summary(const std::string& digest, int tried, const std::vector<std::string>& missed) {
+    const int caught = tried - static_cast<int>(missed.size());
+    return nlohmann::json{{"digest", digest},
+                          {"commit", "c0ffee"},
+                          {"gate", "g"},
+                          {"seeds", {1}},
+                          {"unchanged_passes", true},
+                          {"planted",
+                           {{"should_show", tried},
+                            {"equivalent", 0},
+                            {"untried", 0},
+                            {"open", 0},
+                            {"missed", missed},
+                            {"caught", caught},
+                            {"unit_tests", caught},
+                            {"quick", 0},
+                            {"nightly", 0}}},
+                          {"random",
+                           {{"tried", 0},
+                            {"explained", 0},
+                            {"unexplained", nlohmann::json::array()},
+                            {"caught", 0},
+                            {"unit_tests", 0},
+                            {"quick", 0},
+                            {"nightly", 0}}},
+                          {"survivors", nlohmann::json::array()}}
+        .dump();
+  }
+
+  Answer in_folder(const std::string& arguments) const {
+    return call(folder_, arguments, "cd '" + (folder_ / "") + "' && ");
+  }
+
+  /// The claim on mutants.
+  nlohmann::json claim() const {
+    const nlohmann::json answer = in_folder("claims --json --db results/r.db").json();
+    for (const auto& claim : answer["claims"])
+      if (claim["id"] == "X-mutants") return claim;
+    return {};
+  }
+
+  const Folder folder_;
+};
+
+TEST_F(MutationResultsOnDisk, AreJudgedWhereTheyAreOfThisProgram) {
+  EXPECT_EQ(claim()["verdict"], "open");
+  folder_.write("tests/mutation/summary.json", summary("other", 5, {}));
+  EXPECT_EQ(claim()["verdict"], "open");
+  folder_.write("tests/mutation/summary.json", summary(own_digest(), 5, {}));
+  EXPECT_EQ(claim()["verdict"], "partly") << "no runs without a mistake";
+  EXPECT_THAT(claim()["evidence"].get<std::string>(), HasSubstr("5 of 5; 0 by the quick gate alone, 5 by the unit"));
+}
+
+TEST_F(MutationResultsOnDisk, OfTheStoresFolderCountWhereTheyKnowMore) {
+  folder_.write("tests/mutation/summary.json", summary(own_digest(), 5, {}));
+  folder_.write("results/mutants.json", summary(own_digest(), 3, {"sign"}));
+  EXPECT_THAT(claim()["evidence"].get<std::string>(), HasSubstr("5 of 5"));
+  folder_.write("results/mutants.json", summary(own_digest(), 7, {"sign"}));
+  EXPECT_THAT(claim()["evidence"].get<std::string>(), HasSubstr("6 of 7, not sign"));
+}
+
+TEST_F(MutationResultsOnDisk, AnythingElseIsRefused) {
+  for (const char* file : {"tests/mutation/summary.json", "results/mutants.json"}) {
+    folder_.write(file, "{\"digest\": 5}");
+    const Answer answer = in_folder("claims --db results/r.db");
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_THAT(answer.err, HasSubstr(std::string(file) + " is not what `./run mutants` writes"));
+    std::filesystem::remove(folder_ / file);
+  }
+}
+
+TEST_F(MutationResultsOnDisk, AreShownInTheReportWithTheirVersion) {
+  folder_.write("small.toml", small_study);
+  ASSERT_EQ(in_folder("study small.toml --db results/r.db").code, 0);
+  const auto page = [&] {
+    const Answer answer = in_folder("report --db results/r.db --out report");
+    EXPECT_EQ(answer.code, 0) << answer.err;
+    return read_text(folder_ / "report/index.html");
+  };
+  EXPECT_THAT(page(), Not(HasSubstr("id=\"mutants\"")));
+  folder_.write("tests/mutation/summary.json", summary("other", 5, {"sign"}));
+  EXPECT_THAT(page(), HasSubstr("were tried with another build, of version c0ffee"));
+  EXPECT_THAT(page(), HasSubstr("4 of 5 (80 %)"));
+  folder_.write("results/mutants.json", summary(own_digest(), 7, {}));
+  EXPECT_THAT(page(), testing::AllOf(HasSubstr("7 of 7 (100 %)"), Not(HasSubstr("another build"))));
+}
+
+TEST(Program, KnowsNothingOfMutants) {
+  const Folder folder;
+  EXPECT_THAT(call(folder, "--help").out, Not(HasSubstr("mutant")));
+  const Answer answer = call(folder, "mutants --list");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.err, HasSubstr("unknown command 'mutants' (known: run, "));
+}
+
+}  // namespace mutation_results_test
+}  // namespace mpmvv::cli

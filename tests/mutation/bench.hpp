@@ -1,0 +1,43 @@
+#pragma once
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "tests/mutation/mutant.hpp"
+#include "tests/mutation/mutant_schemata.hpp"
+
+namespace mpmvv::mutation {
+
+/// Whether a complaint is of a golden that cannot judge.
+inline bool is_inconclusive(const std::string& complaint) {
+  return complaint.ends_with("(inconclusive)");
+}
+
+/// Where mutants meet the stages of the gate.
+class Bench {
+ public:
+  virtual ~Bench() = default;
+
+  /// Builds the program with an edit or, where null, without; false when it does not compile.
+  virtual bool build(const Edit* edit) = 0;
+
+  /// Takes what was built last through the stage; what takes more than the limit is stopped, and caught.
+  virtual Trial meet(GateStage stage, std::chrono::seconds limit) = 0;
+
+  virtual std::string complaint() const = 0;  ///< the end of what the last build that failed printed
+};
+
+/// One that can build many mutants at once.
+class SchemataBench : public Bench {
+ public:
+  using Bench::build;
+
+  /// Builds the program and its tests with edits side by side; the numbers of those that are in it, which leaves out
+  /// what cannot stand so or does not compile.
+  virtual std::vector<int> build(const std::vector<Choice>& choices) = 0;
+
+  /// The mutant that meets stages from then on, one of those that are in what was built; null for none.
+  virtual void choose(const Choice* choice) = 0;
+};
+
+}  // namespace mpmvv::mutation

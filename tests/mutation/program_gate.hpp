@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tests/mutation/scratch_tree.hpp"
+
+namespace mpmvv::mutation {
+
+/// The parts of the tree that a scratch copy of the program needs.
+std::vector<std::string> program_parts();
+
+/// A digest of what decides how a mutant fares: of the sources, a slash, and of the tests, goldens, studies and
+/// reports: with other reports only what passed is tried again.
+std::string gate_version(const ScratchTree& tree);
+
+/// The names of the studies in a list such as studies/quick.txt.
+std::vector<std::string> listed_studies(const std::string& text);
+
+/// The studies that have goldens, by the goldens' files.
+std::vector<std::string> studies_with_goldens(const std::vector<std::string>& files);
+
+/// The test programs that a change of this file reaches, what is least to build first; all for an empty name.
+std::vector<std::string> test_programs(const std::string& file);
+
+}  // namespace mpmvv::mutation

@@ -1,0 +1,174 @@
+#include "tests/mutation/scratch_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "studies/cases/case.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
+
+namespace mpmvv::mutation {
+
+using cases::fingerprint;
+using support::make_folder;
+using support::ProcessEnd;
+using support::read_file;
+using support::run_process;
+using support::UsageError;
+using support::write_if_changed;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string content_of(const fs::path& file) {
+  if (auto content = support::read_file(file)) return std::move(*content);
+  throw support::UsageError(fmt::format("cannot read '{}' (a file of the tree)", file.string()));
+}
+
+/// Without links, so that two names of one place are equal.
+fs::path resolved(const fs::path& place) {
+  std::error_code failed;
+  const fs::path path = fs::weakly_canonical(fs::absolute(place), failed);
+  if (failed)
+    throw support::UsageError(
+        fmt::format("cannot follow '{}': {} (name another folder)", place.string(), failed.message()));
+  return path;
+}
+
+constexpr const char* marker_name = "mpmvv-scratch";
+constexpr const char* marker_text =
+    "A scratch folder of `./run mutants`, one process at a time: what lies here is replaced.\n";
+
+/// The marker is the program's own file, not a link to one.
+bool is_marked(const fs::path& work) {
+  const fs::path marker = work / marker_name;
+  return fs::is_regular_file(fs::symlink_status(marker)) && support::read_file(marker) == marker_text;
+}
+
+/// What the program has not made is not its own to empty.
+void require_scratch(const fs::path& work) {
+  if (!fs::exists(work)) return;
+  if (!fs::is_directory(work))
+    throw support::UsageError(fmt::format("work folder '{}' is a file (name a folder)", work.string()));
+  if (!fs::is_empty(work) && !is_marked(work))
+    throw support::UsageError(
+        fmt::format("work folder '{}' is neither empty nor a scratch folder of this program, with its file '{}' "
+                    "(name another folder, or a new one)",
+                    work.string(), marker_name));
+}
+
+/// A link in a scratch folder is not the program's, and leads out of it.
+void require_no_link(const fs::path& place) {
+  if (fs::is_symlink(place))
+    throw support::UsageError(
+        fmt::format("'{}' in a work folder is a link (take it away, or name another folder)", place.string()));
+}
+
+}  // namespace
+
+bool is_within(const std::string& file, const std::string& part) {
+  return file == part || file.starts_with(part + "/");
+}
+
+ScratchTree::ScratchTree(const fs::path& source, const fs::path& work, const std::vector<std::string>& parts)
+    : work_(resolved(work)) {
+  const fs::path top = resolved(source), way = top.lexically_relative(work_);
+  const std::string place = work_.lexically_relative(top).string();
+  if (*way.begin() != "..")
+    throw support::UsageError(fmt::format("work folder '{}' holds the source tree (another folder)", work_.string()));
+  for (const std::string& part : parts) {
+    if (!fs::exists(source / part))
+      throw support::UsageError(fmt::format("no '{}' in '{}' (the top of the source tree)", part, source.string()));
+    if (is_within(place, part))
+      throw support::UsageError(
+          fmt::format("work folder '{}' lies in the tree's '{}' (another folder)", work.string(), part));
+  }
+  require_scratch(work_);
+  for (const fs::path& folder : {build(), tree()}) require_no_link(folder);
+  if (fs::exists(tree()))
+    for (const auto& entry : fs::recursive_directory_iterator(tree())) require_no_link(entry.path());
+  lock();
+  for (const std::string& part : parts) copy(source, part);
+  std::ranges::sort(files_);
+  remove_strays();
+}
+
+std::string ScratchTree::text(const std::string& file) const {
+  const auto original = originals_.find(file);
+  return original != originals_.end() && original->second ? *original->second : content_of(tree() / file);
+}
+
+std::string ScratchTree::digest(const std::function<bool(const std::string&)>& is_wanted) const {
+  std::string all;
+  for (const std::string& file : files_)
+    if (is_wanted(file)) all += fmt::format("{} {}\n", file, fingerprint(text(file)));
+  return fingerprint(all);
+}
+
+void ScratchTree::apply(const Edit& edit) {
+  apply({{edit.file, edited(edit, text(edit.file))}});
+}
+
+/// What is the same before and after is not written: it would be compiled anew.
+void ScratchTree::apply(const std::map<std::string, std::string>& texts) {
+  Originals originals;
+  for (const auto& [file, changed] : texts)
+    originals[file] = std::ranges::binary_search(files_, file) ? std::optional(text(file)) : std::nullopt;
+  for (const auto& [file, original] : originals_)
+    if (!texts.contains(file)) restore(file, original);
+  for (const auto& [file, changed] : texts) support::write_if_changed(tree() / file, changed);
+  originals_ = std::move(originals);
+}
+
+void ScratchTree::undo() {
+  apply(std::map<std::string, std::string>{});
+}
+
+void ScratchTree::restore(const std::string& file, const std::optional<std::string>& original) const {
+  if (original)
+    support::write_if_changed(tree() / file, *original);
+  else
+    fs::remove(tree() / file);
+}
+
+support::ProcessEnd ScratchTree::run(const std::vector<std::string>& command, std::chrono::seconds limit,
+                                     const std::map<std::string, std::string>& environment) const {
+  support::ProcessEnd end = support::run_process(command, tree(), environment, limit);
+  if (end.start_error != 0)
+    throw support::UsageError(fmt::format("cannot start '{}' in {} (a program that is installed or was built)",
+                                          command.front(), tree().string()));
+  return end;
+}
+
+void ScratchTree::lock() {
+  support::make_folder(work_);
+  support::write_if_changed(work_ / marker_name, marker_text);
+  lock_ = boost::interprocess::file_lock((work_ / marker_name).c_str());
+  if (!lock_.try_lock())
+    throw support::UsageError(
+        fmt::format("another process works in '{}' (wait for it, or another folder)", work_.string()));
+}
+
+void ScratchTree::copy(const fs::path& source, const std::string& part) {
+  const auto copy_file = [&](const std::string& file) {
+    support::make_folder((tree() / file).parent_path());
+    support::write_if_changed(tree() / file, content_of(source / file));
+    files_.push_back(file);
+  };
+  if (!fs::is_directory(source / part)) return copy_file(part);
+  for (const auto& entry : fs::recursive_directory_iterator(source / part))
+    if (entry.is_regular_file()) copy_file(entry.path().lexically_relative(source).generic_string());
+}
+
+void ScratchTree::remove_strays() const {
+  std::vector<fs::path> strays;
+  for (const auto& entry : fs::recursive_directory_iterator(tree()))
+    if (entry.is_regular_file() &&
+        !std::ranges::binary_search(files_, entry.path().lexically_relative(tree()).generic_string()))
+      strays.push_back(entry.path());
+  for (const fs::path& stray : strays) fs::remove(stray);
+}
+
+}  // namespace mpmvv::mutation

@@ -1,0 +1,61 @@
+#pragma once
+#include <boost/interprocess/sync/file_lock.hpp>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/support/process.hpp"
+#include "tests/mutation/edit.hpp"
+
+namespace mpmvv::mutation {
+
+/// Whether it is this part of a tree, a file or a folder, or lies in it.
+bool is_within(const std::string& file, const std::string& part);
+
+/// A scratch copy of a source tree that is changed in one way at a time, beside a folder to build it in. The tree
+/// itself is only read, and only at the start.
+class ScratchTree {
+ public:
+  /// Brings WORK/tree in line with these parts (files and folders) of the source, whatever an earlier run has left
+  /// there. WORK is absent, empty, or a folder that this has made and marked: UsageError, with nothing touched, when it
+  /// is anything else, holds the source or links, lies within a part, or a part is not there; also when another process
+  /// works there.
+  ScratchTree(const std::filesystem::path& source, const std::filesystem::path& work,
+              const std::vector<std::string>& parts);
+
+  const std::vector<std::string>& files() const { return files_; }  ///< of the copy, sorted, from its top
+  std::string text(const std::string& file) const;                  ///< without any edit
+  std::filesystem::path tree() const { return work_ / "tree"; }
+  std::filesystem::path build() const { return work_ / "build"; }
+
+  /// A digest of the files that are wanted, without any edit.
+  std::string digest(const std::function<bool(const std::string& file)>& is_wanted) const;
+
+  void apply(const Edit& edit);  ///< in the place of the change before
+  /// Likewise other texts of some files, by their names; a file that the tree has not is new.
+  void apply(const std::map<std::string, std::string>& texts);
+  void undo();
+
+  /// Runs a command in the copy's top, with these environment variables.
+  support::ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit,
+                          const std::map<std::string, std::string>& environment = {}) const;
+
+ private:
+  using Originals = std::map<std::string, std::optional<std::string>>;  ///< texts by file; of new ones none
+
+  void restore(const std::string& file, const std::optional<std::string>& original) const;
+  void lock();
+  void copy(const std::filesystem::path& source, const std::string& part);
+  void remove_strays() const;
+
+  std::filesystem::path work_;
+  boost::interprocess::file_lock lock_;
+  std::vector<std::string> files_;
+  Originals originals_;  ///< of the files that are changed
+};
+
+}  // namespace mpmvv::mutation

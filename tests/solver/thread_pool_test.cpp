@@ -1,0 +1,77 @@
+#include "solver/parallel/thread_pool.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <numeric>
+#include <random>
+
+#include "solver/parallel/slabs.hpp"
+#include "tests/solver/scenes.hpp"
+
+namespace mpmvv::solver::thread_pool_test {
+
+class ThreadPoolOf : public ::testing::TestWithParam<int> {
+ protected:
+  const int threads = GetParam();
+  ThreadPool pool{threads};
+};
+
+INSTANTIATE_TEST_SUITE_P(Threads, ThreadPoolOf, ::testing::Values(1, 2, 3, 5));
+
+TEST_P(ThreadPoolOf, RunsEachTaskOnceEachTime) {
+  std::vector<std::atomic<int>> times(7);
+  for (int k = 0; k < 500; ++k) pool.run(7, [&](int task) { ++times[static_cast<std::size_t>(task)]; });
+  for (const auto& of_task : times) EXPECT_EQ(of_task, 500);
+}
+
+TEST_P(ThreadPoolOf, SeesWhatItWroteInTheRunBefore) {
+  std::vector<int> own(64, 0), neighbours(64, 0);
+  for (int k = 1; k <= 200; ++k) {
+    pool.run(64, [&](int task) { own[static_cast<std::size_t>(task)] = k * task; });
+    pool.run(64, [&](int task) {
+      neighbours[static_cast<std::size_t>(task)] = own[static_cast<std::size_t>((task + 1) % 64)];
+    });
+    for (int task = 0; task < 64; ++task) ASSERT_EQ(neighbours[static_cast<std::size_t>(task)], k * ((task + 1) % 64));
+  }
+}
+
+/// Both those that still look and those that sleep by then go on.
+TEST_P(ThreadPoolOf, GoesOnAfterARest) {
+  std::atomic<int> tasks = 0;
+  for (const int rest : {0, 1, 20, 0, 5}) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(rest));
+    pool.run(10, [&](int task) {
+      if (task == 3) std::this_thread::sleep_for(std::chrono::milliseconds(rest));
+      ++tasks;
+    });
+  }
+  EXPECT_EQ(tasks, 50);
+}
+
+TEST_P(ThreadPoolOf, CutsARangeIntoChunks) {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{16384}, std::size_t{50000}}) {
+    std::vector<int> visits(count, 0);
+    for_chunks(pool, count, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) ++visits[k];
+    });
+    EXPECT_EQ(visits, std::vector<int>(count, 1));
+  }
+}
+
+TEST_P(ThreadPoolOf, SortsParticlesAsOneThreadDoes) {
+  Scene<2> scene = full_scene<2>(BSpline2{}, 64, 3);  // several chunks
+  std::shuffle(scene.particles.x.begin(), scene.particles.x.end(), std::mt19937(4));
+  for (std::size_t p = 0; p < scene.particles.size(); ++p) scene.particles.F[p] *= static_cast<double>(p);
+  Particles<2> particles = scene.particles, expected = scene.particles;
+  const Grid<2> grid(scene.lower, scene.h, scene.cells, BSpline2::extra_inside, BSpline2::ghost);
+  ThreadPool alone(1);
+  Slabs<2>(grid, BSpline2{}).sort(expected, grid, alone);
+  Slabs<2>(grid, BSpline2{}).sort(particles, grid, pool);
+  ASSERT_FALSE(std::is_sorted(expected.id.begin(), expected.id.end()));
+  EXPECT_EQ(particles.id, expected.id);
+  EXPECT_EQ(particles.x, expected.x);
+  EXPECT_EQ(particles.F, expected.F);
+}
+
+}  // namespace mpmvv::solver::thread_pool_test
