@@ -3,7 +3,6 @@
 
 #include "solver/integrator/integrators.hpp"
 #include "solver/kernels/advance_stage.hpp"
-#include "solver/stencils/node_loop.hpp"
 #include "solver/step.hpp"
 
 namespace mpmvv::solver {

@@ -2,7 +2,6 @@
 #include "solver/kernels/advance_stage.hpp"
 #include "solver/kernels/map_to_grid.hpp"
 #include "solver/kernels/update_particles.hpp"
-#include "solver/stencils/node_loop.hpp"
 #include "tests/solver/moved_body.hpp"
 
 /// The kernels that take part in fewer schemes than those of particle_pack_test.cpp, with one basis.

@@ -19,23 +19,24 @@ void expect_to_map_as_each_alone(const AnyMaterial& material) {
   expect_near<D>(together.grid.f, alone.grid.f, "force");
 }
 
-/// A body force of its own on each particle.
+/// Another one on each particle.
 template <int D>
-struct SetBodyForce {
-  void operator()(Block<D>& block, const Grid<D>&) const {
-    for (int k = 0; k < block.count; ++k)
-      block.b[k] = Vec<D>::Constant(std::sin(3.0 * static_cast<double>(block.begin) + k));
+struct SomeForce final : BodyForce<D> {
+  void on_particles(double, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
+    for (const auto id : ids) *b++ = Vec<D>::Constant(std::sin(3.0 * id));
   }
+  Vec<D> at_position(const Vec<D>&, double) const override { return Vec<D>::Zero(); }
 };
 
 template <class B, int D>
 void expect_forces_with_a_body_force_as_each_alone() {
   MovedBody<D, B> together, alone;
   const AnyMaterial material = NeoHookeanLog{0, 1};
+  const SomeForce<D> force;
   for (auto* body : {&together, &alone}) {
     auto& particles = body->particles;
-    body->visit(body == &together,
-                {EvaluateStress<D>{particles, material, 1}, SetBodyForce<D>{}, MapForces<D>{particles, body->grid}});
+    body->visit(body == &together, {EvaluateStress<D>{particles, material, 1},
+                                    EvaluateBodyForce<D>{particles, force, 0}, MapForces<D>{particles, body->grid}});
   }
   expect_near<D>(together.grid.f, alone.grid.f, "force");
 }

@@ -11,6 +11,7 @@
 #include "solver/stencils/any_block.hpp"
 #include "solver/stencils/evaluate_domains.hpp"
 #include "solver/stencils/evaluate_points.hpp"
+#include "solver/stencils/sweep.hpp"
 
 /// Bases as the solver sees them: through the stencil of one particle on a grid.
 namespace mpmvv::solver {
@@ -115,6 +116,26 @@ void for_nodes(const CpdiBlock<D, K>& block, const Particles<D>& particles, cons
   }
 }
 
+/// Evaluates the nodes of the only particle and visits its block: by what the solver has compiled for the bases that it
+/// lists, which others need not be.
+template <int D, class B, class Visit>
+Fault evaluate_one(const B& basis, const Particles<D>& particles, const Grid<D>& grid, const Visit& visit) {
+  const auto evaluate_in = [&](auto& block, const auto& evaluate_block) {
+    block.begin = 0;
+    block.count = 1;
+    const Fault found = evaluate_block();
+    visit(block);
+    return found;
+  };
+  if constexpr (std::is_constructible_v<AnyBasis, B>) {
+    AnyBlock<D> any = make_block<D>(basis, 0);
+    return evaluate_in(std::get<BlockOf<D, B>>(any), [&] { return evaluate<D>(basis, particles, grid, true, any); });
+  } else {
+    BlockOf<D, B> block(0);
+    return evaluate_in(block, [&] { return evaluate_stencils(basis, particles, grid, true, block); });
+  }
+}
+
 /// What a particle at x reaches; fails the test when that is outside the grid's storage.
 template <int D, class B>
 std::vector<Reached<D>> reached(const Setting<B>& setting, const Grid<D>& grid, const Vec<D>& x,
@@ -124,24 +145,22 @@ std::vector<Reached<D>> reached(const Setting<B>& setting, const Grid<D>& grid, 
   particles.x[0] = x;
   particles.l = {Vec<D>::Constant(setting.width)};
   particles.R = {setting.width * domain_shape<D>(setting.sheared)};
-  BlockOf<D, B> block(0);
-  block.begin = 0;
-  block.count = 1;
-  const Fault found = evaluate_stencils(setting.basis, particles, grid, true, block);
+  std::vector<Reached<D>> all;
+  const Fault found = evaluate_one(setting.basis, particles, grid, [&](const auto& block) {
+    for_nodes(block, particles, grid, [&](std::ptrdiff_t n, double N, const Vec<D>& dN) {
+      EXPECT_GE(n, 0);
+      EXPECT_LT(n, static_cast<std::ptrdiff_t>(grid.size()));
+      Reached<D> node{grid.index(static_cast<std::size_t>(n)), grid.lower(), N, dN};
+      for (int d = 0; d < D; ++d)
+        node.x[d] +=
+            grid.h() * B::position(node.node[static_cast<std::size_t>(d)], grid.cells()[static_cast<std::size_t>(d)]);
+      all.push_back(node);
+    });
+  });
   if (fault)
     *fault = found;
   else
     EXPECT_EQ(found, Fault::none) << "at " << x.transpose();
-  std::vector<Reached<D>> all;
-  for_nodes(block, particles, grid, [&](std::ptrdiff_t n, double N, const Vec<D>& dN) {
-    EXPECT_GE(n, 0);
-    EXPECT_LT(n, static_cast<std::ptrdiff_t>(grid.size()));
-    Reached<D> node{grid.index(static_cast<std::size_t>(n)), grid.lower(), N, dN};
-    for (int d = 0; d < D; ++d)
-      node.x[d] +=
-          grid.h() * B::position(node.node[static_cast<std::size_t>(d)], grid.cells()[static_cast<std::size_t>(d)]);
-    all.push_back(node);
-  });
   return all;
 }
 
