@@ -120,7 +120,7 @@ TEST(Walls, WhatTheyDoNotGoWith) {
            Wrong{"stretch", {{"wall_depth", "-1"}}, "wall_depth = -1 in a.toml:9 (a number >= 0)"},
            Wrong{"stretch", {{"wall_gradient", "none"}}, "(known: zero, given, estimated)"},
            Wrong{"stretch", {{"integrator", "cd"}}, "boundary 'wall' with integrator 'cd'"},
-           Wrong{"stretch", {{"integrator", "rk4"}}, "usl, usf, usavg, usl+, usavg+"},
+           Wrong{"stretch", {{"integrator", "rk4"}}, "usf, usl, usavg, usl+, usavg+"},
            Wrong{"stretch",
                  {{"wall_acceleration", "difference"}, {"boundary", "xmin=wall,xmax=wall,ymin=symmetry,ymax=symmetry"}},
                  "wall_acceleration 'difference' with boundary 'wall'"},
