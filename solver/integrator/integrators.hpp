@@ -18,9 +18,10 @@ struct Integrator {
   Page<1> in_1d;
   Page<2> in_2d;
   Page<3> in_3d;
-  bool is_staggered = false;  ///< particle velocities live half a step before the positions
-  bool is_remapped = false;   ///< positions move at a rate that particles keep until the step's last sweep
-  bool is_staged = false;     ///< keeps states of the particles beside the current one
+  bool is_staggered = false;          ///< particle velocities live half a step before the positions
+  bool is_remapped = false;           ///< positions move at a rate that particles keep until the step's last sweep
+  bool is_staged = false;             ///< keeps states of the particles beside the current one
+  bool is_accelerated_first = false;  ///< velocities are mapped after accelerations, and are no sums of these
 
   template <int D>
   Page<D> page() const {

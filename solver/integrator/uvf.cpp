@@ -29,7 +29,12 @@ void uvf(Step<D>& s, double dt) {
 }  // namespace
 
 Integrator uvf_integrator() {
-  return {.word = "uvf", .in_1d = &uvf<1>, .in_2d = &uvf<2>, .in_3d = &uvf<3>, .is_staggered = true};
+  return {.word = "uvf",
+          .in_1d = &uvf<1>,
+          .in_2d = &uvf<2>,
+          .in_3d = &uvf<3>,
+          .is_staggered = true,
+          .is_accelerated_first = true};
 }
 
 }  // namespace mpmvv::solver

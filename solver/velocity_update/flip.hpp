@@ -14,6 +14,7 @@ enum class FlipPosition {
 
 struct Flip {
   static constexpr std::string_view word = "flip";
+  static constexpr bool adds_accelerations = true, takes_consistent_mass = true;
   FlipPosition position = FlipPosition::first_order;
 
   template <int D>

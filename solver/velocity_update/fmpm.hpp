@@ -9,6 +9,7 @@ namespace mpmvv::solver {
 /// stress updates too. With the consistent mass, v⁺ is its limit k -> infinity already.
 struct Fmpm {
   static constexpr std::string_view word = "fmpm";
+  static constexpr bool takes_consistent_mass = true;
   int order = 2;              ///< k
   std::int64_t interval = 1;  ///< steps; those between are `flip` with second-order positions: periodic FMPM, N §3.1
 

@@ -8,9 +8,11 @@
 #include "solver/velocity_update/pic.hpp"
 #include "solver/velocity_update/xpic.hpp"
 
-/// What a velocity update must offer, and in the last three lines what it may say of itself:
+/// What a velocity update must offer, and from the third line on what it may say of itself:
 ///   word                          its name in study files and on the command line
 ///   fields(step, dt)              the `VelocityFields`, asked for once the grid's v is that of the step's end
+///   adds_accelerations            true when particles keep their velocity and take the grid's acceleration
+///   takes_consistent_mass         true when it is defined with the consistent mass, too
 ///   has_affine_field              true when particles carry the gradient of a velocity field of their own
 ///   expansion_order()             the terms of the expanded inverse that it takes
 ///   expands_grid_velocity(steps)  whether, after so many steps, the next one expands the grid velocity itself, that of
@@ -23,6 +25,26 @@ using AnyVelocityUpdate = std::variant<Flip,  //
                                        Fmpm,  //
                                        Pic,   //
                                        Apic>;
+
+inline bool adds_accelerations(const AnyVelocityUpdate& update) {
+  return std::visit(
+      []<class U>(const U&) {
+        return requires {
+          U::adds_accelerations;
+        };
+      },
+      update);
+}
+
+inline bool takes_consistent_mass(const AnyVelocityUpdate& update) {
+  return std::visit(
+      []<class U>(const U&) {
+        return requires {
+          U::takes_consistent_mass;
+        };
+      },
+      update);
+}
 
 inline bool has_affine_field(const AnyVelocityUpdate& update) {
   return std::visit(

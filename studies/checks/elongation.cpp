@@ -18,10 +18,10 @@ namespace {
 class PulledBar {
  public:
   explicit PulledBar(const std::vector<Setting>& scheme) : c_(settings::make_case(settings(scheme))) {
-    runs::Stage<1> stage = runs::make_stage<1>(c_, problems::find_problem(c_.problem.name, ""), 1);
-    solver::Mpm<1> mpm(std::move(stage.scene));
-    const double rate = c_.problem.parameters.at("rate"), spacing = stage.X[1][0] - stage.X[0][0];
-    x_.resize(stage.X.size());
+    runs::PreparedCase<1> prepared = runs::prepare_case<1>(c_, problems::find_problem(c_.problem.name, ""), 1);
+    solver::Mpm<1> mpm(std::move(prepared.scene));
+    const double rate = c_.problem.parameters.at("rate"), spacing = prepared.X[1][0] - prepared.X[0][0];
+    x_.resize(prepared.X.size());
     for (std::int64_t step = 1; step <= c_.resolution.steps && !separated_; ++step) {
       if (!mpm.step(c_.resolution.dt)) break;
       const double elongation = 100 * rate * mpm.time();
@@ -30,9 +30,9 @@ class PulledBar {
       if (elongation < 5 * static_cast<double>(errors_.size() + 1) && !separated_) continue;
       runs::ErrorNorms norms;
       for (std::size_t p = 0; p < x_.size(); ++p)
-        norms.add(std::abs(mpm.particles().v[p][0] - rate * stage.X[mpm.particles().id[p]][0]));
+        norms.add(std::abs(mpm.particles().v[p][0] - rate * prepared.X[mpm.particles().id[p]][0]));
       elongations_.push_back(elongation);
-      errors_.push_back(100 / stage.setup.speed * norms.l2());
+      errors_.push_back(100 / prepared.setup.speed * norms.l2());
     }
   }
 

@@ -140,11 +140,11 @@ struct Step {
         {"cells", "16", ""},    {"ppc", "3", ""},          {"cfl", "0.2", ""}};
     settings.insert(settings.end(), update.begin(), update.end());
     const cases::Case c = settings::make_case(settings);
-    runs::Stage<1> stage = runs::make_stage<1>(c, problems::find_problem("bar", ""), 1);
-    auto& velocities = stage.scene.particles.v;  // the bar starts at rest
+    runs::PreparedCase<1> prepared = runs::prepare_case<1>(c, problems::find_problem("bar", ""), 1);
+    auto& velocities = prepared.scene.particles.v;  // the bar starts at rest
     for (std::size_t p = 0; p < velocities.size(); ++p)
       velocities[p][0] = 5 * std::sin(7.0 * static_cast<double>(p * p));
-    solver::Mpm<1> mpm(std::move(stage.scene));
+    solver::Mpm<1> mpm(std::move(prepared.scene));
     V = field(mpm.particles().v);
     const Vector X = field(mpm.particles().x);
     mpm.step(c.resolution.dt);

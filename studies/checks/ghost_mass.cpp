@@ -48,8 +48,8 @@ GhostMass measure(const WalledBody& body, const std::string& basis) {
                                                   {"cfl", body.cfl, ""},
                                                   {"param.amplitude", amplitude, ""}};
     const cases::Case c = settings::make_case(settings);
-    auto stage = runs::make_stage<D>(c, problems::find_problem(body.problem, ""), 1);
-    solver::Mpm<D> mpm(std::move(stage.scene));
+    auto prepared = runs::prepare_case<D>(c, problems::find_problem(body.problem, ""), 1);
+    solver::Mpm<D> mpm(std::move(prepared.scene));
     for (std::int64_t k = 0; k < c.resolution.steps; ++k) {
       if (!mpm.step(c.resolution.dt)) throw std::runtime_error("ghost-mass: " + mpm.fault());
       const double mass = ghost_mass(mpm.grid());

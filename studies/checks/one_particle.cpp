@@ -50,14 +50,14 @@ Comparison compare(const std::string& integrator,
                                                 {"cfl", "0.02", ""},
                                                 {"end_time", "0.2", ""}};
   const cases::Case c = settings::make_case(settings);
-  auto stage = runs::make_stage<1>(c, problems::find_problem("one-particle", ""), 1);
-  const auto& start = stage.scene.particles;
-  const Constants constants{c.problem.parameters.at("youngs_modulus"), stage.scene.h, start.V0[0], start.m[0], -1};
+  auto prepared = runs::prepare_case<1>(c, problems::find_problem("one-particle", ""), 1);
+  const auto& start = prepared.scene.particles;
+  const Constants constants{c.problem.parameters.at("youngs_modulus"), prepared.scene.h, start.V0[0], start.m[0], -1};
   Constants printed = constants;
   printed.sign = 1;
   OneParticle recursion{start.x[0][0], start.v[0][0], start.F[0](0, 0)};
   OneParticle wrong = recursion;
-  solver::Mpm<1> mpm(std::move(stage.scene));
+  solver::Mpm<1> mpm(std::move(prepared.scene));
   Comparison result;
   for (std::int64_t k = 0; k < c.resolution.steps; ++k) {
     if (!mpm.step(c.resolution.dt)) throw std::runtime_error("one-particle: " + mpm.fault());

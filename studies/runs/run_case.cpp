@@ -44,20 +44,20 @@ class Watch {
  public:
   static constexpr std::int64_t interval = 32;
 
-  Watch(const Case& c, const Stage<D>& stage, double initial_energy)
-      : most_energy_(stage.is_driven() || (stage.traction && initial_energy == 0)
+  Watch(const Case& c, const PreparedCase<D>& prepared, double initial_energy)
+      : most_energy_(prepared.is_driven() || (prepared.traction && initial_energy == 0)
                          ? std::numeric_limits<double>::infinity()  // all of it comes from outside
-                         : c.measure.blowup_energy * initial_energy + round_off * stage.setup.density),
-        most_error_(stage.setup.solution
-                        ? c.measure.blowup_error * stage.setup.solution->displacement_scale() + round_off
+                         : c.measure.blowup_energy * initial_energy + round_off * prepared.setup.density),
+        most_error_(prepared.setup.solution
+                        ? c.measure.blowup_error * prepared.setup.solution->displacement_scale() + round_off
                         : 0) {}
 
   /// Why the run counts as unstable; empty while it does not.
-  std::string judge(const solver::Mpm<D>& mpm, const Stage<D>& stage) const {
+  std::string judge(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) const {
     const double energy = mpm.kinetic_energy() + mpm.strain_energy();
     if (!(energy <= most_energy_)) return fmt::format("energy {:.3g} beyond {:.3g}", energy, most_energy_);
-    if (!stage.points) return "";
-    const double error = displacement_errors(mpm, stage).linf();
+    if (!prepared.points) return "";
+    const double error = displacement_errors(mpm, prepared).linf();
     if (!(error <= most_error_)) return fmt::format("displacement error {:.3g} beyond {:.3g}", error, most_error_);
     return "";
   }
@@ -77,9 +77,9 @@ void note_errors_over_steps(records::Errors& errors, const ErrorNorms& now) {
 /// Steps to the end or until the run blows up, and calls `observe` after every `stride` sound steps; returns the
 /// seconds spent in the steps alone.
 template <int D, class Observe>
-double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, std::int64_t stride, Record& record,
+double advance(solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Case& c, std::int64_t stride, Record& record,
                const Observe& observe) {
-  const Watch<D> watch(c, stage, record.energy.initial_total);
+  const Watch<D> watch(c, prepared, record.energy.initial_total);
   const auto clock = c.measure.repeat > 0 ? &processor_seconds : &wall_seconds;
   double step_seconds = 0;
   while (record.steps < c.resolution.steps) {
@@ -90,7 +90,7 @@ double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, std::i
     step_seconds += clock() - start;
     if (!sound) record.reason = mpm.fault();
     const bool due = record.steps % Watch<D>::interval == 0 || record.steps == c.resolution.steps;
-    if (sound && due) record.reason = watch.judge(mpm, stage);
+    if (sound && due) record.reason = watch.judge(mpm, prepared);
     if (!record.reason.empty()) {
       record.status = Status::unstable;
       record.reason += fmt::format(" at step {} of {}", record.steps, c.resolution.steps);
@@ -103,18 +103,18 @@ double advance(solver::Mpm<D>& mpm, const Stage<D>& stage, const Case& c, std::i
 
 /// Measures a sound run at its end.
 template <int D>
-void measure_end(const Case& c, solver::Mpm<D>& mpm, const Stage<D>& stage, Record& record) {
+void measure_end(const Case& c, solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, Record& record) {
   record.energy.kinetic = mpm.kinetic_energy();
   record.energy.strain = mpm.strain_energy();
-  if (c.measure.stress_error) record.error.stress = stress_error(mpm, stage);
-  if (stage.points) {
-    const ErrorNorms norms = displacement_errors(mpm, stage);
+  if (c.measure.stress_error) record.error.stress = stress_error(mpm, prepared);
+  if (prepared.points) {
+    const ErrorNorms norms = displacement_errors(mpm, prepared);
     record.error.l1 = norms.l1();
     record.error.l2 = norms.l2();
     record.error.linf = norms.linf();
   }
   if (c.measure.nodal_error) {
-    const ErrorNorms norms = acceleration_errors(mpm, *stage.setup.solution, stage.setup.body);
+    const ErrorNorms norms = acceleration_errors(mpm, *prepared.setup.solution, prepared.setup.body);
     record.error.nodal_l1 = norms.l1();
     record.error.nodal_l2 = norms.l2();
     record.error.nodal_linf = norms.linf();
@@ -124,26 +124,26 @@ void measure_end(const Case& c, solver::Mpm<D>& mpm, const Stage<D>& stage, Reco
 template <int D>
 void run(const Case& c, const problems::Problem& problem, int threads, VtuSeries* vtu, Record& record) {
   const double start = wall_seconds();
-  Stage<D> stage = make_stage<D>(c, problem, threads);
-  solver::Mpm<D> mpm(std::move(stage.scene));
+  PreparedCase<D> prepared = prepare_case<D>(c, problem, threads);
+  solver::Mpm<D> mpm(std::move(prepared.scene));
   record.particles = static_cast<std::int64_t>(mpm.particles().size());
   record.energy.initial_total = mpm.kinetic_energy() + mpm.strain_energy();
   const Momenta<D> start_momenta(mpm.particles());
 
-  const bool every_step = c.measure.every_step && stage.points;
+  const bool every_step = c.measure.every_step && prepared.points;
   if (every_step) record.error.l1_all_steps = record.error.l2_all_steps = record.error.linf_all_steps = 0;
-  if (vtu) vtu->write(mpm, stage.X);
+  if (vtu) vtu->write(mpm, prepared.X);
   VelocityError<D> velocity_error;
   const std::int64_t stride = every_step || vtu || c.measure.velocity_error ? 1 : Watch<D>::interval;
-  const double step_seconds = advance(mpm, stage, c, stride, record, [&] {
-    if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, stage));
-    if (c.measure.velocity_error) velocity_error.note(mpm, stage);
-    if (vtu && VtuSeries::due(record.steps, c.resolution.steps)) vtu->write(mpm, stage.X);
+  const double step_seconds = advance(mpm, prepared, c, stride, record, [&] {
+    if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, prepared));
+    if (c.measure.velocity_error) velocity_error.note(mpm, prepared);
+    if (vtu && VtuSeries::due(record.steps, c.resolution.steps)) vtu->write(mpm, prepared.X);
   });
   if (record.status == Status::ok) {
-    record.balance = balance(start_momenta, Momenta<D>(mpm.particles()), mpm.mass(), mass_of(stage.setup));
-    if (c.measure.velocity_error) record.error.velocity = 100 / stage.setup.speed * velocity_error.mean();
-    measure_end(c, mpm, stage, record);
+    record.balance = balance(start_momenta, Momenta<D>(mpm.particles()), mpm.mass(), mass_of(prepared.setup));
+    if (c.measure.velocity_error) record.error.velocity = 100 / prepared.setup.speed * velocity_error.mean();
+    measure_end(c, mpm, prepared, record);
   } else {
     record.error = {};
   }

@@ -17,7 +17,7 @@ inline double nearest_image(double x, double period) {
 
 /// δ_p = |(x_p - X_p) - u(X_p, t)| of every particle, W (64); across periodic faces by the nearest image.
 template <int D>
-ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
+ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) {
   constexpr std::size_t chunk = 256;
   const auto& particles = mpm.particles();
   const auto& grid = mpm.grid();
@@ -26,10 +26,10 @@ ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const Stage<D>& stage)
   solver::Vec<D> u[chunk];
   for (std::size_t begin = 0; begin < particles.size(); begin += chunk) {
     const std::size_t n = std::min(chunk, particles.size() - begin);
-    stage.points->displacement(mpm.time(), {&particles.id[begin], n}, u);
+    prepared.points->displacement(mpm.time(), {&particles.id[begin], n}, u);
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t p = begin + k;
-      solver::Vec<D> delta = (particles.x[p] - stage.X[particles.id[p]]) - u[k];
+      solver::Vec<D> delta = (particles.x[p] - prepared.X[particles.id[p]]) - u[k];
       for (int d = 0; d < D; ++d) {
         const double period = grid.h() * grid.cells()[static_cast<std::size_t>(d)];
         if (periodic[static_cast<std::size_t>(d)]) delta[d] = nearest_image(delta[d], period);
@@ -44,11 +44,11 @@ ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const Stage<D>& stage)
 template <int D>
 class VelocityError {
  public:
-  void note(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
+  void note(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) {
     const auto& particles = mpm.particles();
     ErrorNorms norms;
     for (std::size_t p = 0; p < particles.size(); ++p)
-      norms.add((particles.v[p] - stage.setup.solution->v(stage.X[particles.id[p]], mpm.time())).norm());
+      norms.add((particles.v[p] - prepared.setup.solution->v(prepared.X[particles.id[p]], mpm.time())).norm());
     sum_ += norms.l2();
     ++steps_;
   }
@@ -61,17 +61,17 @@ class VelocityError {
 
 /// Root mean square over the particles of `error(p, X_p)`.
 template <int D, class Error>
-double rms_over_particles(const solver::Mpm<D>& mpm, const Stage<D>& stage, const Error& error) {
+double rms_over_particles(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Error& error) {
   ErrorNorms norms;
-  for (std::size_t p = 0; p < mpm.particles().size(); ++p) norms.add(error(p, stage.X[mpm.particles().id[p]]));
+  for (std::size_t p = 0; p < mpm.particles().size(); ++p) norms.add(error(p, prepared.X[mpm.particles().id[p]]));
   return norms.l2();
 }
 
 /// RMS over the particles of |σ_p - σ(X_p, t)|.
 template <int D>
-double stress_error(const solver::Mpm<D>& mpm, const Stage<D>& stage) {
-  return rms_over_particles(mpm, stage, [&](std::size_t p, const solver::Vec<D>& X) {
-    const solver::Mat<D> F = stage.setup.solution->F(X, mpm.time()), P = stage.setup.solution->P(X, mpm.time());
+double stress_error(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) {
+  return rms_over_particles(mpm, prepared, [&](std::size_t p, const solver::Vec<D>& X) {
+    const solver::Mat<D> F = prepared.setup.solution->F(X, mpm.time()), P = prepared.setup.solution->P(X, mpm.time());
     return (mpm.stress(p) - P * F.transpose() / F.determinant()).norm();
   });
 }

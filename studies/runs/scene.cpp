@@ -21,14 +21,14 @@ using solver::Vec;
 
 /// Fills the body: reference positions, volumes, and the widths that the basis takes.
 template <int D>
-void fill(Stage<D>& stage, const Case& c) {
-  auto& scene = stage.scene;
+void fill(PreparedCase<D>& prepared, const Case& c) {
+  auto& scene = prepared.scene;
   const auto width = width_of(scene.basis);
   const auto about = static_cast<std::size_t>(problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, D) + 0.5);
-  stage.X.reserve(about);
+  prepared.X.reserve(about);
   scene.particles.V0.reserve(about);
   const PlaceVoxel<D> place = [&](const Voxel<D>& voxel) {
-    stage.X.push_back(voxel.X);
+    prepared.X.push_back(voxel.X);
     scene.particles.V0.push_back(voxel.V);
     if (width == solver::ParticleWidth::domain)
       scene.particles.R.push_back(voxel.edges / scene.h);
@@ -38,25 +38,25 @@ void fill(Stage<D>& stage, const Case& c) {
   const FillDensity density{scene.h, c.resolution.ppc};
   switch (c.scheme.fill) {
     case cases::Fill::lattice:
-      return fill_lattice<D>(stage.setup.body, density, place);
+      return fill_lattice<D>(prepared.setup.body, density, place);
     case cases::Fill::conforming:
-      if constexpr (D > 1) fill_conforming<D>(std::get<problems::Annulus<D>>(stage.setup.body), density, place);
+      if constexpr (D > 1) fill_conforming<D>(std::get<problems::Annulus<D>>(prepared.setup.body), density, place);
   }
 }
 
 /// Position, velocity and deformation gradient at t = 0; with start `exact` the velocity of -Δt/2, W §4.
 template <int D>
-void set_initial_state(Stage<D>& stage, const Case& c) {
-  auto& particles = stage.scene.particles;
+void set_initial_state(PreparedCase<D>& prepared, const Case& c) {
+  auto& particles = prepared.scene.particles;
   const double velocity_time = c.scheme.start == cases::Start::exact ? -c.resolution.dt / 2 : 0;
-  particles.resize(stage.X.size());
+  particles.resize(prepared.X.size());
   for (std::size_t p = 0; p < particles.size(); ++p) {
-    const Vec<D>& X = stage.X[p];
-    const auto& solution = stage.setup.solution;
+    const Vec<D>& X = prepared.X[p];
+    const auto& solution = prepared.setup.solution;
     particles.x[p] = solution ? Vec<D>(X + solution->u(X, 0)) : X;
-    particles.v[p] = solution ? solution->v(X, velocity_time) : stage.setup.start_velocity(X);
+    particles.v[p] = solution ? solution->v(X, velocity_time) : prepared.setup.start_velocity(X);
     particles.F[p] = solution ? solution->F(X, 0) : solver::Mat<D>::Identity();
-    particles.m[p] = stage.setup.density * particles.V0[p];
+    particles.m[p] = prepared.setup.density * particles.V0[p];
   }
 }
 
@@ -84,13 +84,13 @@ solver::AnyVelocityUpdate velocity_update(const cases::Scheme& scheme, double cf
 
 /// The faces' boundaries, walls with their motions.
 template <int D>
-void set_boundaries(Stage<D>& stage, const cases::Scheme& scheme) {
+void set_boundaries(PreparedCase<D>& prepared, const cases::Scheme& scheme) {
   const auto faces = settings::boundary_faces(scheme.boundary, D, "the case");
   for (std::size_t k = 0; k < faces.size(); ++k) {
-    auto& boundary = stage.scene.boundary[k];
+    auto& boundary = prepared.scene.boundary[k];
     solver::from_word(faces[k], boundary);
     if (auto* wall = std::get_if<solver::Wall>(&boundary)) {
-      wall->motion = stage.setup.walls[k].get();
+      wall->motion = prepared.setup.walls[k].get();
       wall->depth = scheme.wall_depth;
       wall->gradient = for_solver(scheme.wall_gradient);
     }
@@ -124,49 +124,50 @@ void shuffle(solver::Particles<D>& particles, int seed) {
 }  // namespace
 
 template <int D>
-Stage<D> make_stage(const Case& c, const problems::Problem& problem, int threads) {
-  Stage<D> stage;
-  auto& scene = stage.scene;
+PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, int threads) {
+  PreparedCase<D> prepared;
+  auto& scene = prepared.scene;
   scene.h = problem.length(c.problem.parameters) / c.resolution.cells;
-  stage.setup = problems::make_setup<D>(problem, c.problem, scene.h);
-  const auto all = std::visit([&scene](const auto& body) { return problems::domain(body, scene.h); }, stage.setup.body);
+  prepared.setup = problems::make_setup<D>(problem, c.problem, scene.h);
+  const auto all =
+      std::visit([&scene](const auto& body) { return problems::domain(body, scene.h); }, prepared.setup.body);
   scene.lower = all.lower;
   scene.cells = all.cells;
   shift_grid(scene, c);
-  scene.material = stage.setup.material;
+  scene.material = prepared.setup.material;
   scene.integrator = c.scheme.integrator;
   scene.velocity_update =
       velocity_update(c.scheme, problem.wave_speed(c.problem.parameters) * c.resolution.dt / scene.h);
   scene.deformation = for_solver(c.scheme.deformation);
   if (c.scheme.wall_method != cases::WallMethod::none) scene.wall_method = for_solver(c.scheme.wall_method);
-  scene.half_start = c.scheme.start == cases::Start::half && stage.setup.solution;
+  scene.half_start = c.scheme.start == cases::Start::half && prepared.setup.solution;
   scene.difference_acceleration = c.scheme.wall_acceleration == cases::WallAcceleration::difference;
   if (c.scheme.mass == cases::Mass::consistent) scene.consistent_mass.emplace();
   scene.threads = threads;
-  set_boundaries(stage, c.scheme);
+  set_boundaries(prepared, c.scheme);
 
   scene.basis = settings::named<solver::AnyBasis>(c.scheme.basis);
   if (auto* ugimp = std::get_if<solver::UGimp>(&scene.basis)) ugimp->smoothing_length = c.scheme.smoothing_length;
-  fill(stage, c);
-  set_initial_state(stage, c);
+  fill(prepared, c);
+  set_initial_state(prepared, c);
   set_current_widths(scene.particles, scene.basis);
-  if (stage.setup.solution) {
-    stage.points = stage.setup.solution->at_points(stage.X);
-    stage.body_force = std::make_unique<SolutionBodyForce<D>>(*stage.setup.solution, *stage.points);
-    scene.body_force = stage.body_force.get();
+  if (prepared.setup.solution) {
+    prepared.points = prepared.setup.solution->at_points(prepared.X);
+    prepared.body_force = std::make_unique<SolutionBodyForce<D>>(*prepared.setup.solution, *prepared.points);
+    scene.body_force = prepared.body_force.get();
     scene.body_force_on = for_solver(c.scheme.body_force);
     if (problem.is_loaded && problem.is_loaded(c.problem.parameters)) {
-      stage.traction = std::make_unique<SolutionTraction<D>>(
-          *stage.setup.solution, surface<D>(stage.setup.body, {scene.h, c.resolution.ppc}), stage.X);
-      scene.surface_load = stage.traction.get();
+      prepared.traction = std::make_unique<SolutionTraction<D>>(
+          *prepared.setup.solution, surface<D>(prepared.setup.body, {scene.h, c.resolution.ppc}), prepared.X);
+      scene.surface_load = prepared.traction.get();
     }
   }
   shuffle(scene.particles, c.resolution.shuffle);
-  return stage;
+  return prepared;
 }
 
-template Stage<1> make_stage<1>(const Case&, const problems::Problem&, int);
-template Stage<2> make_stage<2>(const Case&, const problems::Problem&, int);
-template Stage<3> make_stage<3>(const Case&, const problems::Problem&, int);
+template PreparedCase<1> prepare_case<1>(const Case&, const problems::Problem&, int);
+template PreparedCase<2> prepare_case<2>(const Case&, const problems::Problem&, int);
+template PreparedCase<3> prepare_case<3>(const Case&, const problems::Problem&, int);
 
 }  // namespace mpmvv::runs

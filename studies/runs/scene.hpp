@@ -55,7 +55,7 @@ class SolutionTraction final : public solver::SurfaceLoad<D> {
 
 /// A case ready to run: the problem's solution sampled at the particles, and the scene made from it.
 template <int D>
-struct Stage {
+struct PreparedCase {
   problems::Setup<D> setup;
   std::vector<solver::Vec<D>> X;  ///< reference positions by particle id
   std::unique_ptr<mms::PointwiseSolution<D>> points;
@@ -78,10 +78,10 @@ double mass_of(const problems::Setup<D>& setup) {
 
 /// The body filled with particles in their state at t = 0.
 template <int D>
-Stage<D> make_stage(const cases::Case& c, const problems::Problem& problem, int threads);
+PreparedCase<D> prepare_case(const cases::Case& c, const problems::Problem& problem, int threads);
 
-extern template Stage<1> make_stage<1>(const cases::Case&, const problems::Problem&, int);
-extern template Stage<2> make_stage<2>(const cases::Case&, const problems::Problem&, int);
-extern template Stage<3> make_stage<3>(const cases::Case&, const problems::Problem&, int);
+extern template PreparedCase<1> prepare_case<1>(const cases::Case&, const problems::Problem&, int);
+extern template PreparedCase<2> prepare_case<2>(const cases::Case&, const problems::Problem&, int);
+extern template PreparedCase<3> prepare_case<3>(const cases::Case&, const problems::Problem&, int);
 
 }  // namespace mpmvv::runs

@@ -42,16 +42,6 @@ inline bool takes_interval(const solver::AnyVelocityUpdate& update) {
       update);
 }
 
-/// Whether it adds the grid's accelerations to what particles have.
-inline bool adds_accelerations(const solver::AnyVelocityUpdate& update) {
-  return std::holds_alternative<solver::Flip>(update);
-}
-
-/// Whether it is defined with a consistent mass, too.
-inline bool takes_consistent_mass(const solver::AnyVelocityUpdate& update) {
-  return adds_accelerations(update) || takes_interval(update);
-}
-
 inline bool keeps_history(const solver::AnyMaterial& material) {
   return std::visit([]<class M>(const M&) { return solver::has_history<M>; }, material);
 }

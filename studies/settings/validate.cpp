@@ -86,7 +86,7 @@ constexpr Rule rules[]{
     {[](const Asked& a) { return a.takes_difference && !a.has("dirichlet") && !a.has("symmetry"); },
      "wall_acceleration 'difference' with boundary '{boundary}' that holds no node (use it with dirichlet or "
      "symmetry)"},
-    {[](const Asked& a) { return a.takes_difference && a.s.integrator == "uvf"; },
+    {[](const Asked& a) { return a.takes_difference && a.integrator.is_accelerated_first; },
      "wall_acceleration 'difference' with integrator '{integrator}', which maps the velocity after the acceleration "
      "(use zero, or another integrator)"},
     {[](const Asked& a) { return a.takes_difference && a.integrator.is_staged; },

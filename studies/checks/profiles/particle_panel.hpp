@@ -16,7 +16,7 @@ class MovingBody {
  public:
   explicit MovingBody(const std::vector<settings::Setting>& settings)
       : case_(settings::make_case(settings)),
-        stage_(runs::make_stage<D>(case_, problems::find_problem(case_.problem.name, "the check"), 1)),
+        stage_(runs::prepare_case<D>(case_, problems::find_problem(case_.problem.name, "the check"), 1)),
         mpm_(std::move(stage_.scene)) {}
 
   const cases::Resolution& resolution() const { return case_.resolution; }
@@ -32,7 +32,7 @@ class MovingBody {
 
  private:
   cases::Case case_;
-  runs::Stage<D> stage_;
+  runs::PreparedCase<D> stage_;
   solver::Mpm<D> mpm_;
   std::int64_t step_ = 0;
 };

@@ -16,15 +16,15 @@ Positions run_square(const std::string& basis, const std::optional<ConsistentMas
       {"problem", "square", ""}, {"basis", basis, ""}, {"integrator", "cd", ""}, {"boundary", "symmetry", ""},
       {"cells", "8", ""},        {"ppc", "2", ""},     {"cfl", "0.2", ""}};
   const cases::Case c = settings::make_case(settings);
-  auto stage = make_stage<2>(c, problems::find_problem("square", ""), 1);
-  stage.scene.consistent_mass = mass;
-  solver::Mpm<2> mpm(std::move(stage.scene));
+  auto prepared = prepare_case<2>(c, problems::find_problem("square", ""), 1);
+  prepared.scene.consistent_mass = mass;
+  solver::Mpm<2> mpm(std::move(prepared.scene));
   for (std::int64_t k = 0; k < c.resolution.steps; ++k) EXPECT_TRUE(mpm.step(c.resolution.dt)) << mpm.fault();
   const auto& particles = mpm.particles();
   Positions x(particles.size());
   for (std::size_t p = 0; p < x.size(); ++p) x[particles.id[p]] = particles.x[p];
   if (exact)
-    for (const auto& X : stage.X) exact->push_back(X + stage.setup.solution->u(X, mpm.time()));
+    for (const auto& X : prepared.X) exact->push_back(X + prepared.setup.solution->u(X, mpm.time()));
   return x;
 }
 

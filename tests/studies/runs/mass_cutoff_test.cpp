@@ -21,17 +21,17 @@ Outcome run_square(const std::string& basis, const std::string& integrator, doub
                                                 {"ppc", "2", ""},
                                                 {"cfl", "0.4", ""}};
   const cases::Case c = settings::make_case(settings);
-  auto stage = make_stage<2>(c, problems::find_problem("square", ""), 1);
-  stage.scene.mass_cutoff = mass_cutoff;
-  solver::Mpm<2> mpm(std::move(stage.scene));
+  auto prepared = prepare_case<2>(c, problems::find_problem("square", ""), 1);
+  prepared.scene.mass_cutoff = mass_cutoff;
+  solver::Mpm<2> mpm(std::move(prepared.scene));
   for (std::int64_t k = 0; k < c.resolution.steps; ++k) EXPECT_TRUE(mpm.step(c.resolution.dt)) << mpm.fault();
   Outcome outcome;
   const auto& particles = mpm.particles();
   outcome.x.resize(particles.size());
   for (std::size_t p = 0; p < particles.size(); ++p) {
-    const solver::Vec<2>& X = stage.X[particles.id[p]];
+    const solver::Vec<2>& X = prepared.X[particles.id[p]];
     outcome.x[particles.id[p]] = particles.x[p];
-    outcome.error = std::max(outcome.error, (particles.x[p] - X - stage.setup.solution->u(X, mpm.time())).norm());
+    outcome.error = std::max(outcome.error, (particles.x[p] - X - prepared.setup.solution->u(X, mpm.time())).norm());
   }
   return outcome;
 }

@@ -54,11 +54,11 @@ ErrorNorms plain_errors(const solver::Particles<1>& particles, const std::vector
 TEST(NodalError, IsThatOfTheAccelerationsAtTheEndTime) {
   for (const bool periodic : {true, false}) {
     const cases::Case c = make_case(bar_settings(periodic ? "periodic" : "dirichlet"));
-    auto stage = make_stage<1>(c, problems::find_problem("bar", ""), 1);
-    solver::Mpm<1> mpm(std::move(stage.scene));
+    auto prepared = prepare_case<1>(c, problems::find_problem("bar", ""), 1);
+    solver::Mpm<1> mpm(std::move(prepared.scene));
     for (int k = 0; k < 7; ++k) ASSERT_TRUE(mpm.step(c.resolution.dt));
-    const ErrorNorms measured = acceleration_errors(mpm, *stage.setup.solution, stage.setup.body);
-    const ErrorNorms plain = plain_errors(mpm.particles(), stage.X, 7 * c.resolution.dt, periodic);
+    const ErrorNorms measured = acceleration_errors(mpm, *prepared.setup.solution, prepared.setup.body);
+    const ErrorNorms plain = plain_errors(mpm.particles(), prepared.X, 7 * c.resolution.dt, periodic);
     EXPECT_GT(plain.linf(), 10);  // m/s²
     EXPECT_NEAR(measured.l1(), plain.l1(), 1e-9);
     EXPECT_NEAR(measured.l2(), plain.l2(), 1e-9);

@@ -16,7 +16,7 @@ solver::AnyVelocityUpdate update_of(const std::string& word, const Settings& mor
                     {"velocity_update", word, ""}};
   settings.insert(settings.end(), more.begin(), more.end());
   const cases::Case c = settings::make_case(settings);
-  return make_stage<1>(c, problems::find_problem("bar", ""), 1).scene.velocity_update;
+  return prepare_case<1>(c, problems::find_problem("bar", ""), 1).scene.velocity_update;
 }
 
 TEST(Scene, HasTheVelocityUpdateThatTheCaseNames) {
