@@ -21,7 +21,7 @@ struct Integrator {
   bool is_staggered = false;          ///< particle velocities live half a step before the positions
   bool is_remapped = false;           ///< positions move at a rate that particles keep until the step's last sweep
   bool is_staged = false;             ///< keeps states of the particles beside the current one
-  bool is_accelerated_first = false;  ///< velocities are mapped after accelerations, and are no sums of these
+  bool is_accelerated_first = false;  ///< maps velocities after accelerations: these are no difference of velocities
 
   template <int D>
   Page<D> page() const {
