@@ -129,10 +129,11 @@ TEST_F(ReadmeNightly, WhatAStepIsMadeOfIsOneFileAndOneLineEach) {
   insert("solver/material/materials.hpp", "#include \"solver/material/neo_hookean_log.hpp\"",
          "#include \"solver/material/st_venant_kirchhoff.hpp\"\n");
   const std::string run = "./mpmvv run --problem bar --basis bspline2 --cells 32 --ppc 4 --cfl 0.1 ";
-  const std::string out = build_and("mpmvv test_solver", "./mpmvv list && ./test_solver && " + run +
-                                                             "--velocity-update pic-mean --integrator usl && " + run +
-                                                             "--integrator euler");
-  for (const std::string word : {"pic-mean", "euler", "st-venant-kirchhoff", "status ok", "status unstable"})
+  const auto ends_well = [&run](const std::string& scheme) { return " && " + run + scheme + " | grep 'status ok'"; };
+  const std::string out = build_and("mpmvv test_solver", "./mpmvv list && ./test_solver" +
+                                                             ends_well("--velocity-update pic-mean --integrator usl") +
+                                                             ends_well("--velocity-update flip --integrator euler"));
+  for (const std::string word : {"pic-mean", "euler", "st-venant-kirchhoff"})
     EXPECT_THAT(out, testing::HasSubstr(word));
 }
 
