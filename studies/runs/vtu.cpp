@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-#include <regex>
+#include <algorithm>
+#include <string>
+#include <string_view>
 
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -12,38 +13,40 @@ namespace mpmvv::runs {
 
 namespace {
 
-using Text = fmt::memory_buffer;
-
 /// One data array; `component(p, k)` is component k of particle p.
 template <class Component>
-void add_array(Text& text, const char* name, int components, std::size_t particles, const Component& component) {
-  fmt::format_to(std::back_inserter(text),
-                 "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", name,
-                 components);
+void add_array(std::string& text, const char* name, int components, std::size_t particles, const Component& component) {
+  text += fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", name,
+                      components);
   for (std::size_t p = 0; p < particles; ++p)
     for (int k = 0; k < components; ++k)
-      fmt::format_to(std::back_inserter(text), "{:.17g}{}", component(p, k), k + 1 < components ? ' ' : '\n');
-  fmt::format_to(std::back_inserter(text), "</DataArray>\n");
+      text += fmt::format("{:.17g}{}", component(p, k), k + 1 < components ? ' ' : '\n');
+  text += "</DataArray>\n";
 }
 
 /// Every particle is a cell of its own, a VTK vertex.
-void add_vertices(Text& text, std::size_t particles) {
+void add_vertices(std::string& text, std::size_t particles) {
   const auto add = [&](const char* type, const char* name, const auto& value) {
-    fmt::format_to(std::back_inserter(text), "<DataArray type=\"{}\" Name=\"{}\" format=\"ascii\">\n", type, name);
-    for (std::size_t p = 0; p < particles; ++p) fmt::format_to(std::back_inserter(text), "{}\n", value(p));
-    fmt::format_to(std::back_inserter(text), "</DataArray>\n");
+    text += fmt::format("<DataArray type=\"{}\" Name=\"{}\" format=\"ascii\">\n", type, name);
+    for (std::size_t p = 0; p < particles; ++p) text += fmt::format("{}\n", value(p));
+    text += "</DataArray>\n";
   };
-  fmt::format_to(std::back_inserter(text), "<Cells>\n");
+  text += "<Cells>\n";
   add("Int64", "connectivity", [](std::size_t p) { return p; });
   add("Int64", "offsets", [](std::size_t p) { return p + 1; });
   add("UInt8", "types", [](std::size_t) { return 1; });
-  fmt::format_to(std::back_inserter(text), "</Cells>\n");
+  text += "</Cells>\n";
 }
 
-/// Whether it is named as one of a series' files.
-bool is_of_series(const std::string& name) {
-  static const std::regex ours("particles-[0-9]{4,}\\.vtu|particles\\.pvd");
-  return std::regex_match(name, ours);
+/// Whether it is named as one of a series' files: particles.pvd or particles-0000.vtu, with four digits or more.
+bool is_of_series(std::string_view name) {
+  constexpr std::string_view before = "particles-", after = ".vtu";
+  if (name == "particles.pvd") return true;
+  if (!name.starts_with(before) || !name.ends_with(after) || name.size() < before.size() + 4 + after.size())
+    return false;
+  name.remove_prefix(before.size());
+  name.remove_suffix(after.size());
+  return std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 }  // namespace
@@ -69,16 +72,14 @@ void VtuSeries::write(const solver::Mpm<D>& mpm, const std::vector<solver::Vec<D
   const auto& particles = mpm.particles();
   const std::size_t n = particles.size();
   const auto padded = [](const auto& v, int k) { return k < D ? v[k] : 0.0; };
-  Text text;
-  fmt::format_to(
-      std::back_inserter(text),
+  std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{0}\" NumberOfCells=\"{0}\">\n<Points>\n",
       n);
   add_array(text, "position", 3, n, [&](std::size_t p, int k) { return padded(particles.x[p], k); });
-  fmt::format_to(std::back_inserter(text), "</Points>\n");
+  text += "</Points>\n";
   add_vertices(text, n);
-  fmt::format_to(std::back_inserter(text), "<PointData>\n");
+  text += "<PointData>\n";
   add_array(text, "displacement", 3, n,
             [&](std::size_t p, int k) { return padded(solver::Vec<D>(particles.x[p] - X[particles.id[p]]), k); });
   add_array(text, "velocity", 3, n, [&](std::size_t p, int k) { return padded(particles.v[p], k); });
@@ -87,10 +88,10 @@ void VtuSeries::write(const solver::Mpm<D>& mpm, const std::vector<solver::Vec<D
     return i < D && j < D ? particles.F[p](i, j) : i == j ? 1.0 : 0.0;
   });
   add_array(text, "mass", 1, n, [&](std::size_t p, int) { return particles.m[p]; });
-  fmt::format_to(std::back_inserter(text), "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  text += "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 
   const std::string name = fmt::format("particles-{:04}.vtu", count_++);
-  support::write_if_changed(dir_ / name, fmt::to_string(text));
+  support::write_if_changed(dir_ / name, text);
   entries_ += fmt::format("<DataSet timestep=\"{:.17g}\" file=\"{}\"/>\n", mpm.time(), name);
   support::write_if_changed(dir_ / "particles.pvd",
                             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" +

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <iterator>
 
 namespace mpmvv::support {
 
@@ -51,7 +50,7 @@ void add_escaped(std::string& line, char byte) {
   else if (byte == '\r')
     line += "\\r";
   else
-    fmt::format_to(std::back_inserter(line), "\\x{:02x}", static_cast<unsigned char>(byte));
+    line += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
 }
 
 }  // namespace
