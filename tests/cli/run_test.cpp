@@ -179,7 +179,8 @@ TEST(RunCommand, AVtuSeriesTakesThePlaceOfTheEarlierOne) {
   const Folder folder;
   const std::string dir = folder / "vtu";
   ASSERT_EQ(call(folder, std::string(bar) + "--vtu " + dir).code, 0);
-  for (const char* foreign : {"particles-1.vtu", "my-particles-0009.vtu", "particles-0009.vtu.bak", "notes"})
+  for (const char* foreign :
+       {"particles-1.vtu", "my-particles-0009.vtu", "particles-0009.vtu.bak", "particles-000x.vtu", "notes"})
     folder.write(std::string("vtu/") + foreign, "mine");
   folder.write("vtu/particles-12345.vtu", "a series of more frames");
   ASSERT_EQ(call(folder, std::string(bar) + "--steps 3 --vtu " + dir).code, 0);
@@ -187,7 +188,8 @@ TEST(RunCommand, AVtuSeriesTakesThePlaceOfTheEarlierOne) {
   for (const auto& entry : std::filesystem::directory_iterator(dir)) names.push_back(entry.path().filename().string());
   EXPECT_THAT(names, testing::UnorderedElementsAre("particles-0000.vtu", "particles-0001.vtu", "particles-0002.vtu",
                                                    "particles-0003.vtu", "particles.pvd", "particles-1.vtu",
-                                                   "my-particles-0009.vtu", "particles-0009.vtu.bak", "notes"));
+                                                   "my-particles-0009.vtu", "particles-0009.vtu.bak",
+                                                   "particles-000x.vtu", "notes"));
 }
 
 struct BadInput {
