@@ -46,14 +46,10 @@ void Step<D>::deform_and_map_forces(const DeformationStep<D>& deform) {
 /// By these kernels, then of stress, then by what `with` makes of that of forces.
 template <int D>
 void Step<D>::map_forces(const auto& with, const auto&... before) {
+  BodyForce<D>* const force = scene_.body_force_on == BodyForceOn::particles ? scene_.body_force : nullptr;
+  if (force) force->prepare(time_);
   const EvaluateStress<D> stress{particles_, scene_.material, dt_};
-  if (scene_.body_force && scene_.body_force_on == BodyForceOn::particles) {
-    scene_.body_force->prepare(time_);
-    sweep({before..., stress, EvaluateBodyForce<D>{particles_, *scene_.body_force, time_},
-           with(MapForces<D>{particles_, grid_})});
-  } else {
-    sweep({before..., stress, with(MapInternalForce<D>{particles_, grid_})});
-  }
+  sweep({before..., stress, EvaluateBodyForce<D>{particles_, force, time_}, with(MapForces<D>{particles_, grid_})});
   if (scene_.surface_load) add_surface_load();
   sum_images(grid_.f);
 }

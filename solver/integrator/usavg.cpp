@@ -7,7 +7,7 @@ namespace {
 
 /// Up to the grid velocity of the step's end, with the first half of the stress update.
 template <int D>
-void advance_grid(Step<D>& s, double dt) {
+void deform_half_way_and_advance_grid(Step<D>& s, double dt) {
   s.map_momentum();                                // m_i, p_i
   s.set_stress_velocity();                         // v_i = p_i / m_i
   s.deform_and_map_forces(s.deformation(dt / 2));  // F_p' by v; τ_p = τ(F_p'), f_i
@@ -26,7 +26,7 @@ void advance_grid(Step<D>& s, double dt) {
 /// the new particle velocities map to v + Δt S⁺S a; usavg loses half of that.
 template <int D>
 void usavg(Step<D>& s, double dt) {
-  advance_grid(s, dt);
+  deform_half_way_and_advance_grid(s, dt);
   s.update_particles(dt, s.deformation(dt / 2));  // v_p, x_p; F_p by v⁺
 }
 
@@ -35,7 +35,7 @@ void usavg(Step<D>& s, double dt) {
 /// usf and usl+, of first order and opposite sign, cancel.
 template <int D>
 void usavg_plus(Step<D>& s, double dt) {
-  advance_grid(s, dt);
+  deform_half_way_and_advance_grid(s, dt);
   s.update_velocities_and_map_momentum(dt);                // v_p, (x_p' - x_p)/Δt; p_i
   s.set_stress_velocity();                                 // v̄_i
   s.move_particles_and_deform(dt, s.deformation(dt / 2));  // x_p; F_p by v̄

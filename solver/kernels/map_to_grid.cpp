@@ -9,25 +9,13 @@ template Fault run_kernel(const MapMomentum<1>&, AnyBlock<1>&, const Grid<1>&);
 template Fault run_kernel(const MapMomentum<2>&, AnyBlock<2>&, const Grid<2>&);
 template Fault run_kernel(const MapMomentum<3>&, AnyBlock<3>&, const Grid<3>&);
 
-template Fault run_kernel(const MapInternalForce<1>&, AnyBlock<1>&, const Grid<1>&);
-template Fault run_kernel(const MapInternalForce<2>&, AnyBlock<2>&, const Grid<2>&);
-template Fault run_kernel(const MapInternalForce<3>&, AnyBlock<3>&, const Grid<3>&);
-
 template Fault run_kernel(const MapForces<1>&, AnyBlock<1>&, const Grid<1>&);
 template Fault run_kernel(const MapForces<2>&, AnyBlock<2>&, const Grid<2>&);
 template Fault run_kernel(const MapForces<3>&, AnyBlock<3>&, const Grid<3>&);
 
-template Fault run_kernel(const Fused<MapMass<1>, MapInternalForce<1>>&, AnyBlock<1>&, const Grid<1>&);
-template Fault run_kernel(const Fused<MapMass<2>, MapInternalForce<2>>&, AnyBlock<2>&, const Grid<2>&);
-template Fault run_kernel(const Fused<MapMass<3>, MapInternalForce<3>>&, AnyBlock<3>&, const Grid<3>&);
-
 template Fault run_kernel(const Fused<MapMass<1>, MapForces<1>>&, AnyBlock<1>&, const Grid<1>&);
 template Fault run_kernel(const Fused<MapMass<2>, MapForces<2>>&, AnyBlock<2>&, const Grid<2>&);
 template Fault run_kernel(const Fused<MapMass<3>, MapForces<3>>&, AnyBlock<3>&, const Grid<3>&);
-
-template Fault run_kernel(const Fused<MapMomentum<1>, MapInternalForce<1>>&, AnyBlock<1>&, const Grid<1>&);
-template Fault run_kernel(const Fused<MapMomentum<2>, MapInternalForce<2>>&, AnyBlock<2>&, const Grid<2>&);
-template Fault run_kernel(const Fused<MapMomentum<3>, MapInternalForce<3>>&, AnyBlock<3>&, const Grid<3>&);
 
 template Fault run_kernel(const Fused<MapMomentum<1>, MapForces<1>>&, AnyBlock<1>&, const Grid<1>&);
 template Fault run_kernel(const Fused<MapMomentum<2>, MapForces<2>>&, AnyBlock<2>&, const Grid<2>&);

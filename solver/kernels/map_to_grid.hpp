@@ -8,15 +8,7 @@
 /// Node kernels (stencils/kernel.hpp) that map from particles to the grid.
 namespace mpmvv::solver {
 
-/// gradient ∇N_ip, for one particle or a pack
-template <int D>
-[[gnu::always_inline]] inline auto mapped(const auto& gradient) {
-  if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(gradient)>::Scalar, Pack>)
-    return PackGradients<D>{gradient};
-  else
-    return ValueAndGradient<D>{Padded<D>::Zero(), gradient};
-}
-/// N_ip value + gradient ∇N_ip
+/// N_ip value + gradient ∇N_ip, for one particle or a pack
 template <int D>
 [[gnu::always_inline]] inline auto mapped(const auto& value, const auto& gradient) {
   if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(gradient)>::Scalar, Pack>)
@@ -54,20 +46,7 @@ struct MapMomentum {
   }
 };
 
-/// f_i = -Σ_p V_p σ_p ∇N_ip = -Σ_p V⁰_p τ_p ∇N_ip              S (4), W (14)
-template <int D>
-struct MapInternalForce {
-  static constexpr bool uses_gradients = true;
-  const Particles<D>& particles;
-  Grid<D>& grid;
-
-  auto& field() const { return grid.f; }
-  [[gnu::always_inline]] auto operator()(const auto& who, const auto&, const auto& block) const {
-    return mapped<D>(-who.of(particles.V0) * who.of(block.tau));
-  }
-};
-
-/// f_i = Σ_p (N_ip m_p b_p - V⁰_p τ_p ∇N_ip)                   S (4), (16)
+/// f_i = Σ_p (N_ip m_p b_p - V_p σ_p ∇N_ip) = Σ_p (N_ip m_p b_p - V⁰_p τ_p ∇N_ip)     S (4), (16), W (14)
 template <int D>
 struct MapForces {
   static constexpr bool uses_gradients = true;

@@ -10,21 +10,13 @@
 
 namespace mpmvv::solver {
 
-/// What four particles add to their nodes: gradient ∇N_ip, and with a value N_ip value.
-template <int D>
-struct PackGradients {
-  PackMat<D> gradient;
-};
+/// What four particles add to their nodes: N_ip value + gradient ∇N_ip.
 template <int D>
 struct PackValuesAndGradients {
   PackVec<D> value;
   PackMat<D> gradient;
 };
 
-template <int D>
-[[gnu::always_inline]] inline PackGradients<D> first_of(const PackGradients<D>& source, int count) {
-  return {first_of(source.gradient, count)};
-}
 template <int D>
 [[gnu::always_inline]] inline PackValuesAndGradients<D> first_of(const PackValuesAndGradients<D>& source, int count) {
   return {first_of(source.value, count), first_of(source.gradient, count)};
@@ -112,24 +104,22 @@ class PackStencil {
     });
   }
 
-  /// φ_i += Σ_p gradient_p ∇N_ip, and with a value Σ_p N_ip value_p, of a group of so many packs
-  template <class Source>
-  requires requires(Source source) { source.gradient; }
-  [[gnu::always_inline]] void scatter(const Source* source, int packs, std::vector<Padded<D>>& field) const {
+  /// φ_i += Σ_p (N_ip value_p + gradient_p ∇N_ip) of a group of so many packs
+  [[gnu::always_inline]] void scatter(const PackValuesAndGradients<D>* source, int packs,
+                                      std::vector<Padded<D>>& field) const {
     apart_in_space<D>([&] {
       for_lines([&](const Line& line) {
         std::array<Double4, K * D> sum{};
         for (int at = 0; at < 4 * packs; at += 4) {
-          const Source& of_pack = source[at / 4];
+          const PackValuesAndGradients<D>& of_pack = source[at / 4];
           const Double4 weight = line_weight(line, at);
           for_constants<D>([&](auto c) {
             const Double4 slope = weight * of_pack.gradient(c.value, 0).of;
-            Double4 value{};
-            if constexpr (requires { of_pack.value; }) value = weight * of_pack.value[c.value].of;
+            Double4 value = weight * of_pack.value[c.value].of;
             for_constants<D - 1>(
                 [&](auto d) { value += line_slope(line, d + 1, at) * of_pack.gradient(c.value, d.value + 1).of; });
             for_constants<K>([&](auto i) {
-              if constexpr (D > 1 || requires { of_pack.value; }) sum[i * D + c] += N(0, i, at) * value;
+              sum[i * D + c] += N(0, i, at) * value;
               sum[i * D + c] += dN(0, i, at) * slope;
             });
           });

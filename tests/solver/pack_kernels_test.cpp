@@ -34,8 +34,8 @@ TYPED_TEST(PackKernels, MapMassWithoutMomentum) {
   const AnyMaterial material = NeoHookeanLog{0, 1};
   for (auto* body : {&this->together, &this->alone})
     body->visit(body == &this->together,
-                {EvaluateStress<D>{body->particles, material, 1},
-                 Fused{MapMass<D>{body->particles, body->grid}, MapInternalForce<D>{body->particles, body->grid}}});
+                {EvaluateStress<D>{body->particles, material, 1}, EvaluateBodyForce<D>{body->particles, nullptr, 0},
+                 Fused{MapMass<D>{body->particles, body->grid}, MapForces<D>{body->particles, body->grid}}});
   expect_near<D + 1>(this->together.grid.p, this->alone.grid.p, "mass");
 }
 
