@@ -230,6 +230,7 @@ std::vector<ReadMark> Drawing::marks_of(const Look& look) const {
   std::ranges::copy_if(marks, std::back_inserter(result), [&](const ReadMark& mark) {
     return mark.look.colour == look.colour && (mark.look.shape == look.shape || mark.kind == ReadMark::Kind::cross);
   });
+  std::ranges::sort(result, {}, [](const ReadMark& mark) { return mark.at.x; });
   return result;
 }
 

@@ -69,7 +69,7 @@ struct Drawing {
 
   /// The look of the only entry whose text begins so. Throws std::runtime_error unless there is one.
   Look look_of(const std::string& start) const;
-  std::vector<ReadMark> marks_of(const Look& look) const;
+  std::vector<ReadMark> marks_of(const Look& look) const;  ///< from left to right
 };
 
 /// Of a picture that gnuplot has drawn for us. Throws std::runtime_error on anything else.

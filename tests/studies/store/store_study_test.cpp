@@ -5,6 +5,7 @@
 
 #include "tests/numbers.hpp"
 #include "tests/studies/store/store_samples.hpp"
+#include "tests/studies/store/study_text.hpp"
 
 namespace mpmvv::store {
 namespace store_study_test {
@@ -17,98 +18,9 @@ using records::StudyResult;
 using support::not_measured;
 
 using namespace store_samples;
+using study_text::Text;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-/// Everything as text, to be compared. Structured bindings name every member: a new one does not compile until it is
-/// compared too.
-struct Text {
-  static std::string of(const fits::SegmentOrder& s) {
-    const auto& [from, to, order] = s;
-    return fmt::format("{}..{}: {}", from, to, order);
-  }
-
-  static std::string of(const FloorFit& f) {
-    const auto& [constant, order, floor, residual, accepted, reason] = f;
-    return fmt::format("floor {} {} {} {} {} '{}'", constant, order, floor, residual, accepted, reason);
-  }
-
-  static std::string of(const fits::ReplicateFit& r) {
-    const auto& [observations, scatter, half_width, lack_of_fit] = r;
-    return fmt::format("replicates {} {} {} {}", observations, scatter, half_width, lack_of_fit);
-  }
-
-  static std::string of(const fits::Extrapolation& e) {
-    const auto& [norm, from, to, points, model, order, limit, deviation, finest, uncertainty, index, remark] = e;
-    return fmt::format("extrapolation {} {} {} {} '{}' {} {} {} {} {} {} '{}'", norm, from, to, points, model, order,
-                       limit, deviation, finest, uncertainty, index, remark);
-  }
-
-  template <class T>
-  static std::string of(const std::vector<T>& items) {
-    std::string text;
-    for (const T& item : items) text += of(item) + "\n";
-    return text;
-  }
-
-  template <class T>
-  static std::string of(const std::optional<T>& item) {
-    return item ? of(*item) : "none";
-  }
-
-  static std::string of(double number) { return fmt::format("{}", number); }
-  static std::string of(const std::string& text) { return "'" + text + "'"; }
-
-  static std::string of(const ObservedOrder& o) {
-    const auto& [norm, from, to, points, order, half_width, constant, r2, asymptotic, a_from, a_to, segments, floor,
-                 replicates] = o;
-    return fmt::format("order {} {} {} {} {} {} {} {} {} {} {}\n{}{}{}", norm, from, to, points, order, half_width,
-                       constant, r2, asymptotic, a_from, a_to, of(segments), of(floor), of(replicates));
-  }
-
-  static std::string of(const records::Point& p) {
-    const auto& [x, status, reason, y, replicates] = p;
-    return fmt::format("point {} {} '{}' {} {}", x, to_string(status), reason, y, replicates);
-  }
-
-  static std::string of(const fits::Probe& p) {
-    const auto& [value, stable, reason] = p;
-    return fmt::format("probe {} {} '{}'", value, stable, reason);
-  }
-
-  static std::string of(const fits::StabilityLimit& l) {
-    const auto& [key, stable, unstable, monotone, found, probes] = l;
-    return fmt::format("limit {} {} {} {} {}\n{}", key, stable, unstable, monotone, found, of(probes));
-  }
-
-  static std::string of(const Series& s) {
-    const auto& [name, points, orders, limit, extrapolations] = s;
-    return fmt::format("series {}\n{}{}{}{}", name, of(points), of(orders), of(limit), of(extrapolations));
-  }
-
-  static std::string of(const records::Value& v) {
-    const auto& [name, value, meaning] = v;
-    return fmt::format("value {} {} {}", name, value, meaning);
-  }
-
-  static std::string of(const records::Figure& f) {
-    const auto& [name, caption, xlabel, ylabel, log_x, log_y, quantity, series, marks, slopes, x0, x1, y0, y1, kind] =
-        f;
-    return fmt::format("figure {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", name, caption, xlabel, ylabel, log_x,
-                       log_y, quantity, of(series), of(marks), of(slopes), of(x0), of(x1), of(y0), of(y1), kind);
-  }
-
-  static std::string of(const records::ClaimPart& p) {
-    const auto& [claim, statement, verdict, evidence, reason] = p;
-    return fmt::format("part {} {} {} {} '{}'", claim, statement, to_string(verdict), evidence, reason);
-  }
-
-  static std::string of(const StudyResult& s) {
-    const auto& [name, title, kind, sweep, text, claims, series, values, figures, parts] = s;
-    return fmt::format("{}|{}|{}|{}|{}\n{}{}{}{}{}", name, title, kind, sweep, text, of(claims), of(series), of(values),
-                       of(figures), of(parts));
-  }
-};
 
 /// The point that a run of this record makes.
 records::Point point_of(const records::Record& r) {

@@ -1,0 +1,55 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.hpp"
+
+namespace mpmvv::cli::solution_test {
+
+TEST(SolutionCommand, GivesTheFieldsOfTheBar) {
+  const Folder folder;
+  const auto s = call(folder, "solution --problem bar --at 0.2 --time 0.001 --json").json();
+  const double pi = std::acos(-1.0), u = 0.05 * std::sin(0.4 * pi) * std::cos(0.1 * pi);
+  const double F = 1 + 0.1 * pi * std::cos(0.4 * pi) * std::cos(0.1 * pi);
+  EXPECT_NEAR(s["u"][0], u, 1e-15);
+  EXPECT_NEAR(s["F"][0][0], F, 1e-15);
+  EXPECT_NEAR(s["P"][0][0], 5000 * (F - 1 / F), 1e-10);
+  EXPECT_NEAR(s["b"][0], 1e4 * pi * pi * u * (2 / (F * F) + 1), 1e-9);
+}
+
+/// W (56) to (59) and S (51) to (53) as printed.
+TEST(SolutionCommand, GivesTheFieldsOfSquareAndCube) {
+  const Folder folder;
+  const double pi = std::acos(-1.0), E = 1e4, lambda = E * 0.3 / (1.3 * 0.4), mu = E / 2.6;
+  const auto square = call(folder, "solution --problem square --at 0.2,0.7 --time 0.001 --json").json();
+  {
+    const double u = 0.1 * std::sin(0.2 * pi) * std::cos(0.1 * pi);
+    const double F = 1 + 0.1 * pi * std::cos(0.2 * pi) * std::cos(0.1 * pi);
+    const double K = std::log(F * (1 + 0.1 * pi * std::cos(0.7 * pi) * std::sin(0.1 * pi)));
+    EXPECT_NEAR(square["u"][0], u, 1e-15);
+    EXPECT_NEAR(square["F"][0][0], F, 1e-15);
+    EXPECT_NEAR(square["P"][0][0], lambda / F * K + mu / F * (F * F - 1), 1e-10);
+    EXPECT_NEAR(square["b"][0], pi * pi * u * (lambda / (F * F) * (1 - K) + mu * (1 + 1 / (F * F)) - E), 1e-9);
+  }
+  const auto cube = call(folder, "solution --problem cube --at 0.2,0.7,0.4 --time 0.001 --json").json();
+  {
+    const double phase = 2 * pi / 3, u = 0.05 * std::sin(1.4 * pi) * std::sin(phase + 0.1 * pi);
+    const auto F_at = [&](double x, double shift) {
+      return 1 + 0.1 * pi * std::cos(2 * pi * x) * std::sin(shift + 0.1 * pi);
+    };
+    const double F = F_at(0.7, phase), K = std::log(F_at(0.2, 0) * F * F_at(0.4, 2 * phase));
+    EXPECT_NEAR(cube["u"][1], u, 1e-15);
+    EXPECT_NEAR(cube["F"][1][1], F, 1e-15);
+    EXPECT_NEAR(cube["b"][1], pi * pi * u * (4 * mu - E - 4 * (lambda * (K - 1) - mu) / (F * F)), 1e-9);
+  }
+}
+
+TEST(ListCommand, NamesProblemsAndWords) {
+  const Folder folder;
+  const auto all = call(folder, "list --json").json();
+  EXPECT_THAT(all["bases"].get<std::vector<std::string>>(),
+              testing::IsSupersetOf({"linear", "bspline2", "bspline3", "bspline2-open", "bspline3-open", "ugimp",
+                                     "gimp", "cpgimp", "cpdi"}));
+  EXPECT_EQ(all["problems"][0]["name"], "bar");
+}
+
+}  // namespace mpmvv::cli::solution_test
