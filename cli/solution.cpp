@@ -5,6 +5,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "studies/problems/fields.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
@@ -37,34 +38,19 @@ cases::ProblemChoice choice_of(const problems::Problem& problem, const std::vect
   return settings::make_choice(settings);
 }
 
-template <int D>
 nlohmann::json evaluate(const problems::Problem& problem, const cases::ProblemChoice& choice,
                         const std::vector<double>& at, double t) {
-  constexpr double round_off = 1e-12;  // m; for points on the surface
-  const problems::Setup<D> setup = problems::make_setup<D>(problem, choice, 0);
-  if (!setup.solution) throw UsageError(fmt::format("problem '{}' has no exact solution", problem.name));
-  const auto& solution = *setup.solution;
-  const mms::Vec<D> X = Eigen::Map<const mms::Vec<D>>(at.data());
-  if (!std::visit([&X](const auto& body) { return problems::contains(body, X, round_off); }, setup.body))
-    throw UsageError(fmt::format("--at {} is outside the body ({})", fmt::join(at, ","),
-                                 std::visit([](const auto& body) { return problems::description(body); }, setup.body)));
-  const auto vector = [](const mms::Vec<D>& v) { return std::vector<double>(v.data(), v.data() + D); };
-  const auto rows = [](const mms::Mat<D>& m) {
-    std::vector<std::vector<double>> all(D);
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j) all[static_cast<std::size_t>(i)].push_back(m(i, j));
-    return all;
-  };
+  const problems::Fields fields = problems::fields_at(problem, choice, at, t, "--at");
   return {{"problem", problem.name},
           {"parameters", choice.parameters},
           {"at", at},
           {"time", t},
-          {"u", vector(solution.u(X, t))},
-          {"v", vector(solution.v(X, t))},
-          {"a", vector(solution.a(X, t))},
-          {"b", vector(solution.b(X, t))},
-          {"F", rows(solution.F(X, t))},
-          {"P", rows(solution.P(X, t))}};
+          {"u", fields.u},
+          {"v", fields.v},
+          {"a", fields.a},
+          {"b", fields.b},
+          {"F", fields.F},
+          {"P", fields.P}};
 }
 
 /// Refuses a time or place at which a field overflows.
@@ -81,9 +67,7 @@ int solution(const SolutionOptions& options) {
   const cases::ProblemChoice choice = choice_of(problem, options.parameters);
   const auto at = coordinates(options.at, problem.dimension());
   const double t = settings::parse_number({"time", options.time, "--time"});
-  const nlohmann::json json = problem.dimension() == 1   ? evaluate<1>(problem, choice, at, t)
-                              : problem.dimension() == 2 ? evaluate<2>(problem, choice, at, t)
-                                                         : evaluate<3>(problem, choice, at, t);
+  const nlohmann::json json = evaluate(problem, choice, at, t);
   require_finite(json, options);
   if (options.json) {
     print_json(json);

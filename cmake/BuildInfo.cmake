@@ -1,9 +1,9 @@
 # Run by `cmake -P` with SOURCE_DIR, BINARY_DIR, HEADER, COMPILER, BUILD_TYPE and FLAGS: writes HEADER.
 
-# Flags that decide the code: no warnings, no folder names.
+# Flags that decide the code: no warnings, no folder names, nothing of the compiler's memory.
 string(REPLACE "${BINARY_DIR}" "<build>" FLAGS "${FLAGS}")
 string(REPLACE "${SOURCE_DIR}" "<source>" FLAGS "${FLAGS}")
-string(REGEX REPLACE "(^| )-W[^ ]*" "" FLAGS "${FLAGS}")
+string(REGEX REPLACE "(^| )(-W|--param=ggc-)[^ ]*" "" FLAGS "${FLAGS}")
 string(REGEX REPLACE " +" " " FLAGS "${FLAGS}")
 string(STRIP "${FLAGS}" FLAGS)
 

@@ -166,6 +166,12 @@ PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, in
   return prepared;
 }
 
+template class SolutionBodyForce<1>;
+template class SolutionBodyForce<2>;
+template class SolutionBodyForce<3>;
+template class SolutionTraction<1>;
+template class SolutionTraction<2>;
+template class SolutionTraction<3>;
 template PreparedCase<1> prepare_case<1>(const Case&, const problems::Problem&, int);
 template PreparedCase<2> prepare_case<2>(const Case&, const problems::Problem&, int);
 template PreparedCase<3> prepare_case<3>(const Case&, const problems::Problem&, int);

@@ -53,6 +53,14 @@ class SolutionTraction final : public solver::SurfaceLoad<D> {
   std::vector<Part> parts_;
 };
 
+// Compiled with the runs, whatever the options of those that see them.
+extern template class SolutionBodyForce<1>;
+extern template class SolutionBodyForce<2>;
+extern template class SolutionBodyForce<3>;
+extern template class SolutionTraction<1>;
+extern template class SolutionTraction<2>;
+extern template class SolutionTraction<3>;
+
 /// A case ready to run: the problem's solution sampled at the particles, and the scene made from it.
 template <int D>
 struct PreparedCase {
