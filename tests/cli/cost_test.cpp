@@ -56,7 +56,7 @@ TEST_F(CostCommand, RefusesABaselineThatIsNoSuchProgram) {
 }
 
 TEST_F(CostCommand, RefusesWhatIsNoCase) {
-  const std::string program = MPMVV_PROGRAM;
+  const std::string program = cli::program();
   for (const auto& [text, said] : {std::pair{"# none\n", "names no case"}, {"--problem bar\n", "does not carry out"}}) {
     const Answer answer = call(folder_, "cost " + program + " --cases " + folder_.write("cases.txt", text));
     EXPECT_EQ(answer.code, 2);

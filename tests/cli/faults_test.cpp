@@ -92,7 +92,7 @@ class Faults : public testing::Test {
 
   /// The program in the folder, given up after a while; the answer is what comes out beside the redirections.
   static Answer in_folder(const std::string& arguments, const std::string& before, const std::string& redirections) {
-    return shell("cd '" + (*folder / "") + "' && " + before + " timeout 20 '" + MPMVV_PROGRAM + "' " + arguments + " " +
+    return shell("cd '" + (*folder / "") + "' && " + before + " timeout 20 '" + program() + "' " + arguments + " " +
                  redirections);
   }
 

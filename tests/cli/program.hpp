@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,12 @@
 #include <string>
 
 namespace mpmvv::cli {
+
+/// The program that is tested: this build's, unless the environment names another's.
+inline std::string program() {
+  const char* other = std::getenv("MPMVV_PROGRAM");
+  return other ? other : MPMVV_PROGRAM;
+}
 
 /// A folder of its own for one test, removed at the end.
 class Folder {
@@ -57,7 +64,7 @@ inline Answer shell(const std::string& command) {
 /// `before` is what the shell does first: "cd ... && ".
 inline Answer call(const Folder& folder, const std::string& arguments, const std::string& before = "") {
   const std::string err = folder / "stderr";
-  Answer answer = shell(before + "'" + MPMVV_PROGRAM + "' " + arguments + " 2>'" + err + "'");
+  Answer answer = shell(before + "'" + program() + "' " + arguments + " 2>'" + err + "'");
   answer.err = read_text(err);
   return answer;
 }

@@ -201,7 +201,7 @@ TEST(StudyCommand, AKilledRunLosesNoFinishedCase) {
   const pid_t child = fork();
   if (child == 0) {
     freopen("/dev/null", "w", stdout);
-    execl(MPMVV_PROGRAM, MPMVV_PROGRAM, "study", file.c_str(), "--jobs", "1", "--db", db.c_str(), nullptr);
+    execl(program().c_str(), "mpmvv", "study", file.c_str(), "--jobs", "1", "--db", db.c_str(), nullptr);
     _exit(127);
   }
   const auto finished = [&] {

@@ -23,18 +23,11 @@ struct TypesOf<std::variant<Types...>> {
   using type = ::testing::Types<Types...>;
 };
 
-/// Every basis and dimension; under a sanitizer, which makes each of them a minute's work to compile, two bases of
-/// different kinds, with knots at the faces and with particles' domains, and the plane; the others the program's own
-/// tests run.
+/// Every basis and dimension.
 template <int D>
 using Dimension = std::integral_constant<int, D>;
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-using TestedBases = ::testing::Types<BSpline3Open, Cpdi>;
-using TestedDimensions = ::testing::Types<Dimension<2>>;
-#else
 using TestedBases = TypesOf<AnyBasis>::type;
 using TestedDimensions = ::testing::Types<Dimension<1>, Dimension<2>, Dimension<3>>;
-#endif
 
 /// A basis with the width of the particle that is looked at, and whether its domain is sheared and turned.
 template <class B>
