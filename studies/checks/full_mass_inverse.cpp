@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "studies/checks/check.hpp"
+#include "studies/checks/mapping/matrix_product.hpp"
 #include "studies/checks/mapping/particle_tiling.hpp"
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
@@ -35,7 +36,7 @@ class MassMatrices {
     m = masses(reached);
     V = Vector::NullaryExpr(M.size(), [](Eigen::Index k) { return std::sin(7.0 * static_cast<double>(k * k)); });
     p = S.transpose() * M.cwiseProduct(V);
-    round_trip = m.cwiseInverse().asDiagonal() * (S.transpose() * M.asDiagonal() * S);
+    round_trip = m.cwiseInverse().asDiagonal() * mapping::matrix_product(S.transpose() * M.asDiagonal(), S);
   }
 
   Vector lumped() const { return p.cwiseQuotient(m); }
@@ -61,7 +62,7 @@ class MassMatrices {
     for (int l = 1; l <= order; ++l) {
       coefficient *= (order + 1.0 - l) / l;
       sum += (l % 2 == 1 ? coefficient : -coefficient) * (power * lumped());
-      power = power * round_trip;
+      power = mapping::matrix_product(power, round_trip);
     }
     return sum;
   }
@@ -72,7 +73,7 @@ class MassMatrices {
     return w;
   }
 
-  Vector exact() const { return Matrix(S.transpose() * M.asDiagonal() * S).ldlt().solve(p); }
+  Vector exact() const { return mapping::matrix_product(S.transpose() * M.asDiagonal(), S).ldlt().solve(p); }
 
  private:
   using Vec = solver::Vec<2>;

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "studies/checks/basis_function.hpp"
+#include "studies/checks/mapping/matrix_product.hpp"
 #include "studies/checks/mapping/shape_properties.hpp"
 #include "studies/checks/mapping/sum_properties.hpp"
 
@@ -85,7 +86,7 @@ inline double change_carried_by_grid() {
   };
   const auto phi = [](const std::vector<double>& grid, const std::vector<double>& x_p, const std::vector<double>& x) {
     const auto M = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(x_p.size()));
-    return Eigen::MatrixXd(ParticleBasis::lumped(hats(grid, x_p), M).psi().transpose() * hats(grid, x));
+    return matrix_product(ParticleBasis::lumped(hats(grid, x_p), M).psi().transpose(), hats(grid, x));
   };
   return (phi(moved_nodes, carried(particles), carried(points)) - phi(nodes, particles, points)).cwiseAbs().maxCoeff();
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "studies/checks/check.hpp"
+#include "studies/checks/mapping/matrix_product.hpp"
 #include "studies/checks/mapping/particle_tiling.hpp"
 #include "studies/checks/mapping/spectrum.hpp"
 
@@ -31,7 +32,7 @@ class LinearBar {
     m_ = masses(reached);
     S_ = Matrix(S(Eigen::all, reached));
     G_ = Matrix(G(Eigen::all, reached));
-    round_trip_ = m_.cwiseInverse().asDiagonal() * (S_.transpose() * volumes_.asDiagonal() * S_);
+    round_trip_ = m_.cwiseInverse().asDiagonal() * matrix_product(S_.transpose() * volumes_.asDiagonal(), S_);
   }
 
   /// The largest of (1 - (1 - s)^k)/s over the eigenvalues s of S⁺S: what the expansion makes of a lumped velocity.
@@ -52,11 +53,11 @@ class LinearBar {
     from_particles << S_.transpose() * volumes_.asDiagonal(), -dt * G_.transpose() * volumes_.asDiagonal();
     const Matrix lumped = m_.cwiseInverse().asDiagonal() * from_particles;
     Matrix v = lumped;
-    for (int term = 1; term < order; ++term) v += lumped - round_trip_ * v;
+    for (int term = 1; term < order; ++term) v += lumped - matrix_product(round_trip_, v);
     Matrix map = Matrix::Zero(2 * n, 2 * n);
     map.bottomRightCorner(n, n).setIdentity();
-    map.topRows(n) += S_ * v;
-    map.bottomRows(n) += dt * G_ * v;
+    map.topRows(n) += matrix_product(S_, v);
+    map.bottomRows(n) += dt * matrix_product(G_, v);
     return mapping::spectral_radius(map);
   }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "studies/checks/mapping/domain_quadrature.hpp"
+#include "studies/checks/mapping/matrix_product.hpp"
 #include "studies/checks/mapping/particle_basis.hpp"
 
 namespace mpmvv::checks::mapping {
@@ -84,7 +85,7 @@ class MappedBody {
 template <int D>
 Eigen::MatrixXd MappedBody<D>::mass_matrix(MassMatrix kind) const {
   if (kind == MassMatrix::lumped) return Eigen::VectorXd(v_ * M_).asDiagonal();
-  if (kind == MassMatrix::quadrature) return v_ * M_.asDiagonal() * v_.transpose();
+  if (kind == MassMatrix::quadrature) return matrix_product(v_ * M_.asDiagonal(), v_.transpose());
   const DomainQuadrature<D> points(tiling_, grid_);
   const auto N = field_.weights(points.x);
   const Eigen::SparseMatrix<double> weighted = N * weights_of(points, kind).asDiagonal();

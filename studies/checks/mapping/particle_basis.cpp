@@ -3,6 +3,8 @@
 #include <Eigen/QR>
 #include <vector>
 
+#include "studies/checks/mapping/matrix_product.hpp"
+
 namespace mpmvv::checks::mapping {
 
 namespace {
@@ -43,14 +45,14 @@ ParticleBasis ParticleBasis::consistent(const Eigen::MatrixXd& m, const Eigen::M
   const ScaledMass mass(m);
   const Eigen::MatrixXd inverse = mass.scale.asDiagonal() * mass.factors.pseudoInverse() * mass.scale.asDiagonal();
   Eigen::MatrixXd psi = Eigen::MatrixXd::Zero(v.rows(), v.cols());
-  psi(mass.nodes, Eigen::all) = inverse * v(mass.nodes, Eigen::all) * M.asDiagonal();
+  psi(mass.nodes, Eigen::all) = matrix_product(inverse, v(mass.nodes, Eigen::all)) * M.asDiagonal();
   return ParticleBasis(psi);
 }
 
 Eigen::MatrixXd nodal_values(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v, const Eigen::VectorXd& M,
                              const Eigen::MatrixXd& f) {
   const ScaledMass mass(m);
-  const Eigen::MatrixXd b = mass.scale.asDiagonal() * (v * (M.asDiagonal() * f))(mass.nodes, Eigen::all);
+  const Eigen::MatrixXd b = mass.scale.asDiagonal() * matrix_product(v, M.asDiagonal() * f)(mass.nodes, Eigen::all);
   Eigen::MatrixXd F = Eigen::MatrixXd::Zero(v.rows(), f.cols());
   F(mass.nodes, Eigen::all) = mass.scale.asDiagonal() * mass.factors.solve(b);
   return F;
