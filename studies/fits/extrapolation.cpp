@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -58,7 +58,7 @@ ErrorModel fit_model(const Grids& samples, Weights weights, const std::vector<do
     phi[k] = s.e;
   }
   const Eigen::VectorXd root = weights_of(samples, weights).cwiseSqrt();
-  const Eigen::VectorXd c = (root.asDiagonal() * A).colPivHouseholderQr().solve(root.cwiseProduct(phi));
+  const Eigen::VectorXd c = (root.asDiagonal() * A).fullPivHouseholderQr().solve(root.cwiseProduct(phi));
   const Eigen::VectorXd misfit = root.cwiseProduct(A * c - phi);
   ErrorModel model;
   model.limit = c[0];
