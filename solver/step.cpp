@@ -125,7 +125,7 @@ void Step<D>::sort() {
 
 template <int D>
 void Step<D>::sort_strays() {
-  if (must_sort_.exchange(false)) sort();
+  if (must_sort_.exchange(false) || slabs_.are_scattered()) sort();
 }
 
 template <int D>

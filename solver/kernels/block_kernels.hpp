@@ -36,15 +36,15 @@ struct EvaluateStress {
 
  private:
   [[gnu::noinline, gnu::flatten]] void evaluate_packs(const auto& m, Block<D>& block) const {
-    for_packs(
+    for_packs<D>(
         block, [&](const ParticlePack<D>& pack, int k)
                    __attribute__((always_inline)) { put(m.kirchhoff(pack.of(particles.F)), block, k); });
   }
   void evaluate_each(const auto& m, Block<D>& block, const StressStep& step) const {
-    for_packs(block, [&](const ParticlePack<D>& pack, int k) {
+    for_packs<D>(block, [&](const ParticlePack<D>& pack, int k) {
       PackMat<D> tau = PackMat<D>::Zero();
       for (int lane = 0; lane < pack.count(); ++lane) {
-        const std::size_t p = block.begin + static_cast<std::size_t>(k + lane);
+        const std::uint32_t p = block.particle[k + lane];
         const Mat<D> own = m.kirchhoff(particles.F[p], particles.thermal[p], step);
         for (int i = 0; i < D * D; ++i) tau(i).of[lane] = own(i);
       }
@@ -54,14 +54,7 @@ struct EvaluateStress {
   /// Sets the stresses of a pack whose first particle is the k-th.
   [[gnu::always_inline]] static void put(const PackMat<D>& tau, Block<D>& block, int k) {
     for (int c = 0; c < D; ++c)
-      if (block.is_grouped) {
-        for (int r = 0; r < D; ++r) store4(tau(r, c).of, &block.tau.entry[r][c][k]);
-      } else {
-        std::array<Pack, padded_size<D>> column{};
-        for (int r = 0; r < D; ++r) column[static_cast<std::size_t>(r)] = tau(r, c);
-        PaddedMat<D>* const each = &block.tau.each[k];
-        store_packs<padded_size<D>>(column.data(), {&each[0](0, c), &each[1](0, c), &each[2](0, c), &each[3](0, c)});
-      }
+      for (int r = 0; r < D; ++r) store4(tau(r, c).of, &block.tau.entry[r][c][k]);
   }
 };
 
@@ -73,7 +66,9 @@ struct EvaluateBodyForce {
   double t;
 
   void operator()(Block<D>& block, const Grid<D>&) const {
-    body_force.on_particles(t, {&particles.id[block.begin], static_cast<std::size_t>(block.count)}, block.b);
+    std::uint32_t ids[block_size<D>];
+    for (int k = 0; k < block.count; ++k) ids[k] = particles.id[block.particle[k]];
+    body_force.on_particles(t, {ids, static_cast<std::size_t>(block.count)}, block.b);
   }
 };
 
@@ -84,7 +79,7 @@ struct CheckDeformation {
 
   [[gnu::flatten]] Fault operator()(Block<D>& block, const Grid<D>&) const {
     Mask4 positive{-1, -1, -1, -1};
-    for_packs(block, [&](const ParticlePack<D>& pack, int) {
+    for_packs<D>(block, [&](const ParticlePack<D>& pack, int) {
       positive &= Mask4(pack.of(particles.F).determinant().of > Double4{});
     });
     return all(positive) ? Fault::none : Fault::inverted;
@@ -97,7 +92,8 @@ struct UpdateWidth {
   Particles<D>& particles;
 
   void operator()(Block<D>& block, const Grid<D>&) const {
-    particles.update_widths(block.begin, block.begin + static_cast<std::size_t>(block.count));
+    if (particles.l0.empty() && particles.R0.empty()) return;
+    for (const std::uint32_t p : block.particles()) particles.update_width(p);
   }
 };
 
@@ -108,8 +104,7 @@ struct MoveByRate {
   double dt;
 
   void operator()(Block<D>& block, const Grid<D>&) const {
-    for (std::size_t p = block.begin; p < block.begin + static_cast<std::size_t>(block.count); ++p)
-      particles.x[p] += dt * particles.rate[p];
+    for (const std::uint32_t p : block.particles()) particles.x[p] += dt * particles.rate[p];
   }
 };
 
@@ -139,7 +134,7 @@ struct SettlePosition {
       const double lower = grid.lower()[d], period = grid.h() * grid.cells()[d], upper = lower + period;
       if (!periodic[static_cast<std::size_t>(d)] || (extent.least[d] >= lower && extent.most[d] < upper)) continue;
       some = true;
-      for (std::size_t p = block.begin; p < block.begin + static_cast<std::size_t>(block.count); ++p) {
+      for (const std::uint32_t p : block.particles()) {
         double& x = particles.x[p][d];
         x = x < lower ? x + period : x >= upper ? x - period : x;
       }

@@ -14,11 +14,10 @@ template <int D>
 Fault map_surface_load(const AnyBasis& basis, const SurfaceLoad<D>& load, const Vec<D>* force,
                        const std::vector<std::uint32_t>& place, const Particles<D>& particles, Grid<D>& grid) {
   AnyBlock<D> block = make_block<D>(basis, 0);
-  common<D>(block).count = 1;
   Fault found = Fault::none;
   for (const auto& part : load.parts()) {
-    const std::size_t p = common<D>(block).begin = place[part.particle];
-    found = found | evaluate<D>(basis, particles, grid, true, block);
+    const std::uint32_t p = place[part.particle];
+    found = found | evaluate_alone<D>(basis, particles, grid, p, block);
     const Vec<D> reach = particles.F[p] * part.offset;
     ValueAndGradient<D> source{padded<D>(*force), {}};
     for (int d = 0; d < D; ++d) source.gradient.col(d) = reach[d] * source.value;

@@ -34,7 +34,7 @@ class CpdiStencilCache {
     double box[size][cpdi_block_size<D>] = {};
     for (int c = 0; c < block.corners; ++c) add_corner(block, c, lowest, box);
     for (int k = 0; k < block.count; ++k) {
-      const std::size_t p = block.begin + static_cast<std::size_t>(k);
+      const std::size_t p = block.particle[k];
       Index<D> node;
       for (std::size_t d = 0; d < D; ++d) node[d] = lowest[d][static_cast<std::size_t>(k)];
       first_[p] = static_cast<std::uint32_t>(grid.node(node));

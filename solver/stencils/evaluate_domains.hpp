@@ -30,16 +30,15 @@ Fault find_domains(const Block<D>& block, const Particles<D>& particles, const G
                    DomainsOnAxis<D>& domains) {
   const double inverse_h = 1 / grid.h(), lower = grid.lower()[axis];
   const double least = 1 + domain_reach - B::ghost, most = std::nextafter(grid.cells()[axis] - least, 0.0);
-  const Vec<D>* x = &particles.x[block.begin];
-  const Mat<D>* R = &particles.R[block.begin];
   int outside = 0, outgrown = 0;
   for (int k = 0; k < block.count; ++k) {
-    domains.centre[k] = confined((x[k][axis] - lower) * inverse_h, least, most, outside);
+    const Mat<D>& R = particles.R[block.particle[k]];
+    domains.centre[k] = confined((particles.x[block.particle[k]][axis] - lower) * inverse_h, least, most, outside);
     double extent = 0;
-    for (int e = 0; e < D; ++e) extent += std::abs(R[k](axis, e)) / 2;
+    for (int e = 0; e < D; ++e) extent += std::abs(R(axis, e)) / 2;
     const bool fits = extent <= domain_reach;
     outgrown += fits ? 0 : 1;
-    for (int e = 0; e < D; ++e) domains.half[e][k] = fits ? R[k](axis, e) / 2 : 0;
+    for (int e = 0; e < D; ++e) domains.half[e][k] = fits ? R(axis, e) / 2 : 0;
   }
   return (outside > 0 ? Fault::outside : Fault::none) | (outgrown > 0 ? Fault::outgrown : Fault::none);
 }
@@ -70,9 +69,17 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
   if (with_gradients) {
     const double factor = 2 / grid.h() / Corners::corners;
     for (int k = 0; k < count; ++k)
-      block.slope[k] = factor * particles.R[block.begin + static_cast<std::size_t>(k)].inverse().transpose();
+      block.slope[k] = factor * particles.R[block.particle[k]].inverse().transpose();
   }
   return found;
+}
+
+/// The stencil of one particle.
+template <int D, class B>
+Fault evaluate_alone(const B& basis, const Particles<D>& particles, const Grid<D>& grid, std::uint32_t particle,
+                     CpdiBlock<D, B::support>& block) {
+  block.take({&particle, 1});
+  return evaluate_stencils(basis, particles, grid, true, block);
 }
 
 }  // namespace mpmvv::solver

@@ -9,17 +9,10 @@
 #include "solver/stencils/particle_pack.hpp"
 #include "solver/stencils/point_block.hpp"
 #include "solver/stencils/stencil_groups.hpp"
+#include "solver/stencils/tile.hpp"
 
 /// Evaluates the stencils of particles that are points.
 namespace mpmvv::solver {
-
-/// The positions of a block's particles from the lower faces, in cells, moved to where a basis may be evaluated, and
-/// their widths, by axis. The last particle is repeated until the last pack is full.
-template <int D>
-struct PointsByAxis {
-  static constexpr int room = block_size<D> + 4;
-  alignas(32) double xi[D][room], width[D][room];
-};
 
 /// Where a basis may be evaluated along an axis of so many cells, in cells.
 template <class B>
@@ -29,75 +22,109 @@ std::pair<double, double> range_of(int cells) {
   return {least, std::nextafter(cells - least, 0.0)};
 }
 
-/// A particle out of reach of the grid, one whose width is no part of a cell, or a NaN is a fault.
+/// Fills up what may be read beyond the last particle of a tile.
 template <class B, int D>
-[[gnu::flatten]] Fault find_points(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
-                                   PointsByAxis<D>& points) {
+void repeat_last(Tile<D>& tile) {
+  const auto repeat = [&tile](auto* values) { std::fill_n(values + tile.count, 8, values[tile.count - 1]); };
+  repeat(tile.particle);
+  repeat(tile.first);
+  for (int d = 0; d < D; ++d) {
+    repeat(tile.xi[d]);
+    if constexpr (B::width != ParticleWidth::none) repeat(tile.width[d]);
+  }
+}
+
+/// Where the particles of a tile are, and the first node that each reaches. A particle out of reach of the grid, one
+/// whose width is no part of a cell, or a NaN is a fault; it is then moved to where the basis may be evaluated.
+template <class B, int D>
+[[gnu::flatten]] Fault find_first_nodes(const B& basis, const Particles<D>& particles, const Grid<D>& grid,
+                                        Tile<D>& tile) {
   const double inverse_h = 1 / grid.h();
   Mask4 outside{}, outgrown{};
-  for_packs(block, [&](const ParticlePack<D>& pack, int k) {
+  for_packs<D>(tile, [&](const ParticlePack<D>& pack, int k) {
     const PackVec<D> x = pack.of(particles.x);
     for (int d = 0; d < D; ++d) {
       const auto [least, most] = range_of<B>(grid.cells()[d]);
       const Pack xi = (x[d] - grid.lower()[d]) * inverse_h;
-      store4(confined(xi, least, most, outside).of, &points.xi[d][k]);
+      store4(confined(xi, least, most, outside).of, &tile.xi[d][k]);
     }
     if constexpr (B::width != ParticleWidth::none) {
       const PackVec<D> l = pack.of(particles.l);
       for (int d = 0; d < D; ++d)
-        store4(confined(l[d], std::numeric_limits<double>::min(), 1, outgrown).of, &points.width[d][k]);
+        store4(confined(l[d], std::numeric_limits<double>::min(), 1, outgrown).of, &tile.width[d][k]);
     }
   });
+  std::fill_n(tile.first, tile.count, grid.node({}));
+  for (int d = 0; d < D; ++d) {
+    const int cells = grid.cells()[d], stride = grid.stride(d);
+    for (int k = 0; k < tile.count; ++k) {
+      double N[B::support], dN[B::support];
+      const double width = B::width == ParticleWidth::none ? 0 : tile.width[d][k];
+      tile.first[k] += stride * basis.evaluate({tile.xi[d][k], cells, width}, N, dN);
+    }
+  }
+  repeat_last<B>(tile);
+  find_groups(tile);
   return (any(outside) ? Fault::outside : Fault::none) | (any(outgrown) ? Fault::outgrown : Fault::none);
 }
 
-/// Weights of the first `padded` points, and their gradients if these are asked for.
+/// The next particles of a tile, from a place in its group g on: as many groups as fit, or as much of that one.
+template <int D, int K>
+void take_groups(const Tile<D>& tile, int begin, int& g, PointBlock<D, K>& block) {
+  const int most = begin + block.most;
+  int end = std::min(tile.group[g + 1], most);
+  block.groups = 1;
+  block.group[0] = 0;
+  if (end == tile.group[g + 1])
+    for (++g; g < tile.groups && tile.group[g + 1] <= most; ++g) {
+      block.group[block.groups++] = end - begin;
+      end = tile.group[g + 1];
+    }
+  block.group[block.groups] = end - begin;
+  block.take({tile.particle + begin, static_cast<std::size_t>(end - begin)});
+  std::copy_n(tile.first + begin, block.count + 4, block.first);
+}
+
+/// Weights of a block's particles, whose places in the tile begin at `begin`, and of a pack more; their gradients if
+/// these are asked for.
 template <bool with_gradients, int D, class B>
-void evaluate_axes(const B& basis, const PointsByAxis<D>& points, const Grid<D>& grid, int padded,
+void evaluate_axes(const B& basis, const Tile<D>& tile, int begin, const Grid<D>& grid,
                    PointBlock<D, B::support>& block) {
   const double inverse_h = 1 / grid.h();
-  std::fill_n(block.first, padded, grid.node({}));
+  const int padded = (block.count + 6) / 4 * 4;
   for (int d = 0; d < D; ++d) {
-    const int cells = grid.cells()[d], stride = grid.stride(d);
-    int first[PointsByAxis<D>::room];
+    const int cells = grid.cells()[d];
     for (int k = 0; k < padded; ++k) {
       double N[B::support], dN[B::support];
-      const double width = B::width == ParticleWidth::none ? 0 : points.width[d][k];
-      first[k] = basis.evaluate({points.xi[d][k], cells, width}, N, dN);
+      const double width = B::width == ParticleWidth::none ? 0 : tile.width[d][begin + k];
+      basis.evaluate({tile.xi[d][begin + k], cells, width}, N, dN);
       for (int i = 0; i < B::support; ++i) {
         block.N[d][i][k] = N[i];
         if constexpr (with_gradients) block.dN[d][i][k] = dN[i] * inverse_h;
       }
     }
-    for (int k = 0; k < padded; ++k) block.first[k] += stride * first[k];
   }
 }
 
-/// Repeats the last weights: a pack is read from any place on, and the weights beyond the last particle, which are
-/// multiplied by zero, have to be finite.
-template <int D, int K>
-void repeat_last(bool with_gradients, PointBlock<D, K>& block) {
-  const auto repeat = [&block](double* of_node) { std::fill_n(of_node + block.count, 3, of_node[block.count - 1]); };
-  for (int d = 0; d < D; ++d)
-    for (int i = 0; i < K; ++i) {
-      repeat(block.N[d][i]);
-      if (with_gradients) repeat(block.dN[d][i]);
-    }
+/// The stencils of the tile's particles from a place in its group g on; g is then that of the next.
+template <int D, class B>
+void evaluate_stencils(const B& basis, const Tile<D>& tile, int begin, int& g, const Grid<D>& grid,
+                       bool with_gradients, PointBlock<D, B::support>& block) {
+  take_groups(tile, begin, g, block);
+  if (with_gradients)
+    evaluate_axes<true>(basis, tile, begin, grid, block);
+  else
+    evaluate_axes<false>(basis, tile, begin, grid, block);
 }
 
-/// Evaluates the stencils of a block at its particles' positions. With a fault the stencils concerned lie somewhere
-/// inside storage, and the caller stops the run.
+/// The stencil of one particle.
 template <int D, class B>
-Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid, bool with_gradients,
-                        PointBlock<D, B::support>& block) {
-  PointsByAxis<D> points;
-  const Fault found = find_points<B>(block, particles, grid, points);
-  const int padded = (block.count + 3) / 4 * 4;
-  if (with_gradients)
-    evaluate_axes<true>(basis, points, grid, padded, block);
-  else
-    evaluate_axes<false>(basis, points, grid, padded, block);
-  repeat_last(with_gradients, block);
+Fault evaluate_alone(const B& basis, const Particles<D>& particles, const Grid<D>& grid, std::uint32_t particle,
+                     PointBlock<D, B::support>& block) {
+  Tile<D> tile({&particle, 1});
+  const Fault found = find_first_nodes(basis, particles, grid, tile);
+  int g = 0;
+  evaluate_stencils(basis, tile, 0, g, grid, true, block);
   return found;
 }
 

@@ -16,7 +16,7 @@ struct Extent {
     PackVec<D> low, high;
     low.setConstant(std::numeric_limits<double>::infinity());
     high = -low;
-    for_packs(block, [&](const ParticlePack<D>& pack, int) {
+    for_packs<D>(block, [&](const ParticlePack<D>& pack, int) {
       const PackVec<D> x_four = pack.of(x);
       for (int d = 0; d < D; ++d) {
         low[d] = Pack(Double4(x_four[d].of < low[d].of ? x_four[d].of : low[d].of));

@@ -26,12 +26,13 @@ inline constexpr bool maps_to_nodes = requires(const Kernel& kernel) {
   kernel.field();
 };
 
-/// Visits each particle by itself.
-template <int D, class Shape, class... Kernels>
-[[gnu::noinline, gnu::flatten]] void visit_each(const Shape& block, const Grid<D>& grid, const Kernels&... kernels) {
+/// Visits each particle by itself: those that have domains.
+template <int D, int K, class... Kernels>
+[[gnu::noinline, gnu::flatten]] void visit_particles(const CpdiBlock<D, K>& block, const Grid<D>& grid,
+                                                     const Kernels&... kernels) {
   for_interleaved(block.count, [&](int k) {
     const auto nodes = block.template stencil<(uses_gradients<Kernels> || ...)>(k, grid);
-    const ParticleRef<D> particle{block.begin, k};
+    const ParticleRef<D> particle{block.particle[k], k};
     const auto visit = [&]<class Kernel>(const Kernel& kernel) {
       if constexpr (maps_to_nodes<Kernel>)
         nodes.scatter(kernel(particle, nodes, block), kernel.field());
@@ -70,7 +71,7 @@ void visit_groups(const Block& block, const Grid<D>& grid, OnGroup<D, Kernels, N
   for (int g = 0; g < block.groups; ++g) {
     const int begin = block.group[g], end = block.group[g + 1];
     for (int k = begin; k < end; k += 4) {
-      const ParticlePack<D> pack(block.begin, k, std::min(end - k, 4));
+      const ParticlePack<D> pack(block.particle, k, std::min(end - k, 4));
       const Nodes nodes(block, grid, k);
       (on_group.visit(pack, nodes, block, (k - begin) / 4), ...);
     }
@@ -81,8 +82,8 @@ void visit_groups(const Block& block, const Grid<D>& grid, OnGroup<D, Kernels, N
 
 /// Visits four particles at a time, group by group, whose sums are brought to the nodes at its end.
 template <int D, int K, class... Kernels>
-[[gnu::noinline, gnu::flatten]] void visit_packs(const PointBlock<D, K>& block, const Grid<D>& grid,
-                                                 const Kernels&... kernels) {
+[[gnu::noinline, gnu::flatten]] void visit_particles(const PointBlock<D, K>& block, const Grid<D>& grid,
+                                                     const Kernels&... kernels) {
   using Nodes = PackStencil<D, K>;
   visit_groups<Nodes>(block, grid, OnGroup<D, Kernels, Nodes, PointBlock<D, K>>(kernels)...);
 }
@@ -93,9 +94,7 @@ void visit_nodes(const Shape& block, const Grid<D>& grid, const Kernels&... kern
     if constexpr (requires { kernel.prepare(block, grid); }) kernel.prepare(block, grid);
   };
   (prepare(kernels), ...);
-  if constexpr (requires { block.groups; })
-    if (block.is_grouped) return visit_packs(block, grid, kernels...);
-  visit_each(block, grid, kernels...);
+  visit_particles(block, grid, kernels...);
 }
 template <int D, class Shape, class First, class Second>
 void visit_nodes(const Shape& block, const Grid<D>& grid, const Fused<First, Second>& kernels) {

@@ -12,7 +12,7 @@ namespace mpmvv::solver {
 template <int D, int K>
 struct PointBlock : Block<D> {
   static constexpr int most = block_size<D>;  ///< particles
-  static constexpr int room = most + 4;       ///< a pack may be read at the last
+  static constexpr int room = most + 8;       ///< whole registers may be read at the last
 
   using Block<D>::Block;
 
@@ -20,7 +20,7 @@ struct PointBlock : Block<D> {
   alignas(32) double N[D][K][room];   ///< weights
   alignas(32) double dN[D][K][room];  ///< gradients, per length, where a kernel of the sweep uses them
   int groups;                         ///< of particles that share their nodes
-  int group[block_size<D> + 1];       ///< where each begins, and the end
+  int group[most + 1];                ///< where each begins, and the end
 
   /// Of the k-th particle.
   template <bool with_gradients = true>

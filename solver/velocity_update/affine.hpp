@@ -36,7 +36,7 @@ struct ArmStencil : Stencil<D, K> {
 template <int D, int K>
 [[gnu::noinline]] void scatter_affine(const Particles<D>& particles, const PointBlock<D, K>& block, Grid<D>& grid) {
   for (int k = 0; k < block.count; ++k) {
-    const std::size_t p = block.begin + static_cast<std::size_t>(k);
+    const std::uint32_t p = block.particle[k];
     const ArmStencil<D, K> nodes(block.stencil(k, grid), grid, particles.x[p]);
     for (int d = 0; d < D; ++d) {
       Weights<D, K> along = nodes;
@@ -50,7 +50,7 @@ template <int D, int K>
 template <int D, int K>
 [[gnu::noinline]] void gather_affine(Particles<D>& particles, const PointBlock<D, K>& block, const Grid<D>& grid) {
   for (int k = 0; k < block.count; ++k) {
-    const std::size_t p = block.begin + static_cast<std::size_t>(k);
+    const std::uint32_t p = block.particle[k];
     const ArmStencil<D, K> nodes(block.stencil(k, grid), grid, particles.x[p]);
     const auto moment = nodes.gather_with_gradient(grid.v).gradient;
     particles.C[p] = moment.template topRows<D>() * nodes.inertia.cwiseInverse().asDiagonal();
