@@ -21,18 +21,11 @@ template <int D>
 struct Block {
   explicit Block(int of_slab) : slab(of_slab) {}  // leaves the rest unset: each is written before it is read
 
-  /// Particles whose stencils are to be evaluated.
-  void take(std::span<const std::uint32_t> particles) {
-    count = static_cast<int>(particles.size());
-    std::ranges::copy(particles, particle);
-    std::fill_n(particle + count, 4, particles.back());
-  }
-
   std::span<const std::uint32_t> particles() const { return {particle, static_cast<std::size_t>(count)}; }
 
   int slab;
   int count;                                  ///< of particles
-  std::uint32_t particle[block_size<D> + 4];  ///< their indices; the last is repeated to fill a pack
+  const std::uint32_t* particle;              ///< their indices, and those of a few more
   MatrixBlock<D> tau;                         ///< Kirchhoff stress, by EvaluateStress
   Vec<D> b[block_size<D> + 4];                ///< body acceleration, by EvaluateBodyForce
 };

@@ -78,7 +78,7 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
 template <int D, class B>
 Fault evaluate_alone(const B& basis, const Particles<D>& particles, const Grid<D>& grid, std::uint32_t particle,
                      CpdiBlock<D, B::support>& block) {
-  block.take({&particle, 1});
+  block.particle = &particle, block.count = 1;
   return evaluate_stencils(basis, particles, grid, true, block);
 }
 

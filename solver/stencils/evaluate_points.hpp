@@ -81,8 +81,9 @@ void take_groups(const Tile<D>& tile, int begin, int& g, PointBlock<D, K>& block
       end = tile.group[g + 1];
     }
   block.group[block.groups] = end - begin;
-  block.take({tile.particle + begin, static_cast<std::size_t>(end - begin)});
-  std::copy_n(tile.first + begin, block.count + 4, block.first);
+  block.count = end - begin;
+  block.particle = tile.particle + begin;
+  block.first = tile.first + begin;
 }
 
 /// Weights of a block's particles, whose places in the tile begin at `begin`, and of a pack more; their gradients if

@@ -73,6 +73,10 @@ class ParticlePack {
   template <int R, int C>
   [[gnu::always_inline]] void set(std::vector<Eigen::Matrix<double, R, C>>& field,
                                   const Eigen::Matrix<Pack, R, C>& value) const {
+    if (count_ == 4) {
+      const auto all = [&](int lane) { return field[particle_[lane]].data(); };
+      return store_packs<R * C>(value.data(), {all(0), all(1), all(2), all(3)});
+    }
     Eigen::Matrix<double, R, C> of_none;
     const auto numbers = [&](int lane) { return lane < count_ ? field[particle_[lane]].data() : of_none.data(); };
     store_packs<R * C>(value.data(), {numbers(0), numbers(1), numbers(2), numbers(3)});

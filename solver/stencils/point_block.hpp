@@ -16,7 +16,7 @@ struct PointBlock : Block<D> {
 
   using Block<D>::Block;
 
-  int first[room];                    ///< storage index of the first node
+  const int* first;                   ///< storage index of the first node
   alignas(32) double N[D][K][room];   ///< weights
   alignas(32) double dN[D][K][room];  ///< gradients, per length, where a kernel of the sweep uses them
   int groups;                         ///< of particles that share their nodes

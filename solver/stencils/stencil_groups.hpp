@@ -84,7 +84,7 @@ template <int D>
     T sorted[Tile<D>::most];
     for (int g = 0; g < tile.groups; ++g)
       for (int k = tile.group[g]; k < tile.group[g + 1]; ++k) sorted[to[g] + k - tile.group[g]] = values[k];
-    std::copy_n(sorted, tile.count, values);
+    for (int k = 0; k < tile.count; ++k) values[k] = sorted[k];
   };
   reorder(tile.particle);
   reorder(tile.first);

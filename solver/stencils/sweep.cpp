@@ -44,7 +44,7 @@ Fault for_blocks(int slab, const B& basis, const Particles<D>& particles, const 
   Fault found = Fault::none;
   const auto [begin, end] = slabs.particles(slab);
   for (std::size_t p = begin; p < end; p += block.most) {
-    block.take(slabs.stored(p, std::min<std::size_t>(p + block.most, end)));
+    block.particle = slabs.stored(p, end).data(), block.count = static_cast<int>(std::min<std::size_t>(block.most, end - p));
     const Fault unreached = evaluate_stencils(basis, particles, grid, with_gradients, block);
     found = found | unreached;
     if (unreached == Fault::none) visit();
