@@ -7,33 +7,23 @@
 #include <set>
 
 #include "tests/reports/distinct.hpp"
-#include "tests/reports/written_report.hpp"
+#include "tests/reports/read_back_drawing.hpp"
 
 /// What stands where in the figures of a report: their values as the tics say them, their series as the key does.
 namespace mpmvv::reports {
 namespace read_back_figures_test {
 
-using claims::Finding;
 using records::Series;
 using records::StudyResult;
 
+using read_back::close;
 using read_back::Drawing;
+using read_back::drawing_of;
+using read_back::expect_near;
 using read_back::Look;
-using read_back::ReadAxis;
 using read_back::ReadLine;
 using read_back::ReadMark;
-using read_back::WrittenReport;
 using Kind = ReadMark::Kind;
-
-constexpr double close = 2e-3;  ///< relative; neighbouring values differ by far more
-
-Drawing drawing_of(const StudyResult& study) {
-  return WrittenReport(read_back::input_of(study)).drawing("Caption of " + study.name);
-}
-
-void expect_near(double read, double expected) {
-  EXPECT_NEAR(read, expected, close * std::abs(expected));
-}
 
 /// Lines of a colour and a width that lead from one place to another, in values.
 std::vector<ReadLine> lines_of(const Drawing& drawing, const std::string& colour, double width) {

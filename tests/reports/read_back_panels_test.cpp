@@ -7,7 +7,7 @@
 #include <set>
 
 #include "tests/reports/distinct.hpp"
-#include "tests/reports/written_report.hpp"
+#include "tests/reports/read_back_drawing.hpp"
 
 /// What stands where in the panels of particles and in the figures of trends.
 namespace mpmvv::reports::read_back_panels_test {
@@ -16,20 +16,12 @@ using claims::Finding;
 using records::StudyResult;
 
 using read_back::Drawing;
+using read_back::drawing_of;
+using read_back::expect_near;
 using read_back::ReadAxis;
 using read_back::ReadMark;
 using read_back::WrittenReport;
 using Kind = ReadMark::Kind;
-
-constexpr double close = 2e-3;  ///< relative; neighbouring values differ by far more
-
-Drawing drawing_of(const StudyResult& study) {
-  return WrittenReport(read_back::input_of(study)).drawing("Caption of " + study.name);
-}
-
-void expect_near(double read, double expected) {
-  EXPECT_NEAR(read, expected, close * std::abs(expected));
-}
 
 /// The axes of panels side by side: their numbers begin anew with each.
 std::vector<ReadAxis> panel_axes(const ReadAxis& axis) {
