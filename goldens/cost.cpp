@@ -1,9 +1,9 @@
 #include "goldens/cost.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <limits>
 
+#include "studies/fits/distributions.hpp"
 #include "studies/fits/median.hpp"
 
 namespace mpmvv::goldens {
@@ -21,9 +21,8 @@ std::vector<double> values_of(const std::vector<CostPair>& pairs, const std::fun
 /// The rank, from either end, of the values that bound the interval: chance puts the true median beyond each with a
 /// probability of at most 0.5 %. 0 when even the extremes may miss it.
 std::size_t rank_of_bounds(std::size_t n) {
-  const boost::math::binomial below(static_cast<double>(n), 0.5);
   std::size_t k = 0;
-  while (cdf(below, static_cast<double>(k)) <= 0.005) ++k;
+  while (fits::at_most_heads(static_cast<double>(k), static_cast<double>(n)) <= 0.005) ++k;
   return k;
 }
 

@@ -31,8 +31,7 @@ function(mpmvv_instrumented_rooms name)
   mpmvv_sanitized_test(${name} -${not_sanitized})
 endfunction()
 
-set(read_rooms support fits cases records claims store)
-set(run_rooms problems settings runs mapping checks plan)
+mpmvv_rooms(read_rooms run_rooms)
 
 # Threads: the solver has them, and the pool of cases, which is studies/plan's. These two rooms are instrumented, and
 # their cases that run threads; the other rooms are the plain build's, in which a race of two cases over the same memory

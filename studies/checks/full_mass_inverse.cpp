@@ -1,10 +1,10 @@
-#include <Eigen/Cholesky>
-#include <Eigen/Dense>
 #include <cmath>
 #include <vector>
 
 #include "studies/checks/check.hpp"
 #include "studies/checks/mapping/matrix_product.hpp"
+#include "studies/checks/mapping/nodal_basis.hpp"
+#include "studies/checks/mapping/particle_basis.hpp"
 #include "studies/checks/mapping/particle_tiling.hpp"
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
@@ -73,7 +73,9 @@ class MassMatrices {
     return w;
   }
 
-  Vector exact() const { return mapping::matrix_product(S.transpose() * M.asDiagonal(), S).ldlt().solve(p); }
+  Vector exact() const {
+    return mapping::nodal_values(mapping::matrix_product(S.transpose() * M.asDiagonal(), S), S.transpose(), M, V);
+  }
 
  private:
   using Vec = solver::Vec<2>;

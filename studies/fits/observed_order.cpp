@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
+#include "studies/fits/distributions.hpp"
 #include "studies/fits/window.hpp"
 #include "studies/support/error.hpp"
 
@@ -49,11 +49,6 @@ Line fit_line(std::span<const ErrorSample> samples) {
   line.r_squared = 1 - misfit / yy;
   line.slope_error = std::sqrt(misfit / (n - 2) / xx);
   return line;
-}
-
-double student_t_95(std::size_t points) {
-  const boost::math::students_t distribution(static_cast<double>(points - 2));
-  return boost::math::quantile(distribution, 0.975);
 }
 
 bool have_different_h(std::span<const ErrorSample> samples) {
@@ -134,7 +129,7 @@ ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, doubl
     result.order = line.slope;
     result.constant = std::exp(line.intercept);
     result.r_squared = line.r_squared;
-    if (fitted.size() >= 4) result.half_width = student_t_95(fitted.size()) * line.slope_error;
+    if (fitted.size() >= 4) result.half_width = student_t_95(static_cast<double>(fitted.size() - 2)) * line.slope_error;
   }
 
   result.segments = segment_orders(all);

@@ -1,11 +1,11 @@
 #include "studies/fits/replicates.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <map>
 #include <vector>
+
+#include "studies/fits/distributions.hpp"
 
 namespace mpmvv::fits {
 
@@ -35,12 +35,9 @@ ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, d
   fit.observations = static_cast<int>(n);
   if (free_within < 1 || m < 2) return fit;
   fit.scatter = std::sqrt(within / free_within);
-  fit.half_width = boost::math::quantile(boost::math::students_t(free_within), 0.975) * fit.scatter / std::sqrt(xx);
-  if (free_about >= 1 && within > 0) {
-    const boost::math::fisher_f distribution(free_about, free_within);
-    fit.lack_of_fit =
-        boost::math::cdf(boost::math::complement(distribution, about / free_about / (within / free_within)));
-  }
+  fit.half_width = student_t_95(free_within) * fit.scatter / std::sqrt(xx);
+  if (free_about >= 1 && within > 0)
+    fit.lack_of_fit = fisher_f_above(about / free_about / (within / free_within), free_about, free_within);
   return fit;
 }
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "studies/problems/problem.hpp"
+#include "studies/problems/setup.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::problems {

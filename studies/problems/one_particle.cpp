@@ -27,6 +27,7 @@ Problem one_particle_problem() {
           .end_time_formula = "2/C",
           .end_time = [](const Parameters& p) { return 2 / bar_wave_speed(p); },
           .boundary = "xmin=dirichlet,xmax=free",
+          .is_one_particle = true,
           .setup = &one_particle_setup};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "mms/elasticity.hpp"
-#include "studies/problems/problem.hpp"
+#include "studies/problems/setup.hpp"
 
 namespace mpmvv::problems {
 

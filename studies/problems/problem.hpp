@@ -1,18 +1,10 @@
 #pragma once
-#include <array>
 #include <functional>
-#include <map>
-#include <memory>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
-#include "mms/solution.hpp"
-#include "solver/boundary/wall_motion.hpp"
-#include "solver/material/materials.hpp"
 #include "studies/cases/case.hpp"
-#include "studies/problems/body.hpp"
 
 namespace mpmvv::problems {
 
@@ -26,17 +18,8 @@ struct Parameter {
   std::string range;  ///< `allowed` for people: "> 0"
 };
 
-/// What a problem hands to the runner: the body at rest in its domain and how it starts.
 template <int D>
-struct Setup {
-  Body<D> body = Cuboid<D>{};
-  double density = 0;  ///< kg/m³
-  solver::AnyMaterial material;
-  std::shared_ptr<mms::ManufacturedSolution<D>> solution = nullptr;  ///< null where no exact solution is known
-  std::function<solver::Vec<D>(const solver::Vec<D>&)> start_velocity = nullptr;  ///< used when there is no solution
-  std::array<std::shared_ptr<solver::WallMotion>, 2 * D> walls = {};              ///< by face; null where none can be
-  double speed = 0;  ///< of the problem, m/s, which velocity errors are measured by; 0: it has none
-};
+struct Setup;  // setup.hpp
 
 template <int D>
 using SetupFunction = Setup<D> (*)(const Parameters&);
@@ -59,6 +42,7 @@ struct Problem {
   double (*lead_time)(const Parameters&, double h) = nullptr;
   std::string boundary;                      ///< default
   std::string material = "neo-hookean-log";  ///< its law
+  bool is_one_particle = false;              ///< whether it is one particle in one cell, at no other resolution
   bool has_quarter = false;  ///< whether `quarter` has a meaning: every coordinate plane is one of symmetry
   /// Whether the solution needs a traction on the body's surface.
   bool (*is_loaded)(const Parameters&) = nullptr;
@@ -81,18 +65,6 @@ const Problem& find_problem(const std::string& name, const std::string& where);
 
 /// Defaults overwritten by the given ones.
 Parameters complete_parameters(const Problem& problem, const Parameters& given);
-
-/// The setup of a choice: the whole body, or its quarter. `h` is the cell width, for bodies that depend on it.
-template <int D>
-Setup<D> make_setup(const Problem& problem, const cases::ProblemChoice& choice, double h) {
-  Setup<D> setup = std::get<SetupFunction<D>>(problem.setup)(choice.parameters);
-  if (auto* box = std::get_if<Box<D>>(&setup.body)) box->reach = box->end_speed * choice.end_time;
-  if constexpr (D > 1) {
-    if (auto* annulus = std::get_if<Annulus<D>>(&setup.body)) annulus->quarter = choice.quarter;
-    if (auto* blocks = std::get_if<Blocks<D>>(&setup.body)) blocks->gap = blocks->gap_cells * h;
-  }
-  return setup;
-}
 
 /// Its body's volume over that of a cell, and the cells of its domain.
 struct Extent {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "studies/problems/problem.hpp"
+#include "studies/problems/setup.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::problems {

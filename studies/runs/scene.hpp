@@ -5,7 +5,7 @@
 
 #include "solver/mpm.hpp"
 #include "studies/cases/case.hpp"
-#include "studies/problems/problem.hpp"
+#include "studies/problems/setup.hpp"
 #include "studies/runs/fill.hpp"
 
 namespace mpmvv::runs {

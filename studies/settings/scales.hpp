@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "studies/problems/problem.hpp"
+#include "studies/problems/setup.hpp"
 
 namespace mpmvv::settings {
 

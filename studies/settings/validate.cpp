@@ -152,10 +152,8 @@ constexpr Rule rules[]{
     {[](const Asked& a) { return a.s.fill == cases::Fill::lattice && a.is_curved && a.is_loaded; },
      "fill 'lattice' for problem '{problem}' with a traction on its surface, which stairs do not have (use "
      "conforming)"},
-    {[](const Asked& a) {
-       return a.problem.name == "one-particle" && (a.c.resolution.cells != 1 || a.c.resolution.ppc != 1);
-     },
-     "problem 'one-particle' with other cells or ppc (cells = 1 and ppc = 1)"},
+    {[](const Asked& a) { return a.problem.is_one_particle && (a.c.resolution.cells != 1 || a.c.resolution.ppc != 1); },
+     "problem '{problem}' with other cells or ppc (cells = 1 and ppc = 1)"},
     {[](const Asked& a) { return a.s.start == cases::Start::exact && !a.has_solution; },
      "problem '{problem}' has no exact velocity for start 'exact' (use start 'half')"},
 

@@ -43,7 +43,10 @@ ParticleBasis ParticleBasis::lumped(const Eigen::MatrixXd& v, const Eigen::Vecto
 
 ParticleBasis ParticleBasis::consistent(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v, const Eigen::VectorXd& M) {
   const ScaledMass mass(m);
-  const Eigen::MatrixXd inverse = mass.scale.asDiagonal() * mass.factors.pseudoInverse() * mass.scale.asDiagonal();
+  const auto n = static_cast<Eigen::Index>(mass.nodes.size());
+  const Eigen::MatrixXd unit =
+      Eigen::MatrixXd::Identity(n, n);  // so that `solve` compiles once; the pseudoinverse is it
+  const Eigen::MatrixXd inverse = mass.scale.asDiagonal() * mass.factors.solve(unit) * mass.scale.asDiagonal();
   Eigen::MatrixXd psi = Eigen::MatrixXd::Zero(v.rows(), v.cols());
   psi(mass.nodes, Eigen::all) = matrix_product(inverse, v(mass.nodes, Eigen::all)) * M.asDiagonal();
   return ParticleBasis(psi);

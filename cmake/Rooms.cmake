@@ -1,0 +1,56 @@
+# What a room is, said once, where it is made: its target, how it is optimized, what it links. The sanitizers
+# (tests/Sanitized.cmake) and the batches of tests follow from that.
+
+# How a target's sources compile:
+#   COMPUTES  what a run calls, and where several files hold a function of a header, of which the linker takes the first,
+#             what the solver calls: as the preset says
+#   ALGEBRA   dense algebra: takes twice the time to run at -Og, and a tenth more at -O1
+#   OTHER     all else: compiles at -Og in two thirds of the time
+# With the sanitizers everything compiles faster when it is left as it is.
+function(mpmvv_optimize target kind)
+  set(COMPUTES "")
+  set(ALGEBRA $<$<CONFIG:Release>:-O1>)
+  set(OTHER $<$<CONFIG:Release,Mutants>:-Og>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0> ${${kind}})
+endfunction()
+
+# mpmvv_room(FOLDER KIND LINKS...): the room of studies in a folder; it may include what it links.
+function(mpmvv_room folder kind)
+  get_filename_component(name ${folder} NAME)
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  add_library(mpmvv_${name} STATIC ${sources})
+  target_link_libraries(mpmvv_${name} PUBLIC mpmvv_flags ${ARGN} PRIVATE fmt::fmt)
+  mpmvv_optimize(mpmvv_${name} ${kind})
+  set_property(GLOBAL APPEND PROPERTY MPMVV_ROOMS ${name})
+endfunction()
+
+# Whether a target links the solver, be it by way of others.
+function(mpmvv_sees_solver target result)
+  set(sees FALSE)
+  get_target_property(links ${target} INTERFACE_LINK_LIBRARIES)
+  list(FILTER links INCLUDE REGEX "^mpmvv_")
+  if("mpmvv_solver" IN_LIST links)
+    set(sees TRUE)
+  endif()
+  list(REMOVE_ITEM links mpmvv_solver mpmvv_flags)
+  foreach(link IN LISTS links)
+    if(NOT sees)
+      mpmvv_sees_solver(${link} sees)
+    endif()
+  endforeach()
+  set(${result} ${sees} PARENT_SCOPE)
+endfunction()
+
+# The rooms that do not see the solver, and those that do.
+function(mpmvv_rooms apart beside_solver)
+  get_property(rooms GLOBAL PROPERTY MPMVV_ROOMS)
+  set(true_rooms "")
+  set(false_rooms "")
+  foreach(room IN LISTS rooms)
+    mpmvv_sees_solver(mpmvv_${room} sees)
+    string(TOLOWER ${sees} sees)
+    list(APPEND ${sees}_rooms ${room})
+  endforeach()
+  set(${apart} ${false_rooms} PARENT_SCOPE)
+  set(${beside_solver} ${true_rooms} PARENT_SCOPE)
+endfunction()

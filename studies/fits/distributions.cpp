@@ -1,0 +1,22 @@
+#include "studies/fits/distributions.hpp"
+
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+namespace mpmvv::fits {
+
+double student_t_95(double degrees_of_freedom) {
+  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), 0.975);
+}
+
+double fisher_f_above(double ratio, double upper_degrees, double lower_degrees) {
+  const boost::math::fisher_f distribution(upper_degrees, lower_degrees);
+  return boost::math::cdf(boost::math::complement(distribution, ratio));
+}
+
+double at_most_heads(double k, double n) {
+  return boost::math::cdf(boost::math::binomial(n, 0.5), k);
+}
+
+}  // namespace mpmvv::fits
