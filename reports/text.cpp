@@ -18,6 +18,11 @@ std::string brief(double v) {
   return std::isnan(v) ? "–" : fmt::format("{:.4g}", v);
 }
 
+std::string three_digits(double v) {
+  if (std::isnan(v)) return "–";
+  return std::abs(v) < 99.95 ? fmt::format("{:#.3g}", v) : fmt::format("{:.0f}", v);
+}
+
 std::string order_text(double order, double half_width) {
   if (std::isnan(order)) return "–";
   if (std::isnan(half_width)) return fmt::format("{:.2f}", order);

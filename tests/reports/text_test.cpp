@@ -14,6 +14,15 @@ TEST(Text, ExactNumbersReadBackAsThemselves) {
   EXPECT_EQ(exact(NAN), "");
 }
 
+TEST(Text, ThreeDigitsHaveNoExponentThatHidesASize) {
+  EXPECT_EQ(three_digits(0.02854), "0.0285");
+  EXPECT_EQ(three_digits(8.2), "8.20");
+  EXPECT_EQ(three_digits(-44), "-44.0");
+  EXPECT_EQ(three_digits(99.96), "100");
+  EXPECT_EQ(three_digits(123428.6), "123429");
+  EXPECT_EQ(three_digits(NAN), "–");
+}
+
 TEST(Text, OrderHasAnIntervalOnlyWhenThereIsOne) {
   EXPECT_EQ(order_text(2.012, 0.04), "2.01 ± 0.04");
   EXPECT_EQ(order_text(2.012, NAN), "2.01");
