@@ -13,9 +13,18 @@ namespace mpmvv::reports {
 
 namespace {
 
+constexpr std::string_view scheme = "https://";
+
+std::string address(const support::TomlTable& table) {
+  std::string text = table.text("source");
+  if (!text.starts_with(scheme))
+    throw support::UsageError(fmt::format("'{}' in {} is no address ({}...)", text, table.where("source"), scheme));
+  return text;
+}
+
 double positive(const support::TomlTable& table, const char* key) {
   const double value = table.number(key);
-  if (!(value > 0)) throw support::UsageError(fmt::format("'{}' in {} (a number > 0)", key, table.where(key)));
+  if (!(value > 0)) throw support::UsageError(fmt::format("{} in {} is no size (a number > 0)", key, table.where(key)));
   return value;
 }
 
@@ -32,7 +41,7 @@ OtherCode code_from(const support::TomlTable& table) {
           .steps = positive(table, "steps"),
           .particles = positive(table, "particles"),
           .beside = table.text("beside"),
-          .source = table.text("source"),
+          .source = address(table),
           .date = table.text("date")};
 }
 
@@ -61,7 +70,7 @@ Table others_table(const Benchmark& benchmark, const std::vector<OtherCode>& cod
       "Time of others: wall time per particle and step as published or measured, beside this program's on one core of "
       "this "
       "machine in a case of the same dimension, particles per cell and kind of basis",
-      {"code", "what", "precision", "hardware", "as published", "ns", "ours, ns", "times ours", "source"},
+      {"code", "what", "precision", "hardware", "as published", "ns", "ours, ns", "times ours", "source", "date"},
       {}};
   for (const OtherCode& code : codes) {
     const BenchmarkRow* own = case_beside(benchmark, code.beside);
@@ -71,8 +80,8 @@ Table others_table(const Benchmark& benchmark, const std::vector<OtherCode>& cod
     const double ours = own->median("per_particle_step");
     group->rows.push_back({code.name, code.what, code.precision, code.hardware, code.published,
                            three_digits(1e9 * code.per_particle_step()), three_digits(1e9 * ours),
-                           three_digits(code.per_particle_step() / ours),
-                           fmt::format("{}, {}", code.source, code.date)});
+                           three_digits(code.per_particle_step() / ours), code.source.substr(scheme.size()),
+                           code.date});
   }
   return table;
 }

@@ -139,7 +139,8 @@ void add_skip_benchmarks() {
                          "problem=bar boundary=periodic cells=512" + moving);
   compare_body_forces<3>("body force, 3D", "spatial part of the body force once (cube, bspline2)",
                          "problem=cube boundary=periodic cells=16" + moving);
-  compare_steps<2>("active cells", "only active cells (ring, bspline2, on a grid of nine times as many cells)",
+  compare_steps<2>("empty cells",
+                   "fewer empty cells (ring, bspline2: its own grid against one of nine times as many cells)",
                    "problem=ring cells=32" + moving, widen);
   compare_steps<3>("fields", "no unused particle fields (cube, bspline2, with cpGIMP's widths and without)",
                    "problem=cube boundary=periodic cells=16" + moving, add_widths);

@@ -114,7 +114,7 @@ TEST(Benchmark, StandsInTheReport) {
   input.benchmark = benchmark_of(folder, answer);
   write_report(input, folder / "out", [](const std::string&) {});
   const auto page = content(folder / "out" / "index.html");
-  EXPECT_THAT(page, HasSubstr("<td>no logarithm</td><td>21.0</td>"));
+  EXPECT_THAT(page, HasSubstr("<td class=\"word\">no logarithm</td><td class=\"number\">21.0</td>"));
   EXPECT_THAT(page, HasSubstr("href=\"#benchmark\""));
   EXPECT_THAT(page, HasSubstr("partition_of_unity")) << "the studies' tables are still there";
   EXPECT_THAT(content(folder / "out" / "tables" / "program" / "benchmark.tex"), HasSubstr("no logarithm & 21.0"));

@@ -23,6 +23,12 @@ TEST(Text, ThreeDigitsHaveNoExponentThatHidesASize) {
   EXPECT_EQ(three_digits(NAN), "–");
 }
 
+TEST(Text, NumbersAndTheirAbsenceAreToldFromWords) {
+  for (const char* text : {"1", "-2.50", "1.5e-03", "123429", "–"}) EXPECT_TRUE(is_number(text)) << text;
+  for (const char* text : {"", "2.01 ± 0.04", "16 to 128", "bspline2", "1x", "- 1"})
+    EXPECT_FALSE(is_number(text)) << text;
+}
+
 TEST(Text, OrderHasAnIntervalOnlyWhenThereIsOne) {
   EXPECT_EQ(order_text(2.012, 0.04), "2.01 ± 0.04");
   EXPECT_EQ(order_text(2.012, NAN), "2.01");
