@@ -53,7 +53,7 @@ struct ColumnKind {
 };
 
 ColumnKind kind_of_column(const Table& table, std::size_t column) {
-  constexpr std::size_t longest_word = 16;
+  constexpr std::size_t longest_word = 18;
   ColumnKind kind;
   for (const auto& group : table.groups)
     for (const auto& row : group.rows) {
