@@ -67,8 +67,7 @@ const std::vector<OtherCode>& other_codes() {
 
 Table others_table(const Benchmark& benchmark, const std::vector<OtherCode>& codes) {
   Table table{
-      "Time of others: ns per particle and step as published or measured, beside this program's on one core of "
-      "this "
+      "Time of others: ns per particle and step as published or measured, beside this program's on one core of this "
       "machine in a case of the same dimension, particles per cell and kind of basis",
       {"code", "what", "precision", "hardware", "as published", "ns", "ours, ns", "times ours", "source", "date"},
       {}};
