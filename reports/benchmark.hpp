@@ -33,7 +33,9 @@ struct Benchmark {
 /// Throws UsageError on anything else.
 std::optional<Benchmark> read_benchmark(const std::filesystem::path& file);
 
-/// What scenes skip and what that saves; the cost of a step; what the machine can do.
+/// The cost of a step in the studies' cases, and in other codes; what scenes skip and what that saves; what threads
+/// make of it, and what the machine can do; the cost of a step in static blocks. Each is left out where there is
+/// nothing to show.
 std::vector<Table> benchmark_tables(const Benchmark& benchmark);
 
 }  // namespace mpmvv::reports

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -16,6 +17,17 @@ std::string exact(double v) {
 
 std::string brief(double v) {
   return std::isnan(v) ? "–" : fmt::format("{:.4g}", v);
+}
+
+std::string three_digits(double v) {
+  if (std::isnan(v)) return "–";
+  return std::abs(v) < 99.95 ? fmt::format("{:#.3g}", v) : fmt::format("{:.0f}", v);
+}
+
+bool is_number(const std::string& text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  return text == "–" || (!text.empty() && std::from_chars(text.data(), end, value).ptr == end);
 }
 
 std::string order_text(double order, double half_width) {

@@ -9,6 +9,12 @@ std::string exact(double v);
 /// For people: four significant digits, a dash for NaN.
 std::string brief(double v);
 
+/// For people: three significant digits, all of those before the point, a dash for NaN.
+std::string three_digits(double v);
+
+/// Whether this is a number, or the dash for one that was not measured.
+bool is_number(const std::string& text);
+
 /// "2.01 ± 0.04"; without ± when the half width is NaN; a dash when the order is.
 std::string order_text(double order, double half_width);
 

@@ -7,9 +7,11 @@
 
 namespace mpmvv {
 
-/// How a benchmark tells its time per particle and step; the report reads it under this name, in seconds.
+/// Under this name the report reads the time per particle and step, in seconds.
+inline constexpr const char* per_particle_step = "per_particle_step";
+
 inline void count_particle_steps(benchmark::State& state, double particle_steps_per_iteration) {
-  state.counters["per_particle_step"] =
+  state.counters[per_particle_step] =
       benchmark::Counter(particle_steps_per_iteration * static_cast<double>(state.iterations()),
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
@@ -41,6 +43,13 @@ solver::Scene<D> waving_block(std::string_view basis, int cells, int ppc) {
 
 inline constexpr double block_wave_speed = 120;
 
+/// "3D, 64 per cell", of four particles per cell and direction.
+inline std::string filling_text(int D, int ppc) {
+  int particles = 1;
+  for (int d = 0; d < D; ++d) particles *= ppc;
+  return std::to_string(D) + "D, " + std::to_string(particles) + " per cell";
+}
+
 /// Names a benchmark at run time, for rows that a loop makes.
 template <class Run>
 benchmark::internal::Benchmark* add_benchmark(const std::string& name, Run run) {
@@ -48,7 +57,8 @@ benchmark::internal::Benchmark* add_benchmark(const std::string& name, Run run) 
 }
 
 void add_machine_benchmarks();
-void add_step_benchmarks();
+void add_block_benchmarks();
+void add_case_benchmarks();
 void add_skip_benchmarks();
 void add_thread_benchmarks();
 

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
+#include <sstream>
 
 #include "tests/cli/program.hpp"
 
@@ -64,6 +66,21 @@ TEST_F(CostCommand, RefusesWhatIsNoCase) {
   }
   EXPECT_EQ(call(folder_, "cost " + program + " --cases nowhere.txt").code, 2);
   EXPECT_EQ(call(folder_, "cost nowhere").code, 2);
+}
+
+/// The cases that ./run cost times, by their first steps.
+TEST_F(CostCommand, EveryCaseOfTheTreeIsOne) {
+  std::istringstream lines(read_text(MPMVV_SOURCE_DIR "/studies/cost.txt"));
+  std::set<std::string> bases;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line.starts_with('#')) continue;
+    const Answer answer = call(folder_, "run --json --steps 2 " + line);
+    ASSERT_EQ(answer.code, 0) << line << answer.err;
+    EXPECT_EQ(answer.json()["status"], "ok") << line;
+    bases.insert(answer.json()["scheme"]["basis"]);
+  }
+  EXPECT_THAT(bases, testing::IsSupersetOf({"linear", "bspline2", "bspline3", "bspline2-open", "bspline3-open", "gimp",
+                                            "cpgimp", "cpdi", "b2gimp", "b2cpdi"}));
 }
 
 }  // namespace cost_command_test

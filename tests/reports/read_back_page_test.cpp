@@ -58,9 +58,17 @@ BenchmarkRow timed(const std::string& name, std::vector<double> nanoseconds) {
 }
 
 BenchmarkRow step(const std::string& name, std::vector<double> nanoseconds, double multiply_adds, double bytes) {
-  BenchmarkRow row = timed("step/" + name, std::move(nanoseconds));
+  BenchmarkRow row = timed(name, std::move(nanoseconds));
   row.counters["least_multiply_adds"] = {multiply_adds};
   row.counters["least_bytes"] = {bytes};
+  return row;
+}
+
+BenchmarkRow moving(const std::string& name, std::vector<double> nanoseconds, double multiply_adds, double bytes,
+                    double particles, double steps) {
+  BenchmarkRow row = step(name, std::move(nanoseconds), multiply_adds, bytes);
+  row.counters["particles"] = {particles};
+  row.counters["steps"] = {steps};
   return row;
 }
 
@@ -70,38 +78,59 @@ TEST(ReadBackPage, BenchmarkHasEveryTimeUnderItsName) {
                               "2026-03-04",
                               {timed("skip/log/paid", {30, 21, 20}),
                                timed("skip/log/skipped", {10, 11, 16}),
-                               step("2D/linear", {50, 53, 55}, 100, 230),
-                               step("2D/cubic", {60, 67, 70}, 310, 480),
-                               step("3D/linear", {80, 84, 92}, 520, 750),
-                               timed("threads/square/one/real_time", {31, 35, 34}),
-                               timed("threads/square/two/real_time", {17, 20, 18}),
+                               moving("case/2D/linear/square", {95, 99, 108}, 110, 240, 64, 12),
+                               moving("case/2D/cubic/ring", {121, 125, 134}, 330, 490, 81, 13),
+                               step("block/2D/linear", {50, 53, 55}, 100, 230),
+                               step("block/2D/cubic", {60, 67, 70}, 310, 480),
+                               step("block/3D/linear", {80, 84, 92}, 520, 750),
+                               timed("threads/square/one", {31, 35, 34}),
+                               timed("threads/square/two", {17, 20, 18}),
                                {"machine/multiply-adds", "", {{"multiply_adds", {2e10}}}},
                                {"machine/multiply-adds/real_time/threads:2", "", {{"multiply_adds", {3.1e10}}}},
                                {"machine/triad", "", {{"bytes", {1.3e10}}}}}};
   const auto percent = [](double fraction) { return fmt::format("{:.1f}", 100 * fraction); };
-  ExpectedTable skip, steps, threads, machine;
+  ExpectedTable skip, cases, blocks, threads, machine;
   skip.add("", {{"skipped", "label of skip/log/paid"},
-                {"paid", "21"},
+                {"paid", "21.0"},
                 {"range %", percent(10.0 / 21)},
-                {"skipped", "11"},
+                {"skipped", "11.0"},
                 {"range %", percent(6.0 / 11)},
-                {"saved", "10"},
+                {"saved", "10.0"},
                 {"saved %", percent(10.0 / 21)}});
-  const auto add_step = [&](const char* group, const char* basis, int ns, double spread, int work, int bytes) {
-    steps.add(group, {{"basis", basis},
-                      {"ns per particle and step", std::to_string(ns)},
-                      {"range %", percent(spread / ns)},
-                      {"least multiply-adds", std::to_string(work)},
-                      {"% of peak", percent(work / (20.0 * ns))},
-                      {"least bytes", std::to_string(bytes)},
-                      {"% of bandwidth", percent(bytes / (13.0 * ns))}});
+  const auto roofline = [&](read_back::Row row, int ns, int work, int bytes) {
+    row.insert(row.end(), {{"least multiply-adds", std::to_string(work)},
+                           {"% of peak", percent(work / (20.0 * ns))},
+                           {"least bytes", std::to_string(bytes)},
+                           {"% of bandwidth", percent(bytes / (13.0 * ns))}});
+    return row;
   };
-  add_step("2D", "linear", 53, 5, 100, 230), add_step("2D", "cubic", 67, 10, 310, 480);
-  add_step("3D", "linear", 84, 12, 520, 750);
-  threads.add("", {{"", "square"},
-                   {"one thread", "34"},
+  const auto add_block = [&](const char* group, const char* basis, int ns, double spread, int work, int bytes) {
+    blocks.add(group,
+               roofline({{"basis", basis}, {"ns", fmt::format("{:.1f}", 1.0 * ns)}, {"range %", percent(spread / ns)}},
+                        ns, work, bytes));
+  };
+  add_block("2D", "linear", 53, 5, 100, 230), add_block("2D", "cubic", 67, 10, 310, 480);
+  add_block("3D", "linear", 84, 12, 520, 750);
+  cases.add("2D", roofline({{"case", "square"},
+                            {"basis", "linear"},
+                            {"particles", "64"},
+                            {"steps", "12"},
+                            {"ns", "99.0"},
+                            {"range %", percent(13.0 / 99)},
+                            {"of the block's", fmt::format("{:.2f}", 99.0 / 53)}},
+                           99, 110, 240));
+  cases.add("2D", roofline({{"case", "ring"},
+                            {"basis", "cubic"},
+                            {"particles", "81"},
+                            {"steps", "13"},
+                            {"ns", "125"},
+                            {"range %", percent(13.0 / 125)},
+                            {"of the block's", fmt::format("{:.2f}", 125.0 / 67)}},
+                           125, 330, 490));
+  threads.add("", {{"case", "square"},
+                   {"one thread", "34.0"},
                    {"range %", percent(4.0 / 34)},
-                   {"two threads", "18"},
+                   {"two threads", "18.0"},
                    {"range %", percent(3.0 / 18)},
                    {"times as fast", fmt::format("{:.2f}", 34.0 / 18)}});
   machine.add("", {{"", "multiply-adds in double precision, 1e9/s"}, {"measured", "20"}});
@@ -109,7 +138,7 @@ TEST(ReadBackPage, BenchmarkHasEveryTimeUnderItsName) {
   machine.add("", {{"", "memory bandwidth (triad), 1e9 bytes/s"}, {"measured", "13"}});
   machine.add("", {{"", "date"}, {"measured", "2026-03-04"}});
   const WrittenReport report(input);
-  for (const ExpectedTable* table : {&skip, &steps, &threads, &machine}) report.expect_html_and_latex(*table);
+  for (const ExpectedTable* table : {&skip, &cases, &blocks, &threads, &machine}) report.expect_html_and_latex(*table);
 }
 
 /// What the stages say of a mutant: c(aught), p(asses), or nothing more.

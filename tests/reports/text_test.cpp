@@ -14,6 +14,21 @@ TEST(Text, ExactNumbersReadBackAsThemselves) {
   EXPECT_EQ(exact(NAN), "");
 }
 
+TEST(Text, ThreeDigitsHaveNoExponentThatHidesASize) {
+  EXPECT_EQ(three_digits(0.02854), "0.0285");
+  EXPECT_EQ(three_digits(8.2), "8.20");
+  EXPECT_EQ(three_digits(-44), "-44.0");
+  EXPECT_EQ(three_digits(99.96), "100");
+  EXPECT_EQ(three_digits(123428.6), "123429");
+  EXPECT_EQ(three_digits(NAN), "–");
+}
+
+TEST(Text, NumbersAndTheirAbsenceAreToldFromWords) {
+  for (const char* text : {"1", "-2.50", "1.5e-03", "123429", "–"}) EXPECT_TRUE(is_number(text)) << text;
+  for (const char* text : {"", "2.01 ± 0.04", "16 to 128", "bspline2", "1x", "- 1"})
+    EXPECT_FALSE(is_number(text)) << text;
+}
+
 TEST(Text, OrderHasAnIntervalOnlyWhenThereIsOne) {
   EXPECT_EQ(order_text(2.012, 0.04), "2.01 ± 0.04");
   EXPECT_EQ(order_text(2.012, NAN), "2.01");

@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "reports/benchmark.hpp"
+#include "reports/table.hpp"
+
+namespace mpmvv::reports {
+
+/// What a step costs in another code, as someone published or measured it.
+struct OtherCode {
+  std::string on;  ///< one thread, all cores, ...
+  std::string name, what, precision, hardware;
+  std::string published;  ///< the figure as it stands there
+  double seconds, steps, particles;
+  std::string beside;  ///< the case of this program to compare with: dimension and particles per cell, basis
+  std::string source, date;
+
+  double per_particle_step() const { return seconds / (steps * particles); }  ///< s
+};
+
+/// Those of reports/other_codes.toml.
+const std::vector<OtherCode>& other_codes();
+
+/// The same from text; `name` stands for the file in messages. Throws UsageError where a field is missing, unknown or
+/// of another type.
+std::vector<OtherCode> read_other_codes(const std::string& text, const std::string& name);
+
+/// Their times beside those of this program's cases; empty without such a case.
+Table others_table(const Benchmark& benchmark, const std::vector<OtherCode>& codes);
+
+}  // namespace mpmvv::reports
