@@ -95,7 +95,7 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
     if (parts_.t != t) set(parts_, t);
   }
 
-  void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
+  void body_force(double t, std::span<const std::uint32_t> ids, std::span<const Vec<D>>, Vec<D>* b) const override {
     Parts own;
     const Parts& parts = parts_.t == t ? parts_ : set(own, t);
     for (const auto id : ids) {
@@ -109,6 +109,7 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
       ++b;
     }
   }
+  bool reads_places() const override { return false; }
 
  private:
   struct Wave {

@@ -59,7 +59,7 @@ template <int D>
 class AnewForce final : public SolutionForce<D> {
  public:
   AnewForce(const mms::ManufacturedSolution<D>& solution, const std::vector<Vec<D>>& X) : solution_(solution), X_(X) {}
-  void on_particles(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
+  void on_particles(double t, std::span<const std::uint32_t> ids, std::span<const Vec<D>>, Vec<D>* b) const override {
     for (std::size_t k = 0; k < ids.size(); ++k) b[k] = solution_.b(X_[ids[k]], t);
   }
 
@@ -75,8 +75,8 @@ class OnceForce final : public SolutionForce<D> {
   OnceForce(const mms::ManufacturedSolution<D>& solution, const std::vector<Vec<D>>& X)
       : points_(solution.at_points(X)) {}
   void prepare(double t) override { points_->prepare(t); }
-  void on_particles(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
-    points_->body_force(t, ids, b);
+  void on_particles(double t, std::span<const std::uint32_t> ids, std::span<const Vec<D>> X, Vec<D>* b) const override {
+    points_->body_force(t, ids, X, b);
   }
 
  private:

@@ -42,8 +42,8 @@ void block(benchmark::State& state, std::string_view basis, int cells, int ppc) 
 class BarForce final : public BodyForce<1> {
  public:
   explicit BarForce(const mms::PointwiseSolution<1>& points) : points_(points) {}
-  void on_particles(double t, std::span<const std::uint32_t> ids, Vec<1>* b) const override {
-    points_.body_force(t, ids, b);
+  void on_particles(double t, std::span<const std::uint32_t> ids, std::span<const Vec<1>> X, Vec<1>* b) const override {
+    points_.body_force(t, ids, X, b);
   }
   Vec<1> at_position(const Vec<1>&, double) const override { return Vec<1>::Zero(); }
 
