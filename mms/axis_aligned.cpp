@@ -95,31 +95,34 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
     if (parts_.t != t) set(parts_, t);
   }
 
-  void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
+  void body_force(double t, std::span<const std::uint32_t> ids, std::span<const Vec<D>>, Vec<D>* b) const override {
     Parts own;
     const Parts& parts = parts_.t == t ? parts_ : set(own, t);
+    const double lambda_and_mu = solution_.lambda_ + solution_.mu_;
     for (const auto id : ids) {
-      const Part* at[D];
-      double bracket = solution_.lambda_ + solution_.mu_;
-      for (std::size_t d = 0; d < D; ++d) {
-        at[d] = &parts.of_axis[d][places_[id][d]];
-        bracket -= at[d]->lambda_log_F;
+      const auto& places = places_[id];
+      Eigen::Vector4d sum = parts.of_axis[0][places[0]].constant_and_log, factor = parts.of_axis[0][places[0]].factor;
+      for (std::size_t d = 1; d < D; ++d) {
+        const Part& part = parts.of_axis[d][places[d]];
+        sum += part.constant_and_log, factor += part.factor;
       }
-      for (std::size_t d = 0; d < D; ++d) b->data()[d] = at[d]->constant + at[d]->factor * bracket;
+      sum += factor * (lambda_and_mu - sum[3]);
+      for (int d = 0; d < D; ++d) b->data()[d] = sum[d];
       ++b;
     }
   }
+  bool reads_places() const override { return false; }
 
  private:
   struct Wave {
     double sin, cos;
   };
 
-  /// b_d = constant + factor (λ + μ - Σ λ ln F), each of them a function of one coordinate.
+  /// b = constant + factor (λ + μ - Σ λ ln F_d) as a sum over the axes, in one register for all components: an axis
+  /// adds functions of its coordinate to its own component, and its logarithm to the last one.
   struct Part {
-    double constant;      ///< π² u_d (k² μ - E) / ρ₀
-    double factor;        ///< π² u_d k² F_d⁻² / ρ₀
-    double lambda_log_F;  ///< λ ln F_d
+    Eigen::Vector4d constant_and_log;  ///< π² u_d (k² μ - E) / ρ₀, and λ ln F_d
+    Eigen::Vector4d factor;            ///< π² u_d k² F_d⁻² / ρ₀
   };
   struct Parts {
     double t = std::numeric_limits<double>::quiet_NaN();
@@ -135,8 +138,10 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
       parts.of_axis[d].clear();
       for (const Wave& wave : waves_[d]) {
         const double u = A_T.data()[d] * wave.sin, F = 1 + s.k_pi_ * A_T.data()[d] * wave.cos;
-        parts.of_axis[d].push_back({u * (k2 * s.mu_ - pi * pi * s.E_) / s.rho_, u * k2 / (F * F) / s.rho_,
-                                    s.lambda_ == 0 ? 0 : s.lambda_ * std::log(F)});
+        const Eigen::Vector4d own = Eigen::Vector4d::Unit(static_cast<int>(d));
+        Part part{u * (k2 * s.mu_ - pi * pi * s.E_) / s.rho_ * own, u * k2 / (F * F) / s.rho_ * own};
+        if (s.lambda_ != 0) part.constant_and_log[3] = s.lambda_ * std::log(F);
+        parts.of_axis[d].push_back(part);
       }
     }
     return parts;

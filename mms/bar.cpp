@@ -29,7 +29,7 @@ class BarAtPoints final : public PointwiseSolution<1> {
     for (const auto id : ids) *u++ = of(A_cos_t * sin_[id]);
   }
 
-  void body_force(double t, std::span<const std::uint32_t> ids, Vec<1>* b) const override {
+  void body_force(double t, std::span<const std::uint32_t> ids, std::span<const Vec<1>>, Vec<1>* b) const override {
     const double A_cos_t = A_ * std::cos(C_ * pi * t), scale = C_ * C_ * pi * pi * A_cos_t;
     const std::size_t n = ids.size();
     double* const out = b->data();  // three loops, so that the divisions run side by side
@@ -37,6 +37,7 @@ class BarAtPoints final : public PointwiseSolution<1> {
     for (std::size_t k = 0; k < n; ++k) out[k] = scale * (2 / (out[k] * out[k]) + 1);
     for (std::size_t k = 0; k < n; ++k) out[k] *= sin_[ids[k]];
   }
+  bool reads_places() const override { return false; }
 
  private:
   double A_, C_;

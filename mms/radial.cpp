@@ -1,5 +1,7 @@
 #include "mms/radial.hpp"
 
+#include "mms/lanes.hpp"
+
 namespace mpmvv::mms {
 
 namespace {
@@ -12,33 +14,6 @@ Mat<D> along_and_across(const Vec<D>& X, double along, double across) {
 
 }  // namespace
 
-/// The parts of the fields that depend on the point and not on time:
-///   u = T over_R X,   F_RR = 1 + T slope,   F_θθ = 1 + T over_R
-///   b = T {constant + M [along / F_RR² + across / (F_RR F_θθ)]} X
-template <int D>
-struct Radial<D>::Point {
-  Point(const Radial& s, const Vec<D>& place)
-      : X(place), over_R(s.profile_.over_R(X.norm())), slope(s.profile_.slope(X.norm())) {
-    const double R = X.norm();
-    along = -s.profile_.curvature(R) / (s.rho_ * R);
-    across = -(D - 1) * s.profile_.over_R_slope(R) / (s.rho_ * R);
-    constant = -s.c_pi_ * s.c_pi_ * over_R + s.mu_ * (along + across);
-  }
-
-  Vec<D> u(double T) const { return T * over_R * X; }
-  double F_RR(double T) const { return 1 + T * slope; }
-  double F_tt(double T) const { return 1 + T * over_R; }
-  Vec<D> b(const Radial& s, double T) const {
-    const double F_R = F_RR(T), F_t = F_tt(T);
-    const double M = s.lambda_ == 0 ? s.mu_ : s.mu_ + s.lambda_ * (1 - s.log_J(F_R, F_t));
-    return T * (constant + M * (along * F_t + across * F_R) / (F_R * F_R * F_t)) * X;
-  }
-
-  Vec<D> X;
-  double over_R, slope;
-  double along, across, constant;
-};
-
 template <int D>
 Radial<D>::Radial(double amplitude, const Radii& radii, const Elasticity& material)
     : A_(amplitude),
@@ -49,18 +24,25 @@ Radial<D>::Radial(double amplitude, const Radii& radii, const Elasticity& materi
       c_pi_(std::sqrt(material.youngs_modulus / rho_) * std::numbers::pi) {}
 
 template <int D>
-double Radial<D>::log_J(double F_RR, double F_tt) const {
-  return std::log(D == 2 ? F_RR * F_tt : F_RR * F_tt * F_tt);
+template <class N>
+N Radial<D>::J(const N& F_RR, const N& F_tt) {
+  if constexpr (D == 2) return F_RR * F_tt;
+  return F_RR * F_tt * F_tt;
+}
+
+template <int D>
+typename Radial<D>::Stretches Radial<D>::stretches(double R, double t) const {
+  return {1 + T(t) * profile_.slope(R), 1 + T(t) * profile_.over_R(R)};
 }
 
 template <int D>
 Vec<D> Radial<D>::u(const Vec<D>& X, double t) const {
-  return Point(*this, X).u(T(t));
+  return T(t) * profile_.over_R(X.norm()) * X;
 }
 
 template <int D>
 Vec<D> Radial<D>::v(const Vec<D>& X, double t) const {
-  return Point(*this, X).u(-A_ * c_pi_ * std::sin(c_pi_ * t));
+  return -A_ * c_pi_ * std::sin(c_pi_ * t) * profile_.over_R(X.norm()) * X;
 }
 
 template <int D>
@@ -70,21 +52,37 @@ Vec<D> Radial<D>::a(const Vec<D>& X, double t) const {
 
 template <int D>
 Mat<D> Radial<D>::F(const Vec<D>& X, double t) const {
-  const Point at(*this, X);
-  return along_and_across<D>(X, at.F_RR(T(t)), at.F_tt(T(t)));
+  const auto [F_RR, F_tt] = stretches(X.norm(), t);
+  return along_and_across<D>(X, F_RR, F_tt);
 }
 
 template <int D>
 Mat<D> Radial<D>::P(const Vec<D>& X, double t) const {
-  const Point at(*this, X);
-  const double F_RR = at.F_RR(T(t)), F_tt = at.F_tt(T(t));
-  const auto stress = [&, K = log_J(F_RR, F_tt)](double F) { return (lambda_ * K + mu_ * (F * F - 1)) / F; };
+  const auto [F_RR, F_tt] = stretches(X.norm(), t);
+  const double K = std::log(J(F_RR, F_tt));
+  const auto stress = [&](double F) { return (lambda_ * K + mu_ * (F * F - 1)) / F; };
   return along_and_across<D>(X, stress(F_RR), stress(F_tt));
+}
+
+/// With a = w'', c = (D - 1) (w/R)' and both brackets over one denominator, as a division takes so much longer than a
+/// product:
+///   b/R = -T {c²π² w/R + [μ F_RR² F_θθ (a + c) + M (a F_θθ + c F_RR)] / (ρ₀ R F_RR² F_θθ)}
+template <int D>
+template <class N>
+N Radial<D>::b_over_R(const N& R2, double T) const {
+  using std::log, std::sqrt;
+  const N R = sqrt(R2), over_R = profile_.over_R(R);
+  const N F_RR = 1 + T * profile_.slope(R), F_tt = 1 + T * over_R;
+  const N a = profile_.curvature(R), c = (D - 1) * profile_.over_R_slope(R);
+  const N denominator = F_RR * F_RR * F_tt, with_M = a * F_tt + c * F_RR;
+  N sum = mu_ * (denominator * (a + c) + with_M);
+  if (lambda_ != 0) sum += lambda_ * (1 - log(J(F_RR, F_tt))) * with_M;
+  return -T * (c_pi_ * c_pi_ * over_R + sum / (rho_ * R * denominator));
 }
 
 template <int D>
 Vec<D> Radial<D>::b(const Vec<D>& X, double t) const {
-  return Point(*this, X).b(*this, T(t));
+  return b_over_R(X.squaredNorm(), T(t)) * X;
 }
 
 template <int D>
@@ -92,26 +90,32 @@ Vec<D> Radial<D>::reference_point(const Vec<D>& x, double t) const {
   return profile_.reference_radius(T(t), x.norm()) * x.normalized();
 }
 
+/// Points that share nothing but the time, in lanes.
 template <int D>
 class Radial<D>::AtPoints final : public PointwiseSolution<D> {
  public:
-  AtPoints(const Radial& solution, const std::vector<Vec<D>>& X) : solution_(solution) {
-    for (const auto& place : X) points_.emplace_back(solution, place);
-  }
+  AtPoints(const Radial& solution, const std::vector<Vec<D>>& X) : solution_(solution), X_(X) {}
 
   void displacement(double t, std::span<const std::uint32_t> ids, Vec<D>* u) const override {
     const double T = solution_.T(t);
-    for (const auto id : ids) *u++ = points_[id].u(T);
+    for (const auto id : ids) *u++ = T * solution_.profile_.over_R(X_[id].norm()) * X_[id];
   }
 
-  void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
-    const double T = solution_.T(t);
-    for (const auto id : ids) *b++ = points_[id].b(solution_, T);
+  void body_force(double t, std::span<const std::uint32_t>, std::span<const Vec<D>> X, Vec<D>* b) const override {
+    in_lanes<D>(X, b, [this, T = solution_.T(t)](const std::array<Lanes, D>& place) {
+      Lanes R2 = place[0] * place[0];
+      for (std::size_t d = 1; d < D; ++d) R2 += place[d] * place[d];
+      const Lanes b_over_R = solution_.b_over_R(R2, T);
+      std::array<Lanes, D> force;
+      for (std::size_t d = 0; d < D; ++d) force[d] = b_over_R * place[d];
+      return force;
+    });
   }
+  bool reads_places() const override { return true; }
 
  private:
   const Radial solution_;
-  std::vector<Point> points_;
+  const std::vector<Vec<D>> X_;
 };
 
 template <int D>

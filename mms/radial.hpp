@@ -30,18 +30,24 @@ class Radial : public ManufacturedSolution<D> {
 
   double displacement_scale() const final { return std::abs(A_) * profile_.largest(); }
 
-  /// A step costs a point one division, and one logarithm where λ is not zero.
+  /// A step costs a point one root, one division, and one logarithm where λ is not zero, in lanes.
   std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const final;
 
   /// Also for positions outside the body, as far as the motion is invertible there; std::domain_error beyond.
   Vec<D> reference_point(const Vec<D>& x, double t) const final;
 
  private:
-  struct Point;
   class AtPoints;
+  struct Stretches {
+    double F_RR, F_tt;
+  };
 
   double T(double t) const { return A_ * std::cos(c_pi_ * t); }
-  double log_J(double F_RR, double F_tt) const;
+  Stretches stretches(double R, double t) const;
+  template <class N>
+  static N J(const N& F_RR, const N& F_tt);  ///< det F, for any scalar type
+  template <class N>
+  N b_over_R(const N& R2, double T) const;  ///< b/R at radii of these squares where T(t) is T, for any scalar type
 
   double A_;
   RadialProfile profile_;

@@ -10,14 +10,26 @@ class RadialProfile {
   /// Throws std::invalid_argument where W (61) is singular, at R_O = 3 R_I.
   RadialProfile(const Radii& radii);
 
-  /// w/R, for any scalar type.
+  /// w/R, here and below for any scalar type.
   template <class T>
   T over_R(const T& R) const {
     return (c3_ * R + c2_) * R + c1_;
   }
-  double over_R_slope(double R) const { return 2 * c3_ * R + c2_; }                             ///< (w/R)'
-  double slope(double R) const { return 3 * c3_ * (R - radii_.inner) * (R - radii_.outer); }    ///< w'
-  double curvature(double R) const { return 3 * c3_ * (2 * R - radii_.inner - radii_.outer); }  ///< w''
+  /// (w/R)'
+  template <class T>
+  T over_R_slope(const T& R) const {
+    return 2 * c3_ * R + c2_;
+  }
+  /// w'
+  template <class T>
+  T slope(const T& R) const {
+    return 3 * c3_ * (R - radii_.inner) * (R - radii_.outer);
+  }
+  /// w''
+  template <class T>
+  T curvature(const T& R) const {
+    return 3 * c3_ * (2 * R - radii_.inner - radii_.outer);
+  }
 
   /// max |w| over the body.
   double largest() const;

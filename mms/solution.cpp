@@ -9,7 +9,7 @@ namespace mpmvv::mms {
 
 namespace {
 
-/// Points of a solution none of whose parts can be computed once and kept: every call evaluates the formulas.
+/// Points of a solution one by one: every call evaluates the formulas.
 template <int D>
 class EvaluatedEachTime : public PointwiseSolution<D> {
  public:
@@ -19,9 +19,10 @@ class EvaluatedEachTime : public PointwiseSolution<D> {
   void displacement(double t, std::span<const std::uint32_t> ids, Vec<D>* u) const override {
     for (const auto id : ids) *u++ = solution_.u(X_[id], t);
   }
-  void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
-    for (const auto id : ids) *b++ = solution_.b(X_[id], t);
+  void body_force(double t, std::span<const std::uint32_t>, std::span<const Vec<D>> X, Vec<D>* b) const override {
+    for (const Vec<D>& place : X) *b++ = solution_.b(place, t);
   }
+  bool reads_places() const override { return true; }
 
  private:
   const ManufacturedSolution<D>& solution_;

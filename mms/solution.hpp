@@ -13,9 +13,8 @@ using Vec = Eigen::Matrix<double, D, 1>;
 template <int D>
 using Mat = Eigen::Matrix<double, D, D>;
 
-/// A solution evaluated at fixed reference points, with everything that does not change in time computed once.
-/// `ids` name points by their place in the list given to `ManufacturedSolution::at_points`. Several threads may ask at
-/// once.
+/// A solution evaluated at fixed reference points, with what many of them share computed once. `ids` name points by
+/// their place in the list given to `ManufacturedSolution::at_points`. Several threads may ask at once.
 template <int D>
 class PointwiseSolution {
  public:
@@ -25,7 +24,11 @@ class PointwiseSolution {
   /// during this one. Without it, and at other times, `body_force` gives the same numbers but takes longer.
   virtual void prepare(double) {}
   virtual void displacement(double t, std::span<const std::uint32_t> ids, Vec<D>* u) const = 0;
-  virtual void body_force(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const = 0;
+
+  /// b of the points with these ids, which are at X: one to each id, or none at all where it is not read.
+  virtual void body_force(double t, std::span<const std::uint32_t> ids, std::span<const Vec<D>> X, Vec<D>* b) const = 0;
+  /// Whether `body_force` reads X. Then points need not be looked up by id, wherever in memory that may be.
+  virtual bool reads_places() const = 0;
 };
 
 /// An exact solution of Div P + ρ₀ b = ρ₀ a, W (52), in reference coordinates X and time t. SI units.
@@ -47,7 +50,7 @@ class ManufacturedSolution {
 
   virtual double displacement_scale() const = 0;  ///< the largest |u|, up to a factor of order one
 
-  /// The same at many fixed points; solutions with separable parts override it to compute those once.
+  /// The same at many fixed points, for solutions to override that compute what points share once, or many in lanes.
   virtual std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const;
 
   /// X with X + u(X, t) = x, W (A.1); here by Newton's method, std::domain_error when it does not converge.

@@ -32,15 +32,26 @@ class Vortex final : public ManufacturedSolution<2> {
 
   double displacement_scale() const override { return std::min(std::abs(A_), 2.0) * (radii_.inner + radii_.outer) / 2; }
 
-  /// A step costs a point one sine and one cosine.
+  /// A step costs a point one sine and one cosine, and what is in lanes.
   std::unique_ptr<PointwiseSolution<2>> at_points(const std::vector<Vec<2>>& X) const override;
 
   /// The motion keeps the radius of a point, so its inverse is the rotation by -α.
   Vec<2> reference_point(const Vec<2>& x, double t) const override;
 
  private:
-  struct Point;
   class AtPoints;
+  template <class N>
+  struct Profile {
+    N H, dH, d2H;
+  };
+
+  /// H and its derivatives; N, here and below, is any scalar type.
+  template <class N>
+  Profile<N> profile(const N& R) const;
+  /// b where G(t) is G and its derivative dG.
+  template <class N>
+  std::array<N, 2> b_at(const std::array<N, 2>& X, double G, double dG) const;
+  Vec<2> displacement(const Vec<2>& X, double G) const;
 
   double G(double t) const { return A_ * std::sin(rate_ * t); }
   double dG(double t) const { return A_ * rate_ * std::cos(rate_ * t); }

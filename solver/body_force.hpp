@@ -16,8 +16,10 @@ class BodyForce {
   /// Called before the blocks of a sweep ask for time t, by one thread.
   virtual void prepare(double) {}
 
-  /// b of the particles with these ids (order of creation) at time t.
-  virtual void on_particles(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const = 0;
+  /// b at time t of the particles with these ids (order of creation) and reference positions: one to each id, or none
+  /// at all where the scene's particles have none.
+  virtual void on_particles(double t, std::span<const std::uint32_t> ids, std::span<const Vec<D>> X,
+                            Vec<D>* b) const = 0;
 
   /// b at the current position x, for forces taken on the grid.
   virtual Vec<D> at_position(const Vec<D>& x, double t) const = 0;

@@ -31,6 +31,8 @@ struct Particles {
   std::vector<Mat<D>> R;          ///< edges of the domain as columns, in units of h, for bases that take a domain
   std::vector<Mat<D>> R0;         ///< reference edges in units of h, likewise
 
+  std::vector<Vec<D>> X;  ///< reference position, for body forces that read it
+
   std::vector<Mat<D>> C;  ///< gradient of the affine velocity field, 1/s, for `apic`
 
   std::vector<ThermalState> thermal;  ///< for materials with a history
@@ -69,7 +71,7 @@ struct Particles {
     auto& [start, sum] = stages;
     reorder(spare_.ids, id);
     reorder(spare_.numbers, m, V0);
-    reorder(spare_.vectors, x, v, l, l0, start.x, start.v, sum.x, sum.v);
+    reorder(spare_.vectors, x, v, l, l0, X, start.x, start.v, sum.x, sum.v);
     reorder(spare_.matrices, F, R, R0, C, start.F, sum.F);
     reorder(spare_.states, thermal);
   }

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <functional>
+#include <span>
 #include <variant>
 
 #include "solver/body_force.hpp"
@@ -75,9 +76,16 @@ struct EvaluateBodyForce {
 
   void operator()(Block<D>& block, const Grid<D>&) const {
     if (body_force)
-      body_force->on_particles(t, {&particles.id[block.begin], static_cast<std::size_t>(block.count)}, block.b);
+      body_force->on_particles(t, of_block(particles.id, block), of_block(particles.X, block), block.b);
     else
       std::fill_n(block.b, block.count, Vec<D>::Zero());
+  }
+
+ private:
+  template <class T>
+  static std::span<const T> of_block(const std::vector<T>& field, const Block<D>& block) {
+    if (field.empty()) return {};
+    return {&field[block.begin], static_cast<std::size_t>(block.count)};
   }
 };
 

@@ -156,6 +156,8 @@ PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, in
     prepared.body_force = std::make_unique<SolutionBodyForce<D>>(*prepared.setup.solution, *prepared.points);
     scene.body_force = prepared.body_force.get();
     scene.body_force_on = for_solver(c.scheme.body_force);
+    if (prepared.points->reads_places() && scene.body_force_on == solver::BodyForceOn::particles)
+      scene.particles.X = prepared.X;
     if (problem.is_loaded && problem.is_loaded(c.problem.parameters)) {
       prepared.traction = std::make_unique<SolutionTraction<D>>(
           *prepared.setup.solution, surface<D>(prepared.setup.body, {scene.h, c.resolution.ppc}), prepared.X);

@@ -18,8 +18,9 @@ class SolutionBodyForce final : public solver::BodyForce<D> {
       : solution_(solution), points_(points) {}
 
   void prepare(double t) override { points_.prepare(t); }
-  void on_particles(double t, std::span<const std::uint32_t> ids, solver::Vec<D>* b) const override {
-    points_.body_force(t, ids, b);
+  void on_particles(double t, std::span<const std::uint32_t> ids, std::span<const solver::Vec<D>> X,
+                    solver::Vec<D>* b) const override {
+    points_.body_force(t, ids, X, b);
   }
   solver::Vec<D> at_position(const solver::Vec<D>& x, double t) const override {
     return solution_.b(solution_.reference_point(x, t), t);

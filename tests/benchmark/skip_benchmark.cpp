@@ -67,7 +67,7 @@ class AnewForce final : public BodyForce<D> {
  public:
   explicit AnewForce(const PreparedCase<D>& prepared) : solution_(*prepared.setup.solution), X_(prepared.X) {}
   Vec<D> at_position(const Vec<D>&, double) const override { return Vec<D>::Zero(); }
-  void on_particles(double t, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
+  void on_particles(double t, std::span<const std::uint32_t> ids, std::span<const Vec<D>>, Vec<D>* b) const override {
     for (std::size_t k = 0; k < ids.size(); ++k) b[k] = solution_.b(X_[ids[k]], t);
   }
 

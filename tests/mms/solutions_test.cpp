@@ -21,6 +21,14 @@ class Solution : public ::testing::Test {
   }
 };
 
+/// The places of the points with these ids.
+template <int D>
+std::vector<Vec<D>> places_of(const std::vector<std::uint32_t>& ids, const std::vector<Vec<D>>& X) {
+  std::vector<Vec<D>> places;
+  for (const auto id : ids) places.push_back(X[id]);
+  return places;
+}
+
 /// Of a sample's motion: how far it goes, and how fast its phase grows.
 template <class S>
 double reach(const S& sample) {
@@ -113,7 +121,7 @@ TYPED_TEST(Solution, PointwiseEqualsDirect) {
       for (std::uint32_t k = 0; k < count; ++k) ids.push_back(99 - k % 64);
       std::vector<Vec<D>> u(count + 1, Vec<D>::Constant(-7)), b(u);
       points->displacement(t, ids, u.data());
-      points->body_force(t, ids, b.data());
+      points->body_force(t, ids, places_of(ids, X), b.data());
       for (std::size_t k = 0; k < count; ++k) {
         const Vec<D>& at = X[ids[k]];
         EXPECT_LT((u[k] - closed.u(at, t)).norm(), 1e-15 * reach(sample));
@@ -124,6 +132,40 @@ TYPED_TEST(Solution, PointwiseEqualsDirect) {
       EXPECT_EQ(b[count], Vec<D>::Constant(-7));
     }
   }
+}
+
+/// Bit for bit, whichever points are asked for with it: results do not depend on how particles are cut into blocks.
+TYPED_TEST(Solution, PointwiseBodyForceDependsOnThePointAlone) {
+  constexpr int D = TypeParam::dimension;
+  for (const TypeParam& sample : samples<TypeParam>()) {
+    const auto closed = sample.closed();
+    const double t = 0.3 * sample.period();
+    const auto X = sample.points();
+    const auto points = closed.at_points(X);
+    std::vector<std::uint32_t> ids(X.size());
+    std::iota(ids.begin(), ids.end(), 0U);
+    std::vector<Vec<D>> b(X.size());
+    points->body_force(t, ids, X, b.data());
+    for (const std::uint32_t id : ids) {
+      Vec<D> alone;
+      points->body_force(t, {&id, 1}, {&X[id], 1}, &alone);
+      EXPECT_EQ(alone, b[id]) << X[id].transpose();
+    }
+  }
+}
+
+/// A solution that says that it reads no places gives the same without any.
+TYPED_TEST(Solution, PointwiseReadsPlacesOnlyWhereItSaysSo) {
+  constexpr int D = TypeParam::dimension;
+  const auto closed = samples<TypeParam>().front().closed();
+  const auto X = samples<TypeParam>().front().points();
+  const auto points = closed.at_points(X);
+  if (points->reads_places()) GTEST_SKIP() << "reads them";
+  const std::vector<std::uint32_t> ids{2, 0, 1};
+  std::vector<Vec<D>> b(3), without(3);
+  points->body_force(0.1, ids, places_of(ids, X), b.data());
+  points->body_force(0.1, ids, {}, without.data());
+  EXPECT_EQ(b, without);
 }
 
 TYPED_TEST(Solution, PointwiseServesAnyTimeAlikeWhicheverIsPrepared) {
@@ -138,8 +180,8 @@ TYPED_TEST(Solution, PointwiseServesAnyTimeAlikeWhicheverIsPrepared) {
   for (const double prepared : {0.1, 0.4, 0.1}) {
     points->prepare(prepared * sample.period());
     for (const double phase : {0.1, 0.4}) {
-      points->body_force(phase * sample.period(), ids, b.data());
-      never_prepared->body_force(phase * sample.period(), ids, expected.data());
+      points->body_force(phase * sample.period(), ids, X, b.data());
+      never_prepared->body_force(phase * sample.period(), ids, X, expected.data());
       EXPECT_EQ(b, expected) << "at " << phase << " with " << prepared << " prepared";
     }
   }
@@ -154,10 +196,11 @@ TYPED_TEST(Solution, PointwiseServesThreadsAtDifferentTimes) {
   const auto points = closed.at_points(X);
   const auto work = [&](double phase, double& worst) {
     const std::vector<std::uint32_t> ids{1, 0};
+    const auto places = places_of(ids, X);
     Vec<D> b[2];
     for (int k = 0; k < 2000; ++k) {
       const double t = (phase + k % 7) * sample.period();
-      points->body_force(t, ids, b);
+      points->body_force(t, ids, places, b);
       worst = std::max(worst, (b[0] - closed.b(X[1], t)).norm() / closed.b(X[1], t).norm());
     }
   };

@@ -33,7 +33,7 @@ namespace {
 template <int D>
 class Gravity final : public BodyForce<D> {
  public:
-  void on_particles(double, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
+  void on_particles(double, std::span<const std::uint32_t> ids, std::span<const Vec<D>>, Vec<D>* b) const override {
     for (std::size_t k = 0; k < ids.size(); ++k) b[k] = Vec<D>::Constant(-9.81);
   }
   Vec<D> at_position(const Vec<D>&, double) const override { return Vec<D>::Constant(-9.81); }

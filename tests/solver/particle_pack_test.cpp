@@ -8,7 +8,7 @@ namespace mpmvv::solver::particle_pack_test {
 /// Another one on each particle.
 template <int D>
 struct SomeForce final : BodyForce<D> {
-  void on_particles(double, std::span<const std::uint32_t> ids, Vec<D>* b) const override {
+  void on_particles(double, std::span<const std::uint32_t> ids, std::span<const Vec<D>>, Vec<D>* b) const override {
     for (const auto id : ids) *b++ = Vec<D>::Constant(std::sin(3.0 * id));
   }
   Vec<D> at_position(const Vec<D>&, double) const override { return Vec<D>::Zero(); }

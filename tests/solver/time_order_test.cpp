@@ -8,7 +8,7 @@ namespace mpmvv::solver::time_order_test {
 class Swing final : public BodyForce<1> {
  public:
   explicit Swing(const std::vector<Vec<1>>& X) : X_(X) {}
-  void on_particles(double t, std::span<const std::uint32_t> ids, Vec<1>* b) const override {
+  void on_particles(double t, std::span<const std::uint32_t> ids, std::span<const Vec<1>>, Vec<1>* b) const override {
     for (const auto id : ids) *b++ = at_position(X_[id], t);
   }
   Vec<1> at_position(const Vec<1>& x, double t) const override {

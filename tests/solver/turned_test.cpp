@@ -197,7 +197,7 @@ TEST(Turned, NodesLieByTheCellsOfTheirOwnAxis) {
 
 /// A body force that is the place itself.
 struct Place final : BodyForce<2> {
-  void on_particles(double, std::span<const std::uint32_t>, Vec<2>*) const override {}
+  void on_particles(double, std::span<const std::uint32_t>, std::span<const Vec<2>>, Vec<2>*) const override {}
   Vec<2> at_position(const Vec<2>& x, double) const override { return x; }
 };
 

@@ -19,6 +19,26 @@ solver::AnyVelocityUpdate update_of(const std::string& word, const Settings& mor
   return prepare_case<1>(c, problems::find_problem("bar", ""), 1).scene.velocity_update;
 }
 
+/// Whether the particles carry their reference positions.
+template <int D>
+bool has_places(const std::string& problem, const Settings& more = {}) {
+  Settings settings{{"problem", problem, ""}, {"cells", "8", ""},        {"ppc", "2", ""},
+                    {"cfl", "0.2", ""},       {"basis", "bspline2", ""}, {"integrator", "usl", ""}};
+  settings.insert(settings.end(), more.begin(), more.end());
+  const auto prepared = prepare_case<D>(settings::make_case(settings), problems::find_problem(problem, ""), 1);
+  if (prepared.scene.particles.X.empty()) return false;
+  EXPECT_EQ(prepared.scene.particles.X, prepared.X);
+  return true;
+}
+
+TEST(Scene, KeepsReferencePositionsWhereTheBodyForceReadsThem) {
+  EXPECT_TRUE(has_places<2>("ring"));
+  EXPECT_TRUE(has_places<2>("vortex"));
+  EXPECT_FALSE(has_places<2>("ring", {{"body_force", "grid", ""}}));
+  EXPECT_FALSE(has_places<1>("bar"));
+  EXPECT_FALSE(has_places<2>("square"));
+}
+
 TEST(Scene, HasTheVelocityUpdateThatTheCaseNames) {
   constexpr auto words = solver::words<solver::AnyVelocityUpdate>();
   for (std::size_t k = 0; k < words.size(); ++k) {
