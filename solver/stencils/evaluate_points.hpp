@@ -1,7 +1,9 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solver/basis/basis.hpp"
 #include "solver/fault.hpp"
@@ -34,11 +36,13 @@ template <class B, int D>
 [[gnu::flatten]] Fault find_points(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
                                    PointsByAxis<D>& points) {
   const double inverse_h = 1 / grid.h();
+  std::array<std::pair<double, double>, D> range;
+  for (int d = 0; d < D; ++d) range[static_cast<std::size_t>(d)] = range_of<B>(grid.cells()[d]);
   Mask4 outside{}, outgrown{};
   for_packs(block, [&](const ParticlePack<D>& pack, int k) {
     const PackVec<D> x = pack.of(particles.x);
     for (int d = 0; d < D; ++d) {
-      const auto [least, most] = range_of<B>(grid.cells()[d]);
+      const auto [least, most] = range[static_cast<std::size_t>(d)];
       const Pack xi = (x[d] - grid.lower()[d]) * inverse_h;
       store4(confined(xi, least, most, outside).of, &points.xi[d][k]);
     }

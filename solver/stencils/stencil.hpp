@@ -1,11 +1,10 @@
 #pragma once
 #include <array>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
+#include "solver/simd/doubles.hpp"
 #include "solver/simd/padded.hpp"
-#include "solver/simd/pair_line.hpp"
 
 namespace mpmvv::solver {
 
@@ -24,6 +23,33 @@ template <class V>
   return nodes;
 }
 
+/// Numbers of doubles in a field's value.
+template <class V>
+inline constexpr int components = sizeof(V) / sizeof(double);
+
+/// Whether a stencil takes a field line by line, with all components of the K nodes of a line in registers: where there
+/// is more than one line, and where their number is even.
+template <int D, class V>
+inline constexpr bool goes_by_lines = D > 1 && components<V> % 2 == 0;
+
+/// N_i for every component of node i.
+template <int K, int C>
+[[gnu::always_inline]] inline Doubles<K * C> along_line(const double* N) {
+  return Doubles<K * C>::each([N](int k) __attribute__((always_inline)) { return N[k / C]; });
+}
+/// The same value on every node.
+template <int K, class V>
+[[gnu::always_inline]] inline Doubles<K * components<V>> on_each_node(const V& value) {
+  return Doubles<K * components<V>>::each([&](int k)
+                                              __attribute__((always_inline)) { return value[k % components<V>]; });
+}
+/// The sum over the nodes of a line.
+template <class V, int n>
+[[gnu::always_inline]] inline V sum_of_nodes(const Doubles<n>& line) {
+  const auto sum = sum_of_parts<components<V>>(line);
+  return V::Map(reinterpret_cast<const double*>(&sum));
+}
+
 /// The nodes of one point: K along each axis, with weights per axis, copied out of their block so that the compiler
 /// knows that no addition to a node changes them. Weights of nodes are tensor products, S (18), and sums with them are
 /// formed axis by axis: what the nodes of a line or a plane share is multiplied once. Inlined by decree: called as
@@ -37,33 +63,60 @@ struct Weights {
   /// Σ_i N_i φ_i
   template <class V>
   [[gnu::always_inline]] V gather(const std::vector<V>& field) const {
-    return value(field.data() + first);
+    const V* const nodes = field.data() + first;
+    if constexpr (goes_by_lines<D, V>)
+      return sum_of_nodes<V>(along_line<K, components<V>>(N[0]) * line<D - 1>(nodes));
+    else
+      return value(nodes);
   }
 
   /// φ_i += N_i value
   template <class V>
   [[gnu::always_inline]] void scatter(const V& value, std::vector<V>& field) const {
-    add(value, field.data() + first);
+    V* const nodes = field.data() + first;
+    if constexpr (goes_by_lines<D, V>)
+      add_line<D - 1>(along_line<K, components<V>>(N[0]) * on_each_node<K>(value), nodes);
+    else
+      add(value, nodes);
   }
 
  private:
-  /// Σ_i N_i φ_i over the axes up to `axis`
+  /// Σ_i N_i φ_i over the axes from the second up to `axis`
+  template <int axis, class V>
+  [[gnu::always_inline]] Doubles<K * components<V>> line(const V* nodes) const {
+    if constexpr (axis == 0) {
+      return Doubles<K * components<V>>::load(reinterpret_cast<const double*>(nodes));
+    } else {
+      auto sum = N[axis][0] * line<axis - 1>(nodes);
+      for (int i = 1; i < K; ++i) sum += N[axis][i] * line<axis - 1>(nodes + i * stride[axis]);
+      return sum;
+    }
+  }
+  template <int axis, class V>
+  [[gnu::always_inline]] void add_line(const Doubles<K * components<V>>& value, V* nodes) const {
+    for (int i = 0; i < K; ++i) {
+      V* const next = start_of_line(nodes + i * stride[axis]);
+      if constexpr (axis == 1) {
+        auto sum = line<0>(next);
+        sum += N[1][i] * value;
+        sum.store(reinterpret_cast<double*>(next));
+      } else {
+        add_line<axis - 1>(N[axis][i] * value, next);
+      }
+    }
+  }
+
+  /// Σ_i N_i φ_i over the axes up to `axis`, node by node
   template <int axis = D - 1, class V>
   [[gnu::always_inline]] V value(const V* nodes) const {
     if constexpr (axis < 0) {
       return *nodes;
-    } else if constexpr (axis == 1 && std::is_same_v<V, Padded<2>>) {
-      PairLine<K> sum(N[1][0], nodes);
-      for (int j = 1; j < K; ++j) sum += PairLine<K>(N[1][j], nodes + j * stride[1]);
-      return sum.weighted(N[0]);
     } else {
       V sum = N[axis][0] * value<axis - 1>(nodes);
       for (int i = 1; i < K; ++i) sum += N[axis][i] * value<axis - 1>(nodes + i * stride[axis]);
       return sum;
     }
   }
-
-  /// φ_i += N_i value
   template <int axis = D - 1, class V>
   [[gnu::always_inline]] void add(const V& value, V* nodes) const {
     if constexpr (axis == 0) {
@@ -83,82 +136,86 @@ struct Stencil : Weights<D, K> {
 
   /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
   [[gnu::always_inline]] ValueAndGradient<D> gather_with_gradient(const std::vector<Padded<D>>& field) const {
-    return value_and_gradient(field.data() + first);
+    const Padded<D>* const nodes = field.data() + first;
+    ValueAndGradient<D> sum;
+    if constexpr (D == 1) {
+      sum.value.setZero(), sum.gradient.setZero();
+      for (int i = 0; i < K; ++i) {
+        sum.value += N[0][i] * nodes[i];
+        sum.gradient += dN[0][i] * nodes[i];
+      }
+    } else {
+      const LineSums lines = sum_lines<D - 1>(nodes);
+      const auto weight = along_line<K, C>(N[0]), slope = along_line<K, C>(dN[0]);
+      sum.value = sum_of_nodes<Padded<D>>(weight * lines.value);
+      sum.gradient.col(0) = sum_of_nodes<Padded<D>>(slope * lines.value);
+      for (int d = 1; d < D; ++d) sum.gradient.col(d) = sum_of_nodes<Padded<D>>(weight * lines.slope[d - 1]);
+    }
+    return sum;
   }
 
   /// φ_i += N_ip value + gradient ∇N_ip
   [[gnu::always_inline]] void scatter(const ValueAndGradient<D>& source, std::vector<Padded<D>>& field) const {
-    add(source, field.data() + first);
+    Padded<D>* const nodes = field.data() + first;
+    if constexpr (D == 1) {
+      for (int i = 0; i < K; ++i) nodes[i] += N[0][i] * source.value + dN[0][i] * source.gradient;
+    } else {
+      const auto weight = along_line<K, C>(N[0]), slope = along_line<K, C>(dN[0]);
+      LineSums lines{weight * on_each_node<K>(source.value), {}};
+      lines.value += slope * on_each_node<K>(Padded<D>(source.gradient.col(0)));
+      for (int d = 1; d < D; ++d) lines.slope[d - 1] = weight * on_each_node<K>(Padded<D>(source.gradient.col(d)));
+      add_lines<D - 1>(lines, nodes);
+    }
   }
 
  private:
-  /// Both sums. Written out for each dimension: the sums have to stay in registers.
-  [[gnu::always_inline]] ValueAndGradient<D> value_and_gradient(const Padded<D>* nodes) const {
-    Padded<D> value = Padded<D>::Zero(), d0 = value, d1 = value, d2 = value;
-    if constexpr (D == 1) {
-      add_line(nodes, value, d0);
-      return {value, d0};
-    } else if constexpr (D == 2) {
-      PairLine<K> sum(N[1][0], nodes), slope(dN[1][0], nodes);
-      for (int j = 1; j < K; ++j) {
-        sum += PairLine<K>(N[1][j], nodes + j * stride[1]);
-        slope += PairLine<K>(dN[1][j], nodes + j * stride[1]);
-      }
-      ValueAndGradient<D> result{sum.weighted(N[0]), {}};
-      result.gradient.col(0) = sum.weighted(dN[0]), result.gradient.col(1) = slope.weighted(N[0]);
-      return result;
-    } else {
-      for (int l = 0; l < K; ++l) {
-        Padded<D> plane = Padded<D>::Zero(), plane_d0 = plane, plane_d1 = plane;
-        for (int j = 0; j < K; ++j) add_plane_row(nodes + j * stride[1] + l * stride[2], j, plane, plane_d0, plane_d1);
-        value += N[2][l] * plane;
-        d0 += N[2][l] * plane_d0;
-        d1 += N[2][l] * plane_d1;
-        d2 += dN[2][l] * plane;
-      }
-      ValueAndGradient<D> sum{value, {}};
-      sum.gradient.col(0) = d0, sum.gradient.col(1) = d1, sum.gradient.col(2) = d2;
-      return sum;
-    }
-  }
+  static constexpr int C = components<Padded<D>>;
+  using Line = Doubles<K * C>;
 
-  /// φ_i += N_ip value + gradient ∇N_ip
-  template <int axis = D - 1>
-  [[gnu::always_inline]] void add(const ValueAndGradient<D>& source, Padded<D>* nodes) const {
+  /// Of the nodes along the first axis: a value, and its gradients along the other axes.
+  struct LineSums {
+    Line value;
+    std::array<Line, D - 1> slope;
+  };
+
+  /// Sums over the axes from the second up to `axis`; of the slopes, those along these axes.
+  template <int axis>
+  [[gnu::always_inline]] LineSums sum_lines(const Padded<D>* nodes) const {
+    LineSums sum;
     if constexpr (axis == 0) {
-      nodes = start_of_line(nodes);
-      for (int i = 0; i < K; ++i) {
-        nodes[i] += N[0][i] * source.value;
-        nodes[i] += dN[0][i] * source.gradient.col(0);
-      }
-    } else if constexpr (D == 2) {
-      PairLine<K> line(N[0], source.value);
-      line += PairLine<K>(dN[0], source.gradient.col(0));
-      const PairLine<K> slope(N[0], source.gradient.col(1));
-      for (int j = 0; j < K; ++j) line.add_to(nodes + j * stride[1], N[1][j], dN[1][j], slope);
+      sum.value = Line::load(nodes->data());
     } else {
-      for (int i = 0; i < K; ++i) {
-        ValueAndGradient<D> part;
-        part.value = N[axis][i] * source.value + dN[axis][i] * source.gradient.col(axis);
-        for (int d = 0; d < axis; ++d) part.gradient.col(d) = N[axis][i] * source.gradient.col(d);
-        add<axis - 1>(part, nodes + i * stride[axis]);
+      const LineSums part = sum_lines<axis - 1>(nodes);
+      sum.value = N[axis][0] * part.value;
+      for (int d = 0; d < axis - 1; ++d) sum.slope[d] = N[axis][0] * part.slope[d];
+      sum.slope[axis - 1] = dN[axis][0] * part.value;
+      for (int i = 1; i < K; ++i) {
+        const LineSums next = sum_lines<axis - 1>(nodes + i * stride[axis]);
+        sum.value += N[axis][i] * next.value;
+        for (int d = 0; d < axis - 1; ++d) sum.slope[d] += N[axis][i] * next.slope[d];
+        sum.slope[axis - 1] += dN[axis][i] * next.value;
       }
     }
+    return sum;
   }
 
-  [[gnu::always_inline]] void add_line(const Padded<D>* nodes, Padded<D>& value, Padded<D>& d0) const {
+  /// The reverse.
+  template <int axis>
+  [[gnu::always_inline]] void add_lines(const LineSums& source, Padded<D>* nodes) const {
     for (int i = 0; i < K; ++i) {
-      value += N[0][i] * nodes[i];
-      d0 += dN[0][i] * nodes[i];
+      Padded<D>* const next = start_of_line(nodes + i * stride[axis]);
+      if constexpr (axis == 1) {
+        Line sum = Line::load(next->data());
+        sum += N[1][i] * source.value;
+        sum += dN[1][i] * source.slope[0];
+        sum.store(next->data());
+      } else {
+        LineSums part{N[axis][i] * source.value, {}};
+        part.value += dN[axis][i] * source.slope[axis - 1];
+        for (int d = 0; d < axis - 1; ++d) part.slope[d] = N[axis][i] * source.slope[d];
+        add_lines<axis - 1>(part, next);
+      }
     }
-  }
-  [[gnu::always_inline]] void add_plane_row(const Padded<D>* nodes, int j, Padded<D>& value, Padded<D>& d0,
-                                            Padded<D>& d1) const {
-    Padded<D> sum = Padded<D>::Zero(), sum_d0 = sum;
-    add_line(nodes, sum, sum_d0);
-    value += N[1][j] * sum;
-    d0 += N[1][j] * sum_d0;
-    d1 += dN[1][j] * sum;
   }
 };
 

@@ -1,0 +1,80 @@
+#pragma once
+#include <type_traits>
+#include <utility>
+
+#include "solver/simd/double4.hpp"
+
+namespace mpmvv::solver {
+
+/// So many numbers, an even number of them, in registers of four and one of two where two are left. For the components
+/// of neighbouring nodes, which lie side by side. Registers of eight, where there are such (AVX-512), took fewer
+/// instructions and no less time, in whole cases 0.97 to 1.09 of it: what is read of nodes straddles what was written
+/// to them just before.
+template <int n>
+struct Doubles {
+  using Front = std::conditional_t<(n >= 4), Double4, Double2>;
+  static constexpr int in_front = sizeof(Front) / sizeof(double);
+  using Rest = Doubles<n - in_front>;
+
+  Front front;
+  Rest rest;
+
+  [[gnu::always_inline]] static Doubles load(const double* from) {
+    using Stored [[gnu::vector_size(sizeof(Front)), gnu::aligned(8)]] = double;
+    return {*reinterpret_cast<const Stored*>(from), Rest::load(from + in_front)};
+  }
+  [[gnu::always_inline]] void store(double* to) const {
+    using Stored [[gnu::vector_size(sizeof(Front)), gnu::aligned(8)]] = double;
+    *reinterpret_cast<Stored*>(to) = front;
+    rest.store(to + in_front);
+  }
+
+  /// Number k is of(k).
+  template <int first = 0, class Of>
+  [[gnu::always_inline]] static Doubles each(const Of& of) {
+    const auto front_of = [&of]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
+      return Front{of(first + k)...};
+    };
+    return {front_of(std::make_integer_sequence<int, in_front>{}), Rest::template each<first + in_front>(of)};
+  }
+
+  [[gnu::always_inline]] friend Doubles operator*(double c, const Doubles& a) { return {c * a.front, c * a.rest}; }
+  [[gnu::always_inline]] friend Doubles operator*(const Doubles& a, const Doubles& b) {
+    return {a.front * b.front, a.rest * b.rest};
+  }
+  [[gnu::always_inline]] Doubles& operator+=(const Doubles& b) {
+    front += b.front;
+    rest += b.rest;
+    return *this;
+  }
+};
+
+template <>
+struct Doubles<0> {
+  [[gnu::always_inline]] static Doubles load(const double*) { return {}; }
+  [[gnu::always_inline]] void store(double*) const {}
+  template <int first, class Of>
+  [[gnu::always_inline]] static Doubles each(const Of&) {
+    return {};
+  }
+  [[gnu::always_inline]] friend Doubles operator*(double, const Doubles&) { return {}; }
+  [[gnu::always_inline]] friend Doubles operator*(const Doubles&, const Doubles&) { return {}; }
+  [[gnu::always_inline]] Doubles& operator+=(const Doubles&) { return *this; }
+};
+
+/// The sum of C numbers, the next C and so on: of the components of nodes, over the nodes.
+template <int C, int n>
+[[gnu::always_inline]] inline auto sum_of_parts(const Doubles<n>& all) {
+  const auto front = [&all] {
+    if constexpr (C < Doubles<n>::in_front)
+      return half(all.front, 0) + half(all.front, 1);
+    else
+      return all.front;
+  }();
+  if constexpr (n > Doubles<n>::in_front)
+    return front + sum_of_parts<C>(all.rest);
+  else
+    return front;
+}
+
+}  // namespace mpmvv::solver
