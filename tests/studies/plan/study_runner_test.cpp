@@ -1,5 +1,6 @@
 #include "studies/plan/study_runner.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -150,6 +151,49 @@ TEST_F(StudyRunner, AReplicateThatBlowsUpSpeaksForItsPoint) {
     ASSERT_EQ(l2.size(), 3U);
     EXPECT_NEAR(point.y.at("l2"), std::cbrt(l2[0] * l2[1] * l2[2]), 1e-12 * l2[0]);
   }
+}
+
+constexpr const char* cubes = R"(title = "Cube"
+claims = []
+[[series]]
+name = "cubes"
+[fixed]
+problem = "cube"
+basis = "bspline2"
+integrator = "cd"
+ppc = 2
+)";
+
+TEST_F(StudyRunner, RunsAPartWhereItsMirrorImagesMakeTheRest) {
+  const StudyResult result =
+      result_of(folder_, "cube", std::string(cubes) + "cfl = 0.4\nsteps = 4\n[sweep]\ncells = [8, 10]\n");
+  const auto& points = result.series[0].points;
+  EXPECT_EQ(points[0].y.at("images"), 1) << "ghost layers on both sides have no room in half of it";
+  EXPECT_EQ(points[1].y.at("images"), 8);
+}
+
+TEST_F(StudyRunner, RunsTheWholeWhereThePartBlowsUp) {
+  Store store(folder_ / "unstable.db", Store::Mode::create_or_write);
+  std::ofstream(folder_ / "unstable.toml")
+      << cubes << "cfl = 0.4\nblowup_error = 1e-9\nsteps = 4\n[sweep]\ncells = [10]\n";
+  const StudyPlan plan = read_study(folder_ / "unstable.toml");
+  RunnerCounts counts;
+  run_studies({plan}, store, {}, counts);
+  const auto record = store.find(replicates_at(plan, plan.series[0], 10).front(), store::current_provenance().digest);
+  ASSERT_TRUE(record);
+  EXPECT_EQ(record->status, records::Status::unstable);
+  EXPECT_EQ(record->images, 1);
+  EXPECT_EQ(record->particles, 8000);
+}
+
+TEST_F(StudyRunner, SearchesALimitOfTheWhole) {
+  Store store(folder_ / "limit.db", Store::Mode::create_or_write);
+  std::ofstream(folder_ / "limit.toml")
+      << cubes << "cells = 10\nend_time = 0.001\n[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 0.4\nscan_ratio = 2\n";
+  RunnerCounts counts;
+  run_studies({read_study(folder_ / "limit.toml")}, store, {}, counts);
+  EXPECT_GT(counts.ran, 1U);
+  EXPECT_THAT(store.export_csv(), testing::Not(testing::HasSubstr("whole=false")));
 }
 
 /// A result that no check has made, so that one taken from the store is known by it.
