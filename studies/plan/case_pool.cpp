@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <utility>
 
 #include "studies/plan/estimates.hpp"
@@ -50,23 +51,20 @@ std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
 }
 
 std::vector<Case> CasePool::missing(const std::vector<Case>& cases) {
-  std::unique_lock lock(mutex_);
-  kept_.wait(lock, [this] { return !keeping_; });
-  std::vector<Case> missing;
-  for (const Case& c : cases)
-    if (!known(c)) missing.push_back(c);
-  std::ranges::sort(missing);
-  const auto repeated = std::ranges::unique(missing);
-  missing.erase(repeated.begin(), repeated.end());
-  progress_.total += missing.size();
-  return missing;
+  std::set<Case> missing;
+  with_store([&] {
+    for (const Case& c : cases)
+      if (!known(c)) missing.insert(c);
+    progress_.total += missing.size();
+  });
+  return {missing.begin(), missing.end()};
 }
 
 double CasePool::seconds(const std::vector<Case>& cases) {
-  std::unique_lock lock(mutex_);
-  kept_.wait(lock, [this] { return !keeping_; });
   double sum = 0;
-  for (const Case& c : cases) sum += costs_.time(c).seconds;
+  with_store([&] {
+    for (const Case& c : cases) sum += costs_.time(c).seconds;
+  });
   return sum;
 }
 
@@ -104,7 +102,15 @@ void CasePool::time_all(const std::vector<Case>& cases) {
 }
 
 void CasePool::run(const Case& c, double seconds_of_all) {
-  keep(record_of(c, seconds_of_all));
+  if (!is_there(c)) keep(record_of(c, seconds_of_all));
+}
+
+/// Whether a thread has run the case since it was found missing.
+bool CasePool::is_there(const Case& c) {
+  const std::lock_guard lock(mutex_);
+  if (!records_.contains(c)) return false;
+  ++progress_.done;
+  return true;
 }
 
 Record CasePool::record_of(const Case& c, double seconds_of_all) {

@@ -37,11 +37,20 @@ class CasePool {
   /// A place of one thread among the cases that run, for something else.
   Admission::Place place() { return {admission_, 1, 0}; }
 
+  /// Calls `act` while no thread of the pool is at the store.
+  template <class Act>
+  void with_store(const Act& act) {
+    std::unique_lock lock(mutex_);
+    kept_.wait(lock, [this] { return !keeping_; });
+    act();
+  }
+
   RunnerCounts counts() const { return counts_; }
 
  private:
   bool known(const cases::Case& c);
   void run_all(std::vector<cases::Case> missing);
+  bool is_there(const cases::Case& c);
   records::Record record_of(const cases::Case& c, double seconds_of_all);
   int threads_for(const cases::Case& as_run, double seconds, double seconds_of_all) const;
   void time_all(const std::vector<cases::Case>& cases);

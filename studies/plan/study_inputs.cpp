@@ -67,15 +67,16 @@ class Tasks {
   }
 
   /// Nothing is known of how long checks take; the longest take some seconds.
-  void add_check(const StudyPlan& plan, StudyInputs& input) {
+  void add_check(const StudyPlan& plan, StudyInputs& input, const std::function<void()>& when_done) {
     constexpr double about = 5;
-    tasks_.push_back({about, [this, &plan, &input] {
-                        const auto place = pool_.place();
+    tasks_.push_back({about, [this, &plan, &input, when_done] {
                         try {
+                          const auto place = pool_.place();
                           input.check = checks::find_check(plan.check, plan.name).run();
                         } catch (const std::exception& e) {
                           note(input, fmt::format("its check ended early: {}", support::reason_of(e)));
                         }
+                        when_done();
                       }});
   }
 
@@ -153,13 +154,15 @@ std::optional<checks::CheckResult> stored_check(const StudyPlan& plan,
 
 std::vector<StudyInputs> run_beside_each_other(const std::vector<StudyPlan>& plans,
                                                const std::vector<records::StudyResult>& stored, CasePool& pool,
-                                               int jobs) {
+                                               int jobs,
+                                               const std::function<void(std::size_t, const StudyInputs&)>& checked) {
   auto inputs = std::vector<StudyInputs>(plans.size());
   Tasks tasks(pool);
   tasks.add_sweeps(plans);
   for (std::size_t k = 0; k < plans.size(); ++k) {
     if (!plans[k].check.empty()) inputs[k].check = stored_check(plans[k], stored);
-    if (!plans[k].check.empty() && !inputs[k].check) tasks.add_check(plans[k], inputs[k]);
+    if (!plans[k].check.empty() && !inputs[k].check)
+      tasks.add_check(plans[k], inputs[k], [&, k] { checked(k, inputs[k]); });
     if (plans[k].limit) tasks.add_limits(plans[k], inputs[k]);
   }
   tasks.run(jobs);

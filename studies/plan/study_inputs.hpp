@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,9 +32,10 @@ std::vector<cases::Case> scan_cases(const StudyPlan& plan, const SeriesPlan& rep
 std::optional<checks::CheckResult> stored_check(const StudyPlan& plan, const std::vector<records::StudyResult>& stored);
 
 /// Runs all studies' sweeps (but for what is timed), checks and searches of limits beside each other, what takes
-/// longest first. Inputs by plan.
+/// longest first. Inputs by plan; `checked` takes those of a study as soon as its check has run, on any thread.
 std::vector<StudyInputs> run_beside_each_other(const std::vector<StudyPlan>& plans,
                                                const std::vector<records::StudyResult>& stored, CasePool& pool,
-                                               int jobs);
+                                               int jobs,
+                                               const std::function<void(std::size_t, const StudyInputs&)>& checked);
 
 }  // namespace mpmvv::plan

@@ -100,19 +100,24 @@ class StudyRunner {
 
   /// What is timed comes last, study by study, when nothing else waits: it has the machine for itself.
   std::vector<StudyOutcome> run(const std::vector<StudyPlan>& plans) {
-    const std::vector<StudyInputs> inputs =
-        run_beside_each_other(plans, store_.studies(provenance_.digest), pool_, options_.jobs);
     std::vector<StudyOutcome> outcomes(plans.size());
+    std::vector<char> is_done(plans.size(), 0);
+    const auto finish = [&](std::size_t k, const StudyInputs& inputs) {
+      outcomes[k] = outcome_of(plans[k], inputs);
+      is_done[k] = 1;
+    };
+    const std::vector<StudyInputs> all_inputs =
+        run_beside_each_other(plans, store_.studies(provenance_.digest), pool_, options_.jobs, finish);
     for (const bool timed : {false, true})
       for (std::size_t k = 0; k < plans.size(); ++k)
-        if (is_timed(plans[k]) == timed) outcomes[k] = finish(plans[k], inputs[k]);
+        if (!is_done[k] && is_timed(plans[k]) == timed) finish(k, all_inputs[k]);
     return outcomes;
   }
 
   RunnerCounts counts() const { return pool_.counts(); }
 
  private:
-  StudyOutcome finish(const StudyPlan& plan, const StudyInputs& inputs) {
+  StudyOutcome outcome_of(const StudyPlan& plan, const StudyInputs& inputs) {
     StudyOutcome outcome;
     StudyResult& result = outcome.result;
     result = {plan.name, plan.title, plan.kind(), plan.sweep, plan.text, plan.claims, {}, {}, plan.figures, {}};
@@ -122,7 +127,7 @@ class StudyRunner {
     fit(plan, result);
     extrapolate_series(plan, result);
     for (const claims::Criterion& criterion : plan.criteria) result.parts.push_back(claims::judge(criterion, result));
-    store_.keep_study(result, cases, provenance_);
+    pool_.with_store([&] { store_.keep_study(result, cases, provenance_); });
     return outcome;
   }
 

@@ -31,8 +31,8 @@ struct RunnerCounts {
 };
 
 /// Runs what the store does not hold yet: all studies' sweeps, checks and limits in one pool, what is timed after them,
-/// study by study. Keeps every record as soon as it is there, studies when the pool is empty, timed ones as soon as they
-/// are whole. Results do not depend on `jobs`.
+/// study by study. Keeps every record as soon as it is there, studies when the pool is empty, timed ones as soon as
+/// they are whole. Results do not depend on `jobs`.
 std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, store::Store& store,
                                       const RunnerOptions& options, RunnerCounts& counts);
 

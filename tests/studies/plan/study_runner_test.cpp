@@ -58,6 +58,27 @@ TEST_F(StudyRunner, JobsShareThePoolAndTheStoreAndChangeNothing) {
                 outcomes[1][0].result.series[s].points[k].y.at("l2"));
 }
 
+TEST_F(StudyRunner, TimesWhatIsTimedWhenNothingElseWaits) {
+  std::string timed = text;
+  timed.replace(timed.find("ppc = 2"), 7, "ppc = 3\nrepeat = 3");
+  std::ofstream(folder_ / "timed.toml") << timed;
+  std::ofstream(folder_ / "bar.toml") << text;
+  std::ofstream(folder_ / "check.toml") << "title = \"Jump\"\nclaims = []\ncheck = \"jump-errors\"\n";
+  std::vector<StudyPlan> plans;
+  for (const char* name : {"timed.toml", "check.toml", "bar.toml"}) plans.push_back(read_study(folder_ / name));
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  RunnerCounts counts;
+  std::vector<std::string> labels;
+  RunnerOptions options;
+  options.jobs = 2;
+  options.progress = [&labels](const Progress& progress) { labels.push_back(progress.label); };
+  const std::vector<StudyOutcome> outcomes = run_studies(plans, store, options, counts);
+  ASSERT_EQ(labels.size(), 16U);
+  for (std::size_t k = 0; k < labels.size(); ++k) EXPECT_EQ(labels[k].ends_with("ppc=3"), k >= 8) << labels[k];
+  for (std::size_t k = 0; k < plans.size(); ++k) EXPECT_EQ(outcomes[k].result.name, plans[k].name);
+  EXPECT_EQ(store.studies(store::current_provenance().digest).size(), 3U);
+}
+
 TEST_F(StudyRunner, WhatTheMachineCouldNotDoIsTriedAgain) {
   const auto file = folder_ / "bar.toml";
   std::ofstream(file) << text;
