@@ -1,7 +1,5 @@
 #include "studies/settings/part.hpp"
 
-#include <algorithm>
-
 #include "solver/boundary/boundaries.hpp"
 #include "studies/settings/boundaries.hpp"
 #include "studies/settings/traits.hpp"
@@ -48,9 +46,7 @@ std::optional<Case> part_of(const Case& c) {
   part.problem.quarter = true;
   part.scheme.boundary =
       canonical_boundary(problem.quarter_boundary(c.scheme.boundary), problem.dimension(), "its quarter");
-  const int ghosts = ghosts_of(named<solver::AnyBasis>(c.scheme.basis));
-  const bool has_room = std::ranges::min(problems::domain_cells(part)) > 2 * ghosts;  // no node is two ghosts' image
-  if (!has_room || !is_valid(part, problem)) return std::nullopt;
+  if (!is_valid(part, problem)) return std::nullopt;
   return part;
 }
 

@@ -187,7 +187,7 @@ ppc = 2
 
 TEST_F(StudyRunner, RunsAPartWhereItsMirrorImagesMakeTheRest) {
   const StudyResult result =
-      result_of(folder_, "cube", std::string(cubes) + "cfl = 0.4\nsteps = 4\n[sweep]\ncells = [8, 10]\n");
+      result_of(folder_, "cube", std::string(cubes) + "cfl = 0.4\nsteps = 4\n[sweep]\ncells = [6, 8]\n");
   const auto& points = result.series[0].points;
   EXPECT_EQ(points[0].y.at("images"), 1) << "ghost layers on both sides have no room in half of it";
   EXPECT_EQ(points[1].y.at("images"), 8);
