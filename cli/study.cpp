@@ -8,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/forecast.hpp"
 #include "cli/outputs.hpp"
 #include "studies/plan/study_runner.hpp"
 #include "studies/support/error.hpp"
@@ -24,6 +25,7 @@ struct StudyOptions {
   std::string db;
   std::vector<std::string> settings, where_taken;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  bool plan = false, json = false;
 };
 
 /// A line that rewrites itself on a terminal; nothing elsewhere.
@@ -144,7 +146,7 @@ void require_taken(const std::vector<Overriding>& settings, const std::vector<pl
   }
 }
 
-int study(const StudyOptions& options) {
+std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
   const std::vector<Overriding> overriding = overriding_settings(options);
   std::vector<plan::StudyPlan> plans;
   for (const std::string& file : options.files) {
@@ -156,6 +158,15 @@ int study(const StudyOptions& options) {
   }
   require_taken(overriding, plans);
   require_apart("--db", options.db, {options.files.begin(), options.files.end()});
+  return plans;
+}
+
+int study(const StudyOptions& options) {
+  const std::vector<plan::StudyPlan> plans = read_plans(options);
+  if (options.plan) {
+    print_forecast(plans, options.db, options.jobs, options.json);
+    return 0;
+  }
   store::Store store(options.db, store::Store::Mode::create_or_write);
   plan::RunnerCounts counts;
   const auto outcomes = plan::run_studies(plans, store, {options.jobs, progress_line()}, counts);
@@ -187,6 +198,9 @@ void add_study(CLI::App& app, int& exit_code) {
   command->add_option("--set-where-taken", options->where_taken, "as --set, in the series alone that take it")
       ->allow_extra_args(false);
   command->add_option("--jobs", options->jobs, "cases at once (default: all cores)")->check(CLI::Range(1, 1024));
+  CLI::Option* plan =
+      command->add_flag("--plan", options->plan, "run nothing: print what would run, how long, and why");
+  command->add_flag("--json", options->json, "print the plan as one JSON object")->needs(plan);
   command->callback([options, &exit_code] { exit_code = study(*options); });
 }
 

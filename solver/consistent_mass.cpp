@@ -27,8 +27,14 @@ ConsistentMass<D>::ConsistentMass(Step<D>& s, const ConsistentMassSettings& sett
 template <int D>
 double ConsistentMass<D>::full_mass(const Step<D>& s, std::size_t n, double cell_mass) {
   const auto i = s.grid().index(n);
-  for (std::size_t d = 0; d < D; ++d)
-    if (!s.periodic()[d] && (i[d] == 0 || i[d] == s.grid().inside(static_cast<int>(d)) - 1)) cell_mass /= 2;
+  const auto ends_at = [&](std::size_t face) {
+    const AnyBoundary& boundary = s.scene().boundary[face];
+    return !std::holds_alternative<Periodic>(boundary) && !std::holds_alternative<Mirror>(boundary);
+  };
+  for (std::size_t d = 0; d < D; ++d) {
+    if (i[d] == 0 && ends_at(2 * d)) cell_mass /= 2;
+    if (i[d] == s.grid().inside(static_cast<int>(d)) - 1 && ends_at(2 * d + 1)) cell_mass /= 2;
+  }
   return cell_mass;
 }
 

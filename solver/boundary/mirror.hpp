@@ -4,7 +4,8 @@
 namespace mpmvv::solver {
 
 /// The body continued by its mirror image. Ghost nodes are added to their images (mass, tangential momentum and
-/// force as they are, normal ones reversed); afterwards the ghosts carry the mirrored field.
+/// force as they are, normal ones reversed); afterwards the ghosts carry the mirrored field. A node on the plane is its
+/// own image, with the mass that it has within the whole body.
 struct Mirror {
   static constexpr std::string_view word = "mirror";
   static constexpr bool holds = false;
@@ -17,7 +18,8 @@ struct Mirror {
         field[image] += mirrored(field[ghost], face.axis);
         field[ghost] = mirrored(field[image], face.axis);
       });
-    grid.for_plane(face.axis, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][face.axis] = 0; });
+    grid.for_plane(face.axis, nodes.plane(), nodes.plane(),
+                   [&](int n, int) { field[n] += mirrored(field[n], face.axis); });
   }
 
   /// Nothing to do: a field made from sums over images is mirrored already.

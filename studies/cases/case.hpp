@@ -12,7 +12,7 @@ struct ProblemChoice {
   std::string name;
   std::map<std::string, double> parameters;  ///< `amplitude`, `youngs_modulus`, ...
   double end_time = 0;                       ///< s
-  bool quarter = false;                      ///< its part where no coordinate is negative, instead of the whole body
+  bool quarter = false;  ///< the part of its body of which mirror images make the whole, instead of all of it
 
   auto operator<=>(const ProblemChoice&) const = default;
 };
@@ -38,6 +38,7 @@ struct Measure {
   double blowup_error =
       1;  ///< unstable when the largest displacement error exceeds this times the problem's displacement scale
   double blowup_energy = 10;  ///< unstable when kinetic + strain energy exceeds this times the initial total
+  bool whole = false;         ///< a study runs the whole body, also where a part and its mirror images give the same
   int repeat = 0;             ///< runs, each alone on the machine, of which the cost is taken; 0: it is no evidence
 
   auto operator<=>(const Measure&) const = default;

@@ -103,7 +103,7 @@ std::string text_of(const Value& value) {
 const std::vector<SettingKey>& setting_keys() {
   static const std::vector<SettingKey> keys{
       {"problem", "what is solved"},
-      {"quarter", "only the part where no coordinate is negative", flag(&ProblemChoice::quarter)},
+      {"quarter", "only the part of which mirror images make the whole body", flag(&ProblemChoice::quarter)},
       {"basis", "grid basis functions", by_rule(&Scheme::basis)},
       {"smoothing_length", "of ugimp, in cells", by_rule(&Scheme::smoothing_length)},
       {"integrator", "order of the step", by_rule(&Scheme::integrator)},
@@ -140,6 +140,7 @@ const std::vector<SettingKey>& setting_keys() {
        read_by(&parse_number, &Measure::blowup_error)},
       {"blowup_energy", "unstable beyond this energy, in initial energies",
        read_by(&parse_number, &Measure::blowup_energy)},
+      {"whole", "in studies: all of a body, not the part of which mirror images make it", flag(&Measure::whole)},
       {"repeat", "run alone so often (3 or more) and keep the median cost",
        read_by(whole_from(3, 99), &Measure::repeat)},
   };

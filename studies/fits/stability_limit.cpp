@@ -39,9 +39,6 @@ void require_sound(const LimitSearch& search) {
                        most_scan_steps, search.from, search.to));
 }
 
-namespace {
-
-/// Equal ratios, at most `scan_ratio`, with the ends exactly as given.
 std::vector<double> scan_values(const LimitSearch& search) {
   const double steps = scan_steps(search);
   std::vector<double> values;
@@ -49,6 +46,8 @@ std::vector<double> scan_values(const LimitSearch& search) {
   values.push_back(search.to);
   return values;
 }
+
+namespace {
 
 /// The answers of a batch, each run once: several values may lead to the same run.
 std::vector<Probe> ask(const ProbeBatch& probe, const std::vector<double>& values) {

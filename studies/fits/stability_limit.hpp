@@ -38,6 +38,9 @@ struct LimitSearch {
 /// UsageError that says which number of the search makes no sense, and what would.
 void require_sound(const LimitSearch& search);
 
+/// The values of the scan: equal ratios, at most `scan_ratio`, with the ends exactly as given.
+std::vector<double> scan_values(const LimitSearch& search);
+
 /// Probes a batch of values; one verdict per value, in order, each with the value that was run, which may be another
 /// than the one asked for (a time step divides the end time). The search hands over the scan as one batch so that
 /// the caller can spread it over the cores.

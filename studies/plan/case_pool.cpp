@@ -4,10 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <functional>
+#include <set>
 #include <utility>
 
 #include "studies/plan/estimates.hpp"
 #include "studies/runs/run_case.hpp"
+#include "studies/runs/run_part.hpp"
+#include "studies/settings/part.hpp"
 #include "studies/support/parallel.hpp"
 
 namespace mpmvv::plan {
@@ -22,13 +26,6 @@ double usable_memory() {
   return 0.8 * static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// Whether the case takes all threads for itself: it fills the memory, or would still run when all others are done.
-bool is_big(const Case& c, double work_of_all, int jobs) {
-  constexpr double much_memory = 1024.0 * 1024 * 1024, much_work = 1e8;
-  const double work = work_estimate(c);
-  return memory_estimate(c) > much_memory || (work > much_work && work * jobs > work_of_all);
-}
-
 std::string label(const Case& c) {
   return fmt::format("{} {} {} {} cells={} ppc={}", c.problem.name, c.scheme.basis, c.scheme.integrator,
                      c.scheme.boundary, c.resolution.cells, c.resolution.ppc);
@@ -40,26 +37,35 @@ CasePool::CasePool(store::Store& store, const RunnerOptions& options)
     : store_(store),
       options_(options),
       provenance_(store::current_provenance()),
+      costs_(&store),
       admission_(options.jobs, usable_memory()) {}
 
 std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
-  std::vector<Case> missing;
-  {
-    std::unique_lock lock(mutex_);
-    kept_.wait(lock, [this] { return !keeping_; });
-    for (const Case& c : cases)
-      if (!known(c)) missing.push_back(c);
-    std::sort(missing.begin(), missing.end());
-    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
-    progress_.total += missing.size();
-  }
-  run_all(std::move(missing));
+  run_all(missing(cases));
   std::unique_lock lock(mutex_);
   kept_.wait(lock, [this] { return !keeping_; });
   if (not_kept_) std::rethrow_exception(not_kept_);
   std::vector<Record> records;
   for (const Case& c : cases) records.push_back(records_.at(c));
   return records;
+}
+
+std::vector<Case> CasePool::missing(const std::vector<Case>& cases) {
+  std::set<Case> missing;
+  with_store([&] {
+    for (const Case& c : cases)
+      if (!known(c)) missing.insert(c);
+    progress_.total += missing.size();
+  });
+  return {missing.begin(), missing.end()};
+}
+
+double CasePool::seconds(const std::vector<Case>& cases) {
+  double sum = 0;
+  with_store([&] {
+    for (const Case& c : cases) sum += costs_.time(c).seconds;
+  });
+  return sum;
 }
 
 bool CasePool::known(const Case& c) {
@@ -76,11 +82,11 @@ void CasePool::run_all(std::vector<Case> missing) {
       std::stable_partition(missing.begin(), missing.end(), [](const Case& c) { return c.measure.repeat == 0; });
   if (timed != missing.end()) time_all({timed, missing.end()});
   missing.erase(timed, missing.end());
-  std::stable_sort(missing.begin(), missing.end(),
-                   [](const Case& a, const Case& b) { return work_estimate(a) > work_estimate(b); });
-  double work_of_all = 0;
-  for (const Case& c : missing) work_of_all += work_estimate(c);
-  support::for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run_one(missing[k], work_of_all); });
+  std::vector<std::pair<double, Case>> longest_first;
+  for (const Case& c : missing) longest_first.emplace_back(seconds({c}), c);
+  std::ranges::stable_sort(longest_first, std::greater{}, &std::pair<double, Case>::first);
+  const double all = seconds(missing);
+  support::for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run(longest_first[k].second, all); });
 }
 
 /// Measures costs. Nothing else runs and nothing is written during that time.
@@ -95,10 +101,36 @@ void CasePool::time_all(const std::vector<Case>& cases) {
   for (const Record& record : records) keep(record);
 }
 
-void CasePool::run_one(const Case& c, double work_of_all) {
-  const int threads = is_big(c, work_of_all, options_.jobs) ? options_.jobs : 1;
+void CasePool::run(const Case& c, double seconds_of_all) {
+  if (!is_there(c)) keep(record_of(c, seconds_of_all));
+}
+
+/// Whether a thread has run the case since it was found missing.
+bool CasePool::is_there(const Case& c) {
+  const std::lock_guard lock(mutex_);
+  if (!records_.contains(c)) return false;
+  ++progress_.done;
+  return true;
+}
+
+Record CasePool::record_of(const Case& c, double seconds_of_all) {
+  const double about = seconds({c});
+  if (const auto part = settings::part_of(c)) {
+    const int threads = threads_for(*part, about, seconds_of_all);
+    const Admission::Place place(admission_, threads, memory_estimate(*part));
+    if (const auto record = runs::run_part(c, *part, threads)) return *record;
+  }
+  const int threads = threads_for(c, about, seconds_of_all);
   const Admission::Place place(admission_, threads, memory_estimate(c));
-  keep(runs::run_case(c, threads));
+  return runs::run_case(c, threads);
+}
+
+/// All for a case that fills the memory, or would still run when all others are done.
+int CasePool::threads_for(const Case& as_run, double seconds, double seconds_of_all) const {
+  constexpr double much_memory = 1024.0 * 1024 * 1024, long_time = 5;
+  const bool is_big =
+      memory_estimate(as_run) > much_memory || (seconds > long_time && seconds * options_.jobs > seconds_of_all);
+  return is_big ? options_.jobs : 1;
 }
 
 /// One thread at a time writes to the store, all that has finished in one transaction; the others go on running.

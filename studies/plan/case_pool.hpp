@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "studies/plan/admission.hpp"
+#include "studies/plan/cost_model.hpp"
 #include "studies/plan/study_runner.hpp"
 #include "studies/records/record.hpp"
 #include "studies/store/provenance.hpp"
@@ -13,10 +14,10 @@
 
 namespace mpmvv::plan {
 
-/// Gets records of cases: from memory, from the store, or by running them. A case runs once, unless two threads ask for
-/// it at the same time. Cases run in parallel, the long ones first, as far as the machine's memory allows. Two kinds
-/// run alone: those whose cost is measured, before all others, on one thread and taking turns; and big ones, on all
-/// threads.
+/// Gets records of cases: from memory, from the store, or by running them, on a part of the body where mirror images of
+/// it make the rest. A case runs once, unless two threads ask for it at the same time. Cases run in parallel, the long
+/// ones first, as far as the machine's memory allows. Two kinds run alone: those whose cost is measured, on one thread
+/// and taking turns; and big ones, on all threads.
 class CasePool {
  public:
   CasePool(store::Store& store, const RunnerOptions& options);
@@ -24,18 +25,41 @@ class CasePool {
   /// Records in the order of the cases. Several threads may call it.
   std::vector<records::Record> get(const std::vector<cases::Case>& cases);
 
+  /// Those of the cases whose records are neither in memory nor in the store, each once.
+  std::vector<cases::Case> missing(const std::vector<cases::Case>& cases);
+
+  /// Runs a case whose cost is not measured, one of several that take so many seconds in all.
+  void run(const cases::Case& c, double seconds_of_all);
+
+  /// How long the cases take one after the other.
+  double seconds(const std::vector<cases::Case>& cases);
+
+  /// A place of one thread among the cases that run, for something else.
+  Admission::Place place() { return {admission_, 1, 0}; }
+
+  /// Calls `act` while no thread of the pool is at the store.
+  template <class Act>
+  void with_store(const Act& act) {
+    std::unique_lock lock(mutex_);
+    kept_.wait(lock, [this] { return !keeping_; });
+    act();
+  }
+
   RunnerCounts counts() const { return counts_; }
 
  private:
   bool known(const cases::Case& c);
   void run_all(std::vector<cases::Case> missing);
+  bool is_there(const cases::Case& c);
+  records::Record record_of(const cases::Case& c, double seconds_of_all);
+  int threads_for(const cases::Case& as_run, double seconds, double seconds_of_all) const;
   void time_all(const std::vector<cases::Case>& cases);
-  void run_one(const cases::Case& c, double work_of_all);
   void keep(const records::Record& record);
 
   store::Store& store_;
   RunnerOptions options_;
   store::Provenance provenance_;
+  CostModel costs_;
   RunnerCounts counts_;
   Progress progress_;
   std::map<cases::Case, records::Record> records_;

@@ -1,7 +1,5 @@
 #include "studies/plan/study_runner.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -12,9 +10,7 @@
 #include "studies/fits/observed_order.hpp"
 #include "studies/fits/replicates.hpp"
 #include "studies/plan/case_pool.hpp"
-#include "studies/support/error.hpp"
-#include "studies/support/parallel.hpp"
-#include "studies/support/reason.hpp"
+#include "studies/plan/study_inputs.hpp"
 
 namespace mpmvv::plan {
 
@@ -26,11 +22,6 @@ using records::Status;
 using records::StudyResult;
 
 namespace {
-
-/// Thrown where a study cannot be finished, as its check or a probe of its limit failed.
-struct StudyTrouble : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 Point point_of(double x, const Record& r) {
   Point point{x, r.status, r.reason, {}};
@@ -64,53 +55,12 @@ Point point_of(double x, std::span<const Record> records) {
   return point;
 }
 
-/// The cases of a series, those of one swept value together.
-std::vector<Case> sweep_cases(const StudyPlan& plan, const SeriesPlan& series) {
-  std::vector<Case> cases;
-  for (const double value : plan.values)
-    for (const Case& c : replicates_at(plan, series, value)) cases.push_back(c);
-  return cases;
-}
-
-/// The cases of all series.
-std::vector<Case> sweep_cases(const StudyPlan& plan) {
-  std::vector<Case> cases;
-  for (const SeriesPlan& series : plan.series)
-    for (const Case& c : sweep_cases(plan, series)) cases.push_back(c);
-  return cases;
-}
-
 Series swept_series(const StudyPlan& plan, const SeriesPlan& series, std::span<const Record> records) {
   Series result{series.name, {}, {}, {}};
   const std::size_t each = plan.replicates ? plan.replicates->values.size() : 1;
   for (std::size_t k = 0; k < plan.values.size(); ++k)
     result.points.push_back(point_of(plan.values[k], records.subspan(k * each, each)));
   return result;
-}
-
-/// The probe at the value that was run: a time step is made smaller than the CFL number asked for, to divide the end
-/// time.
-fits::Probe probe_of(const std::string& key, double asked, const Record& r) {
-  if (r.status == Status::failed) throw StudyTrouble(fmt::format("a probe at {} failed: {}", asked, r.reason));
-  return {key == "cfl" ? r.cfl : asked, r.status == Status::ok, r.reason};
-}
-
-fits::StabilityLimit search_limit(const fits::LimitSearch& search, const SeriesPlan& series, CasePool& pool) {
-  return fits::find_limit(search, [&](const std::vector<double>& values) {
-    std::vector<Case> cases;
-    for (const double value : values) cases.push_back(case_at(series, search.key, value, series.where));
-    const auto records = pool.get(cases);
-    std::vector<fits::Probe> probes;
-    for (std::size_t k = 0; k < values.size(); ++k) probes.push_back(probe_of(search.key, values[k], records[k]));
-    return probes;
-  });
-}
-
-fits::StabilityLimit search_limit(const StudyPlan& plan, const SeriesPlan& series, CasePool& pool) {
-  std::vector<fits::StabilityLimit> limits;
-  for (const SeriesPlan& one : replicates_of(plan, series))
-    limits.push_back(search_limit(plan.limit->search, one, pool));
-  return fits::common_limit(limits);
 }
 
 bool is_wanted(const std::vector<std::string>& names, const Series& series) {
@@ -143,81 +93,69 @@ void extrapolate_series(const StudyPlan& plan, StudyResult& result) {
     }
 }
 
-/// What a check measured: from the store when this digest has run the same file, else anew.
-checks::CheckResult check_result(const StudyPlan& plan, const std::vector<StudyResult>& stored) {
-  for (const StudyResult& s : stored)
-    if (s.name == plan.name && s.text == plan.text) {
-      checks::CheckResult result{s.values, s.series};
-      for (Series& series : result.series) series.orders.clear(), series.extrapolations.clear();
-      return result;
-    }
-  try {
-    return checks::find_check(plan.check, plan.name).run();
-  } catch (const std::exception& e) {
-    throw StudyTrouble(fmt::format("its check ended early: {}", support::reason_of(e)));
-  }
-}
-
 class StudyRunner {
  public:
   StudyRunner(store::Store& store, const RunnerOptions& options)
-      : store_(store), options_(options), stored_(store.studies(provenance_.digest)), pool_(store, options) {}
+      : store_(store), options_(options), pool_(store, options) {}
 
-  void run_untimed(const std::vector<StudyPlan>& plans) {
-    std::vector<Case> untimed;
-    for (const StudyPlan& plan : plans)
-      for (const Case& c : sweep_cases(plan))
-        if (c.measure.repeat == 0) untimed.push_back(c);
-    pool_.get(untimed);
-  }
-
-  StudyOutcome run(const StudyPlan& plan) {
-    StudyOutcome outcome;
-    StudyResult& result = outcome.result;
-    result = {plan.name, plan.title, plan.kind(), plan.sweep, plan.text, plan.claims, {}, {}, plan.figures, {}};
-    try {
-      const auto cases = measure(plan, outcome);
-      fit(plan, result);
-      extrapolate_series(plan, result);
-      for (const claims::Criterion& criterion : plan.criteria) result.parts.push_back(claims::judge(criterion, result));
-      store_.keep_study(result, cases, provenance_);
-    } catch (const StudyTrouble& trouble) {
-      outcome.trouble = trouble.what();
-    }
-    return outcome;
+  /// What is timed comes last, study by study, when nothing else waits: it has the machine for itself.
+  std::vector<StudyOutcome> run(const std::vector<StudyPlan>& plans) {
+    std::vector<StudyOutcome> outcomes(plans.size());
+    std::vector<char> is_done(plans.size(), 0);
+    const auto finish = [&](std::size_t k, const StudyInputs& inputs) {
+      outcomes[k] = outcome_of(plans[k], inputs);
+      is_done[k] = 1;
+    };
+    const std::vector<StudyInputs> all_inputs =
+        run_beside_each_other(plans, store_.studies(provenance_.digest), pool_, options_.jobs, finish);
+    for (const bool timed : {false, true})
+      for (std::size_t k = 0; k < plans.size(); ++k)
+        if (!is_done[k] && is_timed(plans[k]) == timed) finish(k, all_inputs[k]);
+    return outcomes;
   }
 
   RunnerCounts counts() const { return pool_.counts(); }
 
  private:
-  /// Series and values of the outcome; the cases of each series.
-  std::vector<std::vector<Case>> measure(const StudyPlan& plan, StudyOutcome& outcome) {
+  StudyOutcome outcome_of(const StudyPlan& plan, const StudyInputs& inputs) {
+    StudyOutcome outcome;
     StudyResult& result = outcome.result;
-    if (!plan.check.empty()) {
-      const checks::CheckResult checked = check_result(plan, stored_);
+    result = {plan.name, plan.title, plan.kind(), plan.sweep, plan.text, plan.claims, {}, {}, plan.figures, {}};
+    const auto cases = measure(plan, inputs, outcome);
+    outcome.trouble = inputs.trouble;
+    if (!outcome.trouble.empty()) return outcome;
+    fit(plan, result);
+    extrapolate_series(plan, result);
+    for (const claims::Criterion& criterion : plan.criteria) result.parts.push_back(claims::judge(criterion, result));
+    pool_.with_store([&] { store_.keep_study(result, cases, provenance_); });
+    return outcome;
+  }
+
+  /// Series and values of the outcome; the cases of each series.
+  std::vector<std::vector<Case>> measure(const StudyPlan& plan, const StudyInputs& inputs, StudyOutcome& outcome) {
+    StudyResult& result = outcome.result;
+    if (inputs.check) {
       result.sweep = checks::find_check(plan.check, plan.name).abscissa;
-      result.values = checked.values;
-      result.series = checked.series;
+      result.values = inputs.check->values;
+      result.series = inputs.check->series;
     }
     std::vector<std::vector<Case>> cases(result.series.size());
     pool_.get(sweep_cases(plan));  // what is timed takes turns within its study
-    for (const SeriesPlan& series : plan.series) {
-      const std::vector<Case> own = sweep_cases(plan, series);
+    for (std::size_t s = 0; s < plan.series.size(); ++s) {
+      const std::vector<Case> own = sweep_cases(plan, plan.series[s]);
       const std::vector<Record> records = pool_.get(own);
       outcome.failed += static_cast<std::size_t>(std::ranges::count(records, Status::failed, &Record::status));
-      result.series.push_back(swept_series(plan, series, records));
+      result.series.push_back(swept_series(plan, plan.series[s], records));
       cases.push_back(plan.replicates ? std::vector<Case>{} : own);
+      if (plan.searches(plan.series[s]) && inputs.trouble.empty())
+        result.series.back().limit = fits::common_limit(inputs.limits[s]);
     }
-    support::for_each_parallel(plan.series.size(), options_.jobs, [&](std::size_t k) {
-      if (plan.searches(plan.series[k])) result.series[k].limit = search_limit(plan, plan.series[k], pool_);
-    });
     return cases;
   }
 
   store::Store& store_;
   const RunnerOptions& options_;
   const store::Provenance provenance_ = store::current_provenance();
-  const std::vector<StudyResult> stored_;
   CasePool pool_;
 };
 
@@ -226,9 +164,7 @@ class StudyRunner {
 std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, store::Store& store,
                                       const RunnerOptions& options, RunnerCounts& counts) {
   StudyRunner runner(store, options);
-  runner.run_untimed(plans);
-  std::vector<StudyOutcome> outcomes;
-  for (const StudyPlan& plan : plans) outcomes.push_back(runner.run(plan));
+  std::vector<StudyOutcome> outcomes = runner.run(plans);
   counts = runner.counts();
   return outcomes;
 }

@@ -30,8 +30,9 @@ struct RunnerCounts {
   std::size_t ran = 0, reused = 0;
 };
 
-/// Runs what the store does not hold yet, all studies' sweeps in one pool, and keeps every record as soon as it is
-/// there and every study as soon as it is whole. Results do not depend on `jobs`.
+/// Runs what the store does not hold yet: all studies' sweeps, checks and limits in one pool, what is timed after them,
+/// study by study. Keeps every record as soon as it is there, studies when the pool is empty, timed ones as soon as
+/// they are whole. Results do not depend on `jobs`.
 std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, store::Store& store,
                                       const RunnerOptions& options, RunnerCounts& counts);
 

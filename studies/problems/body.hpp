@@ -31,10 +31,11 @@ struct Annulus {
 /// Two equal blocks beside each other along x, the first with its lower corner at the origin, and free room around.
 template <int D>
 struct Blocks {
-  solver::Vec<D> size;  ///< of each, m: whole cells
-  int gap_cells;        ///< between them
-  double room;          ///< m
-  double gap = 0;       ///< m: `gap_cells` h
+  solver::Vec<D> size;   ///< of each, m: whole cells
+  int gap_cells;         ///< between them
+  double room;           ///< m
+  double gap = 0;        ///< m: `gap_cells` h
+  bool quarter = false;  ///< the lower half of the first block
 };
 
 /// A box whose ends along x move apart.
@@ -85,7 +86,7 @@ std::string description(const Blocks<D>& blocks) {
 
 template <int D>
 double volume(const Blocks<D>& blocks) {
-  return 2 * blocks.size.prod();
+  return 2 * blocks.size.prod() / (blocks.quarter ? 4 : 1);
 }
 
 template <int D>
@@ -113,6 +114,7 @@ bool contains(const Blocks<D>& blocks, const solver::Vec<D>& X, double slack = 0
   const auto in_first = [&](const solver::Vec<D>& Y) {
     return (Y.array() >= -slack).all() && (Y.array() <= blocks.size.array() + slack).all();
   };
+  if (blocks.quarter) return in_first(X) && X[1] <= blocks.size[1] / 2 + slack;
   return in_first(X) || in_first(X - (blocks.size[0] + blocks.gap) * solver::Vec<D>::Unit(0));
 }
 
@@ -155,6 +157,8 @@ Domain<D> domain(const Blocks<D>& blocks, double h) {
   for (std::size_t k = 0; k < D; ++k)
     d.cells[k] = static_cast<int>(std::lround(blocks.size[static_cast<int>(k)] / h)) + 2 * margin;
   d.cells[0] += d.cells[0] - 2 * margin + blocks.gap_cells;
+  if (blocks.quarter)
+    for (int& n : d.cells) n /= 2;
   return d;
 }
 

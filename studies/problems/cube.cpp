@@ -30,6 +30,7 @@ Problem cube_problem() {
           .end_time_formula = "1/C",
           .end_time = [](const Parameters& p) { return 1 / bar_wave_speed(p); },
           .boundary = "periodic",
+          .symmetry_planes = SymmetryPlanes::at_upper_faces,
           .setup = &cube_setup};
 }
 

@@ -48,6 +48,7 @@ Problem impact_problem() {
           .lead_time = lead_time,
           .boundary = "free",
           .material = std::string(NeoHookeanSquare::word),
+          .symmetry_planes = SymmetryPlanes::at_upper_faces,
           .setup = &impact_setup};
 }
 

@@ -24,6 +24,9 @@ struct Setup;  // setup.hpp
 template <int D>
 using SetupFunction = Setup<D> (*)(const Parameters&);
 
+/// Where the planes of symmetry lie about a quarter of a body.
+enum class SymmetryPlanes { none, at_lower_faces, at_upper_faces };
+
 /// A problem: domain, solution, material, end time, boundary kinds. One file in studies/problems/ and one line
 /// in `problems()` each.
 struct Problem {
@@ -43,14 +46,18 @@ struct Problem {
   std::string boundary;                      ///< default
   std::string material = "neo-hookean-log";  ///< its law
   bool is_one_particle = false;              ///< whether it is one particle in one cell, at no other resolution
-  bool has_quarter = false;  ///< whether `quarter` has a meaning: every coordinate plane is one of symmetry
+  /// Of its quarter, the part on one side of a plane of symmetry across each axis; `quarter` has no meaning without.
+  SymmetryPlanes symmetry_planes = SymmetryPlanes::none;
   /// Whether the solution needs a traction on the body's surface.
   bool (*is_loaded)(const Parameters&) = nullptr;
   std::variant<SetupFunction<1>, SetupFunction<2>, SetupFunction<3>> setup;
 
   int dimension() const { return static_cast<int>(setup.index()) + 1; }
-  /// A quarter is continued by its mirror images, which alone makes it move as the whole body does.
+  bool has_quarter() const { return symmetry_planes != SymmetryPlanes::none; }
   std::string default_boundary(bool quarter) const;
+  /// The boundary with which a quarter moves as the whole body does with this word on all faces: continued by its
+  /// mirror images at the planes of symmetry, and everywhere where the whole is periodic.
+  std::string quarter_boundary(const std::string& word) const;
   bool has_solution(const Parameters& values) const;
   bool has_speed(const Parameters& values) const;
   bool has_wall(const Parameters& values, std::size_t face) const;
@@ -71,6 +78,8 @@ struct Extent {
   double cells_of_body, cells_of_domain;
 };
 Extent extent(const cases::Case& c);
+
+std::vector<int> domain_cells(const cases::Case& c);  ///< along each axis
 
 // The problems, each defined in its own file.
 Problem bar_problem();

@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "solver/boundary/mirror.hpp"
+#include "solver/boundary/periodic.hpp"
 #include "studies/problems/setup.hpp"
 #include "studies/support/error.hpp"
 
@@ -42,9 +46,16 @@ Parameters complete_parameters(const Problem& problem, const Parameters& given) 
 }
 
 std::string Problem::default_boundary(bool quarter) const {
-  if (!quarter) return boundary;
+  return quarter ? quarter_boundary(boundary) : boundary;
+}
+
+std::string Problem::quarter_boundary(const std::string& word) const {
+  const std::string mirror(solver::Mirror::word), other = word == solver::Periodic::word ? mirror : word;
+  const bool is_lower = symmetry_planes == SymmetryPlanes::at_lower_faces;
   std::vector<std::string> faces;
-  for (int d = 0; d < dimension(); ++d) faces.push_back(fmt::format("{0}min=mirror,{0}max=free", "xyz"[d]));
+  for (int d = 0; d < dimension(); ++d)
+    faces.push_back(
+        fmt::format("{0}min={1},{0}max={2}", "xyz"[d], is_lower ? mirror : other, is_lower ? other : mirror));
   return fmt::format("{}", fmt::join(faces, ","));
 }
 
@@ -70,19 +81,34 @@ bool Problem::is_curved(const Parameters& values) const {
   return std::visit(curved, setup);
 }
 
-Extent extent(const cases::Case& c) {
+namespace {
+
+/// What `of` says of a case's body and its cell width.
+template <class Of>
+auto of_body(const cases::Case& c, const Of& of) {
   const Problem& problem = find_problem(c.problem.name, "the case");
   const double h = problem.length(c.problem.parameters) / c.resolution.cells;
-  const auto extent_of = [&]<int D>(SetupFunction<D>) {
-    return std::visit(
-        [h](const auto& body) {
-          const Domain<D> all = domain(body, h);
-          const auto cells = Eigen::Map<const Eigen::Array<int, D, 1>>(all.cells.data()).template cast<double>();
-          return Extent{volume(body) / std::pow(h, D), cells.prod()};
-        },
-        make_setup<D>(problem, c.problem, h).body);
+  const auto of_setup = [&]<int D>(SetupFunction<D>) {
+    return std::visit([&](const auto& body) { return of(body, h); }, make_setup<D>(problem, c.problem, h).body);
   };
-  return std::visit(extent_of, problem.setup);
+  return std::visit(of_setup, problem.setup);
+}
+
+}  // namespace
+
+Extent extent(const cases::Case& c) {
+  return of_body(c, []<template <int> class Body, int D>(const Body<D>& body, double h) {
+    const Domain<D> all = domain(body, h);
+    const auto cells = Eigen::Map<const Eigen::Array<int, D, 1>>(all.cells.data()).template cast<double>();
+    return Extent{volume(body) / std::pow(h, D), cells.prod()};
+  });
+}
+
+std::vector<int> domain_cells(const cases::Case& c) {
+  return of_body(c, [](const auto& body, double h) {
+    const auto all = domain(body, h);
+    return std::vector<int>(all.cells.begin(), all.cells.end());
+  });
 }
 
 }  // namespace mpmvv::problems

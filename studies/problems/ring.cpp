@@ -32,7 +32,7 @@ Problem ring_problem() {
           .end_time_formula = "2/c",
           .end_time = [](const Parameters& p) { return 2 / bar_wave_speed(p); },
           .boundary = "free",
-          .has_quarter = true,
+          .symmetry_planes = SymmetryPlanes::at_lower_faces,
           .is_loaded = has_poissons_ratio,
           .setup = &ring_setup};
 }

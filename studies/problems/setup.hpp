@@ -31,8 +31,10 @@ Setup<D> make_setup(const Problem& problem, const cases::ProblemChoice& choice, 
   if (auto* box = std::get_if<Box<D>>(&setup.body)) box->reach = box->end_speed * choice.end_time;
   if constexpr (D > 1) {
     if (auto* annulus = std::get_if<Annulus<D>>(&setup.body)) annulus->quarter = choice.quarter;
-    if (auto* blocks = std::get_if<Blocks<D>>(&setup.body)) blocks->gap = blocks->gap_cells * h;
+    if (auto* blocks = std::get_if<Blocks<D>>(&setup.body))
+      blocks->quarter = choice.quarter, blocks->gap = blocks->gap_cells * h;
   }
+  if (auto* cuboid = std::get_if<Cuboid<D>>(&setup.body); cuboid && choice.quarter) cuboid->length /= 2;
   return setup;
 }
 

@@ -31,7 +31,7 @@ Problem shell_problem() {
           .end_time_formula = "2/sqrt(E/rho)",
           .end_time = [](const Parameters& p) { return 2 / bar_wave_speed(p); },
           .boundary = "free",
-          .has_quarter = true,
+          .symmetry_planes = SymmetryPlanes::at_lower_faces,
           .is_loaded = has_poissons_ratio,
           .setup = &shell_setup};
 }

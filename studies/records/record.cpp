@@ -50,6 +50,7 @@ const std::vector<RunNumber>& run_by_products() {
       number<&Record::cost, &Cost::step_seconds>(3, "step_seconds", "/cost/step_seconds"),
       number<&Record::cost, &Cost::spread>(3, "step_seconds_spread", "/cost/spread"),
       number<&Record::cfl>(1, "cfl", "/cfl"),
+      number<&Record::images>(10, "images", "/images"),
   };
   return numbers;
 }

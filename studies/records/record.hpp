@@ -70,8 +70,8 @@ struct Cost {
 /// What came out of one case.
 struct Record {
   cases::Case the_case;
-  std::int64_t particles = 0;
-  std::int64_t steps = 0;  ///< steps really taken
+  std::int64_t particles = 0;  ///< of the whole body
+  std::int64_t steps = 0;      ///< steps really taken
   double cfl = not_measured;
   Status status = Status::ok;
   Failure failure = Failure::none;  ///< where it is `failed`; in older stores none even there
@@ -81,7 +81,8 @@ struct Record {
   Balance balance;
   double wall_seconds = not_measured;          ///< of one run, whatever else ran at that time
   double ns_per_particle_step = not_measured;  ///< step loop alone; of a cost case the median
-  Cost cost = {};                              ///< where the case asks for it
+  double images = 1;  ///< of the part that was run, itself among them, which make the body; 1: all of it was run
+  Cost cost = {};     ///< where the case asks for it
 };
 
 /// Whether another try may do better.

@@ -7,6 +7,7 @@
 
 #include "studies/problems/problem.hpp"
 #include "studies/settings/given.hpp"
+#include "studies/settings/part.hpp"
 #include "studies/settings/scales.hpp"
 #include "studies/settings/scheme_rules.hpp"
 #include "studies/settings/validate.hpp"
@@ -57,7 +58,7 @@ ProblemChoice make_choice(const Settings& settings, const Problem& problem) {
   if (const auto it = settings.find("end_time"); it != settings.end()) choice.end_time = positive(it->second);
   if (const auto it = settings.find("quarter"); it != settings.end()) {
     choice.quarter = parse_flag(it->second);
-    if (choice.quarter && !problem.has_quarter)
+    if (choice.quarter && !problem.has_quarter())
       throw UsageError(fmt::format("quarter in {} has no meaning for problem '{}', which has no planes of symmetry",
                                    it->second.where, problem.name));
   }
@@ -119,6 +120,7 @@ Case make_case(std::span<const Setting> given) {
   set_time_step(settings, problem, c);
   require_scales(c, problem, most_extreme(given));
   validate(c, problem);
+  if (c.measure.whole) c = as_whole(c);
   return c;
 }
 

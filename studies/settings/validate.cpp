@@ -62,6 +62,19 @@ struct Asked {
     return "";
   }
 
+  /// Cells between two faces; of the whole body along L.
+  int cells_across() const {
+    return c.problem.quarter ? std::ranges::min(problems::domain_cells(c)) : c.resolution.cells;
+  }
+
+  /// A quarter ends at planes through the middle of the whole body's domain.
+  bool has_plane_between_nodes() const {
+    Case whole = c;
+    whole.problem.quarter = false;
+    return c.problem.quarter &&
+           !std::ranges::all_of(problems::domain_cells(whole), [](int cells) { return cells % 2 == 0; });
+  }
+
   bool has_width_of_a_particle() const {
     const auto width = width_of(basis);
     return width == solver::ParticleWidth::reference || width == solver::ParticleWidth::current;
@@ -98,8 +111,9 @@ constexpr Rule rules[]{
      "there is none of theirs to take a difference from (use zero)"},
     {[](const Asked& a) { return a.is_consistent && a.s.body_force == cases::BodyForce::grid; },
      "body_force 'grid' with mass 'consistent', which m_i b(x_i) lumps again (use particles)"},
-    {[](const Asked& a) { return a.is_consistent && a.has("mirror") && a.c.resolution.cells <= 2 * a.ghosts; },
-     "{cells} cells are too few for mass 'consistent' between mirrors (more than {twice_ghosts}: no node may be the "
+    {[](const Asked& a) { return a.is_consistent && a.has("mirror") && a.cells_across() <= 2 * a.ghosts; },
+     "{cells_across} cells are too few for mass 'consistent' between mirrors (more than {twice_ghosts}: no node may be "
+     "the "
      "image of two ghosts)"},
     {[](const Asked& a) { return a.is_consistent && a.c.resolution.ppc < 2; },
      "mass 'consistent' with ppc = 1 (at least 2: it is singular with one particle per cell)"},
@@ -141,8 +155,10 @@ constexpr Rule rules[]{
      },
      "grid_offset with boundary '{boundary}', whose faces have their place among the nodes (periodic or free on both "
      "faces of an axis)"},
-    {[](const Asked& a) { return (a.has("symmetry") || a.has("mirror")) && a.c.resolution.cells < a.least_cells(); },
-     "{cells} cells are too few for boundary '{boundary}' (at least {least_cells}: ghosts and their images must "
+    {[](const Asked& a) { return a.has_plane_between_nodes(); },
+     "quarter of problem '{problem}' on {cells} cells, whose planes of symmetry lie between nodes (an even number)"},
+    {[](const Asked& a) { return (a.has("symmetry") || a.has("mirror")) && a.cells_across() < a.least_cells(); },
+     "{cells_across} cells are too few for boundary '{boundary}' (at least {least_cells}: ghosts and their images must "
      "differ)"},
     {[](const Asked& a) { return a.has_width_of_a_particle() && a.c.resolution.ppc < 2; },
      "basis '{basis}' with ppc = 1 (at least 2: a particle's width must stay below the cell's)"},
@@ -174,13 +190,18 @@ std::string text_of(const Rule& rule, const Asked& a) {
   return fmt::format(fmt::runtime(rule.message), arg("basis", a.s.basis), arg("integrator", a.s.integrator),
                      arg("velocity_update", a.s.velocity_update), arg("boundary", a.s.boundary),
                      arg("material", a.s.material), arg("problem", a.problem.name), arg("cells", a.c.resolution.cells),
-                     arg("least_cells", a.least_cells()), arg("twice_ghosts", 2 * a.ghosts),
-                     arg("wall_at_rest", a.wall_at_rest()),
+                     arg("cells_across", a.cells_across()), arg("least_cells", a.least_cells()),
+                     arg("twice_ghosts", 2 * a.ghosts), arg("wall_at_rest", a.wall_at_rest()),
                      arg("affine_bases", fmt::join(words_with<solver::AnyBasis>(is_affine), ", ")),
                      arg("whole_integrators", fmt::join(integrators_with(settings::has_whole_steps), ", ")));
 }
 
 }  // namespace
+
+bool is_valid(const Case& c, const Problem& problem) {
+  const Asked asked{c, problem};
+  return std::ranges::none_of(rules, [&](const Rule& rule) { return rule.is_broken(asked); });
+}
 
 void validate(const Case& c, const Problem& problem) {
   const Asked asked{c, problem};

@@ -19,8 +19,6 @@ namespace {
 
 constexpr int busy_timeout_ms = 10'000;
 
-using Statement = std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)>;
-
 int bind(sqlite3_stmt* statement, int index, const Value& value) {
   return std::visit(
       [&](const auto& held) {
@@ -58,16 +56,6 @@ std::vector<std::string> column_names(sqlite3_stmt* statement) {
   std::vector<std::string> names;
   for (int i = 0; i < sqlite3_column_count(statement); ++i) names.emplace_back(sqlite3_column_name(statement, i));
   return names;
-}
-
-/// Prepares and binds; null on an error, which the connection then tells.
-Statement prepare(sqlite3* connection, const std::string& text, const Values& values) {
-  sqlite3_stmt* raw = nullptr;
-  sqlite3_prepare_v2(connection, text.c_str(), -1, &raw, nullptr);
-  Statement statement(raw, &sqlite3_finalize);
-  for (std::size_t i = 0; statement && i < values.size(); ++i)
-    if (bind(raw, static_cast<int>(i) + 1, values[i]) != SQLITE_OK) statement.reset();
-  return statement;
 }
 
 }  // namespace
@@ -120,6 +108,10 @@ Database::Database(std::filesystem::path file, Access access) : file_(std::move(
   if (access == Access::read) execute("PRAGMA query_only = ON");
 }
 
+void Database::Finalizer::operator()(sqlite3_stmt* statement) const {
+  sqlite3_finalize(statement);
+}
+
 bool Database::writable() const {
   return sqlite3_db_readonly(connection_.get(), "main") == 0;
 }
@@ -152,13 +144,21 @@ std::int64_t Database::last_row_id() const {
   return sqlite3_last_insert_rowid(connection_.get());
 }
 
+Database::Statement Database::prepared(const std::string& text) const {
+  if (auto idle = idle_.extract(text)) return std::move(idle.mapped());
+  sqlite3_stmt* raw = nullptr;
+  require(sqlite3_prepare_v2(connection_.get(), text.c_str(), -1, &raw, nullptr));
+  return Statement(raw);
+}
+
 void Database::each(const std::string& query, const Values& values,
                     const std::function<void(const Row&)>& visit) const {
-  const Statement statement = prepare(connection_.get(), query, values);
-  if (!statement) fail(sqlite3_extended_errcode(connection_.get()));
-  const std::vector<std::string> names = column_names(statement.get());
+  Statement statement = prepared(query);
+  for (std::size_t i = 0; i < values.size(); ++i) require(bind(statement.get(), static_cast<int>(i) + 1, values[i]));
+  std::vector<std::string> names;
   int code = SQLITE_ROW;
   while ((code = sqlite3_step(statement.get())) == SQLITE_ROW) {
+    if (names.empty()) names = column_names(statement.get());  // tables may have changed since it was prepared
     try {
       Values row;
       for (int i = 0; i < static_cast<int>(names.size()); ++i) row.push_back(column(statement.get(), i));
@@ -168,6 +168,8 @@ void Database::each(const std::string& query, const Values& values,
     }
   }
   if (code != SQLITE_DONE) fail(code);
+  sqlite3_reset(statement.get());
+  idle_.insert_or_assign(query, std::move(statement));
 }
 
 Value Database::scalar(const std::string& query, const Values& values) const {

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include <vector>
 
 struct sqlite3;
+struct sqlite3_stmt;
 
 namespace mpmvv::store {
 
@@ -110,11 +112,20 @@ class Database {
     void operator()(sqlite3* connection) const;
   };
 
+  struct Finalizer {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  using Statement = std::unique_ptr<sqlite3_stmt, Finalizer>;
+
+  Statement prepared(const std::string& text) const;
   void require(int code) const;
   [[noreturn]] void fail(int code) const;
 
   std::filesystem::path file_;
   std::unique_ptr<sqlite3, Closer> connection_;
+  /// Prepared before, by their texts: preparing takes longer than most statements take. One that runs is not among
+  /// them.
+  mutable std::map<std::string, Statement> idle_;
 };
 
 /// All or nothing: what is not committed is rolled back. `write` takes the write lock at once (BEGIN IMMEDIATE), so a

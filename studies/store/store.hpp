@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,6 +16,9 @@
 #include "studies/store/version.hpp"
 
 namespace mpmvv::store {
+
+/// Seconds per particle and step by problem, basis, integrator and velocity update.
+using StepCosts = std::map<std::array<std::string, 4>, double>;
 
 /// The results store: one SQLite file. Two processes may write it at once. Every message is a UsageError with
 /// the file's name: not a store, another application's, a newer schema, read-only, disk full, absent.
@@ -32,6 +37,12 @@ class Store {
 
   /// The record of this case made by this digest, if it is there.
   std::optional<records::Record> find(const cases::Case& c, const std::string& digest) const;
+
+  /// Seconds that the last run of this case took, whatever the digest; none when there was no run.
+  std::optional<double> last_seconds(const cases::Case& c) const;
+
+  /// Of all sound runs, whatever the digest, their preparation included.
+  StepCosts step_costs() const;
 
   /// Keeps finished records in one transaction: a killed run loses nothing that was kept. Keeping the same key again
   /// (two processes) is no error; the first one stays, unless it has `failed`. A failure of the machine gives way to

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <filesystem>
 #include <thread>
 
 #include "tests/cli/program.hpp"
@@ -81,6 +82,22 @@ TEST(StudyCommand, RunsOnceAndReusesAfterwards) {
   const auto claims = call(folder, "claims --db " + db + " --json").json()["claims"];
   const auto found = std::find_if(claims.begin(), claims.end(), [](const auto& c) { return c["id"] == "S-fig10"; });
   EXPECT_EQ((*found)["verdict"], "confirmed");
+}
+
+TEST(StudyCommand, PlanSaysWhatWouldRunAndRunsNothing) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
+  const std::string study = "study " + file + " --db " + db;
+  const Answer before = call(folder, study + " --plan --json --jobs 2");
+  ASSERT_EQ(before.code, 0) << before.err;
+  EXPECT_FALSE(std::filesystem::exists(db));
+  EXPECT_EQ(before.json()["jobs"], 2);
+  EXPECT_EQ(before.json()["studies"][0]["runs"], 8);
+  EXPECT_GT(before.json()["seconds"], 0);
+  ASSERT_EQ(call(folder, study).code, 0);
+  const Answer after = call(folder, study + " --plan");
+  EXPECT_THAT(after.out, AllOf(HasSubstr("small "), HasSubstr("all there"), HasSubstr("about 0.0 s on")));
+  EXPECT_EQ(call(folder, study + " --json").code, 2) << "results have no such form";
 }
 
 TEST(StudyCommand, ACostCaseIsAnotherCaseAndPrintsItsCost) {

@@ -139,6 +139,8 @@ TEST(MirrorBoundary, FoldsCornersOnce) {
       EXPECT_LT((grid.p[at(-i, -j)].head<2>() + sum).norm(), 1e-14);
       EXPECT_LT((grid.p[at(-i, j)].head<2>() - flipped(sum, -1, 1)).norm(), 1e-14);
     }
+  for (int i = 1; i < 3; ++i)
+    EXPECT_NEAR(grid.m(at(0, i)), 2 * (mass(at(0, i)) + mass(at(0, -i))), 1e-14) << "its own image";
   for (int i = -2; i < 4; ++i) {
     EXPECT_EQ(grid.p[at(0, i)].head<2>()[0], 0);
     EXPECT_EQ(grid.p[at(i, 0)].head<2>()[1], 0);

@@ -38,7 +38,7 @@ TEST(CanonicalText, IsOneLineOfEveryChoiceInAFixedOrder) {
       "shuffle=0 "
       "dt=0.3333333333333333 steps=800 "
       "every_step=false nodal_error=false velocity_error=false stress_error=false blowup_error=1 blowup_energy=10 "
-      "repeat=0");
+      "whole=false repeat=0");
 }
 
 TEST(CanonicalText, NumbersReadBackAsTheSameNumber) {
@@ -99,6 +99,7 @@ TEST(CanonicalText, EveryMemberMakesADifference) {
   EXPECT_TRUE(differs([](Case& c) { c.measure.stress_error = true; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.blowup_error = 7; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.blowup_energy = 7; }));
+  EXPECT_TRUE(differs([](Case& c) { c.measure.whole = true; }));
   EXPECT_TRUE(differs([](Case& c) { c.measure.repeat = 7; }));
 }
 

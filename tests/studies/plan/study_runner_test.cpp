@@ -1,5 +1,6 @@
 #include "studies/plan/study_runner.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,6 +56,27 @@ TEST_F(StudyRunner, JobsShareThePoolAndTheStoreAndChangeNothing) {
     for (std::size_t k = 0; k < 4; ++k)
       EXPECT_EQ(outcomes[0][0].result.series[s].points[k].y.at("l2"),
                 outcomes[1][0].result.series[s].points[k].y.at("l2"));
+}
+
+TEST_F(StudyRunner, TimesWhatIsTimedWhenNothingElseWaits) {
+  std::string timed = text;
+  timed.replace(timed.find("ppc = 2"), 7, "ppc = 3\nrepeat = 3");
+  std::ofstream(folder_ / "timed.toml") << timed;
+  std::ofstream(folder_ / "bar.toml") << text;
+  std::ofstream(folder_ / "check.toml") << "title = \"Jump\"\nclaims = []\ncheck = \"jump-errors\"\n";
+  std::vector<StudyPlan> plans;
+  for (const char* name : {"timed.toml", "check.toml", "bar.toml"}) plans.push_back(read_study(folder_ / name));
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  RunnerCounts counts;
+  std::vector<std::string> labels;
+  RunnerOptions options;
+  options.jobs = 2;
+  options.progress = [&labels](const Progress& progress) { labels.push_back(progress.label); };
+  const std::vector<StudyOutcome> outcomes = run_studies(plans, store, options, counts);
+  ASSERT_EQ(labels.size(), 16U);
+  for (std::size_t k = 0; k < labels.size(); ++k) EXPECT_EQ(labels[k].ends_with("ppc=3"), k >= 8) << labels[k];
+  for (std::size_t k = 0; k < plans.size(); ++k) EXPECT_EQ(outcomes[k].result.name, plans[k].name);
+  EXPECT_EQ(store.studies(store::current_provenance().digest).size(), 3U);
 }
 
 TEST_F(StudyRunner, WhatTheMachineCouldNotDoIsTriedAgain) {
@@ -150,6 +172,49 @@ TEST_F(StudyRunner, AReplicateThatBlowsUpSpeaksForItsPoint) {
     ASSERT_EQ(l2.size(), 3U);
     EXPECT_NEAR(point.y.at("l2"), std::cbrt(l2[0] * l2[1] * l2[2]), 1e-12 * l2[0]);
   }
+}
+
+constexpr const char* cubes = R"(title = "Cube"
+claims = []
+[[series]]
+name = "cubes"
+[fixed]
+problem = "cube"
+basis = "bspline2"
+integrator = "cd"
+ppc = 2
+)";
+
+TEST_F(StudyRunner, RunsAPartWhereItsMirrorImagesMakeTheRest) {
+  const StudyResult result =
+      result_of(folder_, "cube", std::string(cubes) + "cfl = 0.4\nsteps = 4\n[sweep]\ncells = [6, 8]\n");
+  const auto& points = result.series[0].points;
+  EXPECT_EQ(points[0].y.at("images"), 1) << "ghost layers on both sides have no room in half of it";
+  EXPECT_EQ(points[1].y.at("images"), 8);
+}
+
+TEST_F(StudyRunner, RunsTheWholeWhereThePartBlowsUp) {
+  Store store(folder_ / "unstable.db", Store::Mode::create_or_write);
+  std::ofstream(folder_ / "unstable.toml")
+      << cubes << "cfl = 0.4\nblowup_error = 1e-9\nsteps = 4\n[sweep]\ncells = [10]\n";
+  const StudyPlan plan = read_study(folder_ / "unstable.toml");
+  RunnerCounts counts;
+  run_studies({plan}, store, {}, counts);
+  const auto record = store.find(replicates_at(plan, plan.series[0], 10).front(), store::current_provenance().digest);
+  ASSERT_TRUE(record);
+  EXPECT_EQ(record->status, records::Status::unstable);
+  EXPECT_EQ(record->images, 1);
+  EXPECT_EQ(record->particles, 8000);
+}
+
+TEST_F(StudyRunner, SearchesALimitOfTheWhole) {
+  Store store(folder_ / "limit.db", Store::Mode::create_or_write);
+  std::ofstream(folder_ / "limit.toml")
+      << cubes << "cells = 10\nend_time = 0.001\n[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 0.4\nscan_ratio = 2\n";
+  RunnerCounts counts;
+  run_studies({read_study(folder_ / "limit.toml")}, store, {}, counts);
+  EXPECT_GT(counts.ran, 1U);
+  EXPECT_THAT(store.export_csv(), testing::Not(testing::HasSubstr("whole=false")));
 }
 
 /// A result that no check has made, so that one taken from the store is known by it.

@@ -45,6 +45,7 @@ records::Point point_of(const records::Record& r) {
   add("angular_momentum_change", r.balance.angular_momentum);
   add("wall_seconds", r.wall_seconds);
   add("ns_per_particle_step", r.ns_per_particle_step);
+  add("images", r.images);
   add("kinetic", r.energy.kinetic);
   add("strain", r.energy.strain);
   add("initial_total", r.energy.initial_total);

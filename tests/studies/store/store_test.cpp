@@ -36,7 +36,7 @@ std::string describe(const Record& r) {
 TEST(RunNumbers, AreAllMembers) {
   using namespace records;
   EXPECT_EQ(std::ssize(run_errors()), count_members<Errors>() + count_members<Balance>());
-  constexpr int of_the_record = 3;  // wall_seconds, ns_per_particle_step, cfl
+  constexpr int of_the_record = 4;  // wall_seconds, ns_per_particle_step, cfl, images
   EXPECT_EQ(std::ssize(run_by_products()), count_members<Energy>() + count_members<Cost>() + of_the_record);
   constexpr int without_a_number = 10;  // case, particles, steps, status, failure, reason and the four above
   EXPECT_EQ(count_members<Record>(), without_a_number + of_the_record);

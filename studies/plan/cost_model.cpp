@@ -1,0 +1,34 @@
+#include "studies/plan/cost_model.hpp"
+
+#include <algorithm>
+
+#include "studies/plan/estimates.hpp"
+#include "studies/problems/problem.hpp"
+#include "studies/settings/part.hpp"
+
+namespace mpmvv::plan {
+
+namespace {
+
+/// Seconds per particle and step where nothing is known, of the usual bases on a core of 2023.
+double guessed_cost(const cases::Case& c) {
+  constexpr double by_dimension[]{5e-8, 5e-8, 1.5e-7};
+  return by_dimension[problems::find_problem(c.problem.name, "the case").dimension() - 1];
+}
+
+}  // namespace
+
+CostModel::CostModel(const store::Store* store)
+    : store_(store), costs_(store ? store->step_costs() : store::StepCosts{}) {}
+
+CostModel::Time CostModel::time(const cases::Case& c) const {
+  const int runs = std::max(1, c.measure.repeat);
+  if (const auto last = store_ ? store_->last_seconds(c) : std::nullopt) return {runs * *last, Source::same_case};
+  const double work = runs * work_estimate(settings::part_of(c).value_or(c));
+  const auto& s = c.scheme;
+  if (const auto known = costs_.find({c.problem.name, s.basis, s.integrator, s.velocity_update}); known != costs_.end())
+    return {known->second * work, Source::like_cases};
+  return {guessed_cost(c) * work, Source::guess};
+}
+
+}  // namespace mpmvv::plan

@@ -1,0 +1,33 @@
+#pragma once
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "studies/cases/case.hpp"
+#include "studies/store/store.hpp"
+
+namespace mpmvv::plan {
+
+/// What a time is taken from.
+enum class Source { same_case, like_cases, guess };
+
+/// How long runs will take: what the same case took in the newest version that the store has it of, else what cases of
+/// its problem, basis, integrator and velocity update took per particle and step, else a guess.
+class CostModel {
+ public:
+  struct Time {
+    double seconds;  ///< on one core
+    Source source;
+  };
+
+  explicit CostModel(const store::Store* store);
+
+  /// Of all that the case asks for, on its part where it has one.
+  Time time(const cases::Case& c) const;
+
+ private:
+  const store::Store* store_;  ///< null: there is none yet
+  store::StepCosts costs_;
+};
+
+}  // namespace mpmvv::plan

@@ -1,0 +1,140 @@
+#include "studies/plan/forecast.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <set>
+
+#include "studies/plan/cost_model.hpp"
+#include "studies/plan/study_inputs.hpp"
+#include "studies/records/record.hpp"
+#include "studies/settings/part.hpp"
+#include "studies/store/provenance.hpp"
+
+namespace mpmvv::plan {
+
+using cases::Case;
+
+namespace {
+
+/// Until `jobs` workers are done, each taking the longest task that is left.
+double seconds_on(int jobs, std::vector<double> tasks) {
+  std::ranges::sort(tasks, std::greater{});
+  std::vector<double> busy(static_cast<std::size_t>(jobs), 0.0);
+  for (const double task : tasks) *std::ranges::min_element(busy) += task;
+  return std::ranges::max(busy);
+}
+
+class Forecaster {
+ public:
+  Forecaster(const store::Store* store, int jobs) : store_(store), jobs_(jobs), costs_(store) {
+    if (store) stored_studies_ = store->studies(digest_);
+  }
+
+  Forecast of(const std::vector<StudyPlan>& plans) {
+    for (const StudyPlan& plan : plans) result_.studies.push_back(of(plan));
+    for (const StudyForecast& study : result_.studies) result_.core_seconds += study.seconds;
+    result_.seconds = seconds_on(jobs_, tasks_) + result_.timed_seconds;
+    return result_;
+  }
+
+ private:
+  bool is_stored(const Case& c) const {
+    const auto record = store_ ? store_->find(c, digest_) : std::nullopt;
+    return record && !records::is_worth_another_try(*record);
+  }
+
+  StudyForecast of(const StudyPlan& plan) {
+    StudyForecast study{.study = plan.name, .why = {}};
+    sources_ = {};
+    longest_ = {};
+    const std::vector<Case> swept = sweep_cases(plan);
+    const std::set<Case> cases(swept.begin(), swept.end());
+    study.cases = cases.size();
+    for (const Case& c : cases) add_case(c, study);
+    if (plan.limit)
+      for (const SeriesPlan& series : plan.series)
+        if (plan.searches(series))
+          for (const SeriesPlan& replicate : replicates_of(plan, series)) add_scan(plan, replicate, study);
+    study.why = why(plan, study);
+    return study;
+  }
+
+  void add_case(const Case& c, StudyForecast& study) {
+    if (is_stored(c)) {
+      ++study.stored;
+    } else if (!run_.insert(c).second) {
+      ++study.shared;
+    } else {
+      ++study.runs;
+      if (settings::part_of(c)) ++study.parts;
+      const double seconds = add_time(c, study);
+      if (c.measure.repeat > 0) {
+        ++study.timed;
+        result_.timed_seconds += seconds;
+      } else {
+        tasks_.push_back(seconds);
+      }
+    }
+  }
+
+  /// The probes of a scan count as one task: what comes after them is not known yet.
+  void add_scan(const StudyPlan& plan, const SeriesPlan& replicate, StudyForecast& study) {
+    double seconds = 0;
+    for (const Case& c : scan_cases(plan, replicate)) {
+      if (is_stored(c)) continue;
+      ++study.probes;
+      seconds += add_time(c, study);
+    }
+    tasks_.push_back(seconds);
+  }
+
+  double add_time(const Case& c, StudyForecast& study) {
+    const CostModel::Time time = costs_.time(c);
+    ++sources_[static_cast<std::size_t>(time.source)];
+    study.seconds += time.seconds;
+    longest_ = std::max(longest_, {time.seconds, c.scheme.basis, c.resolution.cells});
+    return time.seconds;
+  }
+
+  std::string why(const StudyPlan& plan, const StudyForecast& study) const {
+    std::vector<std::string> reasons;
+    const auto add = [&reasons]<class... T>(bool is_so, const char* format, const T&... values) {
+      if (is_so) reasons.push_back(fmt::format(fmt::runtime(format), values...));
+    };
+    if (!plan.check.empty())
+      reasons.emplace_back(stored_check(plan, stored_studies_) ? "its check is in the store"
+                                                               : "its check has not been run by this program");
+    const std::size_t all = study.runs + study.probes;
+    add(all > 0, "{} not in the store for this program", all);
+    add(plan.check.empty() && all == 0, "all there");
+    add(study.parts > 0, "{} on a part of the body that mirror images complete", study.parts);
+    add(study.timed > 0, "{} timed, alone at the end", study.timed);
+    add(all > 0, "longest {:.3g} s ({}, {} cells)", std::get<0>(longest_), std::get<1>(longest_),
+        std::get<2>(longest_));
+    add(all > 0, "times of the same case {}, of like cases {}, guessed {}", sources_[0], sources_[1], sources_[2]);
+    return fmt::format("{}", fmt::join(reasons, "; "));
+  }
+
+  const store::Store* store_;
+  const int jobs_;
+  const CostModel costs_;
+  const std::string digest_ = store::current_provenance().digest;
+  std::vector<records::StudyResult> stored_studies_;
+  std::set<Case> run_;         ///< by a study so far
+  std::vector<double> tasks_;  ///< seconds of what runs beside each other
+  Forecast result_;
+  std::array<std::size_t, 3> sources_{};               ///< of the present study's times
+  std::tuple<double, std::string, int> longest_ = {};  ///< of its cases: seconds, basis, cells
+};
+
+}  // namespace
+
+Forecast forecast(const std::vector<StudyPlan>& plans, const store::Store* store, int jobs) {
+  return Forecaster(store, jobs).of(plans);
+}
+
+}  // namespace mpmvv::plan

@@ -1,0 +1,45 @@
+#include "studies/plan/cost_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "studies/settings/settings.hpp"
+#include "tests/studies/store/store_samples.hpp"
+
+namespace mpmvv::plan {
+namespace cost_model_test {
+
+using CostModels = store::store_samples::StoreTest;
+using store::Store;
+
+cases::Case cube(const std::string& cells, const std::string& repeat = "") {
+  std::vector<settings::Setting> settings{{"problem", "cube", ""}, {"basis", "bspline2", ""}, {"integrator", "cd", ""},
+                                          {"cells", cells, ""},    {"ppc", "2", ""},          {"cfl", "0.5", ""},
+                                          {"steps", "10", ""}};
+  if (!repeat.empty()) settings.push_back({"repeat", repeat, ""});
+  return settings::make_case(settings);
+}
+
+TEST_F(CostModels, LearnFromTheSameCaseElseFromLikeOnesElseGuess) {
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  EXPECT_EQ(CostModel(nullptr).time(cube("16")).source, Source::guess);
+  EXPECT_EQ(CostModel(&store).time(cube("16")).source, Source::guess);
+  store::Provenance older = store::current_provenance();
+  older.digest = "older";
+  for (const double seconds : {9.0, 3.0}) {  // the newer one counts
+    older.digest += "x", older.time = seconds > 5 ? "2026-01-01T00:00:00Z" : "2026-01-02T00:00:00Z";
+    records::Record record;
+    record.the_case = cube("16"), record.particles = 32768, record.steps = 10, record.images = 8;
+    record.wall_seconds = seconds;
+    store.keep(record, older);
+  }
+  const CostModel model(&store);
+  EXPECT_EQ(model.time(cube("16")).source, Source::same_case);
+  EXPECT_DOUBLE_EQ(model.time(cube("16")).seconds, 3);
+  const CostModel::Time like = model.time(cube("32"));  // on an eighth, as the other
+  EXPECT_EQ(like.source, Source::like_cases);
+  EXPECT_NEAR(like.seconds, 8 * 6, 1e-9) << "the mean of all runs, by particles and steps";
+  EXPECT_NEAR(model.time(cube("32", "3")).seconds, 3 * 8 * like.seconds, 1e-9) << "three times the whole";
+}
+
+}  // namespace cost_model_test
+}  // namespace mpmvv::plan

@@ -1,0 +1,77 @@
+#include "studies/plan/forecast.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "studies/plan/study_runner.hpp"
+#include "tests/studies/store/store_samples.hpp"
+
+namespace mpmvv::plan {
+namespace forecast_test {
+
+using store::Store;
+using testing::HasSubstr;
+
+/// Studies of cubes, that of `cells` on the grids given.
+class Forecasts : public store::store_samples::StoreTest {
+ protected:
+  StudyPlan study(const std::string& name, const std::string& cells, const std::string& more = "cfl = 0.4") const {
+    const auto file = folder_ / (name + ".toml");
+    std::ofstream(file) << "title = \"Cube\"\nclaims = []\n[fixed]\nproblem = \"cube\"\nbasis = \"bspline2\"\n"
+                        << "integrator = \"cd\"\nppc = 2\nsteps = 4\n"
+                        << more << "\n[[series]]\nname = \"cubes\"\n[sweep]\ncells = " << cells << "\n";
+    return read_study(file);
+  }
+};
+
+TEST_F(Forecasts, SayWhatWouldRunAndWhatIsThere) {
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  RunnerCounts counts;
+  run_studies({study("small", "[8, 10]")}, store, {}, counts);
+  const std::vector<StudyPlan> plans{study("small", "[8, 10]"), study("more", "[8, 12, 14]"),
+                                     study("again", "[12, 14]")};
+  const Forecast all = forecast(plans, &store, 1);
+  ASSERT_EQ(all.studies.size(), 3U);
+  EXPECT_EQ(all.studies[0].stored, 2U);
+  EXPECT_EQ(all.studies[0].runs, 0U);
+  EXPECT_THAT(all.studies[0].why, HasSubstr("all there"));
+  EXPECT_EQ(all.studies[1].stored, 1U);
+  EXPECT_EQ(all.studies[1].runs, 2U);
+  EXPECT_EQ(all.studies[1].parts, 2U);
+  EXPECT_THAT(all.studies[1].why, HasSubstr("of like cases 2"));
+  EXPECT_EQ(all.studies[2].shared, 2U);
+  EXPECT_EQ(all.studies[2].seconds, 0);
+  EXPECT_GT(all.seconds, 0);
+  EXPECT_DOUBLE_EQ(all.seconds, all.core_seconds);
+  run_studies(plans, store, {}, counts);
+  EXPECT_EQ(counts.ran, 2U) << "as it was said";
+}
+
+TEST_F(Forecasts, GuessWithoutAStoreAndCountScans) {
+  const Forecast swept = forecast({study("swept", "[8, 16]")}, nullptr, 1);
+  EXPECT_EQ(swept.studies[0].runs, 2U);
+  EXPECT_THAT(swept.studies[0].why, HasSubstr("guessed 2"));
+  const auto file = folder_ / "limit.toml";
+  std::ofstream(file) << "title = \"Bar\"\nclaims = []\n[fixed]\nproblem = \"bar\"\nbasis = \"bspline2\"\ncells = 8\n"
+                      << "integrator = \"cd\"\nppc = 2\n[[series]]\nname = \"bar\"\n"
+                      << "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 0.4\nscan_ratio = 2\n";
+  const StudyForecast limit = forecast({read_study(file)}, nullptr, 1).studies[0];
+  EXPECT_EQ(limit.cases, 0U);
+  EXPECT_EQ(limit.probes, 3U);
+  EXPECT_GT(limit.seconds, 0);
+}
+
+TEST_F(Forecasts, LetTheLongestStartFirstAndTimedOnesWait) {
+  const StudyPlan untimed = study("untimed", "[10, 12, 16, 20]"),
+                  timed = study("timed", "[8, 10]", "cfl = 0.4\nrepeat = 3");
+  const Forecast one = forecast({untimed, timed}, nullptr, 1), two = forecast({untimed, timed}, nullptr, 2);
+  EXPECT_EQ(one.studies[1].timed, 2U);
+  EXPECT_EQ(one.studies[1].parts, 0U);
+  EXPECT_DOUBLE_EQ(one.timed_seconds, one.studies[1].seconds);
+  const double beside = one.seconds - one.timed_seconds;
+  EXPECT_LT(two.seconds, one.seconds);
+  EXPECT_GE(two.seconds - two.timed_seconds, beside / 2);
+}
+
+}  // namespace forecast_test
+}  // namespace mpmvv::plan

@@ -1,0 +1,172 @@
+#include "studies/settings/part.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "solver/basis/bases.hpp"
+#include "solver/words.hpp"
+#include "studies/runs/run_case.hpp"
+#include "studies/runs/run_part.hpp"
+#include "studies/settings/settings.hpp"
+#include "studies/settings/traits.hpp"
+
+namespace mpmvv::runs {
+namespace part_test {
+
+using records::Record;
+
+/// "key=value ..." on top of a cube of few steps.
+cases::Case case_of(const std::string& text) {
+  std::map<std::string, std::string> chosen{{"problem", "cube"}, {"basis", "bspline2"}, {"integrator", "cd"},
+                                            {"cells", "10"},     {"ppc", "2"},          {"cfl", "0.4"},
+                                            {"steps", "12"}};
+  std::istringstream words(text);
+  for (std::string word; words >> word;) chosen[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
+  std::vector<settings::Setting> settings;
+  for (const auto& [key, value] : chosen) settings.push_back({key, value, "the test"});
+  return settings::make_case(settings);
+}
+
+/// All that a record says of the whole: errors to 1e-12 and the round-off of a position, energies to 1e-12 of what
+/// there was. Sums over many particles of what should be zero are zero to 1e-11.
+void expect_same(const Record& part, const Record& whole) {
+  EXPECT_EQ(part.the_case, whole.the_case);
+  EXPECT_EQ(part.particles, whole.particles);
+  EXPECT_EQ(part.steps, whole.steps);
+  EXPECT_EQ(part.cfl, whole.cfl);
+  EXPECT_EQ(part.status, whole.status);
+  for (const records::RunNumber& number : records::run_errors()) {
+    const double a = number.get(part), b = number.get(whole);
+    const bool is_change = std::string(number.name).ends_with("_change");
+    EXPECT_EQ(std::isnan(a), std::isnan(b)) << number.name;
+    if (!std::isnan(b)) {
+      EXPECT_NEAR(a, b, is_change ? 1e-11 : 1e-12 * b + 4e-16) << number.name;
+    }
+  }
+  const double most = whole.energy.initial_total;
+  EXPECT_NEAR(part.energy.kinetic, whole.energy.kinetic, 1e-12 * most);
+  EXPECT_NEAR(part.energy.strain, whole.energy.strain, 1e-12 * most);
+  EXPECT_NEAR(part.energy.initial_total, most, 1e-12 * most);
+}
+
+void expect_part_for_whole(const std::string& text) {
+  SCOPED_TRACE(text);
+  const cases::Case c = case_of(text);
+  const auto part = settings::part_of(c);
+  ASSERT_TRUE(part) << "nothing to compare";
+  const auto record = run_part(c, *part, 1);
+  const Record whole = run_case(c, 1);
+  ASSERT_EQ(record.has_value(), whole.status == records::Status::ok);
+  if (!record) return;
+  EXPECT_EQ(record->images, settings::images_of_part(c));
+  expect_same(*record, whole);
+}
+
+/// Those with ghost nodes, and the fewest cells that have room for their images.
+std::vector<std::string> bases() {
+  std::vector<std::string> all;
+  for (const auto word : solver::words<solver::AnyBasis>()) {
+    const std::string basis(word);
+    if (basis.ends_with("-open")) continue;
+    const int cells = 4 * ghosts_of(settings::named<solver::AnyBasis>(basis));
+    all.push_back("basis=" + basis + " cells=" + std::to_string(cells) +
+                  (basis == "ugimp" ? " smoothing_length=0.5" : "") + (cells > 8 ? " steps=4" : ""));
+  }
+  return all;
+}
+
+TEST(Part, OfTheCubeHasTheNumbersOfTheWholeWithEveryBasisAndBoundary) {
+  for (const std::string& basis : bases())
+    for (const char* boundary : {"periodic", "symmetry", "mirror"})
+      expect_part_for_whole(basis + " boundary=" + boundary + " every_step=true stress_error=true");
+}
+
+TEST(Part, OfTheCubeHasTheNumbersOfTheWholeWithEveryIntegratorAndVelocityUpdate) {
+  for (const solver::Integrator& integrator : solver::integrators())
+    for (const char* boundary : {"periodic", "symmetry"})
+      expect_part_for_whole("integrator=" + std::string(integrator.word) + " boundary=" + boundary);
+  for (const auto word : solver::words<solver::AnyVelocityUpdate>())
+    for (const char* boundary : {"periodic", "symmetry"}) {
+      const std::string update(word);
+      const bool has_order = solver::expands_inverse(settings::named<solver::AnyVelocityUpdate>(update));
+      expect_part_for_whole("integrator=usl velocity_update=" + update + (has_order ? " order=3" : "") + " cfl=0.2" +
+                            " boundary=" + boundary + " deformation=exponential");
+    }
+}
+
+TEST(Part, OfTheCubeHasTheNumbersOfTheWholeUntilItsEnd) {
+  expect_part_for_whole("cells=16 ppc=3 steps=40 boundary=periodic cfl=0.5");
+  expect_part_for_whole("cells=16 ppc=3 steps=40 boundary=symmetry basis=cpgimp");
+  expect_part_for_whole("cells=16 ppc=3 steps=40 boundary=periodic basis=linear cfl=0.2");
+}
+
+TEST(Part, OfTwoBlocksHasTheNumbersOfTheWholeWithEveryBasis) {
+  const std::string impact = "problem=impact steps=500 integrator=usl deformation=exponential cfl=0.2 ";
+  for (const std::string& basis : bases())
+    for (const char* update :
+         {"flip position=second-order", "fmpm order=1", "fmpm order=4", "fmpm order=8", "xpic order=2"})
+      expect_part_for_whole(impact + basis.substr(0, basis.find(" cells")) + " cells=5 " +
+                            (basis.find("ugimp") != std::string::npos ? "smoothing_length=0.5 " : "") +
+                            "velocity_update=" + update);
+  expect_part_for_whole(impact + "cells=4 basis=cpdi velocity_update=fmpm order=16");
+}
+
+TEST(Part, OfTwoBlocksHasTheNumbersOfTheWholeWithEveryIntegrator) {
+  for (const solver::Integrator& integrator : solver::integrators())
+    expect_part_for_whole("problem=impact steps=500 cells=4 basis=cpdi cfl=0.2 integrator=" +
+                          std::string(integrator.word));
+}
+
+TEST(Part, OfARingAndAShellHasTheNumbersOfTheWhole) {
+  for (const std::string& basis : bases())
+    for (const char* fill : {"lattice", "conforming"})
+      expect_part_for_whole("problem=ring steps=40 cfl=0.2 every_step=true fill=" + std::string(fill) + " " + basis);
+  expect_part_for_whole("problem=ring steps=40 cfl=0.2 basis=bspline3 fill=conforming param.poissons_ratio=0.3");
+  expect_part_for_whole("problem=shell steps=20 cfl=0.2 basis=bspline3 fill=conforming");
+  expect_part_for_whole("problem=shell steps=20 cfl=0.2 basis=cpgimp");
+}
+
+TEST(Part, IsNotRunWhereItIsNotTheMirrorImageOfTheRest) {
+  for (const char* more :
+       {"grid_offset=0.25",
+        "shuffle=1",
+        "cells=11",
+        "cells=6",
+        "cfl=0.6",
+        "velocity_update=fmpm integrator=usl order=2 cfl=0.4",
+        "velocity_update=fmpm integrator=usl order=9 cfl=0.1",
+        "nodal_error=true",
+        "repeat=3",
+        "body_force=grid",
+        "mass=consistent integrator=usl",
+        "boundary=dirichlet",
+        "boundary=free",
+        "whole=true",
+        "problem=cube quarter=true",
+        "problem=bar",
+        "problem=square",
+        "problem=vortex",
+        "basis=bspline2-open boundary=symmetry",
+        "boundary=xmin=symmetry,xmax=symmetry,ymin=periodic,ymax=periodic,zmin=periodic,zmax=periodic"}) {
+    SCOPED_TRACE(more);
+    EXPECT_FALSE(settings::part_of(case_of(more)));
+  }
+}
+
+TEST(Part, ThatBlowsUpIsNoRecordOfTheWhole) {
+  const cases::Case c = case_of("blowup_error=1e-9");
+  const auto part = settings::part_of(c);
+  ASSERT_TRUE(part);
+  EXPECT_FALSE(run_part(c, *part, 1));
+}
+
+TEST(Part, IsLeftToTheCaseThatAsksForTheWhole) {
+  EXPECT_TRUE(case_of("whole=true").measure.whole);
+  EXPECT_EQ(case_of("whole=true problem=bar"), case_of("problem=bar")) << "one case, where there is one way to run it";
+}
+
+}  // namespace part_test
+}  // namespace mpmvv::runs
