@@ -22,6 +22,20 @@ nlohmann::json json_of(const plan::StudyForecast& s) {
           {"parts", s.parts}, {"timed", s.timed}, {"probes", s.probes}, {"seconds", s.seconds}, {"why", s.why}};
 }
 
+/// A text in lines of up to 100 columns, each indented.
+std::string indented(const std::string& text) {
+  constexpr std::size_t width = 96;
+  std::string lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = text.size();
+    if (end - begin > width) end = text.rfind(' ', begin + width);
+    if (end == std::string::npos || end <= begin) end = text.size();
+    lines += "    " + text.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  return lines;
+}
+
 }  // namespace
 
 void print_forecast(const std::vector<plan::StudyPlan>& plans, const std::string& db, int jobs, bool as_json) {
@@ -37,11 +51,12 @@ void print_forecast(const std::vector<plan::StudyPlan>& plans, const std::string
     for (const plan::StudyForecast& study : all.studies) json["studies"].push_back(json_of(study));
     return print_json(json);
   }
-  print("{:<18} {:>6} {:>7} {:>7} {:>6} {:>6} {:>6} {:>7} {:>10}  {}\n", "study", "cases", "stored", "shared", "to run",
-        "parts", "timed", "probes", "on a core", "why");
-  for (const plan::StudyForecast& s : all.studies)
-    print("{:<18} {:>6} {:>7} {:>7} {:>6} {:>6} {:>6} {:>7} {:>10}  {}\n", s.study, s.cases, s.stored, s.shared, s.runs,
-          s.parts, s.timed, s.probes, minutes(s.seconds), s.why);
+  static constexpr const char* row = "{:<18} {:>7} {:>8} {:>8} {:>8} {:>7} {:>7} {:>8} {:>11}\n";
+  print(row, "study", "cases", "stored", "shared", "to run", "parts", "timed", "probes", "on a core");
+  for (const plan::StudyForecast& s : all.studies) {
+    print(row, s.study, s.cases, s.stored, s.shared, s.runs, s.parts, s.timed, s.probes, minutes(s.seconds));
+    print("{}", indented(s.why));
+  }
   print("about {} on {} jobs, {} on one; of it {} alone on the machine, at the end\n", minutes(all.seconds), jobs,
         minutes(all.core_seconds), minutes(all.timed_seconds));
 }

@@ -31,7 +31,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(mpmvv_flags INTERFACE
     -Wno-restrict  # g++ 12 sees an overlap in "text" + std::string() that is not there (GCC bug 105651)
     -Wno-subobject-linkage  # in a batch of files g++ takes what one of them keeps to itself for a header's
-    # Memory is collected from 1 GiB on instead of 128 MiB: a tenth less time to compile, and 1.2 GiB at most for a room.
+    # Memory is collected from 1 GiB on instead of 128 MiB: a tenth less time to compile, and 1.7 GiB at most for a room.
     --param=ggc-min-heapsize=1000000)
   if(MPMVV_ARCH AND NOT MPMVV_ARCH STREQUAL "auto")
     # g++ 12 finds what is not initialized in its own header for AVX-512 (GCC bug 105593).

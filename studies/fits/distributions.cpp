@@ -6,17 +6,25 @@
 
 namespace mpmvv::fits {
 
+namespace {
+
+/// In doubles: Boost prepares its functions of long doubles when the program starts, which valgrind's arithmetic does
+/// not survive.
+using InDoubles = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
+}  // namespace
+
 double student_t_95(double degrees_of_freedom) {
-  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), 0.975);
+  return boost::math::quantile(boost::math::students_t_distribution<double, InDoubles>(degrees_of_freedom), 0.975);
 }
 
 double fisher_f_above(double ratio, double upper_degrees, double lower_degrees) {
-  const boost::math::fisher_f distribution(upper_degrees, lower_degrees);
+  const boost::math::fisher_f_distribution<double, InDoubles> distribution(upper_degrees, lower_degrees);
   return boost::math::cdf(boost::math::complement(distribution, ratio));
 }
 
 double at_most_heads(double k, double n) {
-  return boost::math::cdf(boost::math::binomial(n, 0.5), k);
+  return boost::math::cdf(boost::math::binomial_distribution<double, InDoubles>(n, 0.5), k);
 }
 
 }  // namespace mpmvv::fits

@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <filesystem>
+#include <sstream>
 #include <thread>
 
 #include "tests/cli/program.hpp"
@@ -94,6 +95,8 @@ TEST(StudyCommand, PlanSaysWhatWouldRunAndRunsNothing) {
   EXPECT_EQ(before.json()["jobs"], 2);
   EXPECT_EQ(before.json()["studies"][0]["runs"], 8);
   EXPECT_GT(before.json()["seconds"], 0);
+  std::istringstream lines(call(folder, study + " --plan").out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
   ASSERT_EQ(call(folder, study).code, 0);
   const Answer after = call(folder, study + " --plan");
   EXPECT_THAT(after.out, AllOf(HasSubstr("small "), HasSubstr("all there"), HasSubstr("about 0.0 s on")));
