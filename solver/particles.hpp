@@ -50,12 +50,12 @@ struct Particles {
     std::iota(id.begin(), id.end(), 0U);
   }
 
-  /// Widths and edges that follow the deformation, of the particles from `begin` to before `end`.
-  void update_widths(std::size_t begin, std::size_t end) {
-    if (!l0.empty())
-      for (std::size_t p = begin; p < end; ++p) l[p] = l0[p].cwiseProduct(F[p].diagonal());
-    if (!R0.empty())
-      for (std::size_t p = begin; p < end; ++p) R[p] = F[p] * R0[p];
+  bool has_widths_to_update() const { return !l0.empty() || !R0.empty(); }
+
+  /// The width and edges of a particle where they follow the deformation.
+  void update_width(std::size_t p) {
+    if (!l0.empty()) l[p] = l0[p].cwiseProduct(F[p].diagonal());
+    if (!R0.empty()) R[p] = F[p] * R0[p];
   }
 
   /// The current state becomes both fields of `stages`.

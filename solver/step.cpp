@@ -52,6 +52,7 @@ Step<D>::Step(Scene<D> scene)
       particles_(std::move(scene_.particles)),
       grid_(make_grid(scene_)),
       slabs_(std::visit([this](const auto& basis) { return Slabs<D>(grid_, basis); }, scene_.basis)),
+      bins_(scene_.basis, grid_),
       pool_(scene_.threads),
       active_nodes_(grid_.size()),
       integrator_(integrator_named(scene_.integrator)) {
@@ -118,6 +119,7 @@ void Step<D>::advance(double dt) {
 template <int D>
 void Step<D>::sort() {
   slabs_.sort(particles_, grid_, pool_);
+  bins_.fill(particles_, slabs_, pool_);
   ++moves_;
   if (!scene_.surface_load) return;
   for (std::uint32_t p = 0; p < particles_.size(); ++p) place_[particles_.id[p]] = p;
@@ -125,7 +127,10 @@ void Step<D>::sort() {
 
 template <int D>
 void Step<D>::sort_strays() {
-  if (must_sort_.exchange(false)) sort();
+  if (must_sort_.exchange(false))
+    sort();
+  else
+    bins_.update(particles_, pool_);
 }
 
 template <int D>

@@ -15,6 +15,7 @@
 #include "solver/parallel/thread_pool.hpp"
 #include "solver/scene.hpp"
 #include "solver/stencils/kernel.hpp"
+#include "solver/stencils/stencil_bins.hpp"
 #include "solver/velocity_update/velocity_fields.hpp"
 
 namespace mpmvv::solver {
@@ -140,6 +141,7 @@ class Step {
   Particles<D> particles_;
   Grid<D> grid_;
   Slabs<D> slabs_;
+  StencilBins<D> bins_;
   ThreadPool pool_;
   ActiveNodes active_nodes_;
   const Integrator& integrator_;

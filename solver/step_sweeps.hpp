@@ -13,7 +13,7 @@ namespace mpmvv::solver {
 
 template <int D>
 void Step<D>::sweep(std::initializer_list<AnyKernel<D>> kernels, Adds adds) {
-  const Fault found = solver::sweep(adds, scene_.basis, particles_, grid_, slabs_, pool_, kernels);
+  const Fault found = solver::sweep(adds, scene_.basis, particles_, grid_, slabs_, bins_, pool_, kernels);
   if (fault_ == Fault::none) fault_ = found;
 }
 

@@ -44,7 +44,7 @@ struct EvaluateStress {
     for_packs(block, [&](const ParticlePack<D>& pack, int k) {
       PackMat<D> tau = PackMat<D>::Zero();
       for (int lane = 0; lane < pack.count(); ++lane) {
-        const std::size_t p = block.begin + static_cast<std::size_t>(k + lane);
+        const std::size_t p = pack.index(lane);
         const Mat<D> own = m.kirchhoff(particles.F[p], particles.thermal[p], step);
         for (int i = 0; i < D * D; ++i) tau(i).of[lane] = own(i);
       }
@@ -55,12 +55,14 @@ struct EvaluateStress {
   [[gnu::always_inline]] static void put(const PackMat<D>& tau, Block<D>& block, int k) {
     for (int c = 0; c < D; ++c)
       if (block.is_grouped) {
-        for (int r = 0; r < D; ++r) store4(tau(r, c).of, &block.tau.entry[r][c][k]);
+        for (int r = 0; r < D; ++r) store_lanes(tau(r, c).of, &block.tau.entry[r][c][k]);
       } else {
         std::array<Pack, padded_size<D>> column{};
         for (int r = 0; r < D; ++r) column[static_cast<std::size_t>(r)] = tau(r, c);
         PaddedMat<D>* const each = &block.tau.each[k];
-        store_packs<padded_size<D>>(column.data(), {&each[0](0, c), &each[1](0, c), &each[2](0, c), &each[3](0, c)});
+        LaneAddresses<double> to;
+        for (int lane = 0; lane < lanes; ++lane) to[static_cast<std::size_t>(lane)] = &each[lane](0, c);
+        store_packs<padded_size<D>>(column.data(), to);
       }
   }
 };
@@ -74,10 +76,10 @@ struct EvaluateBodyForce {
   double t;
 
   void operator()(Block<D>& block, const Grid<D>&) const {
-    if (body_force)
-      body_force->on_particles(t, {&particles.id[block.begin], static_cast<std::size_t>(block.count)}, block.b);
-    else
-      std::fill_n(block.b, block.count, Vec<D>::Zero());
+    if (!body_force) return std::fill_n(block.b, block.places(), Vec<D>::Zero()), void();
+    std::array<std::uint32_t, block_size<D>> ids;
+    for (int k = 0; k < block.places(); ++k) ids[static_cast<std::size_t>(k)] = particles.id[block.particle[k]];
+    body_force->on_particles(t, {ids.data(), static_cast<std::size_t>(block.places())}, block.b);
   }
 };
 
@@ -87,9 +89,9 @@ struct CheckDeformation {
   const Particles<D>& particles;
 
   [[gnu::flatten]] Fault operator()(Block<D>& block, const Grid<D>&) const {
-    Mask4 positive{-1, -1, -1, -1};
+    LaneMask positive = ~LaneMask{};
     for_packs(block, [&](const ParticlePack<D>& pack, int) {
-      positive &= Mask4(pack.of(particles.F).determinant().of > Double4{});
+      positive &= LaneMask(pack.of(particles.F).determinant().of > Lanes{});
     });
     return all(positive) ? Fault::none : Fault::inverted;
   }
@@ -101,7 +103,7 @@ struct UpdateWidth {
   Particles<D>& particles;
 
   void operator()(Block<D>& block, const Grid<D>&) const {
-    particles.update_widths(block.begin, block.begin + static_cast<std::size_t>(block.count));
+    if (particles.has_widths_to_update()) for_particles(block, [&](std::size_t p, int) { particles.update_width(p); });
   }
 };
 
@@ -112,8 +114,7 @@ struct MoveByRate {
   double dt;
 
   void operator()(Block<D>& block, const Grid<D>&) const {
-    for (std::size_t p = block.begin; p < block.begin + static_cast<std::size_t>(block.count); ++p)
-      particles.x[p] += dt * particles.rate[p];
+    for_particles(block, [&](std::size_t p, int) { particles.x[p] += dt * particles.rate[p]; });
   }
 };
 
@@ -143,10 +144,10 @@ struct SettlePosition {
       const double lower = grid.lower()[d], period = grid.h() * grid.cells()[d], upper = lower + period;
       if (!periodic[static_cast<std::size_t>(d)] || (extent.least[d] >= lower && extent.most[d] < upper)) continue;
       some = true;
-      for (std::size_t p = block.begin; p < block.begin + static_cast<std::size_t>(block.count); ++p) {
+      for_particles(block, [&](std::size_t p, int) {
         double& x = particles.x[p][d];
         x = x < lower ? x + period : x >= upper ? x - period : x;
-      }
+      });
     }
     return some;
   }

@@ -14,10 +14,10 @@ template <int D>
 Fault map_surface_load(const AnyBasis& basis, const SurfaceLoad<D>& load, const Vec<D>* force,
                        const std::vector<std::uint32_t>& place, const Particles<D>& particles, Grid<D>& grid) {
   AnyBlock<D> block = make_block<D>(basis, 0);
-  common<D>(block).count = 1;
   Fault found = Fault::none;
   for (const auto& part : load.parts()) {
-    const std::size_t p = common<D>(block).begin = place[part.particle];
+    const std::size_t p = place[part.particle];
+    hold_alone(p, common<D>(block));
     found = found | evaluate<D>(basis, particles, grid, true, block);
     const Vec<D> reach = particles.F[p] * part.offset;
     ValueAndGradient<D> source{padded<D>(*force), {}};

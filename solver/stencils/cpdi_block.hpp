@@ -7,7 +7,7 @@
 
 namespace mpmvv::solver {
 
-/// Fewer particles than other blocks have: with their corners all of a block stays near.
+/// Fewer places than other blocks have: with their corners all of a block stays near.
 template <int D>
 inline constexpr int cpdi_block_size = std::min(256 >> D, block_size<D>);
 
@@ -15,7 +15,7 @@ inline constexpr int cpdi_block_size = std::min(256 >> D, block_size<D>);
 template <int D, int K>
 struct CpdiBlock : Block<D> {
   static constexpr int corners = CpdiStencil<D, K>::corners;
-  static constexpr int most = cpdi_block_size<D>;  ///< particles
+  static constexpr int most = cpdi_block_size<D>;  ///< places for particles
 
   using Block<D>::Block;
 

@@ -29,18 +29,19 @@ class CpdiStencilCache {
   template <int K>
   void keep(const CpdiBlock<D, K>& block, const Grid<D>& grid) {
     constexpr int size = power(K + 1, D);
+    std::size_t kept = 0;
     PerAxis lowest;
     if (!find_lowest_nodes(block, lowest)) return;
     double box[size][cpdi_block_size<D>] = {};
     for (int c = 0; c < block.corners; ++c) add_corner(block, c, lowest, box);
-    for (int k = 0; k < block.count; ++k) {
-      const std::size_t p = block.begin + static_cast<std::size_t>(k);
+    for_particles(block, [&](std::size_t p, int k) {
       Index<D> node;
       for (std::size_t d = 0; d < D; ++d) node[d] = lowest[d][static_cast<std::size_t>(k)];
       first_[p] = static_cast<std::uint32_t>(grid.node(node));
       for (int i = 0; i < size; ++i) N_[p * size + static_cast<std::size_t>(i)] = box[i][k];
-    }
-    kept_ += static_cast<std::size_t>(block.count);
+      ++kept;
+    });
+    kept_ += kept;
   }
 
   template <int W>
@@ -59,11 +60,11 @@ class CpdiStencilCache {
     int too_wide = 0;
     for (std::size_t d = 0; d < D; ++d) {
       int* const least = lowest[d].data();
-      std::copy_n(block.node[0][d], block.count, least);
+      std::copy_n(block.node[0][d], block.places(), least);
       for (int c = 1; c < block.corners; ++c)
-        for (int k = 0; k < block.count; ++k) least[k] = std::min(least[k], block.node[c][d][k]);
+        for (int k = 0; k < block.places(); ++k) least[k] = std::min(least[k], block.node[c][d][k]);
       for (int c = 0; c < block.corners; ++c)
-        for (int k = 0; k < block.count; ++k) too_wide += block.node[c][d][k] - least[k] > 1 ? 1 : 0;
+        for (int k = 0; k < block.places(); ++k) too_wide += block.node[c][d][k] - least[k] > 1 ? 1 : 0;
     }
     return too_wide == 0;
   }
@@ -76,12 +77,12 @@ class CpdiStencilCache {
     double S[D][W][cpdi_block_size<D>];
     for (std::size_t d = 0; d < D; ++d)
       for (int i = 0; i < W; ++i)
-        for (int k = 0; k < block.count; ++k) {
+        for (int k = 0; k < block.places(); ++k) {
           const double near = i < K ? block.S[c][d][i][k] : 0, far = i > 0 ? block.S[c][d][i - 1][k] : 0;
           S[d][i][k] = block.node[c][d][k] == lowest[d][static_cast<std::size_t>(k)] ? near : far;
         }
     for (int i = 0; i < power(W, D); ++i)
-      for (int k = 0; k < block.count; ++k) {
+      for (int k = 0; k < block.places(); ++k) {
         double product = 1.0 / block.corners;
         for (int d = 0; d < D; ++d) product *= S[d][i / power(W, d) % W][k];
         box[i][k] += product;

@@ -26,20 +26,20 @@ struct DomainsOnAxis {
 
 /// A particle out of reach of the grid, a corner more than `domain_reach` cells from its particle, or a NaN is a fault.
 template <class B, int D>
-Fault find_domains(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid, int axis,
+Fault find_domains(const PackList<D>& block, const Particles<D>& particles, const Grid<D>& grid, int axis,
                    DomainsOnAxis<D>& domains) {
   const double inverse_h = 1 / grid.h(), lower = grid.lower()[axis];
   const double least = 1 + domain_reach - B::ghost, most = std::nextafter(grid.cells()[axis] - least, 0.0);
-  const Vec<D>* x = &particles.x[block.begin];
-  const Mat<D>* R = &particles.R[block.begin];
   int outside = 0, outgrown = 0;
-  for (int k = 0; k < block.count; ++k) {
-    domains.centre[k] = confined((x[k][axis] - lower) * inverse_h, least, most, outside);
+  for (int k = 0; k < block.places(); ++k) {
+    const std::size_t p = block.particle[k];
+    const Mat<D>& R = particles.R[p];
+    domains.centre[k] = confined((particles.x[p][axis] - lower) * inverse_h, least, most, outside);
     double extent = 0;
-    for (int e = 0; e < D; ++e) extent += std::abs(R[k](axis, e)) / 2;
+    for (int e = 0; e < D; ++e) extent += std::abs(R(axis, e)) / 2;
     const bool fits = extent <= domain_reach;
     outgrown += fits ? 0 : 1;
-    for (int e = 0; e < D; ++e) domains.half[e][k] = fits ? R[k](axis, e) / 2 : 0;
+    for (int e = 0; e < D; ++e) domains.half[e][k] = fits ? R(axis, e) / 2 : 0;
   }
   return (outside > 0 ? Fault::outside : Fault::none) | (outgrown > 0 ? Fault::outgrown : Fault::none);
 }
@@ -50,7 +50,7 @@ template <int D, class B>
 Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid, bool with_gradients,
                         CpdiBlock<D, B::support>& block) {
   using Corners = CpdiStencil<D, B::support>;
-  const int count = block.count;
+  const int count = block.places();
   Fault found = Fault::none;
   for (auto& first : block.first) std::fill_n(first, count, grid.node({}));
   for (int d = 0; d < D; ++d) {
@@ -70,7 +70,7 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
   if (with_gradients) {
     const double factor = 2 / grid.h() / Corners::corners;
     for (int k = 0; k < count; ++k)
-      block.slope[k] = factor * particles.R[block.begin + static_cast<std::size_t>(k)].inverse().transpose();
+      block.slope[k] = factor * particles.R[block.particle[k]].inverse().transpose();
   }
   return found;
 }

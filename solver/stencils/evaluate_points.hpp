@@ -1,24 +1,24 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solver/basis/basis.hpp"
 #include "solver/fault.hpp"
 #include "solver/particles.hpp"
 #include "solver/stencils/particle_pack.hpp"
 #include "solver/stencils/point_block.hpp"
-#include "solver/stencils/stencil_groups.hpp"
 
 /// Evaluates the stencils of particles that are points.
 namespace mpmvv::solver {
 
 /// The positions of a block's particles from the lower faces, in cells, moved to where a basis may be evaluated, and
-/// their widths, by axis. The last particle is repeated until the last pack is full.
+/// their widths, by axis.
 template <int D>
 struct PointsByAxis {
-  static constexpr int room = block_size<D> + 4;
-  alignas(32) double xi[D][room], width[D][room];
+  alignas(64) double xi[D][block_size<D>], width[D][block_size<D>];
 };
 
 /// Where a basis may be evaluated along an axis of so many cells, in cells.
@@ -31,58 +31,45 @@ std::pair<double, double> range_of(int cells) {
 
 /// A particle out of reach of the grid, one whose width is no part of a cell, or a NaN is a fault.
 template <class B, int D>
-[[gnu::flatten]] Fault find_points(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
+[[gnu::flatten]] Fault find_points(const PackList<D>& block, const Particles<D>& particles, const Grid<D>& grid,
                                    PointsByAxis<D>& points) {
   const double inverse_h = 1 / grid.h();
-  Mask4 outside{}, outgrown{};
+  std::array<std::pair<double, double>, D> range;
+  for (int d = 0; d < D; ++d) range[static_cast<std::size_t>(d)] = range_of<B>(grid.cells()[d]);
+  LaneMask outside{}, outgrown{};
   for_packs(block, [&](const ParticlePack<D>& pack, int k) {
     const PackVec<D> x = pack.of(particles.x);
     for (int d = 0; d < D; ++d) {
-      const auto [least, most] = range_of<B>(grid.cells()[d]);
+      const auto [least, most] = range[static_cast<std::size_t>(d)];
       const Pack xi = (x[d] - grid.lower()[d]) * inverse_h;
-      store4(confined(xi, least, most, outside).of, &points.xi[d][k]);
+      store_lanes(confined(xi, least, most, outside).of, &points.xi[d][k]);
     }
     if constexpr (B::width != ParticleWidth::none) {
       const PackVec<D> l = pack.of(particles.l);
       for (int d = 0; d < D; ++d)
-        store4(confined(l[d], std::numeric_limits<double>::min(), 1, outgrown).of, &points.width[d][k]);
+        store_lanes(confined(l[d], std::numeric_limits<double>::min(), 1, outgrown).of, &points.width[d][k]);
     }
   });
   return (any(outside) ? Fault::outside : Fault::none) | (any(outgrown) ? Fault::outgrown : Fault::none);
 }
 
-/// Weights of the first `padded` points, and their gradients if these are asked for.
-template <bool with_gradients, int D, class B>
-void evaluate_axes(const B& basis, const PointsByAxis<D>& points, const Grid<D>& grid, int padded,
-                   PointBlock<D, B::support>& block) {
-  const double inverse_h = 1 / grid.h();
-  std::fill_n(block.first, padded, grid.node({}));
+/// Calls keep(d, k, N, dN) with the weights of every place k along each axis d and their gradients, per cell, and sets
+/// the storage index of its first node.
+template <int D, class B, class Keep>
+[[gnu::always_inline]] inline void evaluate_axes(const B& basis, const PointsByAxis<D>& points, const Grid<D>& grid,
+                                                 int places, int* first, const Keep& keep) {
+  std::fill_n(first, places, grid.node({}));
   for (int d = 0; d < D; ++d) {
     const int cells = grid.cells()[d], stride = grid.stride(d);
-    int first[PointsByAxis<D>::room];
-    for (int k = 0; k < padded; ++k) {
+    int on_axis[block_size<D>];
+    for (int k = 0; k < places; ++k) {
       double N[B::support], dN[B::support];
       const double width = B::width == ParticleWidth::none ? 0 : points.width[d][k];
-      first[k] = basis.evaluate({points.xi[d][k], cells, width}, N, dN);
-      for (int i = 0; i < B::support; ++i) {
-        block.N[d][i][k] = N[i];
-        if constexpr (with_gradients) block.dN[d][i][k] = dN[i] * inverse_h;
-      }
+      on_axis[k] = basis.evaluate({points.xi[d][k], cells, width}, N, dN);
+      keep(d, k, N, dN);
     }
-    for (int k = 0; k < padded; ++k) block.first[k] += stride * first[k];
+    for (int k = 0; k < places; ++k) first[k] += stride * on_axis[k];
   }
-}
-
-/// Repeats the last weights: a pack is read from any place on, and the weights beyond the last particle, which are
-/// multiplied by zero, have to be finite.
-template <int D, int K>
-void repeat_last(bool with_gradients, PointBlock<D, K>& block) {
-  const auto repeat = [&block](double* of_node) { std::fill_n(of_node + block.count, 3, of_node[block.count - 1]); };
-  for (int d = 0; d < D; ++d)
-    for (int i = 0; i < K; ++i) {
-      repeat(block.N[d][i]);
-      if (with_gradients) repeat(block.dN[d][i]);
-    }
 }
 
 /// Evaluates the stencils of a block at its particles' positions. With a fault the stencils concerned lie somewhere
@@ -92,13 +79,25 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
                         PointBlock<D, B::support>& block) {
   PointsByAxis<D> points;
   const Fault found = find_points<B>(block, particles, grid, points);
-  const int padded = (block.count + 3) / 4 * 4;
+  const double inverse_h = 1 / grid.h();
   if (with_gradients)
-    evaluate_axes<true>(basis, points, grid, padded, block);
+    evaluate_axes(basis, points, grid, block.places(), block.first, [&](int d, int k, const double* N, const double* dN) {
+      for (int i = 0; i < B::support; ++i) block.N[d][i][k] = N[i], block.dN[d][i][k] = dN[i] * inverse_h;
+    });
   else
-    evaluate_axes<false>(basis, points, grid, padded, block);
-  repeat_last(with_gradients, block);
+    evaluate_axes(basis, points, grid, block.places(), block.first, [&](int d, int k, const double* N, const double*) {
+      for (int i = 0; i < B::support; ++i) block.N[d][i][k] = N[i];
+    });
   return found;
+}
+
+/// The first nodes of a block's particles alone.
+template <int D, class B>
+void find_first_nodes(const B& basis, const Particles<D>& particles, const Grid<D>& grid, const PackList<D>& block,
+                      int* first) {
+  PointsByAxis<D> points;
+  find_points<B>(block, particles, grid, points);
+  evaluate_axes(basis, points, grid, block.places(), first, [](int, int, const double*, const double*) {});
 }
 
 }  // namespace mpmvv::solver

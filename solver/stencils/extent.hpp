@@ -12,20 +12,21 @@ template <int D>
 struct Extent {
   Vec<D> least, most;
 
-  [[gnu::noinline, gnu::flatten]] Extent(const Block<D>& block, const std::vector<Vec<D>>& x) {
+  [[gnu::noinline, gnu::flatten]] Extent(const PackList<D>& block, const std::vector<Vec<D>>& x) {
     PackVec<D> low, high;
     low.setConstant(std::numeric_limits<double>::infinity());
     high = -low;
     for_packs(block, [&](const ParticlePack<D>& pack, int) {
-      const PackVec<D> x_four = pack.of(x);
+      const PackVec<D> place = pack.of(x);
       for (int d = 0; d < D; ++d) {
-        low[d] = Pack(Double4(x_four[d].of < low[d].of ? x_four[d].of : low[d].of));
-        high[d] = Pack(Double4(x_four[d].of > high[d].of ? x_four[d].of : high[d].of));
+        low[d] = Pack(Lanes(place[d].of < low[d].of ? place[d].of : low[d].of));
+        high[d] = Pack(Lanes(place[d].of > high[d].of ? place[d].of : high[d].of));
       }
     });
     for (int d = 0; d < D; ++d) {
-      least[d] = std::min({low[d][0], low[d][1], low[d][2], low[d][3]});
-      most[d] = std::max({high[d][0], high[d][1], high[d][2], high[d][3]});
+      least[d] = low[d][0], most[d] = high[d][0];
+      for (std::size_t lane = 1; lane < lanes; ++lane)
+        least[d] = std::min(least[d], low[d][lane]), most[d] = std::max(most[d], high[d][lane]);
     }
   }
 };

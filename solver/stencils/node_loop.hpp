@@ -12,13 +12,12 @@
 /// Runs kernels on blocks, and node kernels on the particles of a block.
 namespace mpmvv::solver {
 
-/// Visits the particles of a block in four interleaved parts: neighbours add to the same nodes, and one would have to
-/// wait for the other.
+/// Visits places in four interleaved parts: neighbours add to the same nodes, and one would have to wait for the other.
 template <class Visit>
-[[gnu::always_inline]] inline void for_interleaved(int count, const Visit& visit) {
-  const int stride = (count + 3) / 4;
+[[gnu::always_inline]] inline void for_interleaved(int places, const Visit& visit) {
+  const int stride = (places + 3) / 4;
   for (int start = 0; start < stride; ++start)
-    for (int k = start; k < count; k += stride) visit(k);
+    for (int k = start; k < places; k += stride) visit(k);
 }
 
 template <class Kernel>
@@ -29,9 +28,10 @@ inline constexpr bool maps_to_nodes = requires(const Kernel& kernel) {
 /// Visits each particle by itself.
 template <int D, class Shape, class... Kernels>
 [[gnu::noinline, gnu::flatten]] void visit_each(const Shape& block, const Grid<D>& grid, const Kernels&... kernels) {
-  for_interleaved(block.count, [&](int k) {
+  for_interleaved(block.places(), [&](int k) {
+    if (!block.is_filled(k)) return;
     const auto nodes = block.template stencil<(uses_gradients<Kernels> || ...)>(k, grid);
-    const ParticleRef<D> particle{block.begin, k};
+    const ParticleRef<D> particle{block.particle[k], k};
     const auto visit = [&]<class Kernel>(const Kernel& kernel) {
       if constexpr (maps_to_nodes<Kernel>)
         nodes.scatter(kernel(particle, nodes, block), kernel.field());
@@ -50,7 +50,7 @@ class OnGroup {
 
   void visit(const ParticlePack<D>& pack, const Nodes& nodes, const Block& block, int place) {
     if constexpr (maps_to_nodes<Kernel>)
-      sources_[static_cast<std::size_t>(place)] = first_of(kernel_(pack, nodes, block), pack.count());
+      set_first(kernel_(pack, nodes, block), first_lanes(pack.count()), sources_[static_cast<std::size_t>(place)]);
     else
       kernel_(pack, nodes, block);
   }
@@ -62,24 +62,23 @@ class OnGroup {
   struct None {};
   using Source = std::invoke_result_t<const Kernel&, const ParticlePack<D>&, const Nodes&, const Block&>;
   const Kernel& kernel_;
-  std::conditional_t<maps_to_nodes<Kernel>, std::array<Source, block_size<D> / 4>, None> sources_;
+  std::conditional_t<maps_to_nodes<Kernel>, std::array<Source, Block::most_packs>, None> sources_;
 };
 
 template <class Nodes, int D, class Block, class... Kernels>
 void visit_groups(const Block& block, const Grid<D>& grid, OnGroup<D, Kernels, Nodes, Block>&&... on_group) {
   for (int g = 0; g < block.groups; ++g) {
     const int begin = block.group[g], end = block.group[g + 1];
-    for (int k = begin; k < end; k += 4) {
-      const ParticlePack<D> pack(block.begin, k, std::min(end - k, 4));
-      const Nodes nodes(block, grid, k);
-      (on_group.visit(pack, nodes, block, (k - begin) / 4), ...);
+    for (int k = begin; k < end; ++k) {
+      const Nodes nodes(block, grid, k * lanes);
+      (on_group.visit(ParticlePack<D>(block, k), nodes, block, k - begin), ...);
     }
-    const Nodes nodes(block, grid, begin);
-    (on_group.scatter(nodes, (end - begin + 3) / 4), ...);
+    const Nodes nodes(block, grid, begin * lanes);
+    (on_group.scatter(nodes, end - begin), ...);
   }
 }
 
-/// Visits four particles at a time, group by group, whose sums are brought to the nodes at its end.
+/// Visits a pack at a time, group by group, whose sums are brought to the nodes at its end.
 template <int D, int K, class... Kernels>
 [[gnu::noinline, gnu::flatten]] void visit_packs(const PointBlock<D, K>& block, const Grid<D>& grid,
                                                  const Kernels&... kernels) {
@@ -93,7 +92,7 @@ void visit_nodes(const Shape& block, const Grid<D>& grid, const Kernels&... kern
     if constexpr (requires { kernel.prepare(block, grid); }) kernel.prepare(block, grid);
   };
   (prepare(kernels), ...);
-  if constexpr (requires { block.groups; })
+  if constexpr (has_packs<Shape>)
     if (block.is_grouped) return visit_packs(block, grid, kernels...);
   visit_each(block, grid, kernels...);
 }

@@ -18,17 +18,10 @@ struct PackValuesAndGradients {
 };
 
 template <int D>
-[[gnu::always_inline]] inline PackValuesAndGradients<D> first_of(const PackValuesAndGradients<D>& source, int count) {
-  return {first_of(source.value, count), first_of(source.gradient, count)};
-}
-
-/// Calls visit(k) for k = 0, ..., n-1, each a constant: what it indexes stays in registers.
-template <int n, class Visit>
-[[gnu::always_inline]] inline void for_constants(const Visit& visit) {
-  [&visit]<int... k>(std::integer_sequence<int, k...>) {
-    (visit(std::integral_constant<int, k>{}), ...);
-  }
-  (std::make_integer_sequence<int, n>{});
+[[gnu::always_inline]] inline void set_first(const PackValuesAndGradients<D>& source, const LaneMask& kept,
+                                             PackValuesAndGradients<D>& to) {
+  set_first(source.value, kept, to.value);
+  set_first(source.gradient, kept, to.gradient);
 }
 
 template <class Work>
@@ -90,12 +83,12 @@ class PackStencil {
   [[gnu::always_inline]] void scatter(const PackVec<C>* source, int packs, std::vector<V>& field) const {
     apart_in_space<D>([&] {
       for_lines([&](const Line& line) {
-        std::array<Double4, K * C> sum{};
-        for (int at = 0; at < 4 * packs; at += 4) {
-          const Double4 weight = line_weight(line, at);
-          const PackVec<C>& value = source[at / 4];
+        std::array<Lanes, K * C> sum{};
+        for (int at = 0; at < lanes * packs; at += lanes) {
+          const Lanes weight = line_weight(line, at);
+          const PackVec<C>& value = source[at / lanes];
           for_constants<C>([&](auto c) {
-            const Double4 of_line = weight * value[c.value].of;
+            const Lanes of_line = weight * value[c.value].of;
             for_constants<K>([&](auto i) { sum[i * C + c] += N(0, i, at) * of_line; });
           });
         }
@@ -109,13 +102,13 @@ class PackStencil {
                                       std::vector<Padded<D>>& field) const {
     apart_in_space<D>([&] {
       for_lines([&](const Line& line) {
-        std::array<Double4, K * D> sum{};
-        for (int at = 0; at < 4 * packs; at += 4) {
-          const PackValuesAndGradients<D>& of_pack = source[at / 4];
-          const Double4 weight = line_weight(line, at);
+        std::array<Lanes, K * D> sum{};
+        for (int at = 0; at < lanes * packs; at += lanes) {
+          const PackValuesAndGradients<D>& of_pack = source[at / lanes];
+          const Lanes weight = line_weight(line, at);
           for_constants<D>([&](auto c) {
-            const Double4 slope = weight * of_pack.gradient(c.value, 0).of;
-            Double4 value = weight * of_pack.value[c.value].of;
+            const Lanes slope = weight * of_pack.gradient(c.value, 0).of;
+            Lanes value = weight * of_pack.value[c.value].of;
             for_constants<D - 1>(
                 [&](auto d) { value += line_slope(line, d + 1, at) * of_pack.gradient(c.value, d.value + 1).of; });
             for_constants<K>([&](auto i) {
@@ -130,26 +123,26 @@ class PackStencil {
   }
 
  private:
-  static constexpr int room = PointBlock<D, K>::room;
+  static constexpr int row = PointBlock<D, K>::most;
 
   /// Σ_i N_ip φ_i over the axes up to `axis`, of one component of a field with so many
   template <int axis, int components>
-  [[gnu::always_inline]] Double4 value(const double* nodes) const {
+  [[gnu::always_inline]] Lanes value(const double* nodes) const {
     const auto part = [&](int i) {
       if constexpr (axis == 0)
         return N(0, i, 0) * nodes[i * components];
       else
         return N(axis, i, 0) * value<axis - 1, components>(nodes + i * stride_[axis] * components);
     };
-    Double4 sum = part(0);
+    Lanes sum = part(0);
     for (int i = 1; i < K; ++i) sum += part(i);
     return sum;
   }
 
   /// Σ_i φ_i ∇N_ip over the axes up to `axis`, and then Σ_i N_ip φ_i, of one component
   template <int axis>
-  [[gnu::always_inline]] std::array<Double4, axis + 2> value_and_gradient(const double* nodes) const {
-    std::array<Double4, axis + 2> sum{};
+  [[gnu::always_inline]] std::array<Lanes, axis + 2> value_and_gradient(const double* nodes) const {
+    std::array<Lanes, axis + 2> sum{};
     for (int i = 0; i < K; ++i) {
       if constexpr (axis == 0) {
         sum[0] += dN(0, i, 0) * nodes[i * padded_size<D>];
@@ -181,23 +174,23 @@ class PackStencil {
         for (int j = 0; j < K; ++j) visit(Line{{0, j, k}, j * stride_[1] + k * stride_[2]});
   }
 
-  [[gnu::always_inline]] Double4 N(int axis, int i, int at) const { return load4(N_ + (axis * K + i) * room + at); }
-  [[gnu::always_inline]] Double4 dN(int axis, int i, int at) const { return load4(dN_ + (axis * K + i) * room + at); }
+  [[gnu::always_inline]] Lanes N(int axis, int i, int at) const { return load_lanes(N_ + (axis * K + i) * row + at); }
+  [[gnu::always_inline]] Lanes dN(int axis, int i, int at) const { return load_lanes(dN_ + (axis * K + i) * row + at); }
 
   /// The product of the weights along the other axes, and with the gradient along one of them.
-  [[gnu::always_inline]] Double4 line_weight(const Line& line, int at) const {
-    if constexpr (D == 1) return Double4{1, 1, 1, 1};
+  [[gnu::always_inline]] Lanes line_weight(const Line& line, int at) const {
+    if constexpr (D == 1) return 1 - Lanes{};
     if constexpr (D == 2) return N(1, line.i[1], at);
     if constexpr (D == 3) return N(1, line.i[1], at) * N(2, line.i[2], at);
   }
-  [[gnu::always_inline]] Double4 line_slope(const Line& line, int axis, int at) const {
+  [[gnu::always_inline]] Lanes line_slope(const Line& line, int axis, int at) const {
     if constexpr (D < 3) return dN(1, line.i[1], at);
     if constexpr (D == 3)
       return axis == 1 ? dN(1, line.i[1], at) * N(2, line.i[2], at) : N(1, line.i[1], at) * dN(2, line.i[2], at);
   }
 
   template <int C, class V>
-  [[gnu::always_inline]] void add(const std::array<Double4, K * C>& sum, const Line& line,
+  [[gnu::always_inline]] void add(const std::array<Lanes, K * C>& sum, const Line& line,
                                   std::vector<V>& field) const {
     static_assert(padded_size<C> == V::RowsAtCompileTime);
     double* const nodes = field[first_].data() + padded_size<C> * line.offset;

@@ -1,7 +1,6 @@
 #pragma once
-#include <algorithm>
-#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "solver/simd/pack.hpp"
@@ -12,14 +11,12 @@ namespace mpmvv::solver {
 /// A particle for a kernel that serves one or a pack: reads and writes its fields.
 template <int D>
 struct ParticleRef {
-  std::size_t begin;  ///< of the block
-  int place;          ///< in it
-
-  std::size_t index() const { return begin + static_cast<std::size_t>(place); }
+  std::size_t index;
+  int place;  ///< in its block
 
   template <class T>
   [[gnu::always_inline]] const T& of(const std::vector<T>& field) const {
-    return field[index()];
+    return field[index];
   }
   template <class T>
   [[gnu::always_inline]] const T& of(const T* of_block) const {
@@ -28,51 +25,54 @@ struct ParticleRef {
   [[gnu::always_inline]] const PaddedMat<D>& of(const MatrixBlock<D>& of_block) const { return of_block.each[place]; }
   template <class T>
   [[gnu::always_inline]] void set(std::vector<T>& field, const auto& value) const {
-    field[index()] = value.template topRows<D>();
+    field[index] = value.template topRows<D>();
   }
   template <class T>
   [[gnu::always_inline]] void add(std::vector<T>& field, const auto& value) const {
-    field[index()] += value.template topRows<D>();
+    field[index] += value.template topRows<D>();
   }
 };
 
-/// Up to four particles of a block, one after the other, for a node kernel. Where fewer are left the last is read again
-/// in the place of each that is missing, and nothing is written for these.
+/// The particles of a pack, for a node kernel. At its places without a particle of their own others are read, and
+/// nothing is written.
 template <int D>
 class ParticlePack {
  public:
-  [[gnu::always_inline]] ParticlePack(std::size_t begin, int place, int count)
-      : begin_(begin), place_(place), count_(count) {}
+  [[gnu::always_inline]] ParticlePack(const PackList<D>& block, int pack)
+      : particle_(&block.particle[pack * lanes]), place_(pack * lanes), count_(block.filled[pack]) {}
 
   int count() const { return count_; }
+  std::size_t index(int lane) const { return particle_[lane]; }
 
-  [[gnu::always_inline]] Pack of(const std::vector<double>& field) const { return four(&field[begin_]); }
+  [[gnu::always_inline]] Pack of(const std::vector<double>& field) const {
+    Pack pack;
+    load_packs<1>(each<1>(field.data()), &pack);
+    return pack;
+  }
   template <int R, int C>
   [[gnu::always_inline]] auto of(const std::vector<Eigen::Matrix<double, R, C>>& field) const {
-    return of(&field[begin_]);
+    return loaded<R, C>(each<R * C>(field[0].data()));
   }
   template <int R, int C>
   [[gnu::always_inline]] auto of(const Eigen::Matrix<double, R, C>* of_block) const {
-    Eigen::Matrix<Pack, R, C> packs;
-    load_packs<R * C>(each<R * C>(of_block[place_].data()), packs.data());
-    return packs;
+    LaneAddresses<const double> from;
+    for (int lane = 0; lane < lanes; ++lane) from[static_cast<std::size_t>(lane)] = of_block[place_ + lane].data();
+    return loaded<R, C>(from);
   }
-  /// Those have room for four.
   [[gnu::always_inline]] PackMat<D> of(const MatrixBlock<D>& of_block) const {
     PackMat<D> packs;
     for (int c = 0; c < D; ++c)
-      for (int r = 0; r < D; ++r) packs(r, c) = Pack(load4(&of_block.entry[r][c][place_]));
+      for (int r = 0; r < D; ++r) packs(r, c) = Pack(load_lanes(&of_block.entry[r][c][place_]));
     return packs;
   }
 
   template <int R, int C>
   [[gnu::always_inline]] void set(std::vector<Eigen::Matrix<double, R, C>>& field,
                                   const Eigen::Matrix<Pack, R, C>& value) const {
-    Eigen::Matrix<double, R, C>* const own = &field[begin_] + place_;
-    if (count_ == 4)
-      store_packs<R * C>(value.data(), each<R * C>(own->data()));
+    if (count_ == lanes)
+      store_packs<R * C>(value.data(), each<R * C>(field[0].data()));
     else
-      set_some(own, value);
+      set_some(field, value);
   }
   template <int R, int C>
   [[gnu::always_inline]] void add(std::vector<Eigen::Matrix<double, R, C>>& field,
@@ -81,34 +81,35 @@ class ParticlePack {
   }
 
  private:
-  /// Where the numbers of each are, so many to a particle; those beyond the last are its again.
+  /// Where the numbers of each are, so many to a particle.
   template <int n, class T>
-  [[gnu::always_inline]] std::array<T*, 4> each(T* first) const {
-    const auto of_lane = [=, this](int lane) { return first + (count_ == 4 ? lane : std::min(lane, count_ - 1)) * n; };
-    return {of_lane(0), of_lane(1), of_lane(2), of_lane(3)};
-  }
-  [[gnu::always_inline]] Pack four(const double* of_block) const {
-    const auto from = each<1>(of_block + place_);
-    return count_ == 4 ? Pack(load4(from[0])) : Pack(Double4{*from[0], *from[1], *from[2], *from[3]});
+  [[gnu::always_inline]] LaneAddresses<T> each(T* field) const {
+    LaneAddresses<T> all;
+    for (int lane = 0; lane < lanes; ++lane) all[static_cast<std::size_t>(lane)] = field + n * index(lane);
+    return all;
   }
   template <int R, int C>
-  [[gnu::noinline]] void set_some(Eigen::Matrix<double, R, C>* own, const Eigen::Matrix<Pack, R, C>& value) const {
+  [[gnu::always_inline]] static Eigen::Matrix<Pack, R, C> loaded(const LaneAddresses<const double>& from) {
+    Eigen::Matrix<Pack, R, C> packs;
+    load_packs<R * C>(from, packs.data());
+    return packs;
+  }
+  template <int R, int C>
+  [[gnu::noinline]] void set_some(std::vector<Eigen::Matrix<double, R, C>>& field,
+                                  const Eigen::Matrix<Pack, R, C>& value) const {
     for (int lane = 0; lane < count_; ++lane)
-      own[lane] = value.unaryExpr([lane](const Pack& four) { return four[static_cast<std::size_t>(lane)]; });
+      field[index(lane)] = value.unaryExpr([lane](const Pack& each) { return each[static_cast<std::size_t>(lane)]; });
   }
 
-  std::size_t begin_;  ///< of the block
-  int place_;          ///< in it, of the first
+  const std::uint32_t* particle_;
+  int place_;  ///< of the first, in the block
   int count_;
 };
 
-/// Calls visit(pack, k) for every four particles of a block, the first of them at place k. What is beyond the last
-/// repeats it.
+/// Calls visit(pack, k) for every pack of a block, the first of it at place k.
 template <int D, class Visit>
-[[gnu::always_inline]] inline void for_packs(const Block<D>& block, const Visit& visit) {
-  int k = 0;
-  for (; k + 4 <= block.count; k += 4) visit(ParticlePack<D>(block.begin, k, 4), k);
-  if (k < block.count) visit(ParticlePack<D>(block.begin, k, block.count - k), k);
+[[gnu::always_inline]] inline void for_packs(const PackList<D>& block, const Visit& visit) {
+  for (int pack = 0; pack < block.packs; ++pack) visit(ParticlePack<D>(block, pack), pack * lanes);
 }
 
 }  // namespace mpmvv::solver

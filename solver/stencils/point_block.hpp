@@ -11,18 +11,15 @@ namespace mpmvv::solver {
 /// axis; a `Stencil` or a `PackStencil` forms their products.
 template <int D, int K>
 struct PointBlock : Block<D> {
-  static constexpr int most = block_size<D>;  ///< particles
-  static constexpr int room = most + 4;       ///< a pack may be read at the last
+  static constexpr int most = block_size<D>;  ///< places for particles
 
   using Block<D>::Block;
 
-  int first[room];                    ///< storage index of the first node
-  alignas(32) double N[D][K][room];   ///< weights
-  alignas(32) double dN[D][K][room];  ///< gradients, per length, where a kernel of the sweep uses them
-  int groups;                         ///< of particles that share their nodes
-  int group[block_size<D> + 1];       ///< where each begins, and the end
+  int first[most];                    ///< storage index of the first node
+  alignas(64) double N[D][K][most];   ///< weights
+  alignas(64) double dN[D][K][most];  ///< gradients, per length, where a kernel of the sweep uses them
 
-  /// Of the k-th particle.
+  /// Of the particle at place k.
   template <bool with_gradients = true>
   auto stencil(int k, const Grid<D>& grid) const {
     std::conditional_t<with_gradients, Stencil<D, K>, Weights<D, K>> s;
@@ -37,5 +34,22 @@ struct PointBlock : Block<D> {
     return s;
   }
 };
+
+/// Whether the particles of each group reach the same nodes.
+template <int D, int K>
+bool share_their_nodes(const PointBlock<D, K>& block) {
+  LaneInts others{};
+  for (int g = 0; g < block.groups; ++g)
+    for (int pack = block.group[g]; pack < block.group[g + 1]; ++pack)
+      others |= (load_lanes(&block.first[pack * lanes]) != block.first[block.group[g] * lanes]) &
+                (lane_numbers() < block.filled[pack]);
+  return !any(others);
+}
+
+/// Whether the particles of a block may be visited in packs.
+template <class Shape>
+inline constexpr bool has_packs = false;
+template <int D, int K>
+inline constexpr bool has_packs<PointBlock<D, K>> = true;
 
 }  // namespace mpmvv::solver

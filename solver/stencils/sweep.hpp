@@ -3,6 +3,7 @@
 
 #include "solver/parallel/slabs.hpp"
 #include "solver/stencils/kernel.hpp"
+#include "solver/stencils/stencil_bins.hpp"
 
 namespace mpmvv::solver {
 
@@ -21,6 +22,6 @@ Fault evaluate(const AnyBasis& basis, const Particles<D>& particles, const Grid<
 /// what another one of the sweep changes, nor a later block's particles.
 template <int D>
 Fault sweep(Adds adds, const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid, const Slabs<D>& slabs,
-            ThreadPool& pool, std::initializer_list<AnyKernel<D>> kernels);
+            const StencilBins<D>& bins, ThreadPool& pool, std::initializer_list<AnyKernel<D>> kernels);
 
 }  // namespace mpmvv::solver

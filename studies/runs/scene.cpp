@@ -65,7 +65,7 @@ template <int D>
 void set_current_widths(solver::Particles<D>& particles, const solver::AnyBasis& basis) {
   if (width_of(basis) == solver::ParticleWidth::current) particles.l0 = particles.l;
   particles.R0 = particles.R;
-  particles.update_widths(0, particles.size());
+  for (std::size_t p = 0; p < particles.size(); ++p) particles.update_width(p);
 }
 
 /// The velocity update with the order, interval and positions of the scheme, where it takes them. `cfl` is the Courant
