@@ -22,18 +22,16 @@ nlohmann::json json_of(const plan::StudyForecast& s) {
           {"parts", s.parts}, {"timed", s.timed}, {"probes", s.probes}, {"seconds", s.seconds}, {"why", s.why}};
 }
 
-/// A text in lines of up to 100 columns, each indented.
-std::string indented(const std::string& text) {
+/// Prints a text in lines of up to 100 columns, each indented.
+void print_indented(const std::string& text) {
   constexpr std::size_t width = 96;
-  std::string lines;
   for (std::size_t begin = 0; begin < text.size();) {
     std::size_t end = text.size();
     if (end - begin > width) end = text.rfind(' ', begin + width);
     if (end == std::string::npos || end <= begin) end = text.size();
-    lines += "    " + text.substr(begin, end - begin) + "\n";
+    print("    {}\n", text.substr(begin, end - begin));
     begin = end + 1;
   }
-  return lines;
 }
 
 }  // namespace
@@ -55,7 +53,7 @@ void print_forecast(const std::vector<plan::StudyPlan>& plans, const std::string
   print(row, "study", "cases", "stored", "shared", "to run", "parts", "timed", "probes", "on a core");
   for (const plan::StudyForecast& s : all.studies) {
     print(row, s.study, s.cases, s.stored, s.shared, s.runs, s.parts, s.timed, s.probes, minutes(s.seconds));
-    print("{}", indented(s.why));
+    print_indented(s.why);
   }
   print("about {} on {} jobs, {} on one; of it {} alone on the machine, at the end\n", minutes(all.seconds), jobs,
         minutes(all.core_seconds), minutes(all.timed_seconds));
