@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -145,11 +146,7 @@ struct Stencil : Weights<D, K> {
         sum.gradient += dN[0][i] * nodes[i];
       }
     } else {
-      const LineSums lines = sum_lines<D - 1>(nodes);
-      const auto weight = along_line<K, C>(N[0]), slope = along_line<K, C>(dN[0]);
-      sum.value = sum_of_nodes<Padded<D>>(weight * lines.value);
-      sum.gradient.col(0) = sum_of_nodes<Padded<D>>(slope * lines.value);
-      for (int d = 1; d < D; ++d) sum.gradient.col(d) = sum_of_nodes<Padded<D>>(weight * lines.slope[d - 1]);
+      sum = gather_part<0>(nodes);
     }
     return sum;
   }
@@ -160,37 +157,66 @@ struct Stencil : Weights<D, K> {
     if constexpr (D == 1) {
       for (int i = 0; i < K; ++i) nodes[i] += N[0][i] * source.value + dN[0][i] * source.gradient;
     } else {
-      const auto weight = along_line<K, C>(N[0]), slope = along_line<K, C>(dN[0]);
-      LineSums lines{weight * on_each_node<K>(source.value), {}};
-      lines.value += slope * on_each_node<K>(Padded<D>(source.gradient.col(0)));
-      for (int d = 1; d < D; ++d) lines.slope[d - 1] = weight * on_each_node<K>(Padded<D>(source.gradient.col(d)));
-      add_lines<D - 1>(lines, nodes);
+      scatter_part<0>(source, nodes);
     }
   }
 
  private:
   static constexpr int C = components<Padded<D>>;
-  using Line = Doubles<K * C>;
+  /// Nodes of a line that are taken at once: in space five times as many components are at work, and four nodes of them
+  /// have no room in sixteen registers.
+  static constexpr int at_once = D == 3 && K > 3 ? 2 : K;
+  template <int begin>
+  static constexpr int nodes_from = std::min(at_once, K - begin);
 
-  /// Of the nodes along the first axis: a value, and its gradients along the other axes.
+  /// Of n nodes along the first axis: a value, and its gradients along the other axes.
+  template <int n>
   struct LineSums {
-    Line value;
-    std::array<Line, D - 1> slope;
+    Doubles<n * C> value;
+    std::array<Doubles<n * C>, D - 1> slope;
   };
 
+  /// The sums over the nodes from the one at `begin` of each line on.
+  template <int begin>
+  [[gnu::always_inline]] ValueAndGradient<D> gather_part(const Padded<D>* nodes) const {
+    constexpr int n = nodes_from<begin>;
+    const LineSums<n> lines = sum_lines<D - 1, n>(nodes + begin);
+    const auto weight = along_line<n, C>(N[0] + begin), slope = along_line<n, C>(dN[0] + begin);
+    ValueAndGradient<D> sum;
+    sum.value = sum_of_nodes<Padded<D>>(weight * lines.value);
+    sum.gradient.col(0) = sum_of_nodes<Padded<D>>(slope * lines.value);
+    for (int d = 1; d < D; ++d) sum.gradient.col(d) = sum_of_nodes<Padded<D>>(weight * lines.slope[d - 1]);
+    if constexpr (begin + n < K) {
+      const ValueAndGradient<D> rest = gather_part<begin + n>(nodes);
+      sum.value += rest.value;
+      for (int d = 0; d < D; ++d) sum.gradient.col(d) += rest.gradient.col(d);
+    }
+    return sum;
+  }
+  template <int begin>
+  [[gnu::always_inline]] void scatter_part(const ValueAndGradient<D>& source, Padded<D>* nodes) const {
+    constexpr int n = nodes_from<begin>;
+    const auto weight = along_line<n, C>(N[0] + begin), slope = along_line<n, C>(dN[0] + begin);
+    LineSums<n> lines{weight * on_each_node<n>(source.value), {}};
+    lines.value += slope * on_each_node<n>(Padded<D>(source.gradient.col(0)));
+    for (int d = 1; d < D; ++d) lines.slope[d - 1] = weight * on_each_node<n>(Padded<D>(source.gradient.col(d)));
+    add_lines<D - 1, n>(lines, nodes + begin);
+    if constexpr (begin + n < K) scatter_part<begin + n>(source, nodes);
+  }
+
   /// Sums over the axes from the second up to `axis`; of the slopes, those along these axes.
-  template <int axis>
-  [[gnu::always_inline]] LineSums sum_lines(const Padded<D>* nodes) const {
-    LineSums sum;
+  template <int axis, int n>
+  [[gnu::always_inline]] LineSums<n> sum_lines(const Padded<D>* nodes) const {
+    LineSums<n> sum;
     if constexpr (axis == 0) {
-      sum.value = Line::load(nodes->data());
+      sum.value = Doubles<n * C>::load(nodes->data());
     } else {
-      const LineSums part = sum_lines<axis - 1>(nodes);
+      const LineSums<n> part = sum_lines<axis - 1, n>(nodes);
       sum.value = N[axis][0] * part.value;
       for (int d = 0; d < axis - 1; ++d) sum.slope[d] = N[axis][0] * part.slope[d];
       sum.slope[axis - 1] = dN[axis][0] * part.value;
       for (int i = 1; i < K; ++i) {
-        const LineSums next = sum_lines<axis - 1>(nodes + i * stride[axis]);
+        const LineSums<n> next = sum_lines<axis - 1, n>(nodes + i * stride[axis]);
         sum.value += N[axis][i] * next.value;
         for (int d = 0; d < axis - 1; ++d) sum.slope[d] += N[axis][i] * next.slope[d];
         sum.slope[axis - 1] += dN[axis][i] * next.value;
@@ -200,20 +226,20 @@ struct Stencil : Weights<D, K> {
   }
 
   /// The reverse.
-  template <int axis>
-  [[gnu::always_inline]] void add_lines(const LineSums& source, Padded<D>* nodes) const {
+  template <int axis, int n>
+  [[gnu::always_inline]] void add_lines(const LineSums<n>& source, Padded<D>* nodes) const {
     for (int i = 0; i < K; ++i) {
       Padded<D>* const next = start_of_line(nodes + i * stride[axis]);
       if constexpr (axis == 1) {
-        Line sum = Line::load(next->data());
+        auto sum = Doubles<n * C>::load(next->data());
         sum += N[1][i] * source.value;
         sum += dN[1][i] * source.slope[0];
         sum.store(next->data());
       } else {
-        LineSums part{N[axis][i] * source.value, {}};
+        LineSums<n> part{N[axis][i] * source.value, {}};
         part.value += dN[axis][i] * source.slope[axis - 1];
         for (int d = 0; d < axis - 1; ++d) part.slope[d] = N[axis][i] * source.slope[d];
-        add_lines<axis - 1>(part, next);
+        add_lines<axis - 1, n>(part, next);
       }
     }
   }
