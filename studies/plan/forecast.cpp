@@ -115,7 +115,8 @@ class Forecaster {
     add(study.timed > 0, "{} timed, alone at the end", study.timed);
     add(all > 0, "longest {:.3g} s ({}, {} cells)", std::get<0>(longest_), std::get<1>(longest_),
         std::get<2>(longest_));
-    add(all > 0, "times of the same case {}, of like cases {}, guessed {}", sources_[0], sources_[1], sources_[2]);
+    add(all > 0, "times: {} known of the same case, {} of like cases, {} guessed", sources_[0], sources_[1],
+        sources_[2]);
     return fmt::format("{}", fmt::join(reasons, "; "));
   }
 
