@@ -43,22 +43,22 @@ void ConsistentMass<D>::set_couplings(Step<D>& s) {
   const double most = std::sqrt(1 - settings_.lumped_share);
   for (std::size_t n = 0; n < coverage_.size(); ++n) {
     const double m = s.grid().m(n);
-    coverage_[n] = m < covered_mass_[n] ? most * m / covered_mass_[n] : most;
+    coverage_[n] = padded_alone<D>(m < covered_mass_[n] ? most * m / covered_mass_[n] : most);
   }
   s.clear(couplings_);
-  s.sweep({AddScalarMassProduct<D>{s.particles(), coverage_, couplings_}});
+  s.sweep({AddMassProduct<D, Padded<D + 1>>{s.particles(), coverage_, couplings_}});
   s.sum_images(couplings_);
   product_.prepare(s);
 }
 
 template <int D>
 void ConsistentMass<D>::multiply(Step<D>& s, const Field& u, Field& q) {
-  for (std::size_t n = 0; n < u.size(); ++n) covered_[n] = coverage_[n] * u[n];
+  for (std::size_t n = 0; n < u.size(); ++n) covered_[n] = coverage_[n][D] * u[n];
   s.clear(q);
   product_.add(s, covered_, q);
   s.sum_images(q);
   for (std::size_t n = 0; n < u.size(); ++n)
-    q[n] = s.grid().m(n) * u[n] - coverage_[n] * (couplings_[n][D] * u[n] - q[n]);
+    q[n] = s.grid().m(n) * u[n] - coverage_[n][D] * (couplings_[n][D] * u[n] - q[n]);
   s.constrain_transposed(q);
 }
 

@@ -58,7 +58,7 @@ class ConsistentMass {
   MassProduct<D> product_;
   std::vector<double> share_;             ///< one over the number of nodes that the boundaries make one
   std::vector<double> covered_mass_;      ///< θ m_full
-  std::vector<double> coverage_;          ///< c
+  std::vector<Padded<D + 1>> coverage_;   ///< in component D, where boundaries expect a mass: c
   std::vector<Padded<D + 1>> couplings_;  ///< in component D: M c
   Field inverse_;                         ///< of Cᵀ diag(m) C, zero where nothing is to be solved
   Field residual_, direction_, image_;    ///< of the iteration

@@ -2,7 +2,7 @@
 #include <Eigen/LU>
 #include <array>
 
-#include "solver/simd/pack.hpp"
+#include "solver/simd/padded.hpp"
 
 namespace mpmvv::solver {
 
@@ -24,20 +24,9 @@ template <int D>
   return result;
 }
 
-template <int D>
-[[gnu::always_inline]] inline PackMat<D> plus_product(const PackMat<D>& C, const PackMat<D>& A, const PackMat<D>& B) {
-  PackMat<D> result;
-  for (int c = 0; c < D; ++c)
-    for (int r = 0; r < D; ++r) {
-      result(r, c) = C(r, c);
-      for (int k = 0; k < D; ++k) result(r, c) += A(r, k) * B(k, c);
-    }
-  return result;
-}
-
 /// The c_j of A^D = Σ_{j<D} c_j A^j, by the theorem of Cayley and Hamilton.
-template <int D, class Matrix>
-inline std::array<typename Matrix::Scalar, D> characteristic(const Matrix& A) {
+template <int D>
+std::array<double, D> characteristic(const PaddedMat<D>& A) {
   const auto minor = [&A](int i, int j) { return A(i, i) * A(j, j) - A(i, j) * A(j, i); };
   if constexpr (D == 1)
     return {A(0, 0)};
@@ -56,31 +45,24 @@ inline PaddedMat<D> sum_with_identity(double a, const PaddedMat<D>& A, double b)
   return sum;
 }
 
-template <int D>
-[[gnu::always_inline]] inline PackMat<D> sum_with_identity(const Pack& a, const PackMat<D>& A, const Pack& b) {
-  PackMat<D> sum = a * A;
-  sum.diagonal().array() += b;
-  return sum;
-}
-
 /// exp(A) - I by twelve terms, Horner's scheme on the multiples of I, A and A² that powers come down to: the rest,
 /// |A|¹³/13!, is round-off up to |A| = 0.4, and 2e-13 at 0.6.
-template <int D, class Matrix>
-inline Matrix exponential_less_identity(const Matrix& A) {
+template <int D>
+[[gnu::noinline]] PaddedMat<D> exponential_less_identity(const PaddedMat<D>& A) {
   constexpr double share[] = {1,         1. / 2,     1. / 6,      1. / 24,      1. / 120,      1. / 720,
                               1. / 5040, 1. / 40320, 1. / 362880, 1. / 3628800, 1. / 39916800, 1. / 479001600};
-  const auto c = characteristic<D>(A);
-  std::array<typename Matrix::Scalar, D> x{};
+  const std::array<double, D> c = characteristic<D>(A);
+  std::array<double, D> x{};
   for (int k = 11; k >= 0; --k) {
     x[0] += share[k];
-    const auto highest = x[D - 1];
+    const double highest = x[D - 1];
     for (std::size_t j = D - 1; j > 0; --j) x[j] = x[j - 1] + c[j] * highest;
     x[0] = c[0] * highest;
   }
-  if constexpr (D == 1) return Matrix(x[0]);
+  if constexpr (D == 1) return PaddedMat<D>(x[0]);
   if constexpr (D == 2) return sum_with_identity<D>(x[1], A, x[0]);
   if constexpr (D == 3) {
-    const Matrix linear = sum_with_identity<D>(x[2], A, x[1]), zero = Matrix::Zero();
+    const PaddedMat<D> linear = sum_with_identity<D>(x[2], A, x[1]), zero = PaddedMat<D>::Zero();
     return sum_with_identity<D>(1, plus_product<D>(zero, A, linear), x[0]);
   }
 }
@@ -91,19 +73,12 @@ struct DeformationStep {
   double dt;
   Deformation rule = Deformation::linear;
 
-  /// F', of one particle or of four
-  template <class Gradient>
-  [[gnu::always_inline]] Gradient operator()(const auto& F, const Gradient& L) const {
-    Gradient increment;
+  /// F'
+  [[gnu::always_inline]] Mat<D> operator()(const Mat<D>& F, const PaddedMat<D>& L) const {
+    PaddedMat<D> increment;
     for (int d = 0; d < D; ++d) increment.col(d) = dt * L.col(d);  // at once, a plane's would go through memory
-    if (rule == Deformation::exponential) increment = far_exponential(Gradient(increment));
-    return plus_product<D>(F, increment, F);
-  }
-
- private:
-  template <class Matrix>
-  [[gnu::noinline]] static Matrix far_exponential(const Matrix& dt_L) {
-    return exponential_less_identity<D>(dt_L);
+    if (rule == Deformation::exponential) increment = exponential_less_identity<D>(increment);
+    return plus_product<D>(F, increment, F).template topRows<D>();
   }
 };
 

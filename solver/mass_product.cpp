@@ -28,9 +28,9 @@ void add_by_cache(Step<D>& s, const CpdiStencilCache<D>& cache, const AddMassPro
   s.for_slabs([&](std::size_t begin, std::size_t end) {
     for (; begin < end; begin += cpdi_block_size<D>)
       for_interleaved(static_cast<int>(std::min<std::size_t>(cpdi_block_size<D>, end - begin)), [&](int k) {
-        const ParticleRef<D> particle{begin, k};
-        const auto nodes = cache.template stencil<W>(particle.index(), s.grid());
-        nodes.scatter(kernel(particle, nodes, cache), kernel.product);
+        const std::size_t p = begin + static_cast<std::size_t>(k);
+        const auto nodes = cache.template stencil<W>(p, s.grid());
+        nodes.scatter(kernel(p, nodes, cache), kernel.product);
       });
   });
 }

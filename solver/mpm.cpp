@@ -101,7 +101,7 @@ double Mpm<D>::strain_energy() const {
 
 template <int D>
 void Mpm<D>::map_acceleration() {
-  step_->map_mass_and_forces();
+  step_->map_momentum_and_forces();
   step_->set_acceleration();
 }
 

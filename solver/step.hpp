@@ -57,7 +57,6 @@ class Step {
   // From particles to the grid; images that the boundaries identify are summed.
   void map_momentum();             ///< m_i, p_i                                    S (1), (2), W (8), (9)
   void map_momentum_and_forces();  ///< and τ_p = τ(F_p), f_i                       S (3), (4), (16), W (12), (14)
-  void map_mass_and_forces();      ///< m_i and τ_p = τ(F_p), f_i
   void deform_and_map_forces(const DeformationStep<D>& deform);  ///< F_p by the grid's v, then τ_p = τ(F_p), f_i
   /// v_p by the velocity update and the rate at which positions will follow, then m_i, p_i of these.
   void update_velocities_and_map_momentum(double dt);

@@ -7,6 +7,7 @@
 #include "solver/kernels/update_particles.hpp"
 #include "solver/stencils/sweep.hpp"
 #include "solver/step.hpp"
+#include "solver/velocity_update/affine.hpp"
 
 /// The parts of a step that visit particles.
 namespace mpmvv::solver {
@@ -20,21 +21,18 @@ void Step<D>::sweep(std::initializer_list<AnyKernel<D>> kernels, Adds adds) {
 template <int D>
 void Step<D>::map_momentum() {
   clear_grid();
-  sweep({MapMomentum<D>{particles_, grid_}});
+  sweep({MapAffineMomentum<D>{particles_, grid_}, MapMomentum<D>{particles_, grid_}});
   sum_momentum_images();
 }
 
 template <int D>
 void Step<D>::map_momentum_and_forces() {
   clear_grid();
-  map_forces([this](const auto& forces) { return Fused{MapMomentum<D>{particles_, grid_}, forces}; });
-  sum_momentum_images();
-}
-
-template <int D>
-void Step<D>::map_mass_and_forces() {
-  clear_grid();
-  map_forces([this](const auto& forces) { return Fused{MapMass<D>{particles_, grid_}, forces}; });
+  map_forces(
+      [this](const auto& forces) {
+        return Fused{MapMomentum<D>{particles_, grid_}, forces};
+      },
+      MapAffineMomentum<D>{particles_, grid_});
   sum_momentum_images();
 }
 
@@ -65,26 +63,29 @@ template <int D>
 void Step<D>::update_velocities_and_map_momentum(double dt) {
   const VelocityFields<D> fields = velocity_fields(dt);
   clear(grid_.p);
-  sweep({UpdateVelocityAndRate<D>{particles_, grid_, fields, dt}, MapMomentum<D>{particles_, grid_}});
+  sweep({UpdateAffineField<D>{particles_, grid_}, UpdateVelocityAndRate<D>{particles_, grid_, fields, dt},
+         MapAffineMomentum<D>{particles_, grid_}, MapMomentum<D>{particles_, grid_}});
   sum_momentum_images();
 }
 
 template <int D>
 void Step<D>::update_particles(double dt) {
   const VelocityFields<D> fields = velocity_fields(dt);
+  const UpdateAffineField<D> affine{particles_, grid_};
   if (are_flip(fields, grid_))
-    sweep_and_settle(UpdateVelocityAndPosition<D, true>{particles_, grid_, fields, dt});
+    sweep_and_settle(affine, UpdateVelocityAndPosition<D, true>{particles_, grid_, fields, dt});
   else
-    sweep_and_settle(UpdateVelocityAndPosition<D, false>{particles_, grid_, fields, dt});
+    sweep_and_settle(affine, UpdateVelocityAndPosition<D, false>{particles_, grid_, fields, dt});
 }
 
 template <int D>
 void Step<D>::update_particles(double dt, const DeformationStep<D>& deform) {
   const VelocityFields<D> fields = velocity_fields(dt);
+  const UpdateAffineField<D> affine{particles_, grid_};
   if (are_flip(fields, grid_))
-    sweep_and_settle(UpdateParticle<D, true>{particles_, grid_, fields, dt, deform});
+    sweep_and_settle(affine, UpdateParticle<D, true>{particles_, grid_, fields, dt, deform});
   else
-    sweep_and_settle(UpdateParticle<D, false>{particles_, grid_, fields, dt, deform});
+    sweep_and_settle(affine, UpdateParticle<D, false>{particles_, grid_, fields, dt, deform});
 }
 
 template <int D>

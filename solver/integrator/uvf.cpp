@@ -14,8 +14,8 @@ void uvf(Step<D>& s, double dt) {
   auto& particles = s.particles();
   auto& grid = s.grid();
 
-  s.map_mass_and_forces();  // m_i; τ_p = τ(F_p), f_i                       W (8), (12), (14)
-  s.set_acceleration();     // a_i = f_i / m_i                              W (15)
+  s.map_momentum_and_forces();  // m_i; τ_p = τ(F_p), f_i                   W (8), (12), (14)
+  s.set_acceleration();         // a_i = f_i / m_i                          W (15)
 
   s.clear(grid.p);
   s.sweep({UpdateVelocity<D>{particles, grid, dt},  // v_p                  W (18)

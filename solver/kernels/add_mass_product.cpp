@@ -1,16 +1,19 @@
 #include "solver/kernels/add_mass_product.hpp"
 
+#include <tuple>
+
 #include "solver/stencils/node_loop.hpp"
 
-/// Compiled once for all that multiply.
 namespace mpmvv::solver {
 
-template Fault run_kernel(const AddMassProduct<1>&, AnyBlock<1>&, const Grid<1>&);
-template Fault run_kernel(const AddMassProduct<2>&, AnyBlock<2>&, const Grid<2>&);
-template Fault run_kernel(const AddMassProduct<3>&, AnyBlock<3>&, const Grid<3>&);
+/// Compiled once for all that multiply.
+template <int D>
+struct MassProducts {
+  static constexpr std::tuple all{&run_kernel<D, AddMassProduct<D>>, &run_kernel<D, AddMassProduct<D, Padded<D + 1>>>};
+};
 
-template Fault run_kernel(const AddScalarMassProduct<1>&, AnyBlock<1>&, const Grid<1>&);
-template Fault run_kernel(const AddScalarMassProduct<2>&, AnyBlock<2>&, const Grid<2>&);
-template Fault run_kernel(const AddScalarMassProduct<3>&, AnyBlock<3>&, const Grid<3>&);
+template struct MassProducts<1>;
+template struct MassProducts<2>;
+template struct MassProducts<3>;
 
 }  // namespace mpmvv::solver

@@ -17,24 +17,21 @@ struct AdvanceStage {
   double weight;               ///< s
   std::optional<double> next;  ///< s
 
-  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
+  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, const auto&) const {
     auto& [start, sum] = particles.stages;
     const auto v = nodes.gather_with_gradient(grid.v);
-    advance(who, particles.F, start.F, sum.F, v.gradient.template topRows<D>() * who.of(particles.F));
-    advance(who, particles.x, start.x, sum.x, v.value.template head<D>());
-    advance(who, particles.v, start.v, sum.v, nodes.gather(grid.a).template head<D>());
+    advance(p, particles.F, start.F, sum.F, v.gradient.template topRows<D>() * particles.F[p]);
+    advance(p, particles.x, start.x, sum.x, v.value.template head<D>());
+    advance(p, particles.v, start.v, sum.v, nodes.gather(grid.a).template head<D>());
   }
 
  private:
   template <class T>
-  void advance(const auto& who, std::vector<T>& now, const std::vector<T>& start, std::vector<T>& sum,
+  void advance(std::size_t p, std::vector<T>& now, const std::vector<T>& start, std::vector<T>& sum,
                const auto& rate_of) const {
-    const auto rate = rate_of.eval();
-    who.add(sum, (weight * rate).eval());
-    if (next)
-      who.set(now, (who.of(start) + *next * rate).eval());
-    else
-      who.set(now, who.of(sum));
+    const T rate = rate_of;
+    sum[p] += weight * rate;
+    now[p] = next ? T(start[p] + *next * rate) : sum[p];
   }
 };
 

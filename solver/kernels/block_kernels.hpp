@@ -11,6 +11,7 @@
 #include "solver/material/materials.hpp"
 #include "solver/parallel/slabs.hpp"
 #include "solver/particles.hpp"
+#include "solver/simd/padded.hpp"
 #include "solver/stencils/extent.hpp"
 #include "solver/stencils/particle_pack.hpp"
 
@@ -38,31 +39,17 @@ struct EvaluateStress {
  private:
   [[gnu::noinline, gnu::flatten]] void evaluate_packs(const auto& m, Block<D>& block) const {
     for_packs(
-        block, [&](const ParticlePack<D>& pack, int k)
-                   __attribute__((always_inline)) { put(m.kirchhoff(pack.of(particles.F)), block, k); });
+        block, [&](const ParticlePack& pack, int k) __attribute__((always_inline)) {
+          Eigen::Matrix<Pack, padded_size<D>, D> tau = Eigen::Matrix<Pack, padded_size<D>, D>::Zero();
+          tau.template topRows<D>() = m.kirchhoff(pack.of(particles.F));
+          store_packs<padded_size<D> * D>(tau.data(), block.tau[k].data());
+        });
   }
   void evaluate_each(const auto& m, Block<D>& block, const StressStep& step) const {
-    for_packs(block, [&](const ParticlePack<D>& pack, int k) {
-      PackMat<D> tau = PackMat<D>::Zero();
-      for (int lane = 0; lane < pack.count(); ++lane) {
-        const std::size_t p = block.begin + static_cast<std::size_t>(k + lane);
-        const Mat<D> own = m.kirchhoff(particles.F[p], particles.thermal[p], step);
-        for (int i = 0; i < D * D; ++i) tau(i).of[lane] = own(i);
-      }
-      put(tau, block, k);
-    });
-  }
-  /// Sets the stresses of a pack whose first particle is the k-th.
-  [[gnu::always_inline]] static void put(const PackMat<D>& tau, Block<D>& block, int k) {
-    for (int c = 0; c < D; ++c)
-      if (block.is_grouped) {
-        for (int r = 0; r < D; ++r) store4(tau(r, c).of, &block.tau.entry[r][c][k]);
-      } else {
-        std::array<Pack, padded_size<D>> column{};
-        for (int r = 0; r < D; ++r) column[static_cast<std::size_t>(r)] = tau(r, c);
-        PaddedMat<D>* const each = &block.tau.each[k];
-        store_packs<padded_size<D>>(column.data(), {&each[0](0, c), &each[1](0, c), &each[2](0, c), &each[3](0, c)});
-      }
+    for (int k = 0; k < block.count; ++k) {
+      const std::size_t p = block.begin + static_cast<std::size_t>(k);
+      block.tau[k].template topRows<D>() = m.kirchhoff(particles.F[p], particles.thermal[p], step);
+    }
   }
 };
 
@@ -96,7 +83,7 @@ struct CheckDeformation {
 
   [[gnu::flatten]] Fault operator()(Block<D>& block, const Grid<D>&) const {
     Mask4 positive{-1, -1, -1, -1};
-    for_packs(block, [&](const ParticlePack<D>& pack, int) {
+    for_packs(block, [&](const ParticlePack& pack, int) {
       positive &= Mask4(pack.of(particles.F).determinant().of > Double4{});
     });
     return all(positive) ? Fault::none : Fault::inverted;

@@ -1,21 +1,20 @@
 #pragma once
 #include "solver/deformation.hpp"
+#include "solver/grid.hpp"
 #include "solver/particles.hpp"
-#include "solver/stencils/pack_stencil.hpp"
-#include "solver/velocity_update/affine.hpp"
+#include "solver/stencils/stencil.hpp"
 #include "solver/velocity_update/velocity_fields.hpp"
 
 /// Node kernels (stencils/kernel.hpp) that update particles from the grid.
 namespace mpmvv::solver {
 
-/// V' and (X' - X)/Δt of a particle or a pack, N table 1, task 4; `v` is S v.
-template <class Vector>
+/// V' and (X' - X)/Δt of a particle, N table 1, task 4; `v` is S v.
+template <int D>
 struct Advance {
-  Vector velocity, rate;
+  Vec<D> velocity, rate;
 
-  template <int D>
-  [[gnu::always_inline]] Advance(const VelocityFields<D>& fields, double dt, const Grid<D>& grid, const Vector& V,
-                                 const auto& v, const auto& nodes)
+  [[gnu::always_inline]] Advance(const VelocityFields<D>& fields, double dt, const Grid<D>& grid, const Vec<D>& V,
+                                 const Padded<D>& v, const auto& nodes)
       : velocity(v.template head<D>()) {
     if (fields.acceleration) velocity = V + (dt * nodes.gather(*fields.acceleration)).template head<D>();
     if (fields.velocity) velocity = nodes.gather(*fields.velocity).template head<D>();
@@ -26,9 +25,6 @@ struct Advance {
       rate += nodes.gather(*fields.drift).template head<D>();
   }
 };
-template <int D, class Vector>
-Advance(const VelocityFields<D>&, double, const Grid<D>&, const Vector&, const auto&, const auto&) -> Advance<Vector>;
-
 /// Whether the fields are those of `flip` with positions of first order: most cases have these, and a step of the bar
 /// took 1.2 times as long where every particle asked which there are.
 template <int D>
@@ -40,22 +36,15 @@ bool are_flip(const VelocityFields<D>& fields, const Grid<D>& grid) {
 template <bool is_flip, int D>
 [[gnu::always_inline]] inline void update_velocity_and_position(Particles<D>& particles, const Grid<D>& grid,
                                                                 const VelocityFields<D>& fields, double dt,
-                                                                const auto& who, const auto& v, const auto& nodes) {
+                                                                std::size_t p, const Padded<D>& v, const auto& nodes) {
   if constexpr (is_flip) {
-    who.add(particles.v, (dt * nodes.gather(*fields.acceleration)).eval());
-    who.add(particles.x, (dt * v).eval());
+    particles.v[p] += (dt * nodes.gather(*fields.acceleration)).template head<D>();
+    particles.x[p] += (dt * v).template head<D>();
   } else {
-    const Advance advance(fields, dt, grid, who.of(particles.v), v, nodes);
-    who.add(particles.x, (dt * advance.rate).eval());
-    who.set(particles.v, advance.velocity);
+    const Advance<D> advance(fields, dt, grid, particles.v[p], v, nodes);
+    particles.x[p] += dt * advance.rate;
+    particles.v[p] = advance.velocity;
   }
-}
-
-/// C_p, where particles have one.
-template <int D>
-void keep_affine(Particles<D>& particles, const auto& block, const Grid<D>& grid) {
-  if constexpr (requires { gather_affine(particles, block, grid); })
-    if (!particles.C.empty()) gather_affine(particles, block, grid);
 }
 
 /// F_p follows L_p = Σ_i v_i ⊗ ∇N_ip                           S (7), (8), W (10), (11)
@@ -66,8 +55,8 @@ struct UpdateDeformation {
   const Grid<D>& grid;
   DeformationStep<D> deform;
 
-  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
-    who.set(particles.F, deform(who.of(particles.F), nodes.gather_with_gradient(grid.v).gradient));
+  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, const auto&) const {
+    particles.F[p] = deform(particles.F[p], nodes.gather_with_gradient(grid.v).gradient);
   }
 };
 
@@ -81,11 +70,10 @@ struct UpdateParticle {
   double dt;
   DeformationStep<D> deform;
 
-  void prepare(const auto& block, const Grid<D>&) const { keep_affine(particles, block, grid); }
-  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
+  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, const auto&) const {
     const auto v = nodes.gather_with_gradient(grid.v);
-    update_velocity_and_position<is_flip>(particles, grid, fields, dt, who, v.value, nodes);
-    who.set(particles.F, deform(who.of(particles.F), v.gradient));
+    update_velocity_and_position<is_flip>(particles, grid, fields, dt, p, v.value, nodes);
+    particles.F[p] = deform(particles.F[p], v.gradient);
   }
 };
 
@@ -97,9 +85,8 @@ struct UpdateVelocityAndPosition {
   VelocityFields<D> fields;
   double dt;
 
-  void prepare(const auto& block, const Grid<D>&) const { keep_affine(particles, block, grid); }
-  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
-    update_velocity_and_position<is_flip>(particles, grid, fields, dt, who, nodes.gather(grid.v), nodes);
+  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, const auto&) const {
+    update_velocity_and_position<is_flip>(particles, grid, fields, dt, p, nodes.gather(grid.v), nodes);
   }
 };
 
@@ -111,11 +98,10 @@ struct UpdateVelocityAndRate {
   VelocityFields<D> fields;
   double dt;
 
-  void prepare(const auto& block, const Grid<D>&) const { keep_affine(particles, block, grid); }
-  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
-    const Advance advance(fields, dt, grid, who.of(particles.v), nodes.gather(grid.v), nodes);
-    who.set(particles.rate, advance.rate);
-    who.set(particles.v, advance.velocity);
+  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, const auto&) const {
+    const Advance<D> advance(fields, dt, grid, particles.v[p], nodes.gather(grid.v), nodes);
+    particles.rate[p] = advance.rate;
+    particles.v[p] = advance.velocity;
   }
 };
 
@@ -126,8 +112,8 @@ struct UpdateVelocity {
   const Grid<D>& grid;
   double dt;
 
-  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
-    who.add(particles.v, (dt * nodes.gather(grid.a)).eval());
+  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, const auto&) const {
+    particles.v[p] += (dt * nodes.gather(grid.a)).template head<D>();
   }
 };
 
@@ -140,10 +126,10 @@ struct UpdatePositionAndDeformation {
   double dt;
   DeformationStep<D> deform;
 
-  [[gnu::always_inline]] void operator()(const auto& who, const auto& nodes, const auto&) const {
+  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, const auto&) const {
     const auto v = nodes.gather_with_gradient(grid.v);
-    who.add(particles.x, (dt * v.value).eval());
-    who.set(particles.F, deform(who.of(particles.F), v.gradient));
+    particles.x[p] += (dt * v.value).template head<D>();
+    particles.F[p] = deform(particles.F[p], v.gradient);
   }
 };
 

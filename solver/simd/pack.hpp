@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "solver/simd/double4.hpp"
-#include "solver/simd/padded.hpp"
 
 namespace mpmvv::solver {
 
@@ -86,68 +85,19 @@ template <int n>
     for (std::size_t lane = 0; lane < 4; ++lane) packs[k + static_cast<int>(lane)].of = load4(from[lane] + k);
     transpose(packs[k].of, packs[k + 1].of, packs[k + 2].of, packs[k + 3].of);
   }
-  for (; k + 2 <= n; k += 2) {
-    const Double4 even = joined(load2(from[0] + k), load2(from[2] + k));
-    const Double4 odd = joined(load2(from[1] + k), load2(from[3] + k));
-    packs[k].of = __builtin_shufflevector(even, odd, 0, 4, 2, 6);
-    packs[k + 1].of = __builtin_shufflevector(even, odd, 1, 5, 3, 7);
-  }
-  if (k < n) packs[k].of = Double4{from[0][k], from[1][k], from[2][k], from[3][k]};
+  for (; k < n; ++k) packs[k].of = Double4{from[0][k], from[1][k], from[2][k], from[3][k]};
 }
+/// The reverse, to four particles that lie side by side.
 template <int n>
-[[gnu::always_inline]] inline void store_packs(const Pack* packs, const std::array<double*, 4>& to) {
-  int k = 0;
-  for (; k + 4 <= n; k += 4) {
-    Double4 rows[]{packs[k].of, packs[k + 1].of, packs[k + 2].of, packs[k + 3].of};
-    transpose(rows[0], rows[1], rows[2], rows[3]);
-    for (std::size_t lane = 0; lane < 4; ++lane) store4(rows[lane], to[lane] + k);
-  }
-  for (; k + 2 <= n; k += 2) {
-    const Double4 even = __builtin_shufflevector(packs[k].of, packs[k + 1].of, 0, 4, 2, 6);
-    const Double4 odd = __builtin_shufflevector(packs[k].of, packs[k + 1].of, 1, 5, 3, 7);
-    store2(half(even, 0), to[0] + k), store2(half(odd, 0), to[1] + k);
-    store2(half(even, 1), to[2] + k), store2(half(odd, 1), to[3] + k);
-  }
-  if (k < n)
-    for (std::size_t lane = 0; lane < 4; ++lane) to[lane][k] = packs[k][lane];
-}
-
-/// The vectors with one more component.
-template <int D>
-[[gnu::always_inline]] inline PackVec<D + 1> padded(const PackVec<D>& vector, const Pack& last) {
-  PackVec<D + 1> longer;
-  longer.template head<D>() = vector;
-  longer[D] = last;
-  return longer;
-}
-
-template <int D>
-[[gnu::always_inline]] inline PackVec<D + 1> padded_alone(const Pack& last) {
-  return padded<D>(PackVec<D>(PackVec<D>::Zero()), last);
-}
-
-/// The first `count` of the four, and zero for the others whatever they are.
-template <int R, int C>
-[[gnu::always_inline]] inline Eigen::Matrix<Pack, R, C> first_of(const Eigen::Matrix<Pack, R, C>& packs, int count) {
-  if (count >= 4) return packs;
-  const Mask4 kept{count > 0 ? -1 : 0, count > 1 ? -1 : 0, count > 2 ? -1 : 0, 0};
-  return packs.unaryExpr([&kept](const Pack& four) { return Pack(Double4(Mask4(four.of) & kept)); });
-}
-
-/// Adds the sums over the four to a node, whose padding may change.
-template <int C>
-[[gnu::always_inline]] inline void add_sums(const Double4* q, double* node) {
-  if constexpr (C == 1) {
-    const Double2 halves = half(q[0], 0) + half(q[0], 1);
-    *node += halves[0] + halves[1];
+[[gnu::always_inline]] inline void store_packs(const Pack* packs, double* to) {
+  if constexpr (n == 1) {
+    store4(packs[0].of, to);
   } else {
-    const Double4 low = sums_of_neighbours(q[0], q[1]);
-    if constexpr (C == 2) {
-      *reinterpret_cast<StoredDouble2*>(node) += half(low, 0) + half(low, 1);
-    } else {
-      const Double4 high = sums_of_neighbours(q[2], q[C - 1]);
-      *reinterpret_cast<StoredDouble4*>(node) +=
-          __builtin_shufflevector(low, high, 0, 1, 4, 5) + __builtin_shufflevector(low, high, 2, 3, 6, 7);
+    static_assert(n % 4 == 0, "the numbers of a particle fill registers");
+    for (int k = 0; k < n; k += 4) {
+      Double4 rows[]{packs[k].of, packs[k + 1].of, packs[k + 2].of, packs[k + 3].of};
+      transpose(rows[0], rows[1], rows[2], rows[3]);
+      for (int lane = 0; lane < 4; ++lane) store4(rows[lane], to + lane * n + k);
     }
   }
 }
@@ -155,20 +105,10 @@ template <int C>
 }  // namespace mpmvv::solver
 
 template <>
-struct Eigen::NumTraits<mpmvv::solver::Pack> {
+struct Eigen::NumTraits<mpmvv::solver::Pack> : Eigen::NumTraits<double> {
   using Real = mpmvv::solver::Pack;
   using NonInteger = Real;
   using Nested = Real;
-  using Literal = double;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 0,
-    ReadCost = 1,
-    AddCost = 1,
-    MulCost = 1
-  };
 };
 
 template <class Op>

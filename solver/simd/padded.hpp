@@ -1,6 +1,4 @@
 #pragma once
-#include <type_traits>
-
 #include "solver/simd/double4.hpp"
 #include "solver/types.hpp"
 
@@ -26,9 +24,7 @@ inline Padded<4> padded_of(double a, double b, double c, double d) {
 
 template <int D, class Vector>
 auto padded(const Vector& vector) {
-  if constexpr (!std::is_same_v<typename Vector::Scalar, double>)
-    return vector.eval();
-  else if constexpr (D == 3)
+  if constexpr (D == 3)
     return padded_of(vector[0], vector[1], vector[2], 0);
   else
     return Padded<D>(vector);

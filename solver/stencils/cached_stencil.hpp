@@ -17,37 +17,31 @@ struct CachedStencil {
   /// Σ_i N_ip φ_i
   template <class V>
   [[gnu::always_inline]] V gather(const std::vector<V>& field) const {
-    return value<D - 1>(N, field.data() + first);
+    V sum = V::Zero();
+    for (int line = 0; line < lines; ++line) {
+      const V* const nodes = &field[first] + offset(line);
+      for (int i = 0; i < W; ++i) sum += N[line * W + i] * nodes[i];
+    }
+    return sum;
   }
 
   /// φ_i += N_ip value
   template <class V>
   [[gnu::always_inline]] void scatter(const V& value, std::vector<V>& field) const {
-    add<D - 1>(N, value, field.data() + first);
-  }
-
- private:
-  template <int axis, class V>
-  [[gnu::always_inline]] V value(const double* weights, const V* nodes) const {
-    if constexpr (axis == 0) {
-      V sum = weights[0] * nodes[0];
-      for (int i = 1; i < W; ++i) sum += weights[i] * nodes[i];
-      return sum;
-    } else {
-      V sum = value<axis - 1>(weights, nodes);
-      for (int i = 1; i < W; ++i) sum += value<axis - 1>(weights + i * power(W, axis), nodes + i * stride[axis]);
-      return sum;
+    for (int line = 0; line < lines; ++line) {
+      V* const nodes = start_of_line(&field[first] + offset(line));
+      for (int i = 0; i < W; ++i) nodes[i] += N[line * W + i] * value;
     }
   }
 
-  template <int axis, class V>
-  [[gnu::always_inline]] void add(const double* weights, const V& value, V* nodes) const {
-    nodes = start_of_line(nodes);
-    for (int i = 0; i < W; ++i)
-      if constexpr (axis == 0)
-        nodes[i] += weights[i] * value;
-      else
-        add<axis - 1>(weights + i * power(W, axis), value, nodes + i * stride[axis]);
+ private:
+  static constexpr int lines = power(W, D - 1);
+
+  /// Of a line's first node.
+  [[gnu::always_inline]] std::ptrdiff_t offset(int line) const {
+    if constexpr (D == 1) return 0;
+    if constexpr (D == 2) return line * stride[1];
+    if constexpr (D == 3) return line % W * stride[1] + line / W * stride[2];
   }
 };
 

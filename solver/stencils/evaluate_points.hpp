@@ -10,7 +10,6 @@
 #include "solver/particles.hpp"
 #include "solver/stencils/particle_pack.hpp"
 #include "solver/stencils/point_block.hpp"
-#include "solver/stencils/stencil_groups.hpp"
 
 /// Evaluates the stencils of particles that are points.
 namespace mpmvv::solver {
@@ -19,8 +18,7 @@ namespace mpmvv::solver {
 /// their widths, by axis. The last particle is repeated until the last pack is full.
 template <int D>
 struct PointsByAxis {
-  static constexpr int room = block_size<D> + 4;
-  alignas(32) double xi[D][room], width[D][room];
+  alignas(32) double xi[D][block_size<D>], width[D][block_size<D>];
 };
 
 /// Where a basis may be evaluated along an axis of so many cells, in cells.
@@ -39,7 +37,7 @@ template <class B, int D>
   std::array<std::pair<double, double>, D> range;
   for (int d = 0; d < D; ++d) range[static_cast<std::size_t>(d)] = range_of<B>(grid.cells()[d]);
   Mask4 outside{}, outgrown{};
-  for_packs(block, [&](const ParticlePack<D>& pack, int k) {
+  for_packs(block, [&](const ParticlePack& pack, int k) {
     const PackVec<D> x = pack.of(particles.x);
     for (int d = 0; d < D; ++d) {
       const auto [least, most] = range[static_cast<std::size_t>(d)];
@@ -63,7 +61,7 @@ void evaluate_axes(const B& basis, const PointsByAxis<D>& points, const Grid<D>&
   std::fill_n(block.first, padded, grid.node({}));
   for (int d = 0; d < D; ++d) {
     const int cells = grid.cells()[d], stride = grid.stride(d);
-    int first[PointsByAxis<D>::room];
+    int first[block_size<D>];
     for (int k = 0; k < padded; ++k) {
       double N[B::support], dN[B::support];
       const double width = B::width == ParticleWidth::none ? 0 : points.width[d][k];
@@ -75,18 +73,6 @@ void evaluate_axes(const B& basis, const PointsByAxis<D>& points, const Grid<D>&
     }
     for (int k = 0; k < padded; ++k) block.first[k] += stride * first[k];
   }
-}
-
-/// Repeats the last weights: a pack is read from any place on, and the weights beyond the last particle, which are
-/// multiplied by zero, have to be finite.
-template <int D, int K>
-void repeat_last(bool with_gradients, PointBlock<D, K>& block) {
-  const auto repeat = [&block](double* of_node) { std::fill_n(of_node + block.count, 3, of_node[block.count - 1]); };
-  for (int d = 0; d < D; ++d)
-    for (int i = 0; i < K; ++i) {
-      repeat(block.N[d][i]);
-      if (with_gradients) repeat(block.dN[d][i]);
-    }
 }
 
 /// Evaluates the stencils of a block at its particles' positions. With a fault the stencils concerned lie somewhere
@@ -101,7 +87,6 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
     evaluate_axes<true>(basis, points, grid, padded, block);
   else
     evaluate_axes<false>(basis, points, grid, padded, block);
-  repeat_last(with_gradients, block);
   return found;
 }
 

@@ -13,10 +13,8 @@ struct Extent {
   Vec<D> least, most;
 
   [[gnu::noinline, gnu::flatten]] Extent(const Block<D>& block, const std::vector<Vec<D>>& x) {
-    PackVec<D> low, high;
-    low.setConstant(std::numeric_limits<double>::infinity());
-    high = -low;
-    for_packs(block, [&](const ParticlePack<D>& pack, int) {
+    PackVec<D> low = PackVec<D>::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for_packs(block, [&](const ParticlePack& pack, int) {
       const PackVec<D> x_four = pack.of(x);
       for (int d = 0; d < D; ++d) {
         low[d] = Pack(Double4(x_four[d].of < low[d].of ? x_four[d].of : low[d].of));

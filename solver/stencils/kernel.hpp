@@ -7,10 +7,8 @@
 ///
 /// A *block kernel* is called once a block, kernel(block, grid), and returns nothing or the faults that it found.
 ///
-/// A *node kernel* is called for each particle, or for a pack of four, with its nodes: kernel(who, nodes, block) reads
-/// and writes particles through `who`, a `ParticleRef` or a `ParticlePack`, and nodes through `nodes`. It may say
-/// `uses_gradients`. One that maps to nodes returns what the particles add to those of its `field()`. A
-/// kernel.prepare(block, grid), where there is such a thing, comes before.
+/// A *node kernel* is called for each particle with its nodes: kernel(p, nodes, block). It may say `uses_gradients`.
+/// One that maps to nodes returns what the particle adds to those of its `field()`.
 namespace mpmvv::solver {
 
 template <class Kernel>

@@ -8,19 +8,16 @@
 namespace mpmvv::solver {
 
 /// A block with the nodes that each of its particles reaches, K along each axis. Weights and gradients are kept per
-/// axis; a `Stencil` or a `PackStencil` forms their products.
+/// axis; a `Stencil` forms their products.
 template <int D, int K>
 struct PointBlock : Block<D> {
   static constexpr int most = block_size<D>;  ///< particles
-  static constexpr int room = most + 4;       ///< a pack may be read at the last
 
   using Block<D>::Block;
 
-  int first[room];                    ///< storage index of the first node
-  alignas(32) double N[D][K][room];   ///< weights
-  alignas(32) double dN[D][K][room];  ///< gradients, per length, where a kernel of the sweep uses them
-  int groups;                         ///< of particles that share their nodes
-  int group[block_size<D> + 1];       ///< where each begins, and the end
+  int first[most];                    ///< storage index of the first node
+  alignas(32) double N[D][K][most];   ///< weights
+  alignas(32) double dN[D][K][most];  ///< gradients, per length, where a kernel of the sweep uses them
 
   /// Of the k-th particle.
   template <bool with_gradients = true>

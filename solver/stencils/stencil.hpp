@@ -28,11 +28,6 @@ template <class V>
 template <class V>
 inline constexpr int components = sizeof(V) / sizeof(double);
 
-/// Whether a stencil takes a field line by line, with all components of the K nodes of a line in registers: where there
-/// is more than one line, and where their number is even.
-template <int D, class V>
-inline constexpr bool goes_by_lines = D > 1 && components<V> % 2 == 0;
-
 /// N_i for every component of node i.
 template <int K, int C>
 [[gnu::always_inline]] inline Doubles<K * C> along_line(const double* N) {
@@ -65,20 +60,23 @@ struct Weights {
   template <class V>
   [[gnu::always_inline]] V gather(const std::vector<V>& field) const {
     const V* const nodes = field.data() + first;
-    if constexpr (goes_by_lines<D, V>)
+    if constexpr (D == 1) {
+      V sum = N[0][0] * nodes[0];
+      for (int i = 1; i < K; ++i) sum += N[0][i] * nodes[i];
+      return sum;
+    } else {
       return sum_of_nodes<V>(along_line<K, components<V>>(N[0]) * line<D - 1>(nodes));
-    else
-      return value(nodes);
+    }
   }
 
   /// φ_i += N_i value
   template <class V>
   [[gnu::always_inline]] void scatter(const V& value, std::vector<V>& field) const {
-    V* const nodes = field.data() + first;
-    if constexpr (goes_by_lines<D, V>)
-      add_line<D - 1>(along_line<K, components<V>>(N[0]) * on_each_node<K>(value), nodes);
+    V* const nodes = start_of_line(field.data() + first);
+    if constexpr (D == 1)
+      for (int i = 0; i < K; ++i) nodes[i] += N[0][i] * value;
     else
-      add(value, nodes);
+      add_line<D - 1>(along_line<K, components<V>>(N[0]) * on_each_node<K>(value), nodes);
   }
 
  private:
@@ -104,27 +102,6 @@ struct Weights {
       } else {
         add_line<axis - 1>(N[axis][i] * value, next);
       }
-    }
-  }
-
-  /// Σ_i N_i φ_i over the axes up to `axis`, node by node
-  template <int axis = D - 1, class V>
-  [[gnu::always_inline]] V value(const V* nodes) const {
-    if constexpr (axis < 0) {
-      return *nodes;
-    } else {
-      V sum = N[axis][0] * value<axis - 1>(nodes);
-      for (int i = 1; i < K; ++i) sum += N[axis][i] * value<axis - 1>(nodes + i * stride[axis]);
-      return sum;
-    }
-  }
-  template <int axis = D - 1, class V>
-  [[gnu::always_inline]] void add(const V& value, V* nodes) const {
-    if constexpr (axis == 0) {
-      nodes = start_of_line(nodes);
-      for (int i = 0; i < K; ++i) nodes[i] += N[0][i] * value;
-    } else {
-      for (int i = 0; i < K; ++i) add<axis - 1>(V(N[axis][i] * value), nodes + i * stride[axis]);
     }
   }
 };
@@ -155,7 +132,8 @@ struct Stencil : Weights<D, K> {
   [[gnu::always_inline]] void scatter(const ValueAndGradient<D>& source, std::vector<Padded<D>>& field) const {
     Padded<D>* const nodes = field.data() + first;
     if constexpr (D == 1) {
-      for (int i = 0; i < K; ++i) nodes[i] += N[0][i] * source.value + dN[0][i] * source.gradient;
+      Padded<D>* const line = start_of_line(nodes);
+      for (int i = 0; i < K; ++i) line[i] += N[0][i] * source.value + dN[0][i] * source.gradient;
     } else {
       scatter_part<0>(source, nodes);
     }

@@ -25,19 +25,6 @@ Fault evaluate(const AnyBasis& basis, const Particles<D>& particles, const Grid<
 
 namespace {
 
-/// Particles with domains are visited one by one.
-template <int D>
-void group(AnyBlock<D>& block) {
-  std::visit(
-      []<class Shape>(Shape& own) {
-        if constexpr (requires { own.groups; })
-          group_by_stencil(own);
-        else
-          own.is_grouped = false;
-      },
-      block);
-}
-
 template <int D>
 int most_particles(const AnyBlock<D>& block) {
   return std::visit([](const auto& own) { return own.most; }, block);
@@ -56,7 +43,6 @@ Fault sweep_slab(int slab, const AnyBasis& basis, const Particles<D>& particles,
   for (block.begin = begin; block.begin < end; block.begin += static_cast<std::size_t>(block.count)) {
     block.count = static_cast<int>(std::min(most, end - block.begin));
     const Fault unreached = evaluate(basis, particles, grid, with_gradients, any);
-    group<D>(any);
     found = found | unreached;
     if (unreached != Fault::none) continue;  // the run is over, and these nodes may be another slab's
     for (const AnyKernel<D>& kernel : kernels) found = found | kernel(any, grid);

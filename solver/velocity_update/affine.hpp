@@ -32,29 +32,55 @@ struct ArmStencil : Stencil<D, K> {
   }
 };
 
-/// p_i += N_ip m_p C_p (x_i - x_p) of a block's particles.
-template <int D, int K>
-[[gnu::noinline]] void scatter_affine(const Particles<D>& particles, const PointBlock<D, K>& block, Grid<D>& grid) {
-  for (int k = 0; k < block.count; ++k) {
-    const std::size_t p = block.begin + static_cast<std::size_t>(k);
-    const ArmStencil<D, K> nodes(block.stencil(k, grid), grid, particles.x[p]);
-    for (int d = 0; d < D; ++d) {
-      Weights<D, K> along = nodes;
-      std::ranges::copy(nodes.dN[d], along.N[d]);
-      along.scatter(padded<D>(particles.m[p] * particles.C[p].col(d), 0), grid.p);
+/// p_i += N_ip m_p C_p (x_i - x_p), where particles have such fields: a block kernel.
+template <int D>
+struct MapAffineMomentum {
+  const Particles<D>& particles;
+  Grid<D>& grid;
+
+  void operator()(const Block<D>&, const Grid<D>&) const {}
+  template <int K>
+  void operator()(const PointBlock<D, K>& block, const Grid<D>&) const {
+    if (!particles.C.empty()) scatter(block);
+  }
+
+ private:
+  template <int K>
+  [[gnu::noinline]] void scatter(const PointBlock<D, K>& block) const {
+    for (int k = 0; k < block.count; ++k) {
+      const std::size_t p = block.begin + static_cast<std::size_t>(k);
+      const ArmStencil<D, K> nodes(block.template stencil<false>(k, grid), grid, particles.x[p]);
+      for (int d = 0; d < D; ++d) {
+        Weights<D, K> along = nodes;
+        std::ranges::copy(nodes.dN[d], along.N[d]);
+        along.scatter(padded<D>(particles.m[p] * particles.C[p].col(d), 0), grid.p);
+      }
     }
   }
-}
+};
 
-/// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹ of a block's particles.
-template <int D, int K>
-[[gnu::noinline]] void gather_affine(Particles<D>& particles, const PointBlock<D, K>& block, const Grid<D>& grid) {
-  for (int k = 0; k < block.count; ++k) {
-    const std::size_t p = block.begin + static_cast<std::size_t>(k);
-    const ArmStencil<D, K> nodes(block.stencil(k, grid), grid, particles.x[p]);
-    const auto moment = nodes.gather_with_gradient(grid.v).gradient;
-    particles.C[p] = moment.template topRows<D>() * nodes.inertia.cwiseInverse().asDiagonal();
+/// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹, likewise.
+template <int D>
+struct UpdateAffineField {
+  Particles<D>& particles;
+  const Grid<D>& grid;
+
+  void operator()(const Block<D>&, const Grid<D>&) const {}
+  template <int K>
+  void operator()(const PointBlock<D, K>& block, const Grid<D>&) const {
+    if (!particles.C.empty()) gather(block);
   }
-}
+
+ private:
+  template <int K>
+  [[gnu::noinline]] void gather(const PointBlock<D, K>& block) const {
+    for (int k = 0; k < block.count; ++k) {
+      const std::size_t p = block.begin + static_cast<std::size_t>(k);
+      const ArmStencil<D, K> nodes(block.template stencil<false>(k, grid), grid, particles.x[p]);
+      const auto moment = nodes.gather_with_gradient(grid.v).gradient;
+      particles.C[p] = moment.template topRows<D>() * nodes.inertia.cwiseInverse().asDiagonal();
+    }
+  }
+};
 
 }  // namespace mpmvv::solver

@@ -7,7 +7,7 @@ namespace mpmvv::solver {
 
 /// V' = S v⁺, X' = X + Δt V', as `pic`; particles carry an affine field beside (see affine.hpp), which is zero at the
 /// start: what `pic` filters out of linear fields it keeps. N §2.6, for comparison.
-struct Apic {
+struct Apic : VelocityUpdate {
   static constexpr std::string_view word = "apic";
   static constexpr bool has_affine_field = true;
 

@@ -12,10 +12,12 @@ enum class FlipPosition {
   particle       ///< X' = X + Δt (V + V')/2              N §2.3: "very poor results"
 };
 
-struct Flip {
+struct Flip : VelocityUpdate {
   static constexpr std::string_view word = "flip";
   static constexpr bool adds_accelerations = true, takes_consistent_mass = true;
-  FlipPosition position = FlipPosition::first_order;
+  FlipPosition position;
+
+  explicit Flip(FlipPosition follow = FlipPosition::first_order) : position(follow) {}
 
   template <int D>
   VelocityFields<D> fields(Step<D>& s, double dt) const {

@@ -7,18 +7,20 @@ namespace mpmvv::solver {
 
 /// v⁺ = m̃_k⁻¹ p⁺, V' = S v⁺, X' = X + Δt (V + V')/2, N table 1: grid velocities by the expanded inverse, those of the
 /// stress updates too. With the consistent mass, v⁺ is its limit k -> infinity already.
-struct Fmpm {
+struct Fmpm : VelocityUpdate {
   static constexpr std::string_view word = "fmpm";
   static constexpr bool takes_consistent_mass = true;
-  int order = 2;              ///< k
-  std::int64_t interval = 1;  ///< steps; those between are `flip` with second-order positions: periodic FMPM, N §3.1
+  int order;              ///< k
+  std::int64_t interval;  ///< steps; those between are `flip` with second-order positions: periodic FMPM, N §3.1
+
+  explicit Fmpm(int k = 2, std::int64_t every = 1) : order(k), interval(every) {}
 
   int expansion_order() const { return order; }
   bool expands_grid_velocity(std::int64_t steps) const { return steps % interval == 0; }
 
   template <int D>
   VelocityFields<D> fields(Step<D>& s, double dt) const {
-    if (!expands_grid_velocity(s.steps())) return Flip{.position = FlipPosition::second_order}.fields(s, dt);
+    if (!expands_grid_velocity(s.steps())) return Flip(FlipPosition::second_order).fields(s, dt);
     s.expand_velocity();
     return {.before = 0.5, .after = 0.5};
   }

@@ -6,7 +6,7 @@
 namespace mpmvv::solver {
 
 /// V' = S v⁺, X' = X + Δt V': particles take the grid's velocity, N (2), third row.
-struct Pic {
+struct Pic : VelocityUpdate {
   static constexpr std::string_view word = "pic";
 
   template <int D>

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "solver/simd/padded.hpp"
@@ -19,6 +20,17 @@ struct VelocityFields {
   const Field* velocity = nullptr;      ///< m/s
   const Field* drift = nullptr;         ///< m/s
   double before = 0, after = 0;
+};
+
+/// What a velocity update is beside its `word`, its name in study files and on the command line, and its
+/// fields(step, dt), asked for once the grid's v is that of the step's end. It declares anew what is otherwise for it.
+struct VelocityUpdate {
+  static constexpr bool adds_accelerations = false;     ///< particles keep their velocity and take an acceleration
+  static constexpr bool takes_consistent_mass = false;  ///< is defined with the consistent mass, too
+  static constexpr bool has_affine_field = false;       ///< particles carry the gradient of a field of their own
+  int expansion_order() const { return 0; }             ///< terms of the expanded inverse that it takes
+  /// Whether the step after so many expands the grid velocity itself, that of the stress updates, too.
+  bool expands_grid_velocity(std::int64_t) const { return false; }
 };
 
 }  // namespace mpmvv::solver

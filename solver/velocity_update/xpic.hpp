@@ -7,9 +7,11 @@ namespace mpmvv::solver {
 
 /// V' = S (m̃_k⁻¹ p + Δt a), X' = X + Δt (S v + (V' - V)/2): the particles' own velocity without the part that the grid
 /// does not see, then FLIP with lumped masses, N §2.3.
-struct Xpic {
+struct Xpic : VelocityUpdate {
   static constexpr std::string_view word = "xpic";
-  int order = 2;  ///< k
+  int order;  ///< k
+
+  explicit Xpic(int k = 2) : order(k) {}
 
   int expansion_order() const { return order; }
 

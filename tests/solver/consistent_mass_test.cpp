@@ -41,7 +41,7 @@ struct Mapped {
 
   Mapped(const Scene<D>& scene, const ConsistentMassSettings& settings)
       : step(scene), mass(step, settings, scene.particles.m[0] * std::pow(2, D)) {
-    step.map_mass_and_forces();
+    step.map_momentum_and_forces();
     mass.set_couplings(step);
   }
 

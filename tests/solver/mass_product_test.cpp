@@ -91,7 +91,7 @@ void expect_to_go_on_as_if_begun_anew(Scene<2> scene) {
 
 TYPED_TEST(MassProducts, FollowTheParticles) {
   auto scene = full_scene<2>(TypeParam{}, 8, 2, Free{});
-  scene.velocity_update = Fmpm{.order = 3};
+  scene.velocity_update = Fmpm{3};
   expect_to_go_on_as_if_begun_anew(scene);
   scene.velocity_update = Flip{};
   scene.consistent_mass = unregularised;

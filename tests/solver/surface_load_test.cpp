@@ -62,7 +62,7 @@ TYPED_TEST(SurfaceLoads, GiveTheGridTheirForceAndMoment) {
   const Vec<2> first = this->place(0), second = this->place(1);
   Step<2> s(this->scene);
   s.set_time(2);
-  s.map_mass_and_forces();
+  s.map_momentum_and_forces();
   Vec<2> force = Vec<2>::Zero();
   Mat<2> moment = Mat<2>::Zero();  // Σ x_i ⊗ f_i
   for (std::size_t n = 0; n < s.grid().size(); ++n) {
