@@ -11,19 +11,23 @@ namespace mpmvv::mms {
 using std::numbers::pi;
 
 template <int D>
-AxisAligned<D>::AxisAligned(double amplitude, int wave_number, const Vec<D>& phases, const Elasticity& material)
+AxisAligned<D>::AxisAligned(double amplitude, int wave_number, const std::array<Course, D>& courses,
+                            const Elasticity& material)
     : A_(amplitude),
       k_pi_(wave_number * pi),
-      E_(material.youngs_modulus),
       lambda_(material.lambda()),
       mu_(material.mu()),
       rho_(material.density),
-      C_pi_(std::sqrt(E_ / rho_) * pi),
-      phases_(phases) {}
+      C_pi_(std::sqrt(material.youngs_modulus / material.density) * pi) {
+  for (std::size_t d = 0; d < D; ++d) {
+    const auto axis = static_cast<int>(d);
+    phases_[axis] = courses[d].phase, rests_[axis] = courses[d].rest, swings_[axis] = courses[d].swing;
+  }
+}
 
 template <int D>
 Vec<D> AxisAligned<D>::T(double t) const {
-  return (C_pi_ * t + phases_.array()).sin();
+  return rests_.array() + swings_.array() * (C_pi_ * t + phases_.array()).sin();
 }
 
 template <int D>
@@ -38,12 +42,12 @@ Vec<D> AxisAligned<D>::u(const Vec<D>& X, double t) const {
 
 template <int D>
 Vec<D> AxisAligned<D>::v(const Vec<D>& X, double t) const {
-  return A_ * C_pi_ * (k_pi_ * X).array().sin() * (C_pi_ * t + phases_.array()).cos();
+  return A_ * C_pi_ * (k_pi_ * X).array().sin() * swings_.array() * (C_pi_ * t + phases_.array()).cos();
 }
 
 template <int D>
 Vec<D> AxisAligned<D>::a(const Vec<D>& X, double t) const {
-  return -C_pi_ * C_pi_ * u(X, t);
+  return -C_pi_ * C_pi_ * A_ * (k_pi_ * X).array().sin() * (T(t) - rests_).array();
 }
 
 template <int D>
@@ -62,8 +66,8 @@ template <int D>
 Vec<D> AxisAligned<D>::b(const Vec<D>& X, double t) const {
   const auto F = stretches(X, t).array().eval();
   const double K = std::log(F.prod());
-  const auto bracket = k_pi_ * k_pi_ * (lambda_ * (1 - K) / (F * F) + mu_ * (1 + 1 / (F * F))) - pi * pi * E_;
-  return u(X, t).array() * bracket / rho_;
+  const auto stiffness = lambda_ * (1 - K) / (F * F) + mu_ * (1 + 1 / (F * F));
+  return a(X, t).array() + k_pi_ * k_pi_ * u(X, t).array() * stiffness / rho_;
 }
 
 /// On a lattice many points share a coordinate. Per axis, whatever depends on one coordinate is kept for each distinct
@@ -121,7 +125,7 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
   /// b = constant + factor (λ + μ - Σ λ ln F_d) as a sum over the axes, in one register for all components: an axis
   /// adds functions of its coordinate to its own component, and its logarithm to the last one.
   struct Part {
-    Eigen::Vector4d constant_and_log;  ///< π² u_d (k² μ - E) / ρ₀, and λ ln F_d
+    Eigen::Vector4d constant_and_log;  ///< a_d + π² u_d k² μ / ρ₀, and λ ln F_d
     Eigen::Vector4d factor;            ///< π² u_d k² F_d⁻² / ρ₀
   };
   struct Parts {
@@ -131,7 +135,7 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
 
   const Parts& set(Parts& parts, double t) const {
     const AxisAligned& s = solution_;
-    const Vec<D> A_T = s.A_ * s.T(t);
+    const Vec<D> A_T = s.A_ * s.T(t), A_T_tt = -s.C_pi_ * s.C_pi_ * (A_T - s.A_ * s.rests_);
     const double k2 = s.k_pi_ * s.k_pi_;
     parts.t = t;
     for (std::size_t d = 0; d < D; ++d) {
@@ -139,7 +143,8 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
       for (const Wave& wave : waves_[d]) {
         const double u = A_T.data()[d] * wave.sin, F = 1 + s.k_pi_ * A_T.data()[d] * wave.cos;
         const Eigen::Vector4d own = Eigen::Vector4d::Unit(static_cast<int>(d));
-        Part part{u * (k2 * s.mu_ - pi * pi * s.E_) / s.rho_ * own, u * k2 / (F * F) / s.rho_ * own};
+        const double a = A_T_tt.data()[d] * wave.sin;
+        Part part{(a + u * k2 * s.mu_ / s.rho_) * own, u * k2 / (F * F) / s.rho_ * own};
         if (s.lambda_ != 0) part.constant_and_log[3] = s.lambda_ * std::log(F);
         parts.of_axis[d].push_back(part);
       }
@@ -158,6 +163,7 @@ std::unique_ptr<PointwiseSolution<D>> AxisAligned<D>::at_points(const std::vecto
   return std::make_unique<AtPoints>(*this, X);
 }
 
+template class AxisAligned<1>;
 template class AxisAligned<2>;
 template class AxisAligned<3>;
 

@@ -1,22 +1,33 @@
 #pragma once
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "mms/elasticity.hpp"
 #include "mms/solution.hpp"
 
 namespace mpmvv::mms {
 
-/// Motion along the axes of the unit square (plane strain) or cube, each component a function of its own coordinate:
-///   u_d = A sin kπX_d T_d,   T_d = sin(Cπt + φ_d),   C² = E/ρ₀
+/// How a motion along an axis goes with time: T = rest + swing sin(Cπt + phase).
+struct Course {
+  double phase = 0, rest = 0, swing = 1;
+
+  /// sin²(Cπt/2): at rest, and nothing displaced, at t = 0.
+  static constexpr Course from_rest() { return {-std::numbers::pi / 2, 0.5, 0.5}; }
+};
+
+/// Motion along the axes of the unit interval, square (plane strain) or cube, each component a function of its own
+/// coordinate:
+///   u_d = A sin kπX_d T_d,   T_d a course,   C² = E/ρ₀
 ///   F_d = 1 + kπA cos kπX_d T_d                      the only entries of F, on its diagonal
 ///   P_d = (λK + μ (F_d² - 1)) / F_d                  K = ln Π F_d
-///   b_d = π² u_d [k² (λ(1 - K) F_d⁻² + μ (1 + F_d⁻²)) - E] / ρ₀
-/// With k = 1 these are W (56) to (59), with k = 2 S (51) to (53).
+///   b_d = π² A sin kπX_d [k² T_d (λ(1 - K) F_d⁻² + μ (1 + F_d⁻²)) - E (T_d - rest)] / ρ₀
+/// With T_d = sin(Cπt + φ_d) and k = 1 these are W (56) to (59), with k = 2 S (51) to (53).
 template <int D>
 class AxisAligned : public ManufacturedSolution<D> {
  public:
-  /// k: wave number; phases: φ_d, so that a component in cos Cπt has φ_d = π/2.
-  AxisAligned(double amplitude, int wave_number, const Vec<D>& phases, const Elasticity& material);
+  /// k: wave number; courses: by axis.
+  AxisAligned(double amplitude, int wave_number, const std::array<Course, D>& courses, const Elasticity& material);
 
   Vec<D> u(const Vec<D>& X, double t) const final;
   Vec<D> v(const Vec<D>& X, double t) const final;
@@ -34,13 +45,14 @@ class AxisAligned : public ManufacturedSolution<D> {
  private:
   class AtPoints;
 
-  Vec<D> T(double t) const;                           ///< sin(Cπt + φ_d)
+  Vec<D> T(double t) const;
   Vec<D> stretches(const Vec<D>& X, double t) const;  ///< the diagonal of F
 
-  double A_, k_pi_, E_, lambda_, mu_, rho_, C_pi_;
-  Vec<D> phases_;
+  double A_, k_pi_, lambda_, mu_, rho_, C_pi_;
+  Vec<D> phases_, rests_, swings_;
 };
 
+extern template class AxisAligned<1>;
 extern template class AxisAligned<2>;
 extern template class AxisAligned<3>;
 

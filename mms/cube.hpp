@@ -16,7 +16,7 @@ namespace mpmvv::mms {
 class Cube final : public AxisAligned<3> {
  public:
   Cube(double amplitude, const Elasticity& material)
-      : AxisAligned(amplitude, 2, {0, 2 * std::numbers::pi / 3, 4 * std::numbers::pi / 3}, material) {}
+      : AxisAligned(amplitude, 2, {{{0}, {2 * std::numbers::pi / 3}, {4 * std::numbers::pi / 3}}}, material) {}
 };
 
 /// The displacement S (51) alone, for any scalar type.

@@ -16,7 +16,7 @@ namespace mpmvv::mms {
 class Square final : public AxisAligned<2> {
  public:
   Square(double amplitude, const Elasticity& material)
-      : AxisAligned(amplitude, 1, {std::numbers::pi / 2, 0}, material) {}
+      : AxisAligned(amplitude, 1, {{{std::numbers::pi / 2}, {0}}}, material) {}
 };
 
 /// The displacement W (56) alone, for any scalar type.

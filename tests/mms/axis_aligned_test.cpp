@@ -8,7 +8,7 @@ namespace axis_aligned_test {
 /// Normal displacement and shear vanish on the faces of square and cube, which so are symmetry planes and smooth walls.
 template <class S>
 class AxisAlignedSolution : public ::testing::Test {};
-using AxisAlignedSamples = ::testing::Types<SquareSample, CubeSample>;
+using AxisAlignedSamples = ::testing::Types<SquareSample, CubeSample, SquareAtRestSample, CubeAtRestSample>;
 TYPED_TEST_SUITE(AxisAlignedSolution, AxisAlignedSamples);
 
 TYPED_TEST(AxisAlignedSolution, FacesStayInPlaceAndCarryNoShear) {

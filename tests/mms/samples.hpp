@@ -2,9 +2,11 @@
 #include <cmath>
 #include <vector>
 
+#include "mms/at_rest.hpp"
 #include "mms/bar.hpp"
 #include "mms/cube.hpp"
 #include "mms/derived.hpp"
+#include "mms/inverse.hpp"
 #include "mms/ring.hpp"
 #include "mms/shell.hpp"
 #include "mms/square.hpp"
@@ -88,6 +90,10 @@ struct RadialSample {
 using BarSample = Sample<Bar, BarDisplacement, 1>;
 using SquareSample = Sample<Square, SquareDisplacement, 2>;
 using CubeSample = Sample<Cube, CubeDisplacement, 3>;
+using BarAtRestSample = Sample<BarAtRest, AtRestDisplacement<1, 2>, 1>;
+using SquareAtRestSample = Sample<SquareAtRest, AtRestDisplacement<2, 1>, 2>;
+using CubeAtRestSample = Sample<CubeAtRest, AtRestDisplacement<3, 2>, 3>;
+using SquareInverseSample = Sample<SquareInverse, SquareInverseDisplacement, 2>;
 using RingSample = RadialSample<Ring, 2>;
 using ShellSample = RadialSample<Shell, 3>;
 
@@ -119,6 +125,22 @@ inline std::vector<SquareSample> samples() {
 template <>
 inline std::vector<CubeSample> samples() {
   return {{0.05, {1e4, 0.3, 1}}, {0.01, {1e4, 0, 1}}, {-0.15, {3e5, 0.45, 7}}};
+}
+template <>
+inline std::vector<BarAtRestSample> samples() {
+  return {{0.02, {1e4, 0, 1}}, {0.05, {1e4, 0, 1}}, {-0.15, {3e5, 0, 7}}};
+}
+template <>
+inline std::vector<SquareAtRestSample> samples() {
+  return {{0.02, {1e4, 0.3, 1}}, {0.01, {1e4, 0, 1}}, {-0.3, {3e5, 0.45, 7}}};
+}
+template <>
+inline std::vector<CubeAtRestSample> samples() {
+  return {{0.05, {1e4, 0.3, 1}}, {0.01, {1e4, 0, 1}}, {-0.15, {3e5, 0.45, 7}}};
+}
+template <>
+inline std::vector<SquareInverseSample> samples() {
+  return {{0.02, {1e4, 0.3, 1}}, {0.01, {1e4, 0, 1}}, {-0.2, {3e5, 0.45, 7}}};
 }
 template <>
 inline std::vector<RingSample> samples() {

@@ -39,7 +39,8 @@ double rate(const S& sample) {
   return 2 * M_PI / sample.period();
 }
 
-using AllSolutions = ::testing::Types<BarSample, SquareSample, CubeSample, RingSample, ShellSample, VortexSample>;
+using AllSolutions = ::testing::Types<BarSample, SquareSample, CubeSample, BarAtRestSample, SquareAtRestSample,
+                                      CubeAtRestSample, SquareInverseSample, RingSample, ShellSample, VortexSample>;
 TYPED_TEST_SUITE(Solution, AllSolutions);
 
 /// X-derive: every closed form equals the one derived from the displacement alone.

@@ -1,0 +1,70 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "mms/elasticity.hpp"
+#include "mms/solution.hpp"
+
+namespace mpmvv::mms {
+
+/// A motion of the unit square in plane strain that is given by where each particle came from,
+///   X_d = x_d - w_d,   w_d = A sin πx_d T,   T = sin²(Cπt/2),   C² = E/ρ₀,
+/// so that b is an expression of the current position x and time, for codes that evaluate it there. It starts at rest
+/// from the undeformed body; walls that hold the normal displacement do not shear. With g = ∂X/∂x = 1 - πA cos πx T
+/// along an axis, whose derivatives in x and t are written w', ẇ:
+///   v = ẇ/g,   a = ẅ/g + 2 ẇ ẇ'/g² + ẇ² w''/g³,   F = 1/g
+///   P = (λK + μ (F² - 1)) / F,   K = ln Π F_d
+///   ρ₀ b = ρ₀ a - (λ (1 - K) g² + μ (1 + g²)) w''/g³
+/// a is Dv/Dt = ∂v/∂t + v ∂v/∂x, and ∂F/∂X = w''/g³.
+class SquareInverse final : public ManufacturedSolution<2> {
+ public:
+  SquareInverse(double amplitude, const Elasticity& material);
+
+  Vec<2> u(const Vec<2>& X, double t) const override;
+  Vec<2> v(const Vec<2>& X, double t) const override;
+  Vec<2> a(const Vec<2>& X, double t) const override;
+  Mat<2> F(const Vec<2>& X, double t) const override;
+  Mat<2> P(const Vec<2>& X, double t) const override;
+  Vec<2> b(const Vec<2>& X, double t) const override;
+
+  double displacement_scale() const override { return std::abs(A_); }
+  Vec<2> reference_point(const Vec<2>& x, double t) const override;
+
+  Vec<2> place(const Vec<2>& X, double t) const;  ///< x of the particle from X
+  Vec<2> b_at(const Vec<2>& x, double t) const;   ///< b at a current position
+
+ private:
+  /// w of an axis and its derivatives at a current position.
+  struct Wave {
+    double w_t, w_tt, w_x, w_xx, w_xt;
+    double g() const { return 1 - w_x; }
+  };
+  std::array<Wave, 2> waves(const Vec<2>& x, double t) const;
+  Vec<2> acceleration(const std::array<Wave, 2>& at) const;
+  double T(double t) const;
+
+  double A_, lambda_, mu_, rho_, C_pi_;
+};
+
+/// The displacement alone, for any scalar type: Newton's method for x. Its last two steps carry derivatives of first
+/// and second order to the root's own.
+struct SquareInverseDisplacement {
+  double amplitude, wave_speed;
+
+  template <class T>
+  std::array<T, 2> operator()(const std::array<T, 2>& X, const T& t) const {
+    using std::cos, std::sin, std::numbers::pi;
+    const T half = sin(wave_speed * pi / 2 * t), course = half * half;
+    std::array<T, 2> u;
+    for (std::size_t d = 0; d < 2; ++d) {
+      T x = X[d];
+      for (int k = 0; k < 40; ++k)
+        x -= (x - amplitude * sin(pi * x) * course - X[d]) / (1 - pi * amplitude * cos(pi * x) * course);
+      u[d] = x - X[d];
+    }
+    return u;
+  }
+};
+
+}  // namespace mpmvv::mms
