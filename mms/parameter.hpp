@@ -1,0 +1,49 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <string>
+
+#include "mms/elasticity.hpp"
+#include "mms/radii.hpp"
+
+namespace mpmvv::mms {
+
+using Values = std::map<std::string, double>;  ///< of parameters, by name
+
+/// A physical value that a solution is made with.
+struct Parameter {
+  std::string name;
+  double value;  ///< default
+  std::string unit;
+  std::function<bool(double)> allowed;
+  std::string range;  ///< `allowed` for people: "> 0"
+};
+
+// What several solutions share, with the ranges in which they make sense.
+inline Parameter youngs_modulus_parameter(double value) {
+  return {"youngs_modulus", value, "Pa", [](double e) { return e > 0; }, "> 0"};
+}
+inline Parameter poissons_ratio_parameter(double value) {
+  return {"poissons_ratio", value, "", [](double nu) { return nu > -1 && nu < 0.5; }, "> -1 and < 0.5"};
+}
+inline Parameter density_parameter(double value) {
+  return {"density", value, "kg/m3", [](double rho) { return rho > 0; }, "> 0"};
+}
+/// Of a motion along the axes with k half waves in a unit length: k π |A| < 1.
+inline Parameter amplitude_parameter(double value, int k) {
+  if (k == 1)
+    return {"amplitude", value, "m", [](double a) { return a > -0.318 && a < 0.318; },
+            "between -1/pi and 1/pi, where det F stays positive"};
+  return {"amplitude", value, "m", [](double a) { return a > -0.159 && a < 0.159; },
+          "between -1/(2 pi) and 1/(2 pi), where det F stays positive"};
+}
+
+inline Elasticity elasticity(const Values& values) {
+  const auto nu = values.find("poissons_ratio");
+  return {values.at("youngs_modulus"), nu == values.end() ? 0 : nu->second, values.at("density")};
+}
+inline Radii radii(const Values& values) {
+  return {values.at("inner_radius"), values.at("outer_radius")};
+}
+
+}  // namespace mpmvv::mms
