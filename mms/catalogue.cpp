@@ -162,7 +162,7 @@ Entry pulse_entry() {
 Entry translation_entry() {
   return {.name = "translation",
           .what = "body that moves as a whole at a constant velocity",
-          .parameters = {any("velocity_x", 1, "m/s"), any("velocity_y", 0.618, "m/s"), youngs_modulus_parameter(1e4),
+          .parameters = {any("velocity_x", 30, "m/s"), any("velocity_y", 18.5, "m/s"), youngs_modulus_parameter(1e4),
                          poissons_ratio_parameter(0.3), density_parameter(1)},
           .make = &translation};
 }

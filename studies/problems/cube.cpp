@@ -1,37 +1,36 @@
-#include "mms/cube.hpp"
-
 #include "studies/problems/parameters.hpp"
 
 namespace mpmvv::problems {
 
 namespace {
 
-Setup<3> cube_setup(const Parameters& p) {
-  const mms::Elasticity material{p.at("youngs_modulus"), p.at("poissons_ratio"), p.at("density")};
-  return {.density = material.density,
-          .material = neo_hookean(material.youngs_modulus, material.poissons_ratio),
-          .solution = std::make_shared<mms::Cube>(p.at("amplitude"), material)};
-}
-
-}  // namespace
-
-/// The periodic unit cube, S §5.3. The end time is half a period.
-Problem cube_problem() {
-  Parameter amplitude = amplitude_parameter(0.05);
-  amplitude.allowed = [](double a) { return a > -0.159 && a < 0.159; };
-  amplitude.range = "between -1/(2 pi) and 1/(2 pi), where det F stays positive";
-  return {.name = "cube",
-          .source = "Steffen et al. 2008, section 5.3",
+Problem cube_in_motion(const char* name, const std::string& source, SetupFunction<3> setup) {
+  return {.name = name,
+          .source = source,
           .length_formula = "1",
           .length = unit_length,
-          .parameters = {amplitude, youngs_modulus_parameter(1e4), poissons_ratio_parameter(0.3), density_parameter(1)},
+          .parameters = mms::entry_named(name).parameters,
           .wave_speed_formula = "C = sqrt(E/rho)",
           .wave_speed = bar_wave_speed,
           .end_time_formula = "1/C",
           .end_time = [](const Parameters& p) { return 1 / bar_wave_speed(p); },
           .boundary = "periodic",
           .symmetry_planes = SymmetryPlanes::at_upper_faces,
-          .setup = &cube_setup};
+          .setup = setup};
+}
+
+}  // namespace
+
+/// The periodic unit cube, S §5.3. The end time is half a period.
+Problem cube_problem() {
+  return cube_in_motion("cube", "Steffen et al. 2008, section 5.3",
+                        [](const Parameters& p) { return setup_of<3>("cube", p); });
+}
+
+/// From rest: for codes that take no initial velocity and deformation. At the end time it has gone farthest.
+Problem cube_rest_problem() {
+  return cube_in_motion("cube-rest", "as Steffen et al. 2008, section 5.3, from rest",
+                        [](const Parameters& p) { return setup_of<3>("cube-rest", p); });
 }
 
 }  // namespace mpmvv::problems

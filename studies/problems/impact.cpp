@@ -14,7 +14,7 @@ Setup<2> impact_setup(const Parameters& p) {
   const double speed = p.at("velocity");
   return {.body = Blocks<2>{.size = {length, height}, .gap_cells = gap, .room = 0.02},
           .density = p.at("density"),
-          .material = neo_hookean<NeoHookeanSquare>(p.at("youngs_modulus"), p.at("poissons_ratio")),
+          .material = material_of<NeoHookeanSquare>(p),
           .start_velocity = [speed](const Vec<2>& X) { return Vec<2>(X[0] < length ? speed : -speed, 0); }};
 }
 

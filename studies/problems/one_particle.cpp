@@ -6,9 +6,9 @@ namespace {
 
 Setup<1> one_particle_setup(const Parameters& p) {
   const double velocity = p.at("velocity");
-  return {.density = p.at("density"),
-          .material = neo_hookean(p.at("youngs_modulus"), 0),
-          .start_velocity = [velocity](const solver::Vec<1>&) { return solver::Vec<1>(velocity); }};
+  return {.density = p.at("density"), .material = material_of(p), .start_velocity = [velocity](const solver::Vec<1>&) {
+            return solver::Vec<1>(velocity);
+          }};
 }
 
 }  // namespace

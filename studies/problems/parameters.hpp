@@ -1,22 +1,12 @@
 #pragma once
-#include "mms/elasticity.hpp"
+#include "mms/catalogue.hpp"
 #include "studies/problems/setup.hpp"
 
 namespace mpmvv::problems {
 
-// Parameters that several problems share, with the ranges in which they make sense.
-inline Parameter amplitude_parameter(double value) {
-  return {"amplitude", value, "m", [](double a) { return a > -1 && a < 1; }, "between -1 and 1"};
-}
-inline Parameter youngs_modulus_parameter(double value) {
-  return {"youngs_modulus", value, "Pa", [](double e) { return e > 0; }, "> 0"};
-}
-inline Parameter poissons_ratio_parameter(double value) {
-  return {"poissons_ratio", value, "", [](double nu) { return nu > -1 && nu < 0.5; }, "> -1 and < 0.5"};
-}
-inline Parameter density_parameter(double value) {
-  return {"density", value, "kg/m3", [](double rho) { return rho > 0; }, "> 0"};
-}
+using mms::density_parameter;
+using mms::poissons_ratio_parameter;
+using mms::youngs_modulus_parameter;
 
 inline double unit_length(const Parameters&) {
   return 1;
@@ -29,15 +19,21 @@ inline double bar_wave_speed(const Parameters& p) {
 
 /// sqrt((λ + 2μ)/ρ₀), of the P wave.
 inline double p_wave_speed(const Parameters& p) {
-  const mms::Elasticity material{p.at("youngs_modulus"), p.at("poissons_ratio"), p.at("density")};
+  const mms::Elasticity material = mms::elasticity(p);
   return std::sqrt((material.lambda() + 2 * material.mu()) / material.density);
 }
 
 /// The solver's material from the elastic constants of the parameters.
 template <class Material = solver::NeoHookeanLog>
-Material neo_hookean(double youngs_modulus, double poissons_ratio) {
-  return {youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio)),
-          youngs_modulus / (2 * (1 + poissons_ratio))};
+Material material_of(const Parameters& p) {
+  const mms::Elasticity material = mms::elasticity(p);
+  return {material.lambda(), material.mu()};
+}
+
+/// What solution and parameters say of a setup: the rest is the body's.
+template <int D>
+Setup<D> setup_of(const char* solution, const Parameters& p) {
+  return {.density = p.at("density"), .material = material_of(p), .solution = mms::make<D>(solution, p)};
 }
 
 }  // namespace mpmvv::problems

@@ -1,22 +1,16 @@
 #pragma once
-#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "mms/parameter.hpp"
 #include "studies/cases/case.hpp"
 
 namespace mpmvv::problems {
 
 using Parameters = decltype(cases::ProblemChoice::parameters);  ///< by name, all of a problem's parameters present
 
-struct Parameter {
-  std::string name;
-  double value;  ///< default
-  std::string unit;
-  std::function<bool(double)> allowed;
-  std::string range;  ///< `allowed` for people: "> 0"
-};
+using mms::Parameter;
 
 template <int D>
 struct Setup;  // setup.hpp
@@ -83,8 +77,12 @@ std::vector<int> domain_cells(const cases::Case& c);  ///< along each axis
 
 // The problems, each defined in its own file.
 Problem bar_problem();
+Problem bar_rest_problem();
 Problem square_problem();
+Problem square_rest_problem();
+Problem square_inverse_problem();
 Problem cube_problem();
+Problem cube_rest_problem();
 Problem ring_problem();
 Problem vortex_problem();
 Problem shell_problem();
@@ -95,6 +93,8 @@ Problem stretch_3d_problem();
 Problem pulse_problem();
 Problem shock_problem();
 Problem swing_problem();
+Problem wave_problem();
+Problem translation_problem();
 Problem one_particle_problem();
 
 }  // namespace mpmvv::problems

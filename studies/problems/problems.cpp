@@ -12,20 +12,26 @@ namespace mpmvv::problems {
 
 const std::vector<Problem>& problems() {
   static const std::vector<Problem> all{
-      bar_problem(),           //
-      square_problem(),        //
-      cube_problem(),          //
-      ring_problem(),          //
-      vortex_problem(),        //
-      shell_problem(),         //
-      impact_problem(),        //
-      stretch_problem(),       //
-      stretch_1d_problem(),    //
-      stretch_3d_problem(),    //
-      pulse_problem(),         //
-      shock_problem(),         //
-      swing_problem(),         //
-      one_particle_problem(),  //
+      bar_problem(),             //
+      square_problem(),          //
+      cube_problem(),            //
+      ring_problem(),            //
+      vortex_problem(),          //
+      shell_problem(),           //
+      impact_problem(),          //
+      stretch_problem(),         //
+      stretch_1d_problem(),      //
+      stretch_3d_problem(),      //
+      pulse_problem(),           //
+      shock_problem(),           //
+      swing_problem(),           //
+      bar_rest_problem(),        //
+      square_rest_problem(),     //
+      square_inverse_problem(),  //
+      cube_rest_problem(),       //
+      wave_problem(),            //
+      translation_problem(),     //
+      one_particle_problem(),    //
   };
   return all;
 }

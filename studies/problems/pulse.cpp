@@ -1,5 +1,3 @@
-#include "mms/pulse.hpp"
-
 #include "studies/problems/parameters.hpp"
 
 namespace mpmvv::problems {
@@ -9,11 +7,10 @@ namespace {
 constexpr double pulse_length = 0.2, pulse_height = 0.01;  // m
 
 Setup<2> pulse_setup(const Parameters& p) {
-  const double E = p.at("youngs_modulus"), density = p.at("density");
-  return {.body = Box<2>{.lower = solver::Vec<2>::Zero(), .size = solver::Vec<2>(pulse_length, pulse_height)},
-          .density = density,
-          .material = solver::LinearElastic{0, E / 2},
-          .solution = std::make_shared<mms::Pulse>(p.at("stress"), p.at("duration"), E, density)};
+  Setup<2> setup = setup_of<2>("pulse", p);
+  setup.material = material_of<solver::LinearElastic>(p);
+  setup.body = Box<2>{.lower = solver::Vec<2>::Zero(), .size = solver::Vec<2>(pulse_length, pulse_height)};
+  return setup;
 }
 
 }  // namespace
@@ -26,13 +23,8 @@ Problem pulse_problem() {
           .source = "Nairn and Hammerquist 2021, section 3.3",
           .length_formula = "0.01",
           .length = [](const Parameters&) { return pulse_height; },
-          .parameters = {youngs_modulus_parameter(1e7), density_parameter(1000),
-                         Parameter{"stress", 500, "Pa", [](double s) { return s != 0; }, "not 0"},
-                         Parameter{"duration", 1e-3, "s", [](double t) { return t > 0; }, "> 0"}},
-          .objection = [](const Parameters& p) -> std::string {
-            if (1.5 * p.at("duration") * bar_wave_speed(p) < pulse_length) return "";
-            return "the wave meets the other end: 1.5 duration sqrt(youngs_modulus/density) must be less than 0.2 m";
-          },
+          .parameters = mms::entry_named("pulse").parameters,
+          .objection = mms::entry_named("pulse").objection,
           .wave_speed_formula = "c = sqrt(E/rho)",
           .wave_speed = bar_wave_speed,
           .end_time_formula = "1.5 duration",

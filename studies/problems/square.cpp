@@ -1,36 +1,41 @@
-#include "mms/square.hpp"
-
 #include "studies/problems/parameters.hpp"
 
 namespace mpmvv::problems {
 
 namespace {
 
-Setup<2> square_setup(const Parameters& p) {
-  const mms::Elasticity material{p.at("youngs_modulus"), p.at("poissons_ratio"), p.at("density")};
-  return {.density = material.density,
-          .material = neo_hookean(material.youngs_modulus, material.poissons_ratio),
-          .solution = std::make_shared<mms::Square>(p.at("amplitude"), material)};
+Problem square_in_motion(const char* name, const std::string& source, SetupFunction<2> setup) {
+  return {.name = name,
+          .source = source,
+          .length_formula = "1",
+          .length = unit_length,
+          .parameters = mms::entry_named(name).parameters,
+          .wave_speed_formula = "c = sqrt(E/rho)",
+          .wave_speed = bar_wave_speed,
+          .end_time_formula = "2/c",
+          .end_time = [](const Parameters& p) { return 2 / bar_wave_speed(p); },
+          .boundary = "symmetry",
+          .setup = setup};
 }
 
 }  // namespace
 
 /// The unit square in plane strain, W §5.1; E, ν and ρ₀ are not printed. The end time is one full period.
 Problem square_problem() {
-  Parameter amplitude = amplitude_parameter(0.1);
-  amplitude.allowed = [](double a) { return a > -0.318 && a < 0.318; };
-  amplitude.range = "between -1/pi and 1/pi, where det F stays positive";
-  return {.name = "square",
-          .source = "Wallstedt and Guilkey 2008, section 5.1",
-          .length_formula = "1",
-          .length = unit_length,
-          .parameters = {amplitude, youngs_modulus_parameter(1e4), poissons_ratio_parameter(0.3), density_parameter(1)},
-          .wave_speed_formula = "c = sqrt(E/rho)",
-          .wave_speed = bar_wave_speed,
-          .end_time_formula = "2/c",
-          .end_time = [](const Parameters& p) { return 2 / bar_wave_speed(p); },
-          .boundary = "symmetry",
-          .setup = &square_setup};
+  return square_in_motion("square", "Wallstedt and Guilkey 2008, section 5.1",
+                          [](const Parameters& p) { return setup_of<2>("square", p); });
+}
+
+/// From rest: for codes that take no initial velocity and deformation. At the end time it is back at rest.
+Problem square_rest_problem() {
+  return square_in_motion("square-rest", "as Wallstedt and Guilkey 2008, section 5.1, from rest",
+                          [](const Parameters& p) { return setup_of<2>("square-rest", p); });
+}
+
+/// From rest, with a body force that is an expression of the current position: for codes that evaluate it there.
+Problem square_inverse_problem() {
+  return square_in_motion("square-inverse", "made for codes that evaluate body forces at current positions",
+                          [](const Parameters& p) { return setup_of<2>("square-inverse", p); });
 }
 
 }  // namespace mpmvv::problems

@@ -1,5 +1,3 @@
-#include "mms/stretch.hpp"
-
 #include "studies/problems/parameters.hpp"
 
 namespace mpmvv::problems {
@@ -23,14 +21,13 @@ class BarEnd final : public solver::WallMotion {
 
 template <int D>
 Setup<D> stretch_setup(const Parameters& p) {
-  const mms::Elasticity material{p.at("youngs_modulus"), 0, p.at("density")};
+  constexpr const char* names[] = {"stretch-1d", "stretch", "stretch-3d"};
   const double rate = p.at("rate"), end_speed = rate * bar_length / 2;
+  Setup<D> setup = setup_of<D>(names[D - 1], p);
+  setup.material = material_of<solver::NeoHookeanSquare>(p);
   Box<D> bar{.lower = solver::Vec<D>::Constant(-bar_height / 2), .size = solver::Vec<D>::Constant(bar_height)};
   bar.lower[0] = -bar_length / 2, bar.size[0] = bar_length, bar.end_speed = end_speed;
-  Setup<D> setup{.body = bar,
-                 .density = material.density,
-                 .material = neo_hookean<solver::NeoHookeanSquare>(material.youngs_modulus, 0),
-                 .solution = std::make_shared<mms::Stretch<D>>(rate, material, 0.2 * bar_length / 2)};
+  setup.body = bar;
   for (const std::size_t face : {0, 1})
     setup.walls[face] = std::make_shared<BarEnd>((face == 0 ? -1 : 1) * bar_length / 2, rate);
   setup.speed = end_speed;
@@ -43,8 +40,7 @@ Problem stretch_in(const std::string& name, const std::string& sides) {
           .source = "Nairn and Hammerquist 2021, section 3.4",
           .length_formula = "4",
           .length = [](const Parameters&) { return bar_height; },
-          .parameters = {youngs_modulus_parameter(0.75), density_parameter(1),
-                         Parameter{"rate", 0.0025, "1/s", [](double rate) { return rate > 0; }, "> 0"}},
+          .parameters = mms::entry_named(name).parameters,
           .wave_speed_formula = "c = sqrt(E/rho)",
           .wave_speed = bar_wave_speed,
           .end_time_formula = "0.2/rate",

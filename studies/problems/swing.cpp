@@ -40,7 +40,7 @@ Setup<2> swing_setup(const Parameters& p) {
       .body =
           Box<2>{.lower = solver::Vec<2>::Zero(), .size = solver::Vec<2>::Ones(), .end_speed = std::abs(A) * pi * C},
       .density = material.density,
-      .material = neo_hookean(material.youngs_modulus, material.poissons_ratio),
+      .material = material_of(p),
       .solution = std::make_shared<decltype(solution)>(solution)};
   setup.walls[0] = std::make_shared<SwingingWall>(0, A, C);
   setup.walls[1] = std::make_shared<SwingingWall>(1, -A, C);
@@ -53,21 +53,19 @@ Setup<2> swing_setup(const Parameters& p) {
 /// through its periodic sides. No paper's: no other problem has walls that accelerate, particles that leave through a
 /// periodic face, or faces of both kinds. The end time is half a period.
 Problem swing_problem() {
-  Parameter amplitude = amplitude_parameter(0.05);
-  amplitude.allowed = [](double a) { return a > -0.159 && a < 0.159; };
-  amplitude.range = "between -1/(2 pi) and 1/(2 pi), where det F stays positive";
-  return {.name = "swing",
-          .source = "made for the gate",
-          .length_formula = "1",
-          .length = unit_length,
-          .parameters = {amplitude, youngs_modulus_parameter(1e4), poissons_ratio_parameter(0.3), density_parameter(1),
-                         Parameter{"drift", 30, "m/s", [](double) { return true; }, "any"}},
-          .wave_speed_formula = "c = sqrt(E/rho)",
-          .wave_speed = bar_wave_speed,
-          .end_time_formula = "1/c",
-          .end_time = [](const Parameters& p) { return 1 / bar_wave_speed(p); },
-          .boundary = "xmin=wall,xmax=wall,ymin=periodic,ymax=periodic",
-          .setup = &swing_setup};
+  return {
+      .name = "swing",
+      .source = "made for the gate",
+      .length_formula = "1",
+      .length = unit_length,
+      .parameters = {mms::amplitude_parameter(0.05, 2), youngs_modulus_parameter(1e4), poissons_ratio_parameter(0.3),
+                     density_parameter(1), Parameter{"drift", 30, "m/s", [](double) { return true; }, "any"}},
+      .wave_speed_formula = "c = sqrt(E/rho)",
+      .wave_speed = bar_wave_speed,
+      .end_time_formula = "1/c",
+      .end_time = [](const Parameters& p) { return 1 / bar_wave_speed(p); },
+      .boundary = "xmin=wall,xmax=wall,ymin=periodic,ymax=periodic",
+      .setup = &swing_setup};
 }
 
 }  // namespace mpmvv::problems

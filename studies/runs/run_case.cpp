@@ -45,9 +45,9 @@ class Watch {
   static constexpr std::int64_t interval = 32;
 
   Watch(const Case& c, const PreparedCase<D>& prepared, double initial_energy)
-      : most_energy_(prepared.is_driven() || (prepared.traction && initial_energy == 0)
+      : most_energy_(prepared.is_driven() || (prepared.setup.solution && initial_energy <= rest(prepared))
                          ? std::numeric_limits<double>::infinity()  // all of it comes from outside
-                         : c.measure.blowup_energy * initial_energy + round_off * prepared.setup.density),
+                         : c.measure.blowup_energy * initial_energy + rest(prepared)),
         most_error_(prepared.setup.solution
                         ? c.measure.blowup_error * prepared.setup.solution->displacement_scale() + round_off
                         : 0) {}
@@ -64,6 +64,7 @@ class Watch {
 
  private:
   static constexpr double round_off = 1e-12;  ///< what a body at rest may move (m) and gain (times density, J)
+  static double rest(const PreparedCase<D>& prepared) { return round_off * prepared.setup.density; }
   double most_energy_, most_error_;
 };
 
