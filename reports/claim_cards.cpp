@@ -1,0 +1,73 @@
+#include "reports/claim_cards.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "reports/criteria.hpp"
+#include "reports/verdicts.hpp"
+
+namespace mpmvv::reports {
+
+using namespace template_data;
+
+namespace {
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// The figure that bears the claim's name, else the first of its studies'.
+const Picture* picture_of(const ClaimLine& claim, const std::vector<Section>& sections) {
+  const Picture* first = nullptr;
+  for (const Section& section : sections) {
+    const auto& named = section.study->claims;
+    if (std::ranges::find(named, claim.id) == named.end()) continue;
+    for (const Picture& picture : section.pictures) {
+      if (picture.name == lower_case(claim.id)) return &picture;
+      if (first == nullptr) first = &picture;
+    }
+  }
+  return first;
+}
+
+data card(const ClaimLine& claim, const std::vector<Section>& sections) {
+  const Picture* picture = picture_of(claim, sections);
+  return object({{"id", claim.id},
+                 {"claim_file", anchor(claim.id)},
+                 {"statement", claim.statement},
+                 {"where", claim.where},
+                 {"has_where", !claim.where.empty()},
+                 {"has_deciding", !deciding_text(claim).empty()},
+                 {"verdict", claim.verdict},
+                 {"deciding", deciding_text(claim)},
+                 {"count", count_text(claim)},
+                 {"pictures", list_of(picture ? std::vector{*picture} : std::vector<Picture>{}, picture_data)}});
+}
+
+struct Paper {
+  std::string name;
+  std::vector<ClaimLine> claims;
+};
+
+std::vector<Paper> papers_of(const std::vector<ClaimLine>& claims) {
+  std::vector<Paper> papers;
+  for (const ClaimLine& claim : claims) {
+    auto paper = std::ranges::find(papers, claim.source, &Paper::name);
+    if (paper == papers.end()) paper = papers.insert(papers.end(), {claim.source, {}});
+    paper->claims.push_back(claim);
+  }
+  return papers;
+}
+
+}  // namespace
+
+data claim_cards(const std::vector<ClaimLine>& claims, const std::vector<Section>& sections) {
+  return list_of(papers_of(claims), [&](const Paper& paper) {
+    return object({{"paper", paper.name.empty() ? "Claims without a source" : paper.name},
+                   {"paper_counts", claim_counts(paper.claims)},
+                   {"cards", list_of(paper.claims, [&](const ClaimLine& c) { return card(c, sections); })}});
+  });
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,99 @@
+#include "reports/criteria.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/criterion_bar.hpp"
+#include "reports/text.hpp"
+
+namespace mpmvv::reports {
+
+using records::ClaimPart;
+using records::Found;
+using records::PartVerdict;
+
+namespace {
+
+using namespace template_data;
+
+/// How far inside its bounds a number lies, in their size; negative beyond them.
+double margin(const ClaimPart& part, double value) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto consider = [&](std::optional<double> bound, double inside) {
+    if (bound) least = std::min(least, inside / std::max(std::abs(*bound), 1e-12));
+  };
+  consider(part.at_least, value - part.at_least.value_or(0));
+  consider(part.at_most, part.at_most.value_or(0) - value);
+  return least;
+}
+
+std::string found_text(double value) {
+  if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
+  return brief(value);
+}
+
+data found_data(const ClaimPart& part, const Found& found) {
+  return object({{"what", found.what},
+                 {"asked", asked_text(part)},
+                 {"value", found_text(found.value)},
+                 {"bar", criterion_bar(part.at_least, part.at_most, found.value)}});
+}
+
+data part_data(const ClaimLine::Part& line) {
+  const ClaimPart& part = line.part;
+  const auto found = [&](const Found& f) { return found_data(part, f); };
+  return object({{"study", line.study},
+                 {"claim", part.claim},
+                 {"claim_file", anchor(part.claim)},
+                 {"statement", part.statement},
+                 {"verdict", to_string(part.verdict)},
+                 {"evidence", part.evidence},
+                 {"has_evidence", part.found.empty() || part.verdict == PartVerdict::inconclusive},
+                 {"asked", asked_text(part)},
+                 {"found", list_of(part.found, found)},
+                 {"reason", part.reason},
+                 {"has_reason", !part.reason.empty()}});
+}
+
+std::size_t count(const ClaimLine& claim, PartVerdict verdict) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(claim.parts, [&](const auto& line) { return line.part.verdict == verdict; }));
+}
+
+}  // namespace
+
+std::string asked_text(const ClaimPart& part) {
+  if (part.at_least && part.at_most) return fmt::format("{} to {}", brief(*part.at_least), brief(*part.at_most));
+  if (part.at_least) return "at least " + brief(*part.at_least);
+  return part.at_most ? "at most " + brief(*part.at_most) : "";
+}
+
+std::string deciding_text(const ClaimLine& claim) {
+  const PartVerdict decisive = count(claim, PartVerdict::fails) > 0 ? PartVerdict::fails : PartVerdict::holds;
+  const ClaimPart* part = nullptr;
+  double value = 0, least = std::numeric_limits<double>::infinity();
+  for (const auto& line : claim.parts)
+    for (const Found& found : line.part.found)
+      if (line.part.verdict == decisive && margin(line.part, found.value) < least)
+        part = &line.part, value = found.value, least = margin(line.part, value);
+  if (part == nullptr) return "";
+  std::string measure = part->measure;
+  std::ranges::replace(measure, '-', ' ');
+  return fmt::format("{} {}, asked: {}", measure, found_text(value), asked_text(*part));
+}
+
+std::string count_text(const ClaimLine& claim) {
+  if (claim.parts.empty()) return "not judged yet";
+  const std::size_t shown = count(claim, PartVerdict::shown), judged = claim.parts.size() - shown;
+  if (judged == 0) return "shown in figures";
+  return fmt::format("{} of {} criteria hold", count(claim, PartVerdict::holds), judged);
+}
+
+data criteria_data(const std::vector<ClaimLine::Part>& parts) {
+  return list_of(parts, part_data);
+}
+
+}  // namespace mpmvv::reports
