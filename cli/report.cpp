@@ -52,14 +52,6 @@ bool has_goldens(const std::filesystem::path& folder) {
   return std::any_of(files, end, [](const auto& entry) { return entry.path().extension() == ".toml"; });
 }
 
-reports::ClaimLine claim_line(const claims::Claim& claim, const std::vector<records::StudyResult>& studies) {
-  reports::ClaimLine line{claim.id, claim.statement, "", "", claim.verdict, {}};
-  for (const auto& study : studies)
-    for (const auto& part : study.parts)
-      if (part.claim == claim.id) line.parts.push_back({study.name, part});
-  return line;
-}
-
 void add_gate_lines(reports::ReportInput& input, const std::vector<goldens::Golden>& goldens) {
   if (goldens.empty()) return;
   for (const goldens::GateResult& r : goldens::run_gate(goldens, input.studies).results)
@@ -87,7 +79,7 @@ reports::ReportInput report_input(const ReportOptions& options) {
   add_gate_lines(input, goldens);
   const store::Store store(options.db, store::Store::Mode::read);
   auto mutation = own_mutation(options.db);
-  for (const claims::Claim& claim : judged_claims(input.studies, mutation)) input.claims.push_back(claim_line(claim, input.studies));
+  input.claims = judged_claims(input.studies, mutation);
   input.mutation = shown_mutation(options.db, std::move(mutation));
   input.alarms = own_alarms();
   input.versions = store.versions();

@@ -18,7 +18,7 @@ std::string lower_case(std::string text) {
 }
 
 /// The figure that bears the claim's name, else the first of its studies'.
-const Picture* picture_of(const ClaimLine& claim, const std::vector<Section>& sections) {
+const Picture* picture_of(const claims::Claim& claim, const std::vector<Section>& sections) {
   const Picture* first = nullptr;
   for (const Section& section : sections) {
     const auto& named = section.study->claims;
@@ -31,7 +31,7 @@ const Picture* picture_of(const ClaimLine& claim, const std::vector<Section>& se
   return first;
 }
 
-data card(const ClaimLine& claim, const std::vector<Section>& sections) {
+data card(const claims::Claim& claim, const std::vector<Section>& sections) {
   const Picture* picture = picture_of(claim, sections);
   return object({{"id", claim.id},
                  {"claim_file", anchor(claim.id)},
@@ -47,12 +47,12 @@ data card(const ClaimLine& claim, const std::vector<Section>& sections) {
 
 struct Paper {
   std::string name;
-  std::vector<ClaimLine> claims;
+  std::vector<claims::Claim> claims;
 };
 
-std::vector<Paper> papers_of(const std::vector<ClaimLine>& claims) {
+std::vector<Paper> papers_of(const std::vector<claims::Claim>& claims) {
   std::vector<Paper> papers;
-  for (const ClaimLine& claim : claims) {
+  for (const claims::Claim& claim : claims) {
     auto paper = std::ranges::find(papers, claim.source, &Paper::name);
     if (paper == papers.end()) paper = papers.insert(papers.end(), {claim.source, {}});
     paper->claims.push_back(claim);
@@ -62,11 +62,11 @@ std::vector<Paper> papers_of(const std::vector<ClaimLine>& claims) {
 
 }  // namespace
 
-data claim_cards(const std::vector<ClaimLine>& claims, const std::vector<Section>& sections) {
+data claim_cards(const std::vector<claims::Claim>& claims, const std::vector<Section>& sections) {
   return list_of(papers_of(claims), [&](const Paper& paper) {
     return object({{"paper", paper.name.empty() ? "Claims without a source" : paper.name},
                    {"paper_counts", claim_counts(paper.claims)},
-                   {"cards", list_of(paper.claims, [&](const ClaimLine& c) { return card(c, sections); })}});
+                   {"cards", list_of(paper.claims, [&](const claims::Claim& c) { return card(c, sections); })}});
   });
 }
 

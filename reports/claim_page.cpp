@@ -10,15 +10,15 @@ using namespace template_data;
 
 namespace {
 
-bool is_study_of(const Section& section, const ClaimLine& claim) {
+bool is_study_of(const Section& section, const claims::Claim& claim) {
   const auto& named = section.study->claims;
   return std::ranges::find(named, claim.id) != named.end() ||
-         std::ranges::find(claim.parts, section.study->name, &ClaimLine::Part::study) != claim.parts.end();
+         std::ranges::find(claim.parts, section.study->name, &claims::JudgedPart::study) != claim.parts.end();
 }
 
 }  // namespace
 
-Page claim_page(const ReportInput& input, const ClaimLine& claim, const std::vector<Section>& sections) {
+Page claim_page(const ReportInput& input, const claims::Claim& claim, const std::vector<Section>& sections) {
   data studies{data::type::list}, pictures{data::type::list};
   std::string files;
   for (const Section& section : sections) {
@@ -38,8 +38,6 @@ Page claim_page(const ReportInput& input, const ClaimLine& claim, const std::vec
                              {"deciding", deciding_text(claim)},
                              {"count", count_text(claim)},
                              {"has_parts", !claim.parts.empty()},
-                             {"names_study", true},
-                             {"names_claim", false},
                              {"parts", criteria_data(claim.parts)},
                              {"pictures", pictures},
                              {"studies", studies},

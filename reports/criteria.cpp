@@ -42,12 +42,10 @@ data found_data(const ClaimPart& part, const Found& found) {
                  {"bar", criterion_bar(part.at_least, part.at_most, found.value)}});
 }
 
-data part_data(const ClaimLine::Part& line) {
+data part_data(const claims::JudgedPart& line) {
   const ClaimPart& part = line.part;
   const auto found = [&](const Found& f) { return found_data(part, f); };
   return object({{"study", line.study},
-                 {"claim", part.claim},
-                 {"claim_file", anchor(part.claim)},
                  {"statement", part.statement},
                  {"verdict", to_string(part.verdict)},
                  {"evidence", part.evidence},
@@ -58,7 +56,7 @@ data part_data(const ClaimLine::Part& line) {
                  {"has_reason", !part.reason.empty()}});
 }
 
-std::size_t count(const ClaimLine& claim, PartVerdict verdict) {
+std::size_t count(const claims::Claim& claim, PartVerdict verdict) {
   return static_cast<std::size_t>(
       std::ranges::count_if(claim.parts, [&](const auto& line) { return line.part.verdict == verdict; }));
 }
@@ -71,7 +69,7 @@ std::string asked_text(const ClaimPart& part) {
   return part.at_most ? "at most " + brief(*part.at_most) : "";
 }
 
-std::string deciding_text(const ClaimLine& claim) {
+std::string deciding_text(const claims::Claim& claim) {
   const PartVerdict decisive = count(claim, PartVerdict::fails) > 0 ? PartVerdict::fails : PartVerdict::holds;
   const ClaimPart* part = nullptr;
   double value = 0, least = std::numeric_limits<double>::infinity();
@@ -85,14 +83,14 @@ std::string deciding_text(const ClaimLine& claim) {
   return fmt::format("{} {}, asked: {}", measure, found_text(value), asked_text(*part));
 }
 
-std::string count_text(const ClaimLine& claim) {
+std::string count_text(const claims::Claim& claim) {
   if (claim.parts.empty()) return "not judged yet";
   const std::size_t shown = count(claim, PartVerdict::shown), judged = claim.parts.size() - shown;
   if (judged == 0) return "shown in figures";
   return fmt::format("{} of {} criteria hold", count(claim, PartVerdict::holds), judged);
 }
 
-data criteria_data(const std::vector<ClaimLine::Part>& parts) {
+data criteria_data(const std::vector<claims::JudgedPart>& parts) {
   return list_of(parts, part_data);
 }
 

@@ -12,12 +12,12 @@ std::string asked_text(const records::ClaimPart& part);
 
 /// The number on which a claim's verdict hangs, "order 0.43, asked: at most 0.5": of the criteria that decide it, the
 /// one that lies farthest beyond its bound or, where all hold, nearest to it. Empty where no number was compared.
-std::string deciding_text(const ClaimLine& claim);
+std::string deciding_text(const claims::Claim& claim);
 
 /// "7 of 8 criteria hold", "shown in figures", "not judged yet".
-std::string count_text(const ClaimLine& claim);
+std::string count_text(const claims::Claim& claim);
 
-/// Criteria for their template; each names its study and its claim.
-template_data::data criteria_data(const std::vector<ClaimLine::Part>& parts);
+/// Criteria for their template; each names its study.
+template_data::data criteria_data(const std::vector<claims::JudgedPart>& parts);
 
 }  // namespace mpmvv::reports

@@ -55,12 +55,12 @@ Tile gate_tile(const ReportInput& input) {
 
 Tile claims_tile(const ReportInput& input) {
   const auto claims = claim_split(input).judged;
-  const auto confirmed = std::ranges::count(claims, "confirmed", &ClaimLine::verdict);
+  const auto confirmed = std::ranges::count(claims, "confirmed", &claims::Claim::verdict);
   Tile tile{"Claims", "#claims", fmt::format("{} of {}", confirmed, claims.size()), "", "", ""};
   tile.detail = claims.empty() ? "no study names a claim" : claim_counts(claims);
   if (!input.earlier) return tile;
   std::vector<std::string> changes;
-  for (const ClaimLine& claim : claims) {
+  for (const claims::Claim& claim : claims) {
     const auto then = input.earlier->claims.find(claim.id);
     if (then != input.earlier->claims.end() && then->second != claim.verdict)
       changes.push_back(fmt::format("{}: {}, was {}", claim.id, claim.verdict, then->second));

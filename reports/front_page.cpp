@@ -35,14 +35,7 @@ data study_row(const ReportInput& input, const records::StudyResult& study) {
                  {"claims", list_of(study.claims, claim)}});
 }
 
-/// Goldens of the report's studies that do not pass.
-data failing_goldens(const std::vector<GateLine>& judged) {
-  std::vector<GateLine> lines;
-  std::ranges::copy_if(judged, std::back_inserter(lines), [](const GateLine& g) { return g.verdict != "pass"; });
-  return list_of(gate_groups(lines), gate_group_data);
-}
-
-data claim_entry(const ClaimLine& claim) {
+data claim_entry(const claims::Claim& claim) {
   return object({{"id", claim.id},
                  {"claim_file", anchor(claim.id)},
                  {"statement", claim.statement},
@@ -51,12 +44,13 @@ data claim_entry(const ClaimLine& claim) {
 }
 
 /// Claims that are refuted or open; those of which only a part holds, which are many, folded.
-data unsettled_claims(const std::vector<ClaimLine>& claims) {
+data unsettled_claims(const std::vector<claims::Claim>& claims) {
   data lists{data::type::list};
   const auto add = [&](const char* heading, bool is_open, std::initializer_list<const char*> verdicts) {
-    std::vector<ClaimLine> own;
+    std::vector<claims::Claim> own;
     for (const char* verdict : verdicts)
-      std::ranges::copy_if(claims, std::back_inserter(own), [&](const ClaimLine& c) { return c.verdict == verdict; });
+      std::ranges::copy_if(claims, std::back_inserter(own),
+                           [&](const claims::Claim& c) { return c.verdict == verdict; });
     if (!own.empty())
       lists << object({{"heading", heading},
                        {"number", fmt::format("{}", own.size())},

@@ -26,6 +26,12 @@ data gate_group_data(const GateGroup& group) {
                  {"lines", list_of(group.lines, line)}});
 }
 
+data failing_goldens(const std::vector<GateLine>& judged) {
+  std::vector<GateLine> lines;
+  std::ranges::copy_if(judged, std::back_inserter(lines), [](const GateLine& g) { return g.verdict != "pass"; });
+  return list_of(gate_groups(lines), gate_group_data);
+}
+
 std::string missing_goldens_text(const std::vector<GateLine>& lines) {
   constexpr std::size_t most_named = 12;
   std::vector<std::string> studies;

@@ -27,7 +27,7 @@ Page front_page(const ReportInput& input, const std::vector<Section>& sections);
 Page gate_page(const ReportInput& input);
 
 /// A claim with its criteria and figures: claims/ID.html.
-Page claim_page(const ReportInput& input, const ClaimLine& claim, const std::vector<Section>& sections);
+Page claim_page(const ReportInput& input, const claims::Claim& claim, const std::vector<Section>& sections);
 
 /// A study: studies/NAME.html.
 Page study_page(const ReportInput& input, const Section& section);

@@ -17,7 +17,8 @@ using records::StudyResult;
 
 namespace {
 
-constexpr std::size_t most_points = 1500;  ///< of a picture
+constexpr std::size_t most_points = 1500;   ///< of a picture
+constexpr std::size_t most_of_a_line = 50;  ///< that has no markers
 
 /// The box between the axes, in pixels.
 struct Frame {
@@ -105,7 +106,9 @@ void add_curves(const Chart& chart, const StudyResult& study, Points& points) {
   for (const Curve& curve : chart.curves) {
     const Series* series = find_series(study, curve.name);
     if (series == nullptr) continue;
-    for (const Dot& dot : curve.dots) {
+    const std::size_t step = curve.marked ? 1 : 1 + curve.dots.size() / most_of_a_line;
+    for (std::size_t k = 0; k < curve.dots.size(); k += step) {
+      const Dot& dot = curve.dots[k];
       const records::Point* point = point_at(*series, dot);
       points.add(curve.name, dot, point == nullptr ? "" : fmt::format("{}", point->x), value_text(dot, point));
     }

@@ -85,7 +85,7 @@ void write_page(const Page& page, const fs::path& folder) {
 void write_pages(const ReportInput& input, const std::vector<Section>& sections, const fs::path& folder) {
   for (const Page& aid : page_aids()) write_page(aid, folder);
   for (const Section& section : sections) write_page(study_page(input, section), folder);
-  for (const ClaimLine& claim : input.claims) write_page(claim_page(input, claim, sections), folder);
+  for (const claims::Claim& claim : input.claims) write_page(claim_page(input, claim, sections), folder);
   for (const Page& page : program_pages(input)) write_page(page, folder);
   write_page(gate_page(input), folder);
   write_page(front_page(input, sections), folder);

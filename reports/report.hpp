@@ -9,6 +9,7 @@
 #include "reports/alarm_log.hpp"
 #include "reports/benchmark.hpp"
 #include "reports/mutation_results.hpp"
+#include "studies/claims/claim.hpp"
 #include "studies/claims/trend.hpp"
 #include "studies/records/result.hpp"
 #include "studies/store/provenance.hpp"
@@ -24,22 +25,6 @@ struct GateLine {
   std::string expected;
   std::string measured;
   std::string reason;  ///< may be empty
-};
-
-/// A claim, judged.
-struct ClaimLine {
-  /// A criterion of it, and the study that asks it.
-  struct Part {
-    std::string study;
-    records::ClaimPart part;
-  };
-
-  std::string id;
-  std::string statement;
-  std::string source;   ///< the paper; may be empty
-  std::string where;    ///< the place in it; may be empty
-  std::string verdict;  ///< `confirmed`, `refuted`, `partly`, `shown`, `open`
-  std::vector<Part> parts;
 };
 
 /// What the store's version before this one says.
@@ -62,7 +47,7 @@ struct SeriesCommand {
 struct ReportInput {
   std::vector<records::StudyResult> studies;
   std::vector<GateLine> gate;
-  std::vector<ClaimLine> claims;
+  std::vector<claims::Claim> claims;
   store::Provenance provenance;
   std::optional<Benchmark> benchmark = {};
   std::vector<store::Version> versions = {};  ///< all of the store, by time

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "page_template.hpp"
-#include "reports/criteria.hpp"
 #include "reports/gate_data.hpp"
 #include "reports/page_frame.hpp"
 #include "reports/table_data.hpp"
@@ -17,7 +16,7 @@ using records::StudyResult;
 namespace {
 
 bool has_page(const ReportInput& input, const std::string& claim) {
-  return std::ranges::find(input.claims, claim, &ClaimLine::id) != input.claims.end();
+  return std::ranges::find(input.claims, claim, &claims::Claim::id) != input.claims.end();
 }
 
 data claim_links(const ReportInput& input, const StudyResult& study) {
@@ -26,10 +25,15 @@ data claim_links(const ReportInput& input, const StudyResult& study) {
   });
 }
 
-data own_criteria(const StudyResult& study) {
-  std::vector<ClaimLine::Part> parts;
-  for (const auto& part : study.parts) parts.push_back({study.name, part});
-  return criteria_data(parts);
+/// Its criteria without their numbers, which stand on the claims' pages.
+data criteria_list(const ReportInput& input, const StudyResult& study) {
+  return list_of(study.parts, [&](const records::ClaimPart& part) {
+    return object({{"statement", part.statement},
+                   {"verdict", to_string(part.verdict)},
+                   {"claim", part.claim},
+                   {"claim_file", anchor(part.claim)},
+                   {"has_page", has_page(input, part.claim)}});
+  });
 }
 
 /// The command of each series, at its last swept value.
@@ -47,10 +51,10 @@ data command_list(const ReportInput& input, const StudyResult& study) {
   });
 }
 
-data goldens_of(const ReportInput& input, const StudyResult& study) {
+std::vector<GateLine> goldens_of(const ReportInput& input, const StudyResult& study) {
   std::vector<GateLine> lines;
   std::ranges::copy_if(input.gate, std::back_inserter(lines), [&](const GateLine& g) { return g.study == study.name; });
-  return list_of(gate_groups(lines), gate_group_data);
+  return lines;
 }
 
 /// The tables of what was fitted, or the one of all points.
@@ -65,21 +69,23 @@ data table_part(const StudyResult& study, bool is_fitted) {
 
 Page study_page(const ReportInput& input, const Section& section) {
   const StudyResult& study = *section.study;
+  const auto goldens = goldens_of(input, study);
   return framed_page("studies/" + study.name + ".html", study.name + ": " + study.title, study_template, input,
                      object({{"study", study.name},
                              {"title", study.title},
                              {"kind", study.kind},
                              {"study_claims", claim_links(input, study)},
                              {"has_claims", !study.claims.empty()},
-                             {"names_study", false},
-                             {"names_claim", true},
-                             {"parts", own_criteria(study)},
+                             {"parts", criteria_list(input, study)},
                              {"has_parts", !study.parts.empty()},
                              {"pictures", list_of(section.pictures, picture_data)},
                              {"fitted", table_part(study, true)},
                              {"measured", table_part(study, false)},
                              {"table_files", text_list(section.tables)},
-                             {"groups", goldens_of(input, study)},
+                             {"goldens", gate_counts(goldens)},
+                             {"has_goldens", !goldens.empty()},
+                             {"study_anchor", anchor(study.name)},
+                             {"groups", failing_goldens(goldens)},
                              {"commands", command_list(input, study)},
                              {"has_commands", input.commands.contains(study.name)},
                              {"command", fmt::format("mpmvv study studies/{}.toml --db results.db", study.name)},

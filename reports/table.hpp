@@ -21,7 +21,6 @@ struct Table {
   bool empty() const { return groups.empty(); }
 };
 
-
 /// With the order of each segment; no series too long to be read. What is the same at every point stands in the note.
 Table points_table(const records::StudyResult& study);
 Table fits_table(const records::StudyResult& study);

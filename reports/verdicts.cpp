@@ -25,7 +25,7 @@ std::string gate_counts(const std::vector<GateLine>& lines) {
   return counts(verdicts(lines), {"fail", "inconclusive", "pass"});
 }
 
-std::string claim_counts(const std::vector<ClaimLine>& claims) {
+std::string claim_counts(const std::vector<claims::Claim>& claims) {
   return counts(verdicts(claims), {"confirmed", "partly", "refuted", "shown", "open"});
 }
 
@@ -57,7 +57,7 @@ GateSplit gate_split(const ReportInput& input) {
 
 ClaimSplit claim_split(const ReportInput& input) {
   ClaimSplit split;
-  for (const ClaimLine& claim : input.claims) {
+  for (const claims::Claim& claim : input.claims) {
     const bool is_named = std::ranges::any_of(input.studies, [&](const records::StudyResult& study) {
       return std::ranges::find(study.claims, claim.id) != study.claims.end();
     });

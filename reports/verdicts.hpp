@@ -19,7 +19,7 @@ std::string counts(const std::vector<std::string>& words, std::initializer_list<
 
 /// The same of goldens and of claims, in the order in which people look at them.
 std::string gate_counts(const std::vector<GateLine>& lines);
-std::string claim_counts(const std::vector<ClaimLine>& claims);
+std::string claim_counts(const std::vector<claims::Claim>& claims);
 
 /// `fail`, `inconclusive`, `pass`, or "not judged" where there is no golden.
 std::string gate_verdict(const std::vector<GateLine>& lines);
@@ -41,7 +41,7 @@ GateSplit gate_split(const ReportInput& input);
 
 /// The claims that a study of the report judges or names; those that none does.
 struct ClaimSplit {
-  std::vector<ClaimLine> judged, without_study;
+  std::vector<claims::Claim> judged, without_study;
 };
 ClaimSplit claim_split(const ReportInput& input);
 

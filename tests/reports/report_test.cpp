@@ -32,8 +32,10 @@ ReportInput input() {
                 "A paper",
                 "Fig. 10",
                 "confirmed",
-                {{"bar-bases", in.studies[0].parts[0]}}},
-               {"S-fig9", "a limit", "A paper", "", "open", {}}};
+                "",
+                {{"bar-bases", in.studies[0].parts[0]}},
+                {"bar-bases"}},
+               {"S-fig9", "a limit", "A paper", "", "open", "", {}, {}}};
   in.provenance = {"00ff", "8be1f2c", true, "GNU 12.2.0", "-O3 \"-march\"", "Release", "CPU", "2026-01-01T00:00:00Z"};
   return in;
 }
