@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
+#include <utility>
 
 #include "reports/criteria.hpp"
 #include "reports/verdicts.hpp"
@@ -47,16 +49,27 @@ data card(const claims::Claim& claim, const std::vector<Section>& sections) {
 
 struct Paper {
   std::string name;
+  int year = 0;
   std::vector<claims::Claim> claims;
 };
 
+/// The last number of four digits; where there is none, later than all.
+int year_of(const std::string& source) {
+  constexpr int unknown = 9999;
+  static const std::regex year("(?:.*[^0-9]|^)([0-9]{4})(?:[^0-9].*)?");
+  std::smatch match;
+  return std::regex_match(source, match, year) ? std::stoi(match[1]) : unknown;
+}
+
+/// By year, then by name.
 std::vector<Paper> papers_of(const std::vector<claims::Claim>& claims) {
   std::vector<Paper> papers;
   for (const claims::Claim& claim : claims) {
     auto paper = std::ranges::find(papers, claim.source, &Paper::name);
-    if (paper == papers.end()) paper = papers.insert(papers.end(), {claim.source, {}});
+    if (paper == papers.end()) paper = papers.insert(papers.end(), {claim.source, year_of(claim.source), {}});
     paper->claims.push_back(claim);
   }
+  std::ranges::stable_sort(papers, {}, [](const Paper& paper) { return std::pair(paper.year, paper.name); });
   return papers;
 }
 

@@ -39,7 +39,7 @@ data found_data(const ClaimPart& part, const Found& found) {
   return object({{"what", found.what},
                  {"asked", asked_text(part)},
                  {"value", found_text(found.value)},
-                 {"bar", criterion_bar(part.at_least, part.at_most, found.value)}});
+                 {"bar", criterion_bar(part, found.value)}});
 }
 
 data part_data(const claims::JudgedPart& line) {
@@ -49,7 +49,8 @@ data part_data(const claims::JudgedPart& line) {
                  {"statement", part.statement},
                  {"verdict", to_string(part.verdict)},
                  {"evidence", part.evidence},
-                 {"has_evidence", part.found.empty() || part.verdict == PartVerdict::inconclusive},
+                 {"has_evidence", part.found.empty()},
+                 {"has_interval", !part.found.empty() && part.verdict == PartVerdict::inconclusive},
                  {"asked", asked_text(part)},
                  {"found", list_of(part.found, found)},
                  {"reason", part.reason},
@@ -70,17 +71,18 @@ std::string asked_text(const ClaimPart& part) {
 }
 
 std::string deciding_text(const claims::Claim& claim) {
-  const PartVerdict decisive = count(claim, PartVerdict::fails) > 0 ? PartVerdict::fails : PartVerdict::holds;
+  using enum PartVerdict;
+  const PartVerdict decisive = count(claim, fails) > 0 ? fails : count(claim, inconclusive) > 0 ? inconclusive : holds;
   const ClaimPart* part = nullptr;
-  double value = 0, least = std::numeric_limits<double>::infinity();
+  const Found* deciding = nullptr;
   for (const auto& line : claim.parts)
-    for (const Found& found : line.part.found)
-      if (line.part.verdict == decisive && margin(line.part, found.value) < least)
-        part = &line.part, value = found.value, least = margin(line.part, value);
-  if (part == nullptr) return "";
-  std::string measure = part->measure;
-  std::ranges::replace(measure, '-', ' ');
-  return fmt::format("{} {}, asked: {}", measure, found_text(value), asked_text(*part));
+    for (const Found& found : line.part.found) {
+      if (line.part.verdict != decisive) continue;
+      if (deciding == nullptr || margin(line.part, found.value) < margin(*part, deciding->value))
+        part = &line.part, deciding = &found;
+    }
+  if (deciding == nullptr) return "";
+  return fmt::format("{}: {} (asked: {})", deciding->what, found_text(deciding->value), asked_text(*part));
 }
 
 std::string count_text(const claims::Claim& claim) {

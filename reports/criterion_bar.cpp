@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 namespace mpmvv::reports {
@@ -36,14 +37,26 @@ class Scale {
   double from_ = 0, to_ = 1;
 };
 
+/// Its bounds and what was found; zero, too, as the natural end of a scale for what is positive.
+std::vector<double> numbers_of(const records::ClaimPart& part) {
+  std::vector<double> numbers;
+  const auto add = [&](double number) {
+    if (std::isfinite(number)) numbers.push_back(number);
+  };
+  for (const auto& bound : {part.at_least, part.at_most})
+    if (bound) add(*bound);
+  for (const records::Found& found : part.found) add(found.value);
+  const auto [least, most] = std::ranges::minmax(numbers);
+  if (!(part.at_least && part.at_most) && least > 0 && most / least <= far_apart) numbers.push_back(0);
+  return numbers;
+}
+
 }  // namespace
 
-std::string criterion_bar(std::optional<double> at_least, std::optional<double> at_most, double found) {
+std::string criterion_bar(const records::ClaimPart& part, double found) {
+  const auto& [at_least, at_most] = std::tie(part.at_least, part.at_most);
   if ((!at_least && !at_most) || std::isnan(found)) return "";
-  std::vector<double> numbers;
-  for (const auto& number : {at_least, at_most, std::optional(found)})
-    if (number && std::isfinite(*number)) numbers.push_back(*number);
-  const Scale scale(numbers);
+  const Scale scale(numbers_of(part));
   const double left = at_least ? scale.pixel(*at_least) : 0, right = at_most ? scale.pixel(*at_most) : bar_width;
   const double at = std::isfinite(found) ? scale.pixel(found) : found > 0 ? bar_width - edge / 2 : edge / 2;
   const bool holds = (!at_least || found >= *at_least) && (!at_most || found <= *at_most);

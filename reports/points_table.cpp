@@ -85,6 +85,12 @@ struct Column {
   }
 };
 
+bool is_energy(const std::string& quantity) {
+  return quantity == "kinetic" || quantity == "strain" || quantity == "initial_total";
+}
+
+constexpr int by_products = 300;  ///< their rank
+
 /// What was fitted or drawn comes first, then the other errors, then what else a run measures; what no run does comes
 /// before all.
 int rank(const StudyResult& study, const std::set<std::string>& fitted, const std::string& quantity) {
@@ -95,7 +101,7 @@ int rank(const StudyResult& study, const std::set<std::string>& fitted, const st
   if (fitted.contains(quantity)) return 0;
   if (std::ranges::find(study.figures, quantity, &records::Figure::quantity) != study.figures.end()) return 1;
   if (const int error = index(records::run_errors()); error >= 0) return 100 + error;
-  if (const int other = index(records::run_by_products()); other >= 0) return 300 + other;
+  if (const int other = index(records::run_by_products()); other >= 0) return by_products + other;
   if (quantity == "energy_loss") return 200;
   return is_count(quantity) || quantity == "dt" ? 400 : 2;
 }
@@ -119,6 +125,9 @@ class PointsTable {
     for (const Series* series : series_)
       if (!series->points.empty()) table.groups.push_back({series->name, rows_of(*series)});
     if (!same_.empty()) table.note = fmt::format("At every point: {}.", fmt::join(same_, ", "));
+    if (!aside_.empty())
+      table.note +=
+          fmt::format("{}Measured, too, and in the CSV file: {}.", same_.empty() ? "" : " ", fmt::join(aside_, ", "));
     return table;
   }
 
@@ -143,6 +152,14 @@ class PointsTable {
       if (!text.empty()) same_.push_back(text);
       return !text.empty();
     });
+    if (points < 2) return;
+    const bool is_timed = std::ranges::find(columns_, "step_seconds", &Column::quantity) != columns_.end();
+    std::erase_if(columns_, [&](const Column& column) {
+      const bool is_aside = rank(study_, fitted_, column.quantity) >= by_products &&
+                            (is_energy(column.quantity) || (!is_timed && column.quantity == "ns_per_particle_step"));
+      if (is_aside) aside_.push_back(column.quantity);
+      return is_aside;
+    });
   }
 
   Table::Rows rows_of(const Series& series) const {
@@ -164,7 +181,7 @@ class PointsTable {
   const std::set<std::string> fitted_;
   std::vector<const Series*> series_;
   std::vector<Column> columns_;
-  std::vector<std::string> same_;
+  std::vector<std::string> same_, aside_;
   bool all_ok_ = true, has_reasons_ = false;
 };
 

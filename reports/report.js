@@ -207,6 +207,18 @@ function startAges() {
   }
 }
 
+/** Keeps numbers as 1e-12 in one line: a browser may break behind their hyphen. */
+function keepNumbersWhole() {
+  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  const number = /(\d[\d.]*e[-+]\d+)/;
+  const found = [];
+  while (texts.nextNode())
+    if (number.test(texts.currentNode.data) && !texts.currentNode.parentElement.closest("script, pre, .n")) found.push(texts.currentNode);
+  for (const text of found)
+    text.replaceWith(...text.data.split(number).map((words, place) => (place % 2 ? part("span", words, "whole") : words)));
+}
+
+keepNumbersWhole();
 startForms();
 startTables();
 startCopies();

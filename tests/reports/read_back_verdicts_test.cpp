@@ -94,8 +94,7 @@ TEST(ReadBackPage, CriteriaHaveWhatWasAskedBesideWhatWasFound) {
   add("asked of first holds (all-numbers)", "second", "1.75 to 2.25", "2.004");
   add("asked of third fails (all-numbers)  Reason: why it fails", "third", "at most 0.8", "0.91");
   add("asked of third fails (all-numbers)  Reason: why it fails", "fourth", "at most 0.8", "1.33");
-  add("asked of fifth inconclusive (all-numbers)", "fifth", "at least 3", "2.7");
-  add("asked of fifth inconclusive (all-numbers)", "evidence", "at least 3", "");
+  add("asked of fifth inconclusive (all-numbers)  evidence", "fifth", "at least 3", "2.7");
   report.expect_html(criteria);
   EXPECT_THAT(report.page("studies/all-numbers.html"),
               testing::HasSubstr("<span class=\"badge fails\">fails</span> asked of third"));
@@ -103,7 +102,7 @@ TEST(ReadBackPage, CriteriaHaveWhatWasAskedBesideWhatWasFound) {
   ASSERT_EQ(cards.size(), 1u);
   EXPECT_EQ(cards.at("X-one").verdict, "partly");
   EXPECT_THAT(cards.at("X-one").text,
-              testing::AllOf(testing::HasSubstr("a sentence"), testing::HasSubstr("order 1.33, asked: at most 0.8"),
+              testing::AllOf(testing::HasSubstr("a sentence"), testing::HasSubstr("fourth: 1.33 (asked: at most 0.8)"),
                              testing::HasSubstr("X-one, Fig. 7 · 1 of 3 criteria hold")));
 }
 

@@ -62,6 +62,7 @@ TEST(Table, WhatIsTheSameAtEveryPointStandsInTheNote) {
                                        {"images", 4},
                                        {"initial_total", 2.516e2},
                                        {"kinetic", 1 + 1e-6 * n},
+                                       {"strain", n},
                                        {"momentum_change", 1e-15 * n},
                                        {"angular_momentum_change", 0},
                                        {"mass_change", 1e-9 * n}}});
@@ -70,7 +71,7 @@ TEST(Table, WhatIsTheSameAtEveryPointStandsInTheNote) {
   EXPECT_THAT(table.groups.at(0).rows.at(1), testing::ElementsAre("2", "5.000e-02", "2.000e-09", "200"));
   EXPECT_EQ(table.note,
             "At every point: status ok, momentum_change at most 3.0e-15, angular_momentum_change = 0, kinetic = 1 J, "
-            "initial_total = 251.6 J, images = 4.");
+            "initial_total = 251.6 J, images = 4. Measured, too, and in the CSV file: strain.");
   study.series[0].points.resize(1);
   EXPECT_EQ(points_table(study).note, "") << "a point by itself has nothing to be the same as";
 }
