@@ -16,6 +16,7 @@
 #include "goldens/gate.hpp"
 #include "studies/claims/claim.hpp"
 #include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv::cli {
 
@@ -86,8 +87,11 @@ reports::ReportInput report_input(const ReportOptions& options) {
   if (reports::has_trends(input)) input.trends = trends_in(store, input.versions);
   input.earlier = earlier_version(store, goldens, input.studies);
   input.newest_result = newest_result(store, input);
-  for (const records::StudyResult& study : input.studies)
+  for (const records::StudyResult& study : input.studies) {
     if (auto commands = case_commands(study); !commands.empty()) input.commands[study.name] = std::move(commands);
+    const std::string file = "studies/" + study.name + ".toml";
+    if (support::read_file(file) == study.text) input.files[study.name] = file;
+  }
   input.benchmark = own_benchmark(options.db, input.provenance.digest);
   return input;
 }

@@ -25,7 +25,7 @@ Page claim_page(const ReportInput& input, const claims::Claim& claim, const std:
     if (!is_study_of(section, claim)) continue;
     studies << object({{"study", section.study->name}, {"title", section.study->title}});
     for (const Picture& picture : section.pictures) pictures << picture_data(picture);
-    files += " studies/" + section.study->name + ".toml";
+    files += " " + study_file(input, section.study->name);
   }
   return framed_page("claims/" + anchor(claim.id) + ".html", claim.id + ": " + claim.verdict, claim_template, input,
                      object({{"id", claim.id},

@@ -56,7 +56,12 @@ Tile gate_tile(const ReportInput& input) {
 Tile claims_tile(const ReportInput& input) {
   const auto claims = claim_split(input).judged;
   const auto confirmed = std::ranges::count(claims, "confirmed", &claims::Claim::verdict);
-  Tile tile{"Claims", "#claims", fmt::format("{} of {}", confirmed, claims.size()), "", "", ""};
+  Tile tile{"Claims",
+            claims.empty() ? "#studies" : "#claims",
+            claims.empty() ? "none" : fmt::format("{} of {}", confirmed, claims.size()),
+            "",
+            "",
+            ""};
   tile.detail = claims.empty() ? "no study names a claim" : claim_counts(claims);
   if (!input.earlier) return tile;
   std::vector<std::string> changes;
@@ -97,8 +102,8 @@ Tile cost_tile(const ReportInput& input) {
 Tile age_tile(const ReportInput& input) {
   const std::string time = input.newest_result.empty() ? input.provenance.time : input.newest_result;
   Tile tile{"Age", "#provenance", time, "", "", "", true};
-  tile.detail = fmt::format("newest result of {} studies, version {}", input.studies.size(),
-                            input.provenance.commit.substr(0, 12));
+  tile.detail = fmt::format("newest result of {} {}, version {}", input.studies.size(),
+                            input.studies.size() == 1 ? "study" : "studies", input.provenance.commit.substr(0, 12));
   if (input.earlier)
     tile.change = fmt::format("{} of {} results differ from {}", input.earlier->changed, input.earlier->compared,
                               input.earlier->label);

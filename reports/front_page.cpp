@@ -8,6 +8,7 @@
 #include "reports/first_screen.hpp"
 #include "reports/gate_data.hpp"
 #include "reports/page_frame.hpp"
+#include "reports/study_cards.hpp"
 
 namespace mpmvv::reports {
 
@@ -100,6 +101,7 @@ Page front_page(const ReportInput& input, const std::vector<Section>& sections) 
               {"unjudged", fmt::format("{}", claims.without_study.size())},
               {"has_unjudged", !claims.without_study.empty()},
               {"studies", list_of(input.studies, row)},
+              {"study_cards", study_cards(sections)},
               {"provenance", provenance_data(input.provenance)}}));
 }
 

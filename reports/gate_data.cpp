@@ -41,7 +41,7 @@ std::string missing_goldens_text(const std::vector<GateLine>& lines) {
   return fmt::format("{} goldens are of {} this report has no result of: {}{}.", lines.size(),
                      studies.size() == 1 ? "a study that" : fmt::format("{} studies that", studies.size()),
                      fmt::join(studies.begin(), studies.begin() + static_cast<std::ptrdiff_t>(named), ", "),
-                     studies.size() > named ? ", ..." : "");
+                     studies.size() > named ? fmt::format(" and {} more", studies.size() - named) : "");
 }
 
 }  // namespace mpmvv::reports

@@ -12,4 +12,7 @@ namespace mpmvv::reports {
 Page framed_page(const std::string& file, const std::string& title, std::string_view text, const ReportInput& input,
                  template_data::data content);
 
+/// As a command names it.
+std::string study_file(const ReportInput& input, const std::string& study);
+
 }  // namespace mpmvv::reports

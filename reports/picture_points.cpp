@@ -68,11 +68,12 @@ class Points {
     ++count_;
   }
 
-  /// With `<` as a code, so that no text of it ends the element that holds it.
+  /// With < and > as codes, so that no text of it ends the element that holds it.
   std::string text(const std::string& key, const std::string& quantity) const {
     if (series_.empty() || count_ > most_points) return "";
     const json all{{"key", key}, {"quantity", quantity}, {"series", series_}};
-    return replace_all(all.dump(-1, ' ', false, json::error_handler_t::replace), "<", "\\u003c");
+    const std::string text = all.dump(-1, ' ', false, json::error_handler_t::replace);
+    return replace_all(replace_all(text, "<", "\\u003c"), ">", "\\u003e");
   }
 
  private:

@@ -56,6 +56,7 @@ struct ReportInput {
   std::vector<AlarmRun> alarms = {};  ///< runs of the gate without a mistake
   std::optional<Earlier> earlier = {};
   std::map<std::string, std::vector<SeriesCommand>> commands = {};  ///< by study
+  std::map<std::string, std::string> files = {};                    ///< of studies that do not lie here as STUDY.toml
   std::string newest_result = {};                                   ///< its time, ISO 8601, UTC; may be empty
 };
 

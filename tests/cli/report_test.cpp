@@ -97,6 +97,7 @@ TEST_F(ReportCommand, OfOwnStudiesIsAboutThese) {
               AllOf(HasSubstr("<title>mpmvv: not judged</title>"), HasSubstr("that this report has no result of"),
                     HasSubstr("data-id=\"S-fig10\""), Not(HasSubstr("data-id=\"S-fig9\""))));
   EXPECT_LT(front.size(), 20'000u);
+  EXPECT_THAT(page("studies/small.html"), HasSubstr("<code>mpmvv study small.toml --db results.db</code>"));
   EXPECT_THAT(page("gate.html"), Not(HasSubstr("<tr><th scope=\"row\">order of")));
 }
 

@@ -78,6 +78,19 @@ TEST(Links, LeadToFilesAndPlacesThatAreThere) {
     EXPECT_TRUE(reached.contains(file) || file == "claims/S-fig_209.html") << "nothing leads to " << file;
 }
 
+TEST(Links, WithoutClaimsNoneLeadsToThem) {
+  const TempFolder folder;
+  ReportInput in;
+  in.studies = {synthetic::check()};
+  in.studies[0].claims.clear();
+  write_report(in, folder / "out", [](const std::string&) {});
+  const std::string page = content(folder / "out/index.html");
+  EXPECT_THAT(page, Not(HasSubstr("#claims\"")));
+  EXPECT_THAT(
+      page, testing::AllOf(HasSubstr("<img src=\"figures/s-fig4.svg\""), HasSubstr("<a href=\"studies/weights.html\">"),
+                           HasSubstr("<p>partition_of_unity = 2.2e-16</p>")));
+}
+
 TEST(Links, NothingComesFromElsewhere) {
   const TempFolder folder;
   for (const auto& [file, text] : pages_of_everything(folder / "out"))
