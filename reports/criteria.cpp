@@ -65,6 +65,7 @@ std::size_t count(const claims::Claim& claim, PartVerdict verdict) {
 }  // namespace
 
 std::string asked_text(const ClaimPart& part) {
+  if (part.at_least && part.at_least == part.at_most) return brief(*part.at_least);
   if (part.at_least && part.at_most) return fmt::format("{} to {}", brief(*part.at_least), brief(*part.at_most));
   if (part.at_least) return "at least " + brief(*part.at_least);
   return part.at_most ? "at most " + brief(*part.at_most) : "";

@@ -7,7 +7,7 @@
 
 namespace mpmvv::reports {
 
-/// "1.75 to 2.25", "at least 0.8", "at most 3"; empty where nothing is asked.
+/// "1.75 to 2.25", "at least 0.8", "at most 3", "4" for a bound on both sides; empty where nothing is asked.
 std::string asked_text(const records::ClaimPart& part);
 
 /// The number on which a claim's verdict hangs, "order of 'linear': 0.43 (asked: at most 0.5)": of the criteria that
