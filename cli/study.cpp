@@ -23,8 +23,8 @@ using records::Series;
 namespace {
 
 struct StudyOptions {
-  std::vector<std::string> files;
-  std::string db;
+  std::vector<std::string> names;
+  std::string studies, db;
   std::vector<std::string> settings, where_taken;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   bool plan = false, json = false;
@@ -150,8 +150,9 @@ void require_taken(const std::vector<Overriding>& settings, const std::vector<pl
 
 std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
   const std::vector<Overriding> overriding = overriding_settings(options);
+  const std::vector<std::string> files = named_study_files(options.names, options.studies);
   std::vector<plan::StudyPlan> plans;
-  for (const std::string& file : options.files) {
+  for (const std::string& file : files) {
     plans.push_back(plan::read_study(file, overriding));
     for (const plan::Overridden& done : plans.back().overridden) note("{}: {}\n", plans.back().name, done.what);
     for (std::size_t k = 0; k + 1 < plans.size(); ++k)
@@ -160,10 +161,10 @@ std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
   }
   require_taken(overriding, plans);
   std::vector<std::filesystem::path> folders;
-  for (const std::string& file : options.files) folders.push_back(std::filesystem::path(file).parent_path());
+  for (const std::string& file : files) folders.push_back(std::filesystem::path(file).parent_path());
   folders.push_back(shipped("studies"));
   plan::state_claims(plans, folders);
-  require_apart("--db", options.db, {options.files.begin(), options.files.end()});
+  require_apart("--db", options.db, {files.begin(), files.end()});
   return plans;
 }
 
@@ -196,7 +197,10 @@ int study(const StudyOptions& options) {
 void add_study(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<StudyOptions>();
   CLI::App* command = app.add_subcommand("study", "Run what study files describe and the store does not hold yet");
-  command->add_option("files", options->files, "study files (TOML)")->required();
+  command->add_option("files", options->names,
+                      "study files (TOML), or names of studies in --studies (default: all of --studies)");
+  command->add_option("--studies", options->studies,
+                      "folder of study files (default: for names, the one that comes with the program)");
   command->add_option("--db", options->db, "results store (SQLite)")->required();
   command
       ->add_option("--set", options->settings,
