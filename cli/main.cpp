@@ -29,6 +29,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_claims(app, exit_code);
   add_list(app, exit_code);
   add_db(app, exit_code);
+  add_manual(app, exit_code);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ std::filesystem::path shipped(const std::string& folder);
 /// Whether these are the results of a study that comes with the program, word for word.
 bool is_shipped(const records::StudyResult& study);
 
-/// Where the goldens are that results are held against: in the folder named; without a name in `goldens` here, or, where
-/// there is none and a result is of a study that comes with the program, in the folder that comes with it.
+/// Where the goldens are that results are held against: in the folder named; without a name in `goldens` here, or,
+/// where there is none and a result is of a study that comes with the program, in the folder that comes with it.
 std::filesystem::path goldens_for(const std::vector<records::StudyResult>& results, const std::string& named);
 inline constexpr const char* default_goldens = "default: goldens here, else those of the program for its own studies";
 

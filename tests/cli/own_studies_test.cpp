@@ -104,6 +104,15 @@ TEST_F(OwnStudies, HaveNoGoldensUntilSomeAreProposed) {
   EXPECT_THAT(gate.err, HasSubstr("`mpmvv propose --db DB --study NAME --out goldens/NAME.toml` writes a first one"));
 }
 
+TEST_F(OwnStudies, AreAllThatAProgramKnowsThatStandsAlone) {
+  std::filesystem::copy(program(), folder_ / "mpmvv-alone");
+  folder_.write("one.toml", small_study);
+  EXPECT_THAT(in_folder("./mpmvv-alone study one.toml --db results.db").err, HasSubstr("unknown claim 'S-fig10'"));
+  folder_.write("one.toml", std::string(small_study) + "[[claim]]\nid = \"S-fig10\"\nstatement = \"flat\"\n");
+  EXPECT_EQ(in_folder("./mpmvv-alone study one.toml --db results.db").code, 0);
+  EXPECT_THAT(in_folder("./mpmvv-alone gate --db results.db").err, HasSubstr("no directory 'goldens'"));
+}
+
 TEST_F(OwnStudies, AreProposedByAProgramWithChanges) {
   store::Provenance dirty = store::current_provenance();
   dirty.dirty = true;
