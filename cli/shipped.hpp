@@ -19,6 +19,9 @@ bool is_shipped(const records::StudyResult& study);
 std::filesystem::path goldens_for(const std::vector<records::StudyResult>& results, const std::string& named);
 inline constexpr const char* default_goldens = "default: goldens here, else those of the program for its own studies";
 
+/// Names of the studies in a folder, in their order; none where there is no folder.
+std::vector<std::string> study_names(const std::filesystem::path& folder);
+
 /// The study files that a user names, by their paths or, in a folder and among those that come with the program, by
 /// their names alone; all of the folder where none is named. UsageError where there is none.
 std::vector<std::string> named_study_files(const std::vector<std::string>& names, const std::string& folder);

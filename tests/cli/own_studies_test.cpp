@@ -134,6 +134,16 @@ TEST_F(OwnStudies, ThoseOfTheProgramAreThereByName) {
   EXPECT_THAT(in_folder("mpmvv study s-jumps --db results.db").err, HasSubstr("s-jumps"));
 }
 
+TEST_F(OwnStudies, AreListedWithTheirTitlesAndClaims) {
+  folder_.write("one.toml", small_study);
+  const nlohmann::json own = in_folder("mpmvv list studies --studies . --json").json(), studies = own["studies"];
+  ASSERT_EQ(studies.size(), 1U);
+  EXPECT_EQ(studies[0], (nlohmann::json{{"name", "one"}, {"title", "Small"}, {"claims", {"S-fig10"}}}));
+  EXPECT_THAT(in_folder("mpmvv list studies").out, HasSubstr("Bar: convergence with linear and quadratic basis"));
+  EXPECT_THAT(in_folder("mpmvv list studies --studies absent").err, HasSubstr("no study in 'absent'"));
+  EXPECT_THAT(in_folder("mpmvv list bases --studies .").err, HasSubstr("--studies without studies"));
+}
+
 TEST_F(OwnStudies, AreToBeNamedAndThere) {
   EXPECT_THAT(in_folder("mpmvv study --db results.db").err, HasSubstr("no study named (study files, names of"));
   EXPECT_THAT(in_folder("mpmvv study --studies . --db results.db").err, HasSubstr("no study file in --studies ."));
