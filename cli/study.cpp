@@ -148,6 +148,17 @@ void require_taken(const std::vector<Overriding>& settings, const std::vector<pl
   }
 }
 
+/// Where claims may be stated that the studies name: beside them, and among the studies that come with the program.
+std::vector<std::filesystem::path> claim_folders(const std::vector<std::string>& files) {
+  std::vector<std::filesystem::path> folders;
+  for (const std::string& file : files)
+    if (const auto folder = std::filesystem::path(file).parent_path();
+        std::ranges::find(folders, folder) == folders.end())
+      folders.push_back(folder);
+  if (const auto own = shipped("studies"); !own.empty()) folders.push_back(own);
+  return folders;
+}
+
 std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
   const std::vector<Overriding> overriding = overriding_settings(options);
   const std::vector<std::string> files = named_study_files(options.names, options.studies);
@@ -160,10 +171,7 @@ std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
         throw support::UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
   }
   require_taken(overriding, plans);
-  std::vector<std::filesystem::path> folders;
-  for (const std::string& file : files) folders.push_back(std::filesystem::path(file).parent_path());
-  folders.push_back(shipped("studies"));
-  plan::state_claims(plans, folders);
+  plan::state_claims(plans, claim_folders(files));
   require_apart("--db", options.db, {files.begin(), files.end()});
   return plans;
 }
