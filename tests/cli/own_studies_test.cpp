@@ -134,6 +134,17 @@ TEST_F(OwnStudies, ThoseOfTheProgramAreThereByName) {
   EXPECT_THAT(in_folder("mpmvv study s-jumps --db results.db").err, HasSubstr("s-jumps"));
 }
 
+TEST_F(OwnStudies, AreCostedBeforeTheCasesOfTheProgram) {
+  const std::string theirs = read_text(std::string(MPMVV_SOURCE_DIR) + "/studies/cost.txt");
+  const auto first = theirs.find("\n--problem") + 1;
+  const std::string mine = "--problem bar --basis linear --integrator cd --cells 8 --ppc 1 --cfl 0.2 --steps 4";
+  EXPECT_THAT(in_folder("mpmvv cost /bin/true").err,
+              HasSubstr("does not carry out the case '" + theirs.substr(first, theirs.find('\n', first) - first)));
+  std::filesystem::create_directories(folder_ / "studies");
+  folder_.write("studies/cost.txt", mine);
+  EXPECT_THAT(in_folder("mpmvv cost /bin/true").err, HasSubstr("does not carry out the case '" + mine));
+}
+
 TEST_F(OwnStudies, AreListedWithTheirTitlesAndClaims) {
   folder_.write("one.toml", small_study);
   const nlohmann::json own = in_folder("mpmvv list studies --studies . --json").json(), studies = own["studies"];
