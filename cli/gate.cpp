@@ -9,6 +9,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/gate_text.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "goldens/github.hpp"
@@ -26,7 +27,7 @@ namespace {
 struct GateOptions {
   std::string db, goldens = "goldens", junit;
   std::vector<std::string> only;
-  bool json = false, github = false, as_set = false;
+  bool json = false, github = false, as_set = false, verbose = false;
 };
 
 /// GitHub Actions sets this in every step.
@@ -48,23 +49,12 @@ nlohmann::json gate_json(const goldens::GateReport& report) {
                        {"verdict", to_string(r.verdict)},
                        {"expected", r.expected},
                        {"measured", r.measured},
-                       {"reason", r.reason}});
+                       {"reason", r.reason},
+                       {"absent", r.is_absent}});
   return {{"pass", report.count(Verdict::pass)},
           {"fail", report.count(Verdict::fail)},
           {"inconclusive", report.count(Verdict::inconclusive)},
           {"results", results}};
-}
-
-/// Failures first, then what is inconclusive, then the rest in the order of the goldens.
-void print_gate(const goldens::GateReport& report) {
-  for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
-    for (const goldens::GateResult& r : report.results) {
-      if (r.verdict != verdict) continue;
-      print("{:<12} {:<10} {}: expected {}, measured {}{}\n", to_string(r.verdict), r.study, r.name, r.expected,
-            r.measured, r.reason.empty() ? "" : " (" + r.reason + ")");
-    }
-  print("gate: {} pass, {} fail, {} inconclusive\n", report.count(Verdict::pass), report.count(Verdict::fail),
-        report.count(Verdict::inconclusive));
 }
 
 int gate(const GateOptions& options) {
@@ -77,7 +67,7 @@ int gate(const GateOptions& options) {
   if (options.json)
     print_json(gate_json(report));
   else
-    print_gate(report);
+    print_gate(report, options.verbose);
   if (options.github || (in_github_actions() && !options.json)) print_text(goldens::github_annotations(report));
   return report.exit_code();
 }
@@ -120,6 +110,7 @@ void add_gate(CLI::App& app, int& exit_code) {
   command->add_option("--junit", options->junit, "write JUnit XML to this file, too");
   command->add_flag("--as-set", options->as_set,
                     "judge results made with study --set, too (default: they are inconclusive)");
+  command->add_flag("--verbose", options->verbose, "print what passes, too, and each golden without a result");
   CLI::Option* json = command->add_flag("--json", options->json, "print one JSON object");
   command->add_flag("--github", options->github, "print annotations for GitHub Actions, too (default: when run by it)")
       ->excludes(json);

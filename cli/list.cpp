@@ -83,7 +83,7 @@ int list(const std::string& what, bool json) {
   }
   if (what.empty() || what == "checks") print_words("checks", check_names());
   if (all.empty())
-    throw support::UsageError(fmt::format("nothing to list under '{}' (known: {})", what, fmt::join(known, ", ")));
+    throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(known, ", ")));
   if (json) print_json(all);
   return 0;
 }
