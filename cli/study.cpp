@@ -1,14 +1,17 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 #include <thread>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/forecast.hpp"
+#include "cli/interruption.hpp"
+#include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
+#include "cli/progress_line.hpp"
 #include "cli/study_text.hpp"
 #include "studies/plan/study_runner.hpp"
 #include "studies/support/error.hpp"
@@ -26,16 +29,6 @@ struct StudyOptions {
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   bool plan = false, json = false, verbose = false;
 };
-
-/// A line that rewrites itself on a terminal; nothing elsewhere.
-std::function<void(const plan::Progress&)> progress_line() {
-  if (!isatty(STDERR_FILENO)) return {};
-  return [](const plan::Progress& p) {
-    note("\r\033[K[{}/{}] {}", p.done, p.total, p.label);
-    if (p.done == p.total) note("\r\033[K");
-    std::fflush(stderr);
-  };
-}
 
 settings::Setting setting_from(const std::string& text, const char* option) {
   const auto equals = text.find('=');
@@ -82,6 +75,26 @@ std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
   return plans;
 }
 
+/// As a shell says of a program that was interrupted from the keyboard.
+[[noreturn]] void stop(const StudyOptions& options, const plan::RunnerCounts& counts) {
+  constexpr int interrupted = 130;
+  note("stopped: {} finished and kept in {}, the running ones are lost; the same command goes on from there\n",
+       count_text(counts.ran, "case"), options.db);
+  std::_Exit(interrupted);
+}
+
+std::vector<plan::StudyOutcome> run(const std::vector<plan::StudyPlan>& plans, store::Store& store,
+                                    const StudyOptions& options, plan::RunnerCounts& counts) {
+  const Interruption interruption;
+  ProgressLine line;
+  const auto on_stop = [&](const plan::RunnerCounts& so_far) {
+    line.clear();
+    stop(options, so_far);
+  };
+  const auto listener = line.listener();
+  return plan::run_studies(plans, store, {options.jobs, listener, listener, interruption.token(), on_stop}, counts);
+}
+
 int study(const StudyOptions& options) {
   const std::vector<plan::StudyPlan> plans = read_plans(options);
   if (options.plan) {
@@ -90,7 +103,7 @@ int study(const StudyOptions& options) {
   }
   store::Store store(options.db, store::Store::Mode::create_or_write);
   plan::RunnerCounts counts;
-  const auto outcomes = plan::run_studies(plans, store, {options.jobs, progress_line()}, counts);
+  const auto outcomes = run(plans, store, options, counts);
   std::size_t failed = 0;
   for (const plan::StudyOutcome& outcome : outcomes) {
     failed += outcome.failed;
