@@ -12,7 +12,9 @@
 #include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/shipped.hpp"
 #include "cli/study_text.hpp"
+#include "studies/plan/claim_reader.hpp"
 #include "studies/plan/study_runner.hpp"
 #include "studies/support/error.hpp"
 
@@ -71,6 +73,10 @@ std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
         throw support::UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
   }
   require_taken(overriding, plans);
+  std::vector<std::filesystem::path> folders;
+  for (const std::string& file : options.files) folders.push_back(std::filesystem::path(file).parent_path());
+  folders.push_back(shipped("studies"));
+  plan::state_claims(plans, folders);
   require_apart("--db", options.db, {options.files.begin(), options.files.end()});
   return plans;
 }
@@ -102,6 +108,7 @@ int study(const StudyOptions& options) {
     return 0;
   }
   store::Store store(options.db, store::Store::Mode::create_or_write);
+  plan::require_one_voice(plans, store.statements(store::current_provenance().digest), options.db);
   plan::RunnerCounts counts;
   const auto outcomes = run(plans, store, options, counts);
   std::size_t failed = 0;
