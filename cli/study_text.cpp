@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cli/console.hpp"
+#include "cli/criteria_text.hpp"
 #include "cli/error_tables.hpp"
 #include "cli/numbers.hpp"
 #include "cli/table.hpp"
@@ -92,11 +93,16 @@ void print_values(const records::StudyResult& study) {
   print_apart(table);
 }
 
+/// Under the id of the claim that each is a criterion of.
 void print_criteria(const records::StudyResult& study, bool verbose) {
-  Table table({{"claim"}, {"verdict", Kind::verdict}, {"criterion", Kind::prose}});
-  for (const records::ClaimPart& part : study.parts)
-    table.add({part.claim, to_string(part.verdict), part.statement + (verbose ? " : " + part.evidence : "")});
-  print_apart(table);
+  std::vector<LabelledPart> parts;
+  for (const records::ClaimPart& part : study.parts) parts.push_back({part.claim, part});
+  if (parts.empty()) return;
+  print("\n");
+  print_criteria("claim", parts);
+  if (!verbose) return;
+  print_grounds(parts);
+  print_reasons(parts);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace mpmvv::cli {
 
 namespace {
 
-constexpr std::size_t gap = 2;           ///< between columns
-constexpr std::size_t least_prose = 24;  ///< columns that prose gets on the narrowest terminal
+constexpr std::size_t gap = 2;          ///< between columns
+constexpr std::size_t least_open = 24;  ///< columns of the last cell on the narrowest terminal
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -25,7 +25,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 Table::Table(std::vector<Column> columns, std::size_t indent) : columns_(std::move(columns)), indent_(indent) {
   for (const Column& column : columns_) {
     widths_.push_back(0);
-    if (column.kind == Kind::prose) continue;
+    if (column.kind == Kind::prose || column.kind == Kind::line) continue;
     for (const std::string& line : lines_of(column.head)) widths_.back() = std::max(widths_.back(), columns_of(line));
   }
 }
@@ -33,9 +33,13 @@ Table::Table(std::vector<Column> columns, std::size_t indent) : columns_(std::mo
 void Table::add(std::vector<std::string> cells) {
   for (std::size_t k = 0; k < cells.size(); ++k) {
     cells[k] = support::printable(cells[k]);
-    if (columns_[k].kind != Kind::prose) widths_[k] = std::max(widths_[k], columns_of(cells[k]));
+    if (!is_open() || k + 1 < columns_.size()) widths_[k] = std::max(widths_[k], columns_of(cells[k]));
   }
   rows_.push_back(std::move(cells));
+}
+
+bool Table::is_open() const {
+  return columns_.back().kind == Kind::prose || columns_.back().kind == Kind::line;
 }
 
 std::size_t Table::width() const {
@@ -67,26 +71,30 @@ std::string Table::line(const Cells& cells, bool coloured) const {
   return line + '\n';
 }
 
+/// The cell of an open column in the lines that it takes.
+std::vector<std::string> Table::last_cell(const std::string& text, std::size_t width) const {
+  const std::size_t left = std::max(width > this->width() ? width - this->width() : 0, least_open);
+  return columns_.back().kind == Kind::line ? std::vector{cut(text, left)} : wrapped(text, left);
+}
+
 std::string Table::text(std::size_t width, bool coloured) const {
   std::string text;
   for (const Cells& heads : head_lines()) text += line(heads, false);
   for (Cells cells : rows_) {
-    std::vector<std::string> rest;
-    if (columns_.back().kind == Kind::prose) {
-      const std::size_t left = width > this->width() ? width - this->width() : 0;
-      rest = wrapped(cells.back(), std::max(left, least_prose));
-      cells.back() = rest.front();
-      rest.erase(rest.begin());
-    }
+    const auto lines = is_open() ? last_cell(cells.back(), width) : std::vector{cells.back()};
+    cells.back() = lines.front();
     text += line(cells, coloured);
-    for (const std::string& more : rest) text += std::string(this->width(), ' ') + more + '\n';
+    for (std::size_t k = 1; k < lines.size(); ++k) text += std::string(this->width(), ' ') + lines[k] + '\n';
   }
   return text;
 }
 
+/// Where no terminal breaks lines, programs may read them: prose is not wrapped.
 void Table::print() const {
-  constexpr std::size_t endless = 1'000'000;  // where no terminal breaks lines, programs may read them
-  if (!rows_.empty()) print_text(text(output_columns().value_or(endless), has_colours()));
+  constexpr std::size_t endless = 1'000'000;
+  if (rows_.empty()) return;
+  const std::size_t width = columns_.back().kind == Kind::prose ? output_columns().value_or(endless) : text_width();
+  print_text(text(width, has_colours()));
 }
 
 }  // namespace mpmvv::cli

@@ -49,7 +49,6 @@ INSTANTIATE_TEST_SUITE_P(
                              "run --problem bar --cells 8 --ppc 2 --cfl 0.1 --param amplitud=1"},
                     Misspelt{.word = "pcp", .meant = "ppc", .in_study = "ppc"},
                     Misspelt{.word = "criterio", .meant = "criterion", .in_study = "criterion"},
-                    Misspelt{.word = "S-fig19", .meant = "S-fig9", .in_study = "S-fig10"},
                     Misspelt{.word = "perodic", .meant = "periodic", .in_study = "periodic"}));
 
 }  // namespace suggestion_test
