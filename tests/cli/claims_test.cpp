@@ -78,6 +78,15 @@ TEST_F(Claims, AreFoundByTheirIdsAlone) {
   EXPECT_EQ(json[0]["criteria"][0]["found"][0]["value"].is_number(), true);
 }
 
+TEST_F(Claims, OfTheProgramAreKnownToStudiesAnywhere) {
+  std::string text = small_study;
+  text.replace(text.find("[\"S-fig10\"]"), 11, "[\"S-fig10\", \"S-fg11\"]");
+  const Answer study = call(folder_, "study " + folder_.write("other.toml", text) + " --db " + db_);
+  EXPECT_EQ(study.code, 2);
+  EXPECT_THAT(study.err, AllOf(HasSubstr("unknown claim 'S-fg11' in "), HasSubstr("(known: B-fig16.5, B-i, "),
+                               HasSubstr("did you mean 'S-fig11'?)")));
+}
+
 TEST_F(Claims, HaveColoursOnATerminalThatWantsSome) {
   const std::string listing = "'" + program() + "' claims --db '" + db_ + "'";
   const auto on_a_terminal = [&](const std::string& variables) {
