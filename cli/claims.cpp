@@ -7,6 +7,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/criteria_text.hpp"
+#include "cli/help.hpp"
 #include "cli/lines.hpp"
 #include "cli/results.hpp"
 #include "cli/table.hpp"
@@ -120,10 +121,12 @@ int show(const ClaimsOptions& options) {
 void add_claims(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ClaimsOptions>();
   CLI::App* command = app.add_subcommand("claims", "Print every claim with its verdict, or the pages of some");
-  command->add_option("ids", options->ids, "claims whose pages to print (default: a line for each claim)");
-  command->add_option("--db", options->db, "results store")->required();
+  command->add_option("ids", options->ids, "claims whose pages to print (default: a line for each claim)")
+      ->type_name("ID");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
   command->add_flag("--verbose", options->verbose, "on a page print every number that was compared, too");
   command->add_flag("--json", options->json, "print one JSON object");
+  add_examples(*command, {"mpmvv claims --db results.db", "mpmvv claims S-fig4 --db results.db"});
   command->callback([options, &exit_code] { exit_code = show(*options); });
 }
 

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "studies/support/reason.hpp"
 #include "studies/support/suggestion.hpp"
 
@@ -118,6 +119,7 @@ int enter(int argc, char** argv, const std::string& name, const std::string& des
   survive_failed_writes();
   try {
     CLI::App app{description, name};
+    app.formatter(std::make_shared<HelpFormatter>());
     int exit_code = 0;
     add(app, exit_code);
     check_values(app);

@@ -10,6 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/gate_text.hpp"
+#include "cli/help.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "goldens/github.hpp"
@@ -104,16 +105,18 @@ int propose(const ProposeOptions& options) {
 void add_gate(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<GateOptions>();
   CLI::App* command = app.add_subcommand("gate", "Hold the store's results against the goldens");
-  command->add_option("--db", options->db, "results store")->required();
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
   command->add_option("--goldens", options->goldens, "directory of goldens (default: goldens)");
-  command->add_option("--only", options->only, "judge only this study's goldens (repeatable)");
-  command->add_option("--junit", options->junit, "write JUnit XML to this file, too");
+  command->add_option("--only", options->only, "judge only this study's goldens (repeatable)")->type_name("STUDY");
+  command->add_option("--junit", options->junit, "write JUnit XML to this file, too")->type_name("FILE");
   command->add_flag("--as-set", options->as_set,
                     "judge results made with study --set, too (default: they are inconclusive)");
   command->add_flag("--verbose", options->verbose, "print what passes, too, and each golden without a result");
   CLI::Option* json = command->add_flag("--json", options->json, "print one JSON object");
   command->add_flag("--github", options->github, "print annotations for GitHub Actions, too (default: when run by it)")
       ->excludes(json);
+  add_examples(*command, {"mpmvv gate --db results.db", "mpmvv gate --db results.db --only splines --verbose",
+                          "mpmvv gate --db results.db --junit gate.xml"});
   command->callback([options, &exit_code] { exit_code = gate(*options); });
 }
 
@@ -121,10 +124,12 @@ void add_propose(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ProposeOptions>();
   CLI::App* command =
       app.add_subcommand("propose", "Write goldens for review from the store's results of a clean tree");
-  command->add_option("--db", options->db, "results store")->required();
-  command->add_option("--study", options->study, "name of the study")->required();
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--study", options->study, "name of the study")->required()->type_name("STUDY");
   command->add_option("--goldens", options->goldens, "directory of the goldens that stand (default: goldens)");
-  command->add_option("--out", options->out, "a file that does not exist yet (default: standard output)");
+  command->add_option("--out", options->out, "a file that does not exist yet (default: standard output)")
+      ->type_name("FILE");
+  add_examples(*command, {"mpmvv propose --db results.db --study splines --out goldens/new-splines.toml"});
   command->callback([options, &exit_code] { exit_code = propose(*options); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "studies/checks/check.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/support/error.hpp"
@@ -95,8 +96,9 @@ void add_list(CLI::App& app, int& exit_code) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command =
       app.add_subcommand("list", "Print what there is: problems with their values, and the words of every key");
-  command->add_option("what", *what, "problems, bases, integrators, ... (default: all)");
+  command->add_option("what", *what, "problems, bases, integrators, ... (default: all)")->type_name("LIST");
   command->add_flag("--json", *json, "print one JSON object");
+  add_examples(*command, {"mpmvv list problems", "mpmvv list bases", "mpmvv list --json"});
   command->callback([what, json, &exit_code] { exit_code = list(*what, *json); });
 }
 

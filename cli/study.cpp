@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/forecast.hpp"
+#include "cli/help.hpp"
 #include "cli/interruption.hpp"
 #include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
@@ -130,19 +131,26 @@ int study(const StudyOptions& options) {
 void add_study(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<StudyOptions>();
   CLI::App* command = app.add_subcommand("study", "Run what study files describe and the store does not hold yet");
-  command->add_option("files", options->files, "study files (TOML)")->required();
-  command->add_option("--db", options->db, "results store (SQLite)")->required();
+  command->add_option("files", options->files, "study files (TOML)")->required()->type_name("FILE");
+  command->add_option("--db", options->db, "results store (SQLite)")->required()->type_name("FILE");
   command
       ->add_option("--set", options->settings,
-                   "key=value for every case of the studies (repeatable): a trial, to be kept in a store of its own")
-      ->allow_extra_args(false);
+                   "setting for every case of the studies (repeatable): a trial, to be kept in a store of its own")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
   command->add_option("--set-where-taken", options->where_taken, "as --set, in the series alone that take it")
-      ->allow_extra_args(false);
-  command->add_option("--jobs", options->jobs, "cases at once (default: all cores)")->check(CLI::Range(1, 1024));
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+  command->add_option("--jobs", options->jobs, "cases at once, 1 to 1024 (default: all cores)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("NUMBER");
   command->add_flag("--verbose", options->verbose, "print on what grounds fits and criteria say what they do, too");
   CLI::Option* plan =
       command->add_flag("--plan", options->plan, "run nothing: print what would run, how long, and why");
   command->add_flag("--json", options->json, "print the plan as one JSON object")->needs(plan);
+  add_examples(*command, {"mpmvv study splines.toml --db results.db", "mpmvv study s-fig4 s-jump --db results.db",
+                          "mpmvv study s-fig10 --db results.db --plan",
+                          "mpmvv study splines.toml --set shuffle=1 --db trial.db"});
   command->callback([options, &exit_code] { exit_code = study(*options); });
 }
 
