@@ -60,7 +60,8 @@ std::string unknown_option(const CLI::App& app, const std::string& option) {
 
 std::string unknown_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string> known;
-  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (!command->get_group().empty()) known.push_back(command->get_name());
   return fmt::format("unknown command '{}' (known: {})", word, fmt::join(known, ", "));
 }
 

@@ -7,6 +7,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/study_list.hpp"
 #include "studies/checks/check.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/support/error.hpp"
@@ -66,9 +67,23 @@ std::vector<std::string> check_names() {
   return names;
 }
 
-int list(const std::string& what, bool json) {
+void print_studies(const nlohmann::json& studies) {
+  for (const nlohmann::json& study : studies) {
+    const auto claims = study["claims"].get<std::vector<std::string>>();
+    print("{:<18} {}{}\n", study["name"].get<std::string>(), study["title"].get<std::string>(),
+          claims.empty() ? "" : fmt::format(" ({})", fmt::join(claims, ", ")));
+  }
+}
+
+int list(const std::string& what, const std::string& folder, bool json) {
   nlohmann::json all = nlohmann::json::object();
-  std::vector<std::string> known{"problems", "checks"};
+  std::vector<std::string> known{"studies", "problems", "checks"};
+  if (what == "studies") {
+    all["studies"] = study_list(folder);
+    if (!json) print_studies(all["studies"]);
+  } else if (!folder.empty()) {
+    throw support::UsageError("--studies without studies (mpmvv list studies --studies DIR)");
+  }
   if (what.empty() || what == "problems") {
     all["problems"] = nlohmann::json::array();
     for (const problems::Problem& p : problems::problems()) all["problems"].push_back(problem_json(p));
@@ -92,14 +107,17 @@ int list(const std::string& what, bool json) {
 }  // namespace
 
 void add_list(CLI::App& app, int& exit_code) {
-  auto what = std::make_shared<std::string>();
+  auto what = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  CLI::App* command =
-      app.add_subcommand("list", "Print what there is: problems with their values, and the words of every key");
-  command->add_option("what", *what, "problems, bases, integrators, ... (default: all)")->type_name("LIST");
+  CLI::App* command = app.add_subcommand(
+      "list", "Print what there is: studies, problems with their values, and the words of every key");
+  command->add_option("what", *what, "studies, problems, bases, integrators, ... (default: all but the studies)")
+      ->type_name("LIST");
+  command->add_option("--studies", *folder, "folder of study files (default: the one that comes with the program)")
+      ->type_name("FOLDER");
   command->add_flag("--json", *json, "print one JSON object");
-  add_examples(*command, {"mpmvv list problems", "mpmvv list bases", "mpmvv list --json"});
-  command->callback([what, json, &exit_code] { exit_code = list(*what, *json); });
+  add_examples(*command, {"mpmvv list studies", "mpmvv list problems", "mpmvv list bases", "mpmvv list --json"});
+  command->callback([what, folder, json, &exit_code] { exit_code = list(*what, *folder, *json); });
 }
 
 }  // namespace mpmvv::cli

@@ -26,8 +26,8 @@ using plan::Overriding;
 namespace {
 
 struct StudyOptions {
-  std::vector<std::string> files;
-  std::string db;
+  std::vector<std::string> names;
+  std::string studies, db;
   std::vector<std::string> settings, where_taken;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   bool plan = false, json = false, verbose = false;
@@ -63,10 +63,22 @@ void require_taken(const std::vector<Overriding>& settings, const std::vector<pl
   }
 }
 
+/// Where claims may be stated that the studies name: beside them, and among the studies that come with the program.
+std::vector<std::filesystem::path> claim_folders(const std::vector<std::string>& files) {
+  std::vector<std::filesystem::path> folders;
+  for (const std::string& file : files)
+    if (const auto folder = std::filesystem::path(file).parent_path();
+        std::ranges::find(folders, folder) == folders.end())
+      folders.push_back(folder);
+  if (const auto own = shipped("studies"); !own.empty()) folders.push_back(own);
+  return folders;
+}
+
 std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
   const std::vector<Overriding> overriding = overriding_settings(options);
+  const std::vector<std::string> files = named_study_files(options.names, options.studies);
   std::vector<plan::StudyPlan> plans;
-  for (const std::string& file : options.files) {
+  for (const std::string& file : files) {
     plans.push_back(plan::read_study(file, overriding));
     for (const plan::Overridden& done : plans.back().overridden) note("{}: {}\n", plans.back().name, done.what);
     for (std::size_t k = 0; k + 1 < plans.size(); ++k)
@@ -74,11 +86,8 @@ std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
         throw support::UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
   }
   require_taken(overriding, plans);
-  std::vector<std::filesystem::path> folders;
-  for (const std::string& file : options.files) folders.push_back(std::filesystem::path(file).parent_path());
-  folders.push_back(shipped("studies"));
-  plan::state_claims(plans, folders);
-  require_apart("--db", options.db, {options.files.begin(), options.files.end()});
+  plan::state_claims(plans, claim_folders(files));
+  require_apart("--db", options.db, {files.begin(), files.end()});
   return plans;
 }
 
@@ -131,7 +140,14 @@ int study(const StudyOptions& options) {
 void add_study(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<StudyOptions>();
   CLI::App* command = app.add_subcommand("study", "Run what study files describe and the store does not hold yet");
-  command->add_option("files", options->files, "study files (TOML)")->required()->type_name("FILE");
+  command
+      ->add_option("files", options->names,
+                   "study files (TOML), or names of studies in --studies (default: all of --studies)")
+      ->type_name("FILE");
+  command
+      ->add_option("--studies", options->studies,
+                   "folder of study files (default: for names, the one that comes with the program)")
+      ->type_name("FOLDER");
   command->add_option("--db", options->db, "results store (SQLite)")->required()->type_name("FILE");
   command
       ->add_option("--set", options->settings,
