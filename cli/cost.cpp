@@ -13,6 +13,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "cli/shipped.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -160,11 +161,16 @@ int cost(const CostOptions& options) {
 void add_cost(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CostOptions>();
   CLI::App* command = app.add_subcommand("cost", "Time cases beside another build of this program, run by run");
-  command->add_option("baseline", options->baseline, "that program")->required()->check(CLI::ExistingFile);
-  command->add_option(
-      "--cases", options->cases,
-      "file with a run's options on each line (default: studies/cost.txt here, else that of the program)");
+  command->add_option("baseline", options->baseline, "that program")
+      ->required()
+      ->check(CLI::ExistingFile)
+      ->type_name("PROGRAM");
+  command
+      ->add_option("--cases", options->cases,
+                   "file with a run's options on each line (default: studies/cost.txt here, else that of the program)")
+      ->type_name("FILE");
   command->add_flag("--json", options->json, "print one JSON object");
+  add_examples(*command, {"mpmvv cost other/mpmvv --cases cases.txt"});
   command->callback([options, &exit_code] { exit_code = cost(*options); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "cli/study_list.hpp"
 #include "studies/checks/check.hpp"
 #include "studies/problems/problem.hpp"
@@ -98,7 +99,7 @@ int list(const std::string& what, const std::string& folder, bool json) {
   }
   if (what.empty() || what == "checks") print_words("checks", check_names());
   if (all.empty())
-    throw support::UsageError(fmt::format("nothing to list under '{}' (known: {})", what, fmt::join(known, ", ")));
+    throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(known, ", ")));
   if (json) print_json(all);
   return 0;
 }
@@ -110,9 +111,12 @@ void add_list(CLI::App& app, int& exit_code) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand(
       "list", "Print what there is: studies, problems with their values, and the words of every key");
-  command->add_option("what", *what, "studies, problems, bases, integrators, ... (default: all but the studies)");
-  command->add_option("--studies", *folder, "folder of study files (default: the one that comes with the program)");
+  command->add_option("what", *what, "studies, problems, bases, integrators, ... (default: all but the studies)")
+      ->type_name("LIST");
+  command->add_option("--studies", *folder, "folder of study files (default: the one that comes with the program)")
+      ->type_name("FOLDER");
   command->add_flag("--json", *json, "print one JSON object");
+  add_examples(*command, {"mpmvv list studies", "mpmvv list problems", "mpmvv list bases", "mpmvv list --json"});
   command->callback([what, folder, json, &exit_code] { exit_code = list(*what, *folder, *json); });
 }
 
