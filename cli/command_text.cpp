@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "cli/command.hpp"
 #include "cli/shipped.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/settings/settings.hpp"
@@ -32,10 +33,12 @@ std::vector<std::string> words_of(const CLI::Option& option) {
   std::string key = option.get_lnames().empty() ? "" : option.get_lnames().front();
   std::ranges::replace(key, '-', '_');
   if (key == "problem") return problem_names();
-  if (option.get_name(true) == "files") return study_names(shipped("studies"));
+  const std::string type = option.get_type_name();
+  if (type == "STUDY" || option.get_name(true) == "files") return study_names(shipped("studies"));
+  if (type == "LIST") return list_names();
   const auto& keys = settings::setting_keys();
   if (std::ranges::find(keys, key, &settings::SettingKey::key) != keys.end()) return settings::words_of_key(key);
-  return words_in_braces(option.get_type_name());
+  return words_in_braces(type);
 }
 
 ArgumentText argument_text(const CLI::Option& option) {
