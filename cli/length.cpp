@@ -1,0 +1,29 @@
+#include "cli/length.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <map>
+
+#include "studies/support/error.hpp"
+
+namespace mpmvv::cli {
+
+double length_of(const std::string& option, const std::string& text, double least, double most) {
+  static const std::map<std::string, double> units{
+      {"mm", 1}, {"cm", 10}, {"in", mm_per_inch}, {"pt", mm_per_inch / points_per_inch}};
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [unit, error] = std::from_chars(text.data(), end, number);
+  const auto known = units.find(std::string(unit, end));
+  if (error != std::errc() || known == units.end())
+    throw support::UsageError(
+        fmt::format("{} '{}' is no length (a number and its unit: 84mm, 8.4cm, 3.3in, 8pt)", option, text));
+  const double length = number * known->second;
+  if (!(length >= least && length <= most))
+    throw support::UsageError(fmt::format("{} {} ({:.3g}{unit} to {:.3g}{unit})", option, text, least / known->second,
+                                          most / known->second, fmt::arg("unit", known->first)));
+  return length;
+}
+
+}  // namespace mpmvv::cli
