@@ -16,12 +16,15 @@ int claims(const std::string& db, bool json) {
     for (const claims::Claim& c : judged)
       all.push_back({{"id", c.id},
                      {"statement", c.statement},
+                     {"source", c.source},
+                     {"where", c.where},
                      {"verdict", c.verdict},
                      {"evidence", c.evidence},
                      {"studies", c.studies}});
     print_json({{"claims", all}});
     return 0;
   }
+  if (judged.empty()) print("no study of this program in {} names a claim\n", db);
   for (const claims::Claim& c : judged)
     print("{:<10} {:<10} {}\n", c.id, c.verdict, c.verdict == "open" ? c.statement : c.evidence);
   return 0;

@@ -10,6 +10,8 @@
 #include "cli/console.hpp"
 #include "cli/forecast.hpp"
 #include "cli/outputs.hpp"
+#include "cli/shipped.hpp"
+#include "studies/plan/claim_reader.hpp"
 #include "studies/plan/study_runner.hpp"
 #include "studies/support/error.hpp"
 
@@ -157,6 +159,10 @@ std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
         throw support::UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
   }
   require_taken(overriding, plans);
+  std::vector<std::filesystem::path> folders;
+  for (const std::string& file : options.files) folders.push_back(std::filesystem::path(file).parent_path());
+  folders.push_back(shipped("studies"));
+  plan::state_claims(plans, folders);
   require_apart("--db", options.db, {options.files.begin(), options.files.end()});
   return plans;
 }
@@ -168,6 +174,7 @@ int study(const StudyOptions& options) {
     return 0;
   }
   store::Store store(options.db, store::Store::Mode::create_or_write);
+  plan::require_one_voice(plans, store.statements(store::current_provenance().digest), options.db);
   plan::RunnerCounts counts;
   const auto outcomes = plan::run_studies(plans, store, {options.jobs, progress_line()}, counts);
   std::size_t failed = 0;

@@ -4,7 +4,7 @@
 
 #include "solver/velocity_update/velocity_updates.hpp"
 #include "studies/checks/check.hpp"
-#include "studies/claims/claim.hpp"
+#include "studies/plan/claim_reader.hpp"
 #include "studies/plan/criterion_reader.hpp"
 #include "studies/plan/figure_reader.hpp"
 #include "studies/plan/overriding.hpp"
@@ -23,12 +23,6 @@ using support::UsageError;
 
 namespace {
 
-std::vector<std::string> claim_ids() {
-  std::vector<std::string> ids;
-  for (const claims::ClaimText& claim : claims::claim_list()) ids.emplace_back(claim.id);
-  return ids;
-}
-
 /// The settings of a table; `param = { amplitude = 0.02 }` becomes `param.amplitude`.
 std::vector<Setting> settings_of(const TomlTable& table, std::initializer_list<const char*> others = {}) {
   std::vector<Setting> settings;
@@ -44,6 +38,15 @@ std::vector<Setting> settings_of(const TomlTable& table, std::initializer_list<c
     }
   }
   return settings;
+}
+
+/// The claims that a study names, and those that it states beside them.
+void read_claim_names(const TomlTable& root, StudyPlan& plan) {
+  plan.claims = root.texts("claims");
+  plan.claims_where = root.where("claims");
+  plan.statements = read_claims(root, plan.name);
+  for (const StatedClaim& claim : plan.statements)
+    if (std::ranges::find(plan.claims, claim.text.id) == plan.claims.end()) plan.claims.push_back(claim.text.id);
 }
 
 void read_sweep(const TomlTable& root, StudyPlan& plan) {
@@ -211,14 +214,13 @@ StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overri
   const std::string name = study_name(file);
   const std::string text = support::require_file(file, "a study file, TOML");
   const TomlTable root = TomlTable::parse(text, file.string());
-  root.allow_only({"title", "claims", "check", "fixed", "series", "sweep", "limit", "replicates", "fit", "extrapolate",
-                   "figure", "criterion"});
+  root.allow_only({"title", "claims", "claim", "check", "fixed", "series", "sweep", "limit", "replicates", "fit",
+                   "extrapolate", "figure", "criterion"});
   StudyPlan plan;
   plan.name = name;
   plan.text = text;
   plan.title = root.text("title");
-  plan.claims = root.texts("claims");
-  for (const std::string& claim : plan.claims) require_word("claim", claim, claim_ids(), root.where("claims"));
+  read_claim_names(root, plan);
   plan.check = root.text("check", "");
   if (!plan.check.empty()) {
     checks::find_check(plan.check, root.where("check"));
