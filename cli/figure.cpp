@@ -48,8 +48,8 @@ Format format_of(const FigureOptions& options) {
 Sheet sheet_of(const FigureOptions& options) {
   Sheet sheet;
   sheet.format = format_of(options);
-  sheet.width = length_of("--width", options.width, 40, 400);
-  sheet.font_size = length_of("--font-size", options.font_size, 1.5, 10) / mm_per_inch * points_per_inch;
+  sheet.width = figure_width(options.width);
+  sheet.font_size = figure_font_size(options.font_size);
   if (options.font.empty()) return sheet;
   if (sheet.format == Format::tex)
     throw support::UsageError("--font with --format tex (LaTeX sets the document's own font; leave it out)");

@@ -3,9 +3,9 @@
 
 namespace mpmvv::cli {
 
-inline constexpr double mm_per_inch = 25.4, points_per_inch = 72;
-
-/// "84mm", "8.4cm", "3.3in" or "240pt" in mm; UsageError of the option when it is no such length, or beyond these ends.
-double length_of(const std::string& option, const std::string& text, double least, double most);
+/// --width and --font-size of a figure, given as "84mm", "8.4cm", "3.3in" or "8pt". UsageError when one is no such
+/// length, or too small or large.
+double figure_width(const std::string& text);      ///< in mm
+double figure_font_size(const std::string& text);  ///< in points
 
 }  // namespace mpmvv::cli

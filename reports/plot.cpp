@@ -128,9 +128,15 @@ void close_no_section(const fs::path& svg) {
   support::write_if_changed(svg, replace_all(read_file(svg).value_or(""), "]]>", "]]&gt;"));
 }
 
+/// A name of a file may hold a tilde, which is a space for LaTeX.
+void keep_tildes(const fs::path& tex) {
+  support::write_if_changed(tex, replace_all(read_file(tex).value_or(""), "~", "\\string~"));
+}
+
 void mend(const fs::path& picture) {
   if (picture.extension() == ".pdf") fix_creation_date(picture);
   if (picture.extension() == ".svg") close_no_section(picture);
+  if (picture.extension() == ".tex") keep_tildes(picture);
 }
 
 }  // namespace

@@ -102,10 +102,12 @@ class Elements {
 }  // namespace
 
 /// What has a meaning in double quotes or in single ones stands by its octal code. (In single quotes two of them mean
-/// one, but not at the text's beginning nor beside others.)
+/// one, but not at the text's beginning nor beside others.) A bracket at the beginning of LaTeX would say where the
+/// text stands.
 std::string quoted(const std::string& text, Notation notation) {
-  std::string result = "\"";
-  for (const char c : typeset(one_line(text), notation))
+  const std::string set = typeset(one_line(text), notation);
+  std::string result = notation == Notation::latex && set.starts_with('[') ? "\"{}" : "\"";
+  for (const char c : set)
     result +=
         std::string_view("\"'\\`@").find(c) == std::string_view::npos ? std::string(1, c) : fmt::format("\\{:03o}", c);
   return result + '"';

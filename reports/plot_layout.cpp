@@ -10,11 +10,11 @@ namespace {
 constexpr double points_per_pixel = 0.75;
 
 /// In sizes of the font.
-constexpr double letter_width = 0.56;  ///< on average, of DejaVu Sans: the widest font of those in use
+constexpr double letter_width = 0.52;  ///< on average, of DejaVu Sans: the widest font of those in use
 constexpr double digit_width = 0.66;
 constexpr double sample_width = 3.2;  ///< of a key's line and marker
 constexpr double sample_gap = 0.7;    ///< from there to the text
-constexpr double column_gap = 1.2;
+constexpr double key_gap = 1.2;
 constexpr double row_height = 1.4;  ///< of the key
 constexpr double line_height = 1.25;
 constexpr double label_room = 3.6;  ///< below the axes: tics, label and a gap
@@ -41,22 +41,31 @@ double widest_tic(const Axis& axis, double font) {
   return widest;
 }
 
-/// In one line, or in two that differ least in length.
-std::vector<std::string> lines_of(const std::string& text, double font, double room) {
-  if (text_width(text, font) <= room) return {text};
-  const auto unevenness = [&](std::size_t cut) {
+/// Where a text too long for its line is cut: at a gap, or else at the space nearest to its middle; npos without one.
+std::size_t cut_of(const std::string& text) {
+  if (const auto gap = text.find("   "); gap != std::string::npos) return gap;
+  const auto distance = [&](std::size_t cut) {
     return std::abs(2 * static_cast<double>(cut) - static_cast<double>(text.size()));
   };
   std::size_t best = std::string::npos;
   for (std::size_t cut = text.find(' '); cut != std::string::npos; cut = text.find(' ', cut + 1))
-    if (best == std::string::npos || unevenness(cut) < unevenness(best)) best = cut;
-  if (best == std::string::npos) return {text};
-  return {text.substr(0, best), text.substr(best + 1)};
+    if (best == std::string::npos || distance(cut) < distance(best)) best = cut;
+  return best;
+}
+
+/// The text in as many lines as it takes.
+std::vector<std::string> lines_of(const std::string& text, double font, double room) {
+  const std::size_t cut = text_width(text, font) <= room ? std::string::npos : cut_of(text);
+  if (cut == std::string::npos) return {text};
+  auto lines = lines_of(text.substr(0, cut), font, room);
+  for (auto& line : lines_of(text.substr(text.find_first_not_of(' ', cut)), font, room))
+    lines.push_back(std::move(line));
+  return lines;
 }
 
 /// The key below the axes, in as many columns as fit beside one another; what fits into none is broken into lines.
 void set_key(Layout& layout, const Chart& chart) {
-  const double font = layout.page.font, beside = (sample_width + sample_gap + column_gap) * font;
+  const double font = layout.page.font, beside = (sample_width + sample_gap + key_gap) * font;
   const double room = layout.page.width - beside;
   double widest = 0;
   int rows = 0;
@@ -79,7 +88,8 @@ void set_sides(Layout& layout, const Chart& chart) {
   const double font = layout.page.font;
   const double label = chart.y.label.empty() ? 0 : line_height * font * static_cast<double>(layout.y_label.size());
   layout.left = 0.4 * font + label + 0.9 * font + widest_tic(chart.y, font);
-  layout.right = font * (chart.right_margin > 2 ? letter_width * static_cast<double>(chart.right_margin) : 1.2);
+  const bool labelled = chart.right_margin > Chart{}.right_margin;
+  layout.right = 1.2 * font + (labelled ? digit_width * font * static_cast<double>(chart.right_margin) : 0);
 }
 
 }  // namespace
@@ -106,7 +116,7 @@ double Layout::y_label_at(std::size_t line) const {
 
 KeyPlace Layout::key_place(int row) const {
   const double font = page.font;
-  const double block = key_columns * key_column - column_gap * font;
+  const double block = key_columns * key_column - key_gap * font;
   const double start = std::max(0.4 * font, (page.width - block) / 2) + row / key_rows * key_column;
   const double y = (row_height * (key_rows - row % key_rows - 0.5) + 0.2) * font;
   return {start / page.width, (start + sample_width * font) / page.width,

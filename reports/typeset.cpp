@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <string_view>
@@ -138,7 +139,8 @@ class Cutter {
     else
       add(Kind::text, name == "us" && follows_number() ? "μs" : name);
     take(length);
-    if (below == 0 || below > 2) return true;
+    const bool capitals = std::ranges::all_of(name, [](char c) { return c >= 'A' && c <= 'Z'; });
+    if (below == 0 || below > 2 || !(symbol || capitals)) return true;
     take(1);
     add(Kind::lowered, take(below));
     return true;

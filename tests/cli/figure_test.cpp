@@ -73,6 +73,22 @@ TEST_F(Figure, BadOptionsGetOneLineAndWriteNothing) {
   for (const char* file : {"small.pdf", "small.tex", "a.svg"}) EXPECT_FALSE(fs::exists(folder_ / file)) << file;
 }
 
+TEST_F(Figure, AllOfThemMakeADocument) {
+  const Answer answer = call(folder_, "paper --db r.db --out paper", there_);
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  EXPECT_EQ(answer.out, "paper/main.tex: 1 figures (1 drawn), 1 tables of orders\n");
+  EXPECT_THAT(read_text(folder_ / "paper/main.tex"), AllOf(HasSubstr("{small}"), HasSubstr("A small figure")));
+  EXPECT_THAT(read_text(folder_ / "paper/tables/orders-further.tex"), HasSubstr("bspline2"));
+}
+
+TEST_F(Figure, ADocumentNeedsAResult) {
+  call(folder_, "db forget small --db r.db", there_);
+  const Answer answer = call(folder_, "paper --db r.db --out paper", there_);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.err, "mpmvv: r.db holds no study of this program (run `mpmvv study` first)\n");
+  EXPECT_FALSE(fs::exists(folder_ / "paper"));
+}
+
 TEST_F(Figure, TheStoreIsNoPlaceForIt) {
   fs::copy(folder_ / "r.db", folder_ / "r.pdf");
   const Answer answer = call(folder_, "figure small --db r.pdf --out r.pdf", there_);
