@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
@@ -14,6 +15,7 @@
 #include "reports/picture_file.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
+#include "studies/support/process.hpp"
 
 namespace mpmvv::cli {
 
@@ -59,6 +61,16 @@ Sheet sheet_of(const FigureOptions& options) {
   return sheet;
 }
 
+/// Whether the machine has the family, or one that it takes for it; a machine without fontconfig is not asked.
+void note_other_font(const Sheet& sheet) {
+  const auto match =
+      support::run_process({"fc-match", "--format=%{family}", sheet.font}, ".", {}, std::chrono::seconds(10));
+  static const std::set<std::string> generic{"Sans", "Serif", "Monospace"};
+  if (!match.good() || generic.contains(sheet.font) || match.output.find(sheet.font) != std::string::npos) return;
+  note("this machine has no font '{}' and draws in {} (`fc-list : family` names those that it has)\n", sheet.font,
+       match.output);
+}
+
 /// The file of each figure: --out itself for one, in the folder of that name for more.
 std::vector<fs::path> files_of(const FigureOptions& options, const std::vector<Chart>& charts, Format format) {
   if (charts.size() == 1 && format_of_ending(options.out) && !fs::is_directory(options.out)) return {options.out};
@@ -88,6 +100,7 @@ int figure(const FigureOptions& options) {
   const auto files = files_of(options, charts, sheet.format);
   for (const fs::path& file : files)
     for (const fs::path& part : reports::picture_files(file, sheet.format)) require_apart("--out", part, {options.db});
+  if (sheet.format == Format::pdf) note_other_font(sheet);
   for (std::size_t i = 0; i < charts.size(); ++i) {
     if (files[i].has_parent_path()) support::make_folder(files[i].parent_path());
     reports::draw_picture(charts[i], sheet, files[i]);

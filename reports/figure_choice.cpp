@@ -33,6 +33,12 @@ std::vector<Chart> charts_where(const std::vector<StudyResult>& studies, const B
   return charts;
 }
 
+/// Whether the figure is one of the study's own or, by its name, a map that is added to them.
+bool may_have(const StudyResult& study, const std::string& figure) {
+  return figure.starts_with(study.name + "-map") ||
+         std::ranges::find(study.figures, figure, &records::Figure::name) != study.figures.end();
+}
+
 /// "s-fig9a" of "s-fig9".
 bool is_panel(const std::string& figure, const std::string& name) {
   return figure.size() == name.size() + 1 && figure.starts_with(name) &&
@@ -66,7 +72,7 @@ FigureChoice choose_of_claim(std::vector<Chart> charts, const std::string& id) {
 }  // namespace
 
 FigureChoice choose_figures(const std::vector<StudyResult>& studies, const std::string& name) {
-  FigureChoice named{charts_where(studies, [](const StudyResult&) { return true; }), {}};
+  FigureChoice named{charts_where(studies, [&](const StudyResult& s) { return may_have(s, name); }), {}};
   std::erase_if(named.chosen, [&](const Chart& c) { return c.name != name; });
   if (!named.chosen.empty()) return named;
   auto of_claim = charts_where(studies, [&](const StudyResult& s) { return has_claim(s, name); });

@@ -46,6 +46,13 @@ TEST_F(Figure, TheFilesEndingSaysItsFormat) {
   EXPECT_EQ(draw("small --out made --format svg").out, "made/small.svg\n");
 }
 
+TEST_F(Figure, AFontThatTheMachineLacksIsNamed) {
+  const Answer answer = draw("small --font 'No Such Family'");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(answer.err, StartsWith("this machine has no font 'No Such Family' and draws in "));
+  EXPECT_EQ(draw("small --font Serif").err, "");
+}
+
 TEST_F(Figure, ForLatexItSaysHowItIsTakenIn) {
   EXPECT_EQ(
       draw("small --out made/f.tex --font-size 7pt").out,
