@@ -11,8 +11,10 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/earlier.hpp"
+#include "cli/help.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
+#include "cli/shipped.hpp"
 #include "goldens/gate.hpp"
 #include "studies/claims/claim.hpp"
 #include "studies/support/error.hpp"
@@ -23,7 +25,7 @@ namespace mpmvv::cli {
 namespace {
 
 struct ReportOptions {
-  std::string db, out, goldens = "goldens";
+  std::string db, out, goldens;
 };
 
 /// What `./run benchmark` left beside the store, unless it measured another program.
@@ -73,10 +75,11 @@ reports::ReportInput report_input(const ReportOptions& options) {
   reports::ReportInput input;
   input.provenance = store::current_provenance();
   input.studies = own_results(options.db);
+  const std::filesystem::path folder = goldens_for(input.studies, options.goldens);
+  require_apart("--out", options.out, {options.db, folder, published});
   if (input.studies.empty())
     throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
-  const auto goldens =
-      has_goldens(options.goldens) ? goldens::read_goldens(options.goldens) : std::vector<goldens::Golden>{};
+  const auto goldens = has_goldens(folder) ? goldens::read_goldens(folder) : std::vector<goldens::Golden>{};
   add_gate_lines(input, goldens);
   const store::Store store(options.db, store::Store::Mode::read);
   auto mutation = own_mutation(options.db);
@@ -97,7 +100,6 @@ reports::ReportInput report_input(const ReportOptions& options) {
 }
 
 int report(const ReportOptions& options) {
-  require_apart("--out", options.out, {options.db, options.goldens, published});
   const reports::ReportInput input = report_input(options);
   const bool terminal = isatty(STDERR_FILENO);
   const reports::ReportSummary summary = reports::write_report(input, options.out, [terminal](const std::string& what) {
@@ -113,9 +115,13 @@ int report(const ReportOptions& options) {
 void add_report(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* command = app.add_subcommand("report", "Write the HTML report, its figures and tables");
-  command->add_option("--db", options->db, "results store")->required();
-  command->add_option("--out", options->out, "directory of the report")->required();
-  command->add_option("--goldens", options->goldens, "directory of goldens, judged in the report (default: goldens)");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--out", options->out, "folder of the report")->required()->type_name("FOLDER");
+  command
+      ->add_option("--goldens", options->goldens,
+                   fmt::format("folder of goldens, judged in the report ({})", default_goldens))
+      ->type_name("FOLDER");
+  add_examples(*command, {"mpmvv report --db results.db --out report"});
   command->callback([options, &exit_code] { exit_code = report(*options); });
 }
 

@@ -1,11 +1,11 @@
 #include "reports/claim_cards.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <regex>
 #include <utility>
 
 #include "reports/criteria.hpp"
+#include "reports/text.hpp"
 #include "reports/verdicts.hpp"
 
 namespace mpmvv::reports {
@@ -13,11 +13,6 @@ namespace mpmvv::reports {
 using namespace template_data;
 
 namespace {
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 /// The figure that bears the claim's name, else the first of its studies'.
 const Picture* picture_of(const claims::Claim& claim, const std::vector<Section>& sections) {
@@ -47,7 +42,7 @@ data card(const claims::Claim& claim, const std::vector<Section>& sections) {
                  {"pictures", list_of(picture ? std::vector{*picture} : std::vector<Picture>{}, picture_data)}});
 }
 
-struct Paper {
+struct PaperClaims {
   std::string name;
   int year = 0;
   std::vector<claims::Claim> claims;
@@ -62,21 +57,21 @@ int year_of(const std::string& source) {
 }
 
 /// By year, then by name.
-std::vector<Paper> papers_of(const std::vector<claims::Claim>& claims) {
-  std::vector<Paper> papers;
+std::vector<PaperClaims> papers_of(const std::vector<claims::Claim>& claims) {
+  std::vector<PaperClaims> papers;
   for (const claims::Claim& claim : claims) {
-    auto paper = std::ranges::find(papers, claim.source, &Paper::name);
+    auto paper = std::ranges::find(papers, claim.source, &PaperClaims::name);
     if (paper == papers.end()) paper = papers.insert(papers.end(), {claim.source, year_of(claim.source), {}});
     paper->claims.push_back(claim);
   }
-  std::ranges::stable_sort(papers, {}, [](const Paper& paper) { return std::pair(paper.year, paper.name); });
+  std::ranges::stable_sort(papers, {}, [](const PaperClaims& paper) { return std::pair(paper.year, paper.name); });
   return papers;
 }
 
 }  // namespace
 
 data claim_cards(const std::vector<claims::Claim>& claims, const std::vector<Section>& sections) {
-  return list_of(papers_of(claims), [&](const Paper& paper) {
+  return list_of(papers_of(claims), [&](const PaperClaims& paper) {
     return object({{"paper", paper.name.empty() ? "Claims without a source" : paper.name},
                    {"paper_counts", claim_counts(paper.claims)},
                    {"cards", list_of(paper.claims, [&](const claims::Claim& c) { return card(c, sections); })}});
