@@ -15,6 +15,8 @@ void add_study(CLI::App& app, int& exit_code);
 void add_gate(CLI::App& app, int& exit_code);
 void add_propose(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);
+void add_figure(CLI::App& app, int& exit_code);
+void add_paper(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
 void add_trend(CLI::App& app, int& exit_code);
 void add_cost(CLI::App& app, int& exit_code);
