@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "cli/command.hpp"
 #include "cli/setting_words.hpp"
 #include "cli/shipped.hpp"
 
@@ -24,9 +25,11 @@ std::vector<std::string> words_in_braces(const std::string& type) {
 std::vector<std::string> words_of(const CLI::Option& option) {
   std::string key = option.get_lnames().empty() ? "" : option.get_lnames().front();
   std::ranges::replace(key, '-', '_');
-  if (option.get_name(true) == "files") return study_names(shipped("studies"));
+  const std::string type = option.get_type_name();
+  if (type == "STUDY" || option.get_name(true) == "files") return study_names(shipped("studies"));
+  if (type == "LIST") return list_names();
   const auto words = setting_words(key);
-  return words.empty() ? words_in_braces(option.get_type_name()) : words;
+  return words.empty() ? words_in_braces(type) : words;
 }
 
 ArgumentText argument_text(const CLI::Option& option) {

@@ -51,12 +51,11 @@ void print_studies(const nlohmann::json& studies) {
 
 int list(const std::string& what, const std::string& folder, bool json) {
   nlohmann::json all = nlohmann::json::object();
-  std::vector<std::string> known{"studies", "problems", "checks"};
   if (what == "studies") {
     all["studies"] = study_list(folder);
     if (!json) print_studies(all["studies"]);
   } else if (!folder.empty()) {
-    throw support::UsageError("--studies without studies (mpmvv list studies --studies DIR)");
+    throw support::UsageError("--studies without studies (mpmvv list studies --studies FOLDER)");
   }
   if (what.empty() || what == "problems") {
     all["problems"] = problem_list();
@@ -68,12 +67,11 @@ int list(const std::string& what, const std::string& folder, bool json) {
     table.add({name, fmt::format("{}", fmt::join(words, ", "))});
   };
   for (const auto& [name, key] : word_lists()) {
-    known.push_back(name);
     if (what.empty() || what == name) add_words(name, settings::words_of_key(key));
   }
   if (what.empty() || what == "checks") add_words("checks", check_names());
   if (all.empty())
-    throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(known, ", ")));
+    throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(list_names(), ", ")));
   if (json)
     print_json(all);
   else
@@ -82,6 +80,12 @@ int list(const std::string& what, const std::string& folder, bool json) {
 }
 
 }  // namespace
+
+std::vector<std::string> list_names() {
+  std::vector<std::string> names{"studies", "problems", "checks"};
+  for (const auto& [name, key] : word_lists()) names.push_back(name);
+  return names;
+}
 
 void add_list(CLI::App& app, int& exit_code) {
   auto what = std::make_shared<std::string>(), folder = std::make_shared<std::string>();

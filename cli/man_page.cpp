@@ -77,7 +77,7 @@ std::string section_of(const CommandText& command) {
   return text;
 }
 
-constexpr const char* exit_status = R"(.SH EXIT STATUS
+constexpr const char* ending = R"(.SH EXIT STATUS
 .TP
 0
 all went well; of \fBgate\fR: every golden passes. A run that blows up is a result, too
@@ -90,6 +90,14 @@ bad input: one line on standard error says what is wrong, where, and what would 
 .TP
 3
 \fBgate\fR lacks a result or knows it too badly, \fBcost\fR had nothing to compare or too much noise
+.SH FILES
+Below the prefix that the program was installed to:
+.TP
+share/mpmvv/studies, share/mpmvv/goldens
+the studies that come with the program, and their goldens
+.TP
+share/doc/mpmvv/docs/first\-study.md
+from a study file to a gate that passes, in five commands
 )";
 
 }  // namespace
@@ -103,7 +111,7 @@ std::string man_page(const CommandText& program) {
   text += footer_of(program);
   text += ".SH COMMANDS\n";
   for (const CommandText& command : program.commands) text += section_of(command);
-  return text + exit_status;
+  return text + ending;
 }
 
 }  // namespace mpmvv::cli

@@ -41,7 +41,9 @@ std::string option_lines(const CommandText& command) {
   for (const ArgumentText& option : command.options)
     for (const std::string& flag : option.flags) {
       const std::string value = option.value.empty() ? "" : ":" + zsh_values(option);
-      lines += fmt::format("    '{}{}[{}]{}' \\\n", option.repeatable ? "*" : "", flag, escaped(option.meaning), value);
+      const char* equals = !value.empty() && flag.starts_with("--") ? "=" : "";  // "--db FILE" and "--db=FILE"
+      lines += fmt::format("    '{}{}{}[{}]{}' \\\n", option.repeatable ? "*" : "", flag, equals,
+                           escaped(option.meaning), value);
     }
   return lines;
 }

@@ -131,7 +131,20 @@ TEST_F(OwnStudies, ThoseOfTheProgramAreThereByName) {
   EXPECT_EQ(study.code, 0) << study.err;
   const Answer gate = in_folder("mpmvv gate --only s-jump --db results.db");
   EXPECT_EQ(gate.code, 0) << gate.out << gate.err;
-  EXPECT_THAT(in_folder("mpmvv study s-jumps --db results.db").err, HasSubstr("s-jumps"));
+  EXPECT_THAT(in_folder("mpmvv study s-jumpe --db results.db").err,
+              HasSubstr("no study 's-jumpe' (did you mean 's-jump'? a study file, or a name of `mpmvv list studies`)"));
+  EXPECT_THAT(in_folder("mpmvv study s-jump.tom --db results.db").err, HasSubstr("no study 's-jump.tom'"));
+}
+
+TEST_F(OwnStudies, AreCostedBeforeTheCasesOfTheProgram) {
+  const std::string theirs = read_text(std::string(MPMVV_SOURCE_DIR) + "/studies/cost.txt");
+  const auto first = theirs.find("\n--problem") + 1;
+  const std::string mine = "--problem bar --basis linear --integrator cd --cells 8 --ppc 1 --cfl 0.2 --steps 4";
+  EXPECT_THAT(in_folder("mpmvv cost /bin/true").err,
+              HasSubstr("does not carry out the case '" + theirs.substr(first, theirs.find('\n', first) - first)));
+  std::filesystem::create_directories(folder_ / "studies");
+  folder_.write("studies/cost.txt", mine);
+  EXPECT_THAT(in_folder("mpmvv cost /bin/true").err, HasSubstr("does not carry out the case '" + mine));
 }
 
 TEST_F(OwnStudies, AreListedWithTheirTitlesAndClaims) {
