@@ -9,8 +9,10 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
+#include "cli/shipped.hpp"
 #include "goldens/gate.hpp"
 #include "studies/claims/claim.hpp"
 #include "studies/support/error.hpp"
@@ -20,7 +22,7 @@ namespace mpmvv::cli {
 namespace {
 
 struct ReportOptions {
-  std::string db, out, goldens = "goldens";
+  std::string db, out, goldens;
 };
 
 /// What `./run benchmark` left beside the store, unless it measured another program.
@@ -51,15 +53,15 @@ bool has_goldens(const std::filesystem::path& folder) {
 }
 
 int report(const ReportOptions& options) {
-  require_apart("--out", options.out, {options.db, options.goldens, published});
   reports::ReportInput input;
   input.provenance = store::current_provenance();
   input.studies = own_results(options.db);
+  const std::filesystem::path folder = goldens_for(input.studies, options.goldens);
+  require_apart("--out", options.out, {options.db, folder, published});
   if (input.studies.empty())
     throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
-  if (has_goldens(options.goldens))
-    for (const goldens::GateResult& r :
-         goldens::run_gate(goldens::read_goldens(options.goldens), input.studies).results)
+  if (has_goldens(folder))
+    for (const goldens::GateResult& r : goldens::run_gate(goldens::read_goldens(folder), input.studies).results)
       input.gate.push_back({r.study + ": " + r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
   const store::Store store(options.db, store::Store::Mode::read);
   auto mutation = own_mutation(options.db);
@@ -84,9 +86,13 @@ int report(const ReportOptions& options) {
 void add_report(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* command = app.add_subcommand("report", "Write the HTML report, its figures and tables");
-  command->add_option("--db", options->db, "results store")->required();
-  command->add_option("--out", options->out, "directory of the report")->required();
-  command->add_option("--goldens", options->goldens, "directory of goldens, judged in the report (default: goldens)");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--out", options->out, "folder of the report")->required()->type_name("FOLDER");
+  command
+      ->add_option("--goldens", options->goldens,
+                   fmt::format("folder of goldens, judged in the report ({})", default_goldens))
+      ->type_name("FOLDER");
+  add_examples(*command, {"mpmvv report --db results.db --out report"});
   command->callback([options, &exit_code] { exit_code = report(*options); });
 }
 

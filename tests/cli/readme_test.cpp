@@ -1,18 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/cli/program.hpp"
+#include "tests/cli/walk.hpp"
 
 namespace mpmvv::cli {
 namespace readme_test {
 
-/// The fenced block that follows `<!-- walk: NAME -->` in the README.
 std::string block(const std::string& name) {
-  const std::string readme = read_text(std::string(MPMVV_SOURCE_DIR) + "/README.md");
-  const auto mark = readme.find("<!-- walk: " + name + " -->");
-  EXPECT_NE(mark, std::string::npos) << name;
-  const auto begin = readme.find('\n', readme.find("```", mark)) + 1;
-  return readme.substr(begin, readme.find("```", begin) - begin);
+  return walk_block("README.md", name);
 }
 
 std::string shell(const std::string& command, int& code) {
