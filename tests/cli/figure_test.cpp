@@ -72,7 +72,7 @@ TEST_F(Figure, BadOptionsGetOneLineAndWriteNothing) {
       {"small --format tex --font Times",
        "--font with --format tex (LaTeX sets the document's own font; leave it out)"},
       {"small --format pdf --out a.svg", "--format pdf with --out a.svg (a file that ends with .pdf)"},
-      {"smal", "unknown figure 'smal' (known: small; or a claim: S-fig10)"}};
+      {"smal", "unknown figure 'smal' (known: small, S-fig10; did you mean 'small'?)"}};
   for (const auto& [arguments, message] : calls) {
     const Answer answer = draw(arguments);
     EXPECT_EQ(answer.code, 2) << arguments;
