@@ -14,6 +14,7 @@
 #include "cli/results.hpp"
 #include "reports/figure_choice.hpp"
 #include "reports/picture_file.hpp"
+#include "reports/plot.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
@@ -101,6 +102,12 @@ int figure(const FigureOptions& options) {
   const auto files = files_of(options, charts, sheet.format);
   for (const fs::path& file : files)
     for (const fs::path& part : reports::picture_files(file, sheet.format)) require_apart("--out", part, {options.db});
+  for (const Chart& chart : charts)
+    if (!reports::has_room(chart, sheet))
+      throw support::UsageError(
+          fmt::format("--width {} leaves too little for the axes of '{}' (a greater one, or a "
+                      "smaller --font-size than {})",
+                      options.width, chart.name, options.font_size));
   if (sheet.format == Format::pdf) note_other_font(sheet);
   for (std::size_t i = 0; i < charts.size(); ++i) {
     if (files[i].has_parent_path()) support::make_folder(files[i].parent_path());

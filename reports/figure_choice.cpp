@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <set>
 
+#include "reports/text.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::reports {
@@ -15,11 +15,6 @@ namespace mpmvv::reports {
 using records::StudyResult;
 
 namespace {
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 bool has_claim(const StudyResult& study, const std::string& id) {
   return std::ranges::find(study.claims, id) != study.claims.end();
@@ -65,8 +60,9 @@ FigureChoice choose_of_claim(std::vector<Chart> charts, const std::string& id) {
   std::set<std::string> figures, claims;
   for (const StudyResult& study : studies) claims.insert(study.claims.begin(), study.claims.end());
   for (const Chart& chart : charts_where(studies, [](const StudyResult&) { return true; })) figures.insert(chart.name);
-  throw support::UsageError(fmt::format("unknown figure '{}' (known: {}; or a claim: {})", name,
-                                        fmt::join(figures, ", "), fmt::join(claims, ", ")));
+  std::vector<std::string> known(figures.begin(), figures.end());
+  known.insert(known.end(), claims.begin(), claims.end());
+  throw support::UsageError(fmt::format("unknown figure '{}' (known: {})", name, fmt::join(known, ", ")));
 }
 
 }  // namespace
