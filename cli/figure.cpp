@@ -123,7 +123,6 @@ int figure(const FigureOptions& options) {
 void add_figure(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<FigureOptions>();
   CLI::App* command = app.add_subcommand("figure", "Draw a figure for a paper");
-<<<<<<< HEAD
   command->add_option("name", options->name, "figure, claim or study, such as s-fig10 or S-fig10")
       ->required()
       ->type_name("NAME");
@@ -138,21 +137,6 @@ void add_figure(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   add_examples(*command, {"mpmvv figure S-fig10 --db results.db --width 84mm --font-size 8pt",
                           "mpmvv figure splines --db results.db --out figures/splines.tex"});
-=======
-  command->add_option("name", options->name, "figure, claim or study: s-fig10, S-fig10")->required()->type_name("NAME");
-  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
-  command->add_option("--format", options->format, "pdf, svg or tex (default: as --out ends, else pdf)")
-      ->type_name("WORD");
-  command->add_option("--width", options->width, "of the figure, labels and key: 84mm, 3.3in")
-      ->capture_default_str()
-      ->type_name("LENGTH");
-  command->add_option("--font", options->font, "family, for pdf and svg (default: Sans)")->type_name("NAME");
-  command->add_option("--font-size", options->font_size, "of all texts")->capture_default_str()->type_name("LENGTH");
-  command->add_option("--out", options->out, "file, or folder (default: here, under the figure's name)")
-      ->type_name("FILE");
-  add_examples(*command, {"mpmvv figure splines --db results.db",
-                          "mpmvv figure splines --db results.db --format svg --width 174mm --out wide.svg"});
->>>>>>> main
   command->callback([options, &exit_code] { exit_code = figure(*options); });
 }
 
