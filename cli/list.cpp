@@ -7,6 +7,8 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "studies/checks/check.hpp"
+#include "studies/plan/file_reference.hpp"
+#include "studies/plan/file_tables.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/support/error.hpp"
 
@@ -65,9 +67,21 @@ std::vector<std::string> check_names() {
   return names;
 }
 
+/// The keys of each table of a study file.
+nlohmann::json study_file_json() {
+  nlohmann::json tables = nlohmann::json::array();
+  for (const plan::FileTable& table : plan::file_tables()) {
+    nlohmann::json keys = nlohmann::json::array();
+    for (const plan::FileKey& key : table.keys)
+      keys.push_back({{"key", key.key}, {"takes", key.takes}, {"default", key.absent}, {"meaning", key.meaning}});
+    tables.push_back({{"table", table.name}, {"takes_settings", table.takes_settings}, {"keys", keys}});
+  }
+  return tables;
+}
+
 int list(const std::string& what, bool json) {
   nlohmann::json all = nlohmann::json::object();
-  std::vector<std::string> known{"problems", "checks"};
+  std::vector<std::string> known{"problems", "checks", "study-file"};
   if (what.empty() || what == "problems") {
     all["problems"] = nlohmann::json::array();
     for (const problems::Problem& p : problems::problems()) all["problems"].push_back(problem_json(p));
@@ -82,6 +96,10 @@ int list(const std::string& what, bool json) {
     if (what.empty() || what == name) print_words(name, settings::words_of_key(key));
   }
   if (what.empty() || what == "checks") print_words("checks", check_names());
+  if (what == "study-file") {
+    all[what] = study_file_json();
+    if (!json) print_text(plan::study_file_reference());
+  }
   if (all.empty())
     throw support::UsageError(fmt::format("nothing to list under '{}' (known: {})", what, fmt::join(known, ", ")));
   if (json) print_json(all);
@@ -95,7 +113,7 @@ void add_list(CLI::App& app, int& exit_code) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command =
       app.add_subcommand("list", "Print what there is: problems with their values, and the words of every key");
-  command->add_option("what", *what, "problems, bases, integrators, ... (default: all)");
+  command->add_option("what", *what, "problems, bases, integrators, ..., study-file (default: all lists of words)");
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([what, json, &exit_code] { exit_code = list(*what, *json); });
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "studies/plan/claim_reader.hpp"
+#include "studies/plan/file_reference.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/records/record.hpp"
 #include "studies/settings/settings.hpp"
@@ -50,6 +51,11 @@ TEST(Docs, NameEveryProblem) {
 
 TEST(Docs, NameEveryNumberOfARun) {
   expect_words("measuring.md", records::norm_words());
+}
+
+TEST(Docs, HaveTheStudyFileAsItIsRead) {
+  EXPECT_TRUE(page("study-files.md") == plan::study_file_reference())
+      << "docs/study-files.md is stale: mpmvv list study-file > docs/study-files.md";
 }
 
 /// What the shipped study files state: a study may name a claim that another one states, and no claim is stated twice.
