@@ -26,6 +26,13 @@ TEST_F(HowTo, OneCaseRuns) {
   EXPECT_THAT(follow(walk("run")), AllOf(HasSubstr("bar  basis bspline2"), HasSubstr("status ok")));
 }
 
+TEST_F(HowTo, TheStudyFileIsListedKeyByKey) {
+  EXPECT_EQ(follow("mpmvv list study-file"), text_of_file(MPMVV_SOURCE_DIR "/docs/study-files.md"));
+  const auto listed = nlohmann::json::parse(follow("mpmvv list study-file --json"))["study-file"];
+  ASSERT_FALSE(listed.empty());
+  EXPECT_EQ(listed[0]["keys"][0]["key"], "title");
+}
+
 TEST_F(HowTo, AStudySearchesLimits) {
   folder_.write("limits.toml", walk("limits.toml"));
   EXPECT_THAT(follow(walk("limits")), testing::ContainsRegex("limit"));
