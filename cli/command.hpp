@@ -20,6 +20,7 @@ void add_cost(CLI::App& app, int& exit_code);
 void add_claims(CLI::App& app, int& exit_code);
 void add_list(CLI::App& app, int& exit_code);
 void add_db(CLI::App& app, int& exit_code);
+void add_manual(CLI::App& app, int& exit_code);
 
 /// `--param k=v` as a setting; UsageError when it has not that form.
 settings::Setting parameter_setting(const std::string& text);

@@ -9,9 +9,12 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <system_error>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
+#include "cli/shipped.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
@@ -23,7 +26,7 @@ using goldens::Verdict;
 namespace {
 
 struct CostOptions {
-  std::string baseline, cases = "studies/cost.txt";
+  std::string baseline, cases;
   bool json = false;
 };
 
@@ -32,6 +35,13 @@ struct CostedCase {
   std::string name;
   goldens::CostRatio cost;
 };
+
+/// The cases in the studies here, or else in those that come with the program.
+std::string default_cases() {
+  const std::filesystem::path here = "studies/cost.txt";
+  std::error_code unknown;
+  return std::filesystem::exists(here, unknown) ? here : shipped("studies") / "cost.txt";
+}
 
 std::vector<std::string> read_cases(const std::string& file) {
   std::istringstream in(support::require_file(file, "a file with the options of a run on each line"));
@@ -123,7 +133,7 @@ int cost(const CostOptions& options) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   std::vector<CostedCase> costed;
   std::vector<std::string> left_out;
-  const auto cases = read_cases(options.cases);
+  const auto cases = read_cases(options.cases.empty() ? default_cases() : options.cases);
   for (const std::string& name : cases) {
     if (terminal) note("\r\033[K[{}/{}] {}", costed.size() + left_out.size(), cases.size(), name);
     required_cost(own, name);
@@ -151,9 +161,16 @@ int cost(const CostOptions& options) {
 void add_cost(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CostOptions>();
   CLI::App* command = app.add_subcommand("cost", "Time cases beside another build of this program, run by run");
-  command->add_option("baseline", options->baseline, "that program")->required()->check(CLI::ExistingFile);
-  command->add_option("--cases", options->cases, "file with a run's options on each line (default: studies/cost.txt)");
+  command->add_option("baseline", options->baseline, "that program")
+      ->required()
+      ->check(CLI::ExistingFile)
+      ->type_name("PROGRAM");
+  command
+      ->add_option("--cases", options->cases,
+                   "file with a run's options on each line (default: studies/cost.txt here, else that of the program)")
+      ->type_name("FILE");
   command->add_flag("--json", options->json, "print one JSON object");
+  add_examples(*command, {"mpmvv cost other/mpmvv --cases cases.txt"});
   command->callback([options, &exit_code] { exit_code = cost(*options); });
 }
 

@@ -9,6 +9,8 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/gate_text.hpp"
+#include "cli/help.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "cli/shipped.hpp"
@@ -27,7 +29,7 @@ namespace {
 struct GateOptions {
   std::string db, goldens, junit;
   std::vector<std::string> only;
-  bool json = false, github = false, as_set = false;
+  bool json = false, github = false, as_set = false, verbose = false;
 };
 
 /// GitHub Actions sets this in every step.
@@ -49,23 +51,12 @@ nlohmann::json gate_json(const goldens::GateReport& report) {
                        {"verdict", to_string(r.verdict)},
                        {"expected", r.expected},
                        {"measured", r.measured},
-                       {"reason", r.reason}});
+                       {"reason", r.reason},
+                       {"absent", r.is_absent}});
   return {{"pass", report.count(Verdict::pass)},
           {"fail", report.count(Verdict::fail)},
           {"inconclusive", report.count(Verdict::inconclusive)},
           {"results", results}};
-}
-
-/// Failures first, then what is inconclusive, then the rest in the order of the goldens.
-void print_gate(const goldens::GateReport& report) {
-  for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
-    for (const goldens::GateResult& r : report.results) {
-      if (r.verdict != verdict) continue;
-      print("{:<12} {:<10} {}: expected {}, measured {}{}\n", to_string(r.verdict), r.study, r.name, r.expected,
-            r.measured, r.reason.empty() ? "" : " (" + r.reason + ")");
-    }
-  print("gate: {} pass, {} fail, {} inconclusive\n", report.count(Verdict::pass), report.count(Verdict::fail),
-        report.count(Verdict::inconclusive));
 }
 
 int gate(const GateOptions& options) {
@@ -79,7 +70,7 @@ int gate(const GateOptions& options) {
   if (options.json)
     print_json(gate_json(report));
   else
-    print_gate(report);
+    print_gate(report, options.verbose);
   if (options.github || (in_github_actions() && !options.json)) print_text(goldens::github_annotations(report));
   return report.exit_code();
 }
@@ -118,26 +109,33 @@ int propose(const ProposeOptions& options) {
 void add_gate(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<GateOptions>();
   CLI::App* command = app.add_subcommand("gate", "Hold the store's results against the goldens");
-  command->add_option("--db", options->db, "results store")->required();
-  command->add_option("--goldens", options->goldens, fmt::format("folder of goldens ({})", default_goldens));
-  command->add_option("--only", options->only, "judge only this study's goldens (repeatable)");
-  command->add_option("--junit", options->junit, "write JUnit XML to this file, too");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--goldens", options->goldens, fmt::format("folder of goldens ({})", default_goldens))
+      ->type_name("FOLDER");
+  command->add_option("--only", options->only, "judge only this study's goldens (repeatable)")->type_name("STUDY");
+  command->add_option("--junit", options->junit, "write JUnit XML to this file, too")->type_name("FILE");
   command->add_flag("--as-set", options->as_set,
                     "judge results made with study --set, too (default: they are inconclusive)");
+  command->add_flag("--verbose", options->verbose, "print what passes, too, and each golden without a result");
   CLI::Option* json = command->add_flag("--json", options->json, "print one JSON object");
   command->add_flag("--github", options->github, "print annotations for GitHub Actions, too (default: when run by it)")
       ->excludes(json);
+  add_examples(*command, {"mpmvv gate --db results.db", "mpmvv gate --db results.db --only splines --verbose",
+                          "mpmvv gate --db results.db --junit gate.xml"});
   command->callback([options, &exit_code] { exit_code = gate(*options); });
 }
 
 void add_propose(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ProposeOptions>();
   CLI::App* command = app.add_subcommand("propose", "Write goldens for review from the store's results of a study");
-  command->add_option("--db", options->db, "results store")->required();
-  command->add_option("--study", options->study, "name of the study")->required();
-  command->add_option("--goldens", options->goldens,
-                      fmt::format("folder of the goldens that stand ({})", default_goldens));
-  command->add_option("--out", options->out, "a file that does not exist yet (default: standard output)");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--study", options->study, "name of the study")->required()->type_name("STUDY");
+  command
+      ->add_option("--goldens", options->goldens, fmt::format("folder of the goldens that stand ({})", default_goldens))
+      ->type_name("FOLDER");
+  command->add_option("--out", options->out, "a file that does not exist yet (default: standard output)")
+      ->type_name("FILE");
+  add_examples(*command, {"mpmvv propose --db results.db --study splines --out goldens/new-splines.toml"});
   command->callback([options, &exit_code] { exit_code = propose(*options); });
 }
 

@@ -5,6 +5,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "cli/results.hpp"
 #include "goldens/comparison.hpp"
 
@@ -144,11 +145,12 @@ int trend(const TrendOptions& options) {
 void add_compare(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Print what changed between two versions in a store, worst first");
-  command->add_option("from", options->a, "first letters of a commit or digest")->required();
-  command->add_option("to", options->b, "the same (default: the running program's digest)");
-  command->add_option("--db", options->db, "results store")->required();
+  command->add_option("from", options->a, "first letters of a commit or digest")->required()->type_name("VERSION");
+  command->add_option("to", options->b, "the same (default: the running program's digest)")->type_name("VERSION");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
   command->add_flag("--all", options->all, "print what did not change, too");
   command->add_flag("--json", options->json, "print one JSON object");
+  add_examples(*command, {"mpmvv compare 3f2a91 c0ffee --db results.db", "mpmvv compare 3f2a91 --db results.db --all"});
   command->callback([options, &exit_code] { exit_code = compare_versions(*options); });
 }
 
@@ -156,8 +158,9 @@ void add_trend(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<TrendOptions>();
   CLI::App* command =
       app.add_subcommand("trend", "Print orders, finest errors, limits and values over all versions in a store");
-  command->add_option("--db", options->db, "results store")->required();
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
   command->add_flag("--json", options->json, "print one JSON object");
+  add_examples(*command, {"mpmvv trend --db results.db"});
   command->callback([options, &exit_code] { exit_code = trend(*options); });
 }
 

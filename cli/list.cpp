@@ -6,6 +6,8 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
+#include "cli/study_list.hpp"
 #include "studies/checks/check.hpp"
 #include "studies/plan/file_reference.hpp"
 #include "studies/plan/file_tables.hpp"
@@ -79,9 +81,23 @@ nlohmann::json study_file_json() {
   return tables;
 }
 
-int list(const std::string& what, bool json) {
+void print_studies(const nlohmann::json& studies) {
+  for (const nlohmann::json& study : studies) {
+    const auto claims = study["claims"].get<std::vector<std::string>>();
+    print("{:<18} {}{}\n", study["name"].get<std::string>(), study["title"].get<std::string>(),
+          claims.empty() ? "" : fmt::format(" ({})", fmt::join(claims, ", ")));
+  }
+}
+
+int list(const std::string& what, const std::string& folder, bool json) {
   nlohmann::json all = nlohmann::json::object();
-  std::vector<std::string> known{"problems", "checks", "study-file"};
+  std::vector<std::string> known{"studies", "problems", "checks", "study-file"};
+  if (what == "studies") {
+    all["studies"] = study_list(folder);
+    if (!json) print_studies(all["studies"]);
+  } else if (!folder.empty()) {
+    throw support::UsageError("--studies without studies (mpmvv list studies --studies DIR)");
+  }
   if (what.empty() || what == "problems") {
     all["problems"] = nlohmann::json::array();
     for (const problems::Problem& p : problems::problems()) all["problems"].push_back(problem_json(p));
@@ -101,7 +117,7 @@ int list(const std::string& what, bool json) {
     if (!json) print_text(plan::study_file_reference());
   }
   if (all.empty())
-    throw support::UsageError(fmt::format("nothing to list under '{}' (known: {})", what, fmt::join(known, ", ")));
+    throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(known, ", ")));
   if (json) print_json(all);
   return 0;
 }
@@ -109,13 +125,21 @@ int list(const std::string& what, bool json) {
 }  // namespace
 
 void add_list(CLI::App& app, int& exit_code) {
-  auto what = std::make_shared<std::string>();
+  auto what = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  CLI::App* command =
-      app.add_subcommand("list", "Print what there is: problems with their values, and the words of every key");
-  command->add_option("what", *what, "problems, bases, integrators, ..., study-file (default: all lists of words)");
+  CLI::App* command = app.add_subcommand(
+      "list", "Print what there is: studies, problems with their values, and the words of every key");
+  command
+      ->add_option("what", *what,
+                   "studies, problems, bases, integrators, ..., study-file (default: all words of settings, problems "
+                   "and checks)")
+      ->type_name("LIST");
+  command->add_option("--studies", *folder, "folder of study files (default: the one that comes with the program)")
+      ->type_name("FOLDER");
   command->add_flag("--json", *json, "print one JSON object");
-  command->callback([what, json, &exit_code] { exit_code = list(*what, *json); });
+  add_examples(*command, {"mpmvv list studies", "mpmvv list problems", "mpmvv list bases", "mpmvv list study-file",
+                          "mpmvv list --json"});
+  command->callback([what, folder, json, &exit_code] { exit_code = list(*what, *folder, *json); });
 }
 
 }  // namespace mpmvv::cli

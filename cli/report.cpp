@@ -9,6 +9,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "cli/shipped.hpp"
@@ -85,10 +86,13 @@ int report(const ReportOptions& options) {
 void add_report(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* command = app.add_subcommand("report", "Write the HTML report, its figures and tables");
-  command->add_option("--db", options->db, "results store")->required();
-  command->add_option("--out", options->out, "directory of the report")->required();
-  command->add_option("--goldens", options->goldens,
-                      fmt::format("folder of goldens, judged in the report ({})", default_goldens));
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--out", options->out, "folder of the report")->required()->type_name("FOLDER");
+  command
+      ->add_option("--goldens", options->goldens,
+                   fmt::format("folder of goldens, judged in the report ({})", default_goldens))
+      ->type_name("FOLDER");
+  add_examples(*command, {"mpmvv report --db results.db --out report"});
   command->callback([options, &exit_code] { exit_code = report(*options); });
 }
 

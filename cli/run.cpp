@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +8,8 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
+#include "studies/problems/problem.hpp"
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
@@ -110,6 +113,38 @@ int run(const RunOptions& options) {
   return record.status == records::Status::failed ? 1 : 0;
 }
 
+/// What stands where a key is not given; empty where the case then has nothing of the kind.
+std::string default_of(const settings::SettingKey& key) {
+  static const std::map<std::string, std::string> by_rule{{"problem", "required"},
+                                                          {"cells", "required"},
+                                                          {"ppc", "required"},
+                                                          {"cfl", "this or --dt is required"},
+                                                          {"dt", "this or --cfl is required"},
+                                                          {"order", "required by these"},
+                                                          {"smoothing_length", "required by it"},
+                                                          {"wall_method", "default: combined"},
+                                                          {"boundary", "default: the problem's"},
+                                                          {"material", "default: the problem's"},
+                                                          {"end_time", "default: the problem's"}};
+  if (const auto rule = by_rule.find(key.key); rule != by_rule.end()) return rule->second;
+  const std::string value = key.member ? cases::text_of(key.member->value(cases::Case{})) : "";
+  return value.empty() || value == "0" || value == "none" || value == "false" ? "" : fmt::format("default: {}", value);
+}
+
+std::vector<std::string> words_of(const settings::SettingKey& key) {
+  if (key.key != "problem") return settings::words_of_key(key.key);
+  std::vector<std::string> names;
+  for (const problems::Problem& problem : problems::problems()) names.push_back(problem.name);
+  return names;
+}
+
+std::string help_of(const settings::SettingKey& key) {
+  std::string help = key.meaning;
+  if (const auto words = words_of(key); !words.empty()) help += fmt::format(": {}", fmt::join(words, ", "));
+  const std::string absent = default_of(key);
+  return absent.empty() ? help : fmt::format("{} ({})", help, absent);
+}
+
 }  // namespace
 
 settings::Setting parameter_setting(const std::string& text) {
@@ -125,15 +160,25 @@ void add_run(CLI::App& app, int& exit_code) {
   for (const settings::SettingKey& key : settings::setting_keys()) {
     std::string name = "--" + key.key;
     std::replace(name.begin(), name.end(), '_', '-');
+    const std::string help = help_of(key);
     if (key.member && key.member->is_flag)
-      options->flags[key.key] = command->add_flag(name, key.meaning);
+      options->flags[key.key] = command->add_flag(name, help);
     else
-      options->given[key.key] = command->add_option(name, key.meaning)->expected(1);
+      options->given[key.key] =
+          command->add_option(name, help)->expected(1)->type_name(words_of(key).empty() ? "NUMBER" : "WORD");
   }
-  command->add_option("--param", options->parameters, "physical value of the problem, name=value (repeatable)");
-  command->add_option("--threads", options->threads, "threads of the step")->check(CLI::Range(1, 256));
-  command->add_option("--vtu", options->vtu, "write eleven particle states for ParaView to this directory");
+  command->add_option("--param", options->parameters, "physical value of the problem (repeatable)")
+      ->type_name("NAME=VALUE");
+  command->add_option("--threads", options->threads, "threads of the step, 1 to 256 (default: 1)")
+      ->check(CLI::Range(1, 256))
+      ->type_name("NUMBER");
+  command->add_option("--vtu", options->vtu, "write eleven particle states for ParaView to this folder")
+      ->type_name("FOLDER");
   command->add_flag("--json", options->json, "print the record as one JSON object");
+  add_examples(*command,
+               {"mpmvv run --problem bar --basis bspline2 --integrator cd --cells 64 --ppc 4 --cfl 0.2",
+                "mpmvv run --problem square --basis cpgimp --boundary mirror --cells 32 --ppc 2 --cfl 0.4 --json",
+                "mpmvv run --problem ring --cells 16 --ppc 2 --cfl 0.4 --param amplitude=0.05 --vtu frames"});
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -1,6 +1,7 @@
 #include "studies/plan/claim_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -40,6 +41,11 @@ class ClaimsById {
     const auto found = claims_.find(id);
     return found == claims_.end() ? nullptr : &found->second;
   }
+  std::set<std::string> ids() const {
+    std::set<std::string> ids;
+    for (const auto& [id, claim] : claims_) ids.insert(id);
+    return ids;
+  }
 
  private:
   std::map<std::string, StatedClaim> claims_;
@@ -54,12 +60,13 @@ std::vector<fs::path> study_files(const fs::path& folder) {
   return files;
 }
 
-/// What the study files of a folder say of these claims. Only files in which the id of one stands are read.
-ClaimsById claims_in(const fs::path& folder, const std::set<std::string>& ids) {
+/// The claims that the study files of a folder state, of those files in which one of the texts stands.
+ClaimsById claims_in(const fs::path& folder, const std::set<std::string>& texts) {
   ClaimsById claims;
   for (const fs::path& file : study_files(folder)) {
     const std::string text = support::read_file(file).value_or("");
-    if (std::ranges::none_of(ids, [&](const std::string& id) { return text.find(id) != std::string::npos; })) continue;
+    if (std::ranges::none_of(texts, [&](const std::string& each) { return text.find(each) != std::string::npos; }))
+      continue;
     claims.add(read_claims(TomlTable::parse(text, file.string()), file.stem().string()));
   }
   return claims;
@@ -76,6 +83,14 @@ std::set<std::string> not_stated(const std::vector<StudyPlan>& plans, const Clai
     for (const std::string& id : plan.claims)
       if (!known.find(id)) ids.insert(id);
   return ids;
+}
+
+[[noreturn]] void fail_unknown(const std::string& id, const std::string& where, const ClaimsById& known,
+                               const std::vector<fs::path>& folders) {
+  std::set<std::string> ids = known.ids();
+  for (const fs::path& folder : folders) ids.merge(claims_in(folder, {"[[claim]]"}).ids());
+  throw UsageError(fmt::format("unknown claim '{}' in {}, which no [[claim]] states there or beside it (known: {})", id,
+                               where, fmt::join(ids, ", ")));
 }
 
 }  // namespace
@@ -117,11 +132,7 @@ void state_claims(std::vector<StudyPlan>& plans, const std::vector<fs::path>& fo
     for (const std::string& id : plan.claims) {
       if (states(plan, id)) continue;
       const StatedClaim* claim = known.find(id);
-      if (!claim)
-        throw UsageError(
-            fmt::format("unknown claim '{}' in {} (a [[claim]] with id and statement states it, in this file or in one "
-                        "beside it; those that are shipped stand in docs/claims.md)",
-                        id, plan.claims_where));
+      if (!claim) fail_unknown(id, plan.claims_where, known, folders);
       plan.statements.push_back(*claim);
     }
 }

@@ -192,7 +192,7 @@ std::size_t Store::forget(const std::string& study) {
     std::vector<std::string> names;
     impl_->database.each("SELECT DISTINCT name FROM studies ORDER BY name", {},
                          [&](const Row& row) { names.push_back(row["name"].text()); });
-    throw support::UsageError(fmt::format("no study '{}' in results store '{}' (it has: {})", study,
+    throw support::UsageError(fmt::format("unknown study '{}' in results store '{}' (known: {})", study,
                                           impl_->database.file().string(),
                                           names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }

@@ -90,4 +90,7 @@ class Store {
   std::unique_ptr<Impl> impl_;
 };
 
+/// UsageError unless a store is in this place or can be made there.
+void require_place(const std::filesystem::path& file);
+
 }  // namespace mpmvv::store

@@ -93,6 +93,15 @@ TEST_F(OwnStudies, HaveNoGoldensUntilSomeAreProposed) {
   EXPECT_THAT(gate.err, HasSubstr("`mpmvv propose --db DB --study NAME --out goldens/NAME.toml` writes a first one"));
 }
 
+TEST_F(OwnStudies, AreAllThatAProgramKnowsThatStandsAlone) {
+  std::filesystem::copy(program(), folder_ / "mpmvv-alone");
+  folder_.write("one.toml", small_study);
+  EXPECT_THAT(in_folder("./mpmvv-alone study one.toml --db results.db").err, HasSubstr("unknown claim 'S-fig10'"));
+  folder_.write("one.toml", std::string(small_study) + "[[claim]]\nid = \"S-fig10\"\nstatement = \"flat\"\n");
+  EXPECT_EQ(in_folder("./mpmvv-alone study one.toml --db results.db").code, 0);
+  EXPECT_THAT(in_folder("./mpmvv-alone gate --db results.db").err, HasSubstr("no directory 'goldens'"));
+}
+
 TEST_F(OwnStudies, AreProposedByAProgramWithChanges) {
   store::Provenance dirty = store::current_provenance();
   dirty.dirty = true;
@@ -112,6 +121,27 @@ TEST_F(OwnStudies, ThoseOfTheProgramAreThereByName) {
   const Answer gate = in_folder("mpmvv gate --only s-jump --db results.db");
   EXPECT_EQ(gate.code, 0) << gate.out << gate.err;
   EXPECT_THAT(in_folder("mpmvv study s-jumps --db results.db").err, HasSubstr("s-jumps"));
+}
+
+TEST_F(OwnStudies, AreCostedBeforeTheCasesOfTheProgram) {
+  const std::string theirs = read_text(std::string(MPMVV_SOURCE_DIR) + "/studies/cost.txt");
+  const auto first = theirs.find("\n--problem") + 1;
+  const std::string mine = "--problem bar --basis linear --integrator cd --cells 8 --ppc 1 --cfl 0.2 --steps 4";
+  EXPECT_THAT(in_folder("mpmvv cost /bin/true").err,
+              HasSubstr("does not carry out the case '" + theirs.substr(first, theirs.find('\n', first) - first)));
+  std::filesystem::create_directories(folder_ / "studies");
+  folder_.write("studies/cost.txt", mine);
+  EXPECT_THAT(in_folder("mpmvv cost /bin/true").err, HasSubstr("does not carry out the case '" + mine));
+}
+
+TEST_F(OwnStudies, AreListedWithTheirTitlesAndClaims) {
+  folder_.write("one.toml", small_study);
+  const nlohmann::json own = in_folder("mpmvv list studies --studies . --json").json(), studies = own["studies"];
+  ASSERT_EQ(studies.size(), 1U);
+  EXPECT_EQ(studies[0], (nlohmann::json{{"name", "one"}, {"title", "Small"}, {"claims", {"S-fig10"}}}));
+  EXPECT_THAT(in_folder("mpmvv list studies").out, HasSubstr("Bar: convergence with linear and quadratic basis"));
+  EXPECT_THAT(in_folder("mpmvv list studies --studies absent").err, HasSubstr("no study in 'absent'"));
+  EXPECT_THAT(in_folder("mpmvv list bases --studies .").err, HasSubstr("--studies without studies"));
 }
 
 TEST_F(OwnStudies, AreToBeNamedAndThere) {

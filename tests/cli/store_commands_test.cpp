@@ -82,7 +82,7 @@ TEST(DbCommand, ForgetsAStudyThatNoReportCanHave) {
   ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
   const Answer absent = call(folder, "db forget smal --db " + db);
   EXPECT_EQ(absent.code, 2);
-  EXPECT_THAT(absent.err, HasSubstr("it has: small"));
+  EXPECT_THAT(absent.err, HasSubstr("(known: small; did you mean 'small'?)"));
   EXPECT_EQ(call(folder, "db forget small --db " + db).code, 0);
   EXPECT_THAT(call(folder, "db info --db " + db).out, HasSubstr("records                  8"));
   EXPECT_THAT(call(folder, "study " + file + " --db " + db).out, HasSubstr("0 cases run"));
