@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <sstream>
 
+#include "cli/command.hpp"
+#include "cli/setting_words.hpp"
 #include "cli/shipped.hpp"
-#include "studies/problems/problem.hpp"
-#include "studies/settings/settings.hpp"
 
 namespace mpmvv::cli {
 
@@ -21,21 +21,15 @@ std::vector<std::string> words_in_braces(const std::string& type) {
   return words;
 }
 
-std::vector<std::string> problem_names() {
-  std::vector<std::string> names;
-  for (const problems::Problem& problem : problems::problems()) names.push_back(problem.name);
-  return names;
-}
-
 /// The words of the setting that the option stands for, or those that it names itself.
 std::vector<std::string> words_of(const CLI::Option& option) {
   std::string key = option.get_lnames().empty() ? "" : option.get_lnames().front();
   std::ranges::replace(key, '-', '_');
-  if (key == "problem") return problem_names();
-  if (option.get_name(true) == "files") return study_names(shipped("studies"));
-  const auto& keys = settings::setting_keys();
-  if (std::ranges::find(keys, key, &settings::SettingKey::key) != keys.end()) return settings::words_of_key(key);
-  return words_in_braces(option.get_type_name());
+  const std::string type = option.get_type_name();
+  if (type == "STUDY" || option.get_name(true) == "files") return study_names(shipped("studies"));
+  if (type == "LIST") return list_names();
+  const auto words = setting_words(key);
+  return words.empty() ? words_in_braces(type) : words;
 }
 
 ArgumentText argument_text(const CLI::Option& option) {

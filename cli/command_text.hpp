@@ -14,8 +14,8 @@ struct ArgumentText {
   std::vector<std::string> words;  ///< those that it takes, where it takes words
   bool required = false, repeatable = false;
 
-  bool takes_folders() const { return value == "DIR"; }
-  bool takes_files() const { return value == "FILE" || value == "TEXT"; }
+  bool takes_folders() const { return value == "FOLDER"; }
+  bool takes_files() const { return value == "FILE" || value == "PROGRAM"; }
 };
 
 /// A command, as the man page and the completions of shells show it.

@@ -91,12 +91,11 @@ void print_studies(const nlohmann::json& studies) {
 
 int list(const std::string& what, const std::string& folder, bool json) {
   nlohmann::json all = nlohmann::json::object();
-  std::vector<std::string> known{"studies", "problems", "checks", "study-file"};
   if (what == "studies") {
     all["studies"] = study_list(folder);
     if (!json) print_studies(all["studies"]);
   } else if (!folder.empty()) {
-    throw support::UsageError("--studies without studies (mpmvv list studies --studies DIR)");
+    throw support::UsageError("--studies without studies (mpmvv list studies --studies FOLDER)");
   }
   if (what.empty() || what == "problems") {
     all["problems"] = nlohmann::json::array();
@@ -108,7 +107,6 @@ int list(const std::string& what, const std::string& folder, bool json) {
     if (!json) print("{}: {}\n", name, fmt::format("{}", fmt::join(words, ", ")));
   };
   for (const auto& [name, key] : word_lists()) {
-    known.push_back(name);
     if (what.empty() || what == name) print_words(name, settings::words_of_key(key));
   }
   if (what.empty() || what == "checks") print_words("checks", check_names());
@@ -117,12 +115,18 @@ int list(const std::string& what, const std::string& folder, bool json) {
     if (!json) print_text(plan::study_file_reference());
   }
   if (all.empty())
-    throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(known, ", ")));
+    throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(list_names(), ", ")));
   if (json) print_json(all);
   return 0;
 }
 
 }  // namespace
+
+std::vector<std::string> list_names() {
+  std::vector<std::string> names{"studies", "problems", "checks", "study-file"};
+  for (const auto& [name, key] : word_lists()) names.push_back(name);
+  return names;
+}
 
 void add_list(CLI::App& app, int& exit_code) {
   auto what = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
@@ -131,8 +135,7 @@ void add_list(CLI::App& app, int& exit_code) {
       "list", "Print what there is: studies, problems with their values, and the words of every key");
   command
       ->add_option("what", *what,
-                   "studies, problems, bases, integrators, ..., study-file (default: all words of settings, problems "
-                   "and checks)")
+                   "studies, study-file, problems, bases, integrators, ... (default: all but the first two)")
       ->type_name("LIST");
   command->add_option("--studies", *folder, "folder of study files (default: the one that comes with the program)")
       ->type_name("FOLDER");

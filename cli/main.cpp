@@ -24,6 +24,8 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_gate(app, exit_code);
   add_propose(app, exit_code);
   add_report(app, exit_code);
+  add_figure(app, exit_code);
+  add_paper(app, exit_code);
   add_compare(app, exit_code);
   add_trend(app, exit_code);
   add_cost(app, exit_code);

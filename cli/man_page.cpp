@@ -40,10 +40,8 @@ std::string head_of(const ArgumentText& argument) {
 }
 
 std::string entry_of(const ArgumentText& argument) {
-  const bool lists_words = !argument.words.empty() && !argument.flags.empty();
-  const std::string words = lists_words ? fmt::format(" Words: {}.", fmt::join(argument.words, ", ")) : "";
   const std::string required = argument.required ? " Required." : "";
-  return fmt::format(".TP\n{}\n{}\n", head_of(argument), roff(argument.meaning + "." + words + required));
+  return fmt::format(".TP\n{}\n{}\n", head_of(argument), roff(argument.meaning + "." + required));
 }
 
 /// "mpmvv gate [options] --db FILE".

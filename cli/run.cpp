@@ -9,7 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
-#include "studies/problems/problem.hpp"
+#include "cli/setting_words.hpp"
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
@@ -131,16 +131,9 @@ std::string default_of(const settings::SettingKey& key) {
   return value.empty() || value == "0" || value == "none" || value == "false" ? "" : fmt::format("default: {}", value);
 }
 
-std::vector<std::string> words_of(const settings::SettingKey& key) {
-  if (key.key != "problem") return settings::words_of_key(key.key);
-  std::vector<std::string> names;
-  for (const problems::Problem& problem : problems::problems()) names.push_back(problem.name);
-  return names;
-}
-
 std::string help_of(const settings::SettingKey& key) {
   std::string help = key.meaning;
-  if (const auto words = words_of(key); !words.empty()) help += fmt::format(": {}", fmt::join(words, ", "));
+  if (const auto words = setting_words(key.key); !words.empty()) help += fmt::format(": {}", fmt::join(words, ", "));
   const std::string absent = default_of(key);
   return absent.empty() ? help : fmt::format("{} ({})", help, absent);
 }
@@ -165,7 +158,7 @@ void add_run(CLI::App& app, int& exit_code) {
       options->flags[key.key] = command->add_flag(name, help);
     else
       options->given[key.key] =
-          command->add_option(name, help)->expected(1)->type_name(words_of(key).empty() ? "NUMBER" : "WORD");
+          command->add_option(name, help)->expected(1)->type_name(setting_words(key.key).empty() ? "NUMBER" : "WORD");
   }
   command->add_option("--param", options->parameters, "physical value of the problem (repeatable)")
       ->type_name("NAME=VALUE");

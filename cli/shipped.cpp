@@ -8,12 +8,23 @@
 
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
+#include "studies/support/suggestion.hpp"
 
 namespace mpmvv::cli {
 
 namespace fs = std::filesystem;
 using records::StudyResult;
 using support::UsageError;
+
+namespace {
+
+[[noreturn]] void refuse_name(const std::string& name, const std::vector<std::string>& known) {
+  const auto meant = support::nearest_word(name, known);
+  throw UsageError(fmt::format("no study '{}' ({}a study file, or a name of `mpmvv list studies`)", name,
+                               meant ? fmt::format("did you mean '{}'? ", *meant) : ""));
+}
+
+}  // namespace
 
 fs::path shipped(const std::string& folder) {
   std::error_code unknown;
@@ -47,7 +58,7 @@ std::vector<std::string> study_names(const fs::path& folder) {
 
 std::vector<std::string> named_study_files(const std::vector<std::string>& names, const std::string& folder) {
   if (names.empty() && folder.empty())
-    throw UsageError("no study named (study files, names of `mpmvv list studies`, or --studies DIR)");
+    throw UsageError("no study named (study files, names of `mpmvv list studies`, or --studies FOLDER)");
   const fs::path place = folder.empty() ? shipped("studies") : fs::path(folder);
   const std::vector<std::string> known = study_names(place);
   if (known.empty() && !folder.empty())
@@ -55,7 +66,9 @@ std::vector<std::string> named_study_files(const std::vector<std::string>& names
   std::vector<std::string> files;
   for (const std::string& name : names.empty() ? known : names) {
     std::error_code unknown;
-    const bool by_name = std::ranges::binary_search(known, name) && (names.empty() || !fs::exists(name, unknown));
+    const bool is_there = !names.empty() && fs::exists(name, unknown);
+    const bool by_name = !is_there && std::ranges::binary_search(known, name);
+    if (!is_there && !by_name && support::is_file_stem(name) && !name.ends_with(".toml")) refuse_name(name, known);
     files.push_back(by_name ? (place / (name + ".toml")).string() : name);
   }
   return files;

@@ -90,6 +90,9 @@ TEST_F(Manual, CompletesInBash) {
   EXPECT_THAT(offered("study mi"), HasSubstr("mine.db"));
   EXPECT_THAT(offered("study s-fig10"), HasSubstr("s-fig10")) << "that comes with the program";
   EXPECT_EQ(offered("run --cells \"\""), "\n") << "a number is no file";
+  EXPECT_EQ(offered("gate --goldens mi"), "mine\n") << "a folder alone";
+  EXPECT_EQ(offered("gate --only s-fig11"), "s-fig11\n");
+  EXPECT_EQ(offered("list stu"), "studies\n");
 }
 
 /// Shells and `man` that a system need not have.

@@ -120,7 +120,9 @@ TEST_F(OwnStudies, ThoseOfTheProgramAreThereByName) {
   EXPECT_EQ(study.code, 0) << study.err;
   const Answer gate = in_folder("mpmvv gate --only s-jump --db results.db");
   EXPECT_EQ(gate.code, 0) << gate.out << gate.err;
-  EXPECT_THAT(in_folder("mpmvv study s-jumps --db results.db").err, HasSubstr("s-jumps"));
+  EXPECT_THAT(in_folder("mpmvv study s-jumpe --db results.db").err,
+              HasSubstr("no study 's-jumpe' (did you mean 's-jump'? a study file, or a name of `mpmvv list studies`)"));
+  EXPECT_THAT(in_folder("mpmvv study s-jump.tom --db results.db").err, HasSubstr("no study 's-jump.tom'"));
 }
 
 TEST_F(OwnStudies, AreCostedBeforeTheCasesOfTheProgram) {
