@@ -58,7 +58,8 @@ TEST_F(HowTo, AStudySaysHowSureANumberIs) {
   folder_.write("sure.toml", splines.substr(0, splines.find("[sweep]")) + "[sweep]\ncells = [4, 6, 8, 12, 16]\n" +
                                  "[[fit]]\nnorm = \"l2\"\nwindow = [4, 16]\n" + walk("replicates") +
                                  walk("extrapolate"));
-  EXPECT_THAT(follow("mpmvv study sure.toml --db sure.db"), AllOf(HasSubstr("lack of fit"), HasSubstr("energy_loss")));
+  EXPECT_THAT(follow("mpmvv study sure.toml --db sure.db --verbose"),
+              AllOf(HasSubstr("30 runs that scatter by"), HasSubstr("energy_loss")));
 }
 
 }  // namespace how_to_test
