@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "tests/cli/program.hpp"
 #include "tests/walk.hpp"
 
@@ -51,6 +53,12 @@ TEST_F(HowTo, AJobRunsGatesAndReports) {
   EXPECT_THAT(read_text(folder_ / "gate.xml"), HasSubstr("<testsuite name=\"splines\" tests=\"4\" failures=\"0\""));
   follow(walk("ci-report"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "report/index.html"));
+}
+
+TEST_F(HowTo, AWorkflowCallsTheSameCommands) {
+  const std::string workflow = walk("workflow");
+  std::istringstream lines(walk("ci") + walk("ci-report"));
+  for (std::string line; std::getline(lines, line);) EXPECT_THAT(workflow, HasSubstr(line + "\n"));
 }
 
 TEST_F(HowTo, AStudySaysHowSureANumberIs) {
