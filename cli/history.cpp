@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "cli/change_text.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
@@ -40,24 +41,6 @@ nlohmann::json change_json(const Change& change) {
   return json;
 }
 
-/// The difference of two numbers as a text; empty where one is a word or they are errors at different levels.
-std::string difference(const Finding& before, const Finding& after) {
-  const double a = before.number, b = after.number;
-  const bool same_level = before.at == after.at || std::isnan(before.at);
-  if (!before.word.empty() || !after.word.empty() || !same_level) return "";
-  if (before.kind == Finding::Kind::order || a == 0) return fmt::format(" ({:+.3g})", b - a);
-  if (before.kind == Finding::Kind::cost) return fmt::format(" (x {:.3f})", b / a);
-  return fmt::format(" ({:+.3g} %)", 100 * (b - a) / std::abs(a));
-}
-
-void print_change(const Change& change) {
-  print("{:<12} {}: {} -> {}{}", change.before.study, change.before.name, text(change.before), text(change.after),
-        difference(change.before, change.after));
-  if (change.largest && change.largest->x != change.before.at)
-    print(", most at {:g}: {:.6g} -> {:.6g}", change.largest->x, change.largest->before, change.largest->after);
-  print("\n");
-}
-
 struct CompareOptions {
   std::string db, a, b;
   bool json = false, all = false;
@@ -66,8 +49,8 @@ struct CompareOptions {
 void print_comparison(const goldens::Comparison& comparison, const Version& a, const Version& b, bool all) {
   print("from {}, {}\nto   {}, {}\n", label(a), a.time, label(b), b.time);
   for (const Change& change : comparison.changes)
-    if (all || change.bands != 0) print_change(change);
-  for (const Change& cost : comparison.costs) print_change(cost);
+    if (all || change.bands != 0) print("{}\n", change_text(change));
+  for (const Change& cost : comparison.costs) print("{}\n", change_text(cost));
   for (const std::string& what : comparison.only_before) print("only in the first: {}\n", what);
   for (const std::string& what : comparison.only_after) print("only in the second: {}\n", what);
   print("{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} costs shown as ratios\n",

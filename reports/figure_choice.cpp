@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <set>
 
+#include "reports/text.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::reports {
@@ -15,11 +15,6 @@ namespace mpmvv::reports {
 using records::StudyResult;
 
 namespace {
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 bool has_claim(const StudyResult& study, const std::string& id) {
   return std::ranges::find(study.claims, id) != study.claims.end();

@@ -38,6 +38,25 @@ std::vector<std::string> write_tables(const StudyResult& study, const fs::path& 
   return names;
 }
 
+std::vector<SeriesCommand> commands_of(const ReportInput& input, std::size_t study) {
+  const auto found = input.commands.find(input.studies[study].name);
+  return found == input.commands.end() ? std::vector<SeriesCommand>{} : found->second;
+}
+
+void write_page(const Page& page, const fs::path& folder) {
+  support::make_folder((folder / page.file).parent_path());
+  support::write_if_changed(folder / page.file, page.text);
+}
+
+void write_pages(const ReportInput& input, const std::vector<Section>& sections, const fs::path& folder) {
+  for (const Page& aid : page_aids()) write_page(aid, folder);
+  for (const Section& section : sections) write_page(study_page(input, section), folder);
+  for (const claims::Claim& claim : input.claims) write_page(claim_page(input, claim, sections), folder);
+  for (const Page& page : program_pages(input)) write_page(page, folder);
+  write_page(gate_page(input), folder);
+  write_page(front_page(input, sections), folder);
+}
+
 }  // namespace
 
 ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
@@ -57,7 +76,8 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
 
   std::vector<Section> sections;
   for (std::size_t i = 0; i < input.studies.size(); ++i)
-    sections.push_back({&input.studies[i], pictures_of(charts[i], place.draft(), "figures"),
+    sections.push_back({&input.studies[i],
+                        pictures_of(charts[i], place.draft(), "figures", input.studies[i], commands_of(input, i)),
                         write_tables(input.studies[i], tables, summary)});
   if (input.benchmark)
     write_table(tables / "program/benchmark.tex", latex_tables("Benchmark", benchmark_tables(*input.benchmark)),
@@ -68,7 +88,7 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
   progress(fmt::format("tables: {} of {} written", summary.tables_written, summary.tables));
 
   if (has_trends(input)) write_trends(input, place.draft(), summary);
-  support::write_if_changed(place.draft() / "index.html", render_page(input, sections));
+  write_pages(input, sections, place.draft());
   place.take_place();
   progress(fmt::format("report: {}", (out_dir / "index.html").string()));
   return summary;

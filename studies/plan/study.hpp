@@ -103,6 +103,10 @@ struct StudyPlan {
 /// a check has none.
 StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding = {});
 
+/// The same from a text; `file` names the study and its places.
+StudyPlan parse_study(const std::string& text, const std::filesystem::path& file,
+                      const std::vector<Overriding>& overriding = {});
+
 /// Whether the runs of a series depend on this key. A series whose velocity update has no `order`, for example, gives
 /// the same run at every order of a sweep.
 bool varies_with(const SeriesPlan& series, const std::string& key);

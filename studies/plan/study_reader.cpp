@@ -212,8 +212,13 @@ std::vector<cases::Case> replicates_at(const StudyPlan& plan, const SeriesPlan& 
 }
 
 StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding) {
+  study_name(file);
+  return parse_study(support::require_file(file, "a study file, TOML"), file, overriding);
+}
+
+StudyPlan parse_study(const std::string& text, const std::filesystem::path& file,
+                      const std::vector<Overriding>& overriding) {
   const std::string name = study_name(file);
-  const std::string text = support::require_file(file, "a study file, TOML");
   const TomlTable root = TomlTable::parse(text, file.string());
   require_known_keys(root, "");
   StudyPlan plan;

@@ -109,7 +109,7 @@ TEST_F(MutationResultsOnDisk, AreShownInTheReportWithTheirVersion) {
   const auto page = [&] {
     const Answer answer = in_folder("report --db results/r.db --out report");
     EXPECT_EQ(answer.code, 0) << answer.err;
-    return read_text(folder_ / "report/index.html");
+    return read_text(folder_ / "report/mutants.html");
   };
   EXPECT_THAT(page(), Not(HasSubstr("id=\"mutants\"")));
   folder_.write("tests/mutation/summary.json", summary("other", 5, {"sign"}));

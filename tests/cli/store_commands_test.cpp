@@ -184,20 +184,5 @@ TEST(Program, NamesItsVersionWhenAsked) {
   EXPECT_THAT(call(folder, "--version").out, MatchesRegex("mpmvv .*\ndigest [0-9a-f]+\n.*\n"));
 }
 
-TEST(ReportCommand, WritesOnePageAndItsFigures) {
-  const Folder folder;
-  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
-  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
-  const Answer report =
-      call(folder, "report --db " + db + " --out " + (folder / "report") + " --goldens " + (folder / "none"));
-  ASSERT_EQ(report.code, 0) << report.err;
-  for (const char* name : {"index.html", "figures/small.svg", "figures/small.pdf", "figures/small.gp",
-                           "figures/small.dat", "tables/small.tex"})
-    EXPECT_TRUE(std::filesystem::exists(folder / (std::string("report/") + name))) << name;
-  EXPECT_THAT(
-      call(folder, "report --db " + db + " --out " + (folder / "report") + " --goldens " + (folder / "none")).out,
-      HasSubstr("(0 drawn)"));
-}
-
 }  // namespace store_commands_test
 }  // namespace mpmvv::cli
