@@ -11,6 +11,8 @@
 #include "cli/study_list.hpp"
 #include "cli/table.hpp"
 #include "studies/checks/check.hpp"
+#include "studies/plan/file_reference.hpp"
+#include "studies/plan/file_tables.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
@@ -38,6 +40,18 @@ std::vector<std::string> check_names() {
   std::vector<std::string> names;
   for (const checks::Check& check : checks::checks()) names.push_back(check.name);
   return names;
+}
+
+/// The keys of each table of a study file.
+nlohmann::json study_file_json() {
+  nlohmann::json tables = nlohmann::json::array();
+  for (const plan::FileTable& table : plan::file_tables()) {
+    nlohmann::json keys = nlohmann::json::array();
+    for (const plan::FileKey& key : table.keys)
+      keys.push_back({{"key", key.key}, {"takes", key.takes}, {"default", key.absent}, {"meaning", key.meaning}});
+    tables.push_back({{"table", table.name}, {"takes_settings", table.takes_settings}, {"keys", keys}});
+  }
+  return tables;
 }
 
 void print_studies(const nlohmann::json& studies) {
@@ -70,6 +84,10 @@ int list(const std::string& what, const std::string& folder, bool json) {
     if (what.empty() || what == name) add_words(name, settings::words_of_key(key));
   }
   if (what.empty() || what == "checks") add_words("checks", check_names());
+  if (what == "study-file") {
+    all[what] = study_file_json();
+    if (!json) print_text(plan::study_file_reference());
+  }
   if (all.empty())
     throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(list_names(), ", ")));
   if (json)
@@ -82,7 +100,7 @@ int list(const std::string& what, const std::string& folder, bool json) {
 }  // namespace
 
 std::vector<std::string> list_names() {
-  std::vector<std::string> names{"studies", "problems", "checks"};
+  std::vector<std::string> names{"studies", "problems", "checks", "study-file"};
   for (const auto& [name, key] : word_lists()) names.push_back(name);
   return names;
 }
@@ -92,12 +110,15 @@ void add_list(CLI::App& app, int& exit_code) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand(
       "list", "Print what there is: studies, problems with their values, and the words of every key");
-  command->add_option("what", *what, "studies, problems, bases, integrators, ... (default: all but the studies)")
+  command
+      ->add_option("what", *what,
+                   "studies, study-file, problems, bases, integrators, ... (default: all but the first two)")
       ->type_name("LIST");
   command->add_option("--studies", *folder, "folder of study files (default: the one that comes with the program)")
       ->type_name("FOLDER");
   command->add_flag("--json", *json, "print one JSON object");
-  add_examples(*command, {"mpmvv list studies", "mpmvv list problems", "mpmvv list bases", "mpmvv list --json"});
+  add_examples(*command, {"mpmvv list studies", "mpmvv list problems", "mpmvv list bases", "mpmvv list study-file",
+                          "mpmvv list --json"});
   command->callback([what, folder, json, &exit_code] { exit_code = list(*what, *folder, *json); });
 }
 

@@ -33,7 +33,7 @@ file(GLOB mpmvv_studies CONFIGURE_DEPENDS studies/*.toml)
 file(GLOB mpmvv_goldens CONFIGURE_DEPENDS goldens/*.toml)
 install(FILES ${mpmvv_studies} studies/quick.txt studies/cost.txt DESTINATION ${mpmvv_data}/studies)
 install(FILES ${mpmvv_goldens} DESTINATION ${mpmvv_data}/goldens)
-install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(CPACK_GENERATOR DEB)

@@ -8,6 +8,7 @@
 #include <set>
 #include <system_error>
 
+#include "studies/plan/file_tables.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
@@ -98,7 +99,7 @@ std::vector<StatedClaim> read_claims(const TomlTable& root, const std::string& s
   std::vector<StatedClaim> claims;
   ClaimsById known;
   for (const TomlTable& table : root.tables("claim")) {
-    table.allow_only({"id", "statement", "source", "where"});
+    require_known_keys(table, "claim");
     const ClaimText text{table.text("id"), table.text("statement"), table.text("source", ""), table.text("where", ""),
                          study};
     if (!support::is_file_stem(text.id))

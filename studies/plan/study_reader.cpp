@@ -7,6 +7,7 @@
 #include "studies/plan/claim_reader.hpp"
 #include "studies/plan/criterion_reader.hpp"
 #include "studies/plan/figure_reader.hpp"
+#include "studies/plan/file_tables.hpp"
 #include "studies/plan/overriding.hpp"
 #include "studies/plan/plan_rules.hpp"
 #include "studies/plan/study.hpp"
@@ -86,7 +87,7 @@ void read_series(const TomlTable& root, StudyPlan& plan) {
 void read_limit(const TomlTable& root, StudyPlan& plan) {
   const auto table = root.table("limit");
   if (!table) return;
-  table->allow_only({"key", "from", "to", "scan_ratio", "tolerance", "stable", "series"});
+  require_known_keys(*table, "limit");
   fits::LimitSearch search;
   search.key = table->text("key");
   require_word("limit key", search.key, {"cfl", "smoothing_length"}, table->where("key"));
@@ -123,7 +124,7 @@ void read_replicates(const TomlTable& root, StudyPlan& plan) {
 
 void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("extrapolate")) {
-    table.allow_only({"norm", "window", "series"});
+    require_known_keys(table, "extrapolate");
     ExtrapolationPlan wanted{norm_of(table, "norm"), read_window(table, "window"), {}};
     require_points(plan, wanted.window, 4, table.where("window"));
     wanted.series = measured_series(plan, wanted.norm, series_names(table, "series", plan), table.where("norm"));
@@ -133,7 +134,7 @@ void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
 
 void read_fits(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("fit")) {
-    table.allow_only({"norm", "window", "floor_window", "series"});
+    require_known_keys(table, "fit");
     FitPlan fit{norm_of(table, "norm"), read_window(table, "window"), {}, {}};
     require_points(plan, fit.window, 3, table.where("window"));
     fit.series = measured_series(plan, fit.norm, series_names(table, "series", plan), table.where("norm"));
@@ -219,8 +220,7 @@ StudyPlan parse_study(const std::string& text, const std::filesystem::path& file
                       const std::vector<Overriding>& overriding) {
   const std::string name = study_name(file);
   const TomlTable root = TomlTable::parse(text, file.string());
-  root.allow_only({"title", "claims", "claim", "check", "fixed", "series", "sweep", "limit", "replicates", "fit",
-                   "extrapolate", "figure", "criterion"});
+  require_known_keys(root, "");
   StudyPlan plan;
   plan.name = name;
   plan.text = text;

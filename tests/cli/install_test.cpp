@@ -2,7 +2,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "tests/cli/walk.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/walk.hpp"
 
 /// What `cmake --install` and the Debian package put on a system.
 namespace mpmvv::cli {
@@ -67,9 +68,9 @@ TEST_F(PackageNightly, TakesAFirstStudyToAGateThatPassesOnABareDebian) {
   };
   inside(
       "apt-get -qq update; DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends ./mpmvv.deb");
-  std::ofstream(home + "splines.toml") << walk_block("docs/first-study.md", "splines.toml");
-  for (const char* step : {"study", "report", "propose", "review"}) inside(walk_block("docs/first-study.md", step));
-  EXPECT_THAT(inside(walk_block("docs/first-study.md", "gate")), HasSubstr("0 fail, 0 inconclusive"));
+  std::ofstream(home + "splines.toml") << walk("splines.toml");
+  for (const char* step : {"study", "report", "propose", "review"}) inside(walk(step));
+  EXPECT_THAT(inside(walk("gate")), HasSubstr("0 fail, 0 inconclusive"));
   EXPECT_TRUE(std::filesystem::exists(home + "report/figures/splines.pdf"));
   EXPECT_THAT(inside("mpmvv study s-jump --db shipped.db && cd / && mpmvv gate --only s-jump --db /root/shipped.db"),
               HasSubstr("3 pass"));

@@ -92,7 +92,7 @@ TEST_F(Manual, CompletesInBash) {
   EXPECT_EQ(offered("run --cells \"\""), "\n") << "a number is no file";
   EXPECT_EQ(offered("gate --goldens mi"), "mine\n") << "a folder alone";
   EXPECT_EQ(offered("gate --only s-fig11"), "s-fig11\n");
-  EXPECT_EQ(offered("list stu"), "studies\n");
+  EXPECT_EQ(offered("list studi"), "studies\n");
 }
 
 /// Shells and `man` that a system need not have.

@@ -3,7 +3,7 @@
 
 #include "studies/store/store.hpp"
 #include "tests/cli/small_study.hpp"
-#include "tests/cli/walk.hpp"
+#include "tests/walk.hpp"
 
 /// Studies and goldens in a folder outside the tree, and those that come with the program.
 namespace mpmvv::cli {
@@ -15,12 +15,7 @@ using testing::Not;
 class OwnStudies : public testing::Test {
  protected:
   /// A line for the shell in the user's folder, which finds the program by its name.
-  Answer in_folder(const std::string& line) const {
-    const std::string path = std::filesystem::path(program()).parent_path();
-    Answer answer = shell("cd '" + (folder_ / "") + "' && PATH='" + path + "':\"$PATH\" && { " + line + "; } 2>stderr");
-    answer.err = read_text(folder_ / "stderr");
-    return answer;
-  }
+  Answer in_folder(const std::string& lines) const { return carry_out(folder_, lines); }
 
   std::map<std::string, std::string> verdicts() const {
     std::map<std::string, std::string> verdicts;
@@ -32,25 +27,19 @@ class OwnStudies : public testing::Test {
   const Folder folder_;
 };
 
-std::string page(const std::string& name) {
-  std::string text = walk_block("docs/first-study.md", name);
-  if (text.ends_with('\n')) text.pop_back();
-  return text;
-}
-
 TEST_F(OwnStudies, TheFirstOneGoesFromAFileToAGateThatPassesInFiveCommands) {
-  folder_.write("splines.toml", page("splines.toml"));
-  const auto carry_out = [&](const std::string& name) {
-    const Answer answer = in_folder(page(name));
+  folder_.write("splines.toml", walk("splines.toml"));
+  const auto follow = [&](const std::string& name) {
+    const Answer answer = in_folder(walk(name));
     EXPECT_EQ(answer.code, 0) << name << ": " << answer.out << answer.err;
     return answer.out;
   };
-  EXPECT_THAT(carry_out("study"), HasSubstr("10 cases run"));
-  carry_out("report");
-  carry_out("propose");
-  EXPECT_EQ(in_folder(page("gate")).code, 3) << "not reviewed yet";
-  carry_out("review");
-  EXPECT_THAT(carry_out("gate"), HasSubstr("4 pass, 0 fail, 0 inconclusive"));
+  EXPECT_THAT(follow("study"), HasSubstr("10 cases run"));
+  follow("report");
+  follow("propose");
+  EXPECT_EQ(in_folder(walk("gate")).code, 3) << "not reviewed yet";
+  follow("review");
+  EXPECT_THAT(follow("gate"), HasSubstr("4 pass, 0 fail, 0 inconclusive"));
   EXPECT_EQ(verdicts(),
             (std::map<std::string, std::string>{{"cubic-second", "confirmed"}, {"cubic-better", "refuted"}}));
   const std::string report = read_text(folder_ / "report/index.html");
