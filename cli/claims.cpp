@@ -1,41 +1,133 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <memory>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/criteria_text.hpp"
+#include "cli/help.hpp"
+#include "cli/lines.hpp"
 #include "cli/results.hpp"
+#include "cli/table.hpp"
 #include "studies/claims/claim.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::cli {
 
+using claims::Claim;
+using Kind = Table::Kind;
+
 namespace {
 
-int claims(const std::string& db, bool json) {
-  const auto judged = judged_claims(own_results(db), own_mutation(db));
-  if (json) {
-    nlohmann::json all = nlohmann::json::array();
-    for (const claims::Claim& c : judged)
-      all.push_back({{"id", c.id},
-                     {"statement", c.statement},
-                     {"verdict", c.verdict},
-                     {"evidence", c.evidence},
-                     {"studies", c.studies}});
-    print_json({{"claims", all}});
-    return 0;
+struct ClaimsOptions {
+  std::string db;
+  std::vector<std::string> ids;
+  bool json = false, verbose = false;
+};
+
+nlohmann::json part_json(const claims::JudgedPart& judged) {
+  const records::ClaimPart& part = judged.part;
+  nlohmann::json found = nlohmann::json::array();
+  for (const records::Found& number : part.found) found.push_back({{"what", number.what}, {"value", number.value}});
+  const auto bound = [](const std::optional<double>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json();
+  };
+  return {{"study", judged.study},
+          {"statement", part.statement},
+          {"verdict", to_string(part.verdict)},
+          {"measure", part.measure},
+          {"at_least", bound(part.at_least)},
+          {"at_most", bound(part.at_most)},
+          {"found", found},
+          {"reason", part.reason}};
+}
+
+nlohmann::json claim_json(const Claim& c) {
+  nlohmann::json parts = nlohmann::json::array();
+  for (const claims::JudgedPart& part : c.parts) parts.push_back(part_json(part));
+  return {{"id", c.id},           {"statement", c.statement}, {"source", c.source},   {"where", c.where},
+          {"verdict", c.verdict}, {"evidence", c.evidence},   {"studies", c.studies}, {"criteria", parts}};
+}
+
+/// "5 of 6 hold".
+std::string holding(const Claim& c) {
+  const auto asks = [](const claims::JudgedPart& judged) { return judged.part.verdict != records::PartVerdict::shown; };
+  const auto holds = [](const claims::JudgedPart& judged) {
+    return judged.part.verdict == records::PartVerdict::holds;
+  };
+  const auto all = std::ranges::count_if(c.parts, asks);
+  return all == 0 ? "-" : fmt::format("{} of {}", std::ranges::count_if(c.parts, holds), all);
+}
+
+void print_list(const std::vector<Claim>& all) {
+  Table table({{"claim"}, {"verdict", Kind::verdict}, {"hold"}, {"statement", Kind::line}}, 0);
+  for (const Claim& c : all) table.add({c.id, c.verdict, holding(c), c.statement});
+  table.print();
+}
+
+std::string source_text(const Claim& c) {
+  return c.where.empty() || c.source.empty() ? c.source + c.where : fmt::format("{}, {}", c.source, c.where);
+}
+
+void print_page(const Claim& c, const ClaimsOptions& options) {
+  print("{}: {}\n", c.id, c.verdict);
+  for (const std::string& text : {c.statement, source_text(c)})
+    if (!text.empty()) print_indented(text);
+  std::vector<LabelledPart> parts;
+  for (const claims::JudgedPart& judged : c.parts) parts.push_back({judged.study, judged.part});
+  print("\n");
+  print_criteria("study", parts);
+  if (options.verbose) print_grounds(parts);
+  print_reasons(parts);
+  const std::string studies = fmt::format("{}", fmt::join(c.studies, " "));
+  if (studies.empty())
+    print("  no study in the store judges it\n\n");
+  else
+    print("\n  repeat: mpmvv study {} --db {}\n\n", studies, options.db);
+}
+
+const Claim& find_claim(const std::vector<Claim>& all, const std::string& id, const std::string& db) {
+  if (const auto found = std::ranges::find(all, id, &Claim::id); found != all.end()) return *found;
+  std::vector<std::string> known;
+  for (const Claim& c : all) known.push_back(c.id);
+  throw support::UsageError(fmt::format("unknown claim '{}' in {} (known: {})", id, db, fmt::join(known, ", ")));
+}
+
+int show(const ClaimsOptions& options) {
+  std::vector<Claim> judged = judged_claims(own_results(options.db), own_mutation(options.db));
+  if (!options.ids.empty()) {
+    std::vector<Claim> wanted;
+    for (const std::string& id : options.ids) wanted.push_back(find_claim(judged, id, options.db));
+    judged = std::move(wanted);
   }
-  for (const claims::Claim& c : judged)
-    print("{:<10} {:<10} {}\n", c.id, c.verdict, c.verdict == "open" ? c.statement : c.evidence);
+  if (options.json) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const Claim& c : judged) all.push_back(claim_json(c));
+    print_json({{"claims", all}});
+  } else if (judged.empty()) {
+    print("no study of this program in {} names a claim\n", options.db);
+  } else if (options.ids.empty()) {
+    print_list(judged);
+  } else {
+    for (const Claim& c : judged) print_page(c, options);
+  }
   return 0;
 }
 
 }  // namespace
 
 void add_claims(CLI::App& app, int& exit_code) {
-  auto db = std::make_shared<std::string>();
-  auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("claims", "Print every claim with its verdict and evidence");
-  command->add_option("--db", *db, "results store")->required();
-  command->add_flag("--json", *json, "print one JSON object");
-  command->callback([db, json, &exit_code] { exit_code = claims(*db, *json); });
+  auto options = std::make_shared<ClaimsOptions>();
+  CLI::App* command = app.add_subcommand("claims", "Print every claim with its verdict, or the pages of some");
+  command->add_option("ids", options->ids, "claims whose pages to print (default: a line for each claim)")
+      ->type_name("ID");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_flag("--verbose", options->verbose, "on a page print every number that was compared, too");
+  command->add_flag("--json", options->json, "print one JSON object");
+  add_examples(*command, {"mpmvv claims --db results.db", "mpmvv claims S-fig4 --db results.db"});
+  command->callback([options, &exit_code] { exit_code = show(*options); });
 }
 
 }  // namespace mpmvv::cli

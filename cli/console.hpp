@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -19,6 +20,18 @@ void print_json(const nlohmann::json& object);
 
 /// Writes to standard error; a failure to do so is ignored.
 void note_text(const std::string& text);
+
+/// Columns of the terminal on standard output and on standard error, where they are one.
+std::optional<std::size_t> output_columns();
+std::optional<std::size_t> note_columns();
+
+std::size_t text_width();  ///< what tables and lines should fit: the terminal on standard output, else 100 columns
+
+/// Whether standard output is a terminal that shows colours, and the user wants some (NO_COLOR is not set).
+bool has_colours();
+
+/// The word, blanks around it included, in the colour of what it says: green holds, red fails, yellow is in between.
+std::string coloured_verdict(const std::string& word);
 
 /// A number as it is; a text without control sequences, as it may come from a user's file.
 template <class T>

@@ -4,6 +4,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "cli/outputs.hpp"
 #include "studies/store/store.hpp"
 #include "studies/support/file.hpp"
@@ -66,22 +67,30 @@ void add_db(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<DbOptions>();
   CLI::App* db = app.add_subcommand("db", "Upkeep of a results store");
   db->require_subcommand(1);
-  const auto add = [&](const char* name, const char* meaning, int (*work)(const DbOptions&)) {
+  const auto add = [&](const char* name, const char* meaning, int (*work)(const DbOptions&),
+                       const std::vector<std::string>& examples) {
     CLI::App* command = db->add_subcommand(name, meaning);
-    command->add_option("--db", options->db, "results store")->required();
+    command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+    add_examples(*command, examples);
     command->callback([options, work, &exit_code] { exit_code = work(*options); });
     return command;
   };
-  add("info", "Print what the store holds", &info)->add_flag("--json", options->json, "print one JSON object");
-  add("check", "Check the store's integrity", &check);
-  add("merge", "Copy what another store has and this one lacks", &merge)
+  add("info", "Print what the store holds", &info, {"mpmvv db info --db results.db"})
+      ->add_flag("--json", options->json, "print one JSON object");
+  add("check", "Check the store's integrity", &check, {"mpmvv db check --db results.db"});
+  add("merge", "Copy what another store has and this one lacks", &merge, {"mpmvv db merge results.db --db all.db"})
       ->add_option("other", options->other, "the other store")
-      ->required();
-  add("forget", "Remove a study in all its versions; its runs stay, so that to run it again costs little", &forget)
+      ->required()
+      ->type_name("FILE");
+  add("forget", "Remove a study in all its versions; its runs stay, so that to run it again costs little", &forget,
+      {"mpmvv db forget splines --db results.db"})
       ->add_option("study", options->study, "name of the study")
-      ->required();
-  add("export", "Write all records as CSV", &export_records)
-      ->add_option("--out", options->out, "file (default: standard output)");
+      ->required()
+      ->type_name("STUDY");
+  add("export", "Write all records as CSV", &export_records, {"mpmvv db export --db results.db --out records.csv"})
+      ->add_option("--out", options->out, "file (default: standard output)")
+      ->type_name("FILE");
+  add_examples(*db, {"mpmvv db info --db results.db", "mpmvv db merge results.db --db all.db"});
 }
 
 }  // namespace mpmvv::cli

@@ -11,7 +11,9 @@
 #include <sstream>
 
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "studies/support/reason.hpp"
+#include "studies/support/suggestion.hpp"
 
 namespace mpmvv::cli {
 
@@ -21,7 +23,7 @@ constexpr int usage_error = 2;
 
 /// One line on standard error, whatever the message holds.
 int complain(const std::string& program, const std::string& message) {
-  note("{}: {}\n", program, message);
+  note("{}: {}\n", program, support::with_suggestion(message));
   return usage_error;
 }
 
@@ -38,10 +40,46 @@ void survive_failed_writes() {
   for (const int write_failed : {SIGXFSZ, SIGPIPE}) std::signal(write_failed, [](int) {});
 }
 
-std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+/// "mpmvv db info".
+std::string full_name(const CLI::App& app) {
+  return (app.get_parent() ? full_name(*app.get_parent()) + ' ' : "") + app.get_name();
+}
+
+/// The command that was called, as far as it is one.
+const CLI::App& called(const CLI::App& app) {
+  const auto given = app.get_subcommands();
+  return given.empty() ? app : called(*given.front());
+}
+
+std::string unknown_option(const CLI::App& app, const std::string& option) {
   std::vector<std::string> known;
-  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
-  return fmt::format("unknown command '{}' (known: {})", argc > 1 ? argv[1] : "", fmt::join(known, ", "));
+  for (const CLI::Option* each : app.get_options())
+    if (each->nonpositional()) known.push_back("--" + each->get_lnames().front());
+  return fmt::format("unknown option '{}' in `{}` (known: {})", option, full_name(app), fmt::join(known, ", "));
+}
+
+std::string unknown_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (!command->get_group().empty()) known.push_back(command->get_name());
+  return fmt::format("unknown command '{}' (known: {})", word, fmt::join(known, ", "));
+}
+
+/// Why the program cannot do what it was called for.
+std::string refusal(const CLI::App& app, const CLI::ParseError& e) {
+  const CLI::App& command = app.remaining().empty() ? called(app) : app;
+  const auto beyond = command.remaining();
+  const std::string first = beyond.empty() ? "" : beyond.front(), what = e.what();
+  if (dynamic_cast<const CLI::ValidationError*>(&e)) return what;
+  if (first.starts_with('-')) return unknown_option(command, first);
+  if (!command.get_subcommands({}).empty()) return unknown_command(command, first);
+  if (dynamic_cast<const CLI::ExtrasError*>(&e))
+    return fmt::format("'{}' behind `{}` is too much (--help says what it takes)", first, full_name(command));
+  if (dynamic_cast<const CLI::RequiredError*>(&e))
+    return fmt::format("{} by `{}` (--help says what it is)", what, full_name(command));
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&e))
+    return fmt::format("{} without its value (--help says what it takes)", what.substr(0, what.find(':')));
+  return what;
 }
 
 /// An empty text is never a value: it is what a shell makes of a variable that is not set. A flag takes =true, =false
@@ -69,11 +107,8 @@ int run(CLI::App& app, int argc, char** argv, const int& exit_code) {
     std::ostringstream help;
     app.exit(wanted, help, help);
     print_text(help.str());
-  } catch (const CLI::ValidationError& e) {
-    return complain(app.get_name(), e.what());
   } catch (const CLI::ParseError& e) {
-    const bool lacks_command = !app.get_subcommands({}).empty() && app.get_subcommands().empty();
-    return complain(app.get_name(), lacks_command ? unknown_command(app, argc, argv) : e.what());
+    return complain(app.get_name(), refusal(app, e));
   }
   return exit_code;
 }
@@ -85,6 +120,7 @@ int enter(int argc, char** argv, const std::string& name, const std::string& des
   survive_failed_writes();
   try {
     CLI::App app{description, name};
+    app.formatter(std::make_shared<HelpFormatter>());
     int exit_code = 0;
     add(app, exit_code);
     check_values(app);

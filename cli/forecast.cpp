@@ -7,36 +7,23 @@
 #include <optional>
 
 #include "cli/console.hpp"
+#include "cli/lines.hpp"
+#include "cli/numbers.hpp"
 #include "studies/plan/forecast.hpp"
 
 namespace mpmvv::cli {
 
 namespace {
 
-std::string minutes(double seconds) {
-  return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.1f} min", seconds / 60);
-}
-
 nlohmann::json json_of(const plan::StudyForecast& s) {
   return {{"study", s.study}, {"cases", s.cases}, {"stored", s.stored}, {"shared", s.shared},   {"runs", s.runs},
           {"parts", s.parts}, {"timed", s.timed}, {"probes", s.probes}, {"seconds", s.seconds}, {"why", s.why}};
 }
 
-/// Prints a text in lines of up to 100 columns, each indented.
-void print_indented(const std::string& text) {
-  constexpr std::size_t width = 96;
-  for (std::size_t begin = 0; begin < text.size();) {
-    std::size_t end = text.size();
-    if (end - begin > width) end = text.rfind(' ', begin + width);
-    if (end == std::string::npos || end <= begin) end = text.size();
-    print("    {}\n", text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-}
-
 }  // namespace
 
 void print_forecast(const std::vector<plan::StudyPlan>& plans, const std::string& db, int jobs, bool as_json) {
+  store::require_place(db);
   std::optional<store::Store> store;
   if (std::filesystem::exists(db)) store.emplace(db, store::Store::Mode::read);
   const plan::Forecast all = plan::forecast(plans, store ? &*store : nullptr, jobs);
@@ -52,11 +39,11 @@ void print_forecast(const std::vector<plan::StudyPlan>& plans, const std::string
   static constexpr const char* row = "{:<18} {:>7} {:>8} {:>8} {:>8} {:>7} {:>7} {:>8} {:>11}\n";
   print(row, "study", "cases", "stored", "shared", "to run", "parts", "timed", "probes", "on a core");
   for (const plan::StudyForecast& s : all.studies) {
-    print(row, s.study, s.cases, s.stored, s.shared, s.runs, s.parts, s.timed, s.probes, minutes(s.seconds));
+    print(row, s.study, s.cases, s.stored, s.shared, s.runs, s.parts, s.timed, s.probes, duration_text(s.seconds));
     print_indented(s.why);
   }
-  print("about {} on {} jobs, {} on one; of it {} alone on the machine, at the end\n", minutes(all.seconds), jobs,
-        minutes(all.core_seconds), minutes(all.timed_seconds));
+  print("about {} on {} jobs, {} on one; of it {} alone on the machine, at the end\n", duration_text(all.seconds), jobs,
+        duration_text(all.core_seconds), duration_text(all.timed_seconds));
 }
 
 }  // namespace mpmvv::cli

@@ -9,8 +9,11 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/gate_text.hpp"
+#include "cli/help.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
+#include "cli/shipped.hpp"
 #include "goldens/github.hpp"
 #include "goldens/junit.hpp"
 #include "goldens/propose.hpp"
@@ -24,9 +27,9 @@ using goldens::Verdict;
 namespace {
 
 struct GateOptions {
-  std::string db, goldens = "goldens", junit;
+  std::string db, goldens, junit;
   std::vector<std::string> only;
-  bool json = false, github = false, as_set = false;
+  bool json = false, github = false, as_set = false, verbose = false;
 };
 
 /// GitHub Actions sets this in every step.
@@ -48,42 +51,32 @@ nlohmann::json gate_json(const goldens::GateReport& report) {
                        {"verdict", to_string(r.verdict)},
                        {"expected", r.expected},
                        {"measured", r.measured},
-                       {"reason", r.reason}});
+                       {"reason", r.reason},
+                       {"absent", r.is_absent}});
   return {{"pass", report.count(Verdict::pass)},
           {"fail", report.count(Verdict::fail)},
           {"inconclusive", report.count(Verdict::inconclusive)},
           {"results", results}};
 }
 
-/// Failures first, then what is inconclusive, then the rest in the order of the goldens.
-void print_gate(const goldens::GateReport& report) {
-  for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
-    for (const goldens::GateResult& r : report.results) {
-      if (r.verdict != verdict) continue;
-      print("{:<12} {:<10} {}: expected {}, measured {}{}\n", to_string(r.verdict), r.study, r.name, r.expected,
-            r.measured, r.reason.empty() ? "" : " (" + r.reason + ")");
-    }
-  print("gate: {} pass, {} fail, {} inconclusive\n", report.count(Verdict::pass), report.count(Verdict::fail),
-        report.count(Verdict::inconclusive));
-}
-
 int gate(const GateOptions& options) {
-  require_apart("--junit", options.junit, {options.db, options.goldens});
-  const auto goldens = goldens::read_goldens(options.goldens);
+  const auto results = own_results(options.db);
+  const std::filesystem::path folder = goldens_for(results, options.goldens);
+  require_apart("--junit", options.junit, {options.db, folder});
   const goldens::GateReport report =
-      goldens::run_gate(goldens, own_results(options.db), options.only,
+      goldens::run_gate(goldens::read_goldens(folder), results, options.only,
                         options.as_set ? goldens::Trials::judged : goldens::Trials::inconclusive);
   if (!options.junit.empty()) support::write_if_changed(options.junit, goldens::junit_xml(report));
   if (options.json)
     print_json(gate_json(report));
   else
-    print_gate(report);
+    print_gate(report, options.verbose);
   if (options.github || (in_github_actions() && !options.json)) print_text(goldens::github_annotations(report));
   return report.exit_code();
 }
 
 struct ProposeOptions {
-  std::string db, study, out, goldens = "goldens";
+  std::string db, study, out, goldens;
 };
 
 int propose(const ProposeOptions& options) {
@@ -95,9 +88,11 @@ int propose(const ProposeOptions& options) {
         fmt::format("no results of study '{}' in {} (run `mpmvv study` on it first)", options.study, options.db));
   const auto provenance = store::Store(options.db, store::Store::Mode::read)
                               .study_provenance(study->name, store::current_provenance().digest);
+  if (is_shipped(*study)) goldens::require_committed(*study, *provenance);
+  const std::filesystem::path folder = goldens_for({*study}, options.goldens);
   const std::string text = goldens::propose_goldens(
       *study, *provenance,
-      goldens::has_goldens(options.goldens) ? goldens::read_goldens(options.goldens) : std::vector<goldens::Golden>{});
+      goldens::has_goldens(folder) ? goldens::read_goldens(folder) : std::vector<goldens::Golden>{});
   if (options.out.empty()) {
     print_text(text);
     return 0;
@@ -114,26 +109,33 @@ int propose(const ProposeOptions& options) {
 void add_gate(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<GateOptions>();
   CLI::App* command = app.add_subcommand("gate", "Hold the store's results against the goldens");
-  command->add_option("--db", options->db, "results store")->required();
-  command->add_option("--goldens", options->goldens, "directory of goldens (default: goldens)");
-  command->add_option("--only", options->only, "judge only this study's goldens (repeatable)");
-  command->add_option("--junit", options->junit, "write JUnit XML to this file, too");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--goldens", options->goldens, fmt::format("folder of goldens ({})", default_goldens))
+      ->type_name("FOLDER");
+  command->add_option("--only", options->only, "judge only this study's goldens (repeatable)")->type_name("STUDY");
+  command->add_option("--junit", options->junit, "write JUnit XML to this file, too")->type_name("FILE");
   command->add_flag("--as-set", options->as_set,
                     "judge results made with study --set, too (default: they are inconclusive)");
+  command->add_flag("--verbose", options->verbose, "print what passes, too, and each golden without a result");
   CLI::Option* json = command->add_flag("--json", options->json, "print one JSON object");
   command->add_flag("--github", options->github, "print annotations for GitHub Actions, too (default: when run by it)")
       ->excludes(json);
+  add_examples(*command, {"mpmvv gate --db results.db", "mpmvv gate --db results.db --only splines --verbose",
+                          "mpmvv gate --db results.db --junit gate.xml"});
   command->callback([options, &exit_code] { exit_code = gate(*options); });
 }
 
 void add_propose(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ProposeOptions>();
-  CLI::App* command =
-      app.add_subcommand("propose", "Write goldens for review from the store's results of a clean tree");
-  command->add_option("--db", options->db, "results store")->required();
-  command->add_option("--study", options->study, "name of the study")->required();
-  command->add_option("--goldens", options->goldens, "directory of the goldens that stand (default: goldens)");
-  command->add_option("--out", options->out, "a file that does not exist yet (default: standard output)");
+  CLI::App* command = app.add_subcommand("propose", "Write goldens for review from the store's results of a study");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--study", options->study, "name of the study")->required()->type_name("STUDY");
+  command
+      ->add_option("--goldens", options->goldens, fmt::format("folder of the goldens that stand ({})", default_goldens))
+      ->type_name("FOLDER");
+  command->add_option("--out", options->out, "a file that does not exist yet (default: standard output)")
+      ->type_name("FILE");
+  add_examples(*command, {"mpmvv propose --db results.db --study splines --out goldens/new-splines.toml"});
   command->callback([options, &exit_code] { exit_code = propose(*options); });
 }
 

@@ -1,11 +1,16 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "cli/change_text.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
+#include "cli/numbers.hpp"
 #include "cli/results.hpp"
+#include "cli/table.hpp"
 #include "goldens/comparison.hpp"
 
 namespace mpmvv::cli {
@@ -39,24 +44,6 @@ nlohmann::json change_json(const Change& change) {
   return json;
 }
 
-/// The difference of two numbers as a text; empty where one is a word or they are errors at different levels.
-std::string difference(const Finding& before, const Finding& after) {
-  const double a = before.number, b = after.number;
-  const bool same_level = before.at == after.at || std::isnan(before.at);
-  if (!before.word.empty() || !after.word.empty() || !same_level) return "";
-  if (before.kind == Finding::Kind::order || a == 0) return fmt::format(" ({:+.3g})", b - a);
-  if (before.kind == Finding::Kind::cost) return fmt::format(" (x {:.3f})", b / a);
-  return fmt::format(" ({:+.3g} %)", 100 * (b - a) / std::abs(a));
-}
-
-void print_change(const Change& change) {
-  print("{:<12} {}: {} -> {}{}", change.before.study, change.before.name, text(change.before), text(change.after),
-        difference(change.before, change.after));
-  if (change.largest && change.largest->x != change.before.at)
-    print(", most at {:g}: {:.6g} -> {:.6g}", change.largest->x, change.largest->before, change.largest->after);
-  print("\n");
-}
-
 struct CompareOptions {
   std::string db, a, b;
   bool json = false, all = false;
@@ -64,9 +51,11 @@ struct CompareOptions {
 
 void print_comparison(const goldens::Comparison& comparison, const Version& a, const Version& b, bool all) {
   print("from {}, {}\nto   {}, {}\n", label(a), a.time, label(b), b.time);
+  Table table({{"study"}, {"change", Table::Kind::prose}}, 0);
   for (const Change& change : comparison.changes)
-    if (all || change.bands != 0) print_change(change);
-  for (const Change& cost : comparison.costs) print_change(cost);
+    if (all || change.bands != 0) table.add({change.before.study, change_text(change)});
+  for (const Change& cost : comparison.costs) table.add({cost.before.study, change_text(cost)});
+  table.print();
   for (const std::string& what : comparison.only_before) print("only in the first: {}\n", what);
   for (const std::string& what : comparison.only_after) print("only in the second: {}\n", what);
   print("{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} costs shown as ratios\n",
@@ -118,14 +107,29 @@ nlohmann::json trends_json(const std::vector<Version>& versions, const std::vect
   return {{"versions", all_versions}, {"trends", all_trends}};
 }
 
+/// So many of the newest versions as a line of the terminal holds beside study and name.
+std::size_t shown_versions(std::size_t all) {
+  constexpr std::size_t beside = 45, column = 11;
+  if (!output_columns()) return all;
+  return std::min(all, std::max<std::size_t>(2, (std::max(text_width(), beside) - beside) / column));
+}
+
 void print_trends(const std::vector<Version>& versions, const std::vector<Trend>& trends) {
-  for (std::size_t v = 0; v < versions.size(); ++v)
+  std::vector<Table::Column> columns{{"study"}};
+  const std::size_t first = versions.size() - shown_versions(versions.size());
+  for (std::size_t v = 0; v < versions.size(); ++v) {
     print("{:>3}  {}, {}\n", v + 1, label(versions[v]), versions[v].time);
-  for (const Trend& trend : trends) {
-    print("{:<12} {}:", trend.study, trend.name);
-    for (const double number : trend.numbers) print(" {}", std::isnan(number) ? "-" : fmt::format("{:.5g}", number));
-    print("\n");
+    if (v >= first) columns.push_back({fmt::format("{}", v + 1), Table::Kind::number});
   }
+  columns.push_back({"of", Table::Kind::prose});
+  Table table(columns, 0);
+  for (const Trend& trend : trends) {
+    std::vector<std::string> cells{trend.study};
+    for (std::size_t v = first; v < versions.size(); ++v) cells.push_back(number_text(trend.numbers[v]));
+    cells.push_back(trend.name);
+    table.add(std::move(cells));
+  }
+  table.print();
 }
 
 int trend(const TrendOptions& options) {
@@ -144,11 +148,12 @@ int trend(const TrendOptions& options) {
 void add_compare(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Print what changed between two versions in a store, worst first");
-  command->add_option("from", options->a, "first letters of a commit or digest")->required();
-  command->add_option("to", options->b, "the same (default: the running program's digest)");
-  command->add_option("--db", options->db, "results store")->required();
+  command->add_option("from", options->a, "first letters of a commit or digest")->required()->type_name("VERSION");
+  command->add_option("to", options->b, "the same (default: the running program's digest)")->type_name("VERSION");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
   command->add_flag("--all", options->all, "print what did not change, too");
   command->add_flag("--json", options->json, "print one JSON object");
+  add_examples(*command, {"mpmvv compare 3f2a91 c0ffee --db results.db", "mpmvv compare 3f2a91 --db results.db --all"});
   command->callback([options, &exit_code] { exit_code = compare_versions(*options); });
 }
 
@@ -156,8 +161,9 @@ void add_trend(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<TrendOptions>();
   CLI::App* command =
       app.add_subcommand("trend", "Print orders, finest errors, limits and values over all versions in a store");
-  command->add_option("--db", options->db, "results store")->required();
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
   command->add_flag("--json", options->json, "print one JSON object");
+  add_examples(*command, {"mpmvv trend --db results.db"});
   command->callback([options, &exit_code] { exit_code = trend(*options); });
 }
 

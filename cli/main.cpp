@@ -2,6 +2,7 @@
 
 #include "cli/command.hpp"
 #include "cli/entry.hpp"
+#include "cli/help.hpp"
 #include "studies/store/provenance.hpp"
 
 namespace mpmvv::cli {
@@ -23,12 +24,18 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_gate(app, exit_code);
   add_propose(app, exit_code);
   add_report(app, exit_code);
+  add_figure(app, exit_code);
+  add_paper(app, exit_code);
   add_compare(app, exit_code);
   add_trend(app, exit_code);
   add_cost(app, exit_code);
   add_claims(app, exit_code);
   add_list(app, exit_code);
   add_db(app, exit_code);
+  add_manual(app, exit_code);
+  add_examples(app, {"mpmvv run --problem bar --basis bspline2 --integrator cd --cells 64 --ppc 4 --cfl 0.2",
+                     "mpmvv study s-fig4 --db results.db", "mpmvv claims --db results.db",
+                     "mpmvv report --db results.db --out report"});
 }
 
 }  // namespace

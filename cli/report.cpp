@@ -7,20 +7,25 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/case_commands.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/earlier.hpp"
+#include "cli/help.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
+#include "cli/shipped.hpp"
 #include "goldens/gate.hpp"
 #include "studies/claims/claim.hpp"
 #include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv::cli {
 
 namespace {
 
 struct ReportOptions {
-  std::string db, out, goldens = "goldens";
+  std::string db, out, goldens;
 };
 
 /// What `./run benchmark` left beside the store, unless it measured another program.
@@ -50,26 +55,52 @@ bool has_goldens(const std::filesystem::path& folder) {
   return std::any_of(files, end, [](const auto& entry) { return entry.path().extension() == ".toml"; });
 }
 
-int report(const ReportOptions& options) {
-  require_apart("--out", options.out, {options.db, options.goldens, published});
+void add_gate_lines(reports::ReportInput& input, const std::vector<goldens::Golden>& goldens) {
+  if (goldens.empty()) return;
+  for (const goldens::GateResult& r : goldens::run_gate(goldens, input.studies).results)
+    input.gate.push_back({r.study, r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
+}
+
+/// The time of the newest of these studies.
+std::string newest_result(const store::Store& store, const reports::ReportInput& input) {
+  std::string newest;
+  for (const records::StudyResult& study : input.studies)
+    if (const auto kept = store.study_provenance(study.name, input.provenance.digest))
+      newest = std::max(newest, kept->time);
+  return newest;
+}
+
+/// All that the store and what lies beside it say of this program.
+reports::ReportInput report_input(const ReportOptions& options) {
   reports::ReportInput input;
   input.provenance = store::current_provenance();
   input.studies = own_results(options.db);
+  const std::filesystem::path folder = goldens_for(input.studies, options.goldens);
+  require_apart("--out", options.out, {options.db, folder, published});
   if (input.studies.empty())
     throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
-  if (has_goldens(options.goldens))
-    for (const goldens::GateResult& r :
-         goldens::run_gate(goldens::read_goldens(options.goldens), input.studies).results)
-      input.gate.push_back({r.study + ": " + r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
+  const auto goldens = has_goldens(folder) ? goldens::read_goldens(folder) : std::vector<goldens::Golden>{};
+  add_gate_lines(input, goldens);
   const store::Store store(options.db, store::Store::Mode::read);
   auto mutation = own_mutation(options.db);
-  for (const claims::Claim& claim : judged_claims(input.studies, mutation))
-    input.claims.push_back({claim.id, claim.verdict, claim.verdict == "open" ? claim.statement : claim.evidence});
+  input.claims = judged_claims(input.studies, mutation);
   input.mutation = shown_mutation(options.db, std::move(mutation));
   input.alarms = own_alarms();
   input.versions = store.versions();
   if (reports::has_trends(input)) input.trends = trends_in(store, input.versions);
+  input.earlier = earlier_version(store, goldens, input.studies);
+  input.newest_result = newest_result(store, input);
+  for (const records::StudyResult& study : input.studies) {
+    if (auto commands = case_commands(study); !commands.empty()) input.commands[study.name] = std::move(commands);
+    const std::string file = "studies/" + study.name + ".toml";
+    if (support::read_file(file) == study.text) input.files[study.name] = file;
+  }
   input.benchmark = own_benchmark(options.db, input.provenance.digest);
+  return input;
+}
+
+int report(const ReportOptions& options) {
+  const reports::ReportInput input = report_input(options);
   const bool terminal = isatty(STDERR_FILENO);
   const reports::ReportSummary summary = reports::write_report(input, options.out, [terminal](const std::string& what) {
     if (terminal) note("{}\n", what);
@@ -84,9 +115,13 @@ int report(const ReportOptions& options) {
 void add_report(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* command = app.add_subcommand("report", "Write the HTML report, its figures and tables");
-  command->add_option("--db", options->db, "results store")->required();
-  command->add_option("--out", options->out, "directory of the report")->required();
-  command->add_option("--goldens", options->goldens, "directory of goldens, judged in the report (default: goldens)");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--out", options->out, "folder of the report")->required()->type_name("FOLDER");
+  command
+      ->add_option("--goldens", options->goldens,
+                   fmt::format("folder of goldens, judged in the report ({})", default_goldens))
+      ->type_name("FOLDER");
+  add_examples(*command, {"mpmvv report --db results.db --out report"});
   command->callback([options, &exit_code] { exit_code = report(*options); });
 }
 

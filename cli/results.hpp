@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -47,10 +48,15 @@ inline std::vector<reports::AlarmRun> own_alarms() {
   return log.runs;
 }
 
-/// The claims by the studies of a store, and by the mutants and the runs without a mistake.
+/// The claims by the studies of a store; that on the mutants, where one of them names it, by these and by the runs
+/// without a mistake.
 inline std::vector<claims::Claim> judged_claims(std::vector<records::StudyResult> studies,
                                                 const std::optional<reports::MutationResults>& mutation) {
-  studies.push_back(reports::mutation_study(mutation, own_alarms()));
+  const records::StudyResult mutants = reports::mutation_study(mutation, own_alarms());
+  const auto names_it = [&](const records::StudyResult& study) {
+    return std::ranges::find(study.claims, mutants.claims.front()) != study.claims.end();
+  };
+  if (std::ranges::any_of(studies, names_it)) studies.push_back(mutants);
   return claims::judge_claims(studies);
 }
 

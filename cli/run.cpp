@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +8,9 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
+#include "cli/run_text.hpp"
+#include "cli/setting_words.hpp"
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
@@ -44,38 +48,6 @@ nlohmann::json record_json(const records::Record& r) {
   return json;
 }
 
-std::string or_dash(double value) {
-  return std::isnan(value) ? "-" : fmt::format("{:.6e}", value);
-}
-
-void print_record(const records::Record& r) {
-  const cases::Scheme& s = r.the_case.scheme;
-  print("{}  basis {}  integrator {}  boundary {}\n", r.the_case.problem.name, s.basis, s.integrator, s.boundary);
-  print("cells {}  ppc {}  particles {}  steps {}  dt {:.6g} s  cfl {:.4g}  end time {:.6g} s\n",
-        r.the_case.resolution.cells, r.the_case.resolution.ppc, r.particles, r.steps, r.the_case.resolution.dt, r.cfl,
-        r.the_case.problem.end_time);
-  print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
-  print("error at the end     l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1), or_dash(r.error.l2),
-        or_dash(r.error.linf));
-  if (r.the_case.measure.every_step)
-    print("error over all steps l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1_all_steps), or_dash(r.error.l2_all_steps),
-          or_dash(r.error.linf_all_steps));
-  if (r.the_case.measure.nodal_error)
-    print("error of nodal a     l1 {}  l2 {}  linf {} m/s2\n", or_dash(r.error.nodal_l1), or_dash(r.error.nodal_l2),
-          or_dash(r.error.nodal_linf));
-  if (r.the_case.measure.velocity_error)
-    print("error of the velocity, mean over all steps {} % of the problem's speed\n", or_dash(r.error.velocity));
-  if (r.the_case.measure.stress_error) print("error of the stress  l2 {} Pa\n", or_dash(r.error.stress));
-  print("energy kinetic {}  strain {}  initial total {} J\n", or_dash(r.energy.kinetic), or_dash(r.energy.strain),
-        or_dash(r.energy.initial_total));
-  print("change of mass {}  momentum {}  angular momentum {}\n", or_dash(r.balance.mass), or_dash(r.balance.momentum),
-        or_dash(r.balance.angular_momentum));
-  print("{:.3g} s, {:.2f} ns per particle and step\n", r.wall_seconds, r.ns_per_particle_step);
-  if (r.the_case.measure.repeat > 0)
-    print("cost {} s of steps, median of {} runs (range {:.0f} %)\n", or_dash(r.cost.step_seconds),
-          r.the_case.measure.repeat, 100 * r.cost.spread);
-}
-
 struct RunOptions {
   std::map<std::string, CLI::Option*> given;  ///< by setting key
   std::vector<std::string> parameters;
@@ -110,6 +82,31 @@ int run(const RunOptions& options) {
   return record.status == records::Status::failed ? 1 : 0;
 }
 
+/// What stands where a key is not given; empty where the case then has nothing of the kind.
+std::string default_of(const settings::SettingKey& key) {
+  static const std::map<std::string, std::string> by_rule{{"problem", "required"},
+                                                          {"cells", "required"},
+                                                          {"ppc", "required"},
+                                                          {"cfl", "this or --dt is required"},
+                                                          {"dt", "this or --cfl is required"},
+                                                          {"order", "required by these"},
+                                                          {"smoothing_length", "required by it"},
+                                                          {"wall_method", "default: combined"},
+                                                          {"boundary", "default: the problem's"},
+                                                          {"material", "default: the problem's"},
+                                                          {"end_time", "default: the problem's"}};
+  if (const auto rule = by_rule.find(key.key); rule != by_rule.end()) return rule->second;
+  const std::string value = key.member ? cases::text_of(key.member->value(cases::Case{})) : "";
+  return value.empty() || value == "0" || value == "none" || value == "false" ? "" : fmt::format("default: {}", value);
+}
+
+std::string help_of(const settings::SettingKey& key) {
+  std::string help = key.meaning;
+  if (const auto words = setting_words(key.key); !words.empty()) help += fmt::format(": {}", fmt::join(words, ", "));
+  const std::string absent = default_of(key);
+  return absent.empty() ? help : fmt::format("{} ({})", help, absent);
+}
+
 }  // namespace
 
 settings::Setting parameter_setting(const std::string& text) {
@@ -125,15 +122,25 @@ void add_run(CLI::App& app, int& exit_code) {
   for (const settings::SettingKey& key : settings::setting_keys()) {
     std::string name = "--" + key.key;
     std::replace(name.begin(), name.end(), '_', '-');
+    const std::string help = help_of(key);
     if (key.member && key.member->is_flag)
-      options->flags[key.key] = command->add_flag(name, key.meaning);
+      options->flags[key.key] = command->add_flag(name, help);
     else
-      options->given[key.key] = command->add_option(name, key.meaning)->expected(1);
+      options->given[key.key] =
+          command->add_option(name, help)->expected(1)->type_name(setting_words(key.key).empty() ? "NUMBER" : "WORD");
   }
-  command->add_option("--param", options->parameters, "physical value of the problem, name=value (repeatable)");
-  command->add_option("--threads", options->threads, "threads of the step")->check(CLI::Range(1, 256));
-  command->add_option("--vtu", options->vtu, "write eleven particle states for ParaView to this directory");
+  command->add_option("--param", options->parameters, "physical value of the problem (repeatable)")
+      ->type_name("NAME=VALUE");
+  command->add_option("--threads", options->threads, "threads of the step, 1 to 256 (default: 1)")
+      ->check(CLI::Range(1, 256))
+      ->type_name("NUMBER");
+  command->add_option("--vtu", options->vtu, "write eleven particle states for ParaView to this folder")
+      ->type_name("FOLDER");
   command->add_flag("--json", options->json, "print the record as one JSON object");
+  add_examples(*command,
+               {"mpmvv run --problem bar --basis bspline2 --integrator cd --cells 64 --ppc 4 --cfl 0.2",
+                "mpmvv run --problem square --basis cpgimp --boundary mirror --cells 32 --ppc 2 --cfl 0.4 --json",
+                "mpmvv run --problem ring --cells 16 --ppc 2 --cfl 0.4 --param amplitude=0.05 --vtu frames"});
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -5,6 +5,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "studies/problems/fields.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/settings/settings.hpp"
@@ -82,11 +83,14 @@ int solution(const SolutionOptions& options) {
 void add_solution(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SolutionOptions>();
   CLI::App* command = app.add_subcommand("solution", "Print u, v, a, F, P and b of a solution at a reference point");
-  command->add_option("--problem", options->problem, "which solution")->required();
-  command->add_option("--at", options->at, "reference point X[,Y[,Z]] in m")->required();
-  command->add_option("--time", options->time, "in s")->required();
-  command->add_option("--param", options->parameters, "physical value of the problem, name=value (repeatable)");
+  command->add_option("--problem", options->problem, "which solution")->required()->type_name("WORD");
+  command->add_option("--at", options->at, "reference point in m")->required()->type_name("X[,Y[,Z]]");
+  command->add_option("--time", options->time, "in s")->required()->type_name("NUMBER");
+  command->add_option("--param", options->parameters, "physical value of the problem (repeatable)")
+      ->type_name("NAME=VALUE");
   command->add_flag("--json", options->json, "print one JSON object");
+  add_examples(*command, {"mpmvv solution --problem bar --at 0.2 --time 0.001",
+                          "mpmvv solution --problem ring --at 0.6,0.3 --time 0.01 --param poissons_ratio=0.3 --json"});
   command->callback([options, &exit_code] { exit_code = solution(*options); });
 }
 

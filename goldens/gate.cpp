@@ -1,10 +1,12 @@
 #include "goldens/gate.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "goldens/judgement.hpp"
 #include "studies/store/trial.hpp"
@@ -111,7 +113,8 @@ GateResult judge(const Golden& golden, const std::vector<StudyResult>& studies, 
           std::move(judgement.measured),
           std::move(judgement.reason),
           golden.where,
-          judgement.better};
+          judgement.better,
+          study == nullptr};
 }
 
 }  // namespace
@@ -128,11 +131,12 @@ int GateReport::exit_code() const {
 GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<StudyResult>& studies,
                     const std::vector<std::string>& only, Trials trials) {
   if (goldens.empty()) throw support::UsageError("no golden to judge (at least one)");
-  for (const std::string& study : only) {
-    if (!find(goldens, study, &Golden::study)) {
-      throw support::UsageError(fmt::format("no golden for study '{}' (a study with goldens)", study));
-    }
-  }
+  std::set<std::string> known;
+  for (const Golden& golden : goldens) known.insert(golden.study);
+  for (const std::string& study : only)
+    if (!known.contains(study))
+      throw support::UsageError(
+          fmt::format("unknown study '{}' in the goldens (known: {})", study, fmt::join(known, ", ")));
   GateReport report;
   for (const Golden& golden : goldens) {
     if (only.empty() || std::ranges::count(only, golden.study) > 0)

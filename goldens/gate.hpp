@@ -17,6 +17,7 @@ struct GateResult {
   std::string reason;      ///< empty for `pass`
   std::string where = {};  ///< of the golden, FILE:LINE
   bool better = false;     ///< it failed because results improved: the golden should be renewed
+  bool is_absent = false;  ///< the store has nothing of its study
 };
 
 /// All goldens, judged, in their order.

@@ -190,21 +190,24 @@ void refuse_worse(const records::StudyResult& study, std::vector<Golden> standin
 
 }  // namespace
 
-std::string propose_goldens(const records::StudyResult& study, const store::Provenance& provenance,
-                            const std::vector<Golden>& standing) {
-  if (provenance.dirty) {
+void require_committed(const records::StudyResult& study, const store::Provenance& provenance) {
+  if (provenance.dirty)
     throw UsageError(
         fmt::format("the results of study '{}' come from a dirty tree at commit {} (commit, build and run "
                     "the study again)",
                     study.name, provenance.commit));
-  }
+}
+
+std::string propose_goldens(const records::StudyResult& study, const store::Provenance& provenance,
+                            const std::vector<Golden>& standing) {
   if (const std::string trial = store::trial_of(study.text); !trial.empty())
     throw UsageError(fmt::format("the results of study '{}' were made with --set: {} (run the study as it stands)",
                                  study.name, trial));
   refuse_worse(study, standing);
   Draft draft;
-  draft.remark(
-      fmt::format("Proposed from commit {}, digest {}, {}.", provenance.commit, provenance.digest, provenance.time));
+  draft.remark(fmt::format("Proposed from commit {}{}, digest {}, {}.", provenance.commit,
+                           provenance.dirty ? " with changes that are not committed" : "", provenance.digest,
+                           provenance.time));
   draft.remark("To review: hold each number against its claim, delete what proves nothing, give a wider band its why,");
   draft.remark("then add reviewed = \"DATE: who and on what grounds\".");
   draft.line(fmt::format("study = {}\n", quoted(study.name)));

@@ -49,12 +49,12 @@ Ends ends_of(const AxisWish& wish, std::span<const double> values) {
   return low > high ? Ends{0, 1} : widened(clamped({low, high}, wish.log), wish.log);
 }
 
-/// "10^{-3}", "2·10^{-3}": for the plotting program's enhanced texts.
+/// "10^-3", "2·10^-3"
 std::string power_text(double v) {
   const std::string digits = fmt::format("{:.3e}", v);
   const auto e = digits.find('e');
   const std::string mantissa = fmt::format("{:g}", std::stod(digits.substr(0, e)));
-  const std::string power = fmt::format("10^{{{}}}", std::stoi(digits.substr(e + 1)));
+  const std::string power = fmt::format("10^{}", std::stoi(digits.substr(e + 1)));
   return mantissa == "1" ? power : mantissa + "·" + power;
 }
 

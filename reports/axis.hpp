@@ -8,7 +8,7 @@ namespace mpmvv::reports {
 
 struct Tic {
   double at = 0;
-  std::string text;  ///< in the plotting program's enhanced notation, or a name; empty: a minor tic
+  std::string text;  ///< a number, powers as `10^-3`, or a name; empty: a minor tic
 };
 
 struct Axis {

@@ -28,6 +28,13 @@ struct Curve {
   double size = 0.8;  ///< of the markers
 };
 
+inline constexpr double report_letter = 0.04, paper_letter = 0.06;
+
+/// Whether the curve has an entry in the key.
+inline bool has_key(const Curve& curve) {
+  return !curve.key.empty() && !curve.dots.empty();
+}
+
 inline constexpr int plain_style = -1;
 
 struct Place {
@@ -48,7 +55,7 @@ struct Label {
   Place at;
   std::string text;
   Side side = Side::centre;
-  bool enhanced = false;  ///< in the plotting program's enhanced notation
+  bool formula = false;  ///< symbols in italics, powers as `h^2` raised
 };
 
 /// A box around a place, with its full widths.
@@ -63,6 +70,7 @@ struct Chart {
   std::string caption;
   double width = 720, height = 430;  ///< of the axes and their labels, in pixels of 1/96 inch
   std::size_t right_margin = 2;      ///< in characters
+  double letter = report_letter;     ///< height of a letter as a fraction of the y axis
   bool to_scale = false;             ///< one unit is as long along x as along y
   Axis x, y;
   std::vector<Curve> curves;
@@ -73,7 +81,7 @@ struct Chart {
 };
 
 /// One figure of a study: its points, fits, floors, limits and reference slopes.
-Chart error_chart(const records::StudyResult& study, const records::Figure& figure);
+Chart error_chart(const records::StudyResult& study, const records::Figure& figure, double letter = report_letter);
 
 /// Every probe of every limit of a study, stable or not, one row per series.
 Chart stability_map(const records::StudyResult& study, const records::Figure& figure);
@@ -89,7 +97,12 @@ Chart particle_chart(const records::StudyResult& study, const records::Figure& f
 std::vector<const records::Series*> figure_series(const records::StudyResult& study, const records::Figure& figure);
 
 /// All figures of a study. One of kind `limit` gets a stability map at least: a figure without values is drawn as
-/// one, and where there is none it is added under the name STUDY-map.
-std::vector<Chart> charts_of(const records::StudyResult& study);
+/// one, and where there is none it is added under the name STUDY-map. A letter's height is a fraction of the y axis.
+std::vector<Chart> charts_of(const records::StudyResult& study, double letter = report_letter);
+
+/// Those of all studies, a list for each, under names that no two share: STUDY~NAME where studies share one. Throws
+/// UsageError where a name of a study or figure cannot be the name of a file.
+std::vector<std::vector<Chart>> charts_of_all(const std::vector<records::StudyResult>& studies,
+                                              double letter = report_letter);
 
 }  // namespace mpmvv::reports

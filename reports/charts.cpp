@@ -29,7 +29,7 @@ std::vector<const Series*> figure_series(const records::StudyResult& study, cons
   return chosen;
 }
 
-std::vector<Chart> charts_of(const records::StudyResult& study) {
+std::vector<Chart> charts_of(const records::StudyResult& study, double letter) {
   const auto has_value = [&](const Figure& f) {
     return std::ranges::any_of(study.series, [&](const Series& s) {
       return std::ranges::any_of(s.points, [&](const records::Point& p) { return p.y.contains(f.quantity); });
@@ -43,7 +43,7 @@ std::vector<Chart> charts_of(const records::StudyResult& study) {
     charts.push_back(map                               ? stability_map(study, figure)
                      : figure.kind == "work-precision" ? work_chart(study, figure)
                      : figure.kind == "particles"      ? particle_chart(study, figure)
-                                                       : error_chart(study, figure));
+                                                       : error_chart(study, figure, letter));
     mapped |= map;
   }
   const bool probed = std::ranges::any_of(study.series, [](const Series& s) { return s.limit.has_value(); });

@@ -35,10 +35,11 @@ bool in_window(const ObservedOrder& o, double x) {
 /// Builds the chart of one figure; each step is one kind of thing on it.
 class ErrorChart {
  public:
-  ErrorChart(const records::StudyResult& study, const records::Figure& figure)
+  ErrorChart(const records::StudyResult& study, const records::Figure& figure, double letter)
       : study_(study), figure_(figure), series_(figure_series(study, figure)) {
     chart_.name = figure.name;
     chart_.caption = figure.caption;
+    chart_.letter = letter;
   }
 
   Chart make() {
@@ -185,9 +186,9 @@ class ErrorChart {
     };
     std::string aid;
     if (rules(Rule::Kind::fit))
-      aid += "Solid lines: fitted power laws over their windows, order ± 95 % half width in the key. ";
+      aid += "Thick lines: fitted power laws over their windows, order ± 95 % half width in the key. ";
     if (marks(Mark::outside)) aid += "Hollow points lie outside the window. ";
-    if (rules(Rule::Kind::reference)) aid += "Dashed: reference slopes. ";
+    if (rules(Rule::Kind::reference)) aid += "Grey, with a triangle: reference slopes. ";
     if (rules(Rule::Kind::floor)) aid += "Dotted: floor of the fit with a floor. ";
     if (rules(Rule::Kind::limit)) aid += "Vertical lines: bracket of the stability limit. ";
     if (marks(Mark::unstable)) aid += "Crosses at the upper edge: unstable. ";
@@ -211,8 +212,8 @@ class ErrorChart {
 
 }  // namespace
 
-Chart error_chart(const records::StudyResult& study, const records::Figure& figure) {
-  return ErrorChart(study, figure).make();
+Chart error_chart(const records::StudyResult& study, const records::Figure& figure, double letter) {
+  return ErrorChart(study, figure, letter).make();
 }
 
 }  // namespace mpmvv::reports

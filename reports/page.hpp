@@ -1,34 +1,41 @@
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "reports/chart.hpp"
+#include "reports/picture.hpp"
 #include "reports/report.hpp"
 
 namespace mpmvv::reports {
 
-/// A figure on the page.
-struct Picture {
-  std::string name;
-  std::string folder;  ///< of its files, beside the page
-  std::string caption;
-  std::vector<std::string> notes;
-  std::string svg;  ///< the file's content
-};
-
-/// One study's part of the page.
+/// What a report holds of one study.
 struct Section {
   const records::StudyResult* study = nullptr;
   std::vector<Picture> pictures;
   std::vector<std::string> tables;  ///< names of its files in tables/
 };
 
-/// The charts that are drawn in a folder of the report.
-std::vector<Picture> pictures_of(const std::vector<Chart>& charts, const std::filesystem::path& out_dir,
-                                 const std::string& folder);
+/// A file of the report, relative to its folder. Every text in it is escaped.
+struct Page {
+  std::string file;
+  std::string text;
+};
 
-/// The whole page, from the template page.mustache. Every text is escaped.
-std::string render_page(const ReportInput& input, const std::vector<Section>& sections);
+/// Four numbers on how it stands, what does not pass, the claims by papers, the studies, the words: index.html.
+Page front_page(const ReportInput& input, const std::vector<Section>& sections);
+
+/// All goldens, by study: gate.html.
+Page gate_page(const ReportInput& input);
+
+/// A claim with its criteria and figures: claims/ID.html.
+Page claim_page(const ReportInput& input, const claims::Claim& claim, const std::vector<Section>& sections);
+
+/// A study: studies/NAME.html.
+Page study_page(const ReportInput& input, const Section& section);
+
+/// What the program costs, and what its gate catches: benchmark.html, mutants.html, where there are any.
+std::vector<Page> program_pages(const ReportInput& input);
+
+/// The style and the script of all pages.
+std::vector<Page> page_aids();
 
 }  // namespace mpmvv::reports

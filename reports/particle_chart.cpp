@@ -54,7 +54,6 @@ Rule frame_of(const Bounds& b, double offset) {
 }  // namespace
 
 Chart particle_chart(const records::StudyResult& study, const records::Figure& figure) {
-  constexpr int black_circle = 6;
   constexpr double gap = 0.12, few = 300, axes_width = 650;
   Chart chart;
   chart.name = figure.name;
@@ -74,7 +73,7 @@ Chart particle_chart(const records::StudyResult& study, const records::Figure& f
   set_axes(chart, figure, bounds, pitch, series.size());
   for (std::size_t k = 0; k < series.size(); ++k) {
     const double offset = pitch * static_cast<double>(k);
-    Curve dots{series[k]->name, "", black_circle, false, true, false, {}, size};
+    Curve dots{series[k]->name, "", plain_style, false, true, false, {}, size};
     for (const Point& p : series[k]->points) {
       Box box = box_of(p);
       box.centre.x += offset;

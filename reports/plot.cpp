@@ -37,13 +37,17 @@ fs::path pending_script_file(const fs::path& folder, const Plot& plot) {
   return folder / (plot.name + ".gp.part");
 }
 
-/// Whether both pictures are there to their ends; on a full disk gnuplot cuts them off without a word.
+/// What a whole picture ends with.
+std::string last_words(const std::string& ending) {
+  return ending == ".svg" ? "</svg>" : ending == ".pdf" ? "%%EOF" : "\\endgroup";
+}
+
+/// Whether the pictures are there to their ends; on a full disk gnuplot cuts them off without a word.
 bool has_pictures(const fs::path& folder, const Plot& plot) {
-  const auto ends_with = [&](const char* ending, const char* last) {
+  return std::ranges::all_of(plot.endings, [&](const std::string& ending) {
     const std::string text = read_file(folder / (plot.name + ending)).value_or("");
-    return text.find(last, text.size() - std::min<std::size_t>(text.size(), 16)) != std::string::npos;
-  };
-  return ends_with(".svg", "</svg>") && ends_with(".pdf", "%%EOF");
+    return text.find(last_words(ending), text.size() - std::min<std::size_t>(text.size(), 16)) != std::string::npos;
+  });
 }
 
 bool is_drawn(const fs::path& folder, const Plot& plot) {
@@ -52,10 +56,9 @@ bool is_drawn(const fs::path& folder, const Plot& plot) {
 }
 
 void write_sources(const fs::path& folder, const Plot& plot) {
-  for (const char* ending : {".gp", ".svg", ".pdf"}) {
-    std::error_code ignored;
-    fs::remove(folder / (plot.name + ending), ignored);
-  }
+  std::error_code ignored;
+  fs::remove(script_file(folder, plot), ignored);
+  for (const auto& ending : plot.endings) fs::remove(folder / (plot.name + ending), ignored);
   support::write_if_changed(folder / (plot.name + ".dat"), plot.data);
   const auto file = pending_script_file(folder, plot);
   const auto refuse = [&] {
@@ -104,8 +107,9 @@ std::string what_went_wrong(const support::ProcessEnd& end, std::chrono::millise
   const std::string what =
       end.exit_code == 0 ? "gnuplot left a picture out" : fmt::format("gnuplot ended with code {}", end.exit_code);
   const bool lacks_terminal = said.find("terminal") != std::string::npos;
-  return fmt::format("{}: {}{}", what, said,
-                     lacks_terminal ? fmt::format("; it needs the terminals svg and pdfcairo ({})", advice) : "");
+  return fmt::format(
+      "{}: {}{}", what, said,
+      lacks_terminal ? fmt::format("; it needs the terminals svg, pdfcairo and cairolatex ({})", advice) : "");
 }
 
 /// cairo 1.16 writes the time into a PDF and knows no SOURCE_DATE_EPOCH: one fixed time, digit for digit in place.
@@ -122,6 +126,17 @@ void fix_creation_date(const fs::path& pdf) {
 /// gnuplot takes no notice that `]]>` may not stand in a text.
 void close_no_section(const fs::path& svg) {
   support::write_if_changed(svg, replace_all(read_file(svg).value_or(""), "]]>", "]]&gt;"));
+}
+
+/// A name of a file may hold a tilde, which is a space for LaTeX.
+void keep_tildes(const fs::path& tex) {
+  support::write_if_changed(tex, replace_all(read_file(tex).value_or(""), "~", "\\string~"));
+}
+
+void mend(const fs::path& picture) {
+  if (picture.extension() == ".pdf") fix_creation_date(picture);
+  if (picture.extension() == ".svg") close_no_section(picture);
+  if (picture.extension() == ".tex") keep_tildes(picture);
 }
 
 }  // namespace
@@ -141,13 +156,12 @@ int draw(const std::vector<Plot>& plots, const fs::path& folder, std::chrono::mi
   auto culprit = std::ranges::find_if_not(changed, [&](const Plot* p) { return has_pictures(folder, *p); });
   if (culprit == changed.end() && !end.good()) --culprit;
   if (culprit != changed.end()) {
-    require_room(folder / ((*culprit)->name + ".svg"));
+    require_room(folder / ((*culprit)->name + (*culprit)->endings.front()));
     throw support::UsageError(
         fmt::format("cannot draw figure '{}': {}", (*culprit)->name, what_went_wrong(end, limit)));
   }
   for (const auto* plot : changed) {
-    fix_creation_date(folder / (plot->name + ".pdf"));
-    close_no_section(folder / (plot->name + ".svg"));
+    for (const auto& ending : plot->endings) mend(folder / (plot->name + ending));
     support::move_file(pending_script_file(folder, *plot), script_file(folder, *plot));
   }
   return static_cast<int>(changed.size());

@@ -25,7 +25,7 @@ class Clearance {
 
   /// The distance at a place; negative outside the frame and close to it.
   double operator()(const Place& f) const {
-    constexpr double frame = 0.03;
+    const double frame = 0.75 * chart_.letter;
     if (f.x < frame || f.x > 1 - frame || f.y < frame || f.y > 1 - frame) return -1;
     return field_[index(static_cast<int>(std::lround(f.x * cells)), static_cast<int>(std::lround(f.y * cells)))];
   }
@@ -76,17 +76,17 @@ struct SlopeMark {
   std::array<Place, 3> triangle;  ///< two corners on the line, the right angle between them
   Place name, rise, run;
 
-  SlopeMark(const Place& middle, double width, double slope) {
+  SlopeMark(const Place& middle, double width, double slope, double letter) {
     const auto on_line = [&](double dx) { return Place{middle.x + dx, middle.y + slope * dx}; };
     start = on_line(-width / 2);
     end = on_line(width / 2);
     const Place a = on_line(-0.25 * width), b = on_line(0.25 * width);
     const bool falls = slope < 0;
     triangle = {a, falls ? Place{a.x, b.y} : Place{b.x, a.y}, b};
-    const double side = falls ? -0.015 : 0.015;
-    name = {(falls ? start : end).x, (falls ? start : end).y + 0.04};
+    const double side = (falls ? -0.375 : 0.375) * letter;
+    name = {(falls ? start : end).x, (falls ? start : end).y + letter};
     rise = {triangle[1].x + side, (a.y + b.y) / 2};
-    run = {(a.x + b.x) / 2, triangle[1].y - 0.035};
+    run = {(a.x + b.x) / 2, triangle[1].y - 0.875 * letter};
   }
 
   double clearance(const Clearance& clear) const {
@@ -98,15 +98,16 @@ struct SlopeMark {
 };
 
 /// The largest mark that is clear of everything, as near to the data as that allows.
-std::optional<SlopeMark> best_mark(const Clearance& clear, double slope) {
-  constexpr double enough = 0.045, steps = 50;
+std::optional<SlopeMark> best_mark(const Clearance& clear, double slope, double letter) {
+  constexpr double steps = 50;
+  const double enough = 1.125 * letter;
   const double widest = std::min(0.4, 0.45 / std::abs(slope));
   std::optional<SlopeMark> best;
   double best_merit = -1;
   for (const double width : {widest, 0.75 * widest, 0.5 * widest})
     for (double i = 1; i < steps; ++i)
       for (double j = 1; j < steps; ++j) {
-        const SlopeMark mark({i / steps, j / steps}, width, slope);
+        const SlopeMark mark({i / steps, j / steps}, width, slope, letter);
         const double clearance = mark.clearance(clear);
         if (clearance < 0) continue;
         const double merit = std::min(clearance, enough) / enough + 0.5 * width - 0.5 * clear({i / steps, j / steps});
@@ -123,12 +124,12 @@ void add_reference_slope(Chart& chart, double p, const std::string& sweep) {
   const double decades_y = std::log10(chart.y.to / chart.y.from);
   const double slope = (falling ? -p : p) * decades_x / decades_y;
   if (slope == 0) return;
-  const auto mark = best_mark(Clearance(chart), slope);
+  const auto mark = best_mark(Clearance(chart), slope, chart.letter);
   if (!mark) return;
 
   const auto place = [&](const Place& f) { return Place{chart.x.value(f.x), chart.y.value(f.y)}; };
-  const std::string power = p == 1 ? "" : fmt::format("^{{{:g}}}", p);
-  const std::string name = falling || sweep == "h" ? "{/:Italic h}" + power : fmt::format("slope {:g}", p);
+  const std::string power = p == 1 ? "" : fmt::format("^{:g}", p);
+  const std::string name = falling || sweep == "h" ? "h" + power : fmt::format("slope {:g}", p);
   const auto& t = mark->triangle;
   chart.rules.push_back(
       {Rule::Kind::reference, 0, fmt::format("reference slope {:g}", p), {place(mark->start), place(mark->end)}});

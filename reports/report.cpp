@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
-
 #include "reports/chart.hpp"
 #include "reports/csv.hpp"
 #include "reports/mutant_table.hpp"
@@ -13,7 +11,6 @@
 #include "reports/table.hpp"
 #include "reports/text.hpp"
 #include "reports/trend_page.hpp"
-#include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
 namespace mpmvv::reports {
@@ -23,37 +20,6 @@ using records::StudyResult;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// UsageError where a name of a study or figure cannot be the name of a file.
-void check_names(const std::vector<StudyResult>& studies, const std::vector<std::vector<Chart>>& charts) {
-  const auto check = [](const std::string& what, const std::string& name) {
-    if (!support::is_file_stem(name))
-      throw support::UsageError(
-          fmt::format("{} '{}' cannot name a file (use letters, digits, '.', '_', '+' and '-')", what, name));
-  };
-  for (std::size_t i = 0; i < studies.size(); ++i) {
-    check("study", studies[i].name);
-    for (const auto& chart : charts[i]) check(fmt::format("study '{}': figure", studies[i].name), chart.name);
-  }
-}
-
-/// Where studies share a figure's name, each gets its study's before it, by a sign that no name holds.
-void tell_figures_apart(const std::vector<StudyResult>& studies, std::vector<std::vector<Chart>>& charts) {
-  std::map<std::string, int> count;
-  for (const auto& of_study : charts)
-    for (const auto& chart : of_study) ++count[chart.name];
-  for (std::size_t i = 0; i < studies.size(); ++i)
-    for (auto& chart : charts[i])
-      if (count.at(chart.name) > 1) chart.name = studies[i].name + "~" + chart.name;
-}
-
-std::vector<std::vector<Chart>> charts_of_all(const std::vector<StudyResult>& studies) {
-  std::vector<std::vector<Chart>> charts;
-  for (const auto& study : studies) charts.push_back(charts_of(study));
-  check_names(studies, charts);
-  tell_figures_apart(studies, charts);
-  return charts;
-}
 
 void write_table(const fs::path& file, const std::string& text, ReportSummary& summary) {
   support::make_folder(file.parent_path());
@@ -70,6 +36,25 @@ std::vector<std::string> write_tables(const StudyResult& study, const fs::path& 
     write_table(folder / name, content, summary);
   }
   return names;
+}
+
+std::vector<SeriesCommand> commands_of(const ReportInput& input, std::size_t study) {
+  const auto found = input.commands.find(input.studies[study].name);
+  return found == input.commands.end() ? std::vector<SeriesCommand>{} : found->second;
+}
+
+void write_page(const Page& page, const fs::path& folder) {
+  support::make_folder((folder / page.file).parent_path());
+  support::write_if_changed(folder / page.file, page.text);
+}
+
+void write_pages(const ReportInput& input, const std::vector<Section>& sections, const fs::path& folder) {
+  for (const Page& aid : page_aids()) write_page(aid, folder);
+  for (const Section& section : sections) write_page(study_page(input, section), folder);
+  for (const claims::Claim& claim : input.claims) write_page(claim_page(input, claim, sections), folder);
+  for (const Page& page : program_pages(input)) write_page(page, folder);
+  write_page(gate_page(input), folder);
+  write_page(front_page(input, sections), folder);
 }
 
 }  // namespace
@@ -91,7 +76,8 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
 
   std::vector<Section> sections;
   for (std::size_t i = 0; i < input.studies.size(); ++i)
-    sections.push_back({&input.studies[i], pictures_of(charts[i], place.draft(), "figures"),
+    sections.push_back({&input.studies[i],
+                        pictures_of(charts[i], place.draft(), "figures", input.studies[i], commands_of(input, i)),
                         write_tables(input.studies[i], tables, summary)});
   if (input.benchmark)
     write_table(tables / "program/benchmark.tex", latex_tables("Benchmark", benchmark_tables(*input.benchmark)),
@@ -102,7 +88,7 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
   progress(fmt::format("tables: {} of {} written", summary.tables_written, summary.tables));
 
   if (has_trends(input)) write_trends(input, place.draft(), summary);
-  support::write_if_changed(place.draft() / "index.html", render_page(input, sections));
+  write_pages(input, sections, place.draft());
   place.take_place();
   progress(fmt::format("report: {}", (out_dir / "index.html").string()));
   return summary;

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "reports/alarm_log.hpp"
 #include "reports/benchmark.hpp"
 #include "reports/mutation_results.hpp"
+#include "studies/claims/claim.hpp"
 #include "studies/claims/trend.hpp"
 #include "studies/records/result.hpp"
 #include "studies/store/provenance.hpp"
@@ -17,6 +19,7 @@ namespace mpmvv::reports {
 
 /// One expectation of the goldens, judged.
 struct GateLine {
+  std::string study;
   std::string name;
   std::string verdict;  ///< `pass`, `fail`, `inconclusive`
   std::string expected;
@@ -24,23 +27,37 @@ struct GateLine {
   std::string reason;  ///< may be empty
 };
 
-/// One claim of docs/claims.md, judged.
-struct ClaimLine {
-  std::string id;
-  std::string verdict;  ///< `confirmed`, `refuted`, `partly`, `shown`, `open`
-  std::string evidence;
+/// What the store's version before this one says.
+struct Earlier {
+  std::string label;                          ///< of the version
+  std::map<std::string, int> gate;            ///< goldens by verdict
+  std::map<std::string, std::string> claims;  ///< verdicts by id
+  std::size_t compared = 0, changed = 0;      ///< results that both versions have, and those of them that differ
+  std::vector<std::string> changes;           ///< these, worst first
+  double cost_ratio = support::not_measured;  ///< now over then, median
+};
+
+/// How to repeat the runs of a series.
+struct SeriesCommand {
+  std::string series;
+  std::string text;  ///< of a shell, with {} for the swept value
+  std::string note;  ///< what it leaves out; may be empty
 };
 
 struct ReportInput {
   std::vector<records::StudyResult> studies;
   std::vector<GateLine> gate;
-  std::vector<ClaimLine> claims;
+  std::vector<claims::Claim> claims;
   store::Provenance provenance;
   std::optional<Benchmark> benchmark = {};
   std::vector<store::Version> versions = {};  ///< all of the store, by time
   std::vector<claims::Trend> trends = {};     ///< over these versions
   std::optional<MutationResults> mutation = {};
   std::vector<AlarmRun> alarms = {};  ///< runs of the gate without a mistake
+  std::optional<Earlier> earlier = {};
+  std::map<std::string, std::vector<SeriesCommand>> commands = {};  ///< by study
+  std::map<std::string, std::string> files = {};                    ///< of studies that do not lie here as STUDY.toml
+  std::string newest_result = {};                                   ///< its time, ISO 8601, UTC; may be empty
 };
 
 /// Whether there are trends to draw: it takes two versions.
@@ -54,10 +71,11 @@ struct ReportSummary {
   int tables = 0, tables_written = 0;
 };
 
-/// Writes OUT/index.html (one page, nothing outside it), OUT/figures/NAME.{gp,dat,svg,pdf} (STUDY~NAME where studies
-/// share the name), OUT/tables/STUDY.csv, STUDY.tex and, where there are any, WHAT/STUDY.csv, program/benchmark.tex and
-/// program/mutants.tex; with trends OUT/trend.html and OUT/trends/NAME.* too. Throws UsageError, and leaves OUT as it
-/// was, when a file cannot be written or gnuplot is missing or fails.
+/// Writes OUT/index.html and what it leads to: gate.html, a page for each study in OUT/studies/ and for each claim in
+/// OUT/claims/, and where there is something to show benchmark.html, mutants.html and trend.html; OUT/figures/
+/// NAME.{gp,dat,svg,pdf} (STUDY~NAME where studies share the name), OUT/trends/NAME.*, OUT/tables/STUDY.csv, STUDY.tex
+/// and, where there are any, WHAT/STUDY.csv, program/benchmark.tex and program/mutants.tex. Nothing leads outside OUT.
+/// Throws UsageError, and leaves OUT as it was, when a file cannot be written or gnuplot is missing or fails.
 ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
                            const std::function<void(const std::string&)>& progress);
 

@@ -36,7 +36,7 @@ void remove_tree(const fs::path& tree) {
   fs::remove_all(tree, ignored);
 }
 
-/// All files below the folder, relative to it, those of its own last and of these `index.html`.
+/// All files below the folder, relative to it, those of its own last and `index.html` at the very end.
 std::vector<fs::path> files_in_order(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code ignored;
@@ -45,14 +45,14 @@ std::vector<fs::path> files_in_order(const fs::path& folder) {
     if (entry.symlink_status(ignored).type() == fs::file_type::regular)
       files.push_back(entry.path().lexically_relative(folder));
   std::ranges::sort(files, [](const fs::path& a, const fs::path& b) {
-    const bool a_is_page = !a.has_parent_path(), b_is_page = !b.has_parent_path();
-    return a_is_page != b_is_page ? b_is_page : a > b;
+    const auto place = [](const fs::path& file) { return file == "index.html" ? 2 : file.has_parent_path() ? 0 : 1; };
+    return place(a) != place(b) ? place(a) < place(b) : a > b;
   });
   return files;
 }
 
 bool is_reports_own(const fs::path& file) {
-  static constexpr std::array<std::string_view, 6> endings{".csv", ".dat", ".gp", ".pdf", ".svg", ".tex"};
+  static constexpr std::array<std::string_view, 7> endings{".csv", ".dat", ".gp", ".html", ".pdf", ".svg", ".tex"};
   return std::ranges::find(endings, file.extension().string()) != endings.end();
 }
 
@@ -117,9 +117,10 @@ void ReportPlace::take_lock(const std::function<void(const std::string&)>& progr
 void ReportPlace::begin_draft() const {
   remove_tree(draft_);
   make_folder(draft_);
-  for (const char* page : {"index.html", "trend.html"})
+  for (const char* page :
+       {"index.html", "gate.html", "trend.html", "benchmark.html", "mutants.html", "style.css", "report.js"})
     if (fs::is_regular_file(folder_ / page)) carry_over(folder_ / page, draft_ / page);
-  for (const char* part : {"figures", "tables", "trends"}) {
+  for (const char* part : {"claims", "figures", "studies", "tables", "trends"}) {
     if (!fs::is_directory(folder_ / part)) continue;
     for (const auto& file : files_in_order(folder_ / part))
       if (is_reports_own(file)) carry_over(folder_ / part / file, draft_ / part / file);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "reports/text.hpp"
 
@@ -16,39 +15,6 @@ using records::StudyResult;
 using support::not_measured;
 
 namespace {
-
-constexpr std::size_t longest_series = 40;
-
-/// What was measured anywhere in the study.
-std::set<std::string> measured_quantities(const StudyResult& study) {
-  std::set<std::string> names;
-  for (const auto& series : study.series)
-    for (const auto& point : series.points)
-      for (const auto& [name, value] : point.y)
-        if (!std::isnan(value)) names.insert(name);
-  return names;
-}
-
-std::set<std::string> fitted_norms(const StudyResult& study) {
-  std::set<std::string> norms;
-  for (const auto& series : study.series)
-    for (const auto& order : series.orders) norms.insert(order.norm);
-  return norms;
-}
-
-/// Order of the segment that ends at x.
-std::string segment_order(const Series& series, const std::string& norm, double x) {
-  for (const auto& order : series.orders) {
-    if (order.norm != norm) continue;
-    const auto segment = std::ranges::find(order.segments, x, &fits::SegmentOrder::to);
-    if (segment != order.segments.end()) return order_text(segment->order, not_measured);
-  }
-  return "–";
-}
-
-std::string aligned(double v) {
-  return std::isnan(v) ? "–" : fmt::format("{:.3e}", v);
-}
 
 std::string yes(bool b) {
   return b ? "yes" : "no";
@@ -79,31 +45,6 @@ Table with_rows(Table table, Table::Rows rows) {
 }
 
 }  // namespace
-
-Table points_table(const StudyResult& study) {
-  const auto quantities = measured_quantities(study);
-  const auto norms = fitted_norms(study);
-  Table table{"Results at each point", {study.sweep, "status"}, {}};
-  for (const auto& q : quantities) {
-    table.columns.push_back(q);
-    if (norms.contains(q)) table.columns.push_back("order");
-  }
-  return with_series(table, study, [&](const Series& series) {
-    Table::Rows rows;
-    if (series.points.size() > longest_series) return rows;
-    for (const auto& point : series.points) {
-      const std::string why = point.reason.empty() ? "" : ": " + point.reason;
-      std::vector<std::string>& row = rows.emplace_back();
-      row = {brief(point.x), to_string(point.status) + why};
-      for (const auto& q : quantities) {
-        const auto y = point.y.find(q);
-        row.push_back(y == point.y.end() ? "–" : aligned(y->second));
-        if (norms.contains(q)) row.push_back(segment_order(series, q, point.x));
-      }
-    }
-    return rows;
-  });
-}
 
 Table fits_table(const StudyResult& study) {
   const Table table{"Fitted orders",
@@ -174,9 +115,9 @@ Table values_table(const StudyResult& study) {
 }
 
 std::vector<Table> tables_of(const StudyResult& study) {
-  std::vector<Table> tables{points_table(study),     cheapest_table(study),       fits_table(study),
-                            replicates_table(study), extrapolations_table(study), limits_table(study),
-                            values_table(study)};
+  std::vector<Table> tables{limits_table(study),         fits_table(study),   replicates_table(study),
+                            extrapolations_table(study), values_table(study), cheapest_table(study),
+                            points_table(study)};
   std::erase_if(tables, &Table::empty);
   return tables;
 }
@@ -202,7 +143,8 @@ std::string latex_table(const Table& table) {
           fmt::format("\\multicolumn{{{}}}{{l}}{{\\emph{{{}}}}} \\\\\n", table.columns.size(), latex_text(group.title));
     for (const auto& row : group.rows) text += latex_row(row);
   }
-  return text + "\\bottomrule\n\\end{tabular}\n\\par\\medskip\n";
+  const std::string note = table.note.empty() ? "" : "\\\\\n{\\small " + latex_text(table.note) + "}\n";
+  return text + "\\bottomrule\n\\end{tabular}\n" + note + "\\par\\medskip\n";
 }
 
 }  // namespace

@@ -16,12 +16,13 @@ struct Table {
   std::string caption;
   std::vector<std::string> columns;
   std::vector<Group> groups;
+  std::string note = {};  ///< what is the same in all rows; may be empty
 
   bool empty() const { return groups.empty(); }
 };
 
-Table points_table(
-    const records::StudyResult& study);  ///< with the order of each segment; no series too long to be read
+/// With the order of each segment; no series too long to be read. What is the same at every point stands in the note.
+Table points_table(const records::StudyResult& study);
 Table fits_table(const records::StudyResult& study);
 Table replicates_table(const records::StudyResult& study);
 Table extrapolations_table(const records::StudyResult& study);

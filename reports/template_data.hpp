@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/page.hpp"
-#include "reports/svg.hpp"
+#include "reports/picture.hpp"
 
 /// What a page's template is filled with.
 namespace mpmvv::reports::template_data {
@@ -57,7 +56,11 @@ inline data picture_data(const Picture& p) {
                  {"folder", p.folder},
                  {"caption", p.caption},
                  {"notes", text_list(p.notes)},
-                 {"svg", inline_svg(p.svg, p.name, "svg-" + anchor(p.name) + "-")}});
+                 {"description", p.description},
+                 {"width", fmt::format("{}", p.width)},
+                 {"height", fmt::format("{}", p.height)},
+                 {"points", p.points},
+                 {"has_points", !p.points.empty()}});
 }
 
 }  // namespace mpmvv::reports::template_data

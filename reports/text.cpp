@@ -63,10 +63,15 @@ const std::map<std::string_view, std::string_view>& latex_characters() {
                                                                   {"δ", "$\\delta$"},
                                                                   {"Δ", "$\\Delta$"},
                                                                   {"ε", "$\\varepsilon$"},
+                                                                  {"ζ", "$\\zeta$"},
+                                                                  {"η", "$\\eta$"},
+                                                                  {"θ", "$\\theta$"},
+                                                                  {"κ", "$\\kappa$"},
                                                                   {"λ", "$\\lambda$"},
                                                                   {"μ", "$\\mu$"},
                                                                   {"µ", "$\\mu$"},
                                                                   {"ν", "$\\nu$"},
+                                                                  {"ξ", "$\\xi$"},
                                                                   {"π", "$\\pi$"},
                                                                   {"ρ", "$\\rho$"},
                                                                   {"σ", "$\\sigma$"},
@@ -74,6 +79,8 @@ const std::map<std::string_view, std::string_view>& latex_characters() {
                                                                   {"τ", "$\\tau$"},
                                                                   {"φ", "$\\varphi$"},
                                                                   {"Φ", "$\\Phi$"},
+                                                                  {"χ", "$\\chi$"},
+                                                                  {"ψ", "$\\psi$"},
                                                                   {"Ψ", "$\\Psi$"},
                                                                   {"ω", "$\\omega$"},
                                                                   {"∇", "$\\nabla$"},
@@ -89,6 +96,7 @@ const std::map<std::string_view, std::string_view>& latex_characters() {
                                                                   {"→", "$\\to$"},
                                                                   {"√", "$\\surd$"},
                                                                   {"°", "$^\\circ$"},
+                                                                  {"§", "\\S{}"},
                                                                   {"½", "$\\frac12$"},
                                                                   {"¼", "$\\frac14$"},
                                                                   {"⁰", "$^0$"},
@@ -178,6 +186,11 @@ std::string latex_text(const std::string& text) {
     i += character.size();
   }
   return result;
+}
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
 }
 
 std::string replace_all(std::string text, const std::string& from, const std::string& to) {

@@ -26,6 +26,9 @@ std::string latex_text(const std::string& text);
 /// and bytes that are not UTF-8 become U+FFFD.
 std::string marked_up_text(const std::string& text);
 
+/// The text with its ASCII letters small.
+std::string lower_case(std::string text);
+
 /// The text with every occurrence of `from` replaced.
 std::string replace_all(std::string text, const std::string& from, const std::string& to);
 

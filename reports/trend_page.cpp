@@ -3,9 +3,8 @@
 #include <map>
 
 #include "page_template.hpp"
+#include "reports/page_frame.hpp"
 #include "reports/plot.hpp"
-#include "reports/template_data.hpp"
-#include "reports/text.hpp"
 #include "reports/trend_chart.hpp"
 #include "studies/support/file.hpp"
 
@@ -54,13 +53,9 @@ void write_trends(const ReportInput& input, const std::filesystem::path& out_dir
   for (std::size_t v = 0; v < input.versions.size(); ++v) versions << version_data(input.versions[v], v + 1);
   for (const auto& [study, of_study] : charts)
     sections << trend_section_data(study, pictures_of(of_study, out_dir, trends_folder));
-  kainjow::mustache::mustache page{std::string(trend_template)};
-  support::write_if_changed(
-      out_dir / "trend.html",
-      marked_up_text(page.render(template_data::object({{"style", template_data::partial(style_template)},
-                                                        {"picture_list", template_data::partial(pictures_template)},
-                                                        {"versions", versions},
-                                                        {"sections", sections}}))));
+  const Page page = framed_page("trend.html", "Trends", trend_template, input,
+                                template_data::object({{"versions", versions}, {"sections", sections}}));
+  support::write_if_changed(out_dir / page.file, page.text);
 }
 
 }  // namespace mpmvv::reports

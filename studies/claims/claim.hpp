@@ -6,25 +6,28 @@
 
 namespace mpmvv::claims {
 
-/// The verdict on one row of the list of claims.
+/// A criterion of a claim as one study judged it.
+struct JudgedPart {
+  std::string study;
+  records::ClaimPart part;
+};
+
+/// The verdict on one claim.
 struct Claim {
   std::string id;
-  std::string statement;
+  std::string statement;             ///< empty where the store is older than the statements it keeps
+  std::string source;                ///< the paper, "Steffen et al. 2008"
+  std::string where;                 ///< the place in it, "Fig. 10"
   std::string verdict;               ///< `confirmed`, `refuted`, `partly`, `shown`, `open`
   std::string evidence;              ///< per part: what was asked and measured
+  std::vector<JudgedPart> parts;     ///< in the order of the studies
   std::vector<std::string> studies;  ///< where the evidence stands
 };
 
-/// Every claim of the list, judged from the parts that the studies hold: `confirmed` when all parts hold, `refuted`
-/// when none does, `partly` in between, `shown` when only figures are asked for, `open` without a study or while
-/// a part is inconclusive and nothing else is known.
+/// The claims that the studies name, in the order of the studies that state them (s-fig4 before s-fig10), judged from
+/// the parts that the studies hold: `confirmed` when all parts hold, `refuted` when none does, `partly` in between,
+/// `shown` when only figures are asked for, `open` without a part or while one is inconclusive and nothing else is
+/// known.
 std::vector<Claim> judge_claims(const std::vector<records::StudyResult>& studies);
-
-/// Ids and statements of all claims.
-struct ClaimText {
-  const char* id;
-  const char* statement;
-};
-const std::vector<ClaimText>& claim_list();
 
 }  // namespace mpmvv::claims

@@ -33,6 +33,8 @@ PartVerdict verdict_on(const Criterion& c, const Interval& interval) {
 /// but one that reaches across a bound says that other points might lie on its other side.
 records::ClaimPart judge(const Criterion& criterion, const records::StudyResult& result) {
   records::ClaimPart part{criterion.claim, criterion.statement, PartVerdict::shown, "", ""};
+  part.measure = support::to_string(criterion.kind), part.at_least = criterion.at_least,
+  part.at_most = criterion.at_most;
   if (criterion.kind == Criterion::Kind::shown) {
     part.evidence = "shown in the figure";
     return part;
@@ -46,8 +48,10 @@ records::ClaimPart judge(const Criterion& criterion, const records::StudyResult&
   const Measured measured = measure(criterion, result);
   std::vector<std::string> texts;
   bool all_hold = true, one_fails = false, all_known = measured.missing.empty() && !measured.numbers.empty();
-  for (const auto& [label, value, interval, words] : measured.numbers) {
-    texts.push_back(words.empty() ? fmt::format("{} = {:.4g}", label, value) : fmt::format("{}: {}", label, words));
+  for (const auto& [label, value, interval, words, remark] : measured.numbers) {
+    part.found.push_back({label, value});
+    texts.push_back(words.empty() ? fmt::format("{}{} = {:.4g}", label, remark, value)
+                                  : fmt::format("{}: {}", label, words));
     const PartVerdict verdict = verdict_on(criterion, interval);
     all_hold = all_hold && verdict == PartVerdict::holds;
     one_fails = one_fails || verdict == PartVerdict::fails;

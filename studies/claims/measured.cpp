@@ -62,7 +62,7 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
 void add_order(const std::string& label, const ObservedOrder& fit, const std::string& remark, Measured& out) {
   const double width = fits::half_width(fit);
   const std::string interval = width > 0 ? fmt::format(" (±{:.2g})", width) : "";
-  out.add(label + interval + remark, fit.order, Interval{fit.order - width, fit.order + width});
+  out.add(label, fit.order, Interval{fit.order - width, fit.order + width}, interval + remark);
 }
 
 /// An unstable point has not converged: with it no lower bound is kept, and an upper bound as far as the others keep

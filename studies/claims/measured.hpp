@@ -16,8 +16,9 @@ struct Measured {
   struct Number {
     std::string label;
     double value;
-    Interval interval;  ///< the value alone where nothing is known of it
-    std::string words;  ///< what people read instead of a number without end; else empty
+    Interval interval;        ///< the value alone where nothing is known of it
+    std::string words;        ///< what people read instead of a number without end; else empty
+    std::string remark = {};  ///< what is to be said of it, behind the label
   };
 
   std::vector<Number> numbers;
@@ -26,8 +27,8 @@ struct Measured {
   void add(const std::string& label, double value, const std::string& words = "") {
     numbers.push_back({label, value, {value, value}, words});
   }
-  void add(const std::string& label, double value, const Interval& interval) {
-    numbers.push_back({label, value, interval, ""});
+  void add(const std::string& label, double value, const Interval& interval, const std::string& remark = "") {
+    numbers.push_back({label, value, interval, "", remark});
   }
 };
 

@@ -38,7 +38,8 @@ CasePool::CasePool(store::Store& store, const RunnerOptions& options)
       options_(options),
       provenance_(store::current_provenance()),
       costs_(&store),
-      admission_(options.jobs, usable_memory()) {}
+      admission_(options.jobs, usable_memory()),
+      on_stop_(options.stop, [this] { with_store([this] { options_.on_stop(counts_); }); }) {}
 
 std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
   run_all(missing(cases));
@@ -55,7 +56,9 @@ std::vector<Case> CasePool::missing(const std::vector<Case>& cases) {
   with_store([&] {
     for (const Case& c : cases)
       if (!known(c)) missing.insert(c);
+    for (const Case& c : missing) remaining_.add(c, costs_.time(c).seconds);
     progress_.total += missing.size();
+    if (!missing.empty()) report_to(options_.more_work);
   });
   return {missing.begin(), missing.end()};
 }
@@ -63,7 +66,8 @@ std::vector<Case> CasePool::missing(const std::vector<Case>& cases) {
 double CasePool::seconds(const std::vector<Case>& cases) {
   double sum = 0;
   with_store([&] {
-    for (const Case& c : cases) sum += costs_.time(c).seconds;
+    for (const Case& c : cases)
+      if (!known(c)) sum += costs_.time(c).seconds;
   });
   return sum;
 }
@@ -89,6 +93,22 @@ void CasePool::run_all(std::vector<Case> missing) {
   support::for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run(longest_first[k].second, all); });
 }
 
+void CasePool::expect(double seconds) {
+  const std::lock_guard lock(mutex_);
+  remaining_.expect(seconds);
+}
+
+void CasePool::finish(const Case& c, double core_seconds) {
+  const std::lock_guard lock(mutex_);
+  remaining_.finish(c, core_seconds);
+}
+
+void CasePool::report_to(const std::function<void(const Progress&)>& listener) {
+  if (!listener) return;
+  progress_.seconds_left = remaining_.seconds(options_.jobs);
+  listener(progress_);
+}
+
 /// Measures costs. Nothing else runs and nothing is written during that time.
 void CasePool::time_all(const std::vector<Case>& cases) {
   double memory = 0;
@@ -98,7 +118,10 @@ void CasePool::time_all(const std::vector<Case>& cases) {
     const Admission::Place place(admission_, options_.jobs, memory);
     records = runs::run_timed(cases);
   }
-  for (const Record& record : records) keep(record);
+  for (const Record& record : records) {
+    finish(record.the_case, record.the_case.measure.repeat * record.wall_seconds);
+    keep(record);
+  }
 }
 
 void CasePool::run(const Case& c, double seconds_of_all) {
@@ -118,11 +141,16 @@ Record CasePool::record_of(const Case& c, double seconds_of_all) {
   if (const auto part = settings::part_of(c)) {
     const int threads = threads_for(*part, about, seconds_of_all);
     const Admission::Place place(admission_, threads, memory_estimate(*part));
-    if (const auto record = runs::run_part(c, *part, threads)) return *record;
+    if (const auto record = runs::run_part(c, *part, threads)) {
+      finish(c, threads * record->wall_seconds);
+      return *record;
+    }
   }
   const int threads = threads_for(c, about, seconds_of_all);
   const Admission::Place place(admission_, threads, memory_estimate(c));
-  return runs::run_case(c, threads);
+  const Record record = runs::run_case(c, threads);
+  finish(c, threads * record.wall_seconds);
+  return record;
 }
 
 /// All for a case that fills the memory, or would still run when all others are done.
@@ -157,7 +185,7 @@ void CasePool::keep(const Record& record) {
       ++counts_.ran;
       ++progress_.done;
       progress_.label = label(kept.the_case);
-      if (options_.progress) options_.progress(progress_);
+      report_to(options_.progress);
     }
   }
   keeping_ = false;

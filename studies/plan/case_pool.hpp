@@ -1,8 +1,10 @@
 #pragma once
 #include <condition_variable>
 #include <exception>
+#include <functional>
 #include <map>
 #include <mutex>
+#include <stop_token>
 #include <vector>
 
 #include "studies/plan/admission.hpp"
@@ -31,8 +33,11 @@ class CasePool {
   /// Runs a case whose cost is not measured, one of several that take so many seconds in all.
   void run(const cases::Case& c, double seconds_of_all);
 
-  /// How long the cases take one after the other.
+  /// How long those of the cases take that are neither in memory nor in the store, one after the other.
   double seconds(const std::vector<cases::Case>& cases);
+
+  /// Work of so many seconds whose cases are not known yet, or (negative) are now.
+  void expect(double seconds);
 
   /// A place of one thread among the cases that run, for something else.
   Admission::Place place() { return {admission_, 1, 0}; }
@@ -52,6 +57,8 @@ class CasePool {
   void run_all(std::vector<cases::Case> missing);
   bool is_there(const cases::Case& c);
   records::Record record_of(const cases::Case& c, double seconds_of_all);
+  void finish(const cases::Case& c, double core_seconds);
+  void report_to(const std::function<void(const Progress&)>& listener);
   int threads_for(const cases::Case& as_run, double seconds, double seconds_of_all) const;
   void time_all(const std::vector<cases::Case>& cases);
   void keep(const records::Record& record);
@@ -62,6 +69,7 @@ class CasePool {
   CostModel costs_;
   RunnerCounts counts_;
   Progress progress_;
+  Remaining remaining_;
   std::map<cases::Case, records::Record> records_;
   std::vector<records::Record> finished_;  ///< not kept yet
   bool keeping_ = false;                   ///< a thread is at the store, outside the mutex
@@ -69,6 +77,7 @@ class CasePool {
   std::mutex mutex_;                       ///< of everything above
   std::condition_variable kept_;
   Admission admission_;  ///< also where several threads search limits at once
+  std::stop_callback<std::function<void()>> on_stop_;
 };
 
 }  // namespace mpmvv::plan

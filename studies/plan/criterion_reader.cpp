@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "studies/fits/work_precision.hpp"
+#include "studies/plan/file_tables.hpp"
 #include "studies/plan/plan_rules.hpp"
 #include "studies/support/error.hpp"
 
@@ -42,8 +43,7 @@ void read_bounds(const support::TomlTable& table, Criterion& c) {
 }  // namespace
 
 Criterion read_criterion(const support::TomlTable& table, const StudyPlan& plan) {
-  table.allow_only({"claim", "statement", "measure", "series", "over", "name", "norm", "over_norm", "window",
-                    "at_least", "at_most", "reason"});
+  require_known_keys(table, "criterion");
   Criterion c;
   c.claim = table.text("claim");
   require_word("claim of this study", c.claim, plan.claims, table.where("claim"));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "studies/plan/file_tables.hpp"
 #include "studies/plan/plan_rules.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -55,8 +56,7 @@ void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTab
 }  // namespace
 
 Figure read_figure(const TomlTable& table, const StudyPlan& plan) {
-  table.allow_only({"name", "caption", "xlabel", "ylabel", "xscale", "yscale", "quantity", "series", "marks", "slopes",
-                    "x_range", "y_range", "kind"});
+  require_known_keys(table, "figure");
   Figure figure;
   figure.kind = table.text("kind", "curves");
   require_word("figure kind", figure.kind, {"curves", "work-precision", "particles"}, table.where("kind"));

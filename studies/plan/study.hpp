@@ -66,13 +66,21 @@ struct Overridden {
   std::string refusal;     ///< why the last one that was asked does not take it; else empty
 };
 
+/// What a claim says, and the place in a study file.
+struct StatedClaim {
+  records::ClaimText text;
+  std::string where;
+};
+
 /// A study as its file describes it.
 struct StudyPlan {
   std::string name;  ///< stem of the file
   std::string title;
-  std::string text;  ///< the file, whole
-  std::vector<std::string> claims;
-  std::string check;  ///< for checks: which one; then there are no series
+  std::string text;                 ///< the file, whole
+  std::vector<std::string> claims;  ///< ids of those that it names or states
+  std::string claims_where;
+  std::vector<StatedClaim> statements;  ///< of those that the file states; of all by `state_claims` (claim_reader.hpp)
+  std::string check;                    ///< for checks: which one; then there are no series
   std::vector<SeriesPlan> series;
   std::string sweep;           ///< swept key; empty without a sweep
   std::vector<double> values;  ///< swept values
@@ -94,6 +102,10 @@ struct StudyPlan {
 /// a combination of series and swept value makes wrong. Series get the `overriding` settings on top of their own;
 /// a check has none.
 StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding = {});
+
+/// The same from a text; `file` names the study and its places.
+StudyPlan parse_study(const std::string& text, const std::filesystem::path& file,
+                      const std::vector<Overriding>& overriding = {});
 
 /// Whether the runs of a series depend on this key. A series whose velocity update has no `order`, for example, gives
 /// the same run at every order of a sweep.

@@ -69,7 +69,9 @@ class Tasks {
   /// Nothing is known of how long checks take; the longest take some seconds.
   void add_check(const StudyPlan& plan, StudyInputs& input, const std::function<void()>& when_done) {
     constexpr double about = 5;
+    pool_.expect(about);
     tasks_.push_back({about, [this, &plan, &input, when_done] {
+                        pool_.expect(-about);
                         try {
                           const auto place = pool_.place();
                           input.check = checks::find_check(plan.check, plan.name).run();
@@ -86,15 +88,18 @@ class Tasks {
       if (!plan.searches(plan.series[s])) continue;
       const auto replicates = replicates_of(plan, plan.series[s]);
       input.limits[s].resize(replicates.size());
-      for (std::size_t k = 0; k < replicates.size(); ++k)
-        tasks_.push_back(
-            {pool_.seconds(scan_cases(plan, replicates[k])), [this, &plan, &input, s, k, replicate = replicates[k]] {
-               try {
-                 input.limits[s][k] = search_limit(plan.limit->search, replicate, pool_);
-               } catch (const ProbeFailed& failed) {
-                 note(input, failed.what());
-               }
-             }});
+      for (std::size_t k = 0; k < replicates.size(); ++k) {
+        const double about = pool_.seconds(scan_cases(plan, replicates[k]));
+        pool_.expect(about);
+        tasks_.push_back({about, [this, about, &plan, &input, s, k, replicate = replicates[k]] {
+                            pool_.expect(-about);
+                            try {
+                              input.limits[s][k] = search_limit(plan.limit->search, replicate, pool_);
+                            } catch (const ProbeFailed& failed) {
+                              note(input, failed.what());
+                            }
+                          }});
+      }
     }
   }
 

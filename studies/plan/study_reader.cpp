@@ -4,9 +4,10 @@
 
 #include "solver/velocity_update/velocity_updates.hpp"
 #include "studies/checks/check.hpp"
-#include "studies/claims/claim.hpp"
+#include "studies/plan/claim_reader.hpp"
 #include "studies/plan/criterion_reader.hpp"
 #include "studies/plan/figure_reader.hpp"
+#include "studies/plan/file_tables.hpp"
 #include "studies/plan/overriding.hpp"
 #include "studies/plan/plan_rules.hpp"
 #include "studies/plan/study.hpp"
@@ -23,12 +24,6 @@ using support::UsageError;
 
 namespace {
 
-std::vector<std::string> claim_ids() {
-  std::vector<std::string> ids;
-  for (const claims::ClaimText& claim : claims::claim_list()) ids.emplace_back(claim.id);
-  return ids;
-}
-
 /// The settings of a table; `param = { amplitude = 0.02 }` becomes `param.amplitude`.
 std::vector<Setting> settings_of(const TomlTable& table, std::initializer_list<const char*> others = {}) {
   std::vector<Setting> settings;
@@ -44,6 +39,15 @@ std::vector<Setting> settings_of(const TomlTable& table, std::initializer_list<c
     }
   }
   return settings;
+}
+
+/// The claims that a study names, and those that it states beside them.
+void read_claim_names(const TomlTable& root, StudyPlan& plan) {
+  plan.claims = root.texts("claims");
+  plan.claims_where = root.where("claims");
+  plan.statements = read_claims(root, plan.name);
+  for (const StatedClaim& claim : plan.statements)
+    if (std::ranges::find(plan.claims, claim.text.id) == plan.claims.end()) plan.claims.push_back(claim.text.id);
 }
 
 void read_sweep(const TomlTable& root, StudyPlan& plan) {
@@ -83,7 +87,7 @@ void read_series(const TomlTable& root, StudyPlan& plan) {
 void read_limit(const TomlTable& root, StudyPlan& plan) {
   const auto table = root.table("limit");
   if (!table) return;
-  table->allow_only({"key", "from", "to", "scan_ratio", "tolerance", "stable", "series"});
+  require_known_keys(*table, "limit");
   fits::LimitSearch search;
   search.key = table->text("key");
   require_word("limit key", search.key, {"cfl", "smoothing_length"}, table->where("key"));
@@ -120,7 +124,7 @@ void read_replicates(const TomlTable& root, StudyPlan& plan) {
 
 void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("extrapolate")) {
-    table.allow_only({"norm", "window", "series"});
+    require_known_keys(table, "extrapolate");
     ExtrapolationPlan wanted{norm_of(table, "norm"), read_window(table, "window"), {}};
     require_points(plan, wanted.window, 4, table.where("window"));
     wanted.series = measured_series(plan, wanted.norm, series_names(table, "series", plan), table.where("norm"));
@@ -130,7 +134,7 @@ void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
 
 void read_fits(const TomlTable& root, StudyPlan& plan) {
   for (const TomlTable& table : root.tables("fit")) {
-    table.allow_only({"norm", "window", "floor_window", "series"});
+    require_known_keys(table, "fit");
     FitPlan fit{norm_of(table, "norm"), read_window(table, "window"), {}, {}};
     require_points(plan, fit.window, 3, table.where("window"));
     fit.series = measured_series(plan, fit.norm, series_names(table, "series", plan), table.where("norm"));
@@ -208,17 +212,20 @@ std::vector<cases::Case> replicates_at(const StudyPlan& plan, const SeriesPlan& 
 }
 
 StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding) {
+  study_name(file);
+  return parse_study(support::require_file(file, "a study file, TOML"), file, overriding);
+}
+
+StudyPlan parse_study(const std::string& text, const std::filesystem::path& file,
+                      const std::vector<Overriding>& overriding) {
   const std::string name = study_name(file);
-  const std::string text = support::require_file(file, "a study file, TOML");
   const TomlTable root = TomlTable::parse(text, file.string());
-  root.allow_only({"title", "claims", "check", "fixed", "series", "sweep", "limit", "replicates", "fit", "extrapolate",
-                   "figure", "criterion"});
+  require_known_keys(root, "");
   StudyPlan plan;
   plan.name = name;
   plan.text = text;
   plan.title = root.text("title");
-  plan.claims = root.texts("claims");
-  for (const std::string& claim : plan.claims) require_word("claim", claim, claim_ids(), root.where("claims"));
+  read_claim_names(root, plan);
   plan.check = root.text("check", "");
   if (!plan.check.empty()) {
     checks::find_check(plan.check, root.where("check"));

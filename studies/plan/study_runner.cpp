@@ -121,6 +121,7 @@ class StudyRunner {
     StudyOutcome outcome;
     StudyResult& result = outcome.result;
     result = {plan.name, plan.title, plan.kind(), plan.sweep, plan.text, plan.claims, {}, {}, plan.figures, {}};
+    for (const StatedClaim& claim : plan.statements) result.statements.push_back(claim.text);
     const auto cases = measure(plan, inputs, outcome);
     outcome.trouble = inputs.trouble;
     if (!outcome.trouble.empty()) return outcome;

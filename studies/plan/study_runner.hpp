@@ -1,23 +1,27 @@
 #pragma once
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "studies/plan/progress.hpp"
 #include "studies/plan/study.hpp"
 #include "studies/records/result.hpp"
 #include "studies/store/store.hpp"
 
 namespace mpmvv::plan {
 
-/// How far a study run has come; called after every finished case, from one thread at a time.
-struct Progress {
-  std::size_t done = 0, total = 0;  ///< cases of the present batch
-  std::string label;                ///< the case that has just finished
+struct RunnerCounts {
+  std::size_t ran = 0, reused = 0;
 };
 
+/// What is told of a run is told by one thread at a time.
 struct RunnerOptions {
-  int jobs = 1;  ///< cases at once
-  std::function<void(const Progress&)> progress;
+  int jobs = 1;                                           ///< cases at once
+  std::function<void(const Progress&)> progress = {};     ///< told of every case that has finished
+  std::function<void(const Progress&)> more_work = {};    ///< told when more cases are asked for
+  std::stop_token stop = {};                              ///< asks to stop before the end
+  std::function<void(const RunnerCounts&)> on_stop = {};  ///< then ends the program, while the store is at rest
 };
 
 struct StudyOutcome {
@@ -26,13 +30,10 @@ struct StudyOutcome {
   std::string trouble;     ///< why it could not be brought to its end and was not kept; else empty
 };
 
-struct RunnerCounts {
-  std::size_t ran = 0, reused = 0;
-};
-
 /// Runs what the store does not hold yet: all studies' sweeps, checks and limits in one pool, what is timed after them,
 /// study by study. Keeps every record as soon as it is there, studies when the pool is empty, timed ones as soon as
-/// they are whole. Results do not depend on `jobs`.
+/// they are whole. Results do not depend on `jobs`. Asked to stop, it abandons what runs: what has finished is in the
+/// store.
 std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, store::Store& store,
                                       const RunnerOptions& options, RunnerCounts& counts);
 

@@ -9,12 +9,13 @@ namespace {
 
 /// The number that these members of members lead to.
 template <auto... members>
-RunNumber number(int schema, const char* name, const char* path, const char* setting = "") {
+RunNumber number(int schema, const char* name, const char* path, const char* unit = "", const char* setting = "") {
   return {name,
           path,
           [](const Record& r) -> const double& { return (r.*....*members); },
           [](Record& r) -> double& { return (r.*....*members); },
           schema,
+          unit,
           setting};
 }
 
@@ -22,17 +23,17 @@ RunNumber number(int schema, const char* name, const char* path, const char* set
 
 const std::vector<RunNumber>& run_errors() {
   static const std::vector<RunNumber> numbers{
-      number<&Record::error, &Errors::l1>(1, "l1", "/error/l1"),
-      number<&Record::error, &Errors::l2>(1, "l2", "/error/l2"),
-      number<&Record::error, &Errors::linf>(1, "linf", "/error/linf"),
-      number<&Record::error, &Errors::l1_all_steps>(1, "l1_all_steps", "/error/l1_all_steps", "every_step"),
-      number<&Record::error, &Errors::l2_all_steps>(1, "l2_all_steps", "/error/l2_all_steps", "every_step"),
-      number<&Record::error, &Errors::linf_all_steps>(1, "linf_all_steps", "/error/linf_all_steps", "every_step"),
-      number<&Record::error, &Errors::nodal_l1>(2, "nodal_l1", "/error/nodal_l1", "nodal_error"),
-      number<&Record::error, &Errors::nodal_l2>(2, "nodal_l2", "/error/nodal_l2", "nodal_error"),
-      number<&Record::error, &Errors::nodal_linf>(2, "nodal_linf", "/error/nodal_linf", "nodal_error"),
-      number<&Record::error, &Errors::velocity>(4, "velocity_error", "/error/velocity", "velocity_error"),
-      number<&Record::error, &Errors::stress>(4, "stress_error", "/error/stress", "stress_error"),
+      number<&Record::error, &Errors::l1>(1, "l1", "/error/l1", "m"),
+      number<&Record::error, &Errors::l2>(1, "l2", "/error/l2", "m"),
+      number<&Record::error, &Errors::linf>(1, "linf", "/error/linf", "m"),
+      number<&Record::error, &Errors::l1_all_steps>(1, "l1_all_steps", "/error/l1_all_steps", "m", "every_step"),
+      number<&Record::error, &Errors::l2_all_steps>(1, "l2_all_steps", "/error/l2_all_steps", "m", "every_step"),
+      number<&Record::error, &Errors::linf_all_steps>(1, "linf_all_steps", "/error/linf_all_steps", "m", "every_step"),
+      number<&Record::error, &Errors::nodal_l1>(2, "nodal_l1", "/error/nodal_l1", "m/s2", "nodal_error"),
+      number<&Record::error, &Errors::nodal_l2>(2, "nodal_l2", "/error/nodal_l2", "m/s2", "nodal_error"),
+      number<&Record::error, &Errors::nodal_linf>(2, "nodal_linf", "/error/nodal_linf", "m/s2", "nodal_error"),
+      number<&Record::error, &Errors::velocity>(4, "velocity_error", "/error/velocity", "%", "velocity_error"),
+      number<&Record::error, &Errors::stress>(4, "stress_error", "/error/stress", "Pa", "stress_error"),
       number<&Record::balance, &Balance::mass>(4, "mass_change", "/balance/mass"),
       number<&Record::balance, &Balance::momentum>(4, "momentum_change", "/balance/momentum"),
       number<&Record::balance, &Balance::angular_momentum>(4, "angular_momentum_change", "/balance/angular_momentum"),
@@ -42,12 +43,12 @@ const std::vector<RunNumber>& run_errors() {
 
 const std::vector<RunNumber>& run_by_products() {
   static const std::vector<RunNumber> numbers{
-      number<&Record::energy, &Energy::kinetic>(1, "kinetic", "/energy/kinetic"),
-      number<&Record::energy, &Energy::strain>(1, "strain", "/energy/strain"),
-      number<&Record::energy, &Energy::initial_total>(1, "initial_total", "/energy/initial_total"),
-      number<&Record::wall_seconds>(1, "wall_seconds", "/wall_seconds"),
-      number<&Record::ns_per_particle_step>(1, "ns_per_particle_step", "/ns_per_particle_step"),
-      number<&Record::cost, &Cost::step_seconds>(3, "step_seconds", "/cost/step_seconds"),
+      number<&Record::energy, &Energy::kinetic>(1, "kinetic", "/energy/kinetic", "J"),
+      number<&Record::energy, &Energy::strain>(1, "strain", "/energy/strain", "J"),
+      number<&Record::energy, &Energy::initial_total>(1, "initial_total", "/energy/initial_total", "J"),
+      number<&Record::wall_seconds>(1, "wall_seconds", "/wall_seconds", "s"),
+      number<&Record::ns_per_particle_step>(1, "ns_per_particle_step", "/ns_per_particle_step", "ns"),
+      number<&Record::cost, &Cost::step_seconds>(3, "step_seconds", "/cost/step_seconds", "s"),
       number<&Record::cost, &Cost::spread>(3, "step_seconds_spread", "/cost/spread"),
       number<&Record::cfl>(1, "cfl", "/cfl"),
       number<&Record::images>(10, "images", "/images"),
@@ -62,6 +63,13 @@ const std::vector<std::string>& norm_words() {
     return all;
   }();
   return words;
+}
+
+std::string unit_of(const std::string& quantity) {
+  for (const auto* numbers : {&run_errors(), &run_by_products()})
+    for (const RunNumber& number : *numbers)
+      if (number.name == quantity) return number.unit;
+  return "";
 }
 
 Failure failure_of(const std::exception& e) {

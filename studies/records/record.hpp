@@ -97,12 +97,16 @@ struct RunNumber {
   const double& (*get)(const Record&);
   double& (*set)(Record&);
   int schema;                ///< the first schema of the store that has a column for it
+  std::string unit = {};     ///< empty for ratios
   std::string setting = {};  ///< the key that asks for it; empty where it is always measured
 };
 
 /// Errors and balances; what is measured besides. The one place where a new number of a run is named.
 const std::vector<RunNumber>& run_errors();
 const std::vector<RunNumber>& run_by_products();
+
+/// The unit of a number of a run; empty for ratios and whatever else there is.
+std::string unit_of(const std::string& quantity);
 
 /// What fits, criteria and goldens may ask of a run: its errors and balances, and the energy loss.
 const std::vector<std::string>& norm_words();

@@ -58,13 +58,31 @@ constexpr std::array<const char*, 4> words_of(PartVerdict) {
   return {"holds", "fails", "shown", "inconclusive"};
 }
 
+/// A claim as a study file states it.
+struct ClaimText {
+  std::string id;
+  std::string statement;
+  std::string source;  ///< "Steffen et al. 2008"; may be empty
+  std::string where;   ///< the place in it, "Fig. 10"; may be empty
+  std::string study;   ///< that states it; others may name it
+};
+
+/// A number that a criterion compared. `what` names the series and, where there is one, the point.
+struct Found {
+  std::string what;
+  double value = support::not_measured;
+};
+
 /// One criterion of a claim, judged.
 struct ClaimPart {
-  std::string claim;      ///< id in docs/claims.md
+  std::string claim;
   std::string statement;  ///< what was asked
   PartVerdict verdict = PartVerdict::inconclusive;
-  std::string evidence;  ///< measured numbers
-  std::string reason;    ///< for `fails`: why, as the study file explains it after the fact; may be empty
+  std::string evidence;      ///< measured numbers
+  std::string reason;        ///< for `fails`: why, as the study file explains it after the fact; may be empty
+  std::string measure = {};  ///< the criterion's word, "order"; empty where no criterion of a study was judged
+  std::optional<double> at_least = {}, at_most = {};
+  std::vector<Found> found = {};  ///< in the order of the evidence
 };
 
 /// Everything the store keeps of one study, ready to be judged and drawn.
@@ -74,11 +92,12 @@ struct StudyResult {
   std::string kind;   ///< `convergence`, `limit`, `check`
   std::string sweep;  ///< swept key: `cells` (then h = 1/x), `cfl`, ...; for checks the name of the abscissa
   std::string text;   ///< the study file, whole
-  std::vector<std::string> claims;
+  std::vector<std::string> claims;  ///< ids of those that it judges
   std::vector<Series> series;
   std::vector<Value> values;
   std::vector<Figure> figures;
   std::vector<ClaimPart> parts;
+  std::vector<ClaimText> statements = {};  ///< of its claims, as far as they are known
 };
 
 }  // namespace mpmvv::records

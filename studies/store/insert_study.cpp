@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "studies/store/run_rows.hpp"
@@ -139,6 +141,32 @@ void insert_figure(Database& database, std::int64_t study, std::size_t ordinal, 
   });
 }
 
+/// A claim that a study names and, where it is known, what it says.
+Columns claim_columns(const std::string& id, const std::vector<records::ClaimText>& statements) {
+  Columns columns{{"claim", id}};
+  if (const auto text = std::ranges::find(statements, id, &records::ClaimText::id); text != statements.end())
+    columns.insert(
+        columns.end(),
+        {{"statement", text->statement}, {"source", text->source}, {"place", text->where}, {"stated_in", text->study}});
+  return columns;
+}
+
+void insert_part(Database& database, std::int64_t study, std::size_t ordinal, const records::ClaimPart& part) {
+  insert_item(database, "claim_parts", {"study", study}, ordinal,
+              {{"claim", part.claim},
+               {"statement", part.statement},
+               {"verdict", to_string(part.verdict)},
+               {"evidence", part.evidence},
+               {"reason", part.reason},
+               {"measure", part.measure},
+               {"at_least", part.at_least},
+               {"at_most", part.at_most}});
+  insert_items(database, "claim_found", {"study", study}, part.found, [ordinal](const records::Found& found) {
+    const Value infinite = std::isinf(found.value) ? Value(found.value > 0 ? 1 : -1) : Value();
+    return Columns{{"part", ordinal}, {"what", found.what}, {"value", found.value}, {"infinite", infinite}};
+  });
+}
+
 }  // namespace
 
 void insert_study(Database& database, const StoredStudy& study) {
@@ -155,16 +183,9 @@ void insert_study(Database& database, const StoredStudy& study) {
                               {"text", s.text}});
   const std::int64_t id = database.last_row_id();
   const Parent parent{"study", id};
-  insert_items(database, "study_claims", parent, s.claims, [](const std::string& claim) {
-    return Columns{{"claim", claim}};
-  });
-  insert_items(database, "claim_parts", parent, s.parts, [](const records::ClaimPart& part) {
-    return Columns{{"claim", part.claim},
-                   {"statement", part.statement},
-                   {"verdict", to_string(part.verdict)},
-                   {"evidence", part.evidence},
-                   {"reason", part.reason}};
-  });
+  insert_items(database, "study_claims", parent, s.claims,
+               [&](const std::string& claim) { return claim_columns(claim, s.statements); });
+  for (std::size_t k = 0; k < s.parts.size(); ++k) insert_part(database, id, k, s.parts[k]);
   insert_items(database, "check_values", parent, s.values, [](const mpmvv::records::Value& v) {
     return Columns{{"name", v.name}, {"value", v.value}, {"meaning", v.meaning}};
   });

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <limits>
 #include <set>
 
 #include "studies/store/run_rows.hpp"
@@ -144,12 +145,39 @@ records::Value load_value(const Row& row) {
   return {.name = row["name"].text(), .value = row["value"].real(), .meaning = row["meaning"].text()};
 }
 
-records::ClaimPart load_part(const Row& row) {
-  return {.claim = row["claim"].text(),
-          .statement = row["statement"].text(),
-          .verdict = support::from_word<records::PartVerdict>(row["verdict"].text(), "verdict of a claim's part"),
-          .evidence = row["evidence"].text(),
-          .reason = row["reason"].text()};
+records::Found load_found(const Row& row) {
+  const Value& infinite = row["infinite"];
+  const double without_end = std::numeric_limits<double>::infinity();
+  return {.what = row["what"].text(),
+          .value = infinite.null() ? row["value"].real() : static_cast<double>(infinite.integer()) * without_end};
+}
+
+records::ClaimPart load_part(const Database& database, const Row& row) {
+  records::ClaimPart part{
+      .claim = row["claim"].text(),
+      .statement = row["statement"].text(),
+      .verdict = support::from_word<records::PartVerdict>(row["verdict"].text(), "verdict of a claim's part"),
+      .evidence = row["evidence"].text(),
+      .reason = row["reason"].text(),
+      .measure = row["measure"].null() ? "" : row["measure"].text(),
+      .at_least = row["at_least"].optional_real(),
+      .at_most = row["at_most"].optional_real()};
+  database.each("SELECT * FROM claim_found WHERE study = ? AND part = ? ORDER BY ordinal",
+                {row["study"], row["ordinal"]}, [&](const Row& found) { part.found.push_back(load_found(found)); });
+  return part;
+}
+
+/// The ids of a study's claims, and what those say of which that was kept.
+void load_claims(const Database& database, const Value& study, records::StudyResult& result) {
+  database.each("SELECT * FROM study_claims WHERE study = ? ORDER BY ordinal", {study}, [&](const Row& row) {
+    result.claims.push_back(row["claim"].text());
+    if (row["statement"].null()) return;
+    result.statements.push_back({.id = row["claim"].text(),
+                                 .statement = row["statement"].text(),
+                                 .source = row["source"].text(),
+                                 .where = row["place"].text(),
+                                 .study = row["stated_in"].text()});
+  });
 }
 
 StoredStudy load_study(const Database& database, const Row& row) {
@@ -160,15 +188,16 @@ StoredStudy load_study(const Database& database, const Row& row) {
                                .kind = row["kind"].text(),
                                .sweep = row["sweep"].text(),
                                .text = row["text"].text(),
-                               .claims = load_items(database, "study_claims", "study", id,
-                                                    [](const Row& r) { return r["claim"].text(); }),
+                               .claims = {},
                                .series = {},
                                .values = load_items(database, "check_values", "study", id, load_value),
                                .figures = load_items(database, "figures", "study", id,
                                                      [&](const Row& r) { return load_figure(database, r); }),
-                               .parts = load_items(database, "claim_parts", "study", id, load_part)},
+                               .parts = load_items(database, "claim_parts", "study", id,
+                                                   [&](const Row& r) { return load_part(database, r); })},
                     .cases = {},
                     .provenance = read_provenance(row)};
+  load_claims(database, id, study.result);
   database.each("SELECT * FROM series WHERE study = ? ORDER BY ordinal", {id}, [&](const Row& series_row) {
     auto [series, cases] = load_series(database, series_row);
     study.result.series.push_back(std::move(series));

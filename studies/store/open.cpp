@@ -155,6 +155,10 @@ Database open_for_writing(const fs::path& file, bool create, Steps steps, const 
 
 }  // namespace
 
+void require_place(const fs::path& file) {
+  require_place(file, true);
+}
+
 Database open_store(const fs::path& file, Store::Mode mode, Steps steps, const Work& work) {
   const bool create = mode == Store::Mode::create_or_write;
   require_place(file, create);

@@ -127,7 +127,36 @@ constexpr const char* schema_9 = R"sql(
   DROP TABLE mutants;
 )sql";
 
-constexpr std::array written{schema_1, schema_2, schema_3, schema_4, schema_5, schema_6, schema_7, schema_8, schema_9};
+/// Of how many mirror images a run is a part.
+constexpr const char* schema_10 = R"sql(
+  ALTER TABLE runs ADD COLUMN images REAL;
+)sql";
+
+constexpr const char* schema_11 = R"sql(
+  -- A claim as a study file states it: `stated_in` names the study.
+  ALTER TABLE study_claims ADD COLUMN statement TEXT;
+  ALTER TABLE study_claims ADD COLUMN source TEXT;
+  ALTER TABLE study_claims ADD COLUMN place TEXT;
+  ALTER TABLE study_claims ADD COLUMN stated_in TEXT;
+
+  -- What a criterion asked, and each number that it compared with that: `infinite` is 1 or -1 where it has no end.
+  ALTER TABLE claim_parts ADD COLUMN measure TEXT;
+  ALTER TABLE claim_parts ADD COLUMN at_least REAL;
+  ALTER TABLE claim_parts ADD COLUMN at_most REAL;
+  CREATE TABLE claim_found (
+    study INTEGER NOT NULL,
+    part INTEGER NOT NULL,
+    ordinal INTEGER NOT NULL,
+    what TEXT NOT NULL,
+    value REAL,
+    infinite INTEGER CHECK (infinite IN (-1, 1)),
+    PRIMARY KEY (study, part, ordinal),
+    FOREIGN KEY (study, part) REFERENCES claim_parts (study, ordinal) ON DELETE CASCADE
+  ) STRICT, WITHOUT ROWID;
+)sql";
+
+constexpr std::array written{schema_1, schema_2, schema_3, schema_4,  schema_5, schema_6,
+                             schema_7, schema_8, schema_9, schema_10, schema_11};
 
 /// The columns of the numbers of a run that a later schema brings. Before another text is written, they become one,
 /// too.

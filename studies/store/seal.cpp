@@ -4,6 +4,7 @@
 
 #include <array>
 #include <boost/crc.hpp>
+#include <utility>
 #include <variant>
 
 #include "studies/support/error.hpp"
@@ -46,8 +47,9 @@ void add(Crc& crc, const Row& row) {
 
 struct Noun {
   const char* table;
-  const char* label;              ///< column that names it in a message
-  std::vector<std::string> rows;  ///< what a seal is over, of the one with id ?1
+  const char* label;                    ///< column that names it in a message
+  std::vector<std::string> rows;        ///< what a seal is over, of the one with id ?1
+  std::vector<std::string> later_rows;  ///< of tables that came after the first seals: they count where there are any
 };
 
 std::vector<std::string> rows_of_study() {
@@ -77,8 +79,11 @@ std::vector<std::string> rows_of_study() {
 
 const Noun& noun_of(Sealed kind) {
   static const std::array<Noun, 2> nouns{
-      {{"runs", "problem", {"runs WHERE id = ?1", "provenance WHERE id = (SELECT provenance FROM runs WHERE id = ?1)"}},
-       {"studies", "name", rows_of_study()}}};
+      {{"runs",
+        "problem",
+        {"runs WHERE id = ?1", "provenance WHERE id = (SELECT provenance FROM runs WHERE id = ?1)"},
+        {}},
+       {"studies", "name", rows_of_study(), {"claim_found WHERE study = ?1 ORDER BY part, ordinal"}}}};
   return nouns[static_cast<std::size_t>(kind)];
 }
 
@@ -89,6 +94,13 @@ std::int64_t seal_of(const Database& database, const Noun& noun, const Value& id
   for (const std::string& rows : noun.rows) {
     add(crc, rows);
     database.each("SELECT * FROM " + rows, {id}, [&](const Row& row) { add(crc, row); });
+  }
+  for (const std::string& rows : noun.later_rows) {
+    bool first = true;
+    database.each("SELECT * FROM " + rows, {id}, [&](const Row& row) {
+      if (std::exchange(first, false)) add(crc, rows);
+      add(crc, row);
+    });
   }
   return static_cast<std::int64_t>(crc.checksum());
 }

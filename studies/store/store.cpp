@@ -90,6 +90,18 @@ std::vector<records::StudyResult> Store::studies(const std::string& digest) cons
   return results;
 }
 
+std::vector<records::ClaimText> Store::statements(const std::string& digest) const {
+  std::vector<records::ClaimText> texts;
+  impl_->database.each(
+      "SELECT claim, statement, source, place, stated_in FROM study_claims JOIN studies ON studies.id = study "
+      "WHERE digest = ? AND stated_in = name ORDER BY name, ordinal",
+      {digest}, [&](const Row& row) {
+        texts.push_back({row["claim"].text(), row["statement"].text(), row["source"].text(), row["place"].text(),
+                         row["stated_in"].text()});
+      });
+  return texts;
+}
+
 std::vector<Version> Store::versions() const {
   std::vector<Version> versions;
   impl_->database.each(
@@ -180,7 +192,7 @@ std::size_t Store::forget(const std::string& study) {
     std::vector<std::string> names;
     impl_->database.each("SELECT DISTINCT name FROM studies ORDER BY name", {},
                          [&](const Row& row) { names.push_back(row["name"].text()); });
-    throw support::UsageError(fmt::format("no study '{}' in results store '{}' (it has: {})", study,
+    throw support::UsageError(fmt::format("unknown study '{}' in results store '{}' (known: {})", study,
                                           impl_->database.file().string(),
                                           names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }

@@ -59,6 +59,9 @@ class Store {
   /// Studies of this digest by name, in name order. Empty when there is none.
   std::vector<records::StudyResult> studies(const std::string& digest) const;
 
+  /// What the studies of this digest say of the claims that they state.
+  std::vector<records::ClaimText> statements(const std::string& digest) const;
+
   /// The versions that studies were kept of, by the time of their first result.
   std::vector<Version> versions() const;
 
@@ -86,5 +89,8 @@ class Store {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// UsageError unless a store is in this place or can be made there.
+void require_place(const std::filesystem::path& file);
 
 }  // namespace mpmvv::store

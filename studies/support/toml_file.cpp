@@ -109,7 +109,7 @@ std::string TomlTable::where(const std::string& key) const {
   return node ? node_->where(node->source()) : where();
 }
 
-void TomlTable::allow_only(std::initializer_list<const char*> known) const {
+void TomlTable::allow_only(const std::vector<std::string>& known) const {
   for (const std::string& key : keys()) {
     if (std::ranges::find(known, key) == known.end()) {
       throw UsageError(fmt::format("unknown key '{}' in {} (known: {})", key, where(key), fmt::join(known, ", ")));

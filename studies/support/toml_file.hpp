@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,7 +23,7 @@ class TomlTable {
   std::string where(const std::string& key) const;  ///< "FILE:LINE" of the value, of the table when absent
 
   /// UsageError that names the unknown key, its line, and the known ones.
-  void allow_only(std::initializer_list<const char*> known) const;
+  void allow_only(const std::vector<std::string>& known) const;
 
   std::string text(const std::string& key) const;  ///< required
   std::string text(const std::string& key, const std::string& absent) const;

@@ -17,7 +17,12 @@ class MutationResultsOnDisk : public testing::Test {
   MutationResultsOnDisk() {
     std::filesystem::create_directories(folder_ / "tests/mutation");
     std::filesystem::create_directories(folder_ / "results");
-    store::Store(folder_ / "results/r.db", store::Store::Mode::create_or_write);
+    store::Store store(folder_ / "results/r.db", store::Store::Mode::create_or_write);
+    records::StudyResult breadth;
+    breadth.name = "x-breadth", breadth.kind = "check", breadth.claims = {"X-mutants"};
+    store::Provenance own = store::current_provenance();
+    own.digest = own_digest();
+    store.keep_study(breadth, {}, own);
   }
 
   std::string own_digest() const {
@@ -104,7 +109,7 @@ TEST_F(MutationResultsOnDisk, AreShownInTheReportWithTheirVersion) {
   const auto page = [&] {
     const Answer answer = in_folder("report --db results/r.db --out report");
     EXPECT_EQ(answer.code, 0) << answer.err;
-    return read_text(folder_ / "report/index.html");
+    return read_text(folder_ / "report/mutants.html");
   };
   EXPECT_THAT(page(), Not(HasSubstr("id=\"mutants\"")));
   folder_.write("tests/mutation/summary.json", summary("other", 5, {"sign"}));

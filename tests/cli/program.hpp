@@ -69,4 +69,13 @@ inline Answer call(const Folder& folder, const std::string& arguments, const std
   return answer;
 }
 
+/// What a shell says in the folder to lines as a page has them: there the program is `mpmvv`.
+inline Answer carry_out(const Folder& folder, const std::string& lines) {
+  const std::string path = std::filesystem::path(program()).parent_path(), err = folder / "stderr";
+  Answer answer = shell("cd '" + (folder / "") + "' && PATH='" + path + "':\"$PATH\" && set -e && { " + lines +
+                        "\n} 2>'" + err + "'");
+  answer.err = read_text(err);
+  return answer;
+}
+
 }  // namespace mpmvv::cli

@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"run --problem cube --cells 8 --ppc 2 --cfl 0.1 --param poissons_ratio=0.5",
                  "allowed: > -1 and < 0.5"},
         BadInput{"solution --problem one-particle --at 0.5 --time 0", "no exact solution"},
-        BadInput{"list colours", "nothing to list under 'colours'"},
+        BadInput{"list colours", "unknown list 'colours'"},
         BadInput{"claims --db /nowhere/at/all.db", "/nowhere/at/all.db"},
         BadInput{"study /nowhere.toml --db /tmp/never.db", "/nowhere.toml"}));
 

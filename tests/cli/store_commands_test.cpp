@@ -82,7 +82,7 @@ TEST(DbCommand, ForgetsAStudyThatNoReportCanHave) {
   ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
   const Answer absent = call(folder, "db forget smal --db " + db);
   EXPECT_EQ(absent.code, 2);
-  EXPECT_THAT(absent.err, HasSubstr("it has: small"));
+  EXPECT_THAT(absent.err, HasSubstr("(known: small; did you mean 'small'?)"));
   EXPECT_EQ(call(folder, "db forget small --db " + db).code, 0);
   EXPECT_THAT(call(folder, "db info --db " + db).out, HasSubstr("records                  8"));
   EXPECT_THAT(call(folder, "study " + file + " --db " + db).out, HasSubstr("0 cases run"));
@@ -182,21 +182,6 @@ TEST(ProposeCommand, MakesTheFolderOfItsFileAndNeedsNoGoldens) {
 TEST(Program, NamesItsVersionWhenAsked) {
   const Folder folder;
   EXPECT_THAT(call(folder, "--version").out, MatchesRegex("mpmvv .*\ndigest [0-9a-f]+\n.*\n"));
-}
-
-TEST(ReportCommand, WritesOnePageAndItsFigures) {
-  const Folder folder;
-  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
-  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
-  const Answer report =
-      call(folder, "report --db " + db + " --out " + (folder / "report") + " --goldens " + (folder / "none"));
-  ASSERT_EQ(report.code, 0) << report.err;
-  for (const char* name : {"index.html", "figures/small.svg", "figures/small.pdf", "figures/small.gp",
-                           "figures/small.dat", "tables/small.tex"})
-    EXPECT_TRUE(std::filesystem::exists(folder / (std::string("report/") + name))) << name;
-  EXPECT_THAT(
-      call(folder, "report --db " + db + " --out " + (folder / "report") + " --goldens " + (folder / "none")).out,
-      HasSubstr("(0 drawn)"));
 }
 
 }  // namespace store_commands_test

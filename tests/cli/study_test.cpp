@@ -66,7 +66,7 @@ TEST(StudyCommand, AStudyThatCannotEndLeavesTheOthersTheirs) {
   const Answer answer = call(folder, "study '" + hopeless + "' '" + small + "' --db '" + db + "'");
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.err, HasSubstr("study hopeless is not kept: a probe at 0.1 failed: not enough memory"));
-  EXPECT_THAT(answer.out, HasSubstr("S-fig10 holds: second order"));
+  EXPECT_THAT(answer.out, ContainsRegex("S-fig10 +holds +at least 1.5 +1.969 +second order"));
   EXPECT_THAT(answer.out, HasSubstr("0 failed; studies not kept: 1"));
 }
 
@@ -76,7 +76,7 @@ TEST(StudyCommand, RunsOnceAndReusesAfterwards) {
   const Answer first = call(folder, "study " + file + " --db " + db);
   ASSERT_EQ(first.code, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("8 cases run, 0 taken"));
-  EXPECT_THAT(first.out, HasSubstr("S-fig10 holds"));
+  EXPECT_THAT(first.out, ContainsRegex("S-fig10 +holds"));
   EXPECT_EQ(first.err, "") << "progress is quiet when not a terminal";
   const Answer second = call(folder, "study " + file + " --db " + db);
   EXPECT_THAT(second.out, HasSubstr("0 cases run, 8 taken"));
@@ -101,6 +101,9 @@ TEST(StudyCommand, PlanSaysWhatWouldRunAndRunsNothing) {
   const Answer after = call(folder, study + " --plan");
   EXPECT_THAT(after.out, AllOf(HasSubstr("small "), HasSubstr("all there"), HasSubstr("about 0.0 s on")));
   EXPECT_EQ(call(folder, study + " --json").code, 2) << "results have no such form";
+  const Answer nowhere = call(folder, "study " + file + " --plan --db " + (folder / "none/r.db"));
+  EXPECT_EQ(nowhere.code, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("none' for results store")) << "as the study itself would say";
 }
 
 TEST(StudyCommand, ACostCaseIsAnotherCaseAndPrintsItsCost) {
@@ -113,9 +116,10 @@ TEST(StudyCommand, ACostCaseIsAnotherCaseAndPrintsItsCost) {
   const Answer answer = call(folder, "study " + plain + " " + cost + " --db " + db);
   ASSERT_EQ(answer.code, 0) << answer.err;
   EXPECT_THAT(answer.out, HasSubstr("8 cases run, 8 taken"));
-  const auto printed = answer.out.find("step_seconds by cells");
+  const auto printed = answer.out.find("step_seconds (s) by cells");
   EXPECT_NE(printed, std::string::npos);
-  EXPECT_EQ(answer.out.find("step_seconds by cells", printed + 1), std::string::npos) << "only where it was measured";
+  EXPECT_EQ(answer.out.find("step_seconds (s) by cells", printed + 1), std::string::npos)
+      << "only where it was measured";
 }
 
 TEST(StudyCommand, ReplicatesMakeAMeanAnIntervalAndATestOfTheLine) {
@@ -123,10 +127,10 @@ TEST(StudyCommand, ReplicatesMakeAMeanAnIntervalAndATestOfTheLine) {
   std::string text = small_study;
   text.replace(text.find("[[fit]]"), 7, "[replicates]\ngrid_offset = [0, 0.3, 0.7]\n[[fit]]");
   const std::string file = folder.write("small.toml", text), db = folder / "r.db";
-  const Answer answer = call(folder, "study " + file + " --db " + db);
+  const Answer answer = call(folder, "study " + file + " --verbose --db " + db);
   ASSERT_EQ(answer.code, 0) << answer.err;
   EXPECT_THAT(answer.out, HasSubstr("24 cases run"));
-  EXPECT_THAT(answer.out, HasSubstr("replicates: 12 runs that scatter by"));
+  EXPECT_THAT(answer.out, HasSubstr("replicates of 'bspline2' in l2: 12 runs that scatter by"));
   ASSERT_EQ(call(folder, "report --db " + db + " --out " + (folder / "report")).code, 0);
   EXPECT_THAT(read_text(folder / "report/tables/replicates/small.csv"), HasSubstr("linear,8,l2,3,"));
 }
@@ -164,7 +168,7 @@ TEST(StudyCommand, ExtrapolatesWhatHasNoExactValue) {
   text.replace(text.find("[[fit]]"), 7, "[[extrapolate]]\nnorm = \"energy_loss\"\nwindow = [8, 64]\n[[fit]]");
   const Answer answer = call(folder, "study " + folder.write("small.toml", text) + " --db " + (folder / "r.db"));
   ASSERT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("'bspline2' in energy_loss over [8, 64]: "));
+  EXPECT_THAT(answer.out, ContainsRegex("bspline2 +energy_loss +8 to 64 "));
 }
 
 TEST(StudyCommand, SetOverridesEverySeriesAndSaysSoInTheStore) {
@@ -264,8 +268,8 @@ TEST(StudyCommand, AFitOfAllSeriesLeavesOutThoseThatDoWithoutItsNorm) {
   const std::string study = "study --db " + (folder / "r.db") + " ";
   const Answer answer = call(folder, study + folder.write("small.toml", text));
   EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_THAT(answer.out, HasSubstr("of 'bspline2' in l2_all_steps"));
-  EXPECT_THAT(answer.out, Not(HasSubstr("of 'linear' in l2_all_steps")));
+  EXPECT_THAT(answer.out, ContainsRegex("bspline2 +l2_all_steps"));
+  EXPECT_THAT(answer.out, Not(ContainsRegex("linear +l2_all_steps")));
   insert_behind("norm = \"l2_all_steps\"\n", "series = [\"linear\"]\n");
   const Answer named = call(folder, study + folder.write("small.toml", text));
   EXPECT_EQ(named.code, 2);

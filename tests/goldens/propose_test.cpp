@@ -279,10 +279,14 @@ TEST(Propose, TextOfPeopleCannotBreakTheFile) {
   EXPECT_EQ(std::get<ValueGolden>(goldens[2].expectation).name, "gap\n[[order]]");
 }
 
-TEST(Propose, ADirtyTreeIsRefused) {
+TEST(Propose, ADirtyTreeIsNamedAndRefusedWhereACommitIsAsked) {
   store::Provenance dirty = clean;
   dirty.dirty = true;
-  EXPECT_THROW(propose_goldens(study_with(convergent()), dirty), UsageError);
+  const StudyResult study = study_with(convergent());
+  EXPECT_THAT(propose_goldens(study, dirty), HasSubstr("commit abc with changes that are not committed, digest d1"));
+  EXPECT_THAT(propose_goldens(study, clean), HasSubstr("commit abc, digest d1"));
+  EXPECT_THROW(require_committed(study, dirty), UsageError);
+  require_committed(study, clean);
 }
 
 TEST(Propose, NothingToProposeIsAnError) {

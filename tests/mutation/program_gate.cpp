@@ -10,9 +10,22 @@ namespace mpmvv::mutation {
 namespace fs = std::filesystem;
 
 std::vector<std::string> program_parts() {
-  return {".github", "CMakeLists.txt", "CMakePresets.json", "README.md", "cli",
-          "cmake",   "docs",           "goldens",           "mms",       "reports",
-          "run",     "solver",         "studies",           "tests"};
+  return {".github",
+          "CHANGELOG.md",
+          "CMakeLists.txt",
+          "CMakePresets.json",
+          "CONTRIBUTING.md",
+          "README.md",
+          "cli",
+          "cmake",
+          "docs",
+          "goldens",
+          "mms",
+          "reports",
+          "run",
+          "solver",
+          "studies",
+          "tests"};
 }
 
 std::string gate_version(const ScratchTree& tree) {
@@ -20,8 +33,8 @@ std::string gate_version(const ScratchTree& tree) {
     return std::ranges::any_of(parts, [&](const char* part) { return is_within(file, part); });
   };
   const auto decides = [&](const std::string& file) {
-    return !lies_in(file,
-                    std::array{".github", "README.md", "cli", "docs", "run", "tests/benchmark", "tests/mutation"});
+    return !lies_in(file, std::array{".github", "CHANGELOG.md", "CONTRIBUTING.md", "README.md", "cli", "docs", "run",
+                                     "tests/benchmark", "tests/mutation"});
   };
   const auto expects = [&](const std::string& file) {
     const bool is_list = file.ends_with(".txt") && !file.ends_with("CMakeLists.txt");

@@ -21,7 +21,10 @@ std::string attribute(const SvgNode& node, const std::string& name) {
   return node.get("<xmlattr>." + name, "");
 }
 
-std::vector<double> numbers_in(const std::string& text) {
+/// A minus sign is a hyphen here.
+std::vector<double> numbers_in(std::string text) {
+  for (auto sign = text.find("−"); sign != std::string::npos; sign = text.find("−"))
+    text.replace(sign, std::string_view("−").size(), "-");
   std::vector<double> numbers;
   for (const char* at = text.c_str(); *at != '\0';) {
     char* end = nullptr;
@@ -103,15 +106,15 @@ class Reader {
  public:
   Drawing read(const SvgNode& root) {
     visit(root);
+    find_key();
     return std::move(drawing_);
   }
 
  private:
-  /// What one element of the `plot` command has drawn; with a text it is an entry of the key.
+  /// What one element of the `plot` command has drawn.
   struct Element {
     std::vector<ReadMark> marks;
     std::vector<ReadLine> lines, boxes;
-    std::string text;
   };
 
   void visit(const SvgNode& node) {
@@ -123,7 +126,7 @@ class Reader {
         add_text(child);
       else if (name == "path")
         add_path(child, attribute(node, "stroke-width"));
-      else if (name == "use" && element_)
+      else if (name == "use")
         add_mark(child);
       else if (name == "polygon" && element_)
         element_->boxes.push_back({colour_of(attribute(child, "fill")), 0, spots_in(attribute(child, "points"))});
@@ -142,7 +145,7 @@ class Reader {
     const auto kind = type < 3        ? ReadMark::Kind::cross
                       : type % 2 == 0 ? ReadMark::Kind::filled
                                       : ReadMark::Kind::hollow;
-    element_->marks.push_back({{place.at(0), place.at(1)}, {colour, (type + 1) / 2}, kind});
+    (element_ ? element_->marks : samples_).push_back({{place.at(0), place.at(1)}, {colour, (type + 1) / 2}, kind});
   }
 
   void add_path(const SvgNode& path, const std::string& width) {
@@ -155,6 +158,8 @@ class Reader {
     } else if (spots.size() == 5) {
       const auto [top, bottom] = std::ranges::minmax(spots, {}, &Spot::y);
       drawing_.top = top.y, drawing_.bottom = bottom.y;
+    } else if (spots.size() == 2) {
+      samples_.push_back({spots[0], {colour_of(attribute(path, "stroke")), 0}});
     }
   }
 
@@ -162,9 +167,8 @@ class Reader {
   void add_text(const SvgNode& group) {
     const std::string text = flat_text(group.get_child("text")), place = attribute(group, "transform");
     const auto at = numbers_in(place);
-    if (element_) {
-      element_->text = text;
-    } else if (!grid_line_.empty()) {
+    if (text.empty()) return;
+    if (!grid_line_.empty()) {
       const Spot &a = grid_line_.front(), &b = grid_line_.back();
       if (a.y == b.y)
         drawing_.y.tics.push_back({a.y, text});
@@ -183,20 +187,35 @@ class Reader {
   void finish_element() {
     has_elements_ = true;
     const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
-    if (element_->text.empty()) {
-      append(drawing_.marks, element_->marks);
-      append(drawing_.lines, element_->lines);
-      append(drawing_.boxes, element_->boxes);
-    } else {
-      const Look look = element_->marks.empty() ? Look{element_->lines.at(0).colour, 0} : element_->marks[0].look;
-      drawing_.key.push_back({element_->text, look});
-    }
+    append(drawing_.marks, element_->marks);
+    append(drawing_.lines, element_->lines);
+    append(drawing_.boxes, element_->boxes);
     element_.reset();
+  }
+
+  /// The key's samples stand below the frame, each before its text; a marker stands in the middle of its line.
+  void find_key() {
+    const auto belongs = [&](const ReadMark& sample, const ReadText& text) {
+      return sample.at.y > drawing_.bottom && std::abs(sample.at.y - text.at.y) < 8 && sample.at.x < text.at.x;
+    };
+    std::vector<ReadText> others;
+    for (const ReadText& text : drawing_.labels) {
+      const ReadMark* best = nullptr;
+      for (const ReadMark& sample : samples_) {
+        if (belongs(sample, text) && (!best || sample.at.x > best->at.x)) best = &sample;
+      }
+      if (best)
+        drawing_.key.push_back({text.text, best->look, text.at});
+      else
+        others.push_back(text);
+    }
+    drawing_.labels = others;
   }
 
   Drawing drawing_;
   std::optional<Element> element_;
-  std::vector<Spot> grid_line_;  ///< that waits for its text
+  std::vector<ReadMark> samples_;  ///< markers and beginnings of lines that belong to no element: the key's
+  std::vector<Spot> grid_line_;    ///< that waits for its text
   bool has_elements_ = false;
 };
 

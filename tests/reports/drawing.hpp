@@ -56,6 +56,7 @@ struct ReadText {
 struct KeyEntry {
   std::string text;
   Look look;
+  Spot at;
 };
 
 struct Drawing {

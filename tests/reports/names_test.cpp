@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
 #include <set>
 #include <span>
@@ -162,7 +163,7 @@ TEST(Names, StandOnThePageAndInTables) {
   }
   in.studies[0].text = in.studies[0].title;
   write_report(in, folder / "out", [](const std::string&) {});
-  const std::string page = content(folder / "out/index.html"), text = unescaped(page);
+  const std::string page = content(folder / "out/studies/weights.html"), text = unescaped(page);
   expect_markup(page);
   for (const auto& name : nasty_names()) EXPECT_THAT(text, HasSubstr("<td>" + marked_up_text(name.given) + "</td>"));
   std::istringstream tex(content(folder / "out/tables/weights.tex"));
@@ -201,13 +202,18 @@ TEST(Names, NeverShareAFileOrAnId) {
   in.benchmark = Benchmark{"", "", {{"skip/x/paid", "", {}}}};
   in.mutation.emplace();
   write_report(in, folder / "out", [](const std::string&) {});
-  const std::string page = content(folder / "out/index.html");
-  for (const char* pattern : {" id=[\"']([^\"']*)[\"']", "href=\"((?:figures|tables)/[^\"]*)\""}) {
-    const auto all = matches(page, pattern);
-    EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), all.size()) << pattern;
+  std::map<std::string, int> files;
+  for (const auto& entry : fs::directory_iterator(folder / "out/studies")) {
+    const std::string page = content(entry.path());
+    const auto ids = matches(page, " id=[\"']([^\"']*)[\"']");
+    EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size()) << entry.path();
+    for (const auto& file : matches(page, "href=\"../((?:figures|tables)/[^\"]*)\"")) ++files[file];
   }
-  for (const auto& file : matches(page, "href=\"((?:figures|tables)/[^\"]*)\""))
+  EXPECT_GT(files.size(), in.studies.size());
+  for (const auto& [file, pages] : files) {
+    EXPECT_EQ(pages, 1) << file;
     EXPECT_TRUE(fs::is_regular_file(folder / ("out/" + file))) << file;
+  }
   for (const auto& study : in.studies)
     EXPECT_THAT(content(folder / ("out/tables/" + study.name + ".tex")),
                 HasSubstr("Title of " + latex_text(study.name)));

@@ -9,47 +9,12 @@
 #include "tests/reports/distinct.hpp"
 #include "tests/reports/written_report.hpp"
 
-/// What stands where on a report's page beside its studies: verdicts, the benchmark, mutants.
+/// What stands where on a report's pages beside its studies: the benchmark, mutants.
 namespace mpmvv::reports {
 namespace read_back_page_test {
 
 using read_back::ExpectedTable;
 using read_back::WrittenReport;
-
-TEST(ReadBackPage, VerdictsStandBesideWhatTheyAreOf) {
-  ReportInput input = read_back::input_of(distinct::everything());
-  input.gate = {{"golden one", "pass", "1.1 to 1.2", "1.15", "why pass"},
-                {"golden two", "fail", "2.1 to 2.2", "2.35", "why fail"}};
-  input.claims = {{"X-one", "confirmed", "by one"}, {"X-two", "refuted", "by two"}, {"X-none", "open", "by none"}};
-  input.provenance = {"d1935", "c0331", true, "GNU 12", "-O9", "Fast", "a processor", "2026-01-02"};
-  ExpectedTable gate, claims, criteria, provenance;
-  for (const GateLine& g : input.gate)
-    gate.add("", {{"golden", g.name},
-                  {"verdict", g.verdict},
-                  {"expected", g.expected},
-                  {"measured", g.measured},
-                  {"reason", g.reason}});
-  for (const ClaimLine& c : input.claims)
-    claims.add("", {{"claim", c.id},
-                    {"verdict", c.verdict},
-                    {"evidence", c.evidence},
-                    {"studies", c.id == "X-none" ? "" : "all-numbers"}});
-  for (const records::ClaimPart& p : input.studies[0].parts)
-    criteria.add("", {{"claim", p.claim},
-                      {"criterion", p.statement},
-                      {"verdict", p.verdict == records::PartVerdict::holds ? "holds" : "fails"},
-                      {"evidence", p.evidence},
-                      {"reason", p.reason}});
-  const auto& p = input.provenance;
-  provenance.add("", {{"", "commit"}, {"", p.commit + " dirty: built from changes that are not committed"}});
-  provenance.add("", {{"", "digest"}, {"", p.digest}});
-  provenance.add("", {{"", "compiler"}, {"", p.compiler + ", " + p.build_type}});
-  provenance.add("", {{"", "flags"}, {"", p.flags}});
-  provenance.add("", {{"", "processor"}, {"", p.cpu}});
-  provenance.add("", {{"", "time"}, {"", p.time}});
-  const WrittenReport report(input);
-  for (const ExpectedTable* table : {&gate, &claims, &criteria, &provenance}) report.expect_html(*table);
-}
 
 /// Times in ns per particle and step.
 BenchmarkRow timed(const std::string& name, std::vector<double> nanoseconds) {

@@ -83,7 +83,7 @@ TEST(ReadBackFigures, TrendsStandAboveTheCommitsOfTheirVersions) {
   const WrittenReport report(input);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     SCOPED_TRACE(input.trends[i].name);
-    const Drawing drawing = report.drawing(kinds[i / 2].second, "trend.html");
+    const Drawing drawing = report.drawing(kinds[i / 2].second);
     EXPECT_EQ(drawing.y.label, kinds[i / 2].second);
     EXPECT_EQ(drawing.x.label, "commit");
     EXPECT_EQ(drawing.y.is_log(), kinds[i / 2].first == Finding::Kind::error);
@@ -98,7 +98,7 @@ TEST(ReadBackFigures, TrendsStandAboveTheCommitsOfTheirVersions) {
   versions.add("", {{"version", "1"}, {"first result", "2026-01-01"}, {"commits", "first1"}, {"digest", "d1a"}});
   versions.add("", {{"version", "2"}, {"first result", "2026-01-02"}, {"commits", "second later2"}, {"digest", "d2b"}});
   versions.add("", {{"version", "3"}, {"first result", "2026-01-03"}, {"commits", "third3"}, {"digest", "d3c"}});
-  report.expect_html(versions, "trend.html");
+  report.expect_html(versions);
 }
 
 }  // namespace mpmvv::reports::read_back_panels_test

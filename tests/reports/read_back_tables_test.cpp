@@ -130,12 +130,13 @@ TEST(ReadBackTables, TablesForPeopleHaveEveryNumberUnderItsName) {
     for (std::size_t i = 0; i < s.points.size(); ++i) {
       const records::Point& p = s.points[i];
       points.add(s.name, {{"cells", brief(p.x)},
-                          {"status", p.status == records::Status::ok ? "ok" : "unstable: " + p.reason},
-                          {"l1", fmt::format("{:.3e}", p.y.at("l1"))},
+                          {"status", p.status == records::Status::ok ? "ok" : "unstable"},
+                          {"l1 (m)", fmt::format("{:.3e}", p.y.at("l1"))},
                           {"order", segment(s.orders[0], i)},
-                          {"l2", fmt::format("{:.3e}", p.y.at("l2"))},
-                          {"linf", fmt::format("{:.3e}", p.y.at("linf"))},
-                          {"order", segment(s.orders[1], i)}});
+                          {"linf (m)", fmt::format("{:.3e}", p.y.at("linf"))},
+                          {"order", segment(s.orders[1], i)},
+                          {"l2 (m)", fmt::format("{:.3e}", p.y.at("l2"))},
+                          {"reason", p.reason}});
     }
   for_each(study, &Series::orders, [&](const Series& s, const fits::ObservedOrder& o) {
     const std::string floor =

@@ -40,11 +40,40 @@ TEST(Csv, HasFitsLimitsProbesAndValuesWhereThereAreAny) {
 
 TEST(Table, SegmentOrdersStandBesideTheirErrors) {
   const auto table = points_table(synthetic::convergence());
-  EXPECT_THAT(table.columns, testing::ElementsAre("cells", "status", "l1", "l2", "order", "linf", "wall_seconds"));
-  EXPECT_EQ(table.groups[1].rows[0][4], "–");
-  EXPECT_EQ(table.groups[1].rows[1][4], "2.01");
-  EXPECT_EQ(table.groups[3].rows[0][1], "unstable: det F <= 0 in step 12");
-  EXPECT_EQ(table.groups[3].rows[0][3], "–");
+  EXPECT_THAT(table.columns, testing::ElementsAre("cells", "status", "l2 (m)", "order", "l1 (m)", "linf (m)",
+                                                  "wall_seconds (s)", "reason"));
+  EXPECT_EQ(table.groups[1].rows[0][3], "–");
+  EXPECT_EQ(table.groups[1].rows[1][3], "2.01");
+  EXPECT_EQ(table.groups[3].rows[0][1], "unstable");
+  EXPECT_EQ(table.groups[3].rows[0][2], "–");
+  EXPECT_EQ(table.groups[3].rows[0][7], "det F <= 0 in step 12");
+}
+
+TEST(Table, WhatIsTheSameAtEveryPointStandsInTheNote) {
+  records::StudyResult study;
+  study.sweep = "cells";
+  study.series = {records::Series{"a", {}, {}, {}}};
+  for (const double n : {1.0, 2.0, 3.0})
+    study.series[0].points.push_back({n,
+                                      records::Status::ok,
+                                      "",
+                                      {{"l2", 0.1 / n},
+                                       {"steps", 100 * n},
+                                       {"images", 4},
+                                       {"initial_total", 2.516e2},
+                                       {"kinetic", 1 + 1e-6 * n},
+                                       {"strain", n},
+                                       {"momentum_change", 1e-15 * n},
+                                       {"angular_momentum_change", 0},
+                                       {"mass_change", 1e-9 * n}}});
+  const auto table = points_table(study);
+  EXPECT_THAT(table.columns, testing::ElementsAre("cells", "l2 (m)", "mass_change", "steps"));
+  EXPECT_THAT(table.groups.at(0).rows.at(1), testing::ElementsAre("2", "5.000e-02", "2.000e-09", "200"));
+  EXPECT_EQ(table.note,
+            "At every point: status ok, momentum_change at most 3.0e-15, angular_momentum_change = 0, kinetic = 1 J, "
+            "initial_total = 251.6 J, images = 4. Measured, too, and in the CSV file: strain.");
+  study.series[0].points.resize(1);
+  EXPECT_EQ(points_table(study).note, "") << "a point by itself has nothing to be the same as";
 }
 
 TEST(Table, FitsSayWindowIntervalAndFloor) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <boost/property_tree/xml_parser.hpp>
+#include <filesystem>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,7 +19,7 @@ using HtmlNode = boost::property_tree::ptree;
 std::vector<std::string> parts_of(const std::string& text, const std::string& start, const std::string& end) {
   std::vector<std::string> parts;
   for (auto at = text.find(start); at != std::string::npos; at = text.find(start, at + 1))
-    parts.push_back(text.substr(at, text.find(end, at) + end.size() - at));
+    parts.push_back(text.substr(at, text.find(end, at + start.size()) + end.size() - at));
   return parts;
 }
 
@@ -150,6 +152,19 @@ Table as_latex(Table table) {
   return table;
 }
 
+/// What a link on a page leads to, as a file of the report; empty for a place on the same page.
+std::string target_of(const std::string& page, const std::string& link) {
+  const std::string file = link.substr(0, link.find('#'));
+  return file.empty() ? "" : (std::filesystem::path(page).parent_path() / file).lexically_normal().string();
+}
+
+std::vector<std::string> links_of(const std::string& text, const std::string& attribute) {
+  std::vector<std::string> links;
+  for (const std::string& part : parts_of(text, " " + attribute + "=\"", "\""))
+    links.push_back(part.substr(attribute.size() + 3, part.size() - attribute.size() - 4));
+  return links;
+}
+
 }  // namespace
 
 void ExpectedTable::add(const std::string& group, const Row& row) {
@@ -169,15 +184,33 @@ ReportInput input_of(const records::StudyResult& study) {
 
 WrittenReport::WrittenReport(const ReportInput& input) {
   write_report(input, folder_ / "out", [](const std::string&) {});
+  read_pages("index.html");
 }
 
-std::string WrittenReport::text_of(const std::string& file) const {
-  return content(folder_ / "out" / file);
+void WrittenReport::read_pages(const std::string& file) {
+  const std::string text = content(folder_ / "out" / file);
+  pages_[file] = text;
+  for (const std::string& link : links_of(text, "href"))
+    if (const std::string next = target_of(file, link); next.ends_with(".html") && !pages_.contains(next))
+      read_pages(next);
 }
 
-void WrittenReport::expect_html(const ExpectedTable& expected, const std::string& page) const {
-  SCOPED_TRACE(page);
-  expect_among(html_tables(text_of(page)), expected.table());
+const std::string& WrittenReport::page(const std::string& file) const {
+  if (!pages_.contains(file)) throw std::runtime_error("no link leads to " + file);
+  return pages_.at(file);
+}
+
+void WrittenReport::expect_html(const ExpectedTable& expected) const {
+  SCOPED_TRACE("HTML");
+  std::vector<Table> tables;
+  for (const auto& [file, text] : pages_)
+    for (Table& table : html_tables(text)) tables.push_back(std::move(table));
+  expect_among(tables, expected.table());
+}
+
+void WrittenReport::expect_html_on(const std::string& file, const ExpectedTable& expected) const {
+  SCOPED_TRACE(file);
+  expect_among(html_tables(page(file)), expected.table());
 }
 
 void WrittenReport::expect_latex(const ExpectedTable& expected) const {
@@ -200,23 +233,26 @@ void WrittenReport::expect_html_and_latex(const ExpectedTable& expected) const {
   expect_latex(expected);
 }
 
-Drawing WrittenReport::drawing(const std::string& caption, const std::string& page) const {
+Drawing WrittenReport::drawing(const std::string& caption) const {
   std::vector<std::string> pictures;
-  for (const std::string& figure : parts_of(text_of(page), "<figure", "</figure>"))
-    if (figure.substr(figure.find("<figcaption")).find(caption) != std::string::npos)
-      pictures.push_back(parts_of(figure, "<svg", "</svg>").at(0));
+  for (const auto& [file, text] : pages_) {
+    if (file.starts_with("claims/")) continue;
+    for (const std::string& figure : parts_of(text, "<figure", "</figure>"))
+      if (figure.substr(figure.find("<figcaption")).find(caption) != std::string::npos)
+        pictures.push_back(target_of(file, links_of(figure, "src").at(0)));
+  }
   if (pictures.size() != 1) throw std::runtime_error("no picture, or several: " + caption);
-  return read_drawing(pictures[0]);
+  return read_drawing(content(folder_ / "out" / pictures[0]));
 }
 
-/// The texts of the files with this ending that the first page leads to.
+/// The texts of the files with this ending that the pages lead to.
 std::vector<std::string> WrittenReport::linked_texts(const std::string& ending) const {
-  const std::string start = "href=\"tables/";
+  std::set<std::string> files;
+  for (const auto& [file, text] : pages_)
+    for (const std::string& link : links_of(text, "href"))
+      if (link.ends_with(ending)) files.insert(target_of(file, link));
   std::vector<std::string> texts;
-  for (const std::string& link : parts_of(text_of("index.html"), start, "\">")) {
-    const std::string name = link.substr(6, link.size() - 8);
-    if (name.ends_with(ending)) texts.push_back(text_of(name));
-  }
+  for (const std::string& file : files) texts.push_back(content(folder_ / "out" / file));
   return texts;
 }
 

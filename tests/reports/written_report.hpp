@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,19 +32,24 @@ class WrittenReport {
   explicit WrittenReport(const ReportInput& input);
 
   /// The one table with these columns, and its rows compared with those expected: on a page, in a LaTeX file, as CSV.
-  void expect_html(const ExpectedTable& expected, const std::string& page = "index.html") const;
+  void expect_html(const ExpectedTable& expected) const;
+  void expect_html_on(const std::string& page, const ExpectedTable& expected) const;
   void expect_latex(const ExpectedTable& expected) const;
   void expect_csv(const ExpectedTable& expected) const;
   void expect_html_and_latex(const ExpectedTable& expected) const;
 
-  /// The only picture of a page whose caption has this text.
-  Drawing drawing(const std::string& caption, const std::string& page = "index.html") const;
+  /// The only picture of all pages but those of claims whose caption has this text.
+  Drawing drawing(const std::string& caption) const;
+
+  /// The text of a page that the first one leads to. Throws std::runtime_error where it does not lead there.
+  const std::string& page(const std::string& file) const;
 
  private:
-  std::string text_of(const std::string& file) const;
+  void read_pages(const std::string& file);
   std::vector<std::string> linked_texts(const std::string& ending) const;
 
   TempFolder folder_;
+  std::map<std::string, std::string> pages_;  ///< by file, all to which links lead from the first one
 };
 
 }  // namespace mpmvv::reports::read_back

@@ -2,16 +2,18 @@
 
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "studies/claims/claim.hpp"
+#include "studies/plan/claim_reader.hpp"
+#include "studies/plan/file_reference.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/records/record.hpp"
 #include "studies/settings/settings.hpp"
+#include "studies/support/toml_file.hpp"
+#include "tests/walk.hpp"
 
 /// The pages in docs/ against the code: they name all that there is, and nothing points to what there is not.
 namespace mpmvv {
@@ -21,14 +23,8 @@ namespace fs = std::filesystem;
 
 const fs::path top = MPMVV_SOURCE_DIR;
 
-std::string text_of(const fs::path& file) {
-  std::stringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 std::string page(const std::string& name) {
-  return text_of(top / "docs" / name);
+  return text_of_file(top / "docs" / name);
 }
 
 void expect_words(const std::string& name, const std::vector<std::string>& words) {
@@ -50,10 +46,35 @@ TEST(Docs, NameEveryNumberOfARun) {
   expect_words("measuring.md", records::norm_words());
 }
 
-TEST(Docs, HaveARowForEveryClaim) {
+TEST(Docs, HaveTheStudyFileAsItIsRead) {
+  EXPECT_TRUE(page("study-files.md") == plan::study_file_reference())
+      << "docs/study-files.md is stale: mpmvv list study-file > docs/study-files.md";
+}
+
+/// What the shipped study files state: a study may name a claim that another one states, and no claim is stated twice.
+std::vector<plan::StatedClaim> stated_claims() {
+  std::vector<plan::StatedClaim> claims;
+  for (const auto& entry : fs::directory_iterator(top / "studies"))
+    if (entry.path().extension() == ".toml")
+      for (const plan::StatedClaim& claim :
+           plan::read_claims(support::TomlTable::read(entry.path()), entry.path().stem().string()))
+        claims.push_back(claim);
+  return claims;
+}
+
+TEST(Docs, SayOfEveryClaimWhatItsStudySays) {
   const std::string text = page("claims.md");
-  for (const claims::ClaimText& claim : claims::claim_list())
-    EXPECT_NE(text.find("\n| " + std::string(claim.id) + " |"), std::string::npos) << claim.id;
+  std::set<std::string> ids;
+  for (const auto& [claim, where] : stated_claims()) {
+    EXPECT_TRUE(ids.insert(claim.id).second) << claim.id << " is stated twice, the second time in " << where;
+    const bool is_ours = claim.source == "mpmvv";
+    const std::string place = is_ours ? "" : claim.where.empty() ? " |" : " " + claim.where + " |";
+    const std::string row = "\n| " + claim.id + " | " + claim.statement + " |" + place + "\n";
+    EXPECT_NE(text.find(row), std::string::npos) << where << ": docs/claims.md has no row" << row;
+  }
+  const std::regex row("\n\\| ([SWNBX]-[^ ]+) \\|");
+  const auto rows = std::distance(std::sregex_iterator(text.begin(), text.end(), row), std::sregex_iterator());
+  EXPECT_EQ(static_cast<std::size_t>(rows), ids.size());
 }
 
 /// Headings as the address of a section has them: "Moving walls" is #moving-walls.
@@ -87,7 +108,7 @@ void for_matches(const std::regex& pattern, const Visit& visit) {
     for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
       const auto ending = entry.path().extension();
       if (ending != ".hpp" && ending != ".cpp" && ending != ".toml" && ending != ".txt") continue;
-      const std::string text = text_of(entry.path());
+      const std::string text = text_of_file(entry.path());
       for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
         visit(*it, fs::relative(entry.path(), top).string());
     }
@@ -95,7 +116,7 @@ void for_matches(const std::regex& pattern, const Visit& visit) {
 
 /// As comments cite a page: its name alone, with a "Section", or with the number of a row.
 TEST(Docs, HaveWhatCommentsCite) {
-  const std::regex cited(R"re(docs/([a-z]+\.md)(, "([^"]+)"|, ([A-Z][0-9]+))?)re");
+  const std::regex cited(R"re(docs/([a-z-]+\.md)(, "([^"]+)"|, ([A-Z][0-9]+))?)re");
   int found = 0;
   for_matches(cited, [&found](const std::smatch& match, const std::string& place) {
     ++found;
@@ -108,21 +129,70 @@ TEST(Docs, HaveWhatCommentsCite) {
   EXPECT_GT(found, 0);
 }
 
-/// Links between the pages, and files of the tree that they name.
+/// Whether the tree has the file, or the page tells its readers to write it.
+bool is_there_or_to_be_written(const std::string& file, const std::string& page) {
+  return fs::exists(top / file) || page.find("as\n`" + file + "`") != std::string::npos ||
+         page.find("as `" + file + "`") != std::string::npos;
+}
+
+/// Links between the pages and to pictures, and files of the tree that they name.
 TEST(Docs, PointToWhatThereIs) {
-  const std::regex link(R"re(\]\(([A-Za-z./]*)(#([a-z0-9-]+))?\))re");
-  const std::regex file(R"re(`((mms|solver|studies|goldens|reports|cli|tests|cmake)/[a-z0-9_/-]+\.[a-z]+)`)re");
-  for (const auto& entry : fs::directory_iterator(top / "docs")) {
-    const std::string text = text_of(entry.path());
+  const std::regex link(R"re(\]\(([A-Za-z0-9._/-]*)(#([a-z0-9-]+))?\))re");
+  const std::regex file(R"re(`((mms|solver|studies|goldens|reports|cli|tests|cmake|docs)/[a-z0-9_/-]+\.[a-z]+)`)re");
+  int found = 0;
+  for (const fs::path& from : pages_of(top)) {
+    const std::string text = text_of_file(from);
     for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+      ++found;
       const std::string target = (*it)[1];
-      const fs::path to = target.empty() ? entry.path() : entry.path().parent_path() / target;
-      EXPECT_TRUE(fs::exists(to)) << target << " in " << entry.path();
-      EXPECT_TRUE(!(*it)[3].matched || has_anchor(text_of(to), (*it)[3])) << (*it)[0] << " in " << entry.path();
+      const fs::path to = target.empty() ? from : from.parent_path() / target;
+      EXPECT_TRUE(fs::exists(to)) << target << " in " << from;
+      EXPECT_TRUE(!(*it)[3].matched || has_anchor(text_of_file(to), (*it)[3])) << (*it)[0] << " in " << from;
     }
     for (std::sregex_iterator it(text.begin(), text.end(), file), end; it != end; ++it)
-      EXPECT_TRUE(fs::exists(top / (*it)[1].str())) << (*it)[1] << " in " << entry.path();
+      EXPECT_TRUE(is_there_or_to_be_written((*it)[1], text)) << (*it)[1] << " in " << from;
   }
+  EXPECT_GT(found, 100);
+}
+
+/// Nothing but an address of the web may be linked in another way than the test above knows.
+TEST(Docs, LinkNothingThatIsNotLookedAt) {
+  const std::regex any_link(R"re(\]\(([^)]*)\))re"), known(R"re([A-Za-z0-9._/-]*(#[a-z0-9-]+)?|https://.*)re");
+  const std::regex block("```[^`]*```");
+  for (const fs::path& from : pages_of(top)) {
+    const std::string text = std::regex_replace(text_of_file(from), block, "");
+    for (std::sregex_iterator it(text.begin(), text.end(), any_link), end; it != end; ++it)
+      EXPECT_TRUE(std::regex_match((*it)[1].str(), known)) << (*it)[0] << " in " << from;
+  }
+}
+
+/// From the README a reader gets everywhere.
+TEST(Docs, AreAllReachedFromTheReadme) {
+  const std::string readme = text_of_file(top / "README.md");
+  for (const fs::path& to : pages_of(top)) {
+    const std::string name = fs::relative(to, top).string();
+    EXPECT_TRUE(name == "README.md" || readme.find("](" + name + ")") != std::string::npos) << name;
+  }
+}
+
+/// What a page tells its readers to write or to do, some test writes or does.
+TEST(Docs, AreCarriedOut) {
+  std::string tests;
+  for (const auto& entry : fs::recursive_directory_iterator(top / "tests"))
+    if (entry.path().extension() == ".cpp") tests += text_of_file(entry.path());
+  const std::regex mark("<!-- walk: ([^ ]+) -->\n```");
+  int found = 0;
+  for (const fs::path& from : pages_of(top)) {
+    const std::string text = text_of_file(from);
+    for (std::sregex_iterator it(text.begin(), text.end(), mark), end; it != end; ++it) {
+      ++found;
+      const std::string name = "\"" + (*it)[1].str() + "\")";
+      const bool is_used =
+          tests.find("walk(" + name) != std::string::npos || tests.find("follow(" + name) != std::string::npos;
+      EXPECT_TRUE(is_used) << (*it)[0] << " in " << from;
+    }
+  }
+  EXPECT_GT(found, 20);
 }
 
 }  // namespace docs_test

@@ -13,6 +13,7 @@
 #include "tests/mutation/operators.hpp"
 #include "tests/mutation/tests/samples.hpp"
 #include "tests/mutation/unmatched.hpp"
+#include "tests/walk.hpp"
 
 namespace mpmvv::mutation {
 namespace mutant_edit_test {
@@ -63,10 +64,8 @@ TEST_F(MutantFiles, AMistakeIsRead) {
   EXPECT_THAT(mistakes[0].where, HasSubstr("list.toml:2"));
 }
 
-TEST_F(MutantFiles, TheReadmeShowsOne) {
-  const std::string readme = samples::source("README.md"), mark = "<!-- walk: mistake -->\n```toml\n";
-  const std::size_t begin = readme.find(mark) + mark.size();
-  const auto mistakes = read_mistakes(write(readme.substr(begin, readme.find("```", begin) - begin)));
+TEST_F(MutantFiles, ThePageOfThemShowsOne) {
+  const auto mistakes = read_mistakes(write(walk("mistake")));
   ASSERT_EQ(mistakes.size(), 1U);
   const auto planted = read_mistakes(std::string(MPMVV_SOURCE_DIR) + "/tests/mutation/planted.toml");
   EXPECT_EQ(std::ranges::count(planted, mistakes[0].name, &Mistake::name), 1);

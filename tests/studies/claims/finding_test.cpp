@@ -90,6 +90,7 @@ TEST(Findings, AnExtrapolatedValueHasItsUncertainty) {
 TEST(Findings, AStudyWithoutAClaimGivesNoVerdict) {
   StudyResult study = sample();
   EXPECT_EQ(findings_of(std::vector{study}).size(), findings_of(study).size());
+  study.claims = {"S-fig10"};
   study.parts = {{"S-fig10", "", records::PartVerdict::holds, "", ""}};
   EXPECT_EQ(findings_of(std::vector{study}).back().word, "confirmed");
 }

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 #include "tests/studies/store/store_samples.hpp"
 
@@ -77,6 +79,33 @@ TEST_F(StudyRunner, TimesWhatIsTimedWhenNothingElseWaits) {
   for (std::size_t k = 0; k < labels.size(); ++k) EXPECT_EQ(labels[k].ends_with("ppc=3"), k >= 8) << labels[k];
   for (std::size_t k = 0; k < plans.size(); ++k) EXPECT_EQ(outcomes[k].result.name, plans[k].name);
   EXPECT_EQ(store.studies(store::current_provenance().digest).size(), 3U);
+}
+
+TEST_F(StudyRunner, AskedToStopItSaysWhatIsKept) {
+  const auto file = folder_ / "bar.toml";
+  std::ofstream(file) << text;
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  std::stop_source source;
+  std::atomic<int> finished{0};
+  std::size_t told = 0, kept = 0, stops = 0;
+  const auto records_in_the_store = [&] {
+    const std::string csv = Store(folder_ / "r.db", Store::Mode::read).export_csv();
+    return static_cast<std::size_t>(std::ranges::count(csv, '\n')) - 1;
+  };
+  RunnerOptions options;
+  options.jobs = 2;
+  options.progress = [&](const Progress&) { ++finished; };
+  options.stop = source.get_token();
+  options.on_stop = [&](const RunnerCounts& counts) { ++stops, told = counts.ran, kept = records_in_the_store(); };
+  const std::jthread user([&] {
+    while (finished < 3) std::this_thread::yield();
+    source.request_stop();
+  });
+  RunnerCounts counts;
+  run_studies({read_study(file)}, store, options, counts);
+  EXPECT_EQ(stops, 1U);
+  EXPECT_GE(told, 3U);
+  EXPECT_EQ(told, kept) << "while the store is at rest";
 }
 
 TEST_F(StudyRunner, WhatTheMachineCouldNotDoIsTriedAgain) {

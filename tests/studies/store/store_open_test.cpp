@@ -166,6 +166,22 @@ TEST_F(StoreOpen, AnOlderStoreIsSealedAsItIsBroughtUpToDate) {
   EXPECT_THAT(Store(file_, Mode::read).check(), testing::ElementsAre(HasSubstr("row 5 of studies (s)")));
 }
 
+/// Sealed before there were claims in words and numbers that criteria found.
+TEST_F(StoreOpen, ASealOfSchema10StillHolds) {
+  open_store(file_, Mode::create_or_write, migrations().first(10))
+      .execute(
+          "INSERT INTO provenance VALUES (3, 'd1', 'c0ffee', 0, '', '', '', '');"
+          "INSERT INTO studies VALUES (5, 's', 'd1', 3, '', '', '', '', '', 4302719185765455534);"
+          "INSERT INTO study_claims VALUES (5, 0, 'S-fig10');"
+          "INSERT INTO claim_parts VALUES (5, 0, 'S-fig10', 'flat', 'holds', '= 1', '')");
+  EXPECT_THAT(Store(file_, Mode::write).check(), testing::IsEmpty());
+  const records::StudyResult study = Store(file_, Mode::read).studies("d1").at(0);
+  EXPECT_THAT(study.claims, testing::ElementsAre("S-fig10"));
+  EXPECT_THAT(study.statements, testing::IsEmpty());
+  EXPECT_THAT(study.parts.at(0).found, testing::IsEmpty());
+  EXPECT_EQ(study.parts[0].at_least, std::nullopt);
+}
+
 /// Schemas 5 to 8 had tables for mutation testing.
 TEST_F(StoreOpen, AnOlderStoreOpensWithoutItsMutants) {
   constexpr std::size_t last_with_mutants = 8;

@@ -23,7 +23,8 @@ StudyResult full_study() {
   StudyResult s = study("full", "T", {series("a", {point(8, {{"own", 3}}), point(16)})});
   s.claims = {"S-fig10"};
   s.values = {{"v", 1.5, "m"}};
-  s.parts = {{"S-fig10", "st", records::PartVerdict::holds, "e", "r"}};
+  s.parts = {{"S-fig10", "st", records::PartVerdict::holds, "e", "r", "order", 1, 2, {{"of 'a'", 1.5}}}};
+  s.statements = {{"S-fig10", "O(h)", "S", "Fig. 10", "full"}};
   s.figures.resize(1);
   records::Figure& figure = s.figures[0];
   figure.name = "f", figure.series = figure.marks = {"a"}, figure.slopes = {2};
@@ -95,7 +96,12 @@ class SealedStore : public StoreTest {
         text += fmt::format("{} {} {}", e.norm, e.limit, e.remark);
     }
     for (const records::Value& v : s.values) text += fmt::format("{} {} {}", v.name, v.value, v.meaning);
-    for (const records::ClaimPart& p : s.parts) text += p.claim + p.statement + p.evidence + to_string(p.verdict);
+    for (const records::ClaimPart& p : s.parts) {
+      text += p.claim + p.statement + p.evidence + to_string(p.verdict) + p.measure;
+      text += fmt::format("{} {}", p.at_least.value_or(0), p.at_most.value_or(0));
+      for (const records::Found& f : p.found) text += fmt::format("{} {}", f.what, f.value);
+    }
+    for (const records::ClaimText& c : s.statements) text += c.statement + c.source + c.where + c.study;
     for (const records::Figure& f : s.figures)
       text += fmt::format("{} {} {} {}", f.name, f.caption, f.series.size(), f.slopes.size());
     return text;

@@ -146,10 +146,19 @@ StudyResult everything() {
           .series = {runs(), series("empty"), curve(), limit_without_probes()},
           .values = {{"sum", 1 + 1e-15, "ΣN"}, {"unknown", not_measured, ""}},
           .figures = {full_figure(), records::Figure{}},
-          .parts = {{"S-fig10", "order 2", PartVerdict::holds, "1.97", ""},
-                    {"S-fig11", "flat", PartVerdict::fails, "0.3", "round-off"},
-                    {"S-fig11", "look", PartVerdict::shown, "", ""},
-                    {"S-fig11", "limit", PartVerdict::inconclusive, "", ""}}};
+          .parts = {{"S-fig10", "order 2", PartVerdict::holds, "1.97", "", "order", 1.9, 2.1, {{"of 'runs'", 1.97}}},
+                    {"S-fig11",
+                     "flat",
+                     PartVerdict::fails,
+                     "0.3",
+                     "round-off",
+                     "error",
+                     {},
+                     0.1,
+                     {{"'runs' at 8", 0.3}, {"at 16", infinity}, {"at 32", -infinity}, {"at 64", not_measured}}},
+                    {"S-fig11", "look", PartVerdict::shown, "", "", "shown"},
+                    {"S-fig11", "limit", PartVerdict::inconclusive, "", ""}},
+          .statements = {{"S-fig10", "bar: O(h²)", "Steffen et al. 2008", "Fig. 10", "everything"}}};
 }
 
 const std::vector<std::vector<cases::Case>> cases_of_everything{{bar(8), bar(16)}};

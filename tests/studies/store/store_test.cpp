@@ -229,7 +229,7 @@ TEST_F(StoreTest, AForgottenStudyIsGoneInAllVersionsAndItsRunsStay) {
     for (const char* name : {"bad name", "other"})
       store.keep_study(study(name, "", {series("a", {point(8)})}), {{bar(8)}}, provenance(digest));
   }
-  EXPECT_THAT(complaint([&] { store.forget("absent"); }), HasSubstr("no study 'absent'"));
+  EXPECT_THAT(complaint([&] { store.forget("absent"); }), HasSubstr("unknown study 'absent'"));
   EXPECT_EQ(store.forget("bad name"), 2U);
   for (const char* digest : {"d1", "d2"}) {
     ASSERT_THAT(store.studies(digest), SizeIs(1));

@@ -92,14 +92,25 @@ struct Text {
   }
 
   static std::string of(const records::ClaimPart& p) {
-    const auto& [claim, statement, verdict, evidence, reason] = p;
-    return fmt::format("part {} {} {} {} '{}'", claim, statement, to_string(verdict), evidence, reason);
+    const auto& [claim, statement, verdict, evidence, reason, measure, at_least, at_most, found] = p;
+    return fmt::format("part {} {} {} {} '{}' {} {} {}\n{}", claim, statement, to_string(verdict), evidence, reason,
+                       measure, of(at_least), of(at_most), of(found));
+  }
+
+  static std::string of(const records::Found& f) {
+    const auto& [what, value] = f;
+    return fmt::format("found {} {}", what, value);
+  }
+
+  static std::string of(const records::ClaimText& c) {
+    const auto& [id, statement, source, where, study] = c;
+    return fmt::format("claim {} {} '{}' '{}' {}", id, statement, source, where, study);
   }
 
   static std::string of(const StudyResult& s) {
-    const auto& [name, title, kind, sweep, text, claims, series, values, figures, parts] = s;
-    return fmt::format("{}|{}|{}|{}|{}\n{}{}{}{}{}", name, title, kind, sweep, text, of(claims), of(series), of(values),
-                       of(figures), of(parts));
+    const auto& [name, title, kind, sweep, text, claims, series, values, figures, parts, statements] = s;
+    return fmt::format("{}|{}|{}|{}|{}\n{}{}{}{}{}{}", name, title, kind, sweep, text, of(claims), of(series),
+                       of(values), of(figures), of(parts), of(statements));
   }
 };
 

@@ -1,0 +1,69 @@
+#include "cli/case_commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "studies/plan/study.hpp"
+#include "studies/settings/settings.hpp"
+#include "studies/store/trial.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv::cli {
+
+using reports::SeriesCommand;
+
+namespace {
+
+/// In single quotes where a shell would take it apart.
+std::string shell_word(const std::string& text) {
+  const bool is_plain = std::ranges::all_of(text, [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("{}+-.,=_/").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  return is_plain ? text : "'" + text + "'";
+}
+
+std::string option_text(const std::string& key, const std::string& value) {
+  if (key.starts_with("param.")) return fmt::format(" --param {}={}", key.substr(6), shell_word(value));
+  std::string option = key;
+  std::ranges::replace(option, '_', '-');
+  const auto& keys = settings::setting_keys();
+  const auto known = std::ranges::find(keys, key, &settings::SettingKey::key);
+  if (known != keys.end() && known->member && known->member->is_flag) return value == "true" ? " --" + option : "";
+  return fmt::format(" --{} {}", option, shell_word(value));
+}
+
+SeriesCommand command_of(const plan::StudyPlan& plan, const plan::SeriesPlan& series) {
+  const bool is_searched = plan.searches(series);
+  const std::string varied = is_searched ? plan.limit->search.key : plan.sweep;
+  std::vector<settings::Setting> settings = series.settings;
+  SeriesCommand command{series.name, "mpmvv run", ""};
+  if (plan.replicates) {
+    settings = plan::replicates_of(plan, series).front().settings;
+    command.note = fmt::format("the first of {} replicates", plan.replicates->values.size());
+  }
+  std::map<std::string, std::string> last;
+  for (const settings::Setting& setting : settings) last[setting.key] = setting.value;
+  last.erase("whole");
+  for (const settings::Setting& setting : settings)
+    if (const auto value = last.extract(setting.key)) command.text += option_text(setting.key, value.mapped());
+  if (!varied.empty() && plan::varies_with(series, varied)) command.text += option_text(varied, "{}");
+  return command;
+}
+
+}  // namespace
+
+std::vector<SeriesCommand> case_commands(const records::StudyResult& study) {
+  if (study.kind == "check" || !store::trial_of(study.text).empty()) return {};
+  std::vector<SeriesCommand> commands;
+  try {
+    const plan::StudyPlan plan = plan::parse_study(study.text, study.name + ".toml");
+    for (const plan::SeriesPlan& series : plan.series) commands.push_back(command_of(plan, series));
+  } catch (const support::UsageError&) {
+    return {};
+  }
+  return commands;
+}
+
+}  // namespace mpmvv::cli

@@ -1,0 +1,64 @@
+#include "cli/criteria_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/console.hpp"
+#include "cli/lines.hpp"
+#include "cli/numbers.hpp"
+#include "cli/table.hpp"
+
+namespace mpmvv::cli {
+
+using records::ClaimPart;
+using records::Found;
+using Kind = Table::Kind;
+
+std::string asked_text(const ClaimPart& part) {
+  const auto bound = [](double value) { return fmt::format("{:.7g}", value); };
+  if (part.at_least && part.at_most && *part.at_least == *part.at_most) return bound(*part.at_least);
+  if (part.at_least && part.at_most) return fmt::format("{} to {}", bound(*part.at_least), bound(*part.at_most));
+  if (part.at_least) return fmt::format("at least {}", bound(*part.at_least));
+  return part.at_most ? fmt::format("at most {}", bound(*part.at_most)) : "-";
+}
+
+std::string found_text(const ClaimPart& part) {
+  std::vector<double> known;
+  for (const Found& found : part.found)
+    if (!std::isnan(found.value)) known.push_back(found.value);
+  if (known.empty()) return "-";
+  if (known.size() == 1) return number_text(known.front());
+  if (known.size() == 2) return fmt::format("{}, {}", number_text(known[0]), number_text(known[1]));
+  const auto [least, most] = std::ranges::minmax(known);
+  return fmt::format("{} to {}", number_text(least), number_text(most));
+}
+
+void print_criteria(const std::string& head, const std::vector<LabelledPart>& parts) {
+  Table table({{head}, {"verdict", Kind::verdict}, {"asked"}, {"found"}, {"criterion", Kind::prose}});
+  for (const auto& [label, part] : parts)
+    table.add({label, to_string(part.verdict), asked_text(part), found_text(part), part.statement});
+  table.print();
+}
+
+void print_grounds(const std::vector<LabelledPart>& parts) {
+  for (const auto& [label, part] : parts) {
+    print("\n  {} {}: {}\n", label, to_string(part.verdict), part.statement);
+    for (std::size_t begin = 0; begin < part.evidence.size();) {
+      const std::size_t end = std::min(part.evidence.find("; ", begin), part.evidence.size());
+      print_indented(part.evidence.substr(begin, end - begin));
+      begin = end + 2;
+    }
+  }
+}
+
+void print_reasons(const std::vector<LabelledPart>& parts) {
+  for (const auto& [label, part] : parts)
+    if (!part.reason.empty()) {
+      print("\n  why it fails: {}\n", part.statement);
+      print_indented(part.reason);
+    }
+}
+
+}  // namespace mpmvv::cli

@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "studies/records/result.hpp"
+
+namespace mpmvv::cli {
+
+/// A criterion as it was judged, under a label: of a study's criteria the claim, of a claim's the study.
+struct LabelledPart {
+  std::string label;
+  records::ClaimPart part;
+};
+
+std::string asked_text(const records::ClaimPart& part);  ///< "1.75 to 2.25"
+std::string found_text(const records::ClaimPart& part);  ///< "1.97", "1.97, 2.004", of more numbers their range
+
+/// Prints a line for each criterion: label, verdict, what was asked and found, statement.
+void print_criteria(const std::string& head, const std::vector<LabelledPart>& parts);
+
+/// Prints the evidence of each criterion: every number that it compared, with its interval, on a line of its own.
+void print_grounds(const std::vector<LabelledPart>& parts);
+
+/// Prints why criteria fail, as far as the studies say.
+void print_reasons(const std::vector<LabelledPart>& parts);
+
+}  // namespace mpmvv::cli

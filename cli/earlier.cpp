@@ -1,0 +1,60 @@
+#include "cli/earlier.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/change_text.hpp"
+#include "goldens/gate.hpp"
+#include "studies/claims/claim.hpp"
+
+namespace mpmvv::cli {
+
+namespace {
+
+/// The version whose results were there before the first of this digest.
+const store::Version* version_before(const std::vector<store::Version>& versions, const std::string& digest) {
+  const auto now = std::ranges::find(versions, digest, &store::Version::digest);
+  return now == versions.begin() || now == versions.end() ? nullptr : &*(now - 1);
+}
+
+std::map<std::string, int> gate_counts(const std::vector<goldens::Golden>& goldens,
+                                       const std::vector<records::StudyResult>& then) {
+  std::map<std::string, int> counts;
+  if (goldens.empty()) return counts;
+  for (const goldens::GateResult& r : goldens::run_gate(goldens, then).results)
+    if (std::ranges::find(then, r.study, &records::StudyResult::name) != then.end()) ++counts[to_string(r.verdict)];
+  return counts;
+}
+
+double median_ratio(const std::vector<goldens::Change>& costs) {
+  std::vector<double> ratios;
+  for (const goldens::Change& cost : costs)
+    if (cost.before.number > 0 && cost.after.number > 0) ratios.push_back(cost.after.number / cost.before.number);
+  if (ratios.empty()) return support::not_measured;
+  std::ranges::sort(ratios);
+  return ratios[ratios.size() / 2];
+}
+
+}  // namespace
+
+std::optional<reports::Earlier> earlier_version(const store::Store& store, const std::vector<goldens::Golden>& goldens,
+                                                const std::vector<records::StudyResult>& now) {
+  const auto versions = store.versions();
+  const store::Version* version = version_before(versions, store::current_provenance().digest);
+  if (version == nullptr) return std::nullopt;
+  const auto then = store.studies(version->digest);
+  const goldens::Comparison comparison = goldens::compare(claims::findings_of(then), claims::findings_of(now));
+  reports::Earlier earlier;
+  earlier.label = version->commits.front().substr(0, 12);
+  earlier.gate = gate_counts(goldens, then);
+  for (const claims::Claim& claim : claims::judge_claims(then)) earlier.claims[claim.id] = claim.verdict;
+  earlier.compared = comparison.changes.size();
+  earlier.changed = comparison.changed();
+  for (const goldens::Change& change : comparison.changes)
+    if (change.bands != 0) earlier.changes.push_back(fmt::format("{}: {}", change.before.study, change_text(change)));
+  earlier.cost_ratio = median_ratio(comparison.costs);
+  return earlier;
+}
+
+}  // namespace mpmvv::cli

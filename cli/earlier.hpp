@@ -1,0 +1,16 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "goldens/golden.hpp"
+#include "reports/report.hpp"
+#include "studies/store/store.hpp"
+
+namespace mpmvv::cli {
+
+/// What the version before the running program's says, beside these results of now; none where the store has no such.
+std::optional<reports::Earlier> earlier_version(const store::Store& store, const std::vector<goldens::Golden>& goldens,
+                                                const std::vector<records::StudyResult>& now);
+
+}  // namespace mpmvv::cli

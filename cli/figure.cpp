@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "cli/command.hpp"
+#include "cli/console.hpp"
+#include "cli/help.hpp"
+#include "cli/length.hpp"
+#include "cli/outputs.hpp"
+#include "cli/results.hpp"
+#include "reports/figure_choice.hpp"
+#include "reports/picture_file.hpp"
+#include "reports/plot.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
+#include "studies/support/process.hpp"
+
+namespace mpmvv::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using reports::Chart;
+using reports::Format;
+using reports::Sheet;
+
+struct FigureOptions {
+  std::string name, db, format, width = "84mm", font, font_size = "8pt", out;
+};
+
+std::optional<Format> format_of_ending(const fs::path& file) {
+  for (const Format format : {Format::pdf, Format::svg, Format::tex})
+    if (file.extension() == reports::ending_of(format)) return format;
+  return std::nullopt;
+}
+
+/// As --format says, or else as the file is called; PDF when nothing is said.
+Format format_of(const FigureOptions& options) {
+  const auto of_file = format_of_ending(options.out);
+  if (options.format.empty()) return of_file.value_or(Format::pdf);
+  const auto format = support::from_word<Format>(options.format, "--format");
+  if (of_file && *of_file != format)
+    throw support::UsageError(fmt::format("--format {} with --out {} (a file that ends with {})", options.format,
+                                          options.out, ending_of(format)));
+  return format;
+}
+
+Sheet sheet_of(const FigureOptions& options) {
+  Sheet sheet;
+  sheet.format = format_of(options);
+  sheet.width = figure_width(options.width);
+  sheet.font_size = figure_font_size(options.font_size);
+  if (options.font.empty()) return sheet;
+  if (sheet.format == Format::tex)
+    throw support::UsageError("--font with --format tex (LaTeX sets the document's own font; leave it out)");
+  if (!std::ranges::all_of(options.font, [](unsigned char c) { return std::isalnum(c) || c == ' ' || c == '-'; }))
+    throw support::UsageError(fmt::format("--font '{}' (a family's name, such as 'Liberation Serif')", options.font));
+  sheet.font = options.font;
+  return sheet;
+}
+
+/// Whether the machine has the family, or one that it takes for it; a machine without fontconfig is not asked.
+void note_other_font(const Sheet& sheet) {
+  const auto match =
+      support::run_process({"fc-match", "--format=%{family}", sheet.font}, ".", {}, std::chrono::seconds(10));
+  static const std::set<std::string> generic{"Sans", "Serif", "Monospace"};
+  if (!match.good() || generic.contains(sheet.font) || match.output.find(sheet.font) != std::string::npos) return;
+  note("this machine has no font '{}' and draws in {} (`fc-list : family` names those that it has)\n", sheet.font,
+       match.output);
+}
+
+/// The file of each figure: --out itself for one, in the folder of that name for more.
+std::vector<fs::path> files_of(const FigureOptions& options, const std::vector<Chart>& charts, Format format) {
+  if (charts.size() == 1 && format_of_ending(options.out) && !fs::is_directory(options.out)) return {options.out};
+  if (format_of_ending(options.out)) {
+    std::vector<std::string> names;
+    for (const Chart& chart : charts) names.push_back(chart.name);
+    throw support::UsageError(fmt::format("--out {} for {} figures, {} (a folder, or the name of one of them)",
+                                          options.out, charts.size(), fmt::join(names, ", ")));
+  }
+  std::vector<fs::path> files;
+  for (const Chart& chart : charts) files.push_back(fs::path(options.out) / (chart.name + ending_of(format)));
+  return files;
+}
+
+/// For LaTeX how the figure is taken into a document.
+void print_drawn(const std::vector<fs::path>& drawn, const Sheet& sheet) {
+  for (const fs::path& file : drawn) print("{}\n", file.string());
+  if (sheet.format != Format::tex) return;
+  const fs::path folder = drawn[0].parent_path();
+  const std::string path = folder.empty() ? "" : fmt::format("\\graphicspath{{{{{}/}}}}", folder.string());
+  print("  {}\\input{{{}}} with \\usepackage{{graphicx,xcolor}}\n", path, (folder / drawn[0].stem()).string());
+}
+
+int figure(const FigureOptions& options) {
+  const Sheet sheet = sheet_of(options);
+  const auto [charts, others] = reports::choose_figures(own_results(options.db), options.name);
+  const auto files = files_of(options, charts, sheet.format);
+  for (const fs::path& file : files)
+    for (const fs::path& part : reports::picture_files(file, sheet.format)) require_apart("--out", part, {options.db});
+  for (const Chart& chart : charts)
+    if (!reports::has_room(chart, sheet))
+      throw support::UsageError(
+          fmt::format("--width {} leaves too little for the axes of '{}' (a greater one, or a "
+                      "smaller --font-size than {})",
+                      options.width, chart.name, options.font_size));
+  if (sheet.format == Format::pdf) note_other_font(sheet);
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    if (files[i].has_parent_path()) support::make_folder(files[i].parent_path());
+    reports::draw_picture(charts[i], sheet, files[i]);
+    print_drawn(reports::picture_files(files[i], sheet.format), sheet);
+  }
+  if (!others.empty()) note("{}\n", fmt::format("more figures of {}: {}", options.name, fmt::join(others, ", ")));
+  return 0;
+}
+
+}  // namespace
+
+void add_figure(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<FigureOptions>();
+  CLI::App* command = app.add_subcommand("figure", "Draw a figure for a paper");
+  command->add_option("name", options->name, "figure, claim or study: s-fig10, S-fig10")->required()->type_name("NAME");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--format", options->format, "pdf, svg or tex (default: as --out ends, else pdf)")
+      ->type_name("WORD");
+  command->add_option("--width", options->width, "of the figure, labels and key: 84mm, 3.3in")
+      ->capture_default_str()
+      ->type_name("LENGTH");
+  command->add_option("--font", options->font, "family, for pdf and svg (default: Sans)")->type_name("NAME");
+  command->add_option("--font-size", options->font_size, "of all texts")->capture_default_str()->type_name("LENGTH");
+  command->add_option("--out", options->out, "file, or folder (default: here, under the figure's name)")
+      ->type_name("FILE");
+  add_examples(*command, {"mpmvv figure splines --db results.db",
+                          "mpmvv figure splines --db results.db --format svg --width 174mm --out wide.svg"});
+  command->callback([options, &exit_code] { exit_code = figure(*options); });
+}
+
+}  // namespace mpmvv::cli

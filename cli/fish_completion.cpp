@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/completion.hpp"
+
+namespace mpmvv::cli {
+
+namespace {
+
+std::string fish_quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "'";
+}
+
+/// The condition under which a command is the one that is being written: its words have been seen, none of its own
+/// commands has.
+std::string condition_of(const CommandText& command) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  while (begin < command.path.size()) {
+    const std::size_t end = std::min(command.path.find(' ', begin), command.path.size());
+    parts.push_back("__fish_seen_subcommand_from " + command.path.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  std::vector<std::string> inner;
+  for (const CommandText& one : command.commands) inner.push_back(one.name);
+  if (!inner.empty()) parts.push_back(fmt::format("not __fish_seen_subcommand_from {}", fmt::join(inner, " ")));
+  return fish_quoted(fmt::format("{}", fmt::join(parts, "; and ")));
+}
+
+/// What follows an option or stands without one.
+std::string fish_values(const ArgumentText& argument) {
+  if (!argument.words.empty()) return " -a " + fish_quoted(fmt::format("{}", fmt::join(argument.words, " ")));
+  return argument.takes_folders() ? " -a '(__fish_complete_directories)'" : "";
+}
+
+std::string fish_option(const std::string& start, const ArgumentText& option) {
+  std::string line = start;
+  for (const std::string& flag : option.flags)
+    line += flag.starts_with("--") ? " -l " + flag.substr(2) : " -s " + flag.substr(1);
+  if (!option.value.empty())
+    line += (option.takes_files() && option.words.empty() ? " -rF" : " -x") + fish_values(option);
+  return fmt::format("{} -d {}\n", line, fish_quoted(option.meaning));
+}
+
+std::string fish_lines(const CommandText& command) {
+  const std::string start = "complete -c mpmvv -n " + condition_of(command);
+  std::string lines;
+  for (const CommandText& inner : command.commands)
+    lines += fmt::format("{} -a {} -d {}\n", start, inner.name, fish_quoted(inner.meaning));
+  for (const ArgumentText& option : command.options) lines += fish_option(start, option);
+  for (const ArgumentText& positional : command.positionals) {
+    if (positional.takes_files()) lines += start + " -F\n";
+    if (!positional.words.empty()) lines += start + fish_values(positional) + "\n";
+  }
+  for (const CommandText& inner : command.commands) lines += fish_lines(inner);
+  return lines;
+}
+
+}  // namespace
+
+std::string fish_completion(const CommandText& program) {
+  return "# Completion of mpmvv for fish, made by `mpmvv completion fish`.\ncomplete -c mpmvv -f\n" +
+         fish_lines(program);
+}
+
+}  // namespace mpmvv::cli

@@ -1,0 +1,58 @@
+#include "cli/gate_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+#include "cli/console.hpp"
+#include "cli/table.hpp"
+
+namespace mpmvv::cli {
+
+using goldens::GateResult;
+using goldens::Verdict;
+
+namespace {
+
+std::string description(const GateResult& r) {
+  std::string text = fmt::format("{}: expected {}", r.name, r.expected);
+  if (!r.measured.empty()) text += fmt::format(", measured {}", r.measured);
+  return r.reason.empty() ? text : fmt::format("{} ({})", text, r.reason);
+}
+
+/// One line; where there are few such studies it names them.
+void print_absent(const goldens::GateReport& report) {
+  constexpr std::size_t few = 6;
+  std::map<std::string, int> goldens;
+  int all = 0;
+  for (const GateResult& r : report.results)
+    if (r.is_absent) ++goldens[r.study], ++all;
+  if (goldens.empty()) return;
+  std::vector<std::string> names;
+  for (const auto& [study, count] : goldens) names.push_back(fmt::format("{} ({})", study, count));
+  const bool named = goldens.size() <= few;
+  for (const std::string& line :
+       wrapped(fmt::format("nothing in the store for {} golden{} of {} stud{}{}", all, all == 1 ? "" : "s",
+                           goldens.size(), goldens.size() == 1 ? "y" : "ies",
+                           named ? fmt::format(": {}", fmt::join(names, ", ")) : " (--verbose names them)"),
+               text_width()))
+    print("{}\n", line);
+}
+
+}  // namespace
+
+void print_gate(const goldens::GateReport& report, bool verbose) {
+  Table table({{"verdict", Table::Kind::verdict}, {"study"}, {"golden", Table::Kind::prose}}, 0);
+  for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
+    for (const GateResult& r : report.results) {
+      const bool is_news = verdict != Verdict::pass && !r.is_absent;
+      if (r.verdict == verdict && (is_news || verbose)) table.add({to_string(verdict), r.study, description(r)});
+    }
+  table.print();
+  if (!verbose) print_absent(report);
+  print("gate: {} pass, {} fail, {} inconclusive\n", report.count(Verdict::pass), report.count(Verdict::fail),
+        report.count(Verdict::inconclusive));
+}
+
+}  // namespace mpmvv::cli

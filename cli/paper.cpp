@@ -1,0 +1,54 @@
+#include "reports/paper.hpp"
+
+#include <memory>
+
+#include "cli/command.hpp"
+#include "cli/console.hpp"
+#include "cli/help.hpp"
+#include "cli/length.hpp"
+#include "cli/outputs.hpp"
+#include "cli/results.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv::cli {
+
+namespace {
+
+struct PaperOptions {
+  std::string db, out, width = "84mm", font_size = "8pt";
+};
+
+int paper(const PaperOptions& options) {
+  require_apart("--out", options.out, {options.db});
+  reports::Sheet column;
+  column.format = reports::Format::tex;
+  column.width = figure_width(options.width);
+  column.font_size = figure_font_size(options.font_size);
+  const auto studies = own_results(options.db);
+  if (studies.empty())
+    throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
+  const auto summary = reports::write_paper(studies, store::current_provenance(), options.out, column);
+  print("{}/main.tex: {} figures ({} drawn), {} tables of orders\n", options.out, summary.figures,
+        summary.figures_drawn, summary.tables);
+  for (const auto& missing : summary.without) print("  {}\n", missing);
+  return 0;
+}
+
+}  // namespace
+
+void add_paper(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<PaperOptions>();
+  CLI::App* command = app.add_subcommand("paper", "Write all figures and orders as a LaTeX document");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--out", options->out, "folder of the document")->required()->type_name("FOLDER");
+  add_examples(*command, {"mpmvv paper --db results.db --out paper"});
+  command->add_option("--width", options->width, "of a figure, labels and key: 84mm, 3.3in")
+      ->capture_default_str()
+      ->type_name("LENGTH");
+  command->add_option("--font-size", options->font_size, "of the figures' texts")
+      ->capture_default_str()
+      ->type_name("LENGTH");
+  command->callback([options, &exit_code] { exit_code = paper(*options); });
+}
+
+}  // namespace mpmvv::cli

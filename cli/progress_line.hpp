@@ -1,0 +1,39 @@
+#pragma once
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "studies/plan/progress.hpp"
+
+namespace mpmvv::cli {
+
+/// A line on the terminal that says how far a study run has come and how long the rest takes, second by second. Where
+/// standard error is no terminal there is none.
+class ProgressLine {
+ public:
+  ProgressLine();
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// What is to be told of all progress; nothing where there is no line.
+  std::function<void(const plan::Progress&)> listener();
+
+  void clear();  ///< for good
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void draw() const;
+  void draw_each_second(const std::stop_token& stop);
+
+  plan::Progress progress_;
+  Clock::time_point told_;
+  std::mutex mutex_;
+  std::condition_variable_any ended_;
+  std::jthread drawing_;
+};
+
+}  // namespace mpmvv::cli

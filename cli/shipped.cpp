@@ -1,0 +1,78 @@
+#include "cli/shipped.hpp"
+
+#include <fmt/format.h>
+#include <sys/auxv.h>
+
+#include <algorithm>
+#include <bit>
+#include <system_error>
+
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
+#include "studies/support/suggestion.hpp"
+
+namespace mpmvv::cli {
+
+namespace fs = std::filesystem;
+using records::StudyResult;
+using support::UsageError;
+
+namespace {
+
+[[noreturn]] void refuse_name(const std::string& name, const std::vector<std::string>& known) {
+  const auto meant = support::nearest_word(name, known);
+  throw UsageError(fmt::format("no study '{}' ({}a study file, or a name of `mpmvv list studies`)", name,
+                               meant ? fmt::format("did you mean '{}'? ", *meant) : ""));
+}
+
+}  // namespace
+
+fs::path shipped(const std::string& folder) {
+  std::error_code unknown;
+  const auto* called = std::bit_cast<const char*>(getauxval(AT_EXECFN));  // also where /proc is not mounted
+  const fs::path place = fs::canonical(called, unknown).parent_path();
+  for (const fs::path& top : {place.parent_path() / "share" / "mpmvv", place.parent_path().parent_path()})
+    if (fs::exists(top / "studies" / "quick.txt", unknown)) return top / folder;
+  return {};
+}
+
+bool is_shipped(const StudyResult& study) {
+  const fs::path folder = shipped("studies");
+  return !folder.empty() && support::read_file(folder / (study.name + ".toml")) == study.text;
+}
+
+fs::path goldens_for(const std::vector<StudyResult>& results, const std::string& named) {
+  if (!named.empty()) return named;
+  std::error_code unknown;
+  const fs::path here = "goldens";
+  return fs::exists(here, unknown) || std::ranges::none_of(results, is_shipped) ? here : shipped("goldens");
+}
+
+std::vector<std::string> study_names(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (const auto& entry : fs::directory_iterator(folder, unreadable))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem());
+  std::ranges::sort(names);
+  return names;
+}
+
+std::vector<std::string> named_study_files(const std::vector<std::string>& names, const std::string& folder) {
+  if (names.empty() && folder.empty())
+    throw UsageError("no study named (study files, names of `mpmvv list studies`, or --studies FOLDER)");
+  const fs::path place = folder.empty() ? shipped("studies") : fs::path(folder);
+  const std::vector<std::string> known = study_names(place);
+  if (known.empty() && !folder.empty())
+    throw UsageError(fmt::format("no study file in --studies {} (a folder with *.toml)", folder));
+  std::vector<std::string> files;
+  for (const std::string& name : names.empty() ? known : names) {
+    std::error_code unknown;
+    const bool is_there = !names.empty() && fs::exists(name, unknown);
+    const bool by_name = !is_there && std::ranges::binary_search(known, name);
+    if (!is_there && !by_name && support::is_file_stem(name) && !name.ends_with(".toml")) refuse_name(name, known);
+    files.push_back(by_name ? (place / (name + ".toml")).string() : name);
+  }
+  return files;
+}
+
+}  // namespace mpmvv::cli

@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "studies/records/result.hpp"
+
+namespace mpmvv::cli {
+
+/// The folder `studies` or `goldens` that comes with the program: PREFIX/share/mpmvv/... of a program in PREFIX/bin,
+/// else that of the tree in which it was built. Empty where neither is there.
+std::filesystem::path shipped(const std::string& folder);
+
+/// Whether these are the results of a study that comes with the program, word for word.
+bool is_shipped(const records::StudyResult& study);
+
+/// Where the goldens are that results are held against: in the folder named; without a name in `goldens` here, or,
+/// where there is none and a result is of a study that comes with the program, in the folder that comes with it.
+std::filesystem::path goldens_for(const std::vector<records::StudyResult>& results, const std::string& named);
+inline constexpr const char* default_goldens = "default: goldens here, else those of the program for its own studies";
+
+/// Names of the studies in a folder, in their order; none where there is no folder.
+std::vector<std::string> study_names(const std::filesystem::path& folder);
+
+/// The study files that a user names, by their paths or, in a folder and among those that come with the program, by
+/// their names alone; all of the folder where none is named. UsageError where there is none.
+std::vector<std::string> named_study_files(const std::vector<std::string>& names, const std::string& folder);
+
+}  // namespace mpmvv::cli

@@ -1,0 +1,123 @@
+#include "cli/study_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/console.hpp"
+#include "cli/criteria_text.hpp"
+#include "cli/error_tables.hpp"
+#include "cli/numbers.hpp"
+#include "cli/table.hpp"
+
+namespace mpmvv::cli {
+
+using records::Series;
+using Kind = Table::Kind;
+
+namespace {
+
+void print_apart(const Table& table) {
+  if (table.empty()) return;
+  print("\n");
+  table.print();
+}
+
+void print_orders(const records::StudyResult& study) {
+  Table table({{"order of"}, {"in"}, {"over"}, {"order", Kind::number}, {"95 %", Kind::number}, {"asymptotic"}});
+  for (const Series& series : study.series)
+    for (const fits::ObservedOrder& order : series.orders)
+      table.add({series.name, order.norm, window_text(order.from, order.to), order_text(order.order),
+                 half_width_text(fits::half_width(order)), order.asymptotic ? "yes" : "no"});
+  print_apart(table);
+}
+
+/// On what grounds: the floor, and what replicates say.
+void print_fits(const Series& series) {
+  for (const fits::ObservedOrder& order : series.orders) {
+    const std::string whose = fmt::format("'{}' in {}", series.name, order.norm);
+    if (order.floor)
+      print_indented(fmt::format("floor of {}: {} ({})", whose,
+                                 order.floor->accepted ? number_text(order.floor->floor) : "none",
+                                 order.floor->reason));
+    if (const auto& fit = order.replicates)
+      print_indented(fmt::format(
+          "replicates of {}: {} runs that scatter by {:.2g} of the error, order ± {:.2f}, lack of fit p = {:.2g}",
+          whose, fit->observations, fit->scatter, fit->half_width, fit->lack_of_fit));
+  }
+  for (const fits::Extrapolation& e : series.extrapolations)
+    if (!e.remark.empty()) print_indented(fmt::format("'{}' in {}: {}", series.name, e.norm, e.remark));
+}
+
+void print_extrapolations(const records::StudyResult& study) {
+  Table table({{"extrapolated"},
+               {"of"},
+               {"over"},
+               {"model"},
+               {"order", Kind::number},
+               {"limit", Kind::number},
+               {"finest\ngrid", Kind::number},
+               {"95 %", Kind::number},
+               {"GCI", Kind::number}});
+  for (const Series& series : study.series)
+    for (const fits::Extrapolation& e : series.extrapolations)
+      table.add({series.name, e.norm, window_text(e.from, e.to), e.model, order_text(e.order), number_text(e.limit),
+                 number_text(e.finest), half_width_text(e.uncertainty), number_text(e.convergence_index)});
+  print_apart(table);
+}
+
+std::string remark_on(const fits::StabilityLimit& limit) {
+  if (!limit.found) return "no limit in the range searched";
+  return limit.monotone ? "" : "not monotone: a stable probe lies beyond an unstable one";
+}
+
+void print_limits(const records::StudyResult& study) {
+  Table table({{"limit of"},
+               {"key"},
+               {"stable", Kind::number},
+               {"unstable", Kind::number},
+               {"probes", Kind::number},
+               {"", Kind::prose}});
+  for (const Series& series : study.series)
+    if (const auto& limit = series.limit)
+      table.add({series.name, limit->key, number_text(limit->stable), number_text(limit->unstable),
+                 fmt::format("{}", limit->probes.size()), remark_on(*limit)});
+  print_apart(table);
+}
+
+void print_values(const records::StudyResult& study) {
+  Table table({{"value"}, {"is", Kind::number}, {"meaning", Kind::prose}});
+  for (const records::Value& value : study.values) table.add({value.name, number_text(value.value), value.meaning});
+  print_apart(table);
+}
+
+/// Under the id of the claim that each is a criterion of.
+void print_criteria(const records::StudyResult& study, bool verbose) {
+  std::vector<LabelledPart> parts;
+  for (const records::ClaimPart& part : study.parts) parts.push_back({part.claim, part});
+  if (parts.empty()) return;
+  print("\n");
+  print_criteria("claim", parts);
+  if (!verbose) return;
+  print_grounds(parts);
+  print_reasons(parts);
+}
+
+}  // namespace
+
+void print_study(const records::StudyResult& study, bool verbose) {
+  print("{}: {}\n", study.name, study.title);
+  print_errors(study);
+  print_orders(study);
+  print_extrapolations(study);
+  print_limits(study);
+  print_values(study);
+  print_criteria(study, verbose);
+  if (verbose)
+    for (const Series& series : study.series) print_fits(series);
+  print("\n");
+}
+
+}  // namespace mpmvv::cli

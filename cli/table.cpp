@@ -1,0 +1,110 @@
+#include "cli/table.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "cli/console.hpp"
+#include "studies/support/printable.hpp"
+
+namespace mpmvv::cli {
+
+namespace {
+
+constexpr std::size_t below = 4;        ///< columns that prose below its row stands in
+constexpr std::size_t gap = 2;          ///< between columns
+constexpr std::size_t least_open = 24;  ///< columns that an open column takes beside the others
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+Table::Table(std::vector<Column> columns, std::size_t indent) : columns_(std::move(columns)), indent_(indent) {
+  for (const Column& column : columns_) {
+    widths_.push_back(0);
+    if (column.kind == Kind::prose || column.kind == Kind::line) continue;
+    for (const std::string& line : lines_of(column.head)) widths_.back() = std::max(widths_.back(), columns_of(line));
+  }
+}
+
+void Table::add(std::vector<std::string> cells) {
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    cells[k] = support::printable(cells[k]);
+    if (!is_open() || k + 1 < columns_.size()) widths_[k] = std::max(widths_[k], columns_of(cells[k]));
+  }
+  rows_.push_back(std::move(cells));
+}
+
+bool Table::is_open() const {
+  return columns_.back().kind == Kind::prose || columns_.back().kind == Kind::line;
+}
+
+std::size_t Table::width() const {
+  std::size_t width = indent_ + gap * (columns_.size() - 1);
+  for (const std::size_t column : widths_) width += column;
+  return width;
+}
+
+/// Heads stand on the line above the first row, their other lines above that.
+std::vector<Table::Cells> Table::head_lines() const {
+  std::vector<Cells> lines;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    const auto head = lines_of(columns_[k].head);
+    while (lines.size() < head.size()) lines.emplace(lines.begin(), columns_.size());
+    for (std::size_t l = 0; l < head.size(); ++l) lines[lines.size() - head.size() + l][k] = head[l];
+  }
+  return lines;
+}
+
+std::string Table::line(const Cells& cells, bool coloured) const {
+  std::string line(indent_, ' ');
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const Kind kind = columns_[k].kind;
+    const std::string cell = padded(cells[k], widths_[k], kind == Kind::number ? Align::right : Align::left);
+    line += (k == 0 ? "" : std::string(gap, ' '));
+    line += coloured && kind == Kind::verdict ? coloured_verdict(cell) : cell;
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + '\n';
+}
+
+/// The row in one line, or with its prose in as many as it takes: beside the rest, or, where that leaves little, below.
+std::string Table::row(Cells cells, std::size_t width, bool coloured) const {
+  if (!is_open()) return line(cells, coloured);
+  const std::size_t left = width > this->width() ? width - this->width() : 0;
+  const std::string last = std::exchange(cells.back(), "");
+  if (columns_.back().kind == Kind::line) {
+    cells.back() = cut(last, std::max(left, least_open));
+    return line(cells, coloured);
+  }
+  const bool is_beside = left >= least_open;
+  const std::size_t margin = is_beside ? this->width() : indent_ + below;
+  std::vector<std::string> lines = wrapped(last, std::max(width, margin + 1) - margin);
+  if (is_beside) cells.back() = std::exchange(lines.front(), "");
+  std::string text = line(cells, coloured);
+  for (const std::string& more : lines)
+    if (!more.empty()) text += std::string(margin, ' ') + more + '\n';
+  return text;
+}
+
+std::string Table::text(std::size_t width, bool coloured) const {
+  std::string text;
+  for (const Cells& heads : head_lines()) text += line(heads, false);
+  for (const Cells& cells : rows_) text += row(cells, width, coloured);
+  return text;
+}
+
+/// Where no terminal breaks lines, programs may read them: prose is not wrapped.
+void Table::print() const {
+  constexpr std::size_t endless = 1'000'000;
+  if (rows_.empty()) return;
+  const std::size_t width = columns_.back().kind == Kind::prose ? output_columns().value_or(endless) : text_width();
+  print_text(text(width, has_colours()));
+}
+
+}  // namespace mpmvv::cli

@@ -1,0 +1,45 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cli/lines.hpp"
+
+namespace mpmvv::cli {
+
+/// Rows of cells under their heads, each column as wide as its widest cell.
+class Table {
+ public:
+  /// `verdict`: words that a terminal shows in colour. The last column may be `prose`, which is wrapped to what a line
+  /// has left (below the row where that is little), or a `line`, which is cut there.
+  enum class Kind { text, number, verdict, prose, line };
+
+  struct Column {
+    std::string head;  ///< of several lines where it has line breaks; printable
+    Kind kind = Kind::text;
+  };
+
+  explicit Table(std::vector<Column> columns, std::size_t indent = 2);
+
+  void add(std::vector<std::string> cells);  ///< one for each column
+  bool empty() const { return rows_.empty(); }
+
+  std::size_t width() const;  ///< in columns of the terminal, without what takes what is left
+  std::string text(std::size_t width, bool coloured) const;
+  void print() const;  ///< as wide as the terminal is; nothing of a table without rows
+
+ private:
+  using Cells = std::vector<std::string>;
+
+  bool is_open() const;  ///< the last column takes what is left
+  std::vector<Cells> head_lines() const;
+  std::string line(const Cells& cells, bool coloured) const;
+  std::string row(Cells cells, std::size_t width, bool coloured) const;
+
+  std::vector<Column> columns_;
+  std::size_t indent_;
+  std::vector<std::size_t> widths_;  ///< of columns; 0 of one that takes what is left
+  std::vector<Cells> rows_;
+};
+
+}  // namespace mpmvv::cli

@@ -1,0 +1,52 @@
+# What `cmake --install` puts where, and the Debian package. The program finds its study files and goldens from its own
+# place (cli/shipped.cpp): PREFIX/bin beside PREFIX/share/mpmvv. The man page and the completions are made by the program
+# itself from the definition of its command line.
+include(GNUInstallDirs)
+
+set(mpmvv_manual ${PROJECT_BINARY_DIR}/manual)
+set(mpmvv_data ${CMAKE_INSTALL_DATAROOTDIR}/mpmvv)
+
+install(TARGETS mpmvv)
+install(CODE "
+  set(program \"$<TARGET_FILE:mpmvv>\")
+  set(manual \"${mpmvv_manual}\")
+  file(MAKE_DIRECTORY \${manual})
+  function(mpmvv_make file)
+    execute_process(COMMAND \${program} \${ARGN} OUTPUT_FILE \${manual}/\${file} COMMAND_ERROR_IS_FATAL ANY)
+  endfunction()
+  mpmvv_make(mpmvv.1 man)
+  mpmvv_make(mpmvv completion bash)
+  mpmvv_make(_mpmvv completion zsh)
+  mpmvv_make(mpmvv.fish completion fish)
+  execute_process(COMMAND gzip -9nf \${manual}/mpmvv.1 COMMAND_ERROR_IS_FATAL ANY)
+  set(zsh site-functions)
+  if(CMAKE_INSTALL_PREFIX MATCHES \"/usr$\")  # where Debian's zsh looks for what packages bring
+    set(zsh vendor-completions)
+  endif()
+  file(INSTALL \${manual}/_mpmvv DESTINATION \${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATAROOTDIR}/zsh/\${zsh})
+")
+install(FILES ${mpmvv_manual}/mpmvv.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${mpmvv_manual}/mpmvv DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions)
+install(FILES ${mpmvv_manual}/mpmvv.fish DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/fish/vendor_completions.d)
+
+file(GLOB mpmvv_studies CONFIGURE_DEPENDS studies/*.toml)
+file(GLOB mpmvv_goldens CONFIGURE_DEPENDS goldens/*.toml)
+install(FILES ${mpmvv_studies} studies/quick.txt studies/cost.txt DESTINATION ${mpmvv_data}/studies)
+install(FILES ${mpmvv_goldens} DESTINATION ${mpmvv_data}/goldens)
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGE_CONTACT "mpmvv <mpmvv@localhost>")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "gnuplot-nox | gnuplot")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "latexmk, texlive-latex-recommended")  # for what `mpmvv paper` writes
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "\
+Runs a solver of the Material Point Method against manufactured solutions,
+fits the orders and stability limits that it shows, judges what papers claim
+of its methods, and holds the results of every version against reviewed ones.")
+include(CPack)

@@ -1,0 +1,81 @@
+#include "reports/claim_cards.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <utility>
+
+#include "reports/criteria.hpp"
+#include "reports/text.hpp"
+#include "reports/verdicts.hpp"
+
+namespace mpmvv::reports {
+
+using namespace template_data;
+
+namespace {
+
+/// The figure that bears the claim's name, else the first of its studies'.
+const Picture* picture_of(const claims::Claim& claim, const std::vector<Section>& sections) {
+  const Picture* first = nullptr;
+  for (const Section& section : sections) {
+    const auto& named = section.study->claims;
+    if (std::ranges::find(named, claim.id) == named.end()) continue;
+    for (const Picture& picture : section.pictures) {
+      if (picture.name == lower_case(claim.id)) return &picture;
+      if (first == nullptr) first = &picture;
+    }
+  }
+  return first;
+}
+
+data card(const claims::Claim& claim, const std::vector<Section>& sections) {
+  const Picture* picture = picture_of(claim, sections);
+  return object({{"id", claim.id},
+                 {"claim_file", anchor(claim.id)},
+                 {"statement", claim.statement},
+                 {"where", claim.where},
+                 {"has_where", !claim.where.empty()},
+                 {"has_deciding", !deciding_text(claim).empty()},
+                 {"verdict", claim.verdict},
+                 {"deciding", deciding_text(claim)},
+                 {"count", count_text(claim)},
+                 {"pictures", list_of(picture ? std::vector{*picture} : std::vector<Picture>{}, picture_data)}});
+}
+
+struct PaperClaims {
+  std::string name;
+  int year = 0;
+  std::vector<claims::Claim> claims;
+};
+
+/// The last number of four digits; where there is none, later than all.
+int year_of(const std::string& source) {
+  constexpr int unknown = 9999;
+  static const std::regex year("(?:.*[^0-9]|^)([0-9]{4})(?:[^0-9].*)?");
+  std::smatch match;
+  return std::regex_match(source, match, year) ? std::stoi(match[1]) : unknown;
+}
+
+/// By year, then by name.
+std::vector<PaperClaims> papers_of(const std::vector<claims::Claim>& claims) {
+  std::vector<PaperClaims> papers;
+  for (const claims::Claim& claim : claims) {
+    auto paper = std::ranges::find(papers, claim.source, &PaperClaims::name);
+    if (paper == papers.end()) paper = papers.insert(papers.end(), {claim.source, year_of(claim.source), {}});
+    paper->claims.push_back(claim);
+  }
+  std::ranges::stable_sort(papers, {}, [](const PaperClaims& paper) { return std::pair(paper.year, paper.name); });
+  return papers;
+}
+
+}  // namespace
+
+data claim_cards(const std::vector<claims::Claim>& claims, const std::vector<Section>& sections) {
+  return list_of(papers_of(claims), [&](const PaperClaims& paper) {
+    return object({{"paper", paper.name.empty() ? "Claims without a source" : paper.name},
+                   {"paper_counts", claim_counts(paper.claims)},
+                   {"cards", list_of(paper.claims, [&](const claims::Claim& c) { return card(c, sections); })}});
+  });
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,48 @@
+#include <algorithm>
+
+#include "page_template.hpp"
+#include "reports/criteria.hpp"
+#include "reports/page_frame.hpp"
+
+namespace mpmvv::reports {
+
+using namespace template_data;
+
+namespace {
+
+bool is_study_of(const Section& section, const claims::Claim& claim) {
+  const auto& named = section.study->claims;
+  return std::ranges::find(named, claim.id) != named.end() ||
+         std::ranges::find(claim.parts, section.study->name, &claims::JudgedPart::study) != claim.parts.end();
+}
+
+}  // namespace
+
+Page claim_page(const ReportInput& input, const claims::Claim& claim, const std::vector<Section>& sections) {
+  data studies{data::type::list}, pictures{data::type::list};
+  std::string files;
+  for (const Section& section : sections) {
+    if (!is_study_of(section, claim)) continue;
+    studies << object({{"study", section.study->name}, {"title", section.study->title}});
+    for (const Picture& picture : section.pictures) pictures << picture_data(picture);
+    files += " " + study_file(input, section.study->name);
+  }
+  return framed_page("claims/" + anchor(claim.id) + ".html", claim.id + ": " + claim.verdict, claim_template, input,
+                     object({{"id", claim.id},
+                             {"statement", claim.statement},
+                             {"source", claim.source},
+                             {"where", claim.where},
+                             {"has_source", !claim.source.empty()},
+                             {"has_where", !claim.where.empty()},
+                             {"verdict", claim.verdict},
+                             {"deciding", deciding_text(claim)},
+                             {"count", count_text(claim)},
+                             {"has_parts", !claim.parts.empty()},
+                             {"parts", criteria_data(claim.parts)},
+                             {"pictures", pictures},
+                             {"studies", studies},
+                             {"has_studies", !files.empty()},
+                             {"command", "mpmvv study" + files + " --db results.db"}}));
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,100 @@
+#include "reports/criteria.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/criterion_bar.hpp"
+#include "reports/text.hpp"
+
+namespace mpmvv::reports {
+
+using records::ClaimPart;
+using records::Found;
+using records::PartVerdict;
+
+namespace {
+
+using namespace template_data;
+
+/// How far inside its bounds a number lies, in their size; negative beyond them.
+double margin(const ClaimPart& part, double value) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto consider = [&](std::optional<double> bound, double inside) {
+    if (bound) least = std::min(least, inside / std::max(std::abs(*bound), 1e-12));
+  };
+  consider(part.at_least, value - part.at_least.value_or(0));
+  consider(part.at_most, part.at_most.value_or(0) - value);
+  return least;
+}
+
+std::string found_text(double value) {
+  if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
+  return brief(value);
+}
+
+data found_data(const ClaimPart& part, const Found& found) {
+  return object({{"what", found.what},
+                 {"asked", asked_text(part)},
+                 {"value", found_text(found.value)},
+                 {"bar", criterion_bar(part, found.value)}});
+}
+
+data part_data(const claims::JudgedPart& line) {
+  const ClaimPart& part = line.part;
+  const auto found = [&](const Found& f) { return found_data(part, f); };
+  return object({{"study", line.study},
+                 {"statement", part.statement},
+                 {"verdict", to_string(part.verdict)},
+                 {"evidence", part.evidence},
+                 {"has_evidence", part.found.empty()},
+                 {"has_interval", !part.found.empty() && part.verdict == PartVerdict::inconclusive},
+                 {"asked", asked_text(part)},
+                 {"found", list_of(part.found, found)},
+                 {"reason", part.reason},
+                 {"has_reason", !part.reason.empty()}});
+}
+
+std::size_t count(const claims::Claim& claim, PartVerdict verdict) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(claim.parts, [&](const auto& line) { return line.part.verdict == verdict; }));
+}
+
+}  // namespace
+
+std::string asked_text(const ClaimPart& part) {
+  if (part.at_least && part.at_least == part.at_most) return brief(*part.at_least);
+  if (part.at_least && part.at_most) return fmt::format("{} to {}", brief(*part.at_least), brief(*part.at_most));
+  if (part.at_least) return "at least " + brief(*part.at_least);
+  return part.at_most ? "at most " + brief(*part.at_most) : "";
+}
+
+std::string deciding_text(const claims::Claim& claim) {
+  using enum PartVerdict;
+  const PartVerdict decisive = count(claim, fails) > 0 ? fails : count(claim, inconclusive) > 0 ? inconclusive : holds;
+  const ClaimPart* part = nullptr;
+  const Found* deciding = nullptr;
+  for (const auto& line : claim.parts)
+    for (const Found& found : line.part.found) {
+      if (line.part.verdict != decisive) continue;
+      if (deciding == nullptr || margin(line.part, found.value) < margin(*part, deciding->value))
+        part = &line.part, deciding = &found;
+    }
+  if (deciding == nullptr) return "";
+  return fmt::format("{}: {} (asked: {})", deciding->what, found_text(deciding->value), asked_text(*part));
+}
+
+std::string count_text(const claims::Claim& claim) {
+  if (claim.parts.empty()) return "not judged yet";
+  const std::size_t shown = count(claim, PartVerdict::shown), judged = claim.parts.size() - shown;
+  if (judged == 0) return "shown in figures";
+  return fmt::format("{} of {} criteria hold", count(claim, PartVerdict::holds), judged);
+}
+
+data criteria_data(const std::vector<claims::JudgedPart>& parts) {
+  return list_of(parts, part_data);
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "reports/report.hpp"
+#include "reports/template_data.hpp"
+
+namespace mpmvv::reports {
+
+/// "1.75 to 2.25", "at least 0.8", "at most 3", "4" for a bound on both sides; empty where nothing is asked.
+std::string asked_text(const records::ClaimPart& part);
+
+/// The number on which a claim's verdict hangs, "order of 'linear': 0.43 (asked: at most 0.5)": of the criteria that
+/// decide it, the one that lies farthest beyond its bound or, where none fails, nearest to it. Empty where no number
+/// was compared.
+std::string deciding_text(const claims::Claim& claim);
+
+/// "7 of 8 criteria hold", "shown in figures", "not judged yet".
+std::string count_text(const claims::Claim& claim);
+
+/// Criteria for their template; each names its study.
+template_data::data criteria_data(const std::vector<claims::JudgedPart>& parts);
+
+}  // namespace mpmvv::reports

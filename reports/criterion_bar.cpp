@@ -1,0 +1,71 @@
+#include "reports/criterion_bar.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+namespace mpmvv::reports {
+
+namespace {
+
+constexpr double bar_width = 96, bar_height = 14, edge = 7;  ///< pixels
+constexpr double far_apart = 20;                             ///< a ratio
+
+/// From numbers to pixels; numbers beyond its ends stand at them.
+class Scale {
+ public:
+  explicit Scale(const std::vector<double>& numbers) {
+    const auto [least, most] = std::ranges::minmax(numbers);
+    log_ = least > 0 && most / least > far_apart;
+    from_ = scaled(least), to_ = scaled(most);
+    const double margin = to_ > from_ ? 0.35 * (to_ - from_) : std::max(0.5 * std::abs(from_), 0.5);
+    from_ -= margin, to_ += margin;
+  }
+
+  double pixel(double number) const {
+    const double fraction = (scaled(number) - from_) / (to_ - from_);
+    return edge + std::clamp(fraction, 0.0, 1.0) * (bar_width - 2 * edge);
+  }
+
+ private:
+  double scaled(double number) const { return log_ ? std::log10(number) : number; }
+
+  bool log_ = false;
+  double from_ = 0, to_ = 1;
+};
+
+/// Its bounds and what was found; zero, too, as the natural end of a scale for what is positive.
+std::vector<double> numbers_of(const records::ClaimPart& part) {
+  std::vector<double> numbers;
+  const auto add = [&](double number) {
+    if (std::isfinite(number)) numbers.push_back(number);
+  };
+  for (const auto& bound : {part.at_least, part.at_most})
+    if (bound) add(*bound);
+  for (const records::Found& found : part.found) add(found.value);
+  const auto [least, most] = std::ranges::minmax(numbers);
+  if (!(part.at_least && part.at_most) && least > 0 && most / least <= far_apart) numbers.push_back(0);
+  return numbers;
+}
+
+}  // namespace
+
+std::string criterion_bar(const records::ClaimPart& part, double found) {
+  const auto& [at_least, at_most] = std::tie(part.at_least, part.at_most);
+  if ((!at_least && !at_most) || std::isnan(found)) return "";
+  const Scale scale(numbers_of(part));
+  const double left = at_least ? scale.pixel(*at_least) : 0, right = at_most ? scale.pixel(*at_most) : bar_width;
+  const double at = std::isfinite(found) ? scale.pixel(found) : found > 0 ? bar_width - edge / 2 : edge / 2;
+  const bool holds = (!at_least || found >= *at_least) && (!at_most || found <= *at_most);
+  return fmt::format(
+      R"(<svg class="bar" viewBox="0 0 {0:g} {1:g}" aria-hidden="true"><path class="axis" d="M0 {2:g}H{0:g}"/>)"
+      R"(<rect class="band" x="{3:.1f}" y="2" width="{4:.1f}" height="{5:g}"/>)"
+      R"(<circle class="{6}" cx="{7:.1f}" cy="{2:g}" r="4"/></svg>)",
+      bar_width, bar_height, bar_height / 2, left, std::max(1.0, right - left), bar_height - 4,
+      holds ? "within" : "beyond", at);
+}
+
+}  // namespace mpmvv::reports

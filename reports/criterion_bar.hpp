@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "studies/records/result.hpp"
+
+namespace mpmvv::reports {
+
+/// A small picture, as an element of a page: the band that a criterion asks for and a dot where one of its numbers was
+/// found. All numbers of a criterion share a scale, a logarithmic one where they are positive and far apart. Empty
+/// where nothing was asked or found.
+std::string criterion_bar(const records::ClaimPart& part, double found);
+
+}  // namespace mpmvv::reports

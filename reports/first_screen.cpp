@@ -1,0 +1,119 @@
+#include "reports/first_screen.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/text.hpp"
+#include "reports/verdicts.hpp"
+#include "studies/claims/finding.hpp"
+
+namespace mpmvv::reports {
+
+using namespace template_data;
+
+namespace {
+
+struct Tile {
+  std::string label, address;
+  std::string number, verdict;  ///< the verdict colours the number; may be empty
+  std::string detail, change;
+  bool is_time = false;  ///< the number is a time, of which the page says how long ago it was
+};
+
+data tile_data(const Tile& tile) {
+  return object({{"label", tile.label},
+                 {"address", tile.address},
+                 {"number", tile.number},
+                 {"verdict", tile.verdict},
+                 {"detail", tile.detail},
+                 {"change", tile.change},
+                 {"has_change", !tile.change.empty()},
+                 {"is_time", tile.is_time}});
+}
+
+int number_of(const std::vector<GateLine>& lines, const char* verdict) {
+  return static_cast<int>(std::ranges::count(lines, verdict, &GateLine::verdict));
+}
+
+Tile gate_tile(const ReportInput& input) {
+  const auto lines = gate_split(input).judged;
+  Tile tile{"Gate", "gate.html", gate_verdict(lines), gate_verdict(lines), "", ""};
+  tile.detail = lines.empty() ? "no golden of these studies" : fmt::format("goldens: {}", gate_counts(lines));
+  if (!input.earlier) return tile;
+  std::vector<std::string> changes;
+  for (const char* verdict : {"fail", "inconclusive", "pass"}) {
+    const auto then = input.earlier->gate.find(verdict);
+    const int step = number_of(lines, verdict) - (then == input.earlier->gate.end() ? 0 : then->second);
+    if (step != 0) changes.push_back(fmt::format("{:+} {}", step, verdict));
+  }
+  tile.change = changes.empty() ? "as before" : fmt::format("{}", fmt::join(changes, ", "));
+  return tile;
+}
+
+Tile claims_tile(const ReportInput& input) {
+  const auto claims = claim_split(input).judged;
+  const auto confirmed = std::ranges::count(claims, "confirmed", &claims::Claim::verdict);
+  Tile tile{"Claims",
+            claims.empty() ? "#studies" : "#claims",
+            claims.empty() ? "none" : fmt::format("{} of {}", confirmed, claims.size()),
+            "",
+            "",
+            ""};
+  tile.detail = claims.empty() ? "no study names a claim" : claim_counts(claims);
+  if (!input.earlier) return tile;
+  std::vector<std::string> changes;
+  for (const claims::Claim& claim : claims) {
+    const auto then = input.earlier->claims.find(claim.id);
+    if (then != input.earlier->claims.end() && then->second != claim.verdict)
+      changes.push_back(fmt::format("{}: {}, was {}", claim.id, claim.verdict, then->second));
+  }
+  tile.change = changes.empty() ? "as before" : fmt::format("{}", fmt::join(changes, "; "));
+  return tile;
+}
+
+/// ns per particle and step, of all cases that were timed alone.
+std::vector<double> costs_of(const ReportInput& input) {
+  std::vector<double> costs;
+  for (const auto& study : input.studies)
+    for (const claims::Finding& finding : claims::findings_of(study))
+      if (finding.kind == claims::Finding::Kind::cost && std::isfinite(finding.number)) costs.push_back(finding.number);
+  std::ranges::sort(costs);
+  return costs;
+}
+
+Tile cost_tile(const ReportInput& input) {
+  const auto costs = costs_of(input);
+  Tile tile{"Cost", input.benchmark ? "benchmark.html" : "#studies", "not measured", "", "", ""};
+  if (costs.empty()) {
+    tile.detail = "no study here was timed alone (repeat = 3)";
+    return tile;
+  }
+  tile.number = three_digits(costs[costs.size() / 2]) + " ns";
+  tile.detail = fmt::format("per particle and step: median of {} timed series, {} to {} ns", costs.size(),
+                            three_digits(costs.front()), three_digits(costs.back()));
+  if (input.earlier && std::isfinite(input.earlier->cost_ratio))
+    tile.change = fmt::format("{:.2f} times what it was", input.earlier->cost_ratio);
+  return tile;
+}
+
+Tile age_tile(const ReportInput& input) {
+  const std::string time = input.newest_result.empty() ? input.provenance.time : input.newest_result;
+  Tile tile{"Age", "#provenance", time, "", "", "", true};
+  tile.detail = fmt::format("newest result of {} {}, version {}", input.studies.size(),
+                            input.studies.size() == 1 ? "study" : "studies", input.provenance.commit.substr(0, 12));
+  if (input.earlier)
+    tile.change = fmt::format("{} of {} results differ from {}", input.earlier->changed, input.earlier->compared,
+                              input.earlier->label);
+  return tile;
+}
+
+}  // namespace
+
+data first_screen(const ReportInput& input) {
+  return list_of(std::vector{gate_tile(input), claims_tile(input), cost_tile(input), age_tile(input)}, tile_data);
+}
+
+}  // namespace mpmvv::reports

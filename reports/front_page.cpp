@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "page_template.hpp"
+#include "reports/claim_cards.hpp"
+#include "reports/criteria.hpp"
+#include "reports/first_screen.hpp"
+#include "reports/gate_data.hpp"
+#include "reports/page_frame.hpp"
+#include "reports/study_cards.hpp"
+
+namespace mpmvv::reports {
+
+using namespace template_data;
+
+namespace {
+
+std::size_t points_in(const records::StudyResult& study) {
+  std::size_t points = 0;
+  for (const auto& series : study.series)
+    points += series.points.size() + (series.limit ? series.limit->probes.size() : 0);
+  return points;
+}
+
+data study_row(const ReportInput& input, const records::StudyResult& study) {
+  std::vector<GateLine> lines;
+  std::ranges::copy_if(input.gate, std::back_inserter(lines), [&](const GateLine& g) { return g.study == study.name; });
+  const auto claim = [&](const std::string& id) { return object({{"id", id}}); };
+  return object({{"study", study.name},
+                 {"title", study.title},
+                 {"kind", study.kind},
+                 {"points_count", fmt::format("{}", points_in(study))},
+                 {"goldens", lines.empty() ? "none" : gate_counts(lines)},
+                 {"verdict", gate_verdict(lines)},
+                 {"claims", list_of(study.claims, claim)}});
+}
+
+data claim_entry(const claims::Claim& claim) {
+  return object({{"id", claim.id},
+                 {"claim_file", anchor(claim.id)},
+                 {"statement", claim.statement},
+                 {"verdict", claim.verdict},
+                 {"count", count_text(claim)}});
+}
+
+/// Claims that are refuted or open; those of which only a part holds, which are many, folded.
+data unsettled_claims(const std::vector<claims::Claim>& claims) {
+  data lists{data::type::list};
+  const auto add = [&](const char* heading, bool is_open, std::initializer_list<const char*> verdicts) {
+    std::vector<claims::Claim> own;
+    for (const char* verdict : verdicts)
+      std::ranges::copy_if(claims, std::back_inserter(own),
+                           [&](const claims::Claim& c) { return c.verdict == verdict; });
+    if (!own.empty())
+      lists << object({{"heading", heading},
+                       {"number", fmt::format("{}", own.size())},
+                       {"is_open", is_open},
+                       {"claims", list_of(own, claim_entry)}});
+  };
+  add("Claims refuted or open", true, {"refuted", "open"});
+  add("Claims that hold in part", false, {"partly"});
+  return lists;
+}
+
+data provenance_data(const store::Provenance& p) {
+  return object({{"digest", p.digest},
+                 {"commit", p.commit},
+                 {"dirty", p.dirty},
+                 {"compiler", p.compiler},
+                 {"flags", p.flags},
+                 {"build_type", p.build_type},
+                 {"cpu", p.cpu},
+                 {"time", p.time}});
+}
+
+data changes_data(const ReportInput& input) {
+  return text_list(input.earlier ? input.earlier->changes : std::vector<std::string>{});
+}
+
+}  // namespace
+
+Page front_page(const ReportInput& input, const std::vector<Section>& sections) {
+  const GateSplit gate = gate_split(input);
+  const ClaimSplit claims = claim_split(input);
+  const auto row = [&](const records::StudyResult& study) { return study_row(input, study); };
+  return framed_page(
+      "index.html", "mpmvv: " + gate_verdict(gate.judged), front_template, input,
+      object({{"tiles", first_screen(input)},
+              {"groups", failing_goldens(gate.judged)},
+              {"has_failing", gate_verdict(gate.judged) == "fail" || gate_verdict(gate.judged) == "inconclusive"},
+              {"has_gate", !gate.judged.empty()},
+              {"missing", missing_goldens_text(gate.without_study)},
+              {"has_missing", !gate.without_study.empty()},
+              {"unsettled", unsettled_claims(claims.judged)},
+              {"changes", changes_data(input)},
+              {"has_changes", input.earlier && !input.earlier->changes.empty()},
+              {"earlier", input.earlier ? input.earlier->label : ""},
+              {"papers", claim_cards(claims.judged, sections)},
+              {"has_papers", !claims.judged.empty()},
+              {"unjudged", fmt::format("{}", claims.without_study.size())},
+              {"has_unjudged", !claims.without_study.empty()},
+              {"studies", list_of(input.studies, row)},
+              {"study_cards", study_cards(sections)},
+              {"provenance", provenance_data(input.provenance)}}));
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,47 @@
+#include "reports/gate_data.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace mpmvv::reports {
+
+using namespace template_data;
+
+data gate_group_data(const GateGroup& group) {
+  const auto line = [](const GateLine& g) {
+    return object({{"name", g.name},
+                   {"verdict", g.verdict},
+                   {"expected", g.expected},
+                   {"measured", g.measured},
+                   {"reason", g.reason}});
+  };
+  const std::string verdict = gate_verdict(group.lines);
+  return object({{"study", group.study},
+                 {"study_anchor", anchor(group.study)},
+                 {"verdict", verdict},
+                 {"counts", gate_counts(group.lines)},
+                 {"is_open", verdict != "pass"},
+                 {"lines", list_of(group.lines, line)}});
+}
+
+data failing_goldens(const std::vector<GateLine>& judged) {
+  std::vector<GateLine> lines;
+  std::ranges::copy_if(judged, std::back_inserter(lines), [](const GateLine& g) { return g.verdict != "pass"; });
+  return list_of(gate_groups(lines), gate_group_data);
+}
+
+std::string missing_goldens_text(const std::vector<GateLine>& lines) {
+  constexpr std::size_t most_named = 12;
+  std::vector<std::string> studies;
+  for (const GateGroup& group : gate_groups(lines)) studies.push_back(group.study);
+  if (studies.empty()) return "";
+  const std::size_t named = std::min(most_named, studies.size());
+  return fmt::format("{} goldens are of {} this report has no result of: {}{}.", lines.size(),
+                     studies.size() == 1 ? "a study that" : fmt::format("{} studies that", studies.size()),
+                     fmt::join(studies.begin(), studies.begin() + static_cast<std::ptrdiff_t>(named), ", "),
+                     studies.size() > named ? fmt::format(" and {} more", studies.size() - named) : "");
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,39 @@
+#include "reports/page_frame.hpp"
+
+#include "page_template.hpp"
+#include "reports/text.hpp"
+#include "reports/verdicts.hpp"
+
+namespace mpmvv::reports {
+
+using namespace template_data;
+
+Page framed_page(const std::string& file, const std::string& title, std::string_view text, const ReportInput& input,
+                 data content) {
+  content.set("page_title", title);
+  content.set("root", file.find('/') == std::string::npos ? "" : "../");
+  content.set("head", partial(head_template));
+  content.set("foot", partial(foot_template));
+  content.set("picture_list", partial(pictures_template));
+  content.set("table_list", partial(tables_template));
+  content.set("criterion_table", partial(criteria_template));
+  content.set("gate_table", partial(gate_table_template));
+  content.set("has_any_claim", !claim_split(input).judged.empty());
+  content.set("has_trends", has_trends(input));
+  content.set("has_mutants", input.mutation.has_value());
+  content.set("has_benchmark", input.benchmark.has_value());
+  content.set("version", input.provenance.commit.substr(0, 12));
+  kainjow::mustache::mustache page{std::string(text)};
+  return {file, marked_up_text(page.render(content))};
+}
+
+std::string study_file(const ReportInput& input, const std::string& study) {
+  const auto found = input.files.find(study);
+  return found == input.files.end() ? study + ".toml" : found->second;
+}
+
+std::vector<Page> page_aids() {
+  return {{"style.css", std::string(pages_style)}, {"report.js", std::string(pages_script)}};
+}
+
+}  // namespace mpmvv::reports

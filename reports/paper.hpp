@@ -1,0 +1,26 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reports/sheet.hpp"
+#include "studies/records/result.hpp"
+#include "studies/store/provenance.hpp"
+
+namespace mpmvv::reports {
+
+/// What a call wrote.
+struct PaperSummary {
+  int figures = 0, figures_drawn = 0;
+  int tables = 0;
+  std::vector<std::string> without;  ///< figures of the papers that were not drawn, and why
+};
+
+/// Writes OUT/main.tex, which latexmk compiles, OUT/figures/NAME.{tex,pdf,gp,dat} and OUT/tables/orders-KEY.tex: the
+/// figures of the papers in their order, then those of all other studies, and after each part its orders. Throws
+/// UsageError when gnuplot is missing or fails, or a file cannot be written.
+PaperSummary write_paper(const std::vector<records::StudyResult>& studies, const store::Provenance& provenance,
+                         const std::filesystem::path& out_dir, const Sheet& column);
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,43 @@
+#include "reports/papers.hpp"
+
+#include <fmt/format.h>
+
+#include "page_template.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/toml_file.hpp"
+
+namespace mpmvv::reports {
+
+namespace {
+
+PaperFigure figure_from(const support::TomlTable& table) {
+  table.allow_only({"number", "panels", "differs", "without", "wide"});
+  PaperFigure figure{table.text("number"), table.texts("panels"), table.text("differs", ""), table.text("without", ""),
+                     table.flag("wide", false)};
+  if (figure.panels.empty() == figure.without.empty())
+    throw support::UsageError(
+        fmt::format("figure {} in {} (either panels, or why it is without)", figure.number, table.where()));
+  return figure;
+}
+
+Paper paper_from(const support::TomlTable& table) {
+  table.allow_only({"key", "source", "figure"});
+  Paper paper{table.text("key"), table.text("source"), {}};
+  for (const auto& figure : table.tables("figure")) paper.figures.push_back(figure_from(figure));
+  return paper;
+}
+
+}  // namespace
+
+std::vector<Paper> read_papers(const std::string& text, const std::string& name) {
+  std::vector<Paper> all;
+  for (const auto& table : support::TomlTable::parse(text, name).tables("paper")) all.push_back(paper_from(table));
+  return all;
+}
+
+const std::vector<Paper>& papers() {
+  static const auto all = read_papers(std::string(papers_text), "reports/papers.toml");
+  return all;
+}
+
+}  // namespace mpmvv::reports

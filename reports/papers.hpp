@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace mpmvv::reports {
+
+/// A figure of a paper, and which figures of studies show the same.
+struct PaperFigure {
+  std::string number;
+  std::vector<std::string> panels;
+  std::string differs;  ///< from the original; may be empty
+  std::string without;  ///< why there are no panels
+  bool wide = false;    ///< takes the width of two columns
+};
+
+struct Paper {
+  std::string key;  ///< S; its studies' names begin with `s-`
+  std::string source;
+  std::vector<PaperFigure> figures;
+};
+
+/// Those of reports/papers.toml.
+const std::vector<Paper>& papers();
+
+/// The same from text; `name` stands for the file in messages. Throws UsageError where a field is missing, unknown or
+/// of another type, or a figure has neither panels nor a reason.
+std::vector<Paper> read_papers(const std::string& text, const std::string& name);
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "reports/plot_elements.hpp"
+#include "reports/text.hpp"
+
+namespace mpmvv::reports {
+
+std::string plot_number(double v) {
+  return std::isnan(v) ? "NaN" : exact(v);
+}
+
+std::string one_line(const std::string& text) {
+  std::string line = marked_up_text(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  return line;
+}
+
+std::string plot_data(const Chart& chart) {
+  std::string text = fmt::format("# {}\n", one_line(chart.name));
+  for (const auto& curve : chart.curves) {
+    if (curve.dots.empty()) continue;
+    text += fmt::format("# {}: x, value, drawn at, mark (1 in a window, 0 outside, -1 unstable, -2 none)\n",
+                        one_line(curve.name));
+    for (const auto& d : curve.dots) {
+      const int mark = d.mark == Mark::inside ? 1 : d.mark == Mark::outside ? 0 : d.mark == Mark::unstable ? -1 : -2;
+      text += fmt::format("{} {} {} {}\n", plot_number(d.x), plot_number(d.value), plot_number(d.drawn), mark);
+    }
+    text += "\n\n";
+  }
+  for (const auto& rule : chart.rules) {
+    text += fmt::format("# {}: x, y\n", one_line(rule.meaning));
+    for (const auto& p : rule.path) text += fmt::format("{} {}\n", plot_number(p.x), plot_number(p.y));
+    text += "\n\n";
+  }
+  if (!chart.boxes.empty()) {
+    text += "# boxes: x, y, width in x, width in y\n";
+    for (const auto& b : chart.boxes)
+      text += fmt::format("{} {} {} {}\n", plot_number(b.centre.x), plot_number(b.centre.y), plot_number(b.width_x),
+                          plot_number(b.width_y));
+    text += "\n\n";
+  }
+  return text;
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,125 @@
+#include "reports/plot_elements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "reports/plot_style.hpp"
+
+namespace mpmvv::reports {
+
+namespace {
+
+constexpr int cross = 2;
+constexpr double half_shown = 0.44;  ///< of a box's width, on either side of its centre
+
+std::string rule_style(const Rule& rule) {
+  switch (rule.kind) {
+    case Rule::Kind::fit:
+      return fmt::format("lines lw 2 {} {}", dash_of(rule.style), colour_of(rule.style));
+    case Rule::Kind::reference:
+      return "lines lw 1.2 dt 2 lc rgb '#808080'";
+    case Rule::Kind::triangle:
+      return "lines lw 1 lc rgb '#606060'";
+    case Rule::Kind::floor:
+      return "lines lw 1.4 dt (1,2) " + colour_of(rule.style);
+    case Rule::Kind::limit:
+      return (rule.style == plain_style ? "lines lw 3 " : "lines lw 1 ") + colour_of(rule.style);
+    case Rule::Kind::front:
+      return "points pt 6 lw 2 lc rgb '#B08A2E' ";
+    case Rule::Kind::frame:
+      return "lines lw 0.8 lc rgb '#909090'";
+  }
+  return "";
+}
+
+std::string joining_line(const Curve& curve) {
+  return curve.emphasised ? fmt::format("lw 1.8 {} {}", dash_of(curve.style), colour_of(curve.style))
+                          : fmt::format("lw 1 {} {}", dash_of(curve.style), colour_of(curve.style, 0.55));
+}
+
+bool has(const Curve& curve, Mark mark) {
+  return std::ranges::find(curve.dots, mark, &Dot::mark) != curve.dots.end();
+}
+
+class Elements {
+ public:
+  Elements(const Chart& chart, double mark_scale) : mark_scale_(mark_scale) {
+    int index = 0;
+    std::vector<std::string> below, lines, fits, marks;
+    for (const auto& curve : chart.curves) {
+      if (curve.dots.empty()) continue;
+      if (curve.joined)
+        lines.push_back(fmt::format("data index {} using 1:($4>=0?$2:NaN) with lines {}", index, joining_line(curve)));
+      add_marks(marks, curve, index++);
+    }
+    for (const auto& rule : chart.rules) {
+      auto& layer = rule.kind == Rule::Kind::fit ? fits : rule.kind == Rule::Kind::front ? below : lines;
+      layer.push_back(fmt::format("data index {} using 1:2 with {}", index++, look_of(rule)));
+    }
+    if (!chart.boxes.empty())
+      below.push_back(
+          fmt::format("data index {0} using 1:2:({1}*$3):({1}*$4) with boxxyerror "
+                      "fs solid noborder lc rgb '#A9CCE3'",
+                      index, half_shown));
+    for (const auto* layer : {&below, &lines, &fits, &marks})
+      for (const auto& element : *layer) add(element);
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  void add(const std::string& element) {
+    text_ += fmt::format("{}  {} notitle", text_.empty() ? "" : ", \\\n", element);
+  }
+
+  std::string look_of(const Rule& rule) const {
+    return rule_style(rule) + (rule.kind == Rule::Kind::front ? size(1.7) : "");
+  }
+
+  std::string size(double marker) const { return fmt::format("ps {:g} ", marker * mark_scale_); }
+
+  void add_marks(std::vector<std::string>& marks, const Curve& curve, int index) {
+    const auto points = [&](int mark, int type, const std::string& look) {
+      marks.push_back(
+          fmt::format("data index {} using 1:($4=={}?$3:NaN) with points pt {} {}", index, mark, type, look));
+    };
+    const auto [filled, hollow] = marker_of(curve.style);
+    if (curve.marked && has(curve, Mark::outside)) {
+      points(0, filled, size(curve.size) + "lc rgb '#FFFFFF'");
+      points(0, hollow, size(curve.size) + "lw 1.3 " + colour_of(curve.style));
+    }
+    if (curve.marked && has(curve, Mark::inside)) points(1, filled, size(curve.size) + colour_of(curve.style));
+    if (has(curve, Mark::unstable)) points(-1, cross, size(0.85) + "lw 1.8 " + colour_of(curve.style));
+  }
+
+  double mark_scale_;
+  std::string text_;
+};
+
+}  // namespace
+
+/// What has a meaning in double quotes or in single ones stands by its octal code. (In single quotes two of them mean
+/// one, but not at the text's beginning nor beside others.) A bracket at the beginning of LaTeX would say where the
+/// text stands.
+std::string quoted(const std::string& text, Notation notation) {
+  const std::string set = typeset(one_line(text), notation);
+  std::string result = notation == Notation::latex && set.starts_with('[') ? "\"{}" : "\"";
+  for (const char c : set)
+    result +=
+        std::string_view("\"'\\`@").find(c) == std::string_view::npos ? std::string(1, c) : fmt::format("\\{:03o}", c);
+  return result + '"';
+}
+
+std::string plot_elements(const Chart& chart, double mark_scale) {
+  return Elements(chart, mark_scale).text();
+}
+
+int key_marker(const Curve& curve) {
+  const bool only_crosses = has(curve, Mark::unstable) && !has(curve, Mark::inside) && !has(curve, Mark::outside);
+  return only_crosses ? cross : marker_of(curve.style).filled;
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,168 @@
+#include "reports/plot_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mpmvv::reports {
+
+namespace {
+
+constexpr double points_per_pixel = 0.75;
+
+/// In sizes of the font.
+constexpr double letter_width = 0.52;  ///< on average, of DejaVu Sans: the widest font of those in use
+constexpr double digit_width = 0.66;
+constexpr double sample_width = 3.2;  ///< of a key's line and marker
+constexpr double sample_gap = 0.7;    ///< from there to the text
+constexpr double key_gap = 1.2;
+constexpr double row_height = 1.4;  ///< of the key
+constexpr double line_height = 1.25;
+constexpr double label_room = 3.6;  ///< below the axes: tics, label and a gap
+
+constexpr double paper_ratio = 0.7;  ///< height to width, with labels
+
+double characters(const std::string& utf8) {
+  return static_cast<double>(std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// In points.
+double text_width(const std::string& text, double font) {
+  return letter_width * font * characters(text);
+}
+
+/// Digits and signs are wider than letters are on average.
+double tic_width(const Tic& tic, double font) {
+  return digit_width / letter_width * text_width(tic.text, font);
+}
+
+double widest_tic(const Axis& axis, double font) {
+  double widest = 0;
+  for (const Tic& tic : axis.tics) widest = std::max(widest, tic_width(tic, font));
+  return widest;
+}
+
+/// Where a text too long for its line is cut: at a gap, or else at the space nearest to its middle; npos without one.
+std::size_t cut_of(const std::string& text) {
+  if (const auto gap = text.find("   "); gap != std::string::npos) return gap;
+  const auto distance = [&](std::size_t cut) {
+    return std::abs(2 * static_cast<double>(cut) - static_cast<double>(text.size()));
+  };
+  std::size_t best = std::string::npos;
+  for (std::size_t cut = text.find(' '); cut != std::string::npos; cut = text.find(' ', cut + 1))
+    if (best == std::string::npos || distance(cut) < distance(best)) best = cut;
+  return best;
+}
+
+/// The text in as many lines as it takes.
+std::vector<std::string> lines_of(const std::string& text, double font, double room) {
+  const std::size_t cut = text_width(text, font) <= room ? std::string::npos : cut_of(text);
+  if (cut == std::string::npos) return {text};
+  auto lines = lines_of(text.substr(0, cut), font, room);
+  for (auto& line : lines_of(text.substr(text.find_first_not_of(' ', cut)), font, room))
+    lines.push_back(std::move(line));
+  return lines;
+}
+
+/// The key below the axes, in as many columns as fit beside one another; what fits into none is broken into lines.
+void set_key(Layout& layout, const Chart& chart) {
+  const double font = layout.page.font, beside = (sample_width + sample_gap + key_gap) * font;
+  const double room = layout.page.width - beside;
+  double widest = 0;
+  int rows = 0;
+  for (const auto& curve : chart.curves) {
+    if (!has_key(curve)) continue;
+    layout.key.push_back({&curve, lines_of(curve.key, font, room)});
+    rows += static_cast<int>(layout.key.back().lines.size());
+    for (const auto& line : layout.key.back().lines) widest = std::max(widest, text_width(line, font));
+  }
+  if (layout.key.empty()) return;
+  layout.key_column = widest + beside;
+  const int entries = static_cast<int>(layout.key.size());
+  const int fitting = static_cast<int>(layout.page.width / layout.key_column);
+  layout.key_columns = rows > entries ? 1 : std::clamp(fitting, 1, std::min(entries, 3));
+  layout.key_rows = (rows + layout.key_columns - 1) / layout.key_columns;
+}
+
+/// The names of rows end at the axis; what is said of each stands on the right.
+void set_sides(Layout& layout, const Chart& chart) {
+  const double font = layout.page.font;
+  const double label = chart.y.label.empty() ? 0 : line_height * font * static_cast<double>(layout.y_label.size());
+  layout.left = 0.4 * font + label + 0.9 * font + widest_tic(chart.y, font);
+  const bool labelled = chart.right_margin > Chart{}.right_margin;
+  layout.right = 1.2 * font + (labelled ? digit_width * font * static_cast<double>(chart.right_margin) : 0);
+}
+
+}  // namespace
+
+double Layout::key_height() const {
+  return key_rows == 0 ? 0 : (row_height * key_rows + 0.3) * page.font;
+}
+
+double Layout::axes_bottom() const {
+  return (key_height() + label_room * page.font) / height();
+}
+
+double Layout::axes_top() const {
+  return 1 - top / height();
+}
+
+double Layout::x_label_at() const {
+  return (key_height() + page.font) / height();
+}
+
+double Layout::y_label_at(std::size_t line) const {
+  return (0.9 + line_height * static_cast<double>(line)) * page.font / page.width;
+}
+
+bool Layout::has_room() const {
+  constexpr double least = 8;  ///< in sizes of the font
+  const double across = (axes_right() - axes_left()) * page.width, up = (axes_top() - axes_bottom()) * height();
+  return std::min(across, up) >= least * page.font;
+}
+
+KeyPlace Layout::key_place(int row) const {
+  const double font = page.font;
+  const double block = key_columns * key_column - key_gap * font;
+  const double start = std::max(0.4 * font, (page.width - block) / 2) + row / key_rows * key_column;
+  const double y = (row_height * (key_rows - row % key_rows - 0.5) + 0.2) * font;
+  return {start / page.width, (start + sample_width * font) / page.width,
+          (start + (sample_width + sample_gap) * font) / page.width, y / height()};
+}
+
+Layout report_layout(const Chart& chart) {
+  Layout layout;
+  layout.page.width = chart.width * points_per_pixel;
+  layout.page.height = chart.height * points_per_pixel;
+  layout.top = 0.8 * layout.page.font;
+  set_key(layout, chart);
+  return layout;
+}
+
+Layout paper_layout(const Chart& chart, double width, double font) {
+  Layout layout;
+  layout.page = {width, font, paper_ratio * width};
+  if (chart.y.names) layout.page.height = chart.height * points_per_pixel * font / PageSize{}.font;
+  layout.top = (chart.to_scale ? 1.8 : 0.8) * font;
+  layout.y_label = lines_of(chart.y.label, font, layout.page.height - label_room * font);
+  set_key(layout, chart);
+  set_sides(layout, chart);
+  if (chart.to_scale) {
+    const double shape = (chart.y.to - chart.y.from) / (chart.x.to - chart.x.from);
+    layout.page.height = shape * (width - layout.left - layout.right) + label_room * font + layout.top;
+  }
+  return layout;
+}
+
+Axis with_room(Axis axis, double length, double font) {
+  double taken = -length;
+  for (Tic& tic : axis.tics) {
+    const double at = axis.fraction(tic.at) * length, half = (tic_width(tic, font) + 0.4 * font) / 2;
+    if (at - half < taken)
+      tic.text.clear();
+    else if (!tic.text.empty())
+      taken = at + half;
+  }
+  return axis;
+}
+
+}  // namespace mpmvv::reports

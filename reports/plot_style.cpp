@@ -1,0 +1,45 @@
+#include "reports/plot_style.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "reports/chart.hpp"
+
+namespace mpmvv::reports {
+
+namespace {
+
+/// Hues of Okabe and Ito's palette, told apart with any colour vision, with CIE lightnesses about ten apart, so that a
+/// grey copy tells them apart as well; neighbours in the key differ most.
+constexpr std::array<unsigned, 7> palette{0x0072B2, 0xF07F4A, 0x000000, 0x0A986E, 0x4A1466, 0x78C4F2, 0x9A1F2E};
+constexpr std::array<Marker, 6> markers{{{7, 6}, {5, 4}, {9, 8}, {13, 12}, {11, 10}, {15, 14}}};
+constexpr std::array<const char*, 5> dashes{"1", "(9,4)", "(3,3)", "(9,3,2,3)", "(14,3,3,3,3,3)"};
+
+template <class Choices>
+const auto& chosen(const Choices& choices, int style) {
+  return choices[static_cast<std::size_t>(style) % choices.size()];
+}
+
+}  // namespace
+
+Marker marker_of(int style) {
+  return style == plain_style ? markers[0] : chosen(markers, style);
+}
+
+std::string colour_of(int style, double whiteness) {
+  const unsigned rgb = style == plain_style ? 0x000000 : chosen(palette, style);
+  unsigned mixed = 0;
+  for (const int shift : {16, 8, 0}) {
+    const double part = (rgb >> shift) & 0xFFu;
+    mixed |= static_cast<unsigned>(std::lround(part + (255 - part) * whiteness)) << shift;
+  }
+  return fmt::format("lc rgb '#{:06X}'", mixed);
+}
+
+std::string dash_of(int style) {
+  return fmt::format("dt {}", style == plain_style ? dashes[0] : chosen(dashes, style));
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+
+/// How the series of a figure are told apart, in colour and in grey: each has a colour of its own lightness, a marker
+/// and a dash.
+namespace mpmvv::reports {
+
+struct Marker {
+  int filled = 0, hollow = 0;  ///< the plotting program's point types
+};
+
+Marker marker_of(int style);
+
+/// "lc rgb '#0072B2'", mixed with white on request.
+std::string colour_of(int style, double whiteness = 0);
+
+/// "dt (8,4)".
+std::string dash_of(int style);
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "reports/table.hpp"
+#include "reports/text.hpp"
+
+namespace mpmvv::reports {
+
+using records::Point;
+using records::Series;
+using records::StudyResult;
+using support::not_measured;
+
+namespace {
+
+constexpr std::size_t longest_series = 40;
+constexpr double round_off = 1e-12;  ///< of a change that should be none
+
+std::set<std::string> fitted_norms(const StudyResult& study) {
+  std::set<std::string> norms;
+  for (const auto& series : study.series)
+    for (const auto& order : series.orders) norms.insert(order.norm);
+  return norms;
+}
+
+/// Order of the segment that ends at x.
+std::string segment_order(const Series& series, const std::string& norm, double x) {
+  for (const auto& order : series.orders) {
+    if (order.norm != norm) continue;
+    const auto segment = std::ranges::find(order.segments, x, &fits::SegmentOrder::to);
+    if (segment != order.segments.end()) return order_text(segment->order, not_measured);
+  }
+  return "–";
+}
+
+std::string aligned(double v) {
+  return std::isnan(v) ? "–" : fmt::format("{:.3e}", v);
+}
+
+double measured(const Point& point, const std::string& quantity) {
+  const auto y = point.y.find(quantity);
+  return y == point.y.end() ? not_measured : y->second;
+}
+
+/// Counts are written out.
+bool is_count(const std::string& quantity) {
+  return quantity == "particles" || quantity == "steps" || quantity == "images";
+}
+
+std::string text_of(const std::string& quantity, double v) {
+  return is_count(quantity) && !std::isnan(v) ? fmt::format("{:.0f}", v) : aligned(v);
+}
+
+std::string with_unit(const std::string& quantity) {
+  const std::string unit = records::unit_of(quantity);
+  return unit.empty() ? quantity : fmt::format("{} ({})", quantity, unit);
+}
+
+/// A quantity in all rows of the table: the numbers that were measured.
+struct Column {
+  std::string quantity;
+  std::vector<double> numbers;
+
+  bool is_constant() const {
+    const auto same = [&](double v) { return text_of(quantity, v) == text_of(quantity, numbers.front()); };
+    return numbers.size() > 1 && std::ranges::all_of(numbers, same);
+  }
+  double largest() const {
+    double most = 0;
+    for (const double v : numbers) most = std::max(most, std::abs(v));
+    return most;
+  }
+  bool is_round_off() const { return quantity.ends_with("_change") && numbers.size() > 1 && largest() <= round_off; }
+
+  /// "images = 1", "mass_change below 3e-16"; empty where the rows have to say it.
+  std::string in_all_rows() const {
+    const std::string unit = records::unit_of(quantity);
+    if (is_constant())
+      return fmt::format("{} = {}{}", quantity, brief(numbers.front()), unit.empty() ? "" : " " + unit);
+    return is_round_off() ? fmt::format("{} at most {:.1e}", quantity, largest()) : "";
+  }
+};
+
+bool is_energy(const std::string& quantity) {
+  return quantity == "kinetic" || quantity == "strain" || quantity == "initial_total";
+}
+
+constexpr int by_products = 300;  ///< their rank
+
+/// What was fitted or drawn comes first, then the other errors, then what else a run measures; what no run does comes
+/// before all.
+int rank(const StudyResult& study, const std::set<std::string>& fitted, const std::string& quantity) {
+  const auto index = [&](const std::vector<records::RunNumber>& numbers) {
+    const auto found = std::ranges::find(numbers, quantity, &records::RunNumber::name);
+    return found == numbers.end() ? -1 : static_cast<int>(found - numbers.begin());
+  };
+  if (fitted.contains(quantity)) return 0;
+  if (std::ranges::find(study.figures, quantity, &records::Figure::quantity) != study.figures.end()) return 1;
+  if (const int error = index(records::run_errors()); error >= 0) return 100 + error;
+  if (const int other = index(records::run_by_products()); other >= 0) return by_products + other;
+  if (quantity == "energy_loss") return 200;
+  return is_count(quantity) || quantity == "dt" ? 400 : 2;
+}
+
+class PointsTable {
+ public:
+  explicit PointsTable(const StudyResult& study) : study_(study), fitted_(fitted_norms(study)) {
+    for (const Series& series : study.series)
+      if (series.points.size() <= longest_series) series_.push_back(&series);
+    read_columns();
+  }
+
+  Table make() const {
+    Table table{"Results at each point", {study_.sweep}, {}};
+    if (!all_ok_) table.columns.push_back("status");
+    for (const Column& column : columns_) {
+      table.columns.push_back(with_unit(column.quantity));
+      if (fitted_.contains(column.quantity)) table.columns.push_back("order");
+    }
+    if (has_reasons_) table.columns.push_back("reason");
+    for (const Series* series : series_)
+      if (!series->points.empty()) table.groups.push_back({series->name, rows_of(*series)});
+    if (!same_.empty()) table.note = fmt::format("At every point: {}.", fmt::join(same_, ", "));
+    if (!aside_.empty())
+      table.note +=
+          fmt::format("{}Measured, too, and in the CSV file: {}.", same_.empty() ? "" : " ", fmt::join(aside_, ", "));
+    return table;
+  }
+
+ private:
+  void read_columns() {
+    std::map<std::string, Column> columns;
+    std::size_t points = 0;
+    for (const Series* series : series_)
+      for (const Point& point : series->points) {
+        ++points;
+        all_ok_ = all_ok_ && point.status == records::Status::ok;
+        has_reasons_ = has_reasons_ || !point.reason.empty();
+        for (const auto& [quantity, value] : point.y)
+          if (!std::isnan(value)) columns[quantity].numbers.push_back(value);
+      }
+    all_ok_ = all_ok_ && points > 1;
+    if (all_ok_) same_.emplace_back("status ok");
+    for (auto& [quantity, column] : columns) column.quantity = quantity, columns_.push_back(std::move(column));
+    std::ranges::stable_sort(columns_, {}, [&](const Column& c) { return rank(study_, fitted_, c.quantity); });
+    std::erase_if(columns_, [&](const Column& column) {
+      const std::string text = fitted_.contains(column.quantity) ? "" : column.in_all_rows();
+      if (!text.empty()) same_.push_back(text);
+      return !text.empty();
+    });
+    if (points < 2) return;
+    const bool is_timed = std::ranges::find(columns_, "step_seconds", &Column::quantity) != columns_.end();
+    std::erase_if(columns_, [&](const Column& column) {
+      const bool is_aside = rank(study_, fitted_, column.quantity) >= by_products &&
+                            (is_energy(column.quantity) || (!is_timed && column.quantity == "ns_per_particle_step"));
+      if (is_aside) aside_.push_back(column.quantity);
+      return is_aside;
+    });
+  }
+
+  Table::Rows rows_of(const Series& series) const {
+    Table::Rows rows;
+    for (const Point& point : series.points) {
+      std::vector<std::string>& row = rows.emplace_back();
+      row = {brief(point.x)};
+      if (!all_ok_) row.push_back(to_string(point.status));
+      for (const Column& column : columns_) {
+        row.push_back(text_of(column.quantity, measured(point, column.quantity)));
+        if (fitted_.contains(column.quantity)) row.push_back(segment_order(series, column.quantity, point.x));
+      }
+      if (has_reasons_) row.push_back(point.reason);
+    }
+    return rows;
+  }
+
+  const StudyResult& study_;
+  const std::set<std::string> fitted_;
+  std::vector<const Series*> series_;
+  std::vector<Column> columns_;
+  std::vector<std::string> same_, aside_;
+  bool all_ok_ = true, has_reasons_ = false;
+};
+
+}  // namespace
+
+Table points_table(const StudyResult& study) {
+  return PointsTable(study).make();
+}
+
+}  // namespace mpmvv::reports

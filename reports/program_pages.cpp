@@ -1,0 +1,24 @@
+#include "page_template.hpp"
+#include "reports/mutant_table.hpp"
+#include "reports/page_frame.hpp"
+#include "reports/table_data.hpp"
+
+namespace mpmvv::reports {
+
+using namespace template_data;
+
+std::vector<Page> program_pages(const ReportInput& input) {
+  std::vector<Page> pages;
+  if (input.benchmark)
+    pages.push_back(framed_page("benchmark.html", "Benchmark", benchmark_template, input,
+                                object({{"tables", list_of(benchmark_tables(*input.benchmark), table_data)}})));
+  if (input.mutation)
+    pages.push_back(framed_page("mutants.html", "Planted mistakes", mutants_template, input,
+                                object({{"tables", list_of(mutant_tables(*input.mutation, input.alarms), table_data)},
+                                        {"is_summary", input.mutation->mistakes.empty()},
+                                        {"is_of_another_build", input.mutation->digest != input.provenance.digest},
+                                        {"commit", input.mutation->commit.substr(0, 12)}})));
+  return pages;
+}
+
+}  // namespace mpmvv::reports

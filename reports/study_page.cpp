@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "page_template.hpp"
+#include "reports/gate_data.hpp"
+#include "reports/page_frame.hpp"
+#include "reports/table_data.hpp"
+#include "reports/text.hpp"
+
+namespace mpmvv::reports {
+
+using namespace template_data;
+using records::StudyResult;
+
+namespace {
+
+bool has_page(const ReportInput& input, const std::string& claim) {
+  return std::ranges::find(input.claims, claim, &claims::Claim::id) != input.claims.end();
+}
+
+data claim_links(const ReportInput& input, const StudyResult& study) {
+  return list_of(study.claims, [&](const std::string& id) {
+    return object({{"id", id}, {"claim_file", anchor(id)}, {"has_page", has_page(input, id)}});
+  });
+}
+
+/// Its criteria without their numbers, which stand on the claims' pages.
+data criteria_list(const ReportInput& input, const StudyResult& study) {
+  return list_of(study.parts, [&](const records::ClaimPart& part) {
+    return object({{"statement", part.statement},
+                   {"verdict", to_string(part.verdict)},
+                   {"claim", part.claim},
+                   {"claim_file", anchor(part.claim)},
+                   {"has_page", has_page(input, part.claim)}});
+  });
+}
+
+/// The command of each series, at its last swept value.
+data command_list(const ReportInput& input, const StudyResult& study) {
+  const auto of_study = input.commands.find(study.name);
+  if (of_study == input.commands.end()) return data{data::type::list};
+  return list_of(of_study->second, [&](const SeriesCommand& c) {
+    const auto series = std::ranges::find(study.series, c.series, &records::Series::name);
+    const bool is_swept = series != study.series.end() && !series->points.empty();
+    const bool is_searched = series != study.series.end() && series->limit;
+    const std::string value = is_swept      ? fmt::format("{}", series->points.back().x)
+                              : is_searched ? fmt::format("{}", series->limit->stable)
+                                            : "";
+    return object({{"series", c.series}, {"text", replace_all(c.text, "{}", value)}, {"note", c.note}});
+  });
+}
+
+std::vector<GateLine> goldens_of(const ReportInput& input, const StudyResult& study) {
+  std::vector<GateLine> lines;
+  std::ranges::copy_if(input.gate, std::back_inserter(lines), [&](const GateLine& g) { return g.study == study.name; });
+  return lines;
+}
+
+/// The tables of what was fitted, or the one of all points.
+data table_part(const StudyResult& study, bool is_fitted) {
+  std::vector<Table> tables = tables_of(study);
+  const std::string points = points_table(study).caption;
+  std::erase_if(tables, [&](const Table& table) { return (table.caption != points) != is_fitted; });
+  return object({{"tables", list_of(tables, table_data)}});
+}
+
+}  // namespace
+
+Page study_page(const ReportInput& input, const Section& section) {
+  const StudyResult& study = *section.study;
+  const auto goldens = goldens_of(input, study);
+  return framed_page("studies/" + study.name + ".html", study.name + ": " + study.title, study_template, input,
+                     object({{"study", study.name},
+                             {"title", study.title},
+                             {"kind", study.kind},
+                             {"study_claims", claim_links(input, study)},
+                             {"has_claims", !study.claims.empty()},
+                             {"parts", criteria_list(input, study)},
+                             {"has_parts", !study.parts.empty()},
+                             {"pictures", list_of(section.pictures, picture_data)},
+                             {"fitted", table_part(study, true)},
+                             {"measured", table_part(study, false)},
+                             {"table_files", text_list(section.tables)},
+                             {"goldens", gate_counts(goldens)},
+                             {"has_goldens", !goldens.empty()},
+                             {"study_anchor", anchor(study.name)},
+                             {"groups", failing_goldens(goldens)},
+                             {"commands", command_list(input, study)},
+                             {"has_commands", input.commands.contains(study.name)},
+                             {"command", fmt::format("mpmvv study {} --db results.db", study_file(input, study.name))},
+                             {"study_file", study.text}}));
+}
+
+}  // namespace mpmvv::reports

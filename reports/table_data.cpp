@@ -1,0 +1,52 @@
+#include "reports/table_data.hpp"
+
+#include <fmt/format.h>
+
+#include "reports/text.hpp"
+
+namespace mpmvv::reports {
+
+namespace {
+
+using namespace template_data;
+
+/// What all cells of a column are.
+struct ColumnKind {
+  bool number = true, word = true;
+};
+
+ColumnKind kind_of_column(const Table& table, std::size_t column) {
+  constexpr std::size_t longest_word = 18;
+  ColumnKind kind;
+  for (const auto& group : table.groups)
+    for (const auto& row : group.rows) {
+      kind.number = kind.number && is_number(row[column]);
+      kind.word = kind.word && row[column].size() <= longest_word;
+    }
+  return kind;
+}
+
+}  // namespace
+
+data table_data(const Table& table) {
+  std::vector<ColumnKind> kinds;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) kinds.push_back(kind_of_column(table, c));
+  const auto cells = [&](const std::vector<std::string>& texts) {
+    data list{data::type::list};
+    for (std::size_t c = 0; c < texts.size(); ++c)
+      list << object({{"text", texts[c]}, {"number", kinds[c].number}, {"word", kinds[c].word && !kinds[c].number}});
+    return list;
+  };
+  const auto row = [&](const std::vector<std::string>& texts) { return object({{"cells", cells(texts)}}); };
+  const auto group = [&](const Table::Group& g) {
+    return object({{"group_title", g.title}, {"titled", !g.title.empty()}, {"rows", list_of(g.rows, row)}});
+  };
+  return object({{"table_caption", table.caption},
+                 {"columns", cells(table.columns)},
+                 {"width", fmt::format("{}", table.columns.size())},
+                 {"groups", list_of(table.groups, group)},
+                 {"note", table.note},
+                 {"has_note", !table.note.empty()}});
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,150 @@
+#include "studies/plan/file_reference.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "studies/claims/criterion.hpp"
+#include "studies/plan/file_tables.hpp"
+#include "studies/settings/settings.hpp"
+
+namespace mpmvv::plan {
+
+using cases::SettingKey;
+using claims::Criterion;
+
+namespace {
+
+const char* const introduction = R"(# The study file, key by key
+
+A study file is TOML. This page lists all that may stand in one: `mpmvv list study-file` prints it from the tables by which the program
+reads the file, and a test holds the page to them. Anything else is answered by one line that says what is wrong, where, and what would be
+right. [first-study.md](first-study.md) begins with a file and what it does; [own-study.md](own-study.md) says how to ask for limits, costs
+and checks.
+
+)";
+
+std::string row(const std::vector<std::string>& cells) {
+  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
+
+std::string or_required(const std::string& absent) {
+  return absent.empty() ? "**required**" : absent;
+}
+
+std::string section(const FileTable& table) {
+  std::string text =
+      fmt::format("## {}\n\n{}\n\n", table.name.empty() ? table.heading : "`" + table.heading + "`", table.meaning);
+  if (table.keys.empty()) return text;
+  text += "| key | takes | without it | meaning |\n|---|---|---|---|\n";
+  for (const FileKey& key : table.keys)
+    text += row({"`" + key.key + "`", key.takes, or_required(key.absent), key.meaning});
+  return text + "\n";
+}
+
+struct Measure {
+  const char *number, *needs;
+};
+
+Measure measure_of(Criterion::Kind kind) {
+  switch (kind) {
+    case Criterion::Kind::order:
+      return {"order of `norm`, fitted over the window", "`series`, `norm`, `window`"};
+    case Criterion::Kind::order_difference:
+      return {"order in `norm` less that in `over_norm`", "`series`, `norm`, `over_norm`, `window`"};
+    case Criterion::Kind::error:
+      return {"`norm` at every swept value in the window", "`series`, `norm`, `window`"};
+    case Criterion::Kind::error_ratio:
+      return {"`norm` of `series` over that of `over`, at every swept value in the window; two unstable runs are equal",
+              "`series`, `over`, `norm`, `window`"};
+    case Criterion::Kind::spread:
+      return {"largest over smallest `norm` at the swept values in the window", "`series`, `norm`, `window`"};
+    case Criterion::Kind::status:
+      return {"share of the points in the window whose run came to its end", "`series`, `window`"};
+    case Criterion::Kind::limit:
+      return {"stability limit", "`series`"};
+    case Criterion::Kind::limit_ratio:
+      return {"stability limit of `series` over that of `over`", "`series`, `over`"};
+    case Criterion::Kind::value:
+      return {"value of a check", "`name`"};
+    case Criterion::Kind::cost_ratio:
+      return {
+          "cost at which `series` reaches each power of ten in the window (of errors in `norm`), over that of `over`",
+          "`series`, `over`, `norm`, `window`"};
+    case Criterion::Kind::slope_ratio:
+      return {"slope of `norm` against the swept value, over that of `over`", "`series`, `over`, `norm`, `window`"};
+    case Criterion::Kind::slope_share:
+      return {"that slope over the first value of `over` in the window", "`series`, `over`, `norm`, `window`"};
+    case Criterion::Kind::shown:
+      return {"none: the figure is the evidence", ""};
+    case Criterion::Kind::awaited:
+      return {"none: no study can judge this part of the claim yet", ""};
+  }
+  return {};
+}
+
+std::string measures() {
+  std::string text =
+      "## Measures\n\nThe number that a criterion asks for, and the keys that it needs beside `at_least` and "
+      "`at_most`.\n\n"
+      "| measure | number | needs |\n|---|---|---|\n";
+  for (std::size_t k = 0; k < words_of(Criterion::Kind{}).size(); ++k) {
+    const auto kind = static_cast<Criterion::Kind>(k);
+    text += row({"`" + support::to_string(kind) + "`", measure_of(kind).number, measure_of(kind).needs});
+  }
+  return text + "\n";
+}
+
+std::string takes(const SettingKey& key) {
+  if (key.key == "problem") return "a word of `mpmvv list problems`";
+  if (key.member && key.member->is_flag) return "true or false";
+  const auto words = settings::words_of_key(key.key);
+  if (!words.empty()) return fmt::format("`{}`", fmt::join(words, "`, `"));
+  if (!key.member) return "number";
+  return std::holds_alternative<double>(key.member->value({})) ? "number" : "whole number";
+}
+
+std::string settings_section() {
+  std::string text =
+      "## Settings\n\nWhat a case is made of: the options of `mpmvv run`, with `_` for `-`. The words are explained in "
+      "[theory.md](theory.md), the problems in [problems.md](problems.md).\n\n"
+      "| key | takes | without it | meaning |\n|---|---|---|---|\n";
+  for (const SettingKey& key : settings::setting_keys())
+    text += row({"`" + key.key + "`", takes(key), or_required(without(key)), key.meaning});
+  return text + row({"`param`", "a table of numbers", "the problem's", "physical values of the problem"});
+}
+
+}  // namespace
+
+std::string without(const SettingKey& key) {
+  static const std::map<std::string, std::string> said{{"problem", ""},
+                                                       {"cells", ""},
+                                                       {"ppc", ""},
+                                                       {"boundary", "the problem's"},
+                                                       {"material", "the problem's"},
+                                                       {"end_time", "the problem's"},
+                                                       {"cfl", "`dt` counts"},
+                                                       {"dt", "`cfl` counts"},
+                                                       {"steps", "all"},
+                                                       {"order", "required where it counts"},
+                                                       {"cfl_x", "every step"},
+                                                       {"smoothing_length", "required where it counts"},
+                                                       {"wall_method", "`combined`"},
+                                                       {"wall_depth", "1"},
+                                                       {"wall_gradient", "`given`"},
+                                                       {"repeat", "not measured"}};
+  if (const auto found = said.find(key.key); found != said.end()) return found->second;
+  const std::string value = cases::text_of(key.member->value({}));
+  return settings::words_of_key(key.key).empty() ? value : "`" + value + "`";
+}
+
+std::string study_file_reference() {
+  std::string text = introduction;
+  for (const FileTable& table : file_tables()) text += section(table);
+  return text + measures() + settings_section();
+}
+
+}  // namespace mpmvv::plan

@@ -1,0 +1,32 @@
+#include "studies/plan/progress.hpp"
+
+#include <algorithm>
+
+namespace mpmvv::plan {
+
+void Remaining::add(const cases::Case& c, double estimate) {
+  estimates_[c] = estimate;
+}
+
+void Remaining::finish(const cases::Case& c, double measured) {
+  const auto left = estimates_.find(c);
+  if (left == estimates_.end()) return;
+  estimated_ += left->second;
+  measured_ += measured;
+  estimates_.erase(left);
+}
+
+/// What runs beside each other takes at least as long as the longest of it; what is timed comes after it, alone.
+double Remaining::seconds(int jobs) const {
+  constexpr double trust = 1;  // seconds for which the estimates are taken as they are
+  double beside = std::max(0.0, expected_), longest = 0, alone = 0;
+  for (const auto& [c, estimate] : estimates_) {
+    const bool is_timed = c.measure.repeat > 0;
+    (is_timed ? alone : beside) += estimate;
+    if (!is_timed) longest = std::max(longest, estimate);
+  }
+  const double correction = (measured_ + trust) / (estimated_ + trust);
+  return correction * (std::max(beside / jobs, longest) + alone);
+}
+
+}  // namespace mpmvv::plan

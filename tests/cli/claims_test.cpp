@@ -1,0 +1,104 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/cli/program.hpp"
+#include "tests/cli/small_study.hpp"
+
+namespace mpmvv::cli {
+namespace claims_test {
+
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::Not;
+using testing::StartsWith;
+
+/// The small study with claims of its own: one that holds, in words longer than a line, and one that does not.
+std::string stated_study() {
+  std::string text = small_study;
+  text.replace(
+      text.find("claims = [\"S-fig10\"]\n"), 21,
+      "[[claim]]\nid = \"second\"\nstatement = \"quadratic B-splines are of second order on the bar, in words "
+      "enough to fill more than the hundred columns of a line\"\nsource = \"Someone 2020\"\nwhere = \"Fig. 1\"\n"
+      "[[claim]]\nid = \"linear\"\nstatement = \"the linear basis is exact\"\n");
+  text.replace(text.find("\"S-fig10\""), 9, "\"second\"");
+  return text +
+         "[[criterion]]\nclaim = \"linear\"\nstatement = \"no error is left\"\nmeasure = \"error\"\nseries = "
+         "[\"linear\"]\n"
+         "norm = \"l2\"\nwindow = [32, 64]\nat_most = 1e-9\nreason = \"its gradients jump\"\n";
+}
+
+class Claims : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string file = folder_.write("small.toml", stated_study());
+    const Answer study = call(folder_, "study " + file + " --db " + db_);
+    ASSERT_EQ(study.code, 0) << study.err;
+  }
+
+  Answer claims(const std::string& arguments = "") { return call(folder_, "claims " + arguments + " --db " + db_); }
+
+  Folder folder_;
+  std::string db_ = folder_ / "r.db";
+};
+
+TEST_F(Claims, HaveALineEach) {
+  const Answer answer = claims();
+  EXPECT_THAT(answer.out, MatchesRegex("claim +verdict +hold +statement\n"
+                                       "second +confirmed +1 of 1 +quadratic B-splines are of [^\n]*…\n"
+                                       "linear +refuted +0 of 1 +the linear basis is exact\n"));
+  std::istringstream lines(answer.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100 + sizeof("…") - 2) << line;
+}
+
+TEST_F(Claims, HaveAPageEach) {
+  const Answer page = claims("linear");
+  EXPECT_THAT(page.out, StartsWith("linear: refuted\n    the linear basis is exact\n"));
+  EXPECT_THAT(page.out, ContainsRegex("study +verdict +asked +found +criterion\n"
+                                      "  small +fails +at most 1e-09 +[0-9.]+, [0-9.]+ +no error is left\n"));
+  EXPECT_THAT(page.out, AllOf(HasSubstr("why it fails: no error is left\n    its gradients jump\n"),
+                              HasSubstr("repeat: mpmvv study small"), Not(HasSubstr("l2 of"))));
+  EXPECT_THAT(claims("linear --verbose").out, HasSubstr("    l2 of 'linear' at 32 = 0.000631\n"));
+  const Answer both = claims("linear second");
+  EXPECT_LT(both.out.find("linear: refuted"), both.out.find("second: confirmed"));
+  EXPECT_THAT(both.out, HasSubstr("    Someone 2020, Fig. 1\n"));
+}
+
+TEST_F(Claims, AreFoundByTheirIdsAlone) {
+  const Answer unknown = claims("secnod");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err,
+              HasSubstr("unknown claim 'secnod' in " + db_ + " (known: second, linear; did you mean 'second'?)"));
+  const auto json = claims("linear --json").json()["claims"];
+  ASSERT_EQ(json.size(), 1U);
+  EXPECT_EQ(json[0]["criteria"][0]["at_most"], 1e-9);
+  EXPECT_EQ(json[0]["criteria"][0]["found"][0]["value"].is_number(), true);
+}
+
+TEST_F(Claims, OfTheProgramAreKnownToStudiesAnywhere) {
+  std::string text = small_study;
+  text.replace(text.find("[\"S-fig10\"]"), 11, "[\"S-fig10\", \"S-fg11\"]");
+  const Answer study = call(folder_, "study " + folder_.write("other.toml", text) + " --db " + db_);
+  EXPECT_EQ(study.code, 2);
+  EXPECT_THAT(study.err, AllOf(HasSubstr("unknown claim 'S-fg11' in "), HasSubstr("(known: B-fig16.5, B-i, "),
+                               HasSubstr("did you mean 'S-fig11'?)")));
+}
+
+TEST_F(Claims, HaveColoursOnATerminalThatWantsSome) {
+  const std::string listing = "'" + program() + "' claims --db '" + db_ + "'";
+  const auto on_a_terminal = [&](const std::string& variables) {
+    return shell(variables + " script -qec \"" + listing + "\" /dev/null").out;
+  };
+  const std::string green = "\033[32mconfirmed\033[0m", red = "\033[31mrefuted\033[0m";
+  EXPECT_THAT(on_a_terminal("TERM=xterm"), AllOf(HasSubstr(green), HasSubstr(red)));
+  EXPECT_THAT(on_a_terminal("TERM=xterm NO_COLOR="), HasSubstr(green)) << "empty is not set";
+  for (const char* plain : {"TERM=xterm NO_COLOR=1", "TERM=dumb"})
+    EXPECT_THAT(on_a_terminal(plain), AllOf(HasSubstr("confirmed"), Not(HasSubstr("\033")))) << plain;
+  EXPECT_THAT(claims().out, Not(HasSubstr("\033")));
+}
+
+}  // namespace claims_test
+}  // namespace mpmvv::cli

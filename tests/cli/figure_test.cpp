@@ -1,0 +1,109 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/cli/program.hpp"
+#include "tests/cli/small_study.hpp"
+
+namespace mpmvv::cli {
+namespace figure_test {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// A folder with a store of one study that has one figure, `small`.
+class Figure : public testing::Test {
+ protected:
+  Figure() {
+    folder_.write("small.toml", small_study);
+    call(folder_, "study small.toml --db r.db", there_);
+  }
+
+  Answer draw(const std::string& arguments) const {
+    return call(folder_, "figure " + arguments + " --db r.db", there_);
+  }
+
+  Folder folder_;
+  std::string there_ = "cd '" + (folder_ / "") + "' && ";
+};
+
+TEST_F(Figure, IsDrawnUnderItsNameOrItsClaims) {
+  for (const char* name : {"small", "S-fig10"}) {
+    const Answer answer = draw(name);
+    EXPECT_EQ(answer.code, 0) << answer.err;
+    EXPECT_EQ(answer.out, "small.pdf\n");
+    EXPECT_THAT(read_text(folder_ / "small.pdf"), StartsWith("%PDF"));
+    fs::remove(folder_ / "small.pdf");
+  }
+}
+
+TEST_F(Figure, TheFilesEndingSaysItsFormat) {
+  EXPECT_EQ(draw("small --out made/by-hand.svg --width 8.4cm").out, "made/by-hand.svg\n");
+  EXPECT_THAT(read_text(folder_ / "made/by-hand.svg"), HasSubstr("</svg>"));
+  EXPECT_EQ(draw("small --out made --format svg").out, "made/small.svg\n");
+}
+
+TEST_F(Figure, AFontThatTheMachineLacksIsNamed) {
+  const Answer answer = draw("small --font 'No Such Family'");
+  EXPECT_EQ(answer.code, 0);
+  EXPECT_THAT(answer.err, StartsWith("this machine has no font 'No Such Family' and draws in "));
+  EXPECT_EQ(draw("small --font Serif").err, "");
+}
+
+TEST_F(Figure, ForLatexItSaysHowItIsTakenIn) {
+  EXPECT_EQ(
+      draw("small --out made/f.tex --font-size 7pt").out,
+      "made/f.tex\nmade/f-lines.pdf\n  \\graphicspath{{made/}}\\input{made/f} with \\usepackage{graphicx,xcolor}\n");
+  EXPECT_THAT(read_text(folder_ / "made/f.tex"), HasSubstr("\\fontsize{7}{8.4}"));
+}
+
+TEST_F(Figure, BadOptionsGetOneLineAndWriteNothing) {
+  const std::vector<std::pair<std::string, std::string>> calls{
+      {"small --format png", "unknown --format 'png' (known: pdf, svg, tex)"},
+      {"small --width 84", "--width '84' is no length (a number and its unit: 84mm, 8.4cm, 3.3in, 8pt)"},
+      {"small --width 8mm", "--width 8mm (40mm to 400mm)"},
+      {"small --width 40mm --font-size 16pt",
+       "--width 40mm leaves too little for the axes of 'small' (a greater one, or a smaller --font-size than 16pt)"},
+      {"small --font-size 80pt", "--font-size 80pt (4.25pt to 28.3pt)"},
+      {"small --font 'a\"b'", "--font 'a\"b' (a family's name, such as 'Liberation Serif')"},
+      {"small --format tex --font Times",
+       "--font with --format tex (LaTeX sets the document's own font; leave it out)"},
+      {"small --format pdf --out a.svg", "--format pdf with --out a.svg (a file that ends with .pdf)"},
+      {"smal", "unknown figure 'smal' (known: small, S-fig10; did you mean 'small'?)"}};
+  for (const auto& [arguments, message] : calls) {
+    const Answer answer = draw(arguments);
+    EXPECT_EQ(answer.code, 2) << arguments;
+    EXPECT_EQ(answer.err, "mpmvv: " + message + "\n");
+    EXPECT_EQ(answer.out, "");
+  }
+  for (const char* file : {"small.pdf", "small.tex", "a.svg"}) EXPECT_FALSE(fs::exists(folder_ / file)) << file;
+}
+
+TEST_F(Figure, AllOfThemMakeADocument) {
+  const Answer answer = call(folder_, "paper --db r.db --out paper", there_);
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  EXPECT_EQ(answer.out, "paper/main.tex: 1 figures (1 drawn), 1 tables of orders\n");
+  EXPECT_THAT(read_text(folder_ / "paper/main.tex"), AllOf(HasSubstr("{small}"), HasSubstr("A small figure")));
+  EXPECT_THAT(read_text(folder_ / "paper/tables/orders-further.tex"), HasSubstr("bspline2"));
+}
+
+TEST_F(Figure, ADocumentNeedsAResult) {
+  call(folder_, "db forget small --db r.db", there_);
+  const Answer answer = call(folder_, "paper --db r.db --out paper", there_);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.err, "mpmvv: r.db holds no study of this program (run `mpmvv study` first)\n");
+  EXPECT_FALSE(fs::exists(folder_ / "paper"));
+}
+
+TEST_F(Figure, TheStoreIsNoPlaceForIt) {
+  fs::copy(folder_ / "r.db", folder_ / "r.pdf");
+  const Answer answer = call(folder_, "figure small --db r.pdf --out r.pdf", there_);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.err, HasSubstr("would overwrite 'r.pdf'"));
+}
+
+}  // namespace figure_test
+}  // namespace mpmvv::cli

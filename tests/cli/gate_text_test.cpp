@@ -1,0 +1,63 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/cli/program.hpp"
+#include "tests/cli/small_study.hpp"
+
+namespace mpmvv::cli {
+namespace gate_text_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::Not;
+
+/// Goldens of which one passes, one fails, one is inconclusive, and two are of studies that nobody has run.
+class GateText : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string study = folder_.write("small.toml", small_study);
+    ASSERT_EQ(call(folder_, "study " + study + " --db " + db_).code, 0);
+    std::filesystem::create_directories(folder_ / "goldens");
+    golden("small",
+           "[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"ok\"\n"
+           "[[status]]\nseries = \"linear\"\nat = 16\nexpected = \"unstable\"\n"
+           "[[status]]\nseries = \"linear\"\nat = 99\nexpected = \"ok\"\n");
+    for (const char* other : {"one", "two"}) golden(other, "[[status]]\nseries = \"s\"\nat = 1\nexpected = \"ok\"\n");
+  }
+
+  Answer gate(const std::string& options = "") {
+    return call(folder_, "gate --db " + db_ + " --goldens " + (folder_ / "goldens") + " " + options);
+  }
+
+ private:
+  void golden(const std::string& study, const std::string& expectations) {
+    folder_.write("goldens/" + study + ".toml", "reviewed = \"now\"\nstudy = \"" + study + "\"\n" + expectations);
+  }
+
+  Folder folder_;
+  std::string db_ = folder_ / "r.db";
+};
+
+TEST_F(GateText, WhatFailsComesFirstAndWhatPassesIsCounted) {
+  const Answer answer = gate();
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.out, MatchesRegex("verdict +study +golden\n"
+                                       "fail +small +status of 'linear' at 16: expected unstable, measured ok .*\n"
+                                       "inconclusive +small +status of 'linear' at 99: .*\n"
+                                       "nothing in the store for 2 goldens of 2 studies: one \\(1\\), two \\(1\\)\n"
+                                       "gate: 1 pass, 1 fail, 3 inconclusive\n"));
+  EXPECT_THAT(gate("--json").json()["results"][4]["absent"], true);
+}
+
+TEST_F(GateText, VerboseNamesEachGolden) {
+  const Answer answer = gate("--verbose");
+  EXPECT_THAT(answer.out, AllOf(HasSubstr("status of 'linear' at 8: expected ok, measured ok\n"),
+                                HasSubstr("no study 'one' in the store"), HasSubstr("no study 'two' in the store"),
+                                Not(HasSubstr("nothing in the store"))));
+}
+
+}  // namespace gate_text_test
+}  // namespace mpmvv::cli

@@ -1,0 +1,100 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "studies/store/provenance.hpp"
+#include "studies/store/store.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/cli/small_study.hpp"
+
+namespace mpmvv::cli {
+namespace help_test {
+
+using testing::AllOf;
+using testing::AnyOf;
+using testing::HasSubstr;
+
+/// The lines of a help's section, without the blanks before them.
+std::vector<std::string> section(const std::string& help, const std::string& head) {
+  std::vector<std::string> lines;
+  std::istringstream text(help);
+  bool is_inside = false;
+  for (std::string line; std::getline(text, line);) {
+    if (is_inside && line.starts_with("  ")) lines.push_back(line.substr(2));
+    is_inside = line == head + ":" || (is_inside && line.starts_with("  "));
+  }
+  return lines;
+}
+
+/// The folder that the examples speak of: a study with results and a golden, versions, cases to time.
+class Help : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string study = folder_.write("splines.toml", small_study);
+    for (const char* sub : {"goldens", "other"}) std::filesystem::create_directories(folder_ / sub);
+    folder_.write("goldens/splines.toml",
+                  "reviewed = \"now\"\nstudy = \"splines\"\n"
+                  "[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"ok\"\n");
+    folder_.write("cases.txt", "--problem bar --cells 8 --ppc 2 --cfl 0.4\n");
+    std::filesystem::create_symlink(program(), folder_ / "other/mpmvv");
+    ASSERT_EQ(call(folder_, "study " + study + " --db " + db_).code, 0);
+    for (const char* digest : {"3f2a91", "c0ffee"}) {
+      store::Provenance version = store::current_provenance();
+      version.digest = version.commit = digest;
+      records::StudyResult result;
+      result.name = "splines";
+      result.values = {{"gap", 1, "a gap"}};
+      store::Store(db_, store::Store::Mode::write).keep_study(result, {}, version);
+    }
+  }
+
+  std::string help(const std::string& command) {
+    const Answer answer = call(folder_, command + " --help");
+    EXPECT_EQ(answer.code, 0) << command;
+    return answer.out;
+  }
+
+  /// Runs the examples of a command, and of those below it.
+  void run_examples(const std::string& command) {
+    const std::string text = help(command);
+    const auto examples = section(text, "Examples");
+    EXPECT_FALSE(examples.empty()) << "mpmvv " << command << " --help ends without examples";
+    for (const std::string& example : examples) run_example(example);
+    for (const std::string& line : section(text, "Subcommands"))
+      if (!line.starts_with(' ')) run_examples(command + " " + line.substr(0, line.find(' ')));
+  }
+
+ private:
+  /// Noise may decide what a cost says.
+  void run_example(const std::string& example) {
+    ASSERT_TRUE(example.starts_with("mpmvv ")) << example;
+    const Answer answer = call(folder_, example.substr(6), "cd '" + (folder_ / "") + "' && ");
+    if (example.starts_with("mpmvv cost"))
+      EXPECT_THAT(answer.code, AnyOf(0, 1, 3)) << example << "\n" << answer.err;
+    else
+      EXPECT_EQ(answer.code, 0) << example << "\n" << answer.err;
+    EXPECT_LE(example.size(), 98U) << example;
+  }
+
+  Folder folder_;
+  std::string db_ = folder_ / "results.db";
+};
+
+TEST_F(Help, OfEveryCommandEndsWithExamplesThatRun) {
+  run_examples("");
+}
+
+TEST_F(Help, ShowsValuesAndDefaults) {
+  const std::string run = help("run");
+  EXPECT_THAT(run, AllOf(HasSubstr("--basis WORD            grid basis functions: linear, bspline2, "),
+                         HasSubstr("cpdi, b2gimp, b2cpdi (default: linear)"), HasSubstr("what is solved: bar, square"),
+                         HasSubstr("(this or --dt is required)"), HasSubstr("(default: the problem's)"),
+                         HasSubstr("--threads NUMBER        threads of the step, 1 to 256 (default: 1)")));
+  std::istringstream lines(run);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+}
+
+}  // namespace help_test
+}  // namespace mpmvv::cli

@@ -1,0 +1,82 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tests/cli/program.hpp"
+#include "tests/walk.hpp"
+
+/// What `cmake --install` and the Debian package put on a system.
+namespace mpmvv::cli {
+namespace install_test {
+
+using testing::HasSubstr;
+
+const std::string build = std::filesystem::path(MPMVV_PROGRAM).parent_path();
+
+TEST(Install, TheProgramFindsItsStudiesAndGoldensWhereverItLies) {
+  const Folder folder;
+  const std::string installed = folder / "installed", moved = folder / "moved";
+  const Answer install = shell("cmake --install '" + build + "' --prefix '" + installed + "' 2>&1");
+  ASSERT_EQ(install.code, 0) << install.out;
+  for (const char* file :
+       {"share/man/man1/mpmvv.1.gz", "share/bash-completion/completions/mpmvv", "share/zsh/site-functions/_mpmvv",
+        "share/fish/vendor_completions.d/mpmvv.fish", "share/doc/mpmvv/README.md",
+        "share/doc/mpmvv/docs/first-study.md", "share/mpmvv/studies/s-fig10.toml", "share/mpmvv/studies/cost.txt"})
+    EXPECT_TRUE(std::filesystem::exists(installed + "/" + file)) << file;
+  EXPECT_FALSE(std::filesystem::exists(installed + "/share/mpmvv/studies/CMakeLists.txt"));
+  std::filesystem::rename(installed, moved);
+  const Answer gate = shell("cd '" + (folder / "") + "' && PATH='" + moved +
+                            "/bin':\"$PATH\" && mpmvv study s-jump --db r.db "
+                            "&& mpmvv gate --only s-jump --db r.db 2>&1");
+  EXPECT_EQ(gate.code, 0) << gate.out;
+  EXPECT_THAT(gate.out, HasSubstr("3 pass, 0 fail, 0 inconclusive"));
+}
+
+/// Debian 12 as its installer leaves it, in a folder, and the package in it with what it depends on.
+class PackageNightly : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder = std::make_unique<Folder>();
+    const Answer made = shell("cd '" + build + "' && cpack -G DEB -B '" + (*folder / "package") + "' 2>&1");
+    ASSERT_EQ(made.code, 0) << made.out;
+  }
+  static void TearDownTestSuite() { folder.reset(); }
+
+  static inline std::unique_ptr<Folder> folder;
+};
+
+TEST_F(PackageNightly, NamesTheLibrariesThatItsProgramNeeds) {
+  const Answer fields = shell("dpkg-deb --field '" + (*folder / "package") + "'/*.deb");
+  for (const char* depends :
+       {"libc6", "libstdc++6", "libsqlite3-0", "libfmt9", "libtomlplusplus3", "gnuplot-nox | gnuplot"})
+    EXPECT_THAT(fields.out, HasSubstr(depends));
+}
+
+TEST_F(PackageNightly, TakesAFirstStudyToAGateThatPassesOnABareDebian) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can make a system in a folder";
+  const std::string bare = *folder / "bare", home = bare + "/root/";
+  const Answer debian = shell("mmdebstrap --quiet --variant=apt bookworm '" + bare +
+                              "' http://deb.debian.org/debian 2>&1 && "
+                              "cp '" +
+                              (*folder / "package") + "'/*.deb '" + home + "mpmvv.deb'");
+  ASSERT_EQ(debian.code, 0) << debian.out;
+  const auto inside = [&](const std::string& command) {
+    std::ofstream(home + "command") << "set -e; cd /root\n" << command;
+    Answer answer = shell("chroot '" + bare + "' sh /root/command 2>&1");
+    EXPECT_EQ(answer.code, 0) << command << "\n" << answer.out;
+    return answer.out;
+  };
+  inside(
+      "apt-get -qq update; DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends ./mpmvv.deb");
+  std::ofstream(home + "splines.toml") << walk("splines.toml");
+  for (const char* step : {"study", "report", "propose", "review"}) inside(walk(step));
+  EXPECT_THAT(inside(walk("gate")), HasSubstr("0 fail, 0 inconclusive"));
+  EXPECT_TRUE(std::filesystem::exists(home + "report/figures/splines.pdf"));
+  EXPECT_THAT(inside("mpmvv study s-jump --db shipped.db && cd / && mpmvv gate --only s-jump --db /root/shipped.db"),
+              HasSubstr("3 pass"));
+  inside("apt-get -qq remove -y mpmvv");
+  EXPECT_FALSE(std::filesystem::exists(bare + "/usr/share/mpmvv"));
+}
+
+}  // namespace install_test
+}  // namespace mpmvv::cli

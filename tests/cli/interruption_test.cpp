@@ -1,0 +1,61 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <thread>
+
+#include "tests/cli/program.hpp"
+#include "tests/cli/small_study.hpp"
+
+namespace mpmvv::cli {
+namespace interruption_test {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Interrupted : public testing::TestWithParam<int> {
+ protected:
+  /// Starts a study of many short cases and a few long ones, its messages in a file.
+  pid_t start() {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    freopen("/dev/null", "w", stdout);
+    freopen((folder_ / "messages").c_str(), "w", stderr);
+    execl(program().c_str(), "mpmvv", "study", file_.c_str(), "--jobs", "8", "--db", db_.c_str(), nullptr);
+    _exit(127);
+  }
+
+  std::ptrdiff_t finished() {
+    const Answer exported = call(folder_, "db export --db " + db_);
+    return exported.code == 0 ? std::count(exported.out.begin(), exported.out.end(), '\n') - 1 : 0;
+  }
+
+  static std::string long_study() {
+    std::string text = small_study;
+    return text.replace(text.find("[8, 16, 32, 64]"), 15, "[8, 16, 32, 64, 2048, 2560]");
+  }
+
+  Folder folder_;
+  std::string file_ = folder_.write("long.toml", long_study()), db_ = folder_ / "r.db";
+};
+
+TEST_P(Interrupted, AStudyKeepsWhatHasFinishedAndSaysHowToGoOn) {
+  const pid_t child = start();
+  for (int k = 0; k < 1000 && finished() < 3; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, GetParam());
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  const std::string kept = std::to_string(finished()) + " cases finished and kept in " + db_;
+  const std::string messages = read_text(folder_ / "messages");
+  EXPECT_THAT(messages, StartsWith("stopped: " + kept));
+  EXPECT_THAT(messages, HasSubstr("the same command goes on from there\n"));
+  EXPECT_EQ(std::count(messages.begin(), messages.end(), '\n'), 1) << messages;
+  EXPECT_EQ(call(folder_, "db check --db " + db_).code, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Interrupted, testing::Values(SIGINT, SIGTERM));
+
+}  // namespace interruption_test
+}  // namespace mpmvv::cli

@@ -1,0 +1,146 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "tests/cli/program.hpp"
+
+/// The man page and the completions of shells, which the program makes of its own command line.
+namespace mpmvv::cli {
+namespace manual_test {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class Manual : public testing::Test {
+ protected:
+  std::string said(const std::string& arguments) const {
+    const Answer answer = call(folder_, arguments);
+    EXPECT_EQ(answer.code, 0) << answer.err;
+    return answer.out;
+  }
+
+  /// What the program, or a command of it, names in its help: "run" or "--db".
+  std::set<std::string> named(const std::string& command, const std::string& pattern) const {
+    const std::string help = said(command + " --help");
+    const std::regex name(pattern);
+    std::set<std::string> names;
+    for (std::sregex_iterator it(help.begin(), help.end(), name), end; it != end; ++it) names.insert((*it)[1]);
+    return names;
+  }
+
+  std::set<std::string> commands() const { return named("", "\n  ([a-z]+) +[A-Z]"); }
+
+  /// What bash offers for the last of these words.
+  std::string offered(const std::string& words) const {
+    folder_.write("mpmvv.bash", said("completion bash"));
+    const Answer bash =
+        shell("cd '" + (folder_ / "") + "' && bash -c 'source ./mpmvv.bash; COMP_WORDS=(mpmvv " + words +
+              "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _mpmvv; echo \"${COMPREPLY[*]}\"' 2>&1");
+    EXPECT_EQ(bash.code, 0);
+    return bash.out;
+  }
+
+  const Folder folder_;
+};
+
+TEST_F(Manual, NamesEveryCommandAndEveryOption) {
+  const std::string man = std::regex_replace(said("man"), std::regex(R"(\\-)"), "-");
+  const std::string bash = said("completion bash"), zsh = said("completion zsh"), fish = said("completion fish");
+  EXPECT_THAT(commands(), testing::IsSupersetOf({"run", "study", "gate", "report", "db"}));
+  for (const std::string& command : commands()) {
+    EXPECT_THAT(man, HasSubstr("mpmvv " + command)) << command;
+    for (const std::string& option : named(command, "\n  (?:-h,)?(--[a-z-]+)")) {
+      for (const std::string& text : {man, bash, zsh}) EXPECT_THAT(text, HasSubstr(option)) << command;
+      EXPECT_THAT(fish, HasSubstr(" -l " + option.substr(2))) << command;
+    }
+  }
+}
+
+TEST_F(Manual, IsHiddenFromHelpAndFromTheKnownCommands) {
+  EXPECT_THAT(said("--help"), Not(HasSubstr("completion")));
+  const Answer unknown = call(folder_, "completions");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, Not(HasSubstr("completion,")));
+  const Answer shell = call(folder_, "completion tcsh");
+  EXPECT_EQ(shell.code, 2);
+  EXPECT_THAT(shell.err, HasSubstr("tcsh not in {bash,zsh,fish}"));
+}
+
+TEST_F(Manual, IsSoundShell) {
+  folder_.write("mpmvv.bash", said("completion bash"));
+  const Answer bash = shell("bash -n '" + (folder_ / "mpmvv.bash") + "' 2>&1");
+  EXPECT_EQ(bash.code, 0);
+  EXPECT_THAT(bash.out, IsEmpty());
+}
+
+TEST_F(Manual, CompletesInBash) {
+  folder_.write("mine.db", "");
+  std::filesystem::create_directories(folder_ / "mine");
+  EXPECT_EQ(offered("r"), "run report\n");
+  EXPECT_EQ(offered("db in"), "info\n");
+  EXPECT_EQ(offered("db info --j"), "--json\n");
+  EXPECT_EQ(offered("run --velocity-update f"), "flip fmpm\n");
+  EXPECT_EQ(offered("run --velocity-update = f"), "flip fmpm\n") << "as bash divides --velocity-update=f";
+  EXPECT_EQ(offered("solution --problem sh"), "shell shock\n");
+  EXPECT_THAT(offered("run \"\""), HasSubstr("--basis")) << "it takes nothing but options";
+  EXPECT_THAT(offered("gate --db mi"), HasSubstr("mine.db"));
+  EXPECT_THAT(offered("study mi"), HasSubstr("mine.db"));
+  EXPECT_THAT(offered("study s-fig10"), HasSubstr("s-fig10")) << "that comes with the program";
+  EXPECT_EQ(offered("run --cells \"\""), "\n") << "a number is no file";
+  EXPECT_EQ(offered("gate --goldens mi"), "mine\n") << "a folder alone";
+  EXPECT_EQ(offered("gate --only s-fig11"), "s-fig11\n");
+  EXPECT_EQ(offered("list studi"), "studies\n");
+}
+
+/// Shells and `man` that a system need not have.
+using ManualNightly = Manual;
+
+TEST_F(ManualNightly, IsAManPageWithoutWarnings) {
+  folder_.write("mpmvv.1", said("man"));
+  const Answer man =
+      shell("MANWIDTH=80 man -l --warnings '" + (folder_ / "mpmvv.1") + "' 2>'" + (folder_ / "warnings") + "'");
+  EXPECT_EQ(man.code, 0);
+  EXPECT_EQ(read_text(folder_ / "warnings"), "");
+  EXPECT_THAT(man.out, HasSubstr("--velocity-update"));
+  EXPECT_THAT(man.out, HasSubstr("EXIT STATUS"));
+}
+
+TEST_F(ManualNightly, CompletesInFish) {
+  folder_.write("mpmvv.fish", said("completion fish"));
+  const auto fish = [&](const std::string& line) {
+    return shell("cd '" + (folder_ / "") + "' && fish -c 'source mpmvv.fish; complete -C \"mpmvv " + line + "\"' 2>&1")
+        .out;
+  };
+  EXPECT_THAT(fish("r"), HasSubstr("report\tWrite"));
+  EXPECT_THAT(fish("db in"), HasSubstr("info\t"));
+  EXPECT_THAT(fish("run --velocity-update fl"), HasSubstr("flip"));
+  EXPECT_THAT(fish("study mpmvv"), HasSubstr("mpmvv.fish"));
+}
+
+/// On a terminal of its own, as its completion works nowhere else: the only word is written out.
+TEST_F(ManualNightly, CompletesInZsh) {
+  folder_.write("_mpmvv", said("completion zsh"));
+  folder_.write("drive.zsh", R"(zmodload zsh/zpty
+zpty -b shell zsh -f -i
+heard() { local part all=; sleep $1; while zpty -r -t shell part 2> /dev/null; do all+=$part; done; print -r -- $all }
+zpty -w shell 'fpath=($PWD $fpath); autoload -U compinit; compinit -u -D'
+heard 2 > /dev/null
+for line in 'mpmvv rep' 'mpmvv db in' 'mpmvv run --velocity-update fl' 'mpmvv run --velocity-up'; do
+  zpty -w -n shell $line$'\t'
+  heard 1
+  zpty -w -n shell $'\x15'
+  heard 0.3 > /dev/null
+done
+zpty -d shell
+)");
+  const Answer zsh = shell("cd '" + (folder_ / "") + "' && zsh -n _mpmvv && timeout 60 zsh -f drive.zsh 2>&1");
+  EXPECT_EQ(zsh.code, 0) << zsh.out;
+  for (const char* completed : {"mpmvv report", "mpmvv db info", "--velocity-update flip", "--velocity-update "})
+    EXPECT_THAT(zsh.out, HasSubstr(completed));
+}
+
+}  // namespace manual_test
+}  // namespace mpmvv::cli

@@ -1,0 +1,120 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "studies/store/store.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/cli/small_study.hpp"
+
+/// What the command gathers for a report beside the results themselves.
+namespace mpmvv::cli::report_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string between(const std::string& text, const std::string& start, const std::string& end) {
+  const auto at = text.find(start) + start.size();
+  return text.substr(at, text.find(end, at) - at);
+}
+
+class ReportCommand : public testing::Test {
+ protected:
+  Answer report(const std::string& options = "") const {
+    return call(folder_, "report --db " + db_ + " --out " + (folder_ / "report") + " " + options);
+  }
+  std::string page(const std::string& file) const { return read_text(folder_ / ("report/" + file)); }
+
+  const Folder folder_;
+  const std::string db_ = folder_ / "r.db", none_ = "--goldens " + (folder_ / "none");
+};
+
+TEST_F(ReportCommand, WritesPagesAndTheirFiguresOnce) {
+  ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
+  const Answer first = report(none_);
+  ASSERT_EQ(first.code, 0) << first.err;
+  for (const char* name : {"index.html", "gate.html", "studies/small.html", "claims/S-fig10.html", "style.css",
+                           "report.js", "figures/small.svg", "figures/small.pdf", "figures/small.gp",
+                           "figures/small.dat", "tables/small.tex"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / (std::string("report/") + name))) << name;
+  EXPECT_THAT(report(none_).out, HasSubstr("(0 drawn)"));
+}
+
+/// The commands that the page says of a figure's points.
+nlohmann::json points_on(const std::string& page) {
+  return nlohmann::json::parse(between(page, "class=\"points\">", "</script>"));
+}
+
+TEST_F(ReportCommand, SaysHowToRepeatEveryPoint) {
+  ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
+  ASSERT_EQ(report(none_).code, 0);
+  const nlohmann::json points = points_on(page("studies/small.html"));
+  EXPECT_EQ(points["key"], "cells");
+  ASSERT_EQ(points["series"].size(), 2u);
+  for (const auto& series : points["series"]) {
+    ASSERT_EQ(series["points"].size(), 4u);
+    const auto& last = series["points"][3];
+    std::string command = series["command"];
+    command = command.substr(std::string("mpmvv ").size());
+    command.replace(command.find("{}"), 2, last[2].get<std::string>());
+    const double again = call(folder_, command + " --json").json()["error"]["l2"];
+    EXPECT_NEAR(std::stod(last[3].get<std::string>()), again, 1e-3 * again) << command;
+  }
+}
+
+TEST_F(ReportCommand, CommandsNameWordsFlagsParametersAndReplicates) {
+  const std::string file = folder_.write("r.toml", R"(title = "Replicates"
+[fixed]
+problem = "bar"
+param = { amplitude = 0.02 }
+boundary = "xmin=periodic,xmax=periodic"
+ppc = 2
+cfl = 0.3
+every_step = true
+[[series]]
+name = "a"
+basis = "bspline2"
+[sweep]
+cells = [8, 16]
+[replicates]
+grid_offset = [0.25, 0.5]
+)");
+  ASSERT_EQ(call(folder_, "study " + file + " --db " + db_).code, 0);
+  ASSERT_EQ(report(none_).code, 0);
+  EXPECT_THAT(page("studies/r.html"),
+              AllOf(HasSubstr("mpmvv run --problem bar --param amplitude=0.02 --boundary xmin=periodic,xmax=periodic "
+                              "--ppc 2 --cfl 0.3 --every-step --basis bspline2 --grid-offset 0.25 --cells 16"),
+                    HasSubstr("the first of 2 replicates")));
+}
+
+/// A store with studies of one's own alone: the goldens that it has nothing for are a line, and no verdict.
+TEST_F(ReportCommand, OfOwnStudiesIsAboutThese) {
+  ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
+  ASSERT_EQ(report("--goldens " MPMVV_SOURCE_DIR "/goldens").code, 0);
+  const std::string front = page("index.html");
+  EXPECT_THAT(front,
+              AllOf(HasSubstr("<title>mpmvv: not judged</title>"), HasSubstr("that this report has no result of"),
+                    HasSubstr("data-id=\"S-fig10\""), Not(HasSubstr("data-id=\"S-fig9\""))));
+  EXPECT_LT(front.size(), 20'000u);
+  EXPECT_THAT(page("studies/small.html"), HasSubstr("<code>mpmvv study small.toml --db results.db</code>"));
+  EXPECT_THAT(page("gate.html"), Not(HasSubstr("<tr><th scope=\"row\">order of")));
+}
+
+TEST_F(ReportCommand, SaysWhatChangedSinceTheVersionBefore) {
+  ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
+  {
+    store::Store store(db_, store::Store::Mode::write);
+    store::Provenance earlier = store::current_provenance();
+    auto study = store.studies(earlier.digest).at(0);
+    study.series[1].orders[0].order += 0.5;
+    for (auto& series : study.series) series.points.clear();
+    earlier.digest = "00ff", earlier.commit = "c0ffee0123456789", earlier.time = "2001-01-01T00:00:00Z";
+    store.keep_study(study, {{}, {}}, earlier);
+  }
+  ASSERT_EQ(report(none_).code, 0);
+  EXPECT_THAT(page("index.html"), AllOf(HasSubstr("results differ from c0ffee012345"),
+                                        HasSubstr("order of &apos;bspline2&apos; in l2 over [8, 64]: ")));
+}
+
+}  // namespace mpmvv::cli::report_test

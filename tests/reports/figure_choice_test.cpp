@@ -1,0 +1,76 @@
+#include "reports/figure_choice.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "studies/support/error.hpp"
+#include "tests/reports/distinct.hpp"
+
+namespace mpmvv::reports {
+namespace figure_choice_test {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+records::StudyResult study(const std::string& name, const std::string& claim, const std::vector<std::string>& figures) {
+  records::StudyResult result = distinct::curves();
+  result.name = name;
+  result.claims = {claim};
+  result.figures.clear();
+  for (const auto& figure : figures) result.figures.push_back(distinct::figure(figure, "curves"));
+  return result;
+}
+
+const std::vector<records::StudyResult>& studies() {
+  static const std::vector<records::StudyResult> all{
+      study("s-fig8", "S-fig8", {"s-fig8", "s-fig8-256"}),
+      study("s-fig9", "S-fig9", {"s-fig9a", "s-fig9b", "s-fig9-far"}), study("w-node", "W-node", {"w-node", "nodes"}),
+      study("w-node-square", "W-node", {"w-node-square"}), study("x-many", "X-any", {"one", "two"})};
+  return all;
+}
+
+std::vector<std::string> chosen(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Chart& chart : choose_figures(studies(), name).chosen) names.push_back(chart.name);
+  return names;
+}
+
+TEST(FigureChoice, AFiguresNameMeansIt) {
+  EXPECT_THAT(chosen("s-fig8-256"), ElementsAre("s-fig8-256"));
+  EXPECT_THAT(choose_figures(studies(), "s-fig8-256").others, IsEmpty());
+}
+
+TEST(FigureChoice, AClaimMeansTheFigureOfItsName) {
+  EXPECT_THAT(chosen("S-fig8"), ElementsAre("s-fig8"));
+  EXPECT_THAT(choose_figures(studies(), "S-fig8").others, ElementsAre("s-fig8-256"));
+}
+
+TEST(FigureChoice, AClaimMeansThePanelsOfItsFigure) {
+  EXPECT_THAT(chosen("S-fig9"), ElementsAre("s-fig9a", "s-fig9b"));
+  EXPECT_THAT(choose_figures(studies(), "S-fig9").others, ElementsAre("s-fig9-far"));
+}
+
+TEST(FigureChoice, AClaimWithoutAFigureOfItsNameMeansAllOfItsStudies) {
+  EXPECT_THAT(chosen("X-any"), ElementsAre("one", "two"));
+  EXPECT_THAT(choose_figures(studies(), "W-node").others, ElementsAre("nodes", "w-node-square"));
+}
+
+TEST(FigureChoice, AStudyMeansAllOfItsFigures) {
+  EXPECT_THAT(chosen("x-many"), ElementsAre("one", "two"));
+}
+
+TEST(FigureChoice, UnknownNamesAreAnsweredWithTheKnownOnes) {
+  try {
+    choose_figures({studies()[0]}, "s-fig1O");
+    FAIL();
+  } catch (const support::UsageError& e) {
+    EXPECT_STREQ(e.what(), "unknown figure 's-fig1O' (known: s-fig8, s-fig8-256, S-fig8)");
+  }
+}
+
+TEST(FigureChoice, LettersOfAPaperAreTakenForLarger) {
+  EXPECT_EQ(choose_figures(studies(), "one").chosen[0].letter, paper_letter);
+}
+
+}  // namespace figure_choice_test
+}  // namespace mpmvv::reports

@@ -1,0 +1,136 @@
+#include "reports/paper.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "reports/orders_table.hpp"
+#include "studies/support/process.hpp"
+#include "tests/reports/distinct.hpp"
+#include "tests/reports/synthetic.hpp"
+#include "tests/reports/temp_folder.hpp"
+
+namespace mpmvv::reports {
+namespace paper_test {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+store::Provenance provenance() {
+  store::Provenance p;
+  p.commit = "0123456789abcdef", p.time = "2026-03-04T05:06:07Z";
+  return p;
+}
+
+Sheet column() {
+  Sheet sheet;
+  sheet.format = Format::tex;
+  return sheet;
+}
+
+PaperSummary write(const std::vector<records::StudyResult>& studies, const fs::path& folder) {
+  return write_paper(studies, provenance(), folder, column());
+}
+
+/// A study under the name of one of S's, with the two panels of a figure of S.
+records::StudyResult of_s() {
+  records::StudyResult study = distinct::laws();
+  study.name = "s-fig9";
+  study.figures = {distinct::figure("s-fig9a", "curves"), distinct::figure("s-fig9b", "curves")};
+  study.figures[0].caption = "Error for l = h/2 & more";
+  return study;
+}
+
+TEST(Paper, FiguresOfThePapersComeFirstAndInTheirPanels) {
+  const TempFolder folder;
+  const PaperSummary summary = write({distinct::curves(), of_s()}, folder.path());
+  EXPECT_EQ(summary.figures, 3);
+  EXPECT_EQ(summary.figures_drawn, 3);
+  EXPECT_EQ(summary.tables, 1);
+  const std::string text = content(folder / "main.tex");
+  EXPECT_THAT(text, AllOf(HasSubstr("\\panel{84mm}{s-fig9a}{(a)\\\\}\\hfill"), HasSubstr("\\panel{84mm}{s-fig9b}{(b)"),
+                          HasSubstr("\\caption{S Fig. 9. (a) Error for $l$ = $h$/2 \\& more (b) Caption of s-fig9b}"),
+                          HasSubstr("\\input{tables/orders-S}"), HasSubstr("0123456789}"), HasSubstr("2026-03-04")));
+  EXPECT_LT(text.find("{s-fig9a}"), text.find("{curves}"));
+  EXPECT_THAT(text, Not(HasSubstr("Nairn"))) << "the store has nothing of that paper";
+  EXPECT_TRUE(fs::exists(folder / "figures/s-fig9a.tex") && fs::exists(folder / "figures/s-fig9a.pdf"));
+}
+
+TEST(Paper, SaysWhatOfAPaperIsNotDrawnAndWhy) {
+  const TempFolder folder;
+  const auto without = write({of_s()}, folder.path()).without;
+  EXPECT_THAT(without, Contains("S Fig. 1 is not drawn: a sketch of the method."));
+  EXPECT_THAT(without, Contains("S Fig. 10 is not drawn: the store has no figure s-fig10."));
+  EXPECT_THAT(without, Not(Contains(HasSubstr("S Fig. 9"))));
+  EXPECT_THAT(content(folder / "main.tex"), HasSubstr("S Fig. 1 is not drawn"));
+}
+
+TEST(Paper, RedrawsOnlyWhatChanged) {
+  const TempFolder folder;
+  auto studies = std::vector{of_s(), distinct::curves()};
+  write(studies, folder.path());
+  EXPECT_EQ(write(studies, folder.path()).figures_drawn, 0);
+  studies[1].series[0].points[3].y["slope"] += 0.1;
+  EXPECT_EQ(write(studies, folder.path()).figures_drawn, 1);
+}
+
+TEST(Paper, AFigureThatAColumnHasNoRoomForTakesTwo) {
+  const TempFolder folder;
+  auto study = distinct::limits();
+  study.series[0].name = "a series of a stability map with a name of many words";
+  write({study, distinct::curves()}, folder.path());
+  EXPECT_THAT(content(folder / "main.tex"),
+              AllOf(HasSubstr("\\panel{174mm}{limits}"), HasSubstr("\\panel{84mm}{curves}")));
+}
+
+TEST(Paper, OrdersStandInGroupsOfTheirStudies) {
+  const records::StudyResult laws = distinct::laws(), curves = distinct::curves();
+  const Table table = orders_table({&laws, &curves});
+  ASSERT_EQ(table.groups.size(), 1u);
+  EXPECT_EQ(table.groups[0].title, "laws (cells): ");
+  EXPECT_THAT(table.groups[0].rows[0], ElementsAre("law 0", "l2", "12 to 62", "0", "1.07 ± 0.03", "–", "no"));
+  EXPECT_THAT(table.groups[0].rows[2], ElementsAre("law 1", "l2", "7 to 21", "0", "2.13 ± 0.05", "0.0017", "no"));
+  const std::string text = latex_long_table(table);
+  EXPECT_THAT(text, AllOf(HasSubstr("{}law 0 & l2 & 12 to 62 & 0 & 1.07 $\\pm$ 0.03 & -- & no \\\\\n"),
+                          HasSubstr("\\begin{longtable}{lllllll}"), HasSubstr("\\end{longtable}")));
+  EXPECT_EQ(latex_long_table(orders_table({&curves})), "");
+}
+
+/// Two studies that share the name of a figure, which has a full stop and an underscore.
+std::vector<records::StudyResult> awkward_names() {
+  std::vector<records::StudyResult> studies{distinct::laws(), distinct::brackets()};
+  for (auto& study : studies) study.figures[0].name = "fig_2.5+";
+  studies[0].figures[0].xlabel = "[a label]", studies[1].figures[0].ylabel = "✓";
+  studies[0].title = "50 % of $1 & #2 {a} ~ ^ \\ <b>";
+  return studies;
+}
+
+/// The place in LaTeX's log; empty where it does not complain.
+std::string said_about(const std::string& complaint, const std::string& log) {
+  const auto place = log.find(complaint);
+  return place == std::string::npos ? "" : log.substr(place, 300);
+}
+
+TEST(PaperNightly, CompilesByOneCommand) {
+  const TempFolder folder;
+  auto studies = awkward_names();
+  for (const auto& study : {synthetic::convergence(), synthetic::limits(), synthetic::check(), distinct::curves(),
+                            distinct::limits(), distinct::costs(), distinct::particles(), of_s()})
+    studies.push_back(study);
+  write(studies, folder.path());
+  const auto end = support::run_process({"latexmk", "-pdf", "-interaction=nonstopmode", "-halt-on-error", "main.tex"},
+                                        folder.path(), {}, std::chrono::seconds(300));
+  if (end.start_error != 0) GTEST_SKIP() << "no latexmk";
+  EXPECT_TRUE(end.good()) << end.output;
+  EXPECT_THAT(content(folder / "main.pdf"), testing::StartsWith("%PDF"));
+  for (const char* complaint : {"Missing character", "undefined on input line", "Overfull \\hbox"})
+    EXPECT_EQ(said_about(complaint, content(folder / "main.log")), "");
+}
+
+}  // namespace paper_test
+}  // namespace mpmvv::reports

@@ -1,0 +1,109 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+#include <regex>
+
+#include "tests/reports/distinct.hpp"
+#include "tests/reports/written_report.hpp"
+
+/// Goldens, claims and criteria, as a report's pages say them.
+namespace mpmvv::reports::read_back_verdicts_test {
+
+using read_back::ExpectedTable;
+using read_back::WrittenReport;
+
+/// What stands on the card of a claim.
+struct Card {
+  std::string verdict, text;
+};
+
+std::map<std::string, Card> cards_on(const std::string& page) {
+  static const std::regex card(
+      R"re(<article class="card" data-verdict="([^"]*)" data-id="([^"]*)">([\s\S]*?)</article>)re"),
+      tag("<[^>]*>"), space("\\s+");
+  std::map<std::string, Card> cards;
+  for (std::sregex_iterator it(page.begin(), page.end(), card), end; it != end; ++it)
+    cards[(*it)[2]] = {(*it)[1], std::regex_replace(std::regex_replace((*it)[3].str(), tag, " "), space, " ")};
+  return cards;
+}
+
+records::ClaimPart part(records::PartVerdict verdict, std::optional<double> at_least, std::optional<double> at_most,
+                        const std::vector<records::Found>& found) {
+  records::ClaimPart part{"X-one", "asked of " + found[0].what, verdict, "evidence", "", "order"};
+  part.at_least = at_least, part.at_most = at_most, part.found = found;
+  return part;
+}
+
+TEST(ReadBackPage, VerdictsStandBesideWhatTheyAreOf) {
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.gate = {{"all-numbers", "golden one", "pass", "1.1 to 1.2", "1.15", "why pass"},
+                {"all-numbers", "golden two", "pass", "2.1 to 2.2", "2.15", "why too"}};
+  input.provenance = {"d1935", "c0331", true, "GNU 12", "-O9", "Fast", "a processor", "2026-01-02"};
+  ExpectedTable provenance;
+  const auto& p = input.provenance;
+  provenance.add("", {{"", "commit"}, {"", p.commit + " dirty: built from changes that are not committed"}});
+  provenance.add("", {{"", "digest"}, {"", p.digest}});
+  provenance.add("", {{"", "compiler"}, {"", p.compiler + ", " + p.build_type}});
+  provenance.add("", {{"", "flags"}, {"", p.flags}});
+  provenance.add("", {{"", "processor"}, {"", p.cpu}});
+  provenance.add("", {{"", "time"}, {"", p.time}});
+  const WrittenReport report(input);
+  report.expect_html(provenance);
+  ExpectedTable gate;
+  for (const GateLine& g : input.gate)
+    gate.add("", {{"golden", g.name},
+                  {"verdict", g.verdict},
+                  {"expected", g.expected},
+                  {"measured", g.measured},
+                  {"reason", g.reason}});
+  report.expect_html(gate);
+}
+
+TEST(ReadBackPage, GoldensThatDoNotPassStandOnEveryPageOfTheirStudy) {
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.gate = {{"all-numbers", "golden one", "pass", "1.1 to 1.2", "1.15", ""},
+                {"all-numbers", "golden two", "fail", "2.1 to 2.2", "2.35", "why fail"}};
+  ExpectedTable failing;
+  failing.add("", {{"golden", "golden two"},
+                   {"verdict", "fail"},
+                   {"expected", "2.1 to 2.2"},
+                   {"measured", "2.35"},
+                   {"reason", "why fail"}});
+  const WrittenReport report(input);
+  for (const char* page : {"index.html", "studies/all-numbers.html"}) report.expect_html_on(page, failing);
+}
+
+TEST(ReadBackPage, CriteriaHaveWhatWasAskedBesideWhatWasFound) {
+  using enum records::PartVerdict;
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.studies[0].parts = {part(holds, 1.75, 2.25, {{"first", 1.972}, {"second", 2.004}}),
+                            part(fails, std::nullopt, 0.8, {{"third", 0.91}, {"fourth", 1.33}}),
+                            part(inconclusive, 3, std::nullopt, {{"fifth", 2.7}})};
+  input.studies[0].parts[1].reason = "why it fails";
+  claims::Claim claim{"X-one", "a sentence", "A paper", "Fig. 7", "partly", "", {}, {"all-numbers"}};
+  for (const auto& each : input.studies[0].parts) claim.parts.push_back({"all-numbers", each});
+  input.claims = {claim};
+  const WrittenReport report(input);
+  ExpectedTable criteria;
+  const auto add = [&](const std::string& group, const char* what, const char* asked, const char* found) {
+    criteria.add(group, {{"what was compared", what}, {"asked", asked}, {"found", found}, {"on the band", ""}});
+  };
+  add("asked of first holds (all-numbers)", "first", "1.75 to 2.25", "1.972");
+  add("asked of first holds (all-numbers)", "second", "1.75 to 2.25", "2.004");
+  add("asked of third fails (all-numbers)  Reason: why it fails", "third", "at most 0.8", "0.91");
+  add("asked of third fails (all-numbers)  Reason: why it fails", "fourth", "at most 0.8", "1.33");
+  add("asked of fifth inconclusive (all-numbers)  evidence", "fifth", "at least 3", "2.7");
+  report.expect_html(criteria);
+  EXPECT_THAT(report.page("studies/all-numbers.html"),
+              testing::HasSubstr("<span class=\"badge fails\">fails</span> asked of third"));
+  const auto cards = cards_on(report.page("index.html"));
+  ASSERT_EQ(cards.size(), 1u);
+  EXPECT_EQ(cards.at("X-one").verdict, "partly");
+  EXPECT_THAT(cards.at("X-one").text,
+              testing::AllOf(testing::HasSubstr("a sentence"), testing::HasSubstr("fourth: 1.33 (asked: at most 0.8)"),
+                             testing::HasSubstr("X-one, Fig. 7 · 1 of 3 criteria hold")));
+}
+
+}  // namespace mpmvv::reports::read_back_verdicts_test
