@@ -10,6 +10,7 @@
 #include "cli/help.hpp"
 #include "cli/lines.hpp"
 #include "cli/results.hpp"
+#include "cli/shipped.hpp"
 #include "cli/table.hpp"
 #include "studies/claims/claim.hpp"
 #include "studies/support/error.hpp"
@@ -71,7 +72,16 @@ std::string source_text(const Claim& c) {
   return c.where.empty() || c.source.empty() ? c.source + c.where : fmt::format("{}, {}", c.source, c.where);
 }
 
-void print_page(const Claim& c, const ClaimsOptions& options) {
+/// The studies of a claim as they are called: by name where they come with the program, else by their files.
+std::string called(const Claim& c, const std::vector<records::StudyResult>& results) {
+  std::string words;
+  for (const records::StudyResult& study : results)
+    if (std::ranges::find(c.studies, study.name) != c.studies.end())
+      words += " " + study.name + (is_shipped(study) ? "" : ".toml");
+  return words;
+}
+
+void print_page(const Claim& c, const std::vector<records::StudyResult>& results, const ClaimsOptions& options) {
   print("{}: {}\n", c.id, c.verdict);
   for (const std::string& text : {c.statement, source_text(c)})
     if (!text.empty()) print_indented(text);
@@ -81,11 +91,11 @@ void print_page(const Claim& c, const ClaimsOptions& options) {
   print_criteria("study", parts);
   if (options.verbose) print_grounds(parts);
   print_reasons(parts);
-  const std::string studies = fmt::format("{}", fmt::join(c.studies, " "));
+  const std::string studies = called(c, results);
   if (studies.empty())
     print("  no study in the store judges it\n\n");
   else
-    print("\n  repeat: mpmvv study {} --db {}\n\n", studies, options.db);
+    print("\n  repeat: mpmvv study{} --db {}\n\n", studies, options.db);
 }
 
 const Claim& find_claim(const std::vector<Claim>& all, const std::string& id, const std::string& db) {
@@ -96,7 +106,8 @@ const Claim& find_claim(const std::vector<Claim>& all, const std::string& id, co
 }
 
 int show(const ClaimsOptions& options) {
-  std::vector<Claim> judged = judged_claims(own_results(options.db), own_mutation(options.db));
+  const auto results = own_results(options.db);
+  std::vector<Claim> judged = judged_claims(results, own_mutation(options.db));
   if (!options.ids.empty()) {
     std::vector<Claim> wanted;
     for (const std::string& id : options.ids) wanted.push_back(find_claim(judged, id, options.db));
@@ -111,7 +122,7 @@ int show(const ClaimsOptions& options) {
   } else if (options.ids.empty()) {
     print_list(judged);
   } else {
-    for (const Claim& c : judged) print_page(c, options);
+    for (const Claim& c : judged) print_page(c, results, options);
   }
   return 0;
 }
