@@ -23,9 +23,8 @@ std::string difference(const Finding& before, const Finding& after) {
 }  // namespace
 
 std::string change_text(const goldens::Change& change) {
-  std::string text =
-      fmt::format("{:<12} {}: {} -> {}{}", change.before.study, change.before.name, claims::text(change.before),
-                  claims::text(change.after), difference(change.before, change.after));
+  std::string text = fmt::format("{}: {} -> {}{}", change.before.name, claims::text(change.before),
+                                 claims::text(change.after), difference(change.before, change.after));
   if (change.largest && change.largest->x != change.before.at)
     text += fmt::format(", most at {:g}: {:.6g} -> {:.6g}", change.largest->x, change.largest->before,
                         change.largest->after);

@@ -1,7 +1,6 @@
 #include "goldens/cost.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
@@ -15,6 +14,7 @@
 #include "cli/console.hpp"
 #include "cli/help.hpp"
 #include "cli/shipped.hpp"
+#include "cli/table.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
@@ -22,6 +22,7 @@
 namespace mpmvv::cli {
 
 using goldens::Verdict;
+using Kind = Table::Kind;
 
 namespace {
 
@@ -116,10 +117,19 @@ nlohmann::json cost_json(const std::vector<CostedCase>& cases, const std::vector
   return {{"cases", all}, {"left_out", left_out}};
 }
 
-void print_cost(const CostedCase& costed) {
-  const auto& [name, cost] = costed;
-  print("{:<12} {:.3f} in [{:.3f}, {:.3f}]  {:6.1f} ns beside {:6.1f}  {}\n", to_string(cost.verdict()), cost.ratio,
-        cost.least, cost.most, cost.now, cost.baseline, name);
+void print_costs(const std::vector<CostedCase>& cases) {
+  Table table({{"verdict", Kind::verdict},
+               {"ratio", Kind::number},
+               {"99 %"},
+               {"now\n(ns)", Kind::number},
+               {"baseline\n(ns)", Kind::number},
+               {"case", Kind::prose}},
+              0);
+  for (const auto& [name, cost] : cases)
+    table.add({to_string(cost.verdict()), fmt::format("{:.3f}", cost.ratio),
+               fmt::format("{:.3f} to {:.3f}", cost.least, cost.most), fmt::format("{:.1f}", cost.now),
+               fmt::format("{:.1f}", cost.baseline), name});
+  table.print();
 }
 
 std::size_t count(const std::vector<CostedCase>& cases, Verdict verdict) {
@@ -130,29 +140,30 @@ std::size_t count(const std::vector<CostedCase>& cases, Verdict verdict) {
 int cost(const CostOptions& options) {
   const std::string own = std::filesystem::read_symlink("/proc/self/exe"),
                     baseline = std::filesystem::absolute(options.baseline);
-  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const auto columns = note_columns();
   std::vector<CostedCase> costed;
   std::vector<std::string> left_out;
   const auto cases = read_cases(options.cases.empty() ? default_cases() : options.cases);
   for (const std::string& name : cases) {
-    if (terminal) note("\r\033[K[{}/{}] {}", costed.size() + left_out.size(), cases.size(), name);
+    if (columns)
+      note_text("\r\033[K" +
+                cut(fmt::format("[{}/{}] {}", costed.size() + left_out.size(), cases.size(), name), *columns - 1));
     required_cost(own, name);
     const bool is_new = refuses(baseline, name);
     if (is_new)
       left_out.push_back(name);
     else
       costed.push_back({name, beside(own, baseline, name)});
-    if (terminal) note("\r\033[K");
-    if (is_new)
-      note("left out, as the baseline refuses it: {}\n", name);
-    else if (!options.json)
-      print_cost(costed.back());
+    if (columns) note_text("\r\033[K");
+    if (is_new) note("left out, as the baseline refuses it: {}\n", name);
   }
-  if (options.json)
+  if (options.json) {
     print_json(cost_json(costed, left_out));
-  else
+  } else {
+    print_costs(costed);
     print("cost: {} pass, {} fail, {} inconclusive (at most {} of the baseline's)\n", count(costed, Verdict::pass),
           count(costed, Verdict::fail), count(costed, Verdict::inconclusive), goldens::cost_band);
+  }
   return count(costed, Verdict::fail) > 0 ? 1 : count(costed, Verdict::pass) < costed.size() || costed.empty() ? 3 : 0;
 }
 

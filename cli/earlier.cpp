@@ -1,5 +1,7 @@
 #include "cli/earlier.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "cli/change_text.hpp"
@@ -50,7 +52,7 @@ std::optional<reports::Earlier> earlier_version(const store::Store& store, const
   earlier.compared = comparison.changes.size();
   earlier.changed = comparison.changed();
   for (const goldens::Change& change : comparison.changes)
-    if (change.bands != 0) earlier.changes.push_back(change_text(change));
+    if (change.bands != 0) earlier.changes.push_back(fmt::format("{}: {}", change.before.study, change_text(change)));
   earlier.cost_ratio = median_ratio(comparison.costs);
   return earlier;
 }

@@ -8,11 +8,13 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "cli/length.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "reports/figure_choice.hpp"
 #include "reports/picture_file.hpp"
+#include "reports/plot.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
@@ -100,6 +102,12 @@ int figure(const FigureOptions& options) {
   const auto files = files_of(options, charts, sheet.format);
   for (const fs::path& file : files)
     for (const fs::path& part : reports::picture_files(file, sheet.format)) require_apart("--out", part, {options.db});
+  for (const Chart& chart : charts)
+    if (!reports::has_room(chart, sheet))
+      throw support::UsageError(
+          fmt::format("--width {} leaves too little for the axes of '{}' (a greater one, or a "
+                      "smaller --font-size than {})",
+                      options.width, chart.name, options.font_size));
   if (sheet.format == Format::pdf) note_other_font(sheet);
   for (std::size_t i = 0; i < charts.size(); ++i) {
     if (files[i].has_parent_path()) support::make_folder(files[i].parent_path());
@@ -115,13 +123,19 @@ int figure(const FigureOptions& options) {
 void add_figure(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<FigureOptions>();
   CLI::App* command = app.add_subcommand("figure", "Draw a figure for a paper");
-  command->add_option("name", options->name, "figure, claim or study: s-fig10, S-fig10")->required();
-  command->add_option("--db", options->db, "results store")->required();
-  command->add_option("--format", options->format, "pdf, svg or tex (default: as --out ends, else pdf)");
-  command->add_option("--width", options->width, "of the figure, labels and key: 84mm, 3.3in")->capture_default_str();
-  command->add_option("--font", options->font, "family, for pdf and svg (default: Sans)");
-  command->add_option("--font-size", options->font_size, "of all texts")->capture_default_str();
-  command->add_option("--out", options->out, "file, or folder (default: here, under the figure's name)");
+  command->add_option("name", options->name, "figure, claim or study: s-fig10, S-fig10")->required()->type_name("NAME");
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--format", options->format, "pdf, svg or tex (default: as --out ends, else pdf)")
+      ->type_name("WORD");
+  command->add_option("--width", options->width, "of the figure, labels and key: 84mm, 3.3in")
+      ->capture_default_str()
+      ->type_name("LENGTH");
+  command->add_option("--font", options->font, "family, for pdf and svg (default: Sans)")->type_name("NAME");
+  command->add_option("--font-size", options->font_size, "of all texts")->capture_default_str()->type_name("LENGTH");
+  command->add_option("--out", options->out, "file, or folder (default: here, under the figure's name)")
+      ->type_name("FILE");
+  add_examples(*command, {"mpmvv figure splines --db results.db",
+                          "mpmvv figure splines --db results.db --format svg --width 174mm --out wide.svg"});
   command->callback([options, &exit_code] { exit_code = figure(*options); });
 }
 

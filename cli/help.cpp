@@ -41,6 +41,7 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   std::string meaning = option->get_description();
+  if (!option->get_default_str().empty()) meaning += fmt::format(" (default: {})", option->get_default_str());
   if (option->get_required()) meaning += " (required)";
   if (!option->get_needs().empty()) meaning += fmt::format(" (with {})", names_of(option->get_needs()));
   if (!option->get_excludes().empty()) meaning += fmt::format(" (not with {})", names_of(option->get_excludes()));

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -7,7 +8,9 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/numbers.hpp"
 #include "cli/results.hpp"
+#include "cli/table.hpp"
 #include "goldens/comparison.hpp"
 
 namespace mpmvv::cli {
@@ -48,9 +51,11 @@ struct CompareOptions {
 
 void print_comparison(const goldens::Comparison& comparison, const Version& a, const Version& b, bool all) {
   print("from {}, {}\nto   {}, {}\n", label(a), a.time, label(b), b.time);
+  Table table({{"study"}, {"change", Table::Kind::prose}}, 0);
   for (const Change& change : comparison.changes)
-    if (all || change.bands != 0) print("{}\n", change_text(change));
-  for (const Change& cost : comparison.costs) print("{}\n", change_text(cost));
+    if (all || change.bands != 0) table.add({change.before.study, change_text(change)});
+  for (const Change& cost : comparison.costs) table.add({cost.before.study, change_text(cost)});
+  table.print();
   for (const std::string& what : comparison.only_before) print("only in the first: {}\n", what);
   for (const std::string& what : comparison.only_after) print("only in the second: {}\n", what);
   print("{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} costs shown as ratios\n",
@@ -102,14 +107,29 @@ nlohmann::json trends_json(const std::vector<Version>& versions, const std::vect
   return {{"versions", all_versions}, {"trends", all_trends}};
 }
 
+/// So many of the newest versions as a line of the terminal holds beside study and name.
+std::size_t shown_versions(std::size_t all) {
+  constexpr std::size_t beside = 45, column = 11;
+  if (!output_columns()) return all;
+  return std::min(all, std::max<std::size_t>(2, (std::max(text_width(), beside) - beside) / column));
+}
+
 void print_trends(const std::vector<Version>& versions, const std::vector<Trend>& trends) {
-  for (std::size_t v = 0; v < versions.size(); ++v)
+  std::vector<Table::Column> columns{{"study"}};
+  const std::size_t first = versions.size() - shown_versions(versions.size());
+  for (std::size_t v = 0; v < versions.size(); ++v) {
     print("{:>3}  {}, {}\n", v + 1, label(versions[v]), versions[v].time);
-  for (const Trend& trend : trends) {
-    print("{:<12} {}:", trend.study, trend.name);
-    for (const double number : trend.numbers) print(" {}", std::isnan(number) ? "-" : fmt::format("{:.5g}", number));
-    print("\n");
+    if (v >= first) columns.push_back({fmt::format("{}", v + 1), Table::Kind::number});
   }
+  columns.push_back({"of", Table::Kind::prose});
+  Table table(columns, 0);
+  for (const Trend& trend : trends) {
+    std::vector<std::string> cells{trend.study};
+    for (std::size_t v = first; v < versions.size(); ++v) cells.push_back(number_text(trend.numbers[v]));
+    cells.push_back(trend.name);
+    table.add(std::move(cells));
+  }
+  table.print();
 }
 
 int trend(const TrendOptions& options) {

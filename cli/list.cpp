@@ -7,11 +7,13 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/problem_list.hpp"
 #include "cli/study_list.hpp"
+#include "cli/table.hpp"
 #include "studies/checks/check.hpp"
 #include "studies/plan/file_reference.hpp"
 #include "studies/plan/file_tables.hpp"
-#include "studies/problems/problem.hpp"
+#include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::cli {
@@ -34,35 +36,6 @@ std::vector<std::pair<std::string, std::string>> word_lists() {
   return lists;
 }
 
-nlohmann::json problem_json(const problems::Problem& p) {
-  const problems::Parameters defaults = problems::complete_parameters(p, {});
-  nlohmann::json parameters = nlohmann::json::array();
-  for (const problems::Parameter& parameter : p.parameters)
-    parameters.push_back({{"name", parameter.name},
-                          {"default", parameter.value},
-                          {"unit", parameter.unit},
-                          {"allowed", parameter.range}});
-  return {{"name", p.name},
-          {"source", p.source},
-          {"dimension", p.dimension()},
-          {"length", {{"formula", p.length_formula}, {"default", p.length(defaults)}}},
-          {"wave_speed", {{"formula", p.wave_speed_formula}, {"default", p.wave_speed(defaults)}}},
-          {"end_time", {{"formula", p.end_time_formula}, {"default", p.end_time(defaults)}}},
-          {"boundary", p.boundary},
-          {"parameters", parameters}};
-}
-
-void print_problems() {
-  for (const problems::Problem& p : problems::problems()) {
-    const problems::Parameters defaults = problems::complete_parameters(p, {});
-    print("{}  ({}D, {})\n  L = {} m, wave speed {} = {:g} m/s, end time {} = {:g} s, boundary {}\n", p.name,
-          p.dimension(), p.source, p.length(defaults), p.wave_speed_formula, p.wave_speed(defaults), p.end_time_formula,
-          p.end_time(defaults), p.boundary);
-    for (const problems::Parameter& parameter : p.parameters)
-      print("  {} = {:g} {}, allowed: {}\n", parameter.name, parameter.value, parameter.unit, parameter.range);
-  }
-}
-
 std::vector<std::string> check_names() {
   std::vector<std::string> names;
   for (const checks::Check& check : checks::checks()) names.push_back(check.name);
@@ -82,11 +55,12 @@ nlohmann::json study_file_json() {
 }
 
 void print_studies(const nlohmann::json& studies) {
+  Table table({{"study"}, {"title"}, {"claims", Table::Kind::prose}}, 0);
   for (const nlohmann::json& study : studies) {
     const auto claims = study["claims"].get<std::vector<std::string>>();
-    print("{:<18} {}{}\n", study["name"].get<std::string>(), study["title"].get<std::string>(),
-          claims.empty() ? "" : fmt::format(" ({})", fmt::join(claims, ", ")));
+    table.add({study["name"], study["title"], fmt::format("{}", fmt::join(claims, ", "))});
   }
+  table.print();
 }
 
 int list(const std::string& what, const std::string& folder, bool json) {
@@ -98,25 +72,28 @@ int list(const std::string& what, const std::string& folder, bool json) {
     throw support::UsageError("--studies without studies (mpmvv list studies --studies FOLDER)");
   }
   if (what.empty() || what == "problems") {
-    all["problems"] = nlohmann::json::array();
-    for (const problems::Problem& p : problems::problems()) all["problems"].push_back(problem_json(p));
+    all["problems"] = problem_list();
     if (!json) print_problems();
   }
-  const auto print_words = [&](const std::string& name, const std::vector<std::string>& words) {
+  Table table({{"key"}, {"words", Table::Kind::prose}}, 0);
+  const auto add_words = [&](const std::string& name, const std::vector<std::string>& words) {
     all[name] = words;
-    if (!json) print("{}: {}\n", name, fmt::format("{}", fmt::join(words, ", ")));
+    table.add({name, fmt::format("{}", fmt::join(words, ", "))});
   };
   for (const auto& [name, key] : word_lists()) {
-    if (what.empty() || what == name) print_words(name, settings::words_of_key(key));
+    if (what.empty() || what == name) add_words(name, settings::words_of_key(key));
   }
-  if (what.empty() || what == "checks") print_words("checks", check_names());
+  if (what.empty() || what == "checks") add_words("checks", check_names());
   if (what == "study-file") {
     all[what] = study_file_json();
     if (!json) print_text(plan::study_file_reference());
   }
   if (all.empty())
     throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(list_names(), ", ")));
-  if (json) print_json(all);
+  if (json)
+    print_json(all);
+  else
+    table.print();
   return 0;
 }
 

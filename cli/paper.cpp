@@ -4,6 +4,7 @@
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
+#include "cli/help.hpp"
 #include "cli/length.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
@@ -38,10 +39,15 @@ int paper(const PaperOptions& options) {
 void add_paper(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<PaperOptions>();
   CLI::App* command = app.add_subcommand("paper", "Write all figures and orders as a LaTeX document");
-  command->add_option("--db", options->db, "results store")->required();
-  command->add_option("--out", options->out, "folder of the document")->required();
-  command->add_option("--width", options->width, "of a figure, labels and key: 84mm, 3.3in")->capture_default_str();
-  command->add_option("--font-size", options->font_size, "of the figures' texts")->capture_default_str();
+  command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command->add_option("--out", options->out, "folder of the document")->required()->type_name("FOLDER");
+  add_examples(*command, {"mpmvv paper --db results.db --out paper"});
+  command->add_option("--width", options->width, "of a figure, labels and key: 84mm, 3.3in")
+      ->capture_default_str()
+      ->type_name("LENGTH");
+  command->add_option("--font-size", options->font_size, "of the figures' texts")
+      ->capture_default_str()
+      ->type_name("LENGTH");
   command->callback([options, &exit_code] { exit_code = paper(*options); });
 }
 

@@ -4,6 +4,7 @@
 #include <sys/auxv.h>
 
 #include <algorithm>
+#include <bit>
 #include <system_error>
 
 #include "studies/support/error.hpp"
@@ -28,7 +29,7 @@ namespace {
 
 fs::path shipped(const std::string& folder) {
   std::error_code unknown;
-  const auto* called = reinterpret_cast<const char*>(getauxval(AT_EXECFN));  // also where /proc is not mounted
+  const auto* called = std::bit_cast<const char*>(getauxval(AT_EXECFN));  // also where /proc is not mounted
   const fs::path place = fs::canonical(called, unknown).parent_path();
   for (const fs::path& top : {place.parent_path() / "share" / "mpmvv", place.parent_path().parent_path()})
     if (fs::exists(top / "studies" / "quick.txt", unknown)) return top / folder;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "cli/console.hpp"
 #include "studies/support/printable.hpp"
@@ -10,8 +11,9 @@ namespace mpmvv::cli {
 
 namespace {
 
+constexpr std::size_t below = 4;        ///< columns that prose below its row stands in
 constexpr std::size_t gap = 2;          ///< between columns
-constexpr std::size_t least_open = 24;  ///< columns of the last cell on the narrowest terminal
+constexpr std::size_t least_open = 24;  ///< columns that an open column takes beside the others
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -71,21 +73,29 @@ std::string Table::line(const Cells& cells, bool coloured) const {
   return line + '\n';
 }
 
-/// The cell of an open column in the lines that it takes.
-std::vector<std::string> Table::last_cell(const std::string& text, std::size_t width) const {
-  const std::size_t left = std::max(width > this->width() ? width - this->width() : 0, least_open);
-  return columns_.back().kind == Kind::line ? std::vector{cut(text, left)} : wrapped(text, left);
+/// The row in one line, or with its prose in as many as it takes: beside the rest, or, where that leaves little, below.
+std::string Table::row(Cells cells, std::size_t width, bool coloured) const {
+  if (!is_open()) return line(cells, coloured);
+  const std::size_t left = width > this->width() ? width - this->width() : 0;
+  const std::string last = std::exchange(cells.back(), "");
+  if (columns_.back().kind == Kind::line) {
+    cells.back() = cut(last, std::max(left, least_open));
+    return line(cells, coloured);
+  }
+  const bool is_beside = left >= least_open;
+  const std::size_t margin = is_beside ? this->width() : indent_ + below;
+  std::vector<std::string> lines = wrapped(last, std::max(width, margin + 1) - margin);
+  if (is_beside) cells.back() = std::exchange(lines.front(), "");
+  std::string text = line(cells, coloured);
+  for (const std::string& more : lines)
+    if (!more.empty()) text += std::string(margin, ' ') + more + '\n';
+  return text;
 }
 
 std::string Table::text(std::size_t width, bool coloured) const {
   std::string text;
   for (const Cells& heads : head_lines()) text += line(heads, false);
-  for (Cells cells : rows_) {
-    const auto lines = is_open() ? last_cell(cells.back(), width) : std::vector{cells.back()};
-    cells.back() = lines.front();
-    text += line(cells, coloured);
-    for (std::size_t k = 1; k < lines.size(); ++k) text += std::string(this->width(), ' ') + lines[k] + '\n';
-  }
+  for (const Cells& cells : rows_) text += row(cells, width, coloured);
   return text;
 }
 

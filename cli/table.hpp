@@ -11,7 +11,7 @@ namespace mpmvv::cli {
 class Table {
  public:
   /// `verdict`: words that a terminal shows in colour. The last column may be `prose`, which is wrapped to what a line
-  /// has left, or a `line`, which is cut there.
+  /// has left (below the row where that is little), or a `line`, which is cut there.
   enum class Kind { text, number, verdict, prose, line };
 
   struct Column {
@@ -33,8 +33,8 @@ class Table {
 
   bool is_open() const;  ///< the last column takes what is left
   std::vector<Cells> head_lines() const;
-  std::vector<std::string> last_cell(const std::string& text, std::size_t width) const;
   std::string line(const Cells& cells, bool coloured) const;
+  std::string row(Cells cells, std::size_t width, bool coloured) const;
 
   std::vector<Column> columns_;
   std::size_t indent_;

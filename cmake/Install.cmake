@@ -44,6 +44,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "gnuplot-nox | gnuplot")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "latexmk, texlive-latex-recommended")  # for what `mpmvv paper` writes
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "\
 Runs a solver of the Material Point Method against manufactured solutions,
 fits the orders and stability limits that it shows, judges what papers claim

@@ -60,8 +60,9 @@ FigureChoice choose_of_claim(std::vector<Chart> charts, const std::string& id) {
   std::set<std::string> figures, claims;
   for (const StudyResult& study : studies) claims.insert(study.claims.begin(), study.claims.end());
   for (const Chart& chart : charts_where(studies, [](const StudyResult&) { return true; })) figures.insert(chart.name);
-  throw support::UsageError(fmt::format("unknown figure '{}' (known: {}; or a claim: {})", name,
-                                        fmt::join(figures, ", "), fmt::join(claims, ", ")));
+  std::vector<std::string> known(figures.begin(), figures.end());
+  known.insert(known.end(), claims.begin(), claims.end());
+  throw support::UsageError(fmt::format("unknown figure '{}' (known: {})", name, fmt::join(known, ", ")));
 }
 
 }  // namespace

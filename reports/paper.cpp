@@ -59,8 +59,8 @@ bool is_of(const StudyResult& study, const Paper& paper) {
 /// Sorts the figures and orders of studies into the parts of a document.
 class Document {
  public:
-  explicit Document(const std::vector<StudyResult>& studies)
-      : studies_(studies), charts_(charts_of_all(studies, paper_letter)) {
+  Document(const std::vector<StudyResult>& studies, const Sheet& column)
+      : studies_(studies), column_(column), charts_(charts_of_all(studies, paper_letter)) {
     for (const auto& of_study : charts_)
       for (const Chart& chart : of_study) by_name_[chart.name] = &chart;
     for (const Paper& paper : papers()) add(part_of(paper));
@@ -113,7 +113,7 @@ class Document {
     for (const auto& of_study : charts_)
       for (const Chart& chart : of_study)
         if (!taken_.contains(chart.name))
-          part.figures.push_back({{&chart}, latex(chart.name + ". " + chart.caption), false});
+          part.figures.push_back({{&chart}, latex(chart.name + ". " + chart.caption), !has_room(chart, column_)});
     part.orders = orders_of([](const StudyResult& study) {
       return std::ranges::none_of(papers(), [&](const Paper& paper) { return is_of(study, paper); });
     });
@@ -121,6 +121,7 @@ class Document {
   }
 
   const std::vector<StudyResult>& studies_;
+  Sheet column_;
   std::vector<std::vector<Chart>> charts_;
   std::map<std::string, const Chart*> by_name_;
   std::set<std::string> taken_;
@@ -214,7 +215,7 @@ std::string main_text(const std::vector<Part>& parts, const store::Provenance& p
 
 PaperSummary write_paper(const std::vector<StudyResult>& studies, const store::Provenance& provenance,
                          const fs::path& out_dir, const Sheet& column) {
-  const Document document(studies);
+  const Document document(studies, column);
   const auto plots = plots_of(document.parts(), column);
   PaperSummary summary;
   support::make_folder(out_dir / "figures");

@@ -23,6 +23,9 @@ Plot plot_of(const Chart& chart);
 /// One picture for a paper; for LaTeX a second file holds what is no text.
 Plot plot_of(const Chart& chart, const Sheet& sheet);
 
+/// Whether the chart's axes are long enough to be read on such a sheet.
+bool has_room(const Chart& chart, const Sheet& sheet);
+
 /// Draws the plots whose script or data differ from the folder's, or whose pictures are absent; how many these were.
 /// Throws UsageError when gnuplot is missing, fails, exceeds the time limit or leaves a picture out.
 int draw(const std::vector<Plot>& plots, const std::filesystem::path& folder,

@@ -114,6 +114,12 @@ double Layout::y_label_at(std::size_t line) const {
   return (0.9 + line_height * static_cast<double>(line)) * page.font / page.width;
 }
 
+bool Layout::has_room() const {
+  constexpr double least = 8;  ///< in sizes of the font
+  const double across = (axes_right() - axes_left()) * page.width, up = (axes_top() - axes_bottom()) * height();
+  return std::min(across, up) >= least * page.font;
+}
+
 KeyPlace Layout::key_place(int row) const {
   const double font = page.font;
   const double block = key_columns * key_column - key_gap * font;

@@ -42,6 +42,9 @@ struct Layout {
   double y_label_at(std::size_t line) const;
   KeyPlace key_place(int row) const;  ///< down the first column, then the next
 
+  /// Whether the axes are long enough to be read, both of them.
+  bool has_room() const;
+
   double key_column = 0;  ///< width of a column of the key, in points
 
   double left = 0, right = 0, top = 0;  ///< margins, in points

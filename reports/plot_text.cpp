@@ -13,6 +13,8 @@ namespace mpmvv::reports {
 
 namespace {
 
+constexpr double mm_per_inch = 25.4;
+
 /// A tic's text, which is a format.
 std::string quoted_format(const std::string& text, Notation notation) {
   return replace_all(quoted(text, notation), "%", "%%");
@@ -133,7 +135,15 @@ std::string terminal_text(const Sheet& sheet, double width, double height) {
   return "";
 }
 
+Layout layout_on(const Chart& chart, const Sheet& sheet) {
+  return paper_layout(chart, sheet.width / mm_per_inch * 72, sheet.font_size);
+}
+
 }  // namespace
+
+bool has_room(const Chart& chart, const Sheet& sheet) {
+  return layout_on(chart, sheet).has_room();
+}
 
 Plot plot_of(const Chart& chart) {
   const Layout layout = report_layout(chart);
@@ -147,14 +157,14 @@ Plot plot_of(const Chart& chart) {
 }
 
 Plot plot_of(const Chart& chart, const Sheet& sheet) {
-  constexpr double inch = 25.4, mark_scale = 0.62;
+  constexpr double mark_scale = 0.62;
   const Notation texts = sheet.format == Format::tex ? Notation::latex : Notation::enhanced;
-  const Layout layout = paper_layout(chart, sheet.width / inch * 72, sheet.font_size);
+  const Layout layout = layout_on(chart, sheet);
   const std::string picture = chart.name + ending_of(sheet.format);
   std::string script = head_text(chart, picture) + placed_key(layout, texts, mark_scale) +
                        paper_axes(chart, layout, texts) + labels_text(chart, texts);
   script += fmt::format("set terminal {}\nset output '{}'\n",
-                        terminal_text(sheet, sheet.width / inch, layout.height() / 72), picture);
+                        terminal_text(sheet, sheet.width / mm_per_inch, layout.height() / 72), picture);
   script += plot_command(chart, mark_scale) + "unset output\n";
   Plot plot{chart.name, script, plot_data(chart), {ending_of(sheet.format)}};
   if (sheet.format == Format::tex) plot.endings.push_back(ending_of(Format::pdf));

@@ -65,12 +65,14 @@ TEST_F(Figure, BadOptionsGetOneLineAndWriteNothing) {
       {"small --format png", "unknown --format 'png' (known: pdf, svg, tex)"},
       {"small --width 84", "--width '84' is no length (a number and its unit: 84mm, 8.4cm, 3.3in, 8pt)"},
       {"small --width 8mm", "--width 8mm (40mm to 400mm)"},
+      {"small --width 40mm --font-size 16pt",
+       "--width 40mm leaves too little for the axes of 'small' (a greater one, or a smaller --font-size than 16pt)"},
       {"small --font-size 80pt", "--font-size 80pt (4.25pt to 28.3pt)"},
       {"small --font 'a\"b'", "--font 'a\"b' (a family's name, such as 'Liberation Serif')"},
       {"small --format tex --font Times",
        "--font with --format tex (LaTeX sets the document's own font; leave it out)"},
       {"small --format pdf --out a.svg", "--format pdf with --out a.svg (a file that ends with .pdf)"},
-      {"smal", "unknown figure 'smal' (known: small; or a claim: S-fig10)"}};
+      {"smal", "unknown figure 'smal' (known: small, S-fig10; did you mean 'small'?)"}};
   for (const auto& [arguments, message] : calls) {
     const Answer answer = draw(arguments);
     EXPECT_EQ(answer.code, 2) << arguments;

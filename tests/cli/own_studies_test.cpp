@@ -44,7 +44,7 @@ TEST_F(OwnStudies, TheFirstOneGoesFromAFileToAGateThatPassesInFiveCommands) {
             (std::map<std::string, std::string>{{"cubic-second", "confirmed"}, {"cubic-better", "refuted"}}));
   const std::string report = read_text(folder_ / "report/index.html");
   EXPECT_THAT(report, HasSubstr("cubic-better"));
-  EXPECT_THAT(report, Not(HasSubstr("S-fig10"))) << "nothing of what comes with the program";
+  EXPECT_THAT(report, Not(HasSubstr("W-fig3"))) << "nothing of what comes with the program";
 }
 
 TEST_F(OwnStudies, AFolderOfThemIsRunAndGatedAlone) {

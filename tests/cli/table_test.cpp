@@ -39,6 +39,22 @@ TEST(Table, WrapsProseToTheWidthThatIsLeft) {
             "         line of forty cannot hold\n");
 }
 
+TEST(Table, ProseStandsBelowItsRowWhereThatLeavesLittle) {
+  Table table({{"study"}, {"what", Kind::prose}});
+  table.add({"a-name-of-some-length", "as short as can be, or longer than it should be"});
+  EXPECT_EQ(table.text(40, false),
+            "  study                  what\n"
+            "  a-name-of-some-length\n"
+            "      as short as can be, or longer than\n"
+            "      it should be\n");
+}
+
+TEST(Table, CutsALineToTheWidthThatIsLeft) {
+  Table table({{"study"}, {"what", Kind::line}}, 0);
+  table.add({"s-fig10", "a sentence of some words that a line of forty cannot hold"});
+  EXPECT_EQ(table.text(40, false), "study    what\ns-fig10  a sentence of some words that …\n");
+}
+
 TEST(Table, ColoursVerdictsAlone) {
   Table table({{"verdict", Kind::verdict}, {"what"}}, 0);
   table.add({"holds", "fails"});

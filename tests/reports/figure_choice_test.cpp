@@ -64,7 +64,7 @@ TEST(FigureChoice, UnknownNamesAreAnsweredWithTheKnownOnes) {
     choose_figures({studies()[0]}, "s-fig1O");
     FAIL();
   } catch (const support::UsageError& e) {
-    EXPECT_STREQ(e.what(), "unknown figure 's-fig1O' (known: s-fig8, s-fig8-256; or a claim: S-fig8)");
+    EXPECT_STREQ(e.what(), "unknown figure 's-fig1O' (known: s-fig8, s-fig8-256, S-fig8)");
   }
 }
 

@@ -79,6 +79,15 @@ TEST(Paper, RedrawsOnlyWhatChanged) {
   EXPECT_EQ(write(studies, folder.path()).figures_drawn, 1);
 }
 
+TEST(Paper, AFigureThatAColumnHasNoRoomForTakesTwo) {
+  const TempFolder folder;
+  auto study = distinct::limits();
+  study.series[0].name = "a series of a stability map with a name of many words";
+  write({study, distinct::curves()}, folder.path());
+  EXPECT_THAT(content(folder / "main.tex"),
+              AllOf(HasSubstr("\\panel{174mm}{limits}"), HasSubstr("\\panel{84mm}{curves}")));
+}
+
 TEST(Paper, OrdersStandInGroupsOfTheirStudies) {
   const records::StudyResult laws = distinct::laws(), curves = distinct::curves();
   const Table table = orders_table({&laws, &curves});

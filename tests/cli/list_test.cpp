@@ -1,0 +1,51 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/cli/program.hpp"
+
+namespace mpmvv::cli {
+namespace list_test {
+
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+TEST(ListCommand, SaysWhatDefaultBoundariesCostInOrder) {
+  const Folder folder;
+  const std::string problems = call(folder, "list problems").out;
+  EXPECT_THAT(problems, AllOf(ContainsRegex("\nbar +1D +1 +100 +0.01 +periodic \\(none\\)\n"),
+                              HasSubstr("symmetry (splines: order about 1.2, mirror: 2)\n"),
+                              HasSubstr("free (stairs of a lattice: order about 1, fill conforming: 2)\n"),
+                              ContainsRegex("\nimpact [^\n]* free\n")));
+  EXPECT_THAT(problems, ContainsRegex("\nsquare: Wallstedt[^\n]*\n    L = 1, wave speed c = sqrt\\(E/rho\\), [^\n]*\n"
+                                      "    parameter +default +unit +allowed\n    amplitude +0.1 +m +between"));
+  const auto json = call(folder, "list problems --json").json()["problems"];
+  EXPECT_EQ(json[1]["boundary_costs"], "splines: order about 1.2, mirror: 2");
+}
+
+/// What the table says, measured on the cube.
+TEST(ListCommand, SplinesLoseOrderBetweenSymmetryPlanesAndNotBetweenMirrors) {
+  const Folder folder;
+  const auto ratio = [&](const std::string& boundary) {
+    const auto error = [&](int cells) {
+      const std::string run =
+          "run --problem cube --basis bspline2 --integrator cd --ppc 2 --cfl 0.4 --boundary " + boundary;
+      return call(folder, run + " --json --cells " + std::to_string(cells)).json()["error"]["l2"].get<double>();
+    };
+    return error(8) / error(16);
+  };
+  EXPECT_NEAR(std::log2(ratio("symmetry")), 1.2, 0.35);
+  EXPECT_NEAR(std::log2(ratio("mirror")), 2, 0.35);
+}
+
+TEST(ListCommand, WordsStandBesideTheirKeys) {
+  const Folder folder;
+  EXPECT_THAT(call(folder, "list bases").out, ContainsRegex("key +words\nbases +linear, bspline2, "));
+  EXPECT_THAT(call(folder, "list").out,
+              AllOf(ContainsRegex("\nbar +1D"), ContainsRegex("\nmasses +lumped, consistent\n")));
+}
+
+}  // namespace list_test
+}  // namespace mpmvv::cli
