@@ -123,19 +123,20 @@ int figure(const FigureOptions& options) {
 void add_figure(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<FigureOptions>();
   CLI::App* command = app.add_subcommand("figure", "Draw a figure for a paper");
-  command->add_option("name", options->name, "figure, claim or study: s-fig10, S-fig10")->required()->type_name("NAME");
+  command->add_option("name", options->name, "figure, claim or study, such as s-fig10 or S-fig10")
+      ->required()
+      ->type_name("NAME");
   command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
-  command->add_option("--format", options->format, "pdf, svg or tex (default: as --out ends, else pdf)")
+  command->add_option("--format", options->format, "pdf, svg, tex (default: as --out ends, else pdf)")
       ->type_name("WORD");
-  command->add_option("--width", options->width, "of the figure, labels and key: 84mm, 3.3in")
-      ->capture_default_str()
+  command->add_option("--width", options->width, "of the whole figure, with its key (default: 84mm)")
       ->type_name("LENGTH");
-  command->add_option("--font", options->font, "family, for pdf and svg (default: Sans)")->type_name("NAME");
-  command->add_option("--font-size", options->font_size, "of all texts")->capture_default_str()->type_name("LENGTH");
+  command->add_option("--font", options->font, "family of pdf and svg (default: Sans)")->type_name("FAMILY");
+  command->add_option("--font-size", options->font_size, "of all texts (default: 8pt)")->type_name("LENGTH");
   command->add_option("--out", options->out, "file, or folder (default: here, under the figure's name)")
       ->type_name("FILE");
-  add_examples(*command, {"mpmvv figure splines --db results.db",
-                          "mpmvv figure splines --db results.db --format svg --width 174mm --out wide.svg"});
+  add_examples(*command, {"mpmvv figure S-fig10 --db results.db --width 84mm --font-size 8pt",
+                          "mpmvv figure splines --db results.db --out figures/splines.tex"});
   command->callback([options, &exit_code] { exit_code = figure(*options); });
 }
 

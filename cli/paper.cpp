@@ -41,13 +41,9 @@ void add_paper(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("paper", "Write all figures and orders as a LaTeX document");
   command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
   command->add_option("--out", options->out, "folder of the document")->required()->type_name("FOLDER");
+  command->add_option("--width", options->width, "of a column (default: 84mm)")->type_name("LENGTH");
+  command->add_option("--font-size", options->font_size, "of the figures' texts (default: 8pt)")->type_name("LENGTH");
   add_examples(*command, {"mpmvv paper --db results.db --out paper"});
-  command->add_option("--width", options->width, "of a figure, labels and key: 84mm, 3.3in")
-      ->capture_default_str()
-      ->type_name("LENGTH");
-  command->add_option("--font-size", options->font_size, "of the figures' texts")
-      ->capture_default_str()
-      ->type_name("LENGTH");
   command->callback([options, &exit_code] { exit_code = paper(*options); });
 }
 
