@@ -21,7 +21,7 @@ std::string yes(bool b) {
 }
 
 std::string floor_text(const fits::FloorFit& floor) {
-  if (!floor.accepted) return "refused: " + floor.reason;
+  if (!floor.accepted) return floor.reason;
   return fmt::format("E0 = {}, order {}: {}", brief(floor.floor), order_text(floor.order, not_measured), floor.reason);
 }
 

@@ -149,7 +149,7 @@ TEST(ReadBackTables, TablesForPeopleHaveEveryNumberUnderItsName) {
                       {"R²", fmt::format("{:.5f}", o.r_squared)},
                       {"asymptotic", yes(o.asymptotic)},
                       {"asymptotic range found", range(o.asymptotic_from, o.asymptotic_to)},
-                      {"floor", o.floor->accepted ? floor : "refused: " + o.floor->reason}});
+                      {"floor", o.floor->accepted ? floor : o.floor->reason}});
     replicates.add(s.name, {{"norm", o.norm},
                             {"window", range(o.from, o.to)},
                             {"runs", std::to_string(o.replicates->observations)},
