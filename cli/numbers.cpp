@@ -40,6 +40,7 @@ std::string count_text(std::size_t n, const std::string& what) {
 
 std::string duration_text(double seconds) {
   constexpr double minute = 60, hour = 3600;
+  if (seconds < 0.05 && seconds > 0) return fmt::format("{:.2g} s", seconds);
   if (seconds < 10) return fmt::format("{:.1f} s", seconds);
   if (seconds < 2 * minute) return fmt::format("{:.0f} s", seconds);
   if (seconds < 10 * minute) return fmt::format("{:.1f} min", seconds / minute);

@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/run_text.hpp"
 #include "cli/setting_words.hpp"
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
@@ -45,38 +46,6 @@ nlohmann::json record_json(const records::Record& r) {
   for (const auto* numbers : {&records::run_errors(), &records::run_by_products()})
     for (const records::RunNumber& number : *numbers) json[nlohmann::json::json_pointer(number.path)] = number.get(r);
   return json;
-}
-
-std::string or_dash(double value) {
-  return std::isnan(value) ? "-" : fmt::format("{:.6e}", value);
-}
-
-void print_record(const records::Record& r) {
-  const cases::Scheme& s = r.the_case.scheme;
-  print("{}  basis {}  integrator {}  boundary {}\n", r.the_case.problem.name, s.basis, s.integrator, s.boundary);
-  print("cells {}  ppc {}  particles {}  steps {}  dt {:.6g} s  cfl {:.4g}  end time {:.6g} s\n",
-        r.the_case.resolution.cells, r.the_case.resolution.ppc, r.particles, r.steps, r.the_case.resolution.dt, r.cfl,
-        r.the_case.problem.end_time);
-  print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
-  print("error at the end     l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1), or_dash(r.error.l2),
-        or_dash(r.error.linf));
-  if (r.the_case.measure.every_step)
-    print("error over all steps l1 {}  l2 {}  linf {}\n", or_dash(r.error.l1_all_steps), or_dash(r.error.l2_all_steps),
-          or_dash(r.error.linf_all_steps));
-  if (r.the_case.measure.nodal_error)
-    print("error of nodal a     l1 {}  l2 {}  linf {} m/s2\n", or_dash(r.error.nodal_l1), or_dash(r.error.nodal_l2),
-          or_dash(r.error.nodal_linf));
-  if (r.the_case.measure.velocity_error)
-    print("error of the velocity, mean over all steps {} % of the problem's speed\n", or_dash(r.error.velocity));
-  if (r.the_case.measure.stress_error) print("error of the stress  l2 {} Pa\n", or_dash(r.error.stress));
-  print("energy kinetic {}  strain {}  initial total {} J\n", or_dash(r.energy.kinetic), or_dash(r.energy.strain),
-        or_dash(r.energy.initial_total));
-  print("change of mass {}  momentum {}  angular momentum {}\n", or_dash(r.balance.mass), or_dash(r.balance.momentum),
-        or_dash(r.balance.angular_momentum));
-  print("{:.3g} s, {:.2f} ns per particle and step\n", r.wall_seconds, r.ns_per_particle_step);
-  if (r.the_case.measure.repeat > 0)
-    print("cost {} s of steps, median of {} runs (range {:.0f} %)\n", or_dash(r.cost.step_seconds),
-          r.the_case.measure.repeat, 100 * r.cost.spread);
 }
 
 struct RunOptions {

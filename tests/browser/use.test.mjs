@@ -37,15 +37,15 @@ test("the first page opens within a second", () =>
 
 test("cards are filtered by their verdicts and by words", () =>
   at("index.html", async page => {
-    const all = await shown(page, ".card");
-    const verdict = await page.locator(".card").first().getAttribute("data-verdict");
+    const all = await shown(page, ".paper .card");
+    const verdict = await page.locator(".paper .card").first().getAttribute("data-verdict");
     await page.locator(`#claims input[value=${verdict}]`).check();
-    const some = await shown(page, ".card");
-    assert.equal(some, await page.locator(`.card[data-verdict=${verdict}]`).count());
-    await page.locator("#claims input[type=search]").fill(await page.locator(".card").first().getAttribute("data-id"));
-    assert.ok((await shown(page, ".card")) >= 1 && (await shown(page, ".card")) <= some);
+    const some = await shown(page, ".paper .card");
+    assert.equal(some, await page.locator(`.paper .card[data-verdict=${verdict}]`).count());
+    await page.locator("#claims input[type=search]").fill(await page.locator(".paper .card").first().getAttribute("data-id"));
+    assert.ok((await shown(page, ".paper .card")) >= 1 && (await shown(page, ".paper .card")) <= some);
     await page.locator("#claims input[type=search]").fill("no claim says this");
-    assert.equal(await shown(page, ".card"), 0);
+    assert.equal(await shown(page, ".paper .card"), 0);
     assert.equal(await page.locator("#claims [data-count]").innerText(), `0 of ${all}`);
   }));
 

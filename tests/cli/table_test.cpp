@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "cli/numbers.hpp"
+
 namespace mpmvv::cli {
 namespace table_test {
 
@@ -16,6 +20,24 @@ TEST(Lines, AreCountedBrokenAndCutByCharacters) {
   EXPECT_EQ(wrapped("", 4), std::vector<std::string>{""});
   EXPECT_EQ(cut("φ0 + α", 6), "φ0 + α");
   EXPECT_EQ(cut("φ0 + α h", 6), "φ0 + …");
+}
+
+TEST(Numbers, HaveOneFormEach) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(number_text(0.123456), "0.1235");
+  EXPECT_EQ(error_text(0.000123456), "1.235e-04");
+  EXPECT_EQ(order_text(1.987), "1.99");
+  EXPECT_EQ(half_width_text(0.234), "± 0.23");
+  EXPECT_EQ(half_width_text(0), "-") << "nothing is known of it";
+  for (const auto text : {&number_text, &error_text, &order_text, &half_width_text}) EXPECT_EQ(text(none), "-");
+  EXPECT_EQ(window_text(8, 64), "8 to 64");
+  EXPECT_EQ(count_text(1, "case") + ", " + count_text(2, "case"), "1 case, 2 cases");
+  EXPECT_EQ(duration_text(0), "0.0 s");
+  EXPECT_EQ(duration_text(0.00214), "0.0021 s");
+  EXPECT_EQ(duration_text(42.4), "42 s");
+  EXPECT_EQ(duration_text(186), "3.1 min");
+  EXPECT_EQ(duration_text(2460), "41 min");
+  EXPECT_EQ(duration_text(9000), "2.5 h");
 }
 
 TEST(Table, AlignsNumbersRightUnderHeadsOfSeveralLines) {

@@ -1,0 +1,63 @@
+#include "cli/run_text.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/console.hpp"
+#include "cli/numbers.hpp"
+#include "cli/table.hpp"
+
+namespace mpmvv::cli {
+
+using records::Record;
+using Kind = Table::Kind;
+
+namespace {
+
+void print_errors(const Record& r) {
+  const cases::Measure& asked = r.the_case.measure;
+  Table table({{"error"}, {"l1", Kind::number}, {"l2", Kind::number}, {"linf", Kind::number}});
+  const auto add = [&table](const char* what, double l1, double l2, double linf) {
+    table.add({what, error_text(l1), error_text(l2), error_text(linf)});
+  };
+  const records::Errors& e = r.error;
+  add("displacement at the end (m)", e.l1, e.l2, e.linf);
+  if (asked.every_step) add("displacement, largest of all steps (m)", e.l1_all_steps, e.l2_all_steps, e.linf_all_steps);
+  if (asked.nodal_error) add("nodal acceleration at the end (m/s2)", e.nodal_l1, e.nodal_l2, e.nodal_linf);
+  constexpr double none = records::not_measured;
+  if (asked.velocity_error) add("velocity, mean of all steps (% of the problem's speed)", none, e.velocity, none);
+  if (asked.stress_error) add("stress at the end (Pa)", none, e.stress, none);
+  print("\n");
+  table.print();
+}
+
+void print_balance(const Record& r) {
+  Table table({{"measured"}, {"is", Kind::number}});
+  table.add({"kinetic energy at the end (J)", error_text(r.energy.kinetic)});
+  table.add({"strain energy at the end (J)", error_text(r.energy.strain)});
+  table.add({"energy at the start (J)", error_text(r.energy.initial_total)});
+  table.add({"change of mass", error_text(r.balance.mass)});
+  table.add({"change of momentum", error_text(r.balance.momentum)});
+  table.add({"change of angular momentum", error_text(r.balance.angular_momentum)});
+  print("\n");
+  table.print();
+}
+
+}  // namespace
+
+void print_record(const Record& r) {
+  const cases::Scheme& s = r.the_case.scheme;
+  const cases::Resolution& resolution = r.the_case.resolution;
+  print("{} with basis {}, integrator {}, velocity update {}, boundary {}\n", r.the_case.problem.name, s.basis,
+        s.integrator, s.velocity_update, s.boundary);
+  print("cells {}, ppc {}: {} particles; {} steps of {:.6g} s (cfl {:.4g}), end time {:.6g} s\n", resolution.cells,
+        resolution.ppc, r.particles, r.steps, resolution.dt, r.cfl, r.the_case.problem.end_time);
+  print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
+  print_errors(r);
+  print_balance(r);
+  print("\ntook {}, {:.2f} ns per particle and step\n", duration_text(r.wall_seconds), r.ns_per_particle_step);
+  if (r.the_case.measure.repeat > 0)
+    print("cost {} s of steps, median of {} runs (range {:.0f} %)\n", error_text(r.cost.step_seconds),
+          r.the_case.measure.repeat, 100 * r.cost.spread);
+}
+
+}  // namespace mpmvv::cli

@@ -1,0 +1,24 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.hpp"
+#include "tests/cli/small_study.hpp"
+
+namespace mpmvv::cli {
+namespace progress_line_test {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+TEST(ProgressLine, SaysOnATerminalHowLongTheRestTakes) {
+  const Folder folder;
+  const std::string study =
+      "'" + program() + "' study '" + folder.write("small.toml", small_study) + "' --db '" + (folder / "r.db") + "'";
+  const std::string shown = shell("script -qec \"" + study + "\" /dev/null").out;
+  EXPECT_THAT(shown, ContainsRegex("\r\033\\[K\\[0/8\\] about [0-9.]+ (s|min|h) left"));
+  EXPECT_THAT(shown, ContainsRegex("\\[8/8\\] about 1 s left  bar [a-z0-9]+ cd periodic"));
+  EXPECT_THAT(shown, HasSubstr("\r\033[Ksmall: Small\r\n")) << "gone before the results";
+}
+
+}  // namespace progress_line_test
+}  // namespace mpmvv::cli
