@@ -98,7 +98,7 @@ TEST_F(HowToNightly, ASolutionIsADisplacementField) {
   insert("studies/problems/problems.cpp", "      one_particle_problem(),", walk("solution-line"));
   insert("studies/problems/problem.hpp", "Problem bar_problem();", "Problem bending_problem();\n");
   const std::string out = carry_out(walk("solution-try"));
-  const std::string mark = "error at the end     l1 ";
+  const std::string mark = "displacement at the end (m)";
   const auto coarse = out.find(mark), fine = out.rfind(mark);
   ASSERT_LT(coarse, fine) << out;
   EXPECT_GT(std::stod(out.substr(coarse + mark.size())) / std::stod(out.substr(fine + mark.size())), 3)

@@ -25,7 +25,7 @@ class HowTo : public testing::Test {
 };
 
 TEST_F(HowTo, OneCaseRuns) {
-  EXPECT_THAT(follow(walk("run")), AllOf(HasSubstr("bar  basis bspline2"), HasSubstr("status ok")));
+  EXPECT_THAT(follow(walk("run")), AllOf(HasSubstr("bar with basis bspline2"), HasSubstr("status ok")));
 }
 
 TEST_F(HowTo, TheStudyFileIsListedKeyByKey) {
