@@ -23,11 +23,14 @@ inline double p_wave_speed(const Parameters& p) {
   return std::sqrt((material.lambda() + 2 * material.mu()) / material.density);
 }
 
-/// The solver's material from the elastic constants of the parameters.
+/// The solver's material from the elastic constants of the parameters, by formulas of its own: a mistake in those of
+/// the solution does not cancel.
 template <class Material = solver::NeoHookeanLog>
 Material material_of(const Parameters& p) {
-  const mms::Elasticity material = mms::elasticity(p);
-  return {material.lambda(), material.mu()};
+  const auto nu = p.find("poissons_ratio");
+  const double youngs_modulus = p.at("youngs_modulus"), poissons_ratio = nu == p.end() ? 0 : nu->second;
+  return {youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio)),
+          youngs_modulus / (2 * (1 + poissons_ratio))};
 }
 
 /// What solution and parameters say of a setup: the rest is the body's.
