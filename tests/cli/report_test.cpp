@@ -34,9 +34,9 @@ TEST_F(ReportCommand, WritesPagesAndTheirFiguresOnce) {
   ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
   const Answer first = report(none_);
   ASSERT_EQ(first.code, 0) << first.err;
-  for (const char* name : {"index.html", "gate.html", "studies/small.html", "claims/S-fig10.html", "style.css",
-                           "report.js", "figures/small.svg", "figures/small.pdf", "figures/small.gp",
-                           "figures/small.dat", "tables/small.tex"})
+  for (const char* name :
+       {"index.html", "gate.html", "studies/small.html", "claims/S-fig10.html", "style.css", "report.js",
+        "figures/small.svg", "figures/small.pdf", "figures/small.gp", "figures/small.dat", "tables/small.tex"})
     EXPECT_TRUE(std::filesystem::exists(folder_ / (std::string("report/") + name))) << name;
   EXPECT_THAT(report(none_).out, HasSubstr("(0 drawn)"));
 }
