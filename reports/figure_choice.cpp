@@ -58,8 +58,14 @@ FigureChoice choose_of_claim(std::vector<Chart> charts, const std::string& id) {
 
 [[noreturn]] void fail_unknown_figure(const std::vector<StudyResult>& studies, const std::string& name) {
   std::set<std::string> figures, claims;
-  for (const StudyResult& study : studies) claims.insert(study.claims.begin(), study.claims.end());
-  for (const Chart& chart : charts_where(studies, [](const StudyResult&) { return true; })) figures.insert(chart.name);
+  for (const StudyResult& study : studies) {
+    const auto charts = charts_of(study, paper_letter);
+    for (const Chart& chart : charts) figures.insert(chart.name);
+    if (!charts.empty()) claims.insert(study.claims.begin(), study.claims.end());
+  }
+  if (figures.empty())
+    throw support::UsageError(
+        fmt::format("no figure '{}': no study in the store draws one (a [[figure]] in its study file)", name));
   std::vector<std::string> known(figures.begin(), figures.end());
   known.insert(known.end(), claims.begin(), claims.end());
   throw support::UsageError(fmt::format("unknown figure '{}' (known: {})", name, fmt::join(known, ", ")));

@@ -1,5 +1,6 @@
 #include "mms/c/mpmvv_mms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -45,8 +46,19 @@ mpmvv_status guarded(const Work& work) noexcept {
   }
 }
 
+/// Those of the catalogue; none where there is no memory for it.
+const std::vector<Entry>& entries() noexcept {
+  static const std::vector<Entry> none;
+  const std::vector<Entry>* all = &none;
+  guarded([&all] {
+    all = &catalogue();
+    return MPMVV_OK;
+  });
+  return *all;
+}
+
 const Entry* entry(int k) {
-  return k >= 0 && k < mpmvv_solution_count() ? &catalogue()[static_cast<std::size_t>(k)] : nullptr;
+  return k >= 0 && k < mpmvv_solution_count() ? &entries()[static_cast<std::size_t>(k)] : nullptr;
 }
 
 const Parameter* parameter(int k, int p) {
@@ -56,24 +68,25 @@ const Parameter* parameter(int k, int p) {
 }
 
 bool all_finite(const double* numbers, std::size_t count) {
-  double sum = 0;  // not finite when one is not, whatever the others are
-  for (std::size_t k = 0; k < count; ++k) sum += 0 * numbers[k];
-  return sum == 0;
+  return std::all_of(numbers, numbers + count, [](double number) { return std::isfinite(number); });
 }
 
 template <int D>
 using Rows = Eigen::Matrix<double, D, D, D == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
-/// Puts `at(solution, p)`, a vector or matrix of each of n points, into `out`.
+/// Puts `at(solution, p)`, a vector or matrix of each of n points at X, into `out`.
 template <class At>
-mpmvv_status evaluate(const mpmvv_solution* solution, std::size_t n, double t, const double* out, int rank,
-                      const char* what, const At& at) {
+mpmvv_status evaluate(const mpmvv_solution* solution, std::size_t n, const double* X, double t, const double* out,
+                      int rank, const char* what, const At& at) {
   return guarded([&] {
     if (!std::isfinite(t)) return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": the time is not a finite number");
     return std::visit(
         [&]<int D>(const std::shared_ptr<ManufacturedSolution<D>>& fields) {
           const std::size_t size = rank == 2 ? D * D : D;
           for (std::size_t p = 0; p < n; ++p) {
+            if (!all_finite(X + p * D, D))
+              return failed(MPMVV_BAD_ARGUMENT, std::string(what) + ": a coordinate of point " + std::to_string(p) +
+                                                    " is not a finite number");
             at(*fields, p);
             if (!all_finite(out + p * size, size))
               return failed(MPMVV_NOT_FINITE, std::string(what) + " is not finite at point " + std::to_string(p) +
@@ -93,7 +106,7 @@ template <class Of>
 mpmvv_status vectors(const mpmvv_solution* solution, std::size_t n, const double* X, double t, double* out,
                      const char* what, const Of& of) {
   if (!solution || (n > 0 && (!X || !out))) return lacking(what);
-  return evaluate(solution, n, t, out, 1, what, [&]<int D>(const ManufacturedSolution<D>& fields, std::size_t p) {
+  return evaluate(solution, n, X, t, out, 1, what, [&]<int D>(const ManufacturedSolution<D>& fields, std::size_t p) {
     Eigen::Map<Vec<D>>(out + p * D) = of(fields, Vec<D>(Eigen::Map<const Vec<D>>(X + p * D)));
   });
 }
@@ -102,7 +115,7 @@ template <class Of>
 mpmvv_status matrices(const mpmvv_solution* solution, std::size_t n, const double* X, double t, double* out,
                       const char* what, const Of& of) {
   if (!solution || (n > 0 && (!X || !out))) return lacking(what);
-  return evaluate(solution, n, t, out, 2, what, [&]<int D>(const ManufacturedSolution<D>& fields, std::size_t p) {
+  return evaluate(solution, n, X, t, out, 2, what, [&]<int D>(const ManufacturedSolution<D>& fields, std::size_t p) {
     Eigen::Map<Rows<D>>(out + p * D * D) = of(fields, Vec<D>(Eigen::Map<const Vec<D>>(X + p * D)));
   });
 }
@@ -123,7 +136,7 @@ const char* mpmvv_message(void) {
 }
 
 int mpmvv_solution_count(void) {
-  return static_cast<int>(catalogue().size());
+  return static_cast<int>(entries().size());
 }
 const char* mpmvv_solution_name(int k) {
   return entry(k) ? entry(k)->name.data() : nullptr;
@@ -232,7 +245,7 @@ mpmvv_status mpmvv_stress(const mpmvv_solution* solution, size_t n, const double
 mpmvv_status mpmvv_traction(const mpmvv_solution* solution, size_t n, const double* X, const double* N, double t,
                             double* traction) {
   if (!solution || (n > 0 && (!X || !N || !traction))) return lacking("mpmvv_traction");
-  return evaluate(solution, n, t, traction, 1, "mpmvv_traction",
+  return evaluate(solution, n, X, t, traction, 1, "mpmvv_traction",
                   [&]<int D>(const ManufacturedSolution<D>& fields, std::size_t p) {
                     const Vec<D> at = Eigen::Map<const Vec<D>>(X + p * D), normal = Eigen::Map<const Vec<D>>(N + p * D);
                     Eigen::Map<Vec<D>>(traction + p * D) = fields.traction(at, normal, t);

@@ -136,6 +136,10 @@ TEST(CInterface, SaysWhatIsWrongAtAPoint) {
   EXPECT_EQ(mpmvv_body_force(ring.get(), 2, X, 1e-3, b), MPMVV_NOT_FINITE) << "the middle of the ring";
   EXPECT_STREQ(mpmvv_message(), "mpmvv_body_force is not finite at point 1 (points of the body, a time nearer to 0)");
   EXPECT_EQ(mpmvv_body_force(ring.get(), 1, X, std::nan(""), b), MPMVV_BAD_ARGUMENT);
+  const double astray[]{0.2, 0.3, std::nan(""), 0.3};
+  const Solution inverse = solution_named("square-inverse");
+  EXPECT_EQ(mpmvv_displacement(inverse.get(), 2, astray, 1e-3, b), MPMVV_BAD_ARGUMENT);
+  EXPECT_STREQ(mpmvv_message(), "mpmvv_displacement: a coordinate of point 1 is not a finite number");
   EXPECT_EQ(mpmvv_body_force(nullptr, 1, X, 0, b), MPMVV_BAD_ARGUMENT);
   EXPECT_EQ(mpmvv_body_force(ring.get(), 1, nullptr, 0, b), MPMVV_BAD_ARGUMENT);
   EXPECT_EQ(mpmvv_body_force(ring.get(), 0, nullptr, 0, nullptr), MPMVV_OK) << "no points, no arrays";

@@ -68,6 +68,21 @@ TEST(FigureChoice, UnknownNamesAreAnsweredWithTheKnownOnes) {
   }
 }
 
+TEST(FigureChoice, AClaimOfStudiesWithoutFiguresIsNotAmongTheKnownOnes) {
+  records::StudyResult bare;
+  bare.name = "own", bare.claims = {"O-1"};
+  const auto message = [&](const std::vector<records::StudyResult>& all) -> std::string {
+    try {
+      choose_figures(all, "O-1");
+    } catch (const support::UsageError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message({studies()[0], bare}), "unknown figure 'O-1' (known: s-fig8, s-fig8-256, S-fig8)");
+  EXPECT_EQ(message({bare}), "no figure 'O-1': no study in the store draws one (a [[figure]] in its study file)");
+}
+
 TEST(FigureChoice, LettersOfAPaperAreTakenForLarger) {
   EXPECT_EQ(choose_figures(studies(), "one").chosen[0].letter, paper_letter);
 }

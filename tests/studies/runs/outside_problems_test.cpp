@@ -24,10 +24,11 @@ double order(const std::string& problem, int coarse) {
 }
 
 TEST(OutsideProblems, FromRestConvergeAtSecondOrder) {
-  EXPECT_NEAR(order("bar-rest", 16), 2, 0.3);
+  EXPECT_NEAR(order("bar-rest", 16), 2, 0.15);
   EXPECT_NEAR(order("square-rest", 16), 2, 0.15);
   EXPECT_NEAR(order("square-inverse", 16), 2, 0.15);
-  EXPECT_LT(run("cube-rest", "cpgimp", 16).error.l2, 0.03 * 0.02) << "of the amplitude: too coarse for its order";
+  EXPECT_LT(run("cube-rest", "cpgimp", 16).error.l2, 0.03 * 0.02)
+      << "of the amplitude: its order is 1.3 up to here, 2.7 to the next mesh";
 }
 
 TEST(OutsideProblems, WithoutABodyForceConvergeOrAreExact) {
