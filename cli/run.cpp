@@ -25,7 +25,7 @@ namespace {
 nlohmann::json scheme_json(const cases::Case& c) {
   nlohmann::json json;
   for (const settings::SettingKey& key : settings::setting_keys())
-    if (key.member && key.member->part == cases::CasePart::scheme)
+    if (key.member && key.member->part == cases::CasePart::scheme && key.is_of(c.scheme.code))
       std::visit([&](const auto& value) { json[key.key] = value; }, key.member->value(c));
   return json;
 }
@@ -107,6 +107,11 @@ std::string help_of(const settings::SettingKey& key) {
   return absent.empty() ? help : fmt::format("{} ({})", help, absent);
 }
 
+bool takes_word(const settings::SettingKey& key) {
+  return !setting_words(key.key).empty() ||
+         (key.member && std::holds_alternative<std::string>(key.member->value(cases::Case{})));
+}
+
 }  // namespace
 
 settings::Setting parameter_setting(const std::string& text) {
@@ -127,7 +132,7 @@ void add_run(CLI::App& app, int& exit_code) {
       options->flags[key.key] = command->add_flag(name, help);
     else
       options->given[key.key] =
-          command->add_option(name, help)->expected(1)->type_name(setting_words(key.key).empty() ? "NUMBER" : "WORD");
+          command->add_option(name, help)->expected(1)->type_name(takes_word(key) ? "WORD" : "NUMBER");
   }
   command->add_option("--param", options->parameters, "physical value of the problem (repeatable)")
       ->type_name("NAME=VALUE");

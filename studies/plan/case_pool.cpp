@@ -27,8 +27,9 @@ double usable_memory() {
 }
 
 std::string label(const Case& c) {
-  return fmt::format("{} {} {} {} cells={} ppc={}", c.problem.name, c.scheme.basis, c.scheme.integrator,
-                     c.scheme.boundary, c.resolution.cells, c.resolution.ppc);
+  const auto [basis, integrator, velocity_update] = cases::method_of(c.scheme);
+  return fmt::format("{} {} {} {} cells={} ppc={}", c.problem.name, basis, integrator, c.scheme.boundary,
+                     c.resolution.cells, c.resolution.ppc);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 
 namespace mpmvv::store {
 
-/// Seconds per particle and step by problem, basis, integrator and velocity update.
+/// Seconds per particle and step by problem and method (`cases::method_of`).
 using StepCosts = std::map<std::array<std::string, 4>, double>;
 
 /// The results store: one SQLite file. Two processes may write it at once. Every message is a UsageError with

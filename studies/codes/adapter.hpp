@@ -1,0 +1,71 @@
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mpmvv::codes {
+
+/// A file of the code's input: a mustache template and the name under which it is written into a run's folder.
+struct InputFile {
+  std::string file, text;
+};
+
+/// A value that an adapter gives to its templates.
+using FieldValues = std::map<std::string, std::string>;
+
+/// How a program is found.
+struct ProgramNames {
+  std::string variable;  ///< of the environment, which names it
+  std::string command;   ///< without that: on PATH, or with a '/' relative to the adapter's folder; may be empty
+  std::vector<std::string> version;  ///< the command whose last output word is the version; empty: the file's digest
+  std::string page;                  ///< where it says how to get and build it
+};
+
+/// What a code writes, and where.
+struct OutputFiles {
+  std::string format;                                       ///< csv, vtu, ply, dump
+  std::string end;                                          ///< file of the end time
+  std::string start;                                        ///< of time zero; empty: none
+  std::vector<std::vector<std::string>> convert;            ///< commands that run after the code, each with its words
+  std::map<std::string, std::vector<std::string>> columns;  ///< by what stands in them: id, X, x, v, mass, volume, F
+  int digits = 17;                                          ///< of a number, in decimal
+  std::map<std::string, double> units;                      ///< length, time, mass: one of theirs in m, s, kg
+};
+
+/// How a code comes to the end time.
+struct Stepping {
+  bool is_given = true;          ///< it takes the time step as it is told; else it chooses one of its own
+  double time_tolerance = 1e-9;  ///< by which the time reached may differ from the end time, over that
+};
+
+/// What a code can do.
+struct Capabilities {
+  std::vector<int> dimensions;
+  std::vector<std::string> force_forms, boundaries, materials;
+  bool initial_velocity = false, initial_deformation = false;
+};
+
+/// How a code is put under the harness: `adapters/CODE/adapter.toml` and the templates beside it.
+struct Adapter {
+  std::string name;
+  std::filesystem::path folder;
+  ProgramNames program;
+  std::vector<InputFile> inputs;
+  std::vector<std::string> command;  ///< words, each a template
+  std::map<std::string, std::string> environment;
+  std::chrono::milliseconds time_limit{};
+  OutputFiles output;
+  Stepping stepping;
+  std::string dialect;                          ///< of expressions in the templates
+  FieldValues fields;                           ///< of all variants
+  std::map<std::string, FieldValues> variants;  ///< by their words
+  Capabilities capabilities;
+  std::string digest;  ///< of the file and all templates: it decides results
+};
+
+/// Reads an adapter; every mistake is a UsageError with file and line.
+Adapter read_adapter(const std::filesystem::path& file);
+
+}  // namespace mpmvv::codes
