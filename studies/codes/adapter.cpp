@@ -10,6 +10,7 @@
 #include "solver/material/materials.hpp"
 #include "solver/words.hpp"
 #include "studies/cases/case.hpp"
+#include "studies/codes/readers.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/toml_file.hpp"
@@ -77,42 +78,34 @@ void read_command(const TomlTable& root, Adapter& adapter) {
   adapter.time_limit = std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(1000 * seconds)));
 }
 
-/// Columns, each a name or, of vectors and matrices, an array of names.
-std::map<std::string, std::vector<std::string>> read_columns(const TomlTable& table) {
-  static const std::vector<std::string> known{"id", "X", "x", "u", "v", "mass", "volume", "F", "time"};
-  std::map<std::string, std::vector<std::string>> columns;
-  table.allow_only(known);
-  for (const std::string& key : table.keys()) columns[key] = table.texts(key);
-  if (!columns.contains("x") && !columns.contains("u"))
-    throw UsageError(fmt::format("neither x nor u in {} (where the particles are at the end)", table.where()));
+/// Names of columns, and one of the file's units in m, s and kg.
+Columns read_columns(const TomlTable& output) {
+  Columns columns;
+  if (const auto names = output.table("columns")) {
+    std::vector<std::string> pairs;
+    for (const auto& [quantity, name] : values_of(*names)) pairs.push_back(quantity + "=" + name);
+    columns.names = parse_columns(fmt::format("{}", fmt::join(pairs, ",")), output.where("columns"));
+  }
+  if (const auto units = output.table("units")) {
+    units->allow_only({"length", "time", "mass"});
+    for (const auto& [key, unit] :
+         {std::pair{"length", &columns.length}, {"time", &columns.time}, {"mass", &columns.mass}}) {
+      *unit = units->number(key, 1);
+      if (!(*unit > 0)) throw UsageError(fmt::format("{} = {} in {} (> 0)", key, *unit, units->where(key)));
+    }
+  }
   return columns;
 }
 
 OutputFiles read_output(const TomlTable& root) {
-  const TomlTable table =
-      required_table(root, "output", {"format", "file", "start", "convert", "columns", "digits", "units"});
-  OutputFiles output;
-  output.format = table.text("format");
-  require_words({output.format}, {"csv", "vtu", "ply", "dump"}, "format", table.where("format"));
-  output.end = table.text("file");
-  output.start = table.text("start", "");
+  const TomlTable table = required_table(root, "output", {"format", "file", "start", "convert", "columns", "units"});
+  OutputFiles output{table.text("format", ""), table.text("file"), table.text("start", ""), {}, read_columns(table)};
+  std::vector<std::string> known;
+  for (const Format& format : formats()) known.push_back(format.word);
+  if (!output.format.empty()) require_words({output.format}, known, "format", table.where("format"));
   for (const TomlTable& step : table.tables("convert")) {
     step.allow_only({"argv"});
     output.convert.push_back(some_texts(step, "argv", "the words of a command"));
-  }
-  if (const auto columns = table.table("columns")) output.columns = read_columns(*columns);
-  const double digits = table.number("digits", output.digits);
-  if (!(digits >= 1 && digits <= 17 && digits == std::floor(digits)))
-    throw UsageError(fmt::format("digits = {} in {} (from 1 to 17)", digits, table.where("digits")));
-  output.digits = static_cast<int>(digits);
-  output.units = {{"length", 1}, {"time", 1}, {"mass", 1}};
-  if (const auto units = table.table("units")) {
-    units->allow_only({"length", "time", "mass"});
-    for (const std::string& key : units->keys()) {
-      output.units[key] = units->number(key);
-      if (!(output.units[key] > 0))
-        throw UsageError(fmt::format("{} = {} in {} (> 0)", key, output.units[key], units->where(key)));
-    }
   }
   return output;
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "studies/codes/columns.hpp"
+
 namespace mpmvv::codes {
 
 /// A file of the code's input: a mustache template and the name under which it is written into a run's folder.
@@ -23,15 +25,13 @@ struct ProgramNames {
   std::string page;                  ///< where it says how to get and build it
 };
 
-/// What a code writes, and where.
+/// What a code writes, and where. Names are templates.
 struct OutputFiles {
-  std::string format;                                       ///< csv, vtu, ply, dump
-  std::string end;                                          ///< file of the end time
-  std::string start;                                        ///< of time zero; empty: none
-  std::vector<std::vector<std::string>> convert;            ///< commands that run after the code, each with its words
-  std::map<std::string, std::vector<std::string>> columns;  ///< by what stands in them: id, X, x, v, mass, volume, F
-  int digits = 17;                                          ///< of a number, in decimal
-  std::map<std::string, double> units;                      ///< length, time, mass: one of theirs in m, s, kg
+  std::string format;                             ///< a word of `formats()`; empty: as the name's ending says
+  std::string end;                                ///< file of the end time
+  std::string start;                              ///< of time zero; empty: none
+  std::vector<std::vector<std::string>> convert;  ///< commands that run after the code, each with its words
+  Columns columns;
 };
 
 /// How a code comes to the end time.

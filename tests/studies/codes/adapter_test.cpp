@@ -20,7 +20,7 @@ class AdapterFile : public testing::Test {
     support::make_folder(folder_);
     support::write_if_changed(folder_ / "input.mustache", "cells {{cells}}\n");
     const std::string page = support::require_file(MPMVV_SOURCE_DIR "/docs/adapters.md", "a page");
-    const auto begin = page.find("    code = "), end = page.find("\nColumns are");
+    const auto begin = page.find("    code = "), end = page.find("\nWhat columns");
     for (std::size_t at = begin; at < end; at = page.find('\n', at) + 1)
       if (const std::string line = page.substr(at, page.find('\n', at) + 1 - at); line.size() > 4)
         text_ += line.substr(4);
@@ -57,8 +57,8 @@ TEST_F(AdapterFile, IsReadAsItsPageSays) {
   EXPECT_EQ(adapter.inputs[0].file, "input.txt");
   EXPECT_EQ(adapter.inputs[0].text, "cells {{cells}}\n");
   EXPECT_EQ(adapter.time_limit, std::chrono::seconds(300));
-  EXPECT_THAT(adapter.output.columns.at("x"), ElementsAre("x", "y"));
-  EXPECT_EQ(adapter.output.units.at("length"), 1e-3);
+  EXPECT_EQ(adapter.output.columns.names.at("x"), "px");
+  EXPECT_EQ(adapter.output.columns.length, 1e-3);
   EXPECT_EQ(adapter.output.convert.at(0).at(0), "{{adapter}}/convert.py");
   EXPECT_EQ(adapter.variants.at("linear").at("shape"), "1");
   EXPECT_THAT(adapter.capabilities.dimensions, ElementsAre(1, 2));
@@ -78,7 +78,7 @@ TEST_F(AdapterFile, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(complaint_without("\"csv\"", "\"xml\""), HasSubstr("unknown format 'xml' in"));
   EXPECT_THAT(complaint_without("time_limit = 300", "time_limit = 0"), HasSubstr("adapter.toml:14"));
   EXPECT_THAT(complaint_without("[capabilities]"), HasSubstr("unknown key 'dimensions'"));
-  EXPECT_THAT(complaint_without("x = [\"x\", \"y\"], "), HasSubstr("neither x nor u"));
+  EXPECT_THAT(complaint_without("x = \"px\"", "q = \"px\""), HasSubstr("adapter.toml:21"));
   EXPECT_THAT(complaint_without("\"input.txt\"  ", "\"../a\"  "), HasSubstr("a name in the run's folder"));
   EXPECT_THAT(complaint_without("\"input.mustache\"", "\"none\""), HasSubstr("a template of an adapter"));
   EXPECT_THAT(complaint_without("\"misplaced\"", "\"moved\""), HasSubstr("unknown force_forms 'moved'"));
