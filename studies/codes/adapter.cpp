@@ -68,8 +68,9 @@ std::vector<InputFile> read_inputs(const TomlTable& root, const std::filesystem:
 }
 
 void read_command(const TomlTable& root, Adapter& adapter) {
-  const TomlTable table = required_table(root, "command", {"argv", "environment", "time_limit"});
+  const TomlTable table = required_table(root, "command", {"argv", "environment", "time_limit", "unstable"});
   adapter.command = some_texts(table, "argv", "the words of the command, the first of them \"{{program}}\"");
+  adapter.unstable = table.texts("unstable");
   if (const auto environment = table.table("environment")) adapter.environment = values_of(*environment);
   const double seconds = table.number("time_limit");
   if (!(seconds > 0 && seconds <= 1e6))

@@ -56,6 +56,7 @@ struct Adapter {
   std::vector<std::string> command;  ///< words, each a template
   std::map<std::string, std::string> environment;
   std::chrono::milliseconds time_limit{};
+  std::vector<std::string> unstable;  ///< what the code says when the motion blew up; it is then no failure
   OutputFiles output;
   Stepping stepping;
   std::string dialect;                          ///< of expressions in the templates
