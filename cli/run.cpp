@@ -15,6 +15,7 @@
 #include "cli/setting_words.hpp"
 #include "cli/shipped.hpp"
 #include "studies/codes/external_run.hpp"
+#include "studies/codes/fields.hpp"
 #include "studies/plan/external_series.hpp"
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
@@ -79,6 +80,7 @@ records::Record run_by_other_code(const std::vector<settings::Setting>& given, c
   if (!absent.empty()) throw UsageError(absent);
   const codes::Code& code = finder.codes().at(c.scheme.code);
   codes::require_able(code.adapter, c);
+  codes::require_sound_templates(c, code);
   const Interruption interruption;
   const std::stop_callback stop(interruption.token(), [] {
     constexpr int interrupted = 130;

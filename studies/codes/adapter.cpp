@@ -54,7 +54,7 @@ ProgramNames read_program(const TomlTable& root) {
   return {table.text("variable"), table.text("command", ""), table.texts("version"), table.text("page", "")};
 }
 
-std::vector<InputFile> read_inputs(const TomlTable& root, const std::filesystem::path& folder) {
+std::vector<InputFile> read_input_files(const TomlTable& root, const std::filesystem::path& folder) {
   std::vector<InputFile> inputs;
   for (const TomlTable& table : root.tables("input")) {
     table.allow_only({"template", "file"});
@@ -171,7 +171,7 @@ Adapter read_adapter(const std::filesystem::path& file) {
                                  root.where("code"),
                                  std::filesystem::absolute(file).parent_path().filename().string()));
   adapter.program = read_program(root);
-  adapter.inputs = read_inputs(root, adapter.folder);
+  adapter.inputs = read_input_files(root, adapter.folder);
   read_command(root, adapter);
   adapter.output = read_output(root);
   adapter.stepping = read_stepping(root);

@@ -60,11 +60,11 @@ void require_good(const Adapter& adapter, const std::string& program, const supp
 }
 
 /// Runs a command of the adapter in the folder; the seconds that it took. What it wrote is in `log.txt` there.
-double run_command(const Adapter& adapter, const std::vector<std::string>& templates, const Fields& fields,
+double run_command(const Code& code, const std::vector<std::string>& templates, const Fields& fields,
                    const fs::path& folder, std::string& log) {
+  const Adapter& adapter = code.adapter;
   std::vector<std::string> command;
-  for (const std::string& word : templates)
-    command.push_back(filled(word, fields, fmt::format("a command of code '{}'", adapter.name)));
+  for (const std::string& word : templates) command.push_back(filled_word(word, fields, code));
   std::map<std::string, std::string> environment{{"OMP_NUM_THREADS", "1"}};
   for (const auto& [name, value] : adapter.environment) environment[name] = value;
   const auto start = std::chrono::steady_clock::now();
@@ -76,24 +76,25 @@ double run_command(const Adapter& adapter, const std::vector<std::string>& templ
   return seconds;
 }
 
-void write_inputs(const Case& c, const Code& code, const fs::path& folder) {
+void write_input_files(const Case& c, const Code& code, const fs::path& folder) {
   if (code.adapter.inputs.empty()) return;
   const Fields fields = input_fields_of(c, code);
   for (const InputFile& input : code.adapter.inputs)
-    support::write_if_changed(folder / input.file,
-                              filled(input.text, fields, fmt::format("the template of {}", input.file)));
+    support::write_if_changed(folder / input.file, filled_input(input, fields));
+}
+", input.file)));
 }
 
 /// The record of what the code makes of the case in this folder.
 Record carry_out(const Case& c, const Code& code, const fs::path& folder) {
   const Adapter& adapter = code.adapter;
-  write_inputs(c, code, folder);
+  write_input_files(c, code, folder);
   const Fields fields = fields_of(c, code);
   std::string log;
-  const double seconds = run_command(adapter, adapter.command, fields, folder, log);
-  for (const auto& command : adapter.output.convert) run_command(adapter, command, fields, folder, log);
+  const double seconds = run_command(code, adapter.command, fields, folder, log);
+  for (const auto& command : adapter.output.convert) run_command(code, command, fields, folder, log);
   Record record =
-      score(c, read_output(adapter, fields, folder, static_cast<double>(c.resolution.steps) * c.resolution.dt));
+      score(c, read_output(code, fields, folder, static_cast<double>(c.resolution.steps) * c.resolution.dt));
   record.wall_seconds = seconds;
   record.ns_per_particle_step = 1e9 * seconds / static_cast<double>(record.particles * record.steps);
   return record;

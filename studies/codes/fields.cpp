@@ -138,4 +138,21 @@ Fields input_fields_of(const Case& c, const Code& code) {
   return fields;
 }
 
+std::string filled_word(const std::string& word, const Fields& fields, const Code& code) {
+  return filled(word, fields, (code.adapter.folder / "adapter.toml").string());
+}
+
+std::string filled_input(const InputFile& input, const Fields& fields) {
+  return filled(input.text, fields, fmt::format("the template of {}", input.file));
+}
+
+void require_sound_templates(const Case& c, const Code& code) {
+  const Fields fields = fields_of(c, code), input_fields = input_fields_of(c, code);
+  for (const InputFile& input : code.adapter.inputs) filled_input(input, input_fields);
+  for (const std::string& word : code.adapter.command) filled_word(word, fields, code);
+  for (const auto& command : code.adapter.output.convert)
+    for (const std::string& word : command) filled_word(word, fields, code);
+  for (const std::string& file : {code.adapter.output.end, code.adapter.output.start}) filled_word(file, fields, code);
+}
+
 }  // namespace mpmvv::codes

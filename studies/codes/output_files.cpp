@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "studies/codes/fields.hpp"
 #include "studies/codes/readers.hpp"
 #include "studies/support/error.hpp"
 
@@ -35,16 +36,17 @@ fs::path last_file(const fs::path& folder, const std::string& name) {
   return *std::ranges::max_element(found, comes_before);
 }
 
-Snapshot read(const Adapter& adapter, const Fields& fields, const fs::path& folder, const std::string& name) {
-  const std::string file = filled(name, fields, fmt::format("a file name of code '{}'", adapter.name));
-  return read_snapshot(last_file(folder, file), adapter.output.columns, adapter.output.format);
+Snapshot read(const Code& code, const Fields& fields, const fs::path& folder, const std::string& name) {
+  const std::string file = filled_word(name, fields, code);
+  return read_snapshot(last_file(folder, file), code.adapter.output.columns, code.adapter.output.format);
 }
 
 }  // namespace
 
-Output read_output(const Adapter& adapter, const Fields& fields, const fs::path& folder, double end_time) {
-  Output output{{}, read(adapter, fields, folder, adapter.output.end)};
-  if (!adapter.output.start.empty()) output.start = read(adapter, fields, folder, adapter.output.start);
+Output read_output(const Code& code, const Fields& fields, const fs::path& folder, double end_time) {
+  const Adapter& adapter = code.adapter;
+  Output output{{}, read(code, fields, folder, adapter.output.end)};
+  if (!adapter.output.start.empty()) output.start = read(code, fields, folder, adapter.output.start);
   const std::optional<double> time = std::exchange(output.end.time, std::nullopt);
   if (time && !(std::abs(*time - end_time) <= adapter.stepping.time_tolerance * end_time))
     throw UsageError(

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "studies/codes/fields.hpp"
 #include "studies/plan/study_inputs.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/suggestion.hpp"
@@ -123,9 +124,10 @@ std::string complete_series(StudyPlan& plan, const fs::path& file, CodeFinder& f
     if (plan.searches(series))
       for (const SeriesPlan& replicate : replicates_of(plan, series))
         for (const cases::Case& c : scan_cases(plan, replicate)) cases.push_back(c);
-    const codes::Adapter& adapter = finder.codes().at(code->value).adapter;
-    for (const cases::Case& c : cases) codes::require_able(adapter, c);
-    if (plan.searches(series) && !adapter.stepping.is_given)
+    const codes::Code& there = finder.codes().at(code->value);
+    for (const cases::Case& c : cases) codes::require_able(there.adapter, c);
+    if (!cases.empty()) codes::require_sound_templates(cases.front(), there);
+    if (plan.searches(series) && !there.adapter.stepping.is_given)
       throw UsageError(fmt::format("the limit in {} of series '{}': code '{}' chooses its time step itself",
                                    plan.limit->where, series.name, code->value));
   }

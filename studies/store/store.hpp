@@ -12,6 +12,7 @@
 
 #include "studies/records/record.hpp"
 #include "studies/records/result.hpp"
+#include "studies/store/code_series.hpp"
 #include "studies/store/provenance.hpp"
 #include "studies/store/version.hpp"
 
@@ -58,6 +59,9 @@ class Store {
 
   /// Studies of this digest by name, in name order. Empty when there is none.
   std::vector<records::StudyResult> studies(const std::string& digest) const;
+
+  /// The series of studies of this digest that other codes ran, in the order of the studies.
+  std::vector<CodeSeries> code_series(const std::string& digest) const;
 
   /// What the studies of this digest say of the claims that they state.
   std::vector<records::ClaimText> statements(const std::string& digest) const;

@@ -76,9 +76,9 @@ TEST_F(AdapterFile, ItsDigestIsOfItsTemplatesToo) {
 TEST_F(AdapterFile, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(complaint_without("\"small-mpm\"", "\"other\""), HasSubstr("name of the adapter's folder, small-mpm"));
   EXPECT_THAT(complaint_without("\"csv\"", "\"xml\""), HasSubstr("unknown format 'xml' in"));
-  EXPECT_THAT(complaint_without("time_limit = 300", "time_limit = 0"), HasSubstr("adapter.toml:14"));
-  EXPECT_THAT(complaint_without("[capabilities]"), HasSubstr("unknown key 'dimensions'"));
-  EXPECT_THAT(complaint_without("x = \"px\"", "q = \"px\""), HasSubstr("adapter.toml:22"));
+  EXPECT_THAT(complaint_without("time_limit = 300", "time_limit = 0"), HasSubstr("adapter.toml:13"));
+  EXPECT_THAT(complaint_without("[capabilities]", "[ability]"), HasSubstr("unknown key 'ability'"));
+  EXPECT_THAT(complaint_without("x = \"px\"", "q = \"px\""), HasSubstr("adapter.toml:20"));
   EXPECT_THAT(complaint_without("\"input.txt\"  ", "\"../a\"  "), HasSubstr("a name in the run's folder"));
   EXPECT_THAT(complaint_without("\"input.mustache\"", "\"none\""), HasSubstr("a template of an adapter"));
   EXPECT_THAT(complaint_without("\"misplaced\"", "\"moved\""), HasSubstr("unknown force_forms 'moved'"));
