@@ -82,17 +82,14 @@ void write_input_files(const Case& c, const Code& code, const fs::path& folder) 
   for (const InputFile& input : code.adapter.inputs)
     support::write_if_changed(folder / input.file, filled_input(input, fields));
 }
-", input.file)));
-}
 
 /// The record of what the code makes of the case in this folder.
 Record carry_out(const Case& c, const Code& code, const fs::path& folder) {
-  const Adapter& adapter = code.adapter;
   write_input_files(c, code, folder);
   const Fields fields = fields_of(c, code);
   std::string log;
-  const double seconds = run_command(code, adapter.command, fields, folder, log);
-  for (const auto& command : adapter.output.convert) run_command(code, command, fields, folder, log);
+  const double seconds = run_command(code, code.adapter.command, fields, folder, log);
+  for (const auto& command : code.adapter.output.convert) run_command(code, command, fields, folder, log);
   Record record =
       score(c, read_output(code, fields, folder, static_cast<double>(c.resolution.steps) * c.resolution.dt));
   record.wall_seconds = seconds;

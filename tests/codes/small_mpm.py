@@ -51,9 +51,9 @@ class Body:
         self.lam, self.mu = float(words["lambda"]), float(words["mu"])
         self.low = [float(x) for x in words["lower"].split()]
         self.cells = [int(n) for n in words["cells"].split()]
-        self.periodic = words["boundary"] == "periodic"
+        self.boundary = words["boundary"]  # periodic, symmetry or free
         self.shape = {"linear": linear, "quadratic": quadratic}[words["shape"]]
-        self.room = [n if self.periodic else n + 3 for n in self.cells]  # nodes along an axis, one below the lowest
+        self.room = [n + {"periodic": 0, "symmetry": 1, "free": 3}[self.boundary] for n in self.cells]  # nodes on an axis
         rows = [numbers for numbers, _ in particles]
         self.X, self.x, self.v = ([r[k * d:(k + 1) * d] for r in rows] for k in range(3))
         self.m, self.V = [r[3 * d] for r in rows], [r[3 * d + 1] for r in rows]
@@ -72,21 +72,34 @@ class Body:
         return self.force(*(self.X if self.force_at == "reference" else self.x)[p], t)
 
     def axis(self, k, x):
-        """Node, weight and gradient along an axis."""
+        """Node, weight and gradient along an axis, and -1 for nodes behind a plane of symmetry, which are its images."""
         first, weights = self.shape((x - self.low[k]) / self.h)
-        if self.periodic:
-            return [((first + j) % self.room[k], w, g / self.h) for j, (w, g) in enumerate(weights)]
-        if first < -1 or first + len(weights) + 1 > self.room[k]:
+        n, nodes = self.cells[k], [(first + j, w, g / self.h) for j, (w, g) in enumerate(weights)]
+        if self.boundary == "periodic":
+            return [(i % n, w, g, 1) for i, w, g in nodes]
+        if first < -1 or first + len(weights) - 1 > n + 1:
             sys.exit("particle left the grid")
-        return [(first + j + 1, w, g / self.h) for j, (w, g) in enumerate(weights)]
+        if self.boundary == "free":
+            return [(i + 1, w, g, 1) for i, w, g in nodes]
+        return [(n - abs(n - abs(i)), w, g, 1 if 0 <= i <= n else -1) for i, w, g in nodes]
 
     def stencil(self, x):
-        """Nodes with weight and gradient."""
+        """Nodes with weight, gradient and the sign of each component there."""
         if self.d == 1:
-            return [(i, w, (g,)) for i, w, g in self.axis(0, x[0])]
-        across = self.axis(0, x[0])
-        n = self.room[0]
-        return [(i + n * j, wi * wj, (gi * wj, wi * gj)) for j, wj, gj in self.axis(1, x[1]) for i, wi, gi in across]
+            return [(i, w, (g,), (s,)) for i, w, g, s in self.axis(0, x[0])]
+        across, n = self.axis(0, x[0]), self.room[0]
+        return [(i + n * j, wi * wj, (gi * wj, wi * gj), (si, sj))
+                for j, wj, gj, sj in self.axis(1, x[1]) for i, wi, gi, si in across]
+
+    def walls(self):
+        """Nodes on planes of symmetry, with the component that is zero there."""
+        if self.boundary != "symmetry":
+            return []
+        n = self.room
+        if self.d == 1:
+            return [(0, 0), (0, n[0] - 1)]
+        sides = [(0, i + n[0] * j) for j in range(n[1]) for i in (0, n[0] - 1)]
+        return sides + [(1, i + n[0] * j) for i in range(n[0]) for j in (0, n[1] - 1)]
 
     def pull(self, F):
         """Kirchhoff stress: mu (F F' - 1) + lambda ln J."""
@@ -107,21 +120,23 @@ class Body:
         for p, stencil in enumerate(stencils):
             m, v, b, V = self.m[p], self.v[p], self.b(p, t), self.V[p]
             tau = self.pull(self.F[p])
-            for i, w, g in stencil:
+            for i, w, g, s in stencil:
                 wm = w * m
                 mass[i] += wm
                 for k in axes:
-                    momentum[k][i] += wm * v[k]
+                    momentum[k][i] += s[k] * wm * v[k]
                     inner = tau[k * d] * g[0] + tau[k * d + 1] * g[1] if d == 2 else tau[0] * g[0]
-                    force[k][i] += wm * b[k] - V * inner
+                    force[k][i] += s[k] * (wm * b[k] - V * inner)
         gain = [[share * dt * f / m if m > 0 else 0.0 for f, m in zip(force[k], mass)] for k in axes]
         speed = [[q / m + a if m > 0 else 0.0 for q, m, a in zip(momentum[k], mass, gain[k])] for k in axes]
+        for k, i in self.walls():
+            gain[k][i] = speed[k][i] = 0.0
         for p, stencil in enumerate(stencils):
             F = self.F[p]
             for k in axes:
-                self.v[p][k] += sum(w * gain[k][i] for i, w, _ in stencil)
-                self.x[p][k] += dt * sum(w * speed[k][i] for i, w, _ in stencil)
-            L = [dt * sum(speed[k][i] * g[j] for i, _, g in stencil) + (k == j) for k in axes for j in axes]
+                self.v[p][k] += sum(w * s[k] * gain[k][i] for i, w, _, s in stencil)
+                self.x[p][k] += dt * sum(w * s[k] * speed[k][i] for i, w, _, s in stencil)
+            L = [dt * sum(s[k] * speed[k][i] * g[j] for i, _, g, s in stencil) + (k == j) for k in axes for j in axes]
             self.F[p] = [sum(L[k * d + l] * F[l * d + j] for l in axes) for k in axes for j in axes]
             if not all(map(math.isfinite, self.F[p])) or (self.F[p][0] if d == 1 else 1) <= 0:
                 sys.exit("the motion blew up")
