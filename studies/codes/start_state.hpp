@@ -1,14 +1,11 @@
 #pragma once
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "studies/cases/case.hpp"
+#include "studies/codes/snapshot.hpp"
 
 namespace mpmvv::codes {
-
-using Point = std::array<double, 3>;
-using Tensor = std::array<double, 9>;  ///< row by row
 
 /// The particles with which a case starts, in the order in which it starts with them. SI units. Of coordinates beyond
 /// the problem's dimension X, x and v are 0, and F is that of the identity; volume and mass are then per metre (or
