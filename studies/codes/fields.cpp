@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "studies/runs/scene.hpp"
-#include "studies/support/error.hpp"
+#include "studies/codes/conditions.hpp"
+#include "studies/codes/start_state.hpp"
 
 namespace mpmvv::codes {
 
 using cases::Case;
-using problems::Problem;
 
 namespace {
 
@@ -35,24 +33,12 @@ void set_words(Fields& fields, const std::vector<std::string>& words, const std:
   }
 }
 
-void add_case(const Case& c, const Problem& problem, Fields& fields) {
-  const double h = problem.length(c.problem.parameters) / c.resolution.cells,
-               speed = problem.wave_speed(c.problem.parameters);
+void add_scheme(const Case& c, Fields& fields) {
   for (const auto& [name, value] : c.problem.parameters) set(fields, "param_" + name, value);
   set(fields, "cells", c.resolution.cells);
   set(fields, "ppc", c.resolution.ppc);
-  set(fields, "h", h);
-  set(fields, "particle_width", h / c.resolution.ppc);
-  set(fields, "dt", c.resolution.dt);
   fields.set("steps", fmt::format("{}", c.resolution.steps));
-  set(fields, "end_time", static_cast<double>(c.resolution.steps) * c.resolution.dt);
-  set(fields, "cfl", speed * c.resolution.dt / h);
-  set(fields, "wave_speed", speed);
-  set(fields, "dimension", problem.dimension());
-  static const std::vector<std::string> shapes{"line", "plane", "solid"};
-  set_words(fields, shapes, shapes[static_cast<std::size_t>(problem.dimension() - 1)]);
   fields.set("problem", c.problem.name);
-  fields.set("material", c.scheme.material);
   fields.set("boundary", c.scheme.boundary);
   set_words(fields, {"periodic", "symmetry", "dirichlet", "free"}, c.scheme.boundary);
   fields.set("is_quarter", c.problem.quarter);
@@ -62,66 +48,56 @@ void add_case(const Case& c, const Problem& problem, Fields& fields) {
   set_words(fields, {forms.begin(), forms.end()}, to_string(c.scheme.force_form));
 }
 
-void add_material(const solver::AnyMaterial& material, Fields& fields) {
-  std::visit(
-      [&](const auto& law) {
-        if constexpr (requires { law.lambda; }) {
-          const double lambda = law.lambda, mu = law.mu;
-          set(fields, "lambda", lambda);
-          set(fields, "mu", mu);
-          set(fields, "bulk_modulus", lambda + 2 * mu / 3);
-          set(fields, "youngs_modulus", mu * (3 * lambda + 2 * mu) / (lambda + mu));
-          set(fields, "poissons_ratio", lambda / (2 * (lambda + mu)));
-        }
-      },
-      material);
+void add_conditions(const Case& c, Fields& fields) {
+  const Conditions known = conditions(c);
+  set(fields, "h", known.h);
+  set(fields, "particle_width", known.h / c.resolution.ppc);
+  set(fields, "dt", known.dt);
+  set(fields, "end_time", known.end_time);
+  set(fields, "cfl", known.cfl);
+  set(fields, "wave_speed", known.wave_speed);
+  set(fields, "density", known.density);
+  fields.set("material", known.material);
+  fields.set("dimension", fmt::format("{}", known.dimension));
+  static const std::vector<std::string> shapes{"line", "plane", "solid"};
+  set_words(fields, shapes, shapes[static_cast<std::size_t>(known.dimension - 1)]);
+  if (known.elasticity) {
+    set(fields, "youngs_modulus", known.elasticity->youngs_modulus);
+    set(fields, "poissons_ratio", known.elasticity->poissons_ratio);
+    set(fields, "lambda", known.elasticity->lambda());
+    set(fields, "mu", known.elasticity->mu());
+    set(fields, "bulk_modulus", bulk_modulus(*known.elasticity));
+  }
+  for (std::size_t d = 0; d < known.lower.size(); ++d) {
+    set(fields, fmt::format("lower_{}", axes[d]), known.lower[d]);
+    set(fields, fmt::format("upper_{}", axes[d]), known.upper[d]);
+    set(fields, fmt::format("cells_{}", axes[d]), known.cells[d]);
+  }
 }
 
-template <int D>
-void add_domain(const Case& c, const Problem& problem, Fields& fields) {
-  const double h = problem.length(c.problem.parameters) / c.resolution.cells;
-  const problems::Setup<D> setup = problems::make_setup<D>(problem, c.problem, h);
-  const auto domain = std::visit([h](const auto& body) { return problems::domain(body, h); }, setup.body);
-  for (int d = 0; d < D; ++d) {
-    const int cells = domain.cells[static_cast<std::size_t>(d)];
-    set(fields, fmt::format("lower_{}", axes[d]), domain.lower[d]);
-    set(fields, fmt::format("upper_{}", axes[d]), domain.lower[d] + h * cells);
-    set(fields, fmt::format("cells_{}", axes[d]), cells);
+Fields particle_of(const StartState& state, std::size_t p) {
+  Fields one;
+  one.set("id", fmt::format("{}", state.id[p]));
+  set(one, "m", state.m[p]);
+  set(one, "V", state.V[p]);
+  for (std::size_t d = 0; d < static_cast<std::size_t>(state.dimension); ++d) {
+    set(one, std::string(1, "XYZ"[d]), state.X[p][d]);
+    set(one, std::string(1, axes[d]), state.x[p][d]);
+    set(one, fmt::format("v_{}", axes[d]), state.v[p][d]);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(state.dimension); ++k)
+      set(one, fmt::format("F_{}{}", axes[d], axes[k]), state.F[p][3 * d + k]);
   }
-  set(fields, "density", setup.density);
-  add_material(setup.material, fields);
-}
-
-template <int D>
-Fields particles_of(const Case& c, const Problem& problem) {
-  const runs::PreparedCase<D> prepared = runs::prepare_case<D>(c, problem, 1);
-  const solver::Particles<D>& particles = prepared.scene.particles;
-  Fields list(Fields::type::list);
-  for (std::size_t p = 0; p < particles.size(); ++p) {
-    Fields one;
-    one.set("id", fmt::format("{}", particles.id[p] + 1));
-    for (int d = 0; d < D; ++d) {
-      set(one, std::string(1, "XYZ"[d]), prepared.X[particles.id[p]][d]);
-      set(one, std::string(1, axes[d]), particles.x[p][d]);
-      set(one, fmt::format("v_{}", axes[d]), particles.v[p][d]);
-      for (int k = 0; k < D; ++k) set(one, fmt::format("F_{}{}", axes[d], axes[k]), particles.F[p](d, k));
-    }
-    set(one, "m", particles.m[p]);
-    set(one, "V", particles.V0[p]);
-    list.push_back(one);
-  }
-  return list;
+  return one;
 }
 
 }  // namespace
 
 Fields fields_of(const Case& c, const Code& code) {
-  const Problem& problem = problems::find_problem(c.problem.name, "the case");
   Fields fields;
   fields.set("program", code.program.string());
   fields.set("adapter", std::filesystem::absolute(code.adapter.folder).string());
-  add_case(c, problem, fields);
-  std::visit([&]<int D>(problems::SetupFunction<D>) { add_domain<D>(c, problem, fields); }, problem.setup);
+  add_scheme(c, fields);
+  add_conditions(c, fields);
   for (const auto& [name, value] : code.adapter.fields) fields.set(name, value);
   if (const auto variant = code.adapter.variants.find(c.scheme.variant); variant != code.adapter.variants.end())
     for (const auto& [name, value] : variant->second) fields.set(name, value);
@@ -129,12 +105,12 @@ Fields fields_of(const Case& c, const Code& code) {
 }
 
 Fields input_fields_of(const Case& c, const Code& code) {
-  const Problem& problem = problems::find_problem(c.problem.name, "the case");
   Fields fields = fields_of(c, code);
-  Fields particles =
-      std::visit([&]<int D>(problems::SetupFunction<D>) { return particles_of<D>(c, problem); }, problem.setup);
-  fields.set("particle_count", fmt::format("{}", particles.list_value().size()));
+  const StartState state = start_state(c);
+  Fields particles(Fields::type::list);
+  for (std::size_t p = 0; p < state.size(); ++p) particles.push_back(particle_of(state, p));
   fields.set("particles", particles);
+  fields.set("particle_count", fmt::format("{}", state.size()));
   return fields;
 }
 
