@@ -5,8 +5,8 @@
 
 #include "solver/boundary/boundaries.hpp"
 #include "studies/codes/code.hpp"
-#include "studies/problems/setup.hpp"
-#include "studies/runs/fill.hpp"
+#include "studies/codes/start_state.hpp"
+#include "studies/problems/problem.hpp"
 #include "studies/settings/boundaries.hpp"
 #include "studies/support/error.hpp"
 
@@ -36,22 +36,11 @@ bool is_met(const std::string& word, const Problem& problem, const Capabilities&
   return has(able.boundaries, word) || (has_planes && has(able.boundaries, std::string(solver::Symmetry::word)));
 }
 
-/// Whether some particle of a coarse fill starts with a velocity, or displaced.
-struct Start {
-  bool moves = false, is_deformed = false;
-};
-
-template <int D>
-Start start_of(const Case& c, const Problem& problem) {
-  constexpr int few = 4;
-  const double h = problem.length(c.problem.parameters) / few;
-  const problems::Setup<D> setup = problems::make_setup<D>(problem, c.problem, h);
-  Start start;
-  runs::fill_lattice<D>(setup.body, {h, 2}, [&](const runs::Voxel<D>& voxel) {
-    start.moves = start.moves || setup.solution->v(voxel.X, 0).norm() > 0;
-    start.is_deformed = start.is_deformed || setup.solution->u(voxel.X, 0).norm() > 0;
-  });
-  return start;
+/// The case on few cells, for what does not depend on their number.
+Case on_few_cells(Case c) {
+  c.resolution.cells = std::min(c.resolution.cells, 4);
+  c.resolution.ppc = 2;
+  return c;
 }
 
 }  // namespace
@@ -73,11 +62,10 @@ void require_able(const Adapter& adapter, const Case& c) {
   for (const std::string& word : boundaries_of(c, problem))
     if (!is_met(word, problem, able))
       refuse(fmt::format("boundary '{}' (it can: {})", word, fmt::join(able.boundaries, ", ")));
-  const Start start =
-      std::visit([&]<int D>(problems::SetupFunction<D>) { return start_of<D>(c, problem); }, problem.setup);
-  if (start.moves && !able.initial_velocity)
+  const StartState start = start_state(on_few_cells(c));
+  if (!able.initial_velocity && !is_at_rest(start, problem.wave_speed(c.problem.parameters)))
     refuse("it starts with a velocity (problems at rest: `mpmvv list problems`)");
-  if (start.is_deformed && !able.initial_deformation)
+  if (!able.initial_deformation && !is_undeformed(start))
     refuse("it starts deformed (problems at rest: `mpmvv list problems`)");
 }
 

@@ -58,17 +58,15 @@ class Body:
         self.X, self.x, self.v = ([r[k * d:(k + 1) * d] for r in rows] for k in range(3))
         self.m, self.V = [r[3 * d] for r in rows], [r[3 * d + 1] for r in rows]
         self.F = [r[3 * d + 2:] for r in rows]
-        self.force_at = words["force"]  # reference, current, particle, none
-        if self.force_at in ("reference", "current"):
-            names = "XYZ" if words["names"] == "reference" else "xyz"
+        self.force_at = words["force"]  # an expression of X, of x, or one for each particle
+        if self.force_at != "particle":
+            names = {"reference": "XYZ", "current": "xyz"}[self.force_at]
             self.force = function(", ".join(names[:d]) + ", t", words["b"].split("|"))
         self.own_force = [function("t", force) for _, force in particles if force]
 
     def b(self, p, t):
         if self.force_at == "particle":
             return self.own_force[p](t)
-        if self.force_at == "none":
-            return (0.0,) * self.d
         return self.force(*(self.X if self.force_at == "reference" else self.x)[p], t)
 
     def axis(self, k, x):

@@ -73,6 +73,13 @@ TEST_F(ExternalSeries, TheirCasesAreKeptAndFoundAgain) {
   EXPECT_EQ(counts.ran, 0U);
   EXPECT_EQ(counts.reused, 6U);
 
+  const auto of_codes = store.code_series(store::current_provenance().digest);
+  ASSERT_EQ(of_codes.size(), 1U);
+  EXPECT_EQ(of_codes[0].series, "theirs");
+  EXPECT_EQ(of_codes[0].code, "mover");
+  EXPECT_EQ(of_codes[0].variant, "plain");
+  EXPECT_EQ(of_codes[0].version, mover_.code().version);
+
   mover_.script(std::string(codes::Mover::moving) + "# edited\n");
   StudyPlan again = plan(both);
   CodeFinder anew("");
