@@ -61,7 +61,8 @@ void complete_variant(std::vector<Setting>& settings, const Adapter& adapter, co
 
 fs::path CodeFinder::adapter_file(const std::string& code, const fs::path& study_folder,
                                   const std::string& where) const {
-  const fs::path own = fs::absolute(study_folder).parent_path();  // of adapters/CODE/studies
+  const fs::path own =
+      fs::weakly_canonical(fs::current_path() / study_folder).parent_path();  // of adapters/CODE/studies
   std::vector<fs::path> folders{study_folder / "adapters", "adapters", shipped_};
   if (own.parent_path().filename() == "adapters") folders.insert(folders.begin() + 1, own.parent_path());
   std::vector<std::string> known;
