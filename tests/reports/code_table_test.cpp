@@ -42,6 +42,14 @@ TEST(CodeTable, HasARowForEachSeriesOfAnotherCode) {
   EXPECT_EQ(row[7], "the total form is second order (confirmed)");
 }
 
+/// One name may begin another.
+TEST(CodeTable, SaysOfASeriesWhatWasAskedOfThatOne) {
+  ReportInput input = input_with_codes();
+  input.studies[0].series.push_back({"tlmpm, no b", {}, {}, {}});
+  input.studies[0].parts[0].found[0].what = "tlmpm, no b";
+  EXPECT_EQ(code_table(input).groups[0].rows[0][6], "–");
+}
+
 TEST(CodeTable, HasAGroupForEachVersion) {
   ReportInput input = input_with_codes();
   input.codes.push_back(input.codes[0]);
