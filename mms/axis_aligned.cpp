@@ -36,6 +36,20 @@ Vec<D> AxisAligned<D>::stretches(const Vec<D>& X, double t) const {
 }
 
 template <int D>
+template <class N>
+N AxisAligned<D>::u_along(std::size_t d, const N& X, const N& t) const {
+  using std::sin;
+  return A_ * sin(k_pi_ * X) * (rests_.data()[d] + swings_.data()[d] * sin(C_pi_ * t + phases_.data()[d]));
+}
+
+template <int D>
+template <class N>
+N AxisAligned<D>::b_along(const N& a, const N& u, const N& F, const N& K) const {
+  const N stiffness = lambda_ * (1 - K) / (F * F) + mu_ * (1 + 1 / (F * F));
+  return a + k_pi_ * k_pi_ * u * stiffness / rho_;
+}
+
+template <int D>
 Vec<D> AxisAligned<D>::u(const Vec<D>& X, double t) const {
   return A_ * (k_pi_ * X).array().sin() * T(t).array();
 }
@@ -66,8 +80,25 @@ template <int D>
 Vec<D> AxisAligned<D>::b(const Vec<D>& X, double t) const {
   const auto F = stretches(X, t).array().eval();
   const double K = std::log(F.prod());
-  const auto stiffness = lambda_ * (1 - K) / (F * F) + mu_ * (1 + 1 / (F * F));
-  return a(X, t).array() + k_pi_ * k_pi_ * u(X, t).array() * stiffness / rho_;
+  const Vec<D> a = this->a(X, t), u = this->u(X, t);
+  Vec<D> b;
+  for (int d = 0; d < D; ++d) b[d] = b_along(a[d], u[d], F[d], K);
+  return b;
+}
+
+template <int D>
+expression::Formulas AxisAligned<D>::formulas() const {
+  const auto X = expression::reference_place<D>();
+  expression::Vector u;
+  for (std::size_t d = 0; d < D; ++d) u.push_back(u_along(d, X[d], expression::time()));
+  expression::Fields fields = expression::motion(u, {});
+  expression::Traced J = 1;
+  for (std::size_t d = 0; d < D; ++d) J *= fields.F[d][d];
+  for (std::size_t d = 0; d < D; ++d) {
+    const auto a = derivative(fields.v[d], expression::Variable::t);
+    fields.b.push_back(b_along(a, u[d], fields.F[d][d], log(J)));
+  }
+  return {.reference = fields};
 }
 
 /// On a lattice many points share a coordinate. Per axis, whatever depends on one coordinate is kept for each distinct

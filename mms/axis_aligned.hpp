@@ -41,9 +41,15 @@ class AxisAligned : public ManufacturedSolution<D> {
   /// What depends on one coordinate is computed once for all points that share it. On a lattice a point costs a few
   /// bytes and additions; a sine, a logarithm and a division are taken per distinct coordinate and time, not per point.
   std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const final;
+  expression::Formulas formulas() const final;
 
  private:
   class AtPoints;
+
+  template <class N>
+  N u_along(std::size_t d, const N& X, const N& t) const;  ///< u_d; here and below N is any scalar type
+  template <class N>
+  N b_along(const N& a, const N& u, const N& F, const N& K) const;  ///< b_d from a_d, u_d, F_d and K
 
   Vec<D> T(double t) const;
   Vec<D> stretches(const Vec<D>& X, double t) const;  ///< the diagonal of F

@@ -49,8 +49,26 @@ class BarAtPoints final : public PointwiseSolution<1> {
 Bar::Bar(double amplitude, const Elasticity& material)
     : A_(amplitude), E_(material.youngs_modulus), C_(std::sqrt(material.youngs_modulus / material.density)) {}
 
+template <class N>
+N Bar::u_at(const N& X, const N& t) const {
+  using std::cos, std::sin;
+  return A_ * sin(2 * pi * X) * cos(C_ * pi * t);
+}
+
+template <class N>
+N Bar::F_at(const N& X, const N& t) const {
+  using std::cos;
+  return 1 + 2 * A_ * pi * cos(2 * pi * X) * cos(C_ * pi * t);
+}
+
+template <class N>
+N Bar::b_at(const N& X, const N& t) const {
+  const N stretch = F_at(X, t);
+  return C_ * C_ * pi * pi * (2 / (stretch * stretch) + 1) * u_at(X, t);
+}
+
 Vec<1> Bar::u(const Vec<1>& X, double t) const {
-  return of(A_ * std::sin(2 * pi * X[0]) * std::cos(C_ * pi * t));
+  return of(u_at(X[0], t));
 }
 
 Vec<1> Bar::v(const Vec<1>& X, double t) const {
@@ -62,7 +80,7 @@ Vec<1> Bar::a(const Vec<1>& X, double t) const {
 }
 
 Mat<1> Bar::F(const Vec<1>& X, double t) const {
-  return of(1 + 2 * A_ * pi * std::cos(2 * pi * X[0]) * std::cos(C_ * pi * t));
+  return of(F_at(X[0], t));
 }
 
 Mat<1> Bar::P(const Vec<1>& X, double t) const {
@@ -71,8 +89,13 @@ Mat<1> Bar::P(const Vec<1>& X, double t) const {
 }
 
 Vec<1> Bar::b(const Vec<1>& X, double t) const {
-  const double stretch = F(X, t)(0, 0);
-  return C_ * C_ * pi * pi * (2 / (stretch * stretch) + 1) * u(X, t);
+  return of(b_at(X[0], t));
+}
+
+expression::Formulas Bar::formulas() const {
+  const auto [X] = expression::reference_place<1>();
+  const auto t = expression::time();
+  return {.reference = expression::motion({u_at(X, t)}, {b_at(X, t)})};
 }
 
 std::unique_ptr<PointwiseSolution<1>> Bar::at_points(const std::vector<Vec<1>>& X) const {

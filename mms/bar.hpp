@@ -25,8 +25,16 @@ class Bar final : public ManufacturedSolution<1> {
 
   double displacement_scale() const override { return std::abs(A_); }
   std::unique_ptr<PointwiseSolution<1>> at_points(const std::vector<Vec<1>>& X) const override;
+  expression::Formulas formulas() const override;
 
  private:
+  template <class N>
+  N u_at(const N& X, const N& t) const;  ///< here and below N is any scalar type
+  template <class N>
+  N F_at(const N& X, const N& t) const;
+  template <class N>
+  N b_at(const N& X, const N& t) const;
+
   double A_, E_, C_;
 };
 

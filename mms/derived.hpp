@@ -67,6 +67,20 @@ class Derived final : public ManufacturedSolution<D> {
 
   double displacement_scale() const override { return scale_; }
 
+  /// None where the displacement branches on a value.
+  expression::Formulas formulas() const override {
+    try {
+      const auto energy = [this](const expression::Tensor& rows) {
+        Matrix<expression::Traced, D> F;
+        for (std::size_t i = 0; i < D; ++i) std::copy_n(rows[i].begin(), D, F[i].begin());
+        return energy_(F);
+      };
+      return {.reference = expression::motion(expression::displacement<D>(displacement_), energy, density_)};
+    } catch (const expression::NoFormula&) {
+      return {};
+    }
+  }
+
  private:
   using RS = boost::math::differentiation::autodiff_fvar<double, 1, 1>;
   using Expansion = std::array<RS, D>;

@@ -13,18 +13,40 @@ SquareInverse::SquareInverse(double amplitude, const Elasticity& material)
       rho_(material.density),
       C_pi_(std::sqrt(material.youngs_modulus / material.density) * pi) {}
 
-double SquareInverse::T(double t) const {
-  const double half = std::sin(C_pi_ * t / 2);
+template <class N>
+N SquareInverse::T(const N& t) const {
+  using std::sin;
+  const N half = sin(C_pi_ * t / 2);
   return half * half;
 }
 
-std::array<SquareInverse::Wave, 2> SquareInverse::waves(const Vec<2>& x, double t) const {
-  const double now = T(t), rate = C_pi_ / 2 * std::sin(C_pi_ * t), growth = C_pi_ * C_pi_ / 2 * std::cos(C_pi_ * t);
-  const auto along = [&](double place) {
-    const double sine = A_ * std::sin(pi * place), cosine = A_ * pi * std::cos(pi * place);
-    return Wave{sine * rate, sine * growth, cosine * now, -pi * pi * sine * now, cosine * rate};
+template <class N>
+N SquareInverse::Wave<N>::acceleration() const {
+  const N v = w_t / g();
+  return (w_tt + 2 * v * w_xt + v * v * w_xx) / g();
+}
+
+template <class N>
+SquareInverse::Waves<N> SquareInverse::waves(const std::array<N, 2>& x, const N& t) const {
+  using std::cos, std::sin;
+  const N now = T(t), rate = C_pi_ / 2 * sin(C_pi_ * t), growth = C_pi_ * C_pi_ / 2 * cos(C_pi_ * t);
+  const auto along = [&](const N& place) {
+    const N sine = A_ * sin(pi * place), cosine = A_ * pi * cos(pi * place);
+    return Wave<N>{sine * rate, sine * growth, cosine * now, -pi * pi * sine * now, cosine * rate};
   };
   return {along(x[0]), along(x[1])};
+}
+
+template <class N>
+std::array<N, 2> SquareInverse::b_of(const Waves<N>& at) const {
+  using std::log;
+  const N K = -log(at[0].g() * at[1].g());
+  std::array<N, 2> b{at[0].acceleration(), at[1].acceleration()};
+  for (std::size_t d = 0; d < 2; ++d) {
+    const N g = at[d].g(), stiffness = lambda_ * (1 - K) * g * g + mu_ * (1 + g * g);
+    b[d] -= stiffness * at[d].w_xx / (g * g * g) / rho_;
+  }
+  return b;
 }
 
 Vec<2> SquareInverse::place(const Vec<2>& X, double t) const {
@@ -49,24 +71,17 @@ Vec<2> SquareInverse::u(const Vec<2>& X, double t) const {
 }
 
 Vec<2> SquareInverse::v(const Vec<2>& X, double t) const {
-  const auto [first, second] = waves(place(X, t), t);
+  const auto [first, second] = waves_at(place(X, t), t);
   return {first.w_t / first.g(), second.w_t / second.g()};
 }
 
-Vec<2> SquareInverse::acceleration(const std::array<Wave, 2>& at) const {
-  const auto along = [](const Wave& w) {
-    const double v = w.w_t / w.g();
-    return (w.w_tt + 2 * v * w.w_xt + v * v * w.w_xx) / w.g();
-  };
-  return {along(at[0]), along(at[1])};
-}
-
 Vec<2> SquareInverse::a(const Vec<2>& X, double t) const {
-  return acceleration(waves(place(X, t), t));
+  const auto [first, second] = waves_at(place(X, t), t);
+  return {first.acceleration(), second.acceleration()};
 }
 
 Mat<2> SquareInverse::F(const Vec<2>& X, double t) const {
-  const auto [first, second] = waves(place(X, t), t);
+  const auto [first, second] = waves_at(place(X, t), t);
   return Vec<2>(1 / first.g(), 1 / second.g()).asDiagonal();
 }
 
@@ -81,14 +96,16 @@ Vec<2> SquareInverse::b(const Vec<2>& X, double t) const {
 }
 
 Vec<2> SquareInverse::b_at(const Vec<2>& x, double t) const {
-  const auto at = waves(x, t);
-  const double K = -std::log(at[0].g() * at[1].g());
-  Vec<2> b = acceleration(at);
-  for (std::size_t d = 0; d < 2; ++d) {
-    const double g = at[d].g(), stiffness = lambda_ * (1 - K) * g * g + mu_ * (1 + g * g);
-    b.data()[d] -= stiffness * at[d].w_xx / (g * g * g) / rho_;
-  }
-  return b;
+  const auto [along_x, along_y] = b_of(waves_at(x, t));
+  return {along_x, along_y};
+}
+
+expression::Formulas SquareInverse::formulas() const {
+  const auto x = expression::current_place<2>();
+  const auto t = expression::time();
+  expression::Vector X;
+  for (const auto& coordinate : x) X.push_back(coordinate - A_ * T(t) * sin(pi * coordinate));
+  return {.inverse = expression::inverse_motion(X, expression::vector(b_of(waves(x, t))))};
 }
 
 }  // namespace mpmvv::mms

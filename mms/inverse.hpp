@@ -30,19 +30,29 @@ class SquareInverse final : public ManufacturedSolution<2> {
 
   double displacement_scale() const override { return std::abs(A_); }
   Vec<2> reference_point(const Vec<2>& x, double t) const override;
+  expression::Formulas formulas() const override;
 
   Vec<2> place(const Vec<2>& X, double t) const;  ///< x of the particle from X
   Vec<2> b_at(const Vec<2>& x, double t) const;   ///< b at a current position
 
  private:
-  /// w of an axis and its derivatives at a current position.
+  /// w of an axis and its derivatives at a current position. N, here and below, is any scalar type.
+  template <class N>
   struct Wave {
-    double w_t, w_tt, w_x, w_xx, w_xt;
-    double g() const { return 1 - w_x; }
+    N w_t, w_tt, w_x, w_xx, w_xt;
+    N g() const { return 1 - w_x; }
+    N acceleration() const;
   };
-  std::array<Wave, 2> waves(const Vec<2>& x, double t) const;
-  Vec<2> acceleration(const std::array<Wave, 2>& at) const;
-  double T(double t) const;
+  template <class N>
+  using Waves = std::array<Wave<N>, 2>;
+
+  template <class N>
+  Waves<N> waves(const std::array<N, 2>& x, const N& t) const;
+  template <class N>
+  std::array<N, 2> b_of(const Waves<N>& at) const;
+  template <class N>
+  N T(const N& t) const;
+  Waves<double> waves_at(const Vec<2>& x, double t) const { return waves(std::array{x[0], x[1]}, t); }
 
   double A_, lambda_, mu_, rho_, C_pi_;
 };

@@ -68,8 +68,8 @@ Mat<D> Radial<D>::P(const Vec<D>& X, double t) const {
 /// product:
 ///   b/R = -T {c²π² w/R + [μ F_RR² F_θθ (a + c) + M (a F_θθ + c F_RR)] / (ρ₀ R F_RR² F_θθ)}
 template <int D>
-template <class N>
-N Radial<D>::b_over_R(const N& R2, double T) const {
+template <class N, class S>
+N Radial<D>::b_over_R(const N& R2, const S& T) const {
   using std::log, std::sqrt;
   const N R = sqrt(R2), over_R = profile_.over_R(R);
   const N F_RR = 1 + T * profile_.slope(R), F_tt = 1 + T * over_R;
@@ -83,6 +83,18 @@ N Radial<D>::b_over_R(const N& R2, double T) const {
 template <int D>
 Vec<D> Radial<D>::b(const Vec<D>& X, double t) const {
   return b_over_R(X.squaredNorm(), T(t)) * X;
+}
+
+template <int D>
+expression::Formulas Radial<D>::formulas() const {
+  const auto X = expression::reference_place<D>();
+  expression::Traced R2 = 0;
+  for (const auto& coordinate : X) R2 += coordinate * coordinate;
+  const auto over_R = b_over_R(R2, A_ * cos(c_pi_ * expression::time()));
+  expression::Vector b;
+  for (const auto& coordinate : X) b.push_back(over_R * coordinate);
+  const RadialDisplacement<D> displacement{A_, profile_, c_pi_ / std::numbers::pi};
+  return {.reference = expression::motion(expression::displacement<D>(displacement), b)};
 }
 
 template <int D>

@@ -33,6 +33,8 @@ class Radial : public ManufacturedSolution<D> {
   /// A step costs a point one root, one division, and one logarithm where λ is not zero, in lanes.
   std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const final;
 
+  expression::Formulas formulas() const final;
+
   /// Also for positions outside the body, as far as the motion is invertible there; std::domain_error beyond.
   Vec<D> reference_point(const Vec<D>& x, double t) const final;
 
@@ -46,8 +48,8 @@ class Radial : public ManufacturedSolution<D> {
   Stretches stretches(double R, double t) const;
   template <class N>
   static N J(const N& F_RR, const N& F_tt);  ///< det F, for any scalar type
-  template <class N>
-  N b_over_R(const N& R2, double T) const;  ///< b/R at radii of these squares where T(t) is T, for any scalar type
+  template <class N, class S>
+  N b_over_R(const N& R2, const S& T) const;  ///< b/R at radii of these squares where T(t) is T, for scalar types
 
   double A_;
   RadialProfile profile_;

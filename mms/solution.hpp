@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "mms/expression/formulas.hpp"
+
 namespace mpmvv::mms {
 
 template <int D>
@@ -52,6 +54,9 @@ class ManufacturedSolution {
 
   /// The same at many fixed points, for solutions to override that compute what points share once, or many in lanes.
   virtual std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const;
+
+  /// The same as expressions, as far as there is a closed form.
+  virtual expression::Formulas formulas() const { return {}; }
 
   /// X with X + u(X, t) = x, W (A.1); here by Newton's method, std::domain_error when it does not converge.
   virtual Vec<D> reference_point(const Vec<D>& x, double t) const;

@@ -37,6 +37,7 @@ class Stretch final : public ManufacturedSolution<D> {
   Vec<D> b(const Vec<D>&, double) const override { return Vec<D>::Zero(); }
 
   double displacement_scale() const override { return scale_; }
+  expression::Formulas formulas() const override;
 
  private:
   static Vec<D> along_x(double value) { return value * Vec<D>::Unit(0); }
@@ -59,5 +60,14 @@ struct StretchDisplacement {
     return u;
   }
 };
+
+template <int D>
+expression::Formulas Stretch<D>::formulas() const {
+  expression::Vector X = expression::vector(expression::current_place<D>());
+  X[0] /= 1 + rate_ * expression::time();
+  return {.reference =
+              expression::motion(expression::displacement<D>(StretchDisplacement<D>{rate_}), expression::nothing(D)),
+          .inverse = expression::inverse_motion(X, expression::nothing(D))};
+}
 
 }  // namespace mpmvv::mms

@@ -20,6 +20,16 @@ class Translation final : public ManufacturedSolution<D> {
 
   double displacement_scale() const override { return scale_; }
 
+  expression::Formulas formulas() const override {
+    expression::Vector u, X;
+    for (int d = 0; d < D; ++d) {
+      u.push_back(velocity_[d] * expression::time());
+      X.push_back(expression::current_place<D>()[static_cast<std::size_t>(d)] - u.back());
+    }
+    return {.reference = expression::motion(u, expression::nothing(D)),
+            .inverse = expression::inverse_motion(X, expression::nothing(D))};
+  }
+
  private:
   Vec<D> velocity_;
   double scale_;

@@ -68,15 +68,19 @@ Mat<2> Vortex::P(const Vec<2>& X, double t) const {
   return mu_ * gamma * (Eigen::Rotation2D(G(t) * H) * (shear + shear.transpose()));
 }
 
-/// Q {G across R e_θ - [(G' H)² - G² along] R e_R}
+template <class N, class S>
+Vortex::Parts<N> Vortex::parts(const N& R, const S& G, const S& dG) const {
+  const auto [H, dH, d2H] = profile(R);
+  return {.along = G * G * mu_rho_ * dH * dH - dG * dG * H * H,
+          .across = G * (-rate_ * rate_ * H - mu_rho_ * (3 * dH / R + d2H)),
+          .alpha = G * H};
+}
+
 template <class N>
 std::array<N, 2> Vortex::b_at(const std::array<N, 2>& X, double G, double dG) const {
   using std::cos, std::sin, std::sqrt;
-  const N R = sqrt(X[0] * X[0] + X[1] * X[1]);
-  const auto [H, dH, d2H] = profile(R);
-  const N across = G * (-rate_ * rate_ * H - mu_rho_ * (3 * dH / R + d2H));
-  const N along = G * G * mu_rho_ * dH * dH - dG * dG * H * H;
-  const N alpha = G * H, cosine = cos(alpha), sine = sin(alpha);
+  const auto [along, across, alpha] = parts<N>(sqrt(X[0] * X[0] + X[1] * X[1]), G, dG);
+  const N cosine = cos(alpha), sine = sin(alpha);
   const N of_X = along * cosine - across * sine, of_crossed = along * sine + across * cosine;
   return {of_X * X[0] - of_crossed * X[1], of_X * X[1] + of_crossed * X[0]};
 }
@@ -84,6 +88,26 @@ std::array<N, 2> Vortex::b_at(const std::array<N, 2>& X, double G, double dG) co
 Vec<2> Vortex::b(const Vec<2>& X, double t) const {
   const auto [x, y] = b_at(std::array{X[0], X[1]}, G(t), dG(t));
   return {x, y};
+}
+
+/// The radius does not change, so that Q R e_R is x, and b a shorter expression of x than of X.
+expression::Formulas Vortex::formulas() const {
+  const auto t = expression::time();
+  const auto G = A_ * sin(rate_ * t), dG = A_ * rate_ * cos(rate_ * t);
+  const auto parts_at = [&](const auto& place) {
+    return parts(sqrt(place[0] * place[0] + place[1] * place[1]), G, dG);
+  };
+  const VortexDisplacement displacement{A_, radii_, std::numbers::pi / rate_};
+  const auto X = expression::reference_place<2>(), x = expression::current_place<2>();
+  const auto [along_X, across_X, alpha_X] = parts_at(X);
+  const auto of_X = along_X * cos(alpha_X) - across_X * sin(alpha_X),
+             of_crossed = along_X * sin(alpha_X) + across_X * cos(alpha_X);
+  const auto [along, across, alpha] = parts_at(x);
+  return {.reference = expression::motion(expression::displacement<2>(displacement),
+                                          {of_X * X[0] - of_crossed * X[1], of_X * X[1] + of_crossed * X[0]}),
+          .inverse =
+              expression::inverse_motion({cos(alpha) * x[0] + sin(alpha) * x[1], cos(alpha) * x[1] - sin(alpha) * x[0]},
+                                         {along * x[0] - across * x[1], along * x[1] + across * x[0]})};
 }
 
 Vec<2> Vortex::reference_point(const Vec<2>& x, double t) const {

@@ -35,6 +35,8 @@ class Vortex final : public ManufacturedSolution<2> {
   /// A step costs a point one sine and one cosine, and what is in lanes.
   std::unique_ptr<PointwiseSolution<2>> at_points(const std::vector<Vec<2>>& X) const override;
 
+  expression::Formulas formulas() const override;
+
   /// The motion keeps the radius of a point, so its inverse is the rotation by -α.
   Vec<2> reference_point(const Vec<2>& x, double t) const override;
 
@@ -48,7 +50,14 @@ class Vortex final : public ManufacturedSolution<2> {
   /// H and its derivatives; N, here and below, is any scalar type.
   template <class N>
   Profile<N> profile(const N& R) const;
-  /// b where G(t) is G and its derivative dG.
+  /// Of the point at radius R where G(t) is G and its derivative dG: b = Q (along R e_R + across R e_θ).
+  template <class N>
+  struct Parts {
+    N along, across, alpha;
+  };
+  template <class N, class S>
+  Parts<N> parts(const N& R, const S& G, const S& dG) const;
+  /// b there.
   template <class N>
   std::array<N, 2> b_at(const std::array<N, 2>& X, double G, double dG) const;
   Vec<2> displacement(const Vec<2>& X, double G) const;

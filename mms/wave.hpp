@@ -38,6 +38,7 @@ class Wave final : public ManufacturedSolution<2> {
   Vec<2> b(const Vec<2>&, double) const override { return Vec<2>::Zero(); }
 
   double displacement_scale() const override { return std::abs(A_); }
+  expression::Formulas formulas() const override;
 
   /// How far a neo-Hookean body, S (46), moves differently at most by time t, m: to leading order in A.
   double nonlinear_error(double t) const {
@@ -67,5 +68,10 @@ struct WaveDisplacement {
     return {amplitude * sin(pi * X[0]) * sin(wave_speed * pi * t), 0.0 * t};
   }
 };
+
+inline expression::Formulas Wave::formulas() const {
+  return {.reference =
+              expression::motion(expression::displacement<2>(WaveDisplacement{A_, c_}), expression::nothing(2))};
+}
 
 }  // namespace mpmvv::mms

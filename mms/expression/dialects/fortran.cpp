@@ -1,0 +1,29 @@
+#include "mms/expression/dialect.hpp"
+
+namespace mpmvv::mms::expression {
+
+namespace {
+
+/// In double precision: 2d0, 1.5d-3.
+std::string in_double_precision(double value) {
+  std::string digits = shortest(value);
+  const auto exponent = digits.find('e');
+  if (exponent == std::string::npos) return digits + "d0";
+  digits[exponent] = 'd';
+  return digits;
+}
+
+}  // namespace
+
+Dialect fortran_dialect() {
+  return {
+      .name = "fortran",
+      .what = "Fortran in double precision; lines may be longer than 132 columns (gfortran -ffree-line-length-none)",
+      .number = in_double_precision,
+      .variable = plain_variable,
+      .power = two_stars_power,
+      .function = plain_function,
+      .negative = minus};
+}
+
+}  // namespace mpmvv::mms::expression

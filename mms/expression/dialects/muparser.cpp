@@ -1,0 +1,24 @@
+#include "mms/expression/dialect.hpp"
+
+namespace mpmvv::mms::expression {
+
+namespace {
+
+/// There log is to the base of ten in some versions.
+std::string_view function_with_ln(Operation operation) {
+  return operation == Operation::log ? "ln" : plain_function(operation);
+}
+
+}  // namespace
+
+Dialect muparser_dialect() {
+  return {.name = "muparser",
+          .what = "the muParser library, and with it deal.II and others",
+          .number = shortest,
+          .variable = plain_variable,
+          .power = caret_power,
+          .function = function_with_ln,
+          .negative = minus};
+}
+
+}  // namespace mpmvv::mms::expression
