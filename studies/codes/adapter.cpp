@@ -10,6 +10,7 @@
 #include "solver/material/materials.hpp"
 #include "solver/words.hpp"
 #include "studies/cases/case.hpp"
+#include "studies/codes/expressions.hpp"
 #include "studies/codes/readers.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -178,6 +179,7 @@ Adapter read_adapter(const std::filesystem::path& file) {
   if (const auto table = root.table("expressions")) {
     table->allow_only({"dialect"});
     adapter.dialect = table->text("dialect");
+    dialect_named(adapter.dialect, table->where("dialect"));
   }
   if (const auto table = root.table("fields")) adapter.fields = values_of(*table);
   if (const auto table = root.table("variants"))

@@ -63,7 +63,7 @@ std::string as_word(const std::string& version) {
 std::string version_of(const Adapter& adapter, const fs::path& program) {
   if (adapter.program.version.empty())
     return "file-" + cases::fingerprint(support::require_file(program, fmt::format("code '{}'", adapter.name)));
-  Fields fields;
+  TemplateFields fields;
   fields.set("program", program.string());
   std::vector<std::string> command;
   for (const std::string& word : adapter.program.version)

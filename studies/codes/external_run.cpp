@@ -60,7 +60,7 @@ void require_good(const Adapter& adapter, const std::string& program, const supp
 }
 
 /// Runs a command of the adapter in the folder; the seconds that it took. What it wrote is in `log.txt` there.
-double run_command(const Code& code, const std::vector<std::string>& templates, const Fields& fields,
+double run_command(const Code& code, const std::vector<std::string>& templates, const TemplateFields& fields,
                    const fs::path& folder, std::string& log) {
   const Adapter& adapter = code.adapter;
   std::vector<std::string> command;
@@ -78,7 +78,7 @@ double run_command(const Code& code, const std::vector<std::string>& templates, 
 
 void write_input_files(const Case& c, const Code& code, const fs::path& folder) {
   if (code.adapter.inputs.empty()) return;
-  const Fields fields = input_fields_of(c, code);
+  const TemplateFields fields = input_fields_of(c, code);
   for (const InputFile& input : code.adapter.inputs)
     support::write_if_changed(folder / input.file, filled_input(input, fields));
 }
@@ -86,7 +86,7 @@ void write_input_files(const Case& c, const Code& code, const fs::path& folder) 
 /// The record of what the code makes of the case in this folder.
 Record carry_out(const Case& c, const Code& code, const fs::path& folder) {
   write_input_files(c, code, folder);
-  const Fields fields = fields_of(c, code);
+  const TemplateFields fields = fields_of(c, code);
   std::string log;
   const double seconds = run_command(code, code.adapter.command, fields, folder, log);
   for (const auto& command : code.adapter.output.convert) run_command(code, command, fields, folder, log);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "studies/codes/conditions.hpp"
+#include "studies/codes/expressions.hpp"
 #include "studies/codes/start_state.hpp"
 
 namespace mpmvv::codes {
@@ -20,12 +21,12 @@ std::string text(double value) {
   return fmt::format("{:.17g}", value + 0.0);
 }
 
-void set(Fields& fields, const std::string& name, double value) {
+void set(TemplateFields& fields, const std::string& name, double value) {
   fields.set(name, text(value));
 }
 
 /// `word` is true of these words: is_plane of line, plane, solid.
-void set_words(Fields& fields, const std::vector<std::string>& words, const std::string& word) {
+void set_words(TemplateFields& fields, const std::vector<std::string>& words, const std::string& word) {
   for (std::string each : words) {
     const bool is_it = each == word;
     std::ranges::replace(each, '-', '_');
@@ -33,7 +34,7 @@ void set_words(Fields& fields, const std::vector<std::string>& words, const std:
   }
 }
 
-void add_scheme(const Case& c, Fields& fields) {
+void add_scheme(const Case& c, TemplateFields& fields) {
   for (const auto& [name, value] : c.problem.parameters) set(fields, "param_" + name, value);
   set(fields, "cells", c.resolution.cells);
   set(fields, "ppc", c.resolution.ppc);
@@ -48,7 +49,7 @@ void add_scheme(const Case& c, Fields& fields) {
   set_words(fields, {forms.begin(), forms.end()}, to_string(c.scheme.force_form));
 }
 
-void add_conditions(const Case& c, Fields& fields) {
+void add_conditions(const Case& c, TemplateFields& fields) {
   const Conditions known = conditions(c);
   set(fields, "h", known.h);
   set(fields, "particle_width", known.h / c.resolution.ppc);
@@ -75,8 +76,21 @@ void add_conditions(const Case& c, Fields& fields) {
   }
 }
 
-Fields particle_of(const StartState& state, std::size_t p) {
-  Fields one;
+void set_components(TemplateFields& fields, const std::string& name, const std::vector<std::string>& texts) {
+  for (std::size_t d = 0; d < texts.size(); ++d) fields.set(fmt::format("{}_{}", name, axes[d]), texts[d]);
+}
+
+/// Body force, and what the motion starts with, in the adapter's dialect.
+void add_expressions(const Case& c, const Dialect& dialect, TemplateFields& fields) {
+  const Expressions all = expressions(c.problem, c.scheme.force_form, dialect);
+  set_components(fields, "b", all.b);
+  set_components(fields, "v0", all.v0);
+  set_components(fields, "u", all.u);
+  for (std::size_t d = 0; d < all.F0.size(); ++d) set_components(fields, fmt::format("F0_{}", axes[d]), all.F0[d]);
+}
+
+TemplateFields particle_of(const StartState& state, std::size_t p) {
+  TemplateFields one;
   one.set("id", fmt::format("{}", state.id[p]));
   set(one, "m", state.m[p]);
   set(one, "V", state.V[p]);
@@ -92,8 +106,8 @@ Fields particle_of(const StartState& state, std::size_t p) {
 
 }  // namespace
 
-Fields fields_of(const Case& c, const Code& code) {
-  Fields fields;
+TemplateFields fields_of(const Case& c, const Code& code) {
+  TemplateFields fields;
   fields.set("program", code.program.string());
   fields.set("adapter", std::filesystem::absolute(code.adapter.folder).string());
   add_scheme(c, fields);
@@ -104,26 +118,38 @@ Fields fields_of(const Case& c, const Code& code) {
   return fields;
 }
 
-Fields input_fields_of(const Case& c, const Code& code) {
-  Fields fields = fields_of(c, code);
+TemplateFields input_fields_of(const Case& c, const Code& code) {
+  TemplateFields fields = fields_of(c, code);
   const StartState state = start_state(c);
-  Fields particles(Fields::type::list);
-  for (std::size_t p = 0; p < state.size(); ++p) particles.push_back(particle_of(state, p));
+  fields.set("has_initial_velocity", !is_at_rest(state, conditions(c).wave_speed));
+  fields.set("has_initial_deformation", !is_undeformed(state));
+  std::vector<std::vector<std::string>> forces;
+  if (const std::string& dialect = code.adapter.dialect; !dialect.empty()) {
+    const Dialect& known = dialect_named(dialect, (code.adapter.folder / "adapter.toml").string());
+    add_expressions(c, known, fields);
+    if (c.scheme.force_form == cases::ForceForm::per_particle) forces = particle_forces(c, known);
+  }
+  TemplateFields particles(TemplateFields::type::list);
+  for (std::size_t p = 0; p < state.size(); ++p) {
+    TemplateFields particle = particle_of(state, p);
+    if (!forces.empty()) set_components(particle, "b", forces[p]);
+    particles.push_back(particle);
+  }
   fields.set("particles", particles);
   fields.set("particle_count", fmt::format("{}", state.size()));
   return fields;
 }
 
-std::string filled_word(const std::string& word, const Fields& fields, const Code& code) {
+std::string filled_word(const std::string& word, const TemplateFields& fields, const Code& code) {
   return filled(word, fields, (code.adapter.folder / "adapter.toml").string());
 }
 
-std::string filled_input(const InputFile& input, const Fields& fields) {
+std::string filled_input(const InputFile& input, const TemplateFields& fields) {
   return filled(input.text, fields, fmt::format("the template of {}", input.file));
 }
 
 void require_sound_templates(const Case& c, const Code& code) {
-  const Fields fields = fields_of(c, code), input_fields = input_fields_of(c, code);
+  const TemplateFields fields = fields_of(c, code), input_fields = input_fields_of(c, code);
   for (const InputFile& input : code.adapter.inputs) filled_input(input, input_fields);
   for (const std::string& word : code.adapter.command) filled_word(word, fields, code);
   for (const auto& command : code.adapter.output.convert)

@@ -36,14 +36,14 @@ fs::path last_file(const fs::path& folder, const std::string& name) {
   return *std::ranges::max_element(found, comes_before);
 }
 
-Snapshot read(const Code& code, const Fields& fields, const fs::path& folder, const std::string& name) {
+Snapshot read(const Code& code, const TemplateFields& fields, const fs::path& folder, const std::string& name) {
   const std::string file = filled_word(name, fields, code);
   return read_snapshot(last_file(folder, file), code.adapter.output.columns, code.adapter.output.format);
 }
 
 }  // namespace
 
-Output read_output(const Code& code, const Fields& fields, const fs::path& folder, double end_time) {
+Output read_output(const Code& code, const TemplateFields& fields, const fs::path& folder, double end_time) {
   const Adapter& adapter = code.adapter;
   Output output{{}, read(code, fields, folder, adapter.output.end)};
   if (!adapter.output.start.empty()) output.start = read(code, fields, folder, adapter.output.start);

@@ -7,6 +7,7 @@ namespace mpmvv::codes {
 
 /// What a code left in the folder of its run. UsageError where it is not as the adapter says, or of another time than
 /// the end time.
-Output read_output(const Code& code, const Fields& fields, const std::filesystem::path& folder, double end_time);
+Output read_output(const Code& code, const TemplateFields& fields, const std::filesystem::path& folder,
+                   double end_time);
 
 }  // namespace mpmvv::codes

@@ -15,8 +15,8 @@ class StrictContext : public mustache::context<std::string> {
  public:
   using context::context;
 
-  const Fields* get(const std::string& name) const override {
-    const Fields* found = context::get(name);
+  const TemplateFields* get(const std::string& name) const override {
+    const TemplateFields* found = context::get(name);
     if (!found && missing_.empty()) missing_ = name;
     return found;
   }
@@ -29,7 +29,7 @@ class StrictContext : public mustache::context<std::string> {
 
 }  // namespace
 
-std::string filled(const std::string& text, const Fields& fields, const std::string& where) {
+std::string filled(const std::string& text, const TemplateFields& fields, const std::string& where) {
   mustache::mustache page(text);
   page.set_custom_escape([](const std::string& value) { return value; });
   if (!page.is_valid())

@@ -1,0 +1,104 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/small_study.hpp"
+#include "tests/walk.hpp"
+
+/// Codes of other people, by their adapters.
+namespace mpmvv::cli {
+namespace other_codes_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string small_mpm = MPMVV_SOURCE_DIR "/tests/codes/small_mpm.py";
+
+class OtherCodes : public testing::Test {
+ protected:
+  Answer in_folder(const std::string& lines) const { return carry_out(folder_, lines); }
+
+  std::string follow(const std::string& name) const {
+    const Answer answer = in_folder("export MY_CODE=$PWD/my_code.py\n" + walk(name));
+    EXPECT_EQ(answer.code, 0) << name << ": " << answer.out << answer.err;
+    return answer.out;
+  }
+
+  const Folder folder_;
+};
+
+/// docs/other-codes.md as it stands.
+TEST_F(OtherCodes, FromNothingToTheOrdersOfOnesOwnCode) {
+  std::filesystem::copy_file(small_mpm, folder_ / "my_code.py");
+  follow("own-code-folder");
+  folder_.write("adapters/my-code/adapter.toml", walk("own-code-adapter"));
+  folder_.write("adapters/my-code/input.mustache", walk("own-code-input"));
+  folder_.write("orders.toml", walk("own-code-study"));
+  EXPECT_THAT(follow("own-code-list"), AllOf(HasSubstr("my-code"), HasSubstr("1.0")));
+  EXPECT_THAT(follow("own-code-run"), AllOf(HasSubstr("bar with code my-code (1.0)"), HasSubstr("status ok")));
+  EXPECT_THAT(read_text(folder_ / "trial/input.txt"), HasSubstr("cells 16"));
+  EXPECT_THAT(follow("own-code-orders"), HasSubstr("9 cases run"));
+  EXPECT_THAT(in_folder("mpmvv claims --db results.db").out, HasSubstr("confirmed"));
+  follow("own-code-report");
+  EXPECT_THAT(read_text(folder_ / "report/codes.html"),
+              AllOf(HasSubstr("my-code 1.0"), HasSubstr("second order"), Not(HasSubstr("mpmvv, quadratic"))));
+  follow("own-code-propose");
+  EXPECT_THAT(read_text(folder_ / "goldens/orders.toml"), HasSubstr("mine, quadratic"));
+}
+
+TEST_F(OtherCodes, WhatIsNotThereIsLeftOutOfAFolderAndRefusedByName) {
+  std::filesystem::create_directories(folder_ / "adapters/gone/studies");
+  std::string adapter = walk("own-code-adapter"), study = walk("own-code-study");
+  const auto replace = [](std::string& text, const std::string& what, const std::string& by) {
+    for (std::size_t at; (at = text.find(what)) != std::string::npos;) text.replace(at, what.size(), by);
+  };
+  replace(adapter, "my-code", "gone");
+  replace(adapter, "MY_CODE", "MPMVV_GONE");
+  replace(study, "my-code", "gone");
+  folder_.write("adapters/gone/adapter.toml", adapter);
+  folder_.write("adapters/gone/input.mustache", "");
+  folder_.write("adapters/gone/studies/orders.toml", study);
+  const Answer all = in_folder("mpmvv study --studies adapters/gone/studies --db r.db");
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_THAT(all.err, HasSubstr("orders is left out: code 'gone' is not there (MPMVV_GONE=PROGRAM"));
+  const Answer named = in_folder("mpmvv study adapters/gone/studies/orders.toml --db r.db");
+  EXPECT_EQ(named.code, 2);
+  EXPECT_THAT(named.err, HasSubstr("MPMVV_GONE=PROGRAM"));
+  const Answer one = in_folder("mpmvv run --code gone --variant linear --problem bar --cells 4 --ppc 2 --cfl 0.5");
+  EXPECT_EQ(one.code, 2);
+  EXPECT_THAT(one.err, HasSubstr("MPMVV_GONE=PROGRAM"));
+  EXPECT_THAT(in_folder("mpmvv list codes").out, HasSubstr("MPMVV_GONE=PROGRAM"));
+}
+
+TEST_F(OtherCodes, TheOnesOfTheProgramAreFoundByName) {
+  const Answer run =
+      in_folder("mpmvv run --code small-mpm --variant linear --problem bar --cells 4 --ppc 2 --cfl 0.5 --json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.json()["status"], "ok");
+  EXPECT_EQ(run.json()["scheme"]["code"], "small-mpm");
+  EXPECT_FALSE(run.json()["scheme"].contains("basis"));
+}
+
+TEST_F(OtherCodes, OptionsOfOurOwnSolverAreRefused) {
+  for (const char* option : {"--basis linear", "--threads 2", "--vtu frames"}) {
+    const Answer answer = in_folder(
+        "mpmvv run --code small-mpm --variant linear --problem bar --cells 4 --ppc 2 --cfl 0.5 " + std::string(option));
+    EXPECT_EQ(answer.code, 2) << option;
+  }
+  EXPECT_EQ(in_folder("mpmvv run --problem bar --cells 4 --ppc 2 --cfl 0.5 --keep here").code, 2);
+}
+
+using OtherCodesNightly = OtherCodes;
+
+/// The worked example, as `./run codes` runs it.
+TEST_F(OtherCodesNightly, TheSmallCodeHoldsItsGoldens) {
+  const std::string adapter = MPMVV_SOURCE_DIR "/adapters/small-mpm";
+  const Answer study = in_folder("mpmvv study --studies " + adapter + "/studies --db r.db");
+  ASSERT_EQ(study.code, 0) << study.out << study.err;
+  EXPECT_THAT(study.out, Not(HasSubstr("fails")));
+  const Answer gate = in_folder("mpmvv gate --db r.db --goldens " + adapter + "/goldens/1.0");
+  EXPECT_EQ(gate.code, 0) << gate.out;
+}
+
+}  // namespace other_codes_test
+}  // namespace mpmvv::cli
