@@ -18,18 +18,12 @@ const StudyResult& study_of(const ReportInput& input, const store::CodeSeries& s
   return *std::ranges::find(input.studies, series.study, &StudyResult::name);
 }
 
-/// The series that a number was found of: the longest name with which its label begins.
-std::string series_of(const records::Found& found, const StudyResult& study) {
-  std::string longest;
-  for (const records::Series& series : study.series)
-    if (found.what.starts_with(series.name) && series.name.size() > longest.size()) longest = series.name;
-  return longest;
-}
-
-/// Whether the criterion looked at the series.
-bool is_about(const ClaimPart& part, const std::string& series, const StudyResult& study) {
-  return std::ranges::any_of(part.found,
-                             [&](const records::Found& found) { return series_of(found, study) == series; });
+/// Whether the criterion looked at the series: the first name in quotes is that of which a number was found.
+bool is_about(const ClaimPart& part, const std::string& series) {
+  return std::ranges::any_of(part.found, [&](const records::Found& found) {
+    const std::size_t quote = found.what.find('\'');
+    return quote != std::string::npos && found.what.substr(quote).starts_with("'" + series + "'");
+  });
 }
 
 std::string orders_of(const StudyResult& study, const std::string& name) {
@@ -46,7 +40,7 @@ std::string orders_of(const StudyResult& study, const std::string& name) {
 std::string asked_of(const StudyResult& study, const std::string& series) {
   std::vector<std::string> asked;
   for (const ClaimPart& part : study.parts)
-    if (is_about(part, series, study)) asked.push_back(fmt::format("{}: {}", part.statement, to_string(part.verdict)));
+    if (is_about(part, series)) asked.push_back(fmt::format("{}: {}", part.statement, to_string(part.verdict)));
   return asked.empty() ? "–" : fmt::format("{}", fmt::join(asked, "; "));
 }
 
@@ -54,9 +48,8 @@ std::string asked_of(const StudyResult& study, const std::string& series) {
 std::string findings_of(const ReportInput& input, const StudyResult& study, const std::string& series) {
   std::vector<std::string> findings;
   for (const claims::Claim& claim : input.claims)
-    if (std::ranges::any_of(study.parts, [&](const ClaimPart& part) {
-          return part.claim == claim.id && is_about(part, series, study);
-        }))
+    if (std::ranges::any_of(study.parts,
+                            [&](const ClaimPart& part) { return part.claim == claim.id && is_about(part, series); }))
       findings.push_back(fmt::format("{} ({})", claim.statement, claim.verdict));
   return findings.empty() ? "–" : fmt::format("{}", fmt::join(findings, "; "));
 }

@@ -18,7 +18,7 @@ ReportInput input_with_codes() {
   study.series[0].orders.push_back(order);
   records::ClaimPart part;
   part.claim = "second", part.statement = "second order", part.verdict = records::PartVerdict::holds;
-  part.found = {{"tlmpm", 2.01}};
+  part.found = {{"order of 'tlmpm' in l2 over [8, 64]", 2.01}};
   study.parts = {part};
   input.studies = {study};
   claims::Claim claim;
@@ -46,7 +46,7 @@ TEST(CodeTable, HasARowForEachSeriesOfAnotherCode) {
 TEST(CodeTable, SaysOfASeriesWhatWasAskedOfThatOne) {
   ReportInput input = input_with_codes();
   input.studies[0].series.push_back({"tlmpm, no b", {}, {}, {}});
-  input.studies[0].parts[0].found[0].what = "tlmpm, no b";
+  input.studies[0].parts[0].found[0].what = "l2 of 'tlmpm, no b' over 'tlmpm' at 16";
   EXPECT_EQ(code_table(input).groups[0].rows[0][6], "–");
 }
 
