@@ -3,6 +3,7 @@
 
 #include "studies/codes/readers.hpp"
 #include "studies/codes/score.hpp"
+#include "studies/runs/norms.hpp"
 #include "studies/runs/run_case.hpp"
 #include "tests/studies/codes/written_run.hpp"
 
@@ -87,7 +88,7 @@ TEST_F(RoundTrip, AnArchiveOfNairnInItsUnits) {
   codes::Columns columns;
   columns.length = columns.mass = 1e-3;
   const codes::Snapshot snapshot = read("nairn.20", nairn(end.shuffled(3)), columns, "nairn");
-  EXPECT_NEAR(*snapshot.time, 0.1, 1e-9);
+  EXPECT_NEAR(*snapshot.time, 0.004, 1e-9);
   expect_same(score(the_case, {.end = snapshot}), the_run, "nairn");
 }
 

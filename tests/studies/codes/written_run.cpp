@@ -146,14 +146,14 @@ std::string vtu(const std::vector<Field>& fields, std::size_t particles, Vtk kin
       kind == Vtk::raw ? "<AppendedData encoding=\"raw\">\n_" + appended + "\n</AppendedData>\n" : "");
 }
 
-/// With velocities and stresses, in mm, g and s, at a time of 100 ms.
+/// With velocities and stresses, in mm, g and s, at a time of 4 ms.
 std::string nairn(const State& s) {
   std::string header = "ver6";
   header += static_cast<char>(24);
   header += "iYYY" + std::string(20, 'N');
   header += static_cast<char>(5);
   header += "iYNNN21";
-  const float time = 100;
+  const float time = 4;
   header.append(reinterpret_cast<const char*>(&time), sizeof time);
   header.resize(64, '\0');
   std::string records;
