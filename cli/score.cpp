@@ -1,3 +1,5 @@
+#include "studies/codes/score.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,9 +10,9 @@
 #include "cli/help.hpp"
 #include "cli/record_json.hpp"
 #include "cli/run_text.hpp"
+#include "studies/cases/setting.hpp"
 #include "studies/codes/case_file.hpp"
 #include "studies/codes/readers.hpp"
-#include "studies/codes/score.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::cli {
@@ -30,10 +32,10 @@ struct ScoreOptions {
 codes::Columns columns_of(const ScoreOptions& options) {
   codes::Columns columns;
   if (!options.columns.empty()) columns.names = codes::parse_columns(options.columns, "--columns");
-  columns.length = settings::positive({"length unit", options.length, "--length-unit"});
-  columns.time = settings::positive({"time unit", options.time, "--time-unit"});
-  columns.mass = settings::positive({"mass unit", options.mass, "--mass-unit"});
-  if (!options.step.empty()) columns.step = settings::whole({"step", options.step, "--step"}, 0, 1'000'000'000'000);
+  columns.length = cases::positive({"length unit", options.length, "--length-unit"});
+  columns.time = cases::positive({"time unit", options.time, "--time-unit"});
+  columns.mass = cases::positive({"mass unit", options.mass, "--mass-unit"});
+  if (!options.step.empty()) columns.step = cases::whole({"step", options.step, "--step"}, 0, 1'000'000'000'000);
   return columns;
 }
 
@@ -82,7 +84,7 @@ void add_score(CLI::App& app, int& exit_code) {
   command->add_option("--mass-unit", options->mass, "of the files, in kg (default: 1)")->type_name("NUMBER");
   command->add_flag("--json", options->json, "print the record as one JSON object");
   add_examples(*command, {"mpmvv score case.json end.csv", "mpmvv score case.json end.vtu --start start.vtu --json",
-                          "mpmvv score case.json end.dump --columns id=tag,x=xu --length-unit 1e-3"});
+                          "mpmvv score case.json end.dump --columns id=tag,x=px,y=py --length-unit 1e-3"});
   command->callback([options, &exit_code] { exit_code = score(*options); });
 }
 

@@ -93,9 +93,22 @@ Lines by_place(const CaseParticles<D>& particles, const std::vector<Vec<D>>& pla
   return found;
 }
 
+/// Where the particles are at rest: what is written, else x - u, across periodic faces inside the grid; none where
+/// neither is there.
+template <int D>
+std::vector<Vec<D>> reference_places(const CaseParticles<D>& particles, const Snapshot& s) {
+  std::vector<Vec<D>> places = vecs<D>(s.X);
+  if (!places.empty() || s.x.empty() || s.u.empty()) return places;
+  const Vec<D> middle = (particles.lower + particles.upper) / 2;
+  for (std::size_t line = 0; line < s.size(); ++line)
+    places.push_back(middle + particles.difference(vec<D>(s.x[line]) - vec<D>(s.u[line]), middle));
+  return places;
+}
+
 template <int D>
 Lines of_start(const CaseParticles<D>& particles, const Snapshot& start) {
-  if (!start.X.empty()) return by_place(particles, vecs<D>(start.X), particles.X, start);
+  if (const auto X = reference_places(particles, start); !X.empty()) return by_place(particles, X, particles.X, start);
+  if (start.x.empty()) fail_output("no positions in {} (x at time zero)", start.file);
   return by_place(particles, vecs<D>(start.x), particles.x0, start);
 }
 
@@ -145,7 +158,7 @@ Lines by_order(const CaseParticles<D>& particles, const Snapshot& end, const Lin
 template <int D>
 Lines match(const CaseParticles<D>& particles, const Output& output) {
   const Snapshot& end = output.end;
-  if (!end.X.empty()) return by_place(particles, vecs<D>(end.X), particles.X, end);
+  if (const auto X = reference_places(particles, end); !X.empty()) return by_place(particles, X, particles.X, end);
   if (!output.start) {
     if (!end.id.empty()) return by_case_id(end, particles.size());
     Lines order(particles.size());

@@ -92,7 +92,7 @@ TEST(DamagedFiles, HugePromises) {
 TEST(DamagedFiles, OtherFilesAltogether) {
   for (const codes::Format& format : codes::formats())
     for (const std::string& content : {std::string(), std::string("\0\0\0\0", 4), std::string("ply\n"),
-                                      std::string(1000, '<'), std::string("\x89PNG\r\n\x1a\n")})
+                                       std::string(1000, '<'), std::string("\x89PNG\r\n\x1a\n")})
       EXPECT_FALSE(is_read(format.word, content)) << format.word;
 }
 
