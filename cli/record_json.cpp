@@ -12,7 +12,7 @@ namespace {
 nlohmann::json scheme_json(const cases::Case& c) {
   nlohmann::json json;
   for (const cases::SettingKey& key : cases::setting_keys())
-    if (key.member && key.member->part == cases::CasePart::scheme)
+    if (key.member && key.member->part == cases::CasePart::scheme && key.is_of(c.scheme.code))
       std::visit([&](const auto& value) { json[key.key] = value; }, key.member->value(c));
   return json;
 }

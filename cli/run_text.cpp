@@ -64,8 +64,12 @@ void print_score(const Record& r, const std::string& files, int digits) {
 
 void print_record(const Record& r) {
   const cases::Scheme& s = r.the_case.scheme;
-  print("{} with basis {}, integrator {}, velocity update {}, boundary {}\n", r.the_case.problem.name, s.basis,
-        s.integrator, s.velocity_update, s.boundary);
+  if (s.code.empty())
+    print("{} with basis {}, integrator {}, velocity update {}, boundary {}\n", r.the_case.problem.name, s.basis,
+          s.integrator, s.velocity_update, s.boundary);
+  else
+    print("{} with code {} ({}), {}body force {}\n", r.the_case.problem.name, s.code, s.code_version,
+          s.variant.empty() ? "" : fmt::format("variant {}, ", s.variant), to_string(s.force_form));
   print_outcome(r);
   print("\ntook {}, {:.2f} ns per particle and step\n", duration_text(r.wall_seconds), r.ns_per_particle_step);
   if (r.the_case.measure.repeat > 0)

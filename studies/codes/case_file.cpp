@@ -39,7 +39,7 @@ std::vector<Setting> settings_of(const Case& c) {
     const Case made = settings::make_case(given);
     is_complete = true;
     for (const cases::SettingKey& key : cases::setting_keys()) {
-      if (!key.member || key.key == "dt" || key.key == "steps") continue;
+      if (!key.member || !key.is_of(c.scheme.code) || key.key == "dt" || key.key == "steps") continue;
       const cases::Value value = key.member->value(c);
       if (value == key.member->value(made)) continue;
       given.push_back({key.key, cases::text_of(value), where});

@@ -29,7 +29,8 @@ std::string value_of(const cases::Case& c, const std::string& key) {
   if (const auto it = c.problem.parameters.find(key); it != c.problem.parameters.end())
     return fmt::format("{}", it->second);
   for (const cases::SettingKey& setting : cases::setting_keys())
-    if (setting.key == key && setting.member) return cases::text_of(setting.member->value(c));
+    if (setting.key == key && setting.member && setting.is_of(c.scheme.code))
+      return cases::text_of(setting.member->value(c));
   return "";
 }
 
