@@ -54,18 +54,19 @@ class Help : public testing::Test {
 
   /// What another code wrote of a case that ends as it starts, in its own units and names, too.
   void write_output() {
-    const std::string the_case = " --problem square-rest --cells 4 --ppc 1 --cfl 0.2";
+    const std::string the_case = " --problem square-rest --cells 16 --ppc 2 --cfl 0.2";
     ASSERT_EQ(call(folder_, "case" + the_case + " > " + (folder_ / "case.json")).code, 0);
     const std::string files = " --csv " + (folder_ / "end.csv") + " --vtu ";
     for (const char* name : {"start.vtu", "end.vtu"})
       ASSERT_EQ(call(folder_, "particles" + the_case + files + (folder_ / name)).code, 0);
-    folder_.write("end.dump", dump_of_four_by_four());
+    folder_.write("end.dump", dump_of_the_square());
   }
 
   /// Particles in mm, with names of their own.
-  static std::string dump_of_four_by_four() {
-    std::string text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n16\nITEM: ATOMS tag px py\n";
-    for (int k = 0; k < 16; ++k) text += fmt::format("{} {} {}\n", k + 1, 125 + 250 * (k % 4), 125 + 250 * (k / 4));
+  static std::string dump_of_the_square() {
+    std::string text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1024\nITEM: ATOMS tag px py\n";
+    for (int k = 0; k < 1024; ++k)
+      text += fmt::format("{} {} {}\n", k + 1, 31.25 * (k % 32 + 0.5), 31.25 * (k / 32 + 0.5));
     return text;
   }
 
