@@ -69,22 +69,26 @@ void CaseOptions::add_to(CLI::App& command) {
 }
 
 std::vector<settings::Setting> CaseOptions::settings() const {
-  std::vector<settings::Setting> settings;
+  std::vector<settings::Setting> all;
   for (const auto& [key, option] : given_)
-    if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
+    if (option->count() > 0) all.push_back({key, option->as<std::string>(), option->get_name()});
   for (const std::string& parameter : parameters_) {
-    settings.push_back(parameter_setting(parameter));
-    const auto same = [&](const settings::Setting& earlier) { return earlier.key == settings.back().key; };
-    if (std::any_of(settings.begin(), settings.end() - 1, same))
+    all.push_back(parameter_setting(parameter));
+    const auto same = [&](const settings::Setting& earlier) { return earlier.key == all.back().key; };
+    if (std::any_of(all.begin(), all.end() - 1, same))
       throw UsageError(fmt::format("--param {} after another value for it (each parameter once)", parameter));
   }
   for (const auto& [key, option] : flags_)
-    if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
-  return settings;
+    if (option->count() > 0) all.push_back({key, option->as<std::string>(), option->get_name()});
+  return all;
 }
 
 cases::Case CaseOptions::the_case() const {
   return settings::make_case(settings());
+}
+
+cases::ProblemChoice CaseOptions::the_choice() const {
+  return settings::make_choice(settings());
 }
 
 }  // namespace mpmvv::cli

@@ -19,6 +19,9 @@ class CaseOptions {
   /// UsageError where what was given makes no case.
   cases::Case the_case() const;
 
+  /// The problem alone with its values, whatever else is given or not.
+  cases::ProblemChoice the_choice() const;
+
  private:
   std::map<std::string, CLI::Option*> given_, flags_;  ///< by setting key
   std::vector<std::string> parameters_;

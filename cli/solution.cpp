@@ -1,15 +1,22 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <iterator>
+#include <numeric>
 #include <sstream>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "studies/codes/solution_points.hpp"
 #include "studies/problems/fields.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv::cli {
 
@@ -18,19 +25,29 @@ using support::UsageError;
 namespace {
 
 struct SolutionOptions {
-  std::string problem, at, time;
+  std::string problem, at, points, time, normal, fields;
   std::vector<std::string> parameters;
   bool json = false;
 };
 
-std::vector<double> coordinates(const std::string& text, int dimension) {
+/// Between commas; one at the end leaves an empty part.
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream parts(text.ends_with(',') ? text + ',' : text);
+  for (std::string part; std::getline(parts, part, ',');) all.push_back(part);
+  return all;
+}
+
+std::vector<double> coordinates(const std::string& text, int dimension, const std::string& option) {
   std::vector<double> X;
-  std::istringstream parts(text.ends_with(',') ? text + ',' : text);  // so that a trailing comma is an empty part
-  for (std::string part; std::getline(parts, part, ',');)
-    X.push_back(settings::parse_number({"coordinate", part, "--at"}));
+  for (const std::string& part : parts_of(text)) X.push_back(settings::parse_number({"coordinate", part, option}));
   if (static_cast<int>(X.size()) != dimension)
-    throw UsageError(fmt::format("--at {} has {} coordinates (the problem has {})", text, X.size(), dimension));
+    throw UsageError(fmt::format("{} {} has {} coordinates (the problem has {})", option, text, X.size(), dimension));
   return X;
+}
+
+double time_of(const SolutionOptions& options) {
+  return settings::parse_number({"time", options.time, "--time"});
 }
 
 cases::ProblemChoice choice_of(const problems::Problem& problem, const std::vector<std::string>& texts) {
@@ -63,18 +80,57 @@ void require_finite(const nlohmann::json& fields, const SolutionOptions& options
                                    path.substr(1), options.problem, options.at, options.time));
 }
 
+std::string content_of(const std::string& points) {
+  if (points != "-") return support::require_file(points, "CSV with columns X, ... and t");
+  return {std::istreambuf_iterator<char>(std::cin), {}};
+}
+
+std::vector<std::string> fields_of(const std::string& text) {
+  const auto known = codes::solution_fields();
+  std::vector<std::string> fields = parts_of(text);
+  for (const std::string& field : fields)
+    if (std::ranges::find(known, field) == known.end())
+      throw UsageError(fmt::format("unknown field '{}' in --fields (known: {})", field, fmt::join(known, ", ")));
+  return fields;
+}
+
+int solution_at_points(const problems::Problem& problem, const SolutionOptions& options) {
+  const std::string content = content_of(options.points);
+  codes::PointQuery query{.points = {content, options.points == "-" ? "standard input" : options.points},
+                          .fields = fields_of(options.fields)};
+  if (!options.time.empty()) query.time = time_of(options);
+  if (!options.normal.empty()) query.normal = coordinates(options.normal, problem.dimension(), "--normal");
+  codes::solution_at(choice_of(problem, options.parameters), query, print_text);
+  return 0;
+}
+
+/// P N for the normal given, of any length.
+std::vector<double> traction(const nlohmann::json& P, std::vector<double> N) {
+  const double length = std::sqrt(std::inner_product(N.begin(), N.end(), N.begin(), 0.0));
+  if (!(length > 0)) throw UsageError("--normal has no direction (numbers that are not all 0)");
+  std::vector<double> T;
+  for (const auto& row : P.get<std::vector<std::vector<double>>>())
+    T.push_back(std::inner_product(row.begin(), row.end(), N.begin(), 0.0) / length);
+  return T;
+}
+
 int solution(const SolutionOptions& options) {
   const problems::Problem& problem = problems::find_problem(options.problem, "--problem");
+  if (!options.points.empty()) return solution_at_points(problem, options);
+  if (options.at.empty()) throw UsageError("--at or --points is required by `mpmvv solution` (where it is asked for)");
+  if (options.time.empty()) throw UsageError("--time is required by `mpmvv solution` with --at (s)");
   const cases::ProblemChoice choice = choice_of(problem, options.parameters);
-  const auto at = coordinates(options.at, problem.dimension());
-  const double t = settings::parse_number({"time", options.time, "--time"});
-  const nlohmann::json json = evaluate(problem, choice, at, t);
+  const auto at = coordinates(options.at, problem.dimension(), "--at");
+  nlohmann::json json = evaluate(problem, choice, at, time_of(options));
+  if (!options.normal.empty())
+    json["traction"] = traction(json["P"], coordinates(options.normal, problem.dimension(), "--normal"));
   require_finite(json, options);
   if (options.json) {
     print_json(json);
     return 0;
   }
-  for (const char* name : {"u", "v", "a", "b", "F", "P"}) print("{} = {}\n", name, json[name].dump());
+  for (const char* name : {"u", "v", "a", "b", "F", "P", "traction"})
+    if (json.contains(name)) print("{} = {}\n", name, json[name].dump());
   return 0;
 }
 
@@ -82,14 +138,32 @@ int solution(const SolutionOptions& options) {
 
 void add_solution(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<SolutionOptions>();
-  CLI::App* command = app.add_subcommand("solution", "Print u, v, a, F, P and b of a solution at a reference point");
+  CLI::App* command = app.add_subcommand("solution", "Print u, v, a, F, P and b of a solution at reference points");
   command->add_option("--problem", options->problem, "which solution")->required()->type_name("WORD");
-  command->add_option("--at", options->at, "reference point in m")->required()->type_name("X[,Y[,Z]]");
-  command->add_option("--time", options->time, "in s")->required()->type_name("NUMBER");
+  CLI::Option* at = command->add_option("--at", options->at, "reference point in m")->type_name("X[,Y[,Z]]");
+  CLI::Option* points =
+      command
+          ->add_option(
+              "--points", options->points,
+              "CSV file of many, - for standard input, with columns X, Y and Z as far as the problem has them, "
+              "t, and NX, NY and NZ of a normal; others are left alone. A CSV is printed, with 17 digits")
+          ->type_name("FILE")
+          ->excludes(at);
+  command->add_option("--time", options->time, "in s (required, but for points with a column t)")->type_name("NUMBER");
+  command
+      ->add_option("--normal", options->normal,
+                   "of a surface, of any length, for its traction P N: the force per area at rest")
+      ->type_name("NX[,NY[,NZ]]");
+  command
+      ->add_option("--fields", options->fields,
+                   "of the points: u, v, a, b, F, P, traction, between commas (default: all)")
+      ->type_name("WORDS")
+      ->needs(points);
   command->add_option("--param", options->parameters, "physical value of the problem (repeatable)")
       ->type_name("NAME=VALUE");
-  command->add_flag("--json", options->json, "print one JSON object");
+  command->add_flag("--json", options->json, "print one JSON object")->excludes(points);
   add_examples(*command, {"mpmvv solution --problem bar --at 0.2 --time 0.001",
+                          "mpmvv solution --problem square --points points.csv --fields u,P,traction --normal 1,0",
                           "mpmvv solution --problem ring --at 0.6,0.3 --time 0.01 --param poissons_ratio=0.3 --json"});
   command->callback([options, &exit_code] { exit_code = solution(*options); });
 }

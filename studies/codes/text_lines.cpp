@@ -48,6 +48,7 @@ void add_row(ParticleTable& table, const std::vector<std::string_view>& fields, 
   if (fields.size() != table.columns.size())
     throw UsageError(fmt::format("{} numbers in {} (as many as there are columns: {})", fields.size(), lines.place(),
                                  table.columns.size()));
+  table.lines.push_back(lines.number());
   for (std::size_t k = 0; k < fields.size(); ++k)
     if (!add_text(table.columns[k], fields[k]))
       throw UsageError(

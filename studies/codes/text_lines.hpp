@@ -16,7 +16,8 @@ class TextLines {
   std::optional<std::string_view> next();  ///< without its end; none behind the last one
   std::string_view left() const { return left_; }
 
-  std::string place() const;  ///< "FILE:LINE" of the last one
+  std::size_t number() const { return number_; }  ///< of the last one, from 1
+  std::string place() const;                      ///< "FILE:LINE" of it
 
  private:
   std::string_view left_;

@@ -40,6 +40,7 @@ class Help : public testing::Test {
                   "[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"ok\"\n");
     write_output();
     folder_.write("cases.txt", "--problem bar --cells 8 --ppc 2 --cfl 0.4\n");
+    folder_.write("points.csv", "X,Y,t\n0.2,0.7,0.001\n");
     std::filesystem::create_symlink(program(), folder_ / "other/mpmvv");
     ASSERT_EQ(call(folder_, "study " + study + " --db " + db_).code, 0);
     for (const char* digest : {"3f2a91", "c0ffee"}) {

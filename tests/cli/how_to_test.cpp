@@ -28,6 +28,16 @@ TEST_F(HowTo, OneCaseRuns) {
   EXPECT_THAT(follow(walk("run")), AllOf(HasSubstr("bar with basis bspline2"), HasSubstr("status ok")));
 }
 
+TEST_F(HowTo, AnotherCodeGetsParticlesFormulasAndTheSolution) {
+  follow(walk("start-particles"));
+  EXPECT_THAT(read_text(folder_ / "particles.csv"), testing::StartsWith("id,X,Y,x,y,v_x,v_y,m,V,F_xx"));
+  EXPECT_THAT(follow(walk("formulas")), AllOf(HasSubstr("b_x = 0.19739208802178718*sin("), HasSubstr("v0_y = 0.0")));
+  EXPECT_THAT(follow(walk("particle-formulas")), HasSubstr("\n8,\""));
+  const std::string points = follow(walk("solution-points"));
+  EXPECT_THAT(points, AllOf(HasSubstr("X,Y,t,u_x,u_y,P_xx"), HasSubstr("X,Y,t,u_x,u_y,b_x,b_y")));
+  EXPECT_EQ(std::count(points.begin(), points.end(), '\n'), 3 + 257);
+}
+
 TEST_F(HowTo, TheStudyFileIsListedKeyByKey) {
   EXPECT_EQ(follow("mpmvv list study-file"), text_of_file(MPMVV_SOURCE_DIR "/docs/study-files.md"));
   const auto listed = nlohmann::json::parse(follow("mpmvv list study-file --json"))["study-file"];

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,6 +41,38 @@ TEST(SolutionCommand, GivesTheFieldsOfSquareAndCube) {
     EXPECT_NEAR(cube["u"][1], u, 1e-15);
     EXPECT_NEAR(cube["F"][1][1], F, 1e-15);
     EXPECT_NEAR(cube["b"][1], pi * pi * u * (4 * mu - E - 4 * (lambda * (K - 1) - mu) / (F * F)), 1e-9);
+  }
+}
+
+TEST(SolutionCommand, TakesManyPointsFromAFileOrStandardInput) {
+  const Folder folder;
+  const std::string points = folder.write("points.csv", "X,Y,t\n0.2,0.7,0.001\n0.5,0.5,0\n");
+  const std::string rest = "solution --problem square --fields u,traction --normal 0,1 --points ";
+  const Answer of_file = call(folder, rest + points), of_input = call(folder, rest + "- < " + points);
+  EXPECT_THAT(of_file.out, testing::StartsWith("X,Y,t,u_x,u_y,traction_x,traction_y\n0.20000000000000001,0.6999"));
+  EXPECT_EQ(of_file.out, of_input.out);
+  const auto single = call(folder, "solution --problem square --at 0.2,0.7 --time 0.001 --normal 0,2 --json").json();
+  EXPECT_THAT(of_file.out, testing::HasSubstr(fmt::format(",{:.17g}\n", single["traction"][1].get<double>())));
+  EXPECT_EQ(single["traction"][1], single["P"][1][1]);
+}
+
+TEST(SolutionCommand, SaysWhereItsPointsAreWrong) {
+  const Folder folder;
+  const std::string points = folder.write("points.csv", "X,Y,t\n0.2,0.7,0.001\n0.5,1.5,0\n");
+  for (const auto& [arguments, why] :
+       {std::pair<std::string, std::string>{"--points " + points, "points.csv:3 is outside the body"},
+        {"--points - < " + points, "standard input:3 is outside the body"},
+        {"--points " + points + " --fields w", "unknown field 'w' in --fields"},
+        {"--points " + points + " --at 0,0", "--points excludes --at"},
+        {"--points " + (folder / "none.csv"), "none.csv"},
+        {"--at 0,0 --fields u", "--fields requires --points"},
+        {"--at 0,0", "--time is required"},
+        {"--time 0", "--at or --points is required"},
+        {"--at 0,0 --time 0 --normal 0,0", "--normal has no direction"}}) {
+    const Answer answer = call(folder, "solution --problem square " + arguments);
+    EXPECT_EQ(answer.code, 2) << arguments;
+    EXPECT_THAT(answer.err, testing::HasSubstr(why));
+    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
   }
 }
 

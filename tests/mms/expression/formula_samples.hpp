@@ -56,7 +56,7 @@ std::vector<FormulaSample> samples_of(const Entry& entry, const Values& given) {
     add_vector("v", fields.v);
     add_vector("b", fields.b);
     for (const auto& row : fields.F) add_vector("F", row);
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < 20; ++k) {
       const Vec<D> X = point_of<D>(values, random);
       const double t = span * std::uniform_real_distribution<double>(0, 1)(random);
       const Vec<D> u = solution->u(X, t), v = solution->v(X, t), b = solution->b(X, t);

@@ -1,0 +1,64 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.hpp"
+
+namespace mpmvv::cli {
+namespace expression_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(ExpressionCommand, PrintsALineForEachComponent) {
+  const Folder folder;
+  const Answer answer = call(folder, "expression --problem wave --form current --dialect fortran");
+  EXPECT_EQ(answer.out,
+            "b_x = 0d0\nb_y = 0d0\n"
+            "v0_x = 0.36449973833383426d0*sin(3.141592653589793d0*X)\nv0_y = 0d0\n"
+            "u_x = 0.001d0*sin(3.141592653589793d0*X)*sin(364.4997383338343d0*t)\nu_y = 0d0\n"
+            "F0_xx = 1d0\nF0_xy = 0d0\nF0_yx = 0d0\nF0_yy = 1d0\n");
+}
+
+TEST(ExpressionCommand, SaysWhatTheDialectCannotWrite) {
+  const Folder folder;
+  const Answer answer = call(folder, "expression --problem wave --form current --dialect nairn");
+  EXPECT_THAT(answer.out, HasSubstr("v0_x = 0.36449973833383426*sin(3.141592653589793*x)\n"));
+  EXPECT_EQ(answer.err, "mpmvv: u is left out: the dialect nairn cannot write it\n");
+}
+
+TEST(ExpressionCommand, GivesScriptsAnObject) {
+  const Folder folder;
+  const auto json = call(folder, "expression --problem square-rest --param amplitude=0.01 --dialect c --json").json();
+  EXPECT_EQ(json["form"], "reference");
+  EXPECT_EQ(json["parameters"]["amplitude"], 0.01);
+  EXPECT_EQ(json["v0"], nlohmann::json::array({"0.0", "0.0"}));
+  EXPECT_THAT(json["b"][1].get<std::string>(), StartsWith("0.09869604401089359*sin(3.141592653589793*Y)"));
+}
+
+TEST(ExpressionCommand, GivesEachParticleItsLine) {
+  const Folder folder;
+  const Answer answer =
+      call(folder, "expression --problem square-rest --cells 4 --ppc 1 --cfl 0.2 --form per-particle --dialect python");
+  EXPECT_THAT(answer.out, StartsWith("id,b_x,b_y\n1,\"0.07553"));
+  EXPECT_EQ(std::count(answer.out.begin(), answer.out.end(), '\n'), 17);
+  EXPECT_EQ(answer.out.find('X'), std::string::npos);
+}
+
+TEST(ExpressionCommand, RefusesInOneLine) {
+  const Folder folder;
+  for (const auto& [arguments, why] :
+       {std::pair{"--problem square --form current --dialect c",
+                  "problems with form 'inverse': vortex, square-inverse"},
+        {"--problem square --dialect cobol", "known: c, fortran, python, muparser, nairn, karamelo"},
+        {"--problem square --form sideways --dialect c", "known: reference, current, inverse"},
+        {"--problem square --form per-particle --dialect c", "cells"}}) {
+    const Answer answer = call(folder, std::string("expression ") + arguments);
+    EXPECT_EQ(answer.code, 2) << arguments;
+    EXPECT_THAT(answer.err, HasSubstr(why));
+    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+  }
+}
+
+}  // namespace expression_test
+}  // namespace mpmvv::cli
