@@ -12,6 +12,7 @@ namespace mpmvv::cli {
 void add_run(CLI::App& app, int& exit_code);
 void add_solution(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
+void add_submit(CLI::App& app, int& exit_code);
 void add_gate(CLI::App& app, int& exit_code);
 void add_propose(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);

@@ -84,7 +84,7 @@ void add_db(CLI::App& app, int& exit_code) {
       ->add_flag("--json", options->json, "print one JSON object");
   add("check", "Check the store's integrity", &check, {"mpmvv db check --db results.db"});
   add("merge", "Copy what other stores have and this one lacks: of all of them or, where one is bad, of none", &merge,
-      {"mpmvv db merge results.db --db all.db", "mpmvv db merge monday.db tuesday.db --db all.db"})
+      {"mpmvv db merge results.db --db all.db", "mpmvv db merge shard-1.db shard-2.db --db all.db"})
       ->add_option("others", options->others, "the other stores")
       ->required()
       ->type_name("FILE");
