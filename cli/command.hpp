@@ -11,6 +11,7 @@ namespace mpmvv::cli {
 /// Each command adds itself to the program: its options, and a callback that does the work and sets `exit_code`.
 void add_run(CLI::App& app, int& exit_code);
 void add_solution(CLI::App& app, int& exit_code);
+void add_particles(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
 void add_submit(CLI::App& app, int& exit_code);
 void add_gate(CLI::App& app, int& exit_code);

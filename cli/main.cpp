@@ -20,6 +20,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   app.set_version_flag("--version", version, "Print the commit, the digest of what decides a result, and the compiler");
   add_run(app, exit_code);
   add_solution(app, exit_code);
+  add_particles(app, exit_code);
   add_study(app, exit_code);
   add_submit(app, exit_code);
   add_gate(app, exit_code);

@@ -1,16 +1,13 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 
+#include "cli/case_options.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
 #include "cli/run_text.hpp"
-#include "cli/setting_words.hpp"
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
@@ -49,27 +46,14 @@ nlohmann::json record_json(const records::Record& r) {
 }
 
 struct RunOptions {
-  std::map<std::string, CLI::Option*> given;  ///< by setting key
-  std::vector<std::string> parameters;
-  std::map<std::string, CLI::Option*> flags;  ///< by setting key
+  CaseOptions of_case;
   bool json = false;
   int threads = 1;
   std::string vtu;
 };
 
 int run(const RunOptions& options) {
-  std::vector<settings::Setting> settings;
-  for (const auto& [key, option] : options.given)
-    if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
-  for (const std::string& parameter : options.parameters) {
-    settings.push_back(parameter_setting(parameter));
-    const auto same = [&](const settings::Setting& earlier) { return earlier.key == settings.back().key; };
-    if (std::any_of(settings.begin(), settings.end() - 1, same))
-      throw UsageError(fmt::format("--param {} after another value for it (each parameter once)", parameter));
-  }
-  for (const auto& [key, option] : options.flags)
-    if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
-  const cases::Case c = settings::make_case(settings);
+  const cases::Case c = options.of_case.the_case();
   if (c.measure.repeat > 0 && options.threads > 1)
     throw UsageError("--threads beside --repeat (cost is measured on one thread)");
   if (c.measure.repeat > 0 && !options.vtu.empty())
@@ -82,55 +66,12 @@ int run(const RunOptions& options) {
   return record.status == records::Status::failed ? 1 : 0;
 }
 
-/// What stands where a key is not given; empty where the case then has nothing of the kind.
-std::string default_of(const settings::SettingKey& key) {
-  static const std::map<std::string, std::string> by_rule{{"problem", "required"},
-                                                          {"cells", "required"},
-                                                          {"ppc", "required"},
-                                                          {"cfl", "this or --dt is required"},
-                                                          {"dt", "this or --cfl is required"},
-                                                          {"order", "required by these"},
-                                                          {"smoothing_length", "required by it"},
-                                                          {"wall_method", "default: combined"},
-                                                          {"boundary", "default: the problem's"},
-                                                          {"material", "default: the problem's"},
-                                                          {"end_time", "default: the problem's"}};
-  if (const auto rule = by_rule.find(key.key); rule != by_rule.end()) return rule->second;
-  const std::string value = key.member ? cases::text_of(key.member->value(cases::Case{})) : "";
-  return value.empty() || value == "0" || value == "none" || value == "false" ? "" : fmt::format("default: {}", value);
-}
-
-std::string help_of(const settings::SettingKey& key) {
-  std::string help = key.meaning;
-  if (const auto words = setting_words(key.key); !words.empty()) help += fmt::format(": {}", fmt::join(words, ", "));
-  const std::string absent = default_of(key);
-  return absent.empty() ? help : fmt::format("{} ({})", help, absent);
-}
-
 }  // namespace
-
-settings::Setting parameter_setting(const std::string& text) {
-  const auto equals = text.find('=');
-  if (equals == std::string::npos || equals == 0)
-    throw UsageError(fmt::format("--param {} (name=value, as in --param amplitude=0.02)", text));
-  return {"param." + text.substr(0, equals), text.substr(equals + 1), "--param"};
-}
 
 void add_run(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Run one case and print its record");
-  for (const settings::SettingKey& key : settings::setting_keys()) {
-    std::string name = "--" + key.key;
-    std::replace(name.begin(), name.end(), '_', '-');
-    const std::string help = help_of(key);
-    if (key.member && key.member->is_flag)
-      options->flags[key.key] = command->add_flag(name, help);
-    else
-      options->given[key.key] =
-          command->add_option(name, help)->expected(1)->type_name(setting_words(key.key).empty() ? "NUMBER" : "WORD");
-  }
-  command->add_option("--param", options->parameters, "physical value of the problem (repeatable)")
-      ->type_name("NAME=VALUE");
+  options->of_case.add_to(*command);
   command->add_option("--threads", options->threads, "threads of the step, 1 to 256 (default: 1)")
       ->check(CLI::Range(1, 256))
       ->type_name("NUMBER");

@@ -8,10 +8,10 @@ string(REGEX REPLACE " +" " " FLAGS "${FLAGS}")
 string(STRIP "${FLAGS}" FLAGS)
 
 # The folders whose sources decide a result: solutions and solver; what a case is, of which problem and by which settings;
-# what carries it out and measures it; and the checks. Of the other folders these take only how things are kept and said,
-# and the median of repeated costs (studies/fits/median.hpp).
+# what carries it out and measures it, our solver or another code; and the checks. Of the other folders these take only
+# how things are kept and said, and the median of repeated costs (studies/fits/median.hpp).
 set(sources "")
-foreach(folder mms solver studies/cases studies/checks studies/problems studies/runs studies/settings)
+foreach(folder mms solver studies/cases studies/checks studies/codes studies/problems studies/runs studies/settings)
   file(GLOB_RECURSE more RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/${folder}/*.?pp")
   list(APPEND sources ${more})
 endforeach()

@@ -97,18 +97,6 @@ void set_boundaries(PreparedCase<D>& prepared, const cases::Scheme& scheme) {
   }
 }
 
-/// Moves the grid down by the offset along the axes where nothing holds it, with a cell more where the body ends.
-template <int D>
-void shift_grid(solver::Scene<D>& scene, const Case& c) {
-  const auto faces = settings::boundary_faces(c.scheme.boundary, D, "the case");
-  const auto movable = settings::movable_axes(faces);
-  for (std::size_t d = 0; d < D; ++d) {
-    if (c.resolution.grid_offset == 0 || !movable[d]) continue;
-    scene.lower[static_cast<int>(d)] -= c.resolution.grid_offset * scene.h;
-    if (faces[2 * d] == solver::Free::word) ++scene.cells[d];
-  }
-}
-
 /// A permutation of the particles by Fisher and Yates, the same on every machine.
 template <int D>
 void shuffle(solver::Particles<D>& particles, int seed) {
@@ -124,16 +112,27 @@ void shuffle(solver::Particles<D>& particles, int seed) {
 }  // namespace
 
 template <int D>
+problems::Domain<D> background_grid(const Case& c, const problems::Setup<D>& setup, double h) {
+  auto grid = std::visit([h](const auto& body) { return problems::domain(body, h); }, setup.body);
+  const auto faces = settings::boundary_faces(c.scheme.boundary, D, "the case");
+  const auto movable = settings::movable_axes(faces);
+  for (std::size_t d = 0; d < D; ++d) {
+    if (c.resolution.grid_offset == 0 || !movable[d]) continue;
+    grid.lower[static_cast<int>(d)] -= c.resolution.grid_offset * h;
+    if (faces[2 * d] == solver::Free::word) ++grid.cells[d];
+  }
+  return grid;
+}
+
+template <int D>
 PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, int threads) {
   PreparedCase<D> prepared;
   auto& scene = prepared.scene;
   scene.h = problem.length(c.problem.parameters) / c.resolution.cells;
   prepared.setup = problems::make_setup<D>(problem, c.problem, scene.h);
-  const auto all =
-      std::visit([&scene](const auto& body) { return problems::domain(body, scene.h); }, prepared.setup.body);
-  scene.lower = all.lower;
-  scene.cells = all.cells;
-  shift_grid(scene, c);
+  const auto grid = background_grid<D>(c, prepared.setup, scene.h);
+  scene.lower = grid.lower;
+  scene.cells = grid.cells;
   scene.material = prepared.setup.material;
   scene.integrator = c.scheme.integrator;
   scene.velocity_update =
@@ -174,6 +173,9 @@ template class SolutionBodyForce<3>;
 template class SolutionTraction<1>;
 template class SolutionTraction<2>;
 template class SolutionTraction<3>;
+template problems::Domain<1> background_grid<1>(const Case&, const problems::Setup<1>&, double);
+template problems::Domain<2> background_grid<2>(const Case&, const problems::Setup<2>&, double);
+template problems::Domain<3> background_grid<3>(const Case&, const problems::Setup<3>&, double);
 template PreparedCase<1> prepare_case<1>(const Case&, const problems::Problem&, int);
 template PreparedCase<2> prepare_case<2>(const Case&, const problems::Problem&, int);
 template PreparedCase<3> prepare_case<3>(const Case&, const problems::Problem&, int);

@@ -85,10 +85,18 @@ double mass_of(const problems::Setup<D>& setup) {
   return setup.density * std::visit([](const auto& body) { return problems::volume(body); }, setup.body);
 }
 
+/// The background grid: around the body, moved down by the case's offset along the axes where nothing holds it, with a
+/// cell more where the body ends.
+template <int D>
+problems::Domain<D> background_grid(const cases::Case& c, const problems::Setup<D>& setup, double h);
+
 /// The body filled with particles in their state at t = 0.
 template <int D>
 PreparedCase<D> prepare_case(const cases::Case& c, const problems::Problem& problem, int threads);
 
+extern template problems::Domain<1> background_grid<1>(const cases::Case&, const problems::Setup<1>&, double);
+extern template problems::Domain<2> background_grid<2>(const cases::Case&, const problems::Setup<2>&, double);
+extern template problems::Domain<3> background_grid<3>(const cases::Case&, const problems::Setup<3>&, double);
 extern template PreparedCase<1> prepare_case<1>(const cases::Case&, const problems::Problem&, int);
 extern template PreparedCase<2> prepare_case<2>(const cases::Case&, const problems::Problem&, int);
 extern template PreparedCase<3> prepare_case<3>(const cases::Case&, const problems::Problem&, int);

@@ -1,0 +1,163 @@
+#include "studies/codes/columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "studies/codes/quantity.hpp"
+#include "studies/codes/rounding.hpp"
+#include "studies/codes/text_lines.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv::codes {
+
+using support::UsageError;
+
+namespace {
+
+/// Looks columns up by quantities.
+class Lookup {
+ public:
+  Lookup(const ParticleTable& table, const Columns& columns, const std::string& file)
+      : table_(table), columns_(columns), file_(file) {}
+
+  /// The column of a quantity; null when the file has none and nobody named one.
+  const TableColumn* find(const Quantity& quantity) const {
+    if (const auto given = columns_.names.find(quantity.word); given != columns_.names.end())
+      if (const TableColumn* column = named(given->second, quantity)) return column;
+    if (const auto given = columns_.names.find(quantity.array); given != columns_.names.end()) {
+      const TableColumn* column = table_.find(fmt::format("{}:{}", given->second, quantity.component));
+      if (!column && quantity.component == 0) fail(given->second, quantity.array);
+      return column;
+    }
+    for (const std::string& name : quantity.usual)
+      if (const TableColumn* column = table_.find(name)) return column;
+    return nullptr;
+  }
+
+ private:
+  /// By name or number; null for a name that stands for an array.
+  const TableColumn* named(const std::string& name, const Quantity& quantity) const {
+    if (const TableColumn* column = table_.find(name)) return column;
+    std::size_t number = 0;
+    const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (stop == name.data() + name.size() && number >= 1 && number <= table_.columns.size())
+      return &table_.columns[number - 1];
+    if (quantity.word == quantity.array && table_.find(name + ":0")) return nullptr;
+    fail(name, quantity.word);
+  }
+
+  [[noreturn]] void fail(const std::string& name, const std::string& word) const {
+    std::vector<std::string> known;
+    for (const TableColumn& column : table_.columns) known.push_back(column.name);
+    throw UsageError(
+        fmt::format("unknown column '{}' for {} in {} (known: {})", name, word, file_, fmt::join(known, ", ")));
+  }
+
+  const ParticleTable& table_;
+  const Columns& columns_;
+  const std::string& file_;
+};
+
+/// The components of a quantity that the file has, each times `scale`.
+template <std::size_t N>
+std::vector<std::array<double, N>> components(const Lookup& lookup, const std::string& array, double scale) {
+  std::vector<std::array<double, N>> all;
+  for (const Quantity& quantity : quantities_of(array)) {
+    const TableColumn* column = lookup.find(quantity);
+    if (!column) continue;
+    all.resize(column->values.size());
+    for (std::size_t p = 0; p < all.size(); ++p) all[p][quantity.component] = scale * column->values[p];
+  }
+  return all;
+}
+
+std::vector<double> scalars(const Lookup& lookup, const std::string& word, double scale) {
+  const TableColumn* column = lookup.find(quantities_of(word).front());
+  if (!column) return {};
+  std::vector<double> values = column->values;
+  for (double& value : values) value *= scale;
+  return values;
+}
+
+std::vector<std::int64_t> ids(const Lookup& lookup, const std::string& file) {
+  std::vector<std::int64_t> all;
+  for (const double value : scalars(lookup, "id", 1)) {
+    if (!(std::abs(value) < 9e15) || value != std::round(value))
+      throw UsageError(fmt::format("id {} of a particle in {} (a whole number)", value, file));
+    all.push_back(static_cast<std::int64_t>(value));
+  }
+  return all;
+}
+
+/// A time that stands in every line.
+std::optional<double> time_of(const ParticleTable& table, const Lookup& lookup, double scale, const std::string& file) {
+  if (table.time) return scale * *table.time;
+  const std::vector<double> times = scalars(lookup, "time", scale);
+  if (times.empty()) return std::nullopt;
+  if (std::any_of(times.begin(), times.end(), [&](double t) { return t != times.front(); }))
+    throw UsageError(fmt::format("several times in {} (one)", file));
+  return times.front();
+}
+
+/// Words of quantities and arrays.
+std::vector<std::string> known_words() {
+  std::vector<std::string> words;
+  for (const Quantity& quantity : all_quantities())
+    for (const std::string& word : {quantity.array, quantity.word})
+      if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+  return words;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> parse_columns(const std::string& text, const std::string& where) {
+  std::map<std::string, std::string> names;
+  for (const std::string_view pair : fields_of(text, ',')) {
+    const auto middle = pair.find('=');
+    if (middle == std::string_view::npos || middle == 0 || middle + 1 == pair.size())
+      throw UsageError(fmt::format("'{}' in {} (quantity=column, as in id=tag,x=px)", pair, where));
+    const std::string word(pair.substr(0, middle));
+    const auto known = known_words();
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      throw UsageError(fmt::format("unknown quantity '{}' in {} (known: {})", word, where, fmt::join(known, ", ")));
+    names[word] = pair.substr(middle + 1);
+  }
+  return names;
+}
+
+Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const std::string& file) {
+  const Lookup lookup(table, columns, file);
+  const double length = columns.length, speed = columns.length / columns.time;
+  const double pressure = columns.mass / columns.length / columns.time / columns.time;
+  Snapshot s{.file = file,
+             .time = time_of(table, lookup, columns.time, file),
+             .id = ids(lookup, file),
+             .X = components<3>(lookup, "X", length),
+             .x = components<3>(lookup, "x", length),
+             .u = components<3>(lookup, "u", length),
+             .v = components<3>(lookup, "v", speed),
+             .mass = scalars(lookup, "m", columns.mass),
+             .volume = scalars(lookup, "V", length * length * length),
+             .F = components<9>(lookup, "F", 1),
+             .stress = components<9>(lookup, "s", pressure),
+             .says = table.says};
+  if (s.x.empty() && s.u.empty()) {
+    std::vector<std::string> known;
+    for (const TableColumn& column : table.columns) known.push_back(column.name);
+    throw UsageError(fmt::format("no positions in {} (columns x, y, z, or --columns x=...; it has {})", file,
+                                 fmt::join(known, ", ")));
+  }
+  std::vector<const TableColumn*> places;
+  for (const Quantity& quantity : quantities_of(s.u.empty() ? "x" : "u"))
+    if (const TableColumn* column = lookup.find(quantity)) places.push_back(column);
+  const Rounding rounding = rounding_of(table, places);
+  s.digits = rounding.digits;
+  s.rounding = length * rounding.unit;
+  return s;
+}
+
+}  // namespace mpmvv::codes

@@ -1,0 +1,29 @@
+#pragma once
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "studies/codes/particle_table.hpp"
+#include "studies/codes/snapshot.hpp"
+
+namespace mpmvv::codes {
+
+/// Where a code's file keeps what, and in which units.
+struct Columns {
+  /// The column of a quantity, by name or by number from 1 on. Quantities are words of `all_quantities()`; names of
+  /// arrays (X, x, u, v, F, s) stand for all components of an array. What is not named here is looked for by usual
+  /// names.
+  std::map<std::string, std::string> names = {};
+  double length = 1, time = 1, mass = 1;  ///< m, s and kg to the file's unit
+  std::optional<std::int64_t> step = {};  ///< which one, where a file has several; none: the last
+};
+
+/// "id=tag,x=px" as pairs; UsageError, with `where`, of what is none or names no quantity.
+std::map<std::string, std::string> parse_columns(const std::string& text, const std::string& where);
+
+/// The table's columns by their quantities. UsageError when a column that was named is not there, or when there is
+/// neither position nor displacement.
+Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const std::string& file);
+
+}  // namespace mpmvv::codes

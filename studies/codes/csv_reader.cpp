@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include "studies/codes/readers.hpp"
+#include "studies/codes/text_column.hpp"
+#include "studies/codes/text_lines.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv::codes {
+
+using support::UsageError;
+
+namespace {
+
+/// `# key = value`, as pairs that a comment has.
+void note_comment(ParticleTable& table, std::string_view comment) {
+  const auto middle = comment.find_first_of("=:");
+  if (middle == std::string_view::npos) return;
+  const std::string key(trimmed(comment.substr(0, middle))), value(trimmed(comment.substr(middle + 1)));
+  TableColumn number;
+  if (key == "time" && add_text(number, value)) table.time = number.values.front();
+  if (!key.empty() && key.find_first_of(" \t") == std::string::npos) table.says[key] = value;
+}
+
+bool are_numbers(const std::vector<std::string_view>& fields) {
+  for (const std::string_view field : fields)
+    if (TableColumn ignored; !add_text(ignored, field)) return false;
+  return true;
+}
+
+/// The character that separates fields; a blank where blanks do.
+char separator_of(std::string_view line) {
+  for (const char c : {',', ';', '\t'})
+    if (line.find(c) != std::string_view::npos) return c;
+  return ' ';
+}
+
+}  // namespace
+
+/// Lines of numbers, separated by commas, semicolons, tabs or blanks. The first line names the columns where it is not
+/// of numbers, or a comment above does; otherwise they have their numbers for names. Comments begin with #.
+ParticleTable read_csv(const Source& source) {
+  ParticleTable table;
+  std::vector<std::string_view> comment_names;
+  TextLines lines(source);
+  while (auto line = lines.next()) {
+    const std::string_view text = trimmed(*line);
+    if (text.empty()) continue;
+    if (text.front() == '#') {
+      const std::string_view comment = trimmed(text.substr(1));
+      if (table.columns.empty()) comment_names = fields_of(comment, separator_of(comment));
+      note_comment(table, comment);
+      continue;
+    }
+    const auto fields = fields_of(text, separator_of(text));
+    if (table.columns.empty()) {
+      const bool has_header = !are_numbers(fields);
+      const bool is_named = has_header || comment_names.size() == fields.size();
+      const auto& names = has_header ? fields : comment_names;
+      for (std::size_t k = 0; k < fields.size(); ++k)
+        table.columns.push_back({.name = is_named ? std::string(names[k]) : std::to_string(k + 1)});
+      if (has_header) continue;
+    }
+    add_row(table, fields, lines);
+  }
+  if (table.columns.empty() || table.columns.front().values.empty())
+    throw UsageError(fmt::format("no lines of numbers in {} (a header, then a line for each particle)", source.file));
+  return table;
+}
+
+}  // namespace mpmvv::codes

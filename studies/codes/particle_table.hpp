@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mpmvv::codes {
+
+/// A column of a file as it stands there, whatever its unit. Component k of an array with several of them is named
+/// `array:k`, as ParaView does.
+struct TableColumn {
+  std::string name;
+  std::vector<double> values = {};
+  int digits = 0;     ///< the most significant digits of a text; 0 of binary numbers
+  int decimals = -1;  ///< behind the point where all texts have as many, and no exponent; -1 otherwise
+  int bits = 0;       ///< of a binary number's mantissa: 24 or 53; 0 of texts and whole numbers
+};
+
+/// What a reader takes from a file: columns of equal length.
+struct ParticleTable {
+  std::vector<TableColumn> columns;
+  std::optional<double> time;               ///< in the file's unit
+  std::map<std::string, std::string> says;  ///< pairs of a key and its value, as comments carry them
+
+  const TableColumn* find(const std::string& name) const {
+    for (const TableColumn& column : columns)
+      if (column.name == name) return &column;
+    return nullptr;
+  }
+};
+
+}  // namespace mpmvv::codes

@@ -1,0 +1,80 @@
+#include "studies/codes/readers.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
+
+namespace mpmvv::codes {
+
+using support::UsageError;
+
+namespace {
+
+std::vector<std::string> format_words() {
+  std::vector<std::string> words;
+  for (const Format& format : formats()) words.push_back(format.word);
+  return words;
+}
+
+const Format& format_of(const std::filesystem::path& file, const std::string& word) {
+  for (const Format& format : formats()) {
+    const auto ends = [&](const std::string& ending) { return file.string().ends_with(ending); };
+    if (word.empty() ? std::any_of(format.endings.begin(), format.endings.end(), ends) : format.word == word)
+      return format;
+  }
+  if (!word.empty())
+    throw UsageError(fmt::format("unknown format '{}' in --format (known: {})", word, fmt::join(format_words(), ", ")));
+  throw UsageError(fmt::format("the name of {} does not say its format (--format {})", file.string(),
+                               fmt::join(format_words(), "|")));
+}
+
+}  // namespace
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> all{
+      {"csv", {".csv", ".txt", ".dat", ".tsv"}, &read_csv},
+  };
+  return all;
+}
+
+Snapshot read_snapshot(const std::filesystem::path& file, const Columns& columns, const std::string& format) {
+  const Format& known = format_of(file, format);
+  const std::string content = support::require_file(file, "what a code wrote of its particles");
+  const ParticleTable table = known.read({content, file.string(), columns.step});
+  return snapshot_of(table, columns, file.string());
+}
+
+namespace {
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more, const Snapshot& part, const Snapshot& first) {
+  const bool has_all = all.size() == first.size(), has_more = more.size() == part.size();
+  if (has_all != has_more)
+    throw UsageError(
+        fmt::format("{} and {} have other fields (parts of one state with the same ones)", first.file, part.file));
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+Snapshot read_snapshot(const std::vector<std::filesystem::path>& parts, const Columns& columns,
+                       const std::string& format) {
+  Snapshot whole = read_snapshot(parts.at(0), columns, format);
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    const Snapshot part = read_snapshot(parts[k], columns, format), before = whole;
+    if (part.time != whole.time || part.says != whole.says)
+      throw UsageError(fmt::format("{} is of another time or run than {} (parts of one state)", part.file, whole.file));
+    const auto add = [&](auto member) { append(whole.*member, part.*member, part, before); };
+    add(&Snapshot::id), add(&Snapshot::X), add(&Snapshot::x), add(&Snapshot::u), add(&Snapshot::v);
+    add(&Snapshot::mass), add(&Snapshot::volume), add(&Snapshot::F), add(&Snapshot::stress);
+    whole.digits = std::min(whole.digits, part.digits);
+    whole.rounding = std::max(whole.rounding, part.rounding);
+  }
+  return whole;
+}
+
+}  // namespace mpmvv::codes

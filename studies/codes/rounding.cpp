@@ -1,0 +1,49 @@
+#include "studies/codes/rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mpmvv::codes {
+
+namespace {
+
+/// What the last place of a number in a text or in binary form stands for.
+double unit_of(double value, int digits, int decimals, int bits) {
+  if (bits > 0) return value == 0 ? 0 : std::ldexp(1.0, std::ilogb(value) - bits + 1);
+  if (decimals >= 0) return std::pow(10.0, -decimals);
+  return value == 0 ? 0 : std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
+}
+
+/// The decimals that all columns show; -1 when they differ.
+int common_decimals(const std::vector<const TableColumn*>& columns) {
+  const int first = columns.front()->decimals;
+  const auto other = [first](const TableColumn* column) { return column->decimals != first; };
+  return std::any_of(columns.begin(), columns.end(), other) ? -1 : first;
+}
+
+}  // namespace
+
+Rounding rounding_of(const ParticleTable& table, const std::vector<const TableColumn*>& coordinates) {
+  int digits_of_text = 1;
+  for (const TableColumn& column : table.columns) digits_of_text = std::max(digits_of_text, column.digits);
+  Rounding rounding;
+  const int decimals = common_decimals(coordinates);
+  for (const TableColumn* column : coordinates) {
+    const int digits = column->bits == 24   ? 7
+                       : column->bits == 53 ? 16
+                       : decimals >= 0      ? column->digits
+                                            : digits_of_text;
+    rounding.digits = std::min(rounding.digits, digits);
+    double squares = 0;
+    for (const double value : column->values)
+      if (std::isfinite(value)) squares += std::pow(unit_of(value, digits_of_text, decimals, column->bits), 2);
+    rounding.unit = std::hypot(rounding.unit, std::sqrt(squares / static_cast<double>(column->values.size())));
+  }
+  return rounding;
+}
+
+double rounding_error(double unit) {
+  return unit / std::sqrt(12.0);
+}
+
+}  // namespace mpmvv::codes

@@ -1,0 +1,57 @@
+#include "studies/codes/text_lines.hpp"
+
+#include <fmt/format.h>
+
+#include "studies/codes/text_column.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv::codes {
+
+using support::UsageError;
+
+std::optional<std::string_view> TextLines::next() {
+  if (left_.empty()) return std::nullopt;
+  const auto end = left_.find('\n');
+  const std::string_view line = left_.substr(0, end);
+  left_.remove_prefix(end == std::string_view::npos ? left_.size() : end + 1);
+  ++number_;
+  return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
+}
+
+std::string TextLines::place() const {
+  return fmt::format("{}:{}", file_, number_);
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const auto begin = text.find_first_not_of(blanks);
+  return begin == std::string_view::npos ? "" : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+  const std::string_view ends = separator == ' ' ? std::string_view(" \t") : std::string_view(&separator, 1);
+  std::vector<std::string_view> fields;
+  line = trimmed(line);
+  for (bool more = true; more;) {
+    const auto end = line.find_first_of(ends);
+    more = end != std::string_view::npos;
+    std::string_view field = trimmed(line.substr(0, end));
+    if (field.size() > 1 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
+    fields.push_back(field);
+    if (more) line.remove_prefix(end + 1);
+    if (separator == ' ') line = trimmed(line);
+  }
+  return fields;
+}
+
+void add_row(ParticleTable& table, const std::vector<std::string_view>& fields, const TextLines& lines) {
+  if (fields.size() != table.columns.size())
+    throw UsageError(fmt::format("{} numbers in {} (as many as there are columns: {})", fields.size(), lines.place(),
+                                 table.columns.size()));
+  for (std::size_t k = 0; k < fields.size(); ++k)
+    if (!add_text(table.columns[k], fields[k]))
+      throw UsageError(
+          fmt::format("'{}' for '{}' in {} (a number)", fields[k].substr(0, 40), table.columns[k].name, lines.place()));
+}
+
+}  // namespace mpmvv::codes

@@ -1,0 +1,70 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "studies/codes/readers.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv {
+namespace csv_reader_test {
+
+using namespace codes;
+
+Snapshot read(const std::string& text, const std::string& names = "") {
+  const auto file = std::filesystem::path(testing::TempDir()) / "csv_reader_test.csv";
+  std::ofstream(file) << text;
+  Columns columns;
+  if (!names.empty()) columns.names = parse_columns(names, "--columns");
+  return read_snapshot(file, columns);
+}
+
+std::string message_of(const std::string& text, const std::string& names = "") {
+  try {
+    read(text, names);
+  } catch (const support::UsageError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(CsvReader, TakesColumnsByUsualNames) {
+  const Snapshot s = read("id,x,y,v_x,v_y,m\n2,0.5,0.25,1,2,3\n1,1.5,-2e-3,4,5,6\n");
+  EXPECT_EQ(s.id, (std::vector<std::int64_t>{2, 1}));
+  EXPECT_EQ(s.x, (std::vector<Point>{{0.5, 0.25, 0}, {1.5, -2e-3, 0}}));
+  EXPECT_EQ(s.v, (std::vector<Point>{{1, 2, 0}, {4, 5, 0}}));
+  EXPECT_EQ(s.mass, (std::vector<double>{3, 6}));
+  EXPECT_TRUE(s.X.empty());
+}
+
+TEST(CsvReader, TakesColumnsByNameAndNumber) {
+  EXPECT_EQ(read("7 0.5\n8 0.25\n", "id=1,x=2").id, (std::vector<std::int64_t>{7, 8}));
+  EXPECT_EQ(read("a;b\n7;0.5\n", "x=b").x.front()[0], 0.5);
+  EXPECT_EQ(read("p:0,p:1\n1.5,2.5\n", "x=p").x.front(), (Point{1.5, 2.5, 0}));
+}
+
+TEST(CsvReader, CommentsSayTimeAndNames) {
+  const Snapshot s = read("# problem = bar\n# time = 0.5\n# id x\n1 1.25\n");
+  EXPECT_EQ(s.time, 0.5);
+  EXPECT_EQ(s.says.at("problem"), "bar");
+  EXPECT_EQ(s.x.front()[0], 1.25);
+}
+
+TEST(CsvReader, SaysWhatItCannotRead) {
+  EXPECT_THAT(message_of("x,y\n1\n"), testing::HasSubstr("1 numbers in"));
+  EXPECT_THAT(message_of("x,y\n1,b\n"), testing::HasSubstr("'b' for 'y' in"));
+  EXPECT_THAT(message_of("x,y\n"), testing::HasSubstr("no lines of numbers"));
+  EXPECT_THAT(message_of("p,q\n1,2\n"), testing::HasSubstr("no positions in"));
+  EXPECT_THAT(message_of("p,q\n1,2\n", "x=r"), testing::HasSubstr("unknown column 'r' for x"));
+  EXPECT_THAT(message_of("p,q\n1,2\n", "w=p"), testing::HasSubstr("unknown quantity 'w' in --columns"));
+}
+
+TEST(CsvReader, SeesTheDigitsOfTexts) {
+  EXPECT_EQ(read("x,y\n0.123456,0.5\n0.0123457,0.25\n").digits, 6);
+  const Snapshot fixed = read("x,y\n0.1234,1.5000\n0.0123,0.2500\n");
+  EXPECT_DOUBLE_EQ(fixed.rounding, 1e-4 * std::sqrt(2.0));
+}
+
+}  // namespace csv_reader_test
+}  // namespace mpmvv
