@@ -13,9 +13,12 @@
 #include "cli/interruption.hpp"
 #include "cli/numbers.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/shipped.hpp"
 #include "cli/study_choice.hpp"
 #include "cli/study_text.hpp"
+#include "studies/codes/external_run.hpp"
 #include "studies/plan/claim_reader.hpp"
+#include "studies/plan/external_series.hpp"
 #include "studies/plan/shards.hpp"
 #include "studies/plan/study_runner.hpp"
 
@@ -33,6 +36,7 @@ struct StudyOptions {
 /// As a shell says of a program that was interrupted from the keyboard.
 [[noreturn]] void stop(const StudyOptions& options, const plan::RunnerCounts& counts) {
   constexpr int interrupted = 130;
+  codes::abandon_external_runs();
   note("stopped: {} finished and kept in {}, the running ones are lost; the same command goes on from there\n",
        count_text(counts.ran, "case"), options.db);
   std::_Exit(interrupted);
@@ -40,7 +44,7 @@ struct StudyOptions {
 
 /// Calls run(runner options) with a line of progress, where it can be interrupted.
 template <class Run>
-auto interruptible(const StudyOptions& options, const Run& run) {
+auto interruptible(const StudyOptions& options, const codes::Codes& codes, const Run& run) {
   const Interruption interruption;
   ProgressLine line;
   const auto on_stop = [&](const plan::RunnerCounts& so_far) {
@@ -48,7 +52,7 @@ auto interruptible(const StudyOptions& options, const Run& run) {
     stop(options, so_far);
   };
   const auto listener = line.listener();
-  return run(plan::RunnerOptions{options.jobs, listener, listener, interruption.token(), on_stop});
+  return run(plan::RunnerOptions{options.jobs, listener, listener, interruption.token(), on_stop, codes});
 }
 
 /// The part of the work that `--shard` names; all of it without one.
@@ -61,10 +65,10 @@ plan::Work work_of(const StudyOptions& options, const std::vector<plan::StudyPla
 }
 
 int run_shard(const StudyOptions& options, const std::vector<plan::StudyPlan>& plans, const plan::Work& work,
-              store::Store& store) {
+              const codes::Codes& codes, store::Store& store) {
   plan::RunnerCounts counts;
-  const plan::ShardOutcome outcome =
-      interruptible(options, [&](const auto& running) { return plan::run_shard(plans, work, store, running, counts); });
+  const plan::ShardOutcome outcome = interruptible(
+      options, codes, [&](const auto& running) { return plan::run_shard(plans, work, store, running, counts); });
   for (const std::string& trouble : outcome.troubles) note("{}\n", trouble);
   print(
       "shard {}: {} cases run, {} taken from {}, {} failed; `mpmvv db merge` puts the shards together, `mpmvv study` "
@@ -73,10 +77,11 @@ int run_shard(const StudyOptions& options, const std::vector<plan::StudyPlan>& p
   return outcome.failed == 0 && outcome.troubles.empty() ? 0 : 1;
 }
 
-int run_studies(const StudyOptions& options, const std::vector<plan::StudyPlan>& plans, store::Store& store) {
+int run_studies(const StudyOptions& options, const std::vector<plan::StudyPlan>& plans, const codes::Codes& codes,
+                store::Store& store) {
   plan::RunnerCounts counts;
-  const auto outcomes =
-      interruptible(options, [&](const auto& running) { return plan::run_studies(plans, store, running, counts); });
+  const auto outcomes = interruptible(
+      options, codes, [&](const auto& running) { return plan::run_studies(plans, store, running, counts); });
   std::size_t failed = 0;
   for (const plan::StudyOutcome& outcome : outcomes) {
     failed += outcome.failed;
@@ -92,7 +97,10 @@ int run_studies(const StudyOptions& options, const std::vector<plan::StudyPlan>&
 }
 
 int study(const StudyOptions& options) {
-  const std::vector<plan::StudyPlan> plans = read_plans(options.choice, options.db);
+  plan::CodeFinder finder(shipped("adapters"));
+  const bool is_asked_for = !options.choice.names.empty() && !options.plan;
+  const AbsentCode absent = is_asked_for || !options.shard.empty() ? AbsentCode::refused : AbsentCode::left_out;
+  const std::vector<plan::StudyPlan> plans = read_plans(options.choice, options.db, finder, absent);
   const plan::Work work = work_of(options, plans);
   if (options.plan) {
     print_forecast(plans, work, options.db, options.jobs, options.json);
@@ -100,7 +108,8 @@ int study(const StudyOptions& options) {
   }
   store::Store store(options.db, store::Store::Mode::create_or_write);
   plan::require_one_voice(plans, store.statements(store::current_provenance().digest), options.db);
-  return options.shard.empty() ? run_studies(options, plans, store) : run_shard(options, plans, work, store);
+  return options.shard.empty() ? run_studies(options, plans, finder.codes(), store)
+                               : run_shard(options, plans, work, finder.codes(), store);
 }
 
 }  // namespace

@@ -58,6 +58,14 @@ std::vector<std::filesystem::path> claim_folders(const std::vector<std::string>&
   return folders;
 }
 
+bool is_left_out(plan::StudyPlan& plan, const std::string& file, plan::CodeFinder& codes, AbsentCode allowed) {
+  const std::string absent = plan::complete_series(plan, file, codes);
+  if (absent.empty()) return false;
+  if (allowed == AbsentCode::refused) throw support::UsageError(fmt::format("{}: {}", file, absent));
+  note("{} is left out: {}\n", plan.name, absent);
+  return true;
+}
+
 }  // namespace
 
 void add_study_choice(CLI::App& command, StudyChoice& choice) {
@@ -71,7 +79,8 @@ void add_study_choice(CLI::App& command, StudyChoice& choice) {
       ->type_name("FOLDER");
 }
 
-std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::string& db) {
+std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::string& db, plan::CodeFinder& codes,
+                                        AbsentCode absent) {
   const std::vector<Overriding> overriding = overriding_settings(choice);
   const std::vector<std::string> files = named_study_files(choice.names, choice.studies);
   std::vector<plan::StudyPlan> plans;
@@ -81,6 +90,7 @@ std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::st
     for (std::size_t k = 0; k + 1 < plans.size(); ++k)
       if (plans[k].name == plans.back().name)
         throw support::UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
+    if (is_left_out(plans.back(), file, codes, absent)) plans.pop_back();
   }
   require_taken(overriding, plans);
   plan::state_claims(plans, claim_folders(files));

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/plan/external_series.hpp"
 #include "studies/plan/study.hpp"
 
 namespace mpmvv::cli {
@@ -17,8 +18,12 @@ struct StudyChoice {
 /// The options that name studies: FILE..., --studies.
 void add_study_choice(CLI::App& command, StudyChoice& choice);
 
-/// Reads them and says what the settings changed. UsageError for what is wrong in them, and where the results store is
-/// one of their files.
-std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::string& db);
+/// What becomes of a study whose code is not there.
+enum class AbsentCode { left_out, refused };
+
+/// Reads them and says what the settings changed and what is left out. UsageError for what is wrong in them, and where
+/// the results store is one of their files.
+std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::string& db, plan::CodeFinder& codes,
+                                        AbsentCode absent);
 
 }  // namespace mpmvv::cli

@@ -118,7 +118,8 @@ void start(const Submission& submission) {
 }
 
 int submit(const SubmitOptions& options) {
-  const std::vector<plan::StudyPlan> plans = read_plans(options.choice, options.db);
+  plan::CodeFinder codes(shipped("adapters"));
+  const std::vector<plan::StudyPlan> plans = read_plans(options.choice, options.db, codes, AbsentCode::refused);
   store::require_place(options.db);
   Submission submission = submission_of(options);
   std::optional<store::Store> learned;
