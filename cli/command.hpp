@@ -12,6 +12,8 @@ namespace mpmvv::cli {
 void add_run(CLI::App& app, int& exit_code);
 void add_solution(CLI::App& app, int& exit_code);
 void add_particles(CLI::App& app, int& exit_code);
+void add_case(CLI::App& app, int& exit_code);
+void add_score(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
 void add_submit(CLI::App& app, int& exit_code);
 void add_gate(CLI::App& app, int& exit_code);

@@ -21,6 +21,8 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_run(app, exit_code);
   add_solution(app, exit_code);
   add_particles(app, exit_code);
+  add_case(app, exit_code);
+  add_score(app, exit_code);
   add_study(app, exit_code);
   add_submit(app, exit_code);
   add_gate(app, exit_code);

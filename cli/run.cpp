@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <memory>
 
@@ -10,13 +9,13 @@
 #include "cli/console.hpp"
 #include "cli/help.hpp"
 #include "cli/interruption.hpp"
+#include "cli/record_json.hpp"
 #include "cli/run_text.hpp"
 #include "cli/shipped.hpp"
 #include "studies/codes/external_run.hpp"
 #include "studies/codes/fields.hpp"
 #include "studies/plan/external_series.hpp"
 #include "studies/runs/run_case.hpp"
-#include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::cli {
@@ -24,33 +23,6 @@ namespace mpmvv::cli {
 using support::UsageError;
 
 namespace {
-
-/// The scheme as its keys; `none` where it has no such choice.
-nlohmann::json scheme_json(const cases::Case& c) {
-  nlohmann::json json;
-  for (const settings::SettingKey& key : settings::setting_keys())
-    if (key.member && key.member->part == cases::CasePart::scheme && key.is_of(c.scheme.code))
-      std::visit([&](const auto& value) { json[key.key] = value; }, key.member->value(c));
-  return json;
-}
-
-nlohmann::json record_json(const records::Record& r) {
-  nlohmann::json json{{"problem", r.the_case.problem.name},
-                      {"quarter", r.the_case.problem.quarter},
-                      {"parameters", r.the_case.problem.parameters},
-                      {"scheme", scheme_json(r.the_case)},
-                      {"cells", r.the_case.resolution.cells},
-                      {"ppc", r.the_case.resolution.ppc},
-                      {"particles", r.particles},
-                      {"steps", r.steps},
-                      {"dt", r.the_case.resolution.dt},
-                      {"end_time", r.the_case.problem.end_time},
-                      {"status", to_string(r.status)},
-                      {"reason", r.reason}};
-  for (const auto* numbers : {&records::run_errors(), &records::run_by_products()})
-    for (const records::RunNumber& number : *numbers) json[nlohmann::json::json_pointer(number.path)] = number.get(r);
-  return json;
-}
 
 struct RunOptions {
   CaseOptions of_case;

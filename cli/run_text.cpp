@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "cli/console.hpp"
 #include "cli/numbers.hpp"
 #include "cli/table.hpp"
@@ -38,26 +40,37 @@ void print_balance(const Record& r) {
   table.add({"change of mass", error_text(r.balance.mass)});
   table.add({"change of momentum", error_text(r.balance.momentum)});
   table.add({"change of angular momentum", error_text(r.balance.angular_momentum)});
+  if (!std::isnan(r.output_floor)) table.add({"error that the output's digits make (m)", error_text(r.output_floor)});
   print("\n");
   table.print();
 }
 
+/// How finely the problem was resolved, and what came of it.
+void print_outcome(const Record& r) {
+  const cases::Resolution& resolution = r.the_case.resolution;
+  print("cells {}, ppc {}: {} particles; {} steps of {:.6g} s (cfl {:.4g}), end time {:.6g} s\n", resolution.cells,
+        resolution.ppc, r.particles, r.steps, resolution.dt, r.cfl, r.the_case.problem.end_time);
+  print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
+  print_errors(r);
+  print_balance(r);
+}
+
 }  // namespace
+
+void print_score(const Record& r, const std::string& files, int digits) {
+  print("{} as another code has solved it: {}, {} digits\n", r.the_case.problem.name, files, digits);
+  print_outcome(r);
+}
 
 void print_record(const Record& r) {
   const cases::Scheme& s = r.the_case.scheme;
-  const cases::Resolution& resolution = r.the_case.resolution;
   if (s.code.empty())
     print("{} with basis {}, integrator {}, velocity update {}, boundary {}\n", r.the_case.problem.name, s.basis,
           s.integrator, s.velocity_update, s.boundary);
   else
     print("{} with code {} ({}), {}body force {}\n", r.the_case.problem.name, s.code, s.code_version,
           s.variant.empty() ? "" : fmt::format("variant {}, ", s.variant), to_string(s.force_form));
-  print("cells {}, ppc {}: {} particles; {} steps of {:.6g} s (cfl {:.4g}), end time {:.6g} s\n", resolution.cells,
-        resolution.ppc, r.particles, r.steps, resolution.dt, r.cfl, r.the_case.problem.end_time);
-  print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
-  print_errors(r);
-  print_balance(r);
+  print_outcome(r);
   print("\ntook {}, {:.2f} ns per particle and step\n", duration_text(r.wall_seconds), r.ns_per_particle_step);
   if (r.the_case.measure.repeat > 0)
     print("cost {} s of steps, median of {} runs (range {:.0f} %)\n", error_text(r.cost.step_seconds),

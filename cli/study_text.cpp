@@ -11,6 +11,7 @@
 #include "cli/error_tables.hpp"
 #include "cli/numbers.hpp"
 #include "cli/table.hpp"
+#include "studies/claims/samples.hpp"
 
 namespace mpmvv::cli {
 
@@ -32,6 +33,17 @@ void print_orders(const records::StudyResult& study) {
       table.add({series.name, order.norm, window_text(order.from, order.to), order_text(order.order),
                  half_width_text(fits::half_width(order)), order.asymptotic ? "yes" : "no"});
   print_apart(table);
+}
+
+/// Points of which an order takes none, as another code wrote too few digits.
+void print_left_out(const records::StudyResult& study) {
+  for (const Series& series : study.series)
+    for (const fits::ObservedOrder& order : series.orders)
+      if (const auto values = claims::left_out(series, order.norm); !values.empty())
+        print_indented(
+            fmt::format("left out of the order of '{}' in {}: {} (within {} times the error that the rounding "
+                        "of the code's output makes)",
+                        series.name, order.norm, fmt::join(values, ", "), claims::least_over_floor));
 }
 
 /// On what grounds: the floor, and what replicates say.
@@ -111,6 +123,7 @@ void print_study(const records::StudyResult& study, bool verbose) {
   print("{}: {}\n", study.name, study.title);
   print_errors(study);
   print_orders(study);
+  print_left_out(study);
   print_extrapolations(study);
   print_limits(study);
   print_values(study);

@@ -1,28 +1,34 @@
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include "studies/codes/snapshot.hpp"
+#include "studies/runs/balance.hpp"
 #include "studies/runs/scene.hpp"
 
 namespace mpmvv::codes {
 
 using solver::Vec;
 
-/// The particles that a case starts with, in the order in which they fill the body, and the room that they have.
+/// What a case starts with, its particles in the order in which they fill the body, and the room that they have.
 template <int D>
 struct CaseParticles {
-  explicit CaseParticles(const cases::Case& c);
-
   problems::Setup<D> setup;
   std::vector<Vec<D>> X, x0;  ///< reference positions, and positions at time zero
   std::vector<double> m;
-  Vec<D> lower, upper;    ///< corners of the background grid
-  Vec<D> period;          ///< its length along axes on which it is periodic; 0 along others
-  double spacing = 0;     ///< about what particles are apart at rest
-  double end_time = 0;    ///< at which outputs are scored
-  double initial_energy;  ///< kinetic and strain energy
+  runs::Momenta<D> momenta;
+  double energy;  ///< kinetic and strain energy
+  bool is_driven;
+  Vec<D> lower, upper;  ///< corners of the background grid
+  Vec<D> period;        ///< its length along axes on which it is periodic; 0 along others
+  double h;             ///< cell width
+  double spacing;       ///< about what particles are apart at rest
+  double dt, end_time;  ///< the time at which outputs are scored
 
   std::size_t size() const { return X.size(); }
+
+  /// Where the particle is at time t.
+  Vec<D> exact(std::size_t particle, double t) const { return X[particle] + setup.solution->u(X[particle], t); }
 
   /// The way from b to a: across periodic faces the shortest one.
   Vec<D> difference(const Vec<D>& a, const Vec<D>& b) const {
@@ -33,13 +39,25 @@ struct CaseParticles {
   }
 };
 
-extern template struct CaseParticles<1>;
-extern template struct CaseParticles<2>;
-extern template struct CaseParticles<3>;
+template <int D>
+CaseParticles<D> case_particles(const cases::Case& c);
 
+extern template CaseParticles<1> case_particles<1>(const cases::Case&);
+extern template CaseParticles<2> case_particles<2>(const cases::Case&);
+extern template CaseParticles<3> case_particles<3>(const cases::Case&);
+
+/// Its coordinates as the problem has them.
 template <int D>
 Vec<D> vec(const Point& point) {
   return Eigen::Map<const Vec<D>>(point.data());
+}
+
+template <int D>
+std::vector<Vec<D>> vecs(const std::vector<Point>& points) {
+  std::vector<Vec<D>> all;
+  all.reserve(points.size());
+  for (const Point& point : points) all.push_back(vec<D>(point));
+  return all;
 }
 
 }  // namespace mpmvv::codes

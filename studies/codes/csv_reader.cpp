@@ -11,16 +11,6 @@ using support::UsageError;
 
 namespace {
 
-/// `# key = value`, as pairs that a comment has.
-void note_comment(ParticleTable& table, std::string_view comment) {
-  const auto middle = comment.find_first_of("=:");
-  if (middle == std::string_view::npos) return;
-  const std::string key(trimmed(comment.substr(0, middle))), value(trimmed(comment.substr(middle + 1)));
-  TableColumn number;
-  if (key == "time" && add_text(number, value)) table.time = number.values.front();
-  if (!key.empty() && key.find_first_of(" \t") == std::string::npos) table.says[key] = value;
-}
-
 bool are_numbers(const std::vector<std::string_view>& fields) {
   for (const std::string_view field : fields)
     if (TableColumn ignored; !add_text(ignored, field)) return false;

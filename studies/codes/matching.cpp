@@ -1,45 +1,177 @@
 #include "studies/codes/matching.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+#include "studies/codes/nearest_point.hpp"
 #include "studies/codes/output_fault.hpp"
+#include "studies/codes/units.hpp"
 
 namespace mpmvv::codes {
 
-using records::Status;
-
 namespace {
 
+using Lines = std::vector<std::size_t>;  ///< of each line its particle
+
+/// The first of those that no line has, for messages.
+std::string missing(const std::vector<bool>& taken) {
+  std::vector<std::size_t> ids;
+  const auto all = static_cast<std::size_t>(std::count(taken.begin(), taken.end(), false));
+  for (std::size_t p = 0; p < taken.size() && ids.size() < 3; ++p)
+    if (!taken[p]) ids.push_back(p + 1);
+  return fmt::format("{}{}", fmt::join(ids, ", "), all > ids.size() ? ", ..." : "");
+}
+
+void require_count(const Snapshot& s, std::size_t particles, const std::vector<bool>& taken) {
+  if (s.size() < particles)
+    fail_output("{} of {} particles are missing in {} (of the case {})", particles - s.size(), particles, s.file,
+                missing(taken));
+  if (s.size() > particles) fail_output("{} particles in {}, the case has {}", s.size(), s.file, particles);
+}
+
 /// Ids count from 1 in the order in which particles fill the body.
-std::vector<std::size_t> match_ids(const Snapshot& s, std::size_t particles) {
-  std::vector<std::size_t> found;
+Lines by_case_id(const Snapshot& s, std::size_t particles) {
+  Lines found;
   std::vector<bool> taken(particles, false);
   for (const std::int64_t id : s.id) {
     if (id < 1 || id > static_cast<std::int64_t>(particles))
-      throw OutputFault(Status::failed,
-                        fmt::format("particle {} in {} (the case has particles 1 to {})", id, s.file, particles));
+      fail_output("particle {} in {} (the case has particles 1 to {}; a code with ids of its own: --start)", id, s.file,
+                  particles);
     const auto p = static_cast<std::size_t>(id - 1);
-    if (taken[p]) throw OutputFault(Status::failed, fmt::format("particle {} stands twice in {}", id, s.file));
+    if (taken[p]) fail_output("particle {} stands twice in {}", id, s.file);
     taken[p] = true;
     found.push_back(p);
   }
+  require_count(s, particles, taken);
   return found;
+}
+
+/// The particles of the lines of the end by those of the lines of the start with the same ids.
+Lines by_start_id(const Snapshot& end, const Snapshot& start, const Lines& of_start) {
+  std::unordered_map<std::int64_t, std::size_t> lines;
+  for (std::size_t line = 0; line < start.size(); ++line)
+    if (!lines.emplace(start.id[line], line).second)
+      fail_output("particle {} stands twice in {}", start.id[line], start.file);
+  Lines found;
+  std::vector<bool> taken(of_start.size(), false);
+  for (const std::int64_t id : end.id) {
+    const auto line = lines.find(id);
+    if (line == lines.end()) fail_output("particle {} of {} is not in {}", id, end.file, start.file);
+    found.push_back(of_start[line->second]);
+    if (taken[found.back()]) fail_output("particle {} stands twice in {}", id, end.file);
+    taken[found.back()] = true;
+  }
+  require_count(end, of_start.size(), taken);
+  return found;
+}
+
+/// The particle at each place: that which is nearest in `at`, one to one.
+template <int D>
+Lines by_place(const CaseParticles<D>& particles, const std::vector<Vec<D>>& places, const std::vector<Vec<D>>& at,
+               const Snapshot& s) {
+  require_units(places, at, s.file);
+  const NearestPoint<D> nearest(at);
+  const double exactly = 0.01 * particles.spacing + 10 * s.rounding;
+  std::vector<bool> taken(at.size(), false);
+  Lines found;
+  double farthest = 0;
+  for (std::size_t line = 0; line < places.size(); ++line) {
+    const Neighbour neighbour = nearest(places[line]);
+    farthest = std::max(farthest, neighbour.distance);
+    if (farthest <= exactly && taken[neighbour.point])
+      fail_output("two particles in {} start where the case's particle {} does", s.file, neighbour.point + 1);
+    taken[neighbour.point] = true;
+    found.push_back(neighbour.point);
+  }
+  if (farthest > exactly)
+    fail_output("particles in {} start up to {:.2g} m from those of the case, which are {:.2g} m apart (the same ones)",
+                s.file, farthest, particles.spacing);
+  require_count(s, at.size(), taken);
+  return found;
+}
+
+/// Where the particles are at rest: what is written, else x - u, across periodic faces inside the grid; none where
+/// neither is there.
+template <int D>
+std::vector<Vec<D>> reference_places(const CaseParticles<D>& particles, const Snapshot& s) {
+  std::vector<Vec<D>> places = vecs<D>(s.X);
+  if (!places.empty() || s.x.empty() || s.u.empty()) return places;
+  const Vec<D> middle = (particles.lower + particles.upper) / 2;
+  for (std::size_t line = 0; line < s.size(); ++line)
+    places.push_back(middle + particles.difference(vec<D>(s.x[line]) - vec<D>(s.u[line]), middle));
+  return places;
+}
+
+template <int D>
+Lines of_start(const CaseParticles<D>& particles, const Snapshot& start) {
+  if (const auto X = reference_places(particles, start); !X.empty()) return by_place(particles, X, particles.X, start);
+  if (start.x.empty()) fail_output("no positions in {} (x at time zero)", start.file);
+  return by_place(particles, vecs<D>(start.x), particles.x0, start);
+}
+
+/// How many particles are half a spacing or more from where they should be, if line after line is one of these.
+template <int D>
+std::size_t strayed(const CaseParticles<D>& particles, const Snapshot& end, const Lines& lines) {
+  std::size_t count = 0;
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    const Vec<D> exact = particles.exact(lines[line], particles.end_time);
+    if (!(particles.difference(vec<D>(end.x[line]), exact).norm() < particles.spacing / 2)) ++count;
+  }
+  return count;
+}
+
+/// The particles that are nearest at time zero; none unless all are within half a spacing, one to one.
+template <int D>
+Lines by_nearest_start(const CaseParticles<D>& particles, const Snapshot& end) {
+  const NearestPoint<D> nearest(particles.x0);
+  std::vector<bool> taken(particles.size(), false);
+  Lines found;
+  for (const Point& x : end.x) {
+    const Neighbour neighbour = nearest(vec<D>(x));
+    if (!(neighbour.distance < particles.spacing / 2) || taken[neighbour.point]) return {};
+    taken[neighbour.point] = true;
+    found.push_back(neighbour.point);
+  }
+  return found;
+}
+
+/// Neither id nor reference position: the order of the file, where it is borne out, or the nearest at time zero.
+template <int D>
+Lines by_order(const CaseParticles<D>& particles, const Snapshot& end, const Lines& order, const std::string& whose) {
+  require_count(end, order.size(), std::vector<bool>(order.size(), true));
+  if (end.x.empty())
+    fail_output("{} has displacements alone, which do not say which particle is which (write id, X or x)", end.file);
+  const std::size_t others = strayed(particles, end, order);
+  if (others == 0) return order;
+  if (const Lines nearest = by_nearest_start(particles, end); !nearest.empty()) return nearest;
+  fail_output(
+      "the order of {} cannot be verified: in that of {}, {} of {} particles are half a particle spacing or more from "
+      "the exact solution (write id or X)",
+      end.file, whose, others, order.size());
 }
 
 }  // namespace
 
 template <int D>
-std::vector<std::size_t> match(const CaseParticles<D>& particles, const Output& output) {
+Lines match(const CaseParticles<D>& particles, const Output& output) {
   const Snapshot& end = output.end;
-  if (end.size() != particles.size())
-    throw OutputFault(Status::failed,
-                      fmt::format("{} particles in {}, the case has {}", end.size(), end.file, particles.size()));
-  if (!end.id.empty()) return match_ids(end, particles.size());
-  throw OutputFault(Status::failed, fmt::format("nothing in {} says which particle is which (an id)", end.file));
+  if (const auto X = reference_places(particles, end); !X.empty()) return by_place(particles, X, particles.X, end);
+  if (!output.start) {
+    if (!end.id.empty()) return by_case_id(end, particles.size());
+    Lines order(particles.size());
+    std::iota(order.begin(), order.end(), 0U);
+    return by_order(particles, end, order, "the case's particles");
+  }
+  const Lines start = of_start(particles, *output.start);
+  if (!end.id.empty() && !output.start->id.empty()) return by_start_id(end, *output.start, start);
+  return by_order(particles, end, start, output.start->file);
 }
 
-template std::vector<std::size_t> match<1>(const CaseParticles<1>&, const Output&);
-template std::vector<std::size_t> match<2>(const CaseParticles<2>&, const Output&);
-template std::vector<std::size_t> match<3>(const CaseParticles<3>&, const Output&);
+template Lines match<1>(const CaseParticles<1>&, const Output&);
+template Lines match<2>(const CaseParticles<2>&, const Output&);
+template Lines match<3>(const CaseParticles<3>&, const Output&);
 
 }  // namespace mpmvv::codes

@@ -1,6 +1,9 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "studies/records/record.hpp"
 
@@ -12,5 +15,10 @@ struct OutputFault : std::runtime_error {
 
   records::Status status;
 };
+
+template <class... T>
+[[noreturn]] void fail_output(fmt::format_string<T...> format, T&&... values) {
+  throw OutputFault(records::Status::failed, fmt::format(format, std::forward<T>(values)...));
+}
 
 }  // namespace mpmvv::codes

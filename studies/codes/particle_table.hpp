@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -16,6 +17,14 @@ struct TableColumn {
   int decimals = -1;  ///< behind the point where all texts have as many, and no exponent; -1 otherwise
   int bits = 0;       ///< of a binary number's mantissa: 24 or 53; 0 of texts and whole numbers
 };
+
+/// Puts the values of one column behind those of another.
+inline void append(TableColumn& all, const TableColumn& more) {
+  all.values.insert(all.values.end(), more.values.begin(), more.values.end());
+  all.digits = std::max(all.digits, more.digits);
+  if (all.decimals != more.decimals) all.decimals = -1;
+  if (more.bits > 0) all.bits = more.bits;
+}
 
 /// What a reader takes from a file: columns of equal length.
 struct ParticleTable {

@@ -37,6 +37,10 @@ const Format& format_of(const std::filesystem::path& file, const std::string& wo
 const std::vector<Format>& formats() {
   static const std::vector<Format> all{
       {"csv", {".csv", ".txt", ".dat", ".tsv"}, &read_csv},
+      {"vtu", {".vtu", ".vtp"}, &read_vtu},
+      {"ply", {".ply"}, &read_ply},
+      {"dump", {".dump", ".lammpstrj", ".custom"}, &read_dump},
+      {"nairn", {}, &read_nairn},
   };
   return all;
 }

@@ -28,6 +28,10 @@ const std::vector<Format>& formats();
 
 // The readers, each defined in its own file.
 ParticleTable read_csv(const Source& source);
+ParticleTable read_vtu(const Source& source);
+ParticleTable read_ply(const Source& source);
+ParticleTable read_dump(const Source& source);
+ParticleTable read_nairn(const Source& source);
 
 /// What the file holds. `format` is a word of `formats()`; empty: as the name's ending says. UsageError when it cannot
 /// be read.

@@ -27,7 +27,9 @@ Rounding rounding_of(const ParticleTable& table, const std::vector<const TableCo
   int digits_of_text = 1;
   for (const TableColumn& column : table.columns) digits_of_text = std::max(digits_of_text, column.digits);
   Rounding rounding;
-  const int decimals = common_decimals(coordinates);
+  int decimals = common_decimals(coordinates), shown = 0;
+  for (const TableColumn* column : coordinates) shown = std::max(shown, column->digits);
+  if (digits_of_text > shown + 2) decimals = -1;  // coordinates that need few digits, on a lattice
   for (const TableColumn* column : coordinates) {
     const int digits = column->bits == 24   ? 7
                        : column->bits == 53 ? 16

@@ -2,59 +2,161 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "studies/codes/matching.hpp"
+#include "studies/codes/output_checks.hpp"
 #include "studies/codes/output_fault.hpp"
+#include "studies/codes/rounding.hpp"
+#include "studies/runs/blow_up.hpp"
 #include "studies/runs/norms.hpp"
-#include "studies/support/reason.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::codes {
 
 using records::Record;
 using records::Status;
+using solver::Mat;
 
 namespace {
 
-/// Displacement of each line's particle.
+/// The end with its particles and their displacements, which are those that are written, else x - X.
 template <int D>
-Vec<D> displacement(const CaseParticles<D>& particles, const Snapshot& end, std::size_t line, std::size_t particle) {
-  if (!end.u.empty()) return vec<D>(end.u[line]);
-  return vec<D>(end.x[line]) - particles.X[particle];
+MatchedEnd<D> matched(const CaseParticles<D>& particles, const Output& output) {
+  MatchedEnd<D> end{particles, output.end, match(particles, output), {}};
+  for (std::size_t line = 0; line < end.size(); ++line)
+    end.u.push_back(output.end.u.empty() ? Vec<D>(vec<D>(output.end.x[line]) - particles.X[end.particle[line]])
+                                         : vec<D>(output.end.u[line]));
+  return end;
+}
+
+/// Of each line what `error` says, as norms over all.
+template <int D, class Error>
+runs::ErrorNorms norms_of(const MatchedEnd<D>& end, const Error& error) {
+  runs::ErrorNorms norms;
+  for (std::size_t line = 0; line < end.size(); ++line) norms.add(error(line, end.particles.X[end.particle[line]]));
+  return norms;
+}
+
+/// RMS over the particles of |σ - σ(X, T)|.
+template <int D>
+double stress_error(const MatchedEnd<D>& end) {
+  const auto& solution = *end.particles.setup.solution;
+  const double T = end.particles.end_time;
+  return norms_of(end,
+                  [&](std::size_t line, const Vec<D>& X) {
+                    const Mat<D> F = solution.F(X, T), exact = solution.P(X, T) * F.transpose() / F.determinant();
+                    Mat<D> written;
+                    for (int i = 0; i < D; ++i)
+                      for (int j = 0; j < D; ++j)
+                        written(i, j) = end.snapshot.stress[line][static_cast<std::size_t>(3 * i + j)];
+                    return (written - exact).norm();
+                  })
+      .l2();
+}
+
+/// In per cent of the problem's speed, at the end.
+template <int D>
+double velocity_error(const MatchedEnd<D>& end) {
+  const auto& setup = end.particles.setup;
+  const auto norms = norms_of(end, [&](std::size_t line, const Vec<D>& X) {
+    return (vec<D>(end.snapshot.v[line]) - setup.solution->v(X, end.particles.end_time)).norm();
+  });
+  return 100 / setup.speed * norms.l2();
+}
+
+/// Of an end with velocities: its particles with their masses, those of the case where none are written.
+template <int D>
+solver::Particles<D> moving_particles(const MatchedEnd<D>& end) {
+  solver::Particles<D> all;
+  all.resize(end.size());
+  for (std::size_t line = 0; line < end.size(); ++line) {
+    all.x[line] = end.x(line);
+    all.v[line] = vec<D>(end.snapshot.v[line]);
+    all.m[line] = end.snapshot.mass.empty() ? end.particles.m[end.particle[line]] : end.snapshot.mass[line];
+  }
+  return all;
+}
+
+/// Energy and balance, as far as velocities and masses are written.
+template <int D>
+void measure_balance(const MatchedEnd<D>& end, Record& record) {
+  const CaseParticles<D>& particles = end.particles;
+  const double body = runs::mass_of(particles.setup);
+  double mass = 0;
+  for (const double m : end.snapshot.mass) mass += m;
+  if (end.snapshot.v.empty()) {
+    if (!end.snapshot.mass.empty()) record.balance.mass = mass / body - 1;
+    return;
+  }
+  const solver::Particles<D> moving = moving_particles(end);
+  record.balance = runs::balance(particles.momenta, runs::Momenta<D>(moving), mass, body);
+  if (end.snapshot.mass.empty()) record.balance.mass = records::not_measured;
+  record.energy.kinetic = 0;
+  for (std::size_t line = 0; line < end.size(); ++line)
+    record.energy.kinetic += moving.m[line] * moving.v[line].squaredNorm() / 2;
+}
+
+void require_stable(const std::string& reason) {
+  if (!reason.empty()) throw OutputFault(Status::unstable, reason);
 }
 
 template <int D>
 void measure(const CaseParticles<D>& particles, const Output& output, Record& record) {
-  const std::vector<std::size_t> particle = match(particles, output);
-  runs::ErrorNorms norms;
-  for (std::size_t line = 0; line < particle.size(); ++line) {
-    const Vec<D> exact = particles.setup.solution->u(particles.X[particle[line]], particles.end_time);
-    norms.add(particles.difference(displacement(particles, output.end, line, particle[line]), exact).norm());
-  }
+  const cases::Case& c = record.the_case;
+  record.particles = static_cast<std::int64_t>(particles.size());
+  record.energy.initial_total = particles.energy;
+  const MatchedEnd<D> end = matched(particles, output);
+  require_displacement_units(end);
+  require_inside(end);
+  require_time(end);
+  require_mass(end);
+  const runs::BlowUp<D> blow_up(c, particles.setup, particles.is_driven, particles.energy);
+  const auto norms =
+      norms_of(end, [&](std::size_t line, const Vec<D>&) { return end.error(line, particles.end_time).norm(); });
+  require_stable(blow_up.judge_error(norms.linf()));
+  measure_balance(end, record);
+  if (!output.end.v.empty()) require_stable(blow_up.judge_energy(record.energy.kinetic));
   record.error.l1 = norms.l1();
   record.error.l2 = norms.l2();
   record.error.linf = norms.linf();
+  record.output_floor = rounding_error(output.end.rounding);
+  if (c.measure.stress_error && !output.end.stress.empty()) record.error.stress = stress_error(end);
+  if (c.measure.velocity_error && !output.end.v.empty()) record.error.velocity = velocity_error(end);
+}
+
+/// The output measured by the case; an OutputFault where that cannot be.
+void measure(const problems::Problem& problem, const Output& output, Record& record) {
+  const cases::Case& c = record.the_case;
+  for (const Snapshot* s : {output.start ? &*output.start : nullptr, &output.end})
+    if (s) {
+      require_same_case(c, *s);
+      require_finite(*s);
+    }
+  require_end_time(c, output.end);
+  std::visit([&]<int D>(problems::SetupFunction<D>) { measure(case_particles<D>(c), output, record); }, problem.setup);
 }
 
 }  // namespace
 
 Record score(const cases::Case& c, const Output& output) {
   const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
+  if (!problem.has_solution(c.problem.parameters))
+    throw support::UsageError(
+        fmt::format("problem '{}' has no exact solution with these parameters to score by", problem.name));
   Record record;
   record.the_case = c;
   record.steps = c.resolution.steps;
   record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells /
                problem.length(c.problem.parameters);
   try {
-    std::visit(
-        [&]<int D>(problems::SetupFunction<D>) {
-          const CaseParticles<D> particles(c);
-          record.particles = static_cast<std::int64_t>(particles.size());
-          measure(particles, output, record);
-        },
-        problem.setup);
+    measure(problem, output, record);
   } catch (const OutputFault& fault) {
     record.status = fault.status;
     record.failure = fault.status == Status::failed ? records::Failure::of_case : records::Failure::none;
     record.reason = fault.what();
+    record.balance = {};
+    record.energy.kinetic = records::not_measured;
   }
   return record;
 }

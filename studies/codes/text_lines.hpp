@@ -32,4 +32,7 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator);
 /// A number for each column; UsageError with the line's place otherwise.
 void add_row(ParticleTable& table, const std::vector<std::string_view>& fields, const TextLines& lines);
 
+/// Takes in what a comment says: `key = value` or `key: value`, among others the time.
+void note_comment(ParticleTable& table, std::string_view comment);
+
 }  // namespace mpmvv::codes

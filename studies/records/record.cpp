@@ -52,6 +52,7 @@ const std::vector<RunNumber>& run_by_products() {
       number<&Record::cost, &Cost::spread>(3, "step_seconds_spread", "/cost/spread"),
       number<&Record::cfl>(1, "cfl", "/cfl"),
       number<&Record::images>(10, "images", "/images"),
+      number<&Record::output_floor>(12, "output_floor", "/output_floor", "m"),
   };
   return numbers;
 }

@@ -6,12 +6,12 @@
 #include <chrono>
 #include <ctime>
 #include <exception>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "studies/fits/median.hpp"
 #include "studies/runs/balance.hpp"
+#include "studies/runs/blow_up.hpp"
 #include "studies/runs/nodal_error.hpp"
 #include "studies/runs/run_errors.hpp"
 #include "studies/runs/scene.hpp"
@@ -38,35 +38,15 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Decides whether a run has blown up. A run is looked at every `interval` steps and at its end.
+/// A run is looked at every so many steps and at its end.
+constexpr std::int64_t watch_interval = 32;
+
+/// Why the run counts as unstable; empty while it does not.
 template <int D>
-class Watch {
- public:
-  static constexpr std::int64_t interval = 32;
-
-  Watch(const Case& c, const PreparedCase<D>& prepared, double initial_energy)
-      : most_energy_(prepared.is_driven() || (prepared.setup.solution && initial_energy <= rest(prepared))
-                         ? std::numeric_limits<double>::infinity()  // all of it comes from outside
-                         : c.measure.blowup_energy * initial_energy + rest(prepared)),
-        most_error_(prepared.setup.solution
-                        ? c.measure.blowup_error * prepared.setup.solution->displacement_scale() + round_off
-                        : 0) {}
-
-  /// Why the run counts as unstable; empty while it does not.
-  std::string judge(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) const {
-    const double energy = mpm.kinetic_energy() + mpm.strain_energy();
-    if (!(energy <= most_energy_)) return fmt::format("energy {:.3g} beyond {:.3g}", energy, most_energy_);
-    if (!prepared.points) return "";
-    const double error = displacement_errors(mpm, prepared).linf();
-    if (!(error <= most_error_)) return fmt::format("displacement error {:.3g} beyond {:.3g}", error, most_error_);
-    return "";
-  }
-
- private:
-  static constexpr double round_off = 1e-12;  ///< what a body at rest may move (m) and gain (times density, J)
-  static double rest(const PreparedCase<D>& prepared) { return round_off * prepared.setup.density; }
-  double most_energy_, most_error_;
-};
+std::string judge(const BlowUp<D>& blow_up, const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) {
+  const std::string reason = blow_up.judge_energy(mpm.kinetic_energy() + mpm.strain_energy());
+  return !reason.empty() || !prepared.points ? reason : blow_up.judge_error(displacement_errors(mpm, prepared).linf());
+}
 
 void note_errors_over_steps(records::Errors& errors, const ErrorNorms& now) {
   const auto larger = [](double so_far, double value) { return value <= so_far ? so_far : value; };  // takes NaN over
@@ -80,7 +60,7 @@ void note_errors_over_steps(records::Errors& errors, const ErrorNorms& now) {
 template <int D, class Observe>
 double advance(solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Case& c, std::int64_t stride, Record& record,
                const Observe& observe) {
-  const Watch<D> watch(c, prepared, record.energy.initial_total);
+  const BlowUp<D> blow_up(c, prepared.setup, prepared.is_driven(), record.energy.initial_total);
   const auto clock = c.measure.repeat > 0 ? &processor_seconds : &wall_seconds;
   double step_seconds = 0;
   while (record.steps < c.resolution.steps) {
@@ -90,8 +70,8 @@ double advance(solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Case&
     for (; sound && record.steps < pause; ++record.steps) sound = mpm.step(c.resolution.dt);
     step_seconds += clock() - start;
     if (!sound) record.reason = mpm.fault();
-    const bool due = record.steps % Watch<D>::interval == 0 || record.steps == c.resolution.steps;
-    if (sound && due) record.reason = watch.judge(mpm, prepared);
+    const bool due = record.steps % watch_interval == 0 || record.steps == c.resolution.steps;
+    if (sound && due) record.reason = judge(blow_up, mpm, prepared);
     if (!record.reason.empty()) {
       record.status = Status::unstable;
       record.reason += fmt::format(" at step {} of {}", record.steps, c.resolution.steps);
@@ -135,7 +115,7 @@ void run(const Case& c, const problems::Problem& problem, int threads, VtuSeries
   if (every_step) record.error.l1_all_steps = record.error.l2_all_steps = record.error.linf_all_steps = 0;
   if (vtu) vtu->write(mpm, prepared.X);
   VelocityError<D> velocity_error;
-  const std::int64_t stride = every_step || vtu || c.measure.velocity_error ? 1 : Watch<D>::interval;
+  const std::int64_t stride = every_step || vtu || c.measure.velocity_error ? 1 : watch_interval;
   const double step_seconds = advance(mpm, prepared, c, stride, record, [&] {
     if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, prepared));
     if (c.measure.velocity_error) velocity_error.note(mpm, prepared);

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,6 +38,7 @@ class Help : public testing::Test {
     folder_.write("goldens/splines.toml",
                   "reviewed = \"now\"\nstudy = \"splines\"\n"
                   "[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"ok\"\n");
+    write_output();
     folder_.write("cases.txt", "--problem bar --cells 8 --ppc 2 --cfl 0.4\n");
     std::filesystem::create_symlink(program(), folder_ / "other/mpmvv");
     ASSERT_EQ(call(folder_, "study " + study + " --db " + db_).code, 0);
@@ -49,6 +51,24 @@ class Help : public testing::Test {
       store::Store(db_, store::Store::Mode::write).keep_study(result, {}, version);
     }
     for (const char* shard : {"shard-1.db", "shard-2.db"}) std::filesystem::copy_file(db_, folder_ / shard);
+  }
+
+  /// What another code wrote of a case that ends as it starts, in its own units and names, too.
+  void write_output() {
+    const std::string the_case = " --problem square-rest --cells 16 --ppc 2 --cfl 0.2";
+    ASSERT_EQ(call(folder_, "case" + the_case + " > " + (folder_ / "case.json")).code, 0);
+    const std::string files = " --csv " + (folder_ / "end.csv") + " --vtu ";
+    for (const char* name : {"start.vtu", "end.vtu"})
+      ASSERT_EQ(call(folder_, "particles" + the_case + files + (folder_ / name)).code, 0);
+    folder_.write("end.dump", dump_of_the_square());
+  }
+
+  /// Particles in mm, with names of their own.
+  static std::string dump_of_the_square() {
+    std::string text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1024\nITEM: ATOMS tag px py\n";
+    for (int k = 0; k < 1024; ++k)
+      text += fmt::format("{} {} {}\n", k + 1, 31.25 * (k % 32 + 0.5), 31.25 * (k / 32 + 0.5));
+    return text;
   }
 
   std::string help(const std::string& command) {

@@ -64,6 +64,7 @@ TEST(CsvReader, SeesTheDigitsOfTexts) {
   EXPECT_EQ(read("x,y\n0.123456,0.5\n0.0123457,0.25\n").digits, 6);
   const Snapshot fixed = read("x,y\n0.1234,1.5000\n0.0123,0.2500\n");
   EXPECT_DOUBLE_EQ(fixed.rounding, 1e-4 * std::sqrt(2.0));
+  EXPECT_EQ(read("x,y,m\n0.125,0.375,1\n0.125,0.625,0.33333333333333331\n").digits, 17);
 }
 
 }  // namespace csv_reader_test

@@ -18,7 +18,7 @@ cases::Case square() {
 
 /// The exact end, moved by (3, 4) µm, with ids.
 Snapshot exact_end(const cases::Case& c) {
-  const CaseParticles<2> particles(c);
+  const CaseParticles<2> particles = case_particles<2>(c);
   Snapshot end{.file = "end.csv"};
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const Vec<2> x = particles.X[p] + particles.setup.solution->u(particles.X[p], particles.end_time);

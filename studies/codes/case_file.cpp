@@ -1,0 +1,113 @@
+#include "studies/codes/case_file.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "studies/codes/quantity.hpp"
+#include "studies/problems/problem.hpp"
+#include "studies/settings/settings.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
+
+namespace mpmvv::codes {
+
+using cases::Case;
+using nlohmann::json;
+using settings::Setting;
+using support::UsageError;
+
+namespace {
+
+/// The settings that every case must be given, parameters among them.
+std::vector<Setting> necessary_settings(const Case& c, const std::string& where) {
+  std::vector<Setting> given{{"problem", c.problem.name, where},
+                             {"end_time", fmt::format("{}", c.problem.end_time), where},
+                             {"dt", fmt::format("{}", c.resolution.dt), where},
+                             {"cells", fmt::format("{}", c.resolution.cells), where},
+                             {"ppc", fmt::format("{}", c.resolution.ppc), where}};
+  for (const auto& [name, value] : c.problem.parameters)
+    given.push_back({"param." + name, fmt::format("{}", value), where});
+  return given;
+}
+
+/// Settings that make the case: beside the necessary ones those that are not what would stand there without them.
+std::vector<Setting> settings_of(const Case& c) {
+  const std::string where = "the case";
+  std::vector<Setting> given = necessary_settings(c, where);
+  for (bool is_complete = false; !is_complete;) {
+    const Case made = settings::make_case(given);
+    is_complete = true;
+    for (const cases::SettingKey& key : cases::setting_keys()) {
+      if (!key.member || !key.is_of(c.scheme.code) || key.key == "dt" || key.key == "steps") continue;
+      const cases::Value value = key.member->value(c);
+      if (value == key.member->value(made)) continue;
+      given.push_back({key.key, cases::text_of(value), where});
+      is_complete = false;
+    }
+  }
+  return given;
+}
+
+json columns_json() {
+  json columns = json::array();
+  for (const Quantity& quantity : all_quantities()) columns.push_back(quantity.word);
+  return columns;
+}
+
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
+  throw UsageError(fmt::format("{} in {} (a case, as `mpmvv case` writes it)", why, file.string()));
+}
+
+/// A value as settings have it.
+std::string setting_text(const json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+Case case_of(const json& object, const std::string& where) {
+  std::vector<Setting> given;
+  for (const auto& [key, value] : object.at("settings").items()) given.push_back({key, setting_text(value), where});
+  for (const auto& [name, value] : object.at("parameters").items())
+    given.push_back({"param." + name, setting_text(value), where});
+  return settings::make_case(given);
+}
+
+}  // namespace
+
+std::string case_text(const Case& c) {
+  json chosen = json::object();
+  for (const Setting& setting : settings_of(c))
+    if (!setting.key.starts_with("param.")) chosen[setting.key] = setting.value;
+  const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
+  const json object{{"case", cases::canonical_text(c)},
+                    {"problem", c.problem.name},
+                    {"parameters", c.problem.parameters},
+                    {"settings", chosen},
+                    {"dimension", problem.dimension()},
+                    {"end_time", c.problem.end_time},
+                    {"dt", c.resolution.dt},
+                    {"steps", c.resolution.steps},
+                    {"h", problem.length(c.problem.parameters) / c.resolution.cells},
+                    {"columns", columns_json()},
+                    {"units", {{"length", "m"}, {"time", "s"}, {"mass", "kg"}, {"stress", "Pa"}}}};
+  return object.dump(2) + "\n";
+}
+
+Case read_case(const std::filesystem::path& file) {
+  const json object = json::parse(support::require_file(file, "a case, as `mpmvv case` writes it"), nullptr, false);
+  if (object.is_discarded()) fail(file, "no JSON");
+  Case c;
+  std::string text;
+  try {
+    c = case_of(object, file.string());
+    object.at("case").get_to(text);
+    object.at("dt").get_to(c.resolution.dt);  // to the last bit
+    object.at("end_time").get_to(c.problem.end_time);
+  } catch (const json::exception& e) {
+    fail(file, fmt::format("no case: {}", e.what()));
+  }
+  if (cases::canonical_text(c) != text) fail(file, "settings that make another case than its text");
+  return c;
+}
+
+}  // namespace mpmvv::codes

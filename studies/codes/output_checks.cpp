@@ -1,0 +1,152 @@
+#include "studies/codes/output_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "studies/cases/setting_keys.hpp"
+#include "studies/codes/output_fault.hpp"
+#include "studies/codes/text_column.hpp"
+#include "studies/codes/units.hpp"
+
+namespace mpmvv::codes {
+
+using records::Status;
+
+namespace {
+
+/// Whether two texts are the same, as numbers to a relative 1e-6 where both are some.
+bool are_same(const std::string& a, const std::string& b) {
+  TableColumn numbers;
+  if (!add_text(numbers, a) || !add_text(numbers, b)) return a == b;
+  return std::abs(numbers.values[0] - numbers.values[1]) <= 1e-6 * std::abs(numbers.values[1]);
+}
+
+/// What the case has for a key as files say it; empty where it is none of its keys.
+std::string value_of(const cases::Case& c, const std::string& key) {
+  if (key == "problem") return c.problem.name;
+  if (key == "end_time") return fmt::format("{}", c.problem.end_time);
+  if (const auto it = c.problem.parameters.find(key); it != c.problem.parameters.end())
+    return fmt::format("{}", it->second);
+  for (const cases::SettingKey& setting : cases::setting_keys())
+    if (setting.key == key && setting.member && setting.is_of(c.scheme.code))
+      return cases::text_of(setting.member->value(c));
+  return "";
+}
+
+template <std::size_t N>
+void require_finite(const std::vector<std::array<double, N>>& all, const char* what, const Snapshot& s) {
+  const auto is_finite = [](const auto& each) {
+    return std::all_of(each.begin(), each.end(), [](double value) { return std::isfinite(value); });
+  };
+  const auto first = std::find_if_not(all.begin(), all.end(), is_finite);
+  if (first == all.end()) return;
+  const auto count = all.end() - first - std::count_if(first, all.end(), is_finite);
+  throw OutputFault(Status::unstable,
+                    fmt::format("{} of {} particles with a {} that is no number in {} (the first in line {})", count,
+                                all.size(), what, s.file, first - all.begin() + 1));
+}
+
+/// RMS error of every `stride`th line against the exact solution of a time.
+template <int D>
+double error_at(const MatchedEnd<D>& end, double t, std::size_t stride) {
+  double squares = 0;
+  std::size_t count = 0;
+  for (std::size_t line = 0; line < end.size(); line += stride, ++count) squares += end.error(line, t).squaredNorm();
+  return std::sqrt(squares / static_cast<double>(count));
+}
+
+}  // namespace
+
+void require_same_case(const cases::Case& c, const Snapshot& s) {
+  for (const auto& [key, said] : s.says)
+    if (const std::string value = value_of(c, key); !value.empty() && !are_same(said, value))
+      fail_output("{} = {} in {}, the case has {}", key, said, s.file, value);
+}
+
+void require_end_time(const cases::Case& c, const Snapshot& s) {
+  const double T = static_cast<double>(c.resolution.steps) * c.resolution.dt;
+  if (s.time && !(std::abs(*s.time - T) <= std::max(1e-3 * c.resolution.dt, 2e-6 * T)))
+    fail_output("time {:.9g} s in {}, the case ends at {:.9g} s", *s.time, s.file, T);
+}
+
+void require_finite(const Snapshot& s) {
+  require_finite(s.x, "position", s);
+  require_finite(s.X, "reference position", s);
+  require_finite(s.u, "displacement", s);
+  require_finite(s.v, "velocity", s);
+}
+
+template <int D>
+void require_displacement_units(const MatchedEnd<D>& end) {
+  double ours = 0, both = 0, theirs = 0;
+  for (std::size_t line = 0; line < end.size(); ++line) {
+    const Vec<D> u = end.particles.setup.solution->u(end.particles.X[end.particle[line]], end.particles.end_time);
+    ours += u.squaredNorm();
+    both += u.dot(end.u[line]);
+    theirs += end.u[line].squaredNorm();
+  }
+  const double factor = unit_factor(both / ours);
+  const bool is_alike = both > 0 && both * both > 0.9 * ours * theirs;
+  if (factor != 1 && is_alike) fail_units("displacements", factor, end.snapshot.file);
+}
+
+template <int D>
+void require_inside(const MatchedEnd<D>& end) {
+  const CaseParticles<D>& all = end.particles;
+  for (std::size_t line = 0; line < end.size(); ++line)
+    for (int d = 0; d < D; ++d) {
+      const double x = end.x(line)[d];
+      if (all.period[d] > 0 || (x > all.lower[d] - all.h && x < all.upper[d] + all.h)) continue;
+      throw OutputFault(
+          Status::unstable,
+          fmt::format("particle {} has escaped: {} = {:.3g} m in {} (the grid is from {:.3g} to {:.3g} m)",
+                      end.particle[line] + 1, "xyz"[d], x, end.snapshot.file, all.lower[d], all.upper[d]));
+    }
+}
+
+template <int D>
+void require_time(const MatchedEnd<D>& end) {
+  constexpr std::size_t lines = 500;
+  constexpr int times = 400;
+  const double T = end.particles.end_time;
+  const std::size_t stride = (end.size() + lines - 1) / lines;
+  const double error = error_at(end, T, stride);
+  if (!(error > 0.02 * end.particles.setup.solution->displacement_scale())) return;
+  double best = error, when = T;
+  for (int k = 0; k <= times; ++k) {
+    const double t = 2 * T * k / times;
+    if (const double other = error_at(end, t, stride); std::abs(t - T) > 1.5 * end.particles.dt && other < best)
+      best = other, when = t;
+  }
+  if (best < error / 5)
+    fail_output(
+        "another time in {}? It is {:.2g} m from the exact solution of {:.4g} s, {:.2g} m from that of {:.4g} s",
+        end.snapshot.file, best, when, error, T);
+}
+
+template <int D>
+void require_mass(const MatchedEnd<D>& end) {
+  const Snapshot& s = end.snapshot;
+  if (s.mass.empty()) return;
+  const double wanted = std::accumulate(end.particles.m.begin(), end.particles.m.end(), 0.0);
+  const double mass = std::accumulate(s.mass.begin(), s.mass.end(), 0.0);
+  if (!(std::abs(mass / wanted - 1) <= 0.02))
+    fail_output("mass {:.4g} kg in {}, {:.4g} times that of the case (its unit, --mass-unit, or the thickness?)", mass,
+                s.file, mass / wanted);
+}
+
+template void require_displacement_units(const MatchedEnd<1>&);
+template void require_displacement_units(const MatchedEnd<2>&);
+template void require_displacement_units(const MatchedEnd<3>&);
+template void require_inside(const MatchedEnd<1>&);
+template void require_inside(const MatchedEnd<2>&);
+template void require_inside(const MatchedEnd<3>&);
+template void require_time(const MatchedEnd<1>&);
+template void require_time(const MatchedEnd<2>&);
+template void require_time(const MatchedEnd<3>&);
+template void require_mass(const MatchedEnd<1>&);
+template void require_mass(const MatchedEnd<2>&);
+template void require_mass(const MatchedEnd<3>&);
+
+}  // namespace mpmvv::codes

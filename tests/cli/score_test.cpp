@@ -1,0 +1,90 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.hpp"
+
+namespace mpmvv::cli {
+namespace score_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A case, the state that a run of ours ends with, and what the run says of itself.
+class Score : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(call(folder_, "case" + the_case_ + " > '" + file_ + "'").code, 0);
+    const Answer run = call(folder_, "run" + the_case_ + " --json --vtu '" + (folder_ / "frames") + "'");
+    ASSERT_EQ(run.code, 0) << run.err;
+    run_ = run.json();
+  }
+
+  Answer score(const std::string& rest) { return call(folder_, "score '" + file_ + "' " + rest); }
+
+  const std::string the_case_ =
+      " --problem square --basis bspline2 --cells 8 --ppc 2 --cfl 0.2 --end-time 0.004 --boundary mirror "
+      "--param amplitude=0.03";
+  Folder folder_;
+  const std::string file_ = folder_ / "case.json", end_ = "'" + (folder_ / "frames/particles-0010.vtu") + "'",
+                    start_ = "'" + (folder_ / "frames/particles-0000.vtu") + "'";
+  nlohmann::json run_;
+};
+
+TEST_F(Score, OurOwnRunIsScoredAsItWasMeasured) {
+  const Answer answer = score(end_ + " --json");
+  ASSERT_EQ(answer.code, 0) << answer.out << answer.err;
+  const nlohmann::json scored = answer.json();
+  EXPECT_EQ(scored["status"], "ok") << scored["reason"];
+  for (const char* path : {"/error/l1", "/error/l2", "/error/linf", "/balance/momentum", "/energy/kinetic"}) {
+    const nlohmann::json::json_pointer at(path);
+    EXPECT_NEAR(scored[at].get<double>(), run_[at].get<double>(), 1e-13 * std::max(1.0, run_[at].get<double>()))
+        << path;
+  }
+  for (const char* key : {"problem", "parameters", "scheme", "cells", "ppc", "particles", "steps", "dt", "end_time"})
+    EXPECT_EQ(scored[key], run_[key]) << key;
+}
+
+TEST_F(Score, ATableAsARunHasIt) {
+  const Answer answer = score(end_ + " --start " + start_);
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out,
+              AllOf(HasSubstr("square as another code has solved it: "), HasSubstr("17 digits"), HasSubstr("status ok"),
+                    HasSubstr("displacement at the end (m)"), HasSubstr("error that the output's digits make (m)")));
+}
+
+TEST_F(Score, AnOutputOfAnotherTimeHasFailed) {
+  const Answer answer = score(start_);
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.out, HasSubstr("status failed (another time in "));
+}
+
+TEST_F(Score, RefusesWhatItCannotRead) {
+  const auto refusal = [&](const std::string& rest) {
+    const Answer answer = score(rest);
+    EXPECT_EQ(answer.code, 2) << rest;
+    EXPECT_EQ(answer.out, "") << rest;
+    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+    return answer.err;
+  };
+  EXPECT_THAT(refusal(end_ + " --format ppm"), HasSubstr("unknown format 'ppm' in --format (known: csv, vtu, ply"));
+  EXPECT_THAT(refusal(folder_.write("end.xyz", "1 2\n")), HasSubstr("does not say its format (--format csv|vtu|"));
+  EXPECT_THAT(refusal("absent.csv"), HasSubstr("absent.csv"));
+  EXPECT_THAT(refusal(folder_.write("end.csv", "x,y\n1,one\n")), HasSubstr("'one' for 'y' in"));
+  EXPECT_THAT(refusal(end_ + " --length-unit 0"), HasSubstr("--length-unit"));
+  folder_.write("case.json", "{}");
+  EXPECT_THAT(refusal(end_), HasSubstr("no case: "));
+  folder_.write("case.json", "problem");
+  EXPECT_THAT(refusal(end_), HasSubstr("no JSON in"));
+}
+
+TEST_F(Score, ACaseThatWasEditedIsRefused) {
+  nlohmann::json edited = nlohmann::json::parse(read_text(file_));
+  edited["parameters"]["amplitude"] = 0.04;
+  folder_.write("case.json", edited.dump());
+  const Answer answer = score(end_);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.err, HasSubstr("settings that make another case than its text"));
+}
+
+}  // namespace score_test
+}  // namespace mpmvv::cli

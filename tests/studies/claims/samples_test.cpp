@@ -1,0 +1,33 @@
+#include "studies/claims/samples.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mpmvv {
+namespace samples_test {
+
+/// Second order until the digits of the output show.
+records::Series with_floor() {
+  records::Series series;
+  for (const double cells : {8.0, 16.0, 32.0, 64.0})
+    series.points.push_back(
+        {.x = cells, .reason = "", .y = {{"l2", 1 / cells / cells}, {"stress_error", 1e-9}, {"output_floor", 1e-4}}});
+  series.points.back().y["l2"] = 2.9e-4;
+  return series;
+}
+
+TEST(Samples, NoOrderIsTakenNearTheFloorOfAnOutput) {
+  const records::Series series = with_floor();
+  EXPECT_EQ(claims::samples_of(series, "l2", "cells").size(), 3U);
+  EXPECT_EQ(claims::left_out(series, "l2"), std::vector<double>{64});
+  const auto fit = fits::fit_order(claims::samples_of(series, "l2", "cells"), 8, 64);
+  EXPECT_EQ(fit.points, 3);
+  EXPECT_NEAR(fit.order, 2, 1e-12);
+}
+
+TEST(Samples, OtherErrorsHaveNoFloor) {
+  EXPECT_EQ(claims::samples_of(with_floor(), "stress_error", "cells").size(), 4U);
+  EXPECT_TRUE(claims::left_out(with_floor(), "stress_error").empty());
+}
+
+}  // namespace samples_test
+}  // namespace mpmvv

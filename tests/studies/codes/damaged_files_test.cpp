@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "studies/codes/readers.hpp"
+#include "studies/support/error.hpp"
+#include "tests/studies/codes/written_run.hpp"
+
+namespace mpmvv {
+namespace damaged_files_test {
+
+using namespace written_run;
+
+/// A file of each format, and of each kind that it has.
+std::vector<std::pair<std::string, std::string>> sound_files() {
+  State s;
+  for (std::int64_t p = 1; p <= 5; ++p) {
+    s.id.push_back(p);
+    const double a = 0.1 * static_cast<double>(p);
+    s.X.push_back({a, a, 0}), s.x.push_back({a, 2 * a, 0}), s.v.push_back({a, 3 * a, 0});
+    s.m.push_back(a), s.F.push_back({}), s.stress.push_back({});
+  }
+  const auto f = fields(s, true, true);
+  return {{"csv", csv(f, 5)},
+          {"ply", ply(f, 5, Bytes::text)},
+          {"ply", ply(f, 5, Bytes::little)},
+          {"ply", ply(f, 5, Bytes::big)},
+          {"dump", dump(f, 5, 3)},
+          {"vtu", vtu(f, 5, Vtk::text)},
+          {"vtu", vtu(f, 5, Vtk::base64)},
+          {"vtu", vtu(f, 5, Vtk::raw)},
+          {"vtu", vtu(f, 5, Vtk::zlib)},
+          {"nairn", nairn(s)}};
+}
+
+/// Reads it, or has a one-line UsageError; anything else ends the test.
+bool is_read(const std::string& format, const std::string& content) {
+  const codes::Format& reader = *std::find_if(codes::formats().begin(), codes::formats().end(),
+                                              [&](const codes::Format& f) { return f.word == format; });
+  try {
+    const codes::ParticleTable table = reader.read({content, "file"});
+    for (const codes::TableColumn& column : table.columns) EXPECT_LE(column.values.size(), content.size());
+    codes::snapshot_of(table, {}, "file");
+    return true;
+  } catch (const support::UsageError& e) {
+    EXPECT_NE(std::string(e.what()), "");
+    return false;
+  }
+}
+
+TEST(DamagedFiles, SoundOnesAreRead) {
+  for (const auto& [format, content] : sound_files()) EXPECT_TRUE(is_read(format, content)) << format;
+}
+
+TEST(DamagedFiles, EveryTruncation) {
+  for (const auto& [format, content] : sound_files())
+    for (std::size_t size = 0; size < content.size() / 2; ++size) is_read(format, content.substr(0, size));
+}
+
+TEST(DamagedFiles, BytesAndNumbersChanged) {
+  std::mt19937 random(1);
+  for (const auto& [format, content] : sound_files())
+    for (int round = 0; round < 300; ++round) {
+      std::string damaged = content;
+      for (int k = 0; k < 1 + round % 4; ++k) damaged[random() % damaged.size()] = static_cast<char>(random());
+      is_read(format, damaged);
+    }
+}
+
+/// Headers that promise more than the file has, and numbers beyond any type.
+TEST(DamagedFiles, HugePromises) {
+  for (const char* huge : {"4000000000000000000", "99999999999999999999999", "-1"}) {
+    EXPECT_FALSE(is_read("ply", fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n"
+                                            "property double x\nend_header\n12345678",
+                                            huge)));
+    EXPECT_FALSE(
+        is_read("dump", fmt::format("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n{}\nITEM: ATOMS id x\n1 2\n", huge)));
+    EXPECT_FALSE(is_read(
+        "vtu", fmt::format("<VTKFile><UnstructuredGrid><Piece NumberOfPoints=\"{}\"><Points><DataArray "
+                           "type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">1 2 3</DataArray></Points>"
+                           "</Piece></UnstructuredGrid></VTKFile>",
+                           huge)));
+  }
+  // One block of 4 GB in 4 bytes of zlib.
+  EXPECT_FALSE(
+      is_read("vtu",
+              "<VTKFile compressor=\"vtkZLibDataCompressor\"><UnstructuredGrid><Piece NumberOfPoints=\"1\"><Points>"
+              "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"binary\">AQAAAP///3////9/BAAAAAECAwQ="
+              "</DataArray></Points></Piece></UnstructuredGrid></VTKFile>"));
+}
+
+TEST(DamagedFiles, OtherFilesAltogether) {
+  for (const codes::Format& format : codes::formats())
+    for (const std::string& content : {std::string(), std::string("\0\0\0\0", 4), std::string("ply\n"),
+                                       std::string(1000, '<'), std::string("\x89PNG\r\n\x1a\n")})
+      EXPECT_FALSE(is_read(format.word, content)) << format.word;
+}
+
+}  // namespace damaged_files_test
+}  // namespace mpmvv

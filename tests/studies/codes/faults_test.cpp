@@ -1,0 +1,155 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "studies/codes/case_particles.hpp"
+#include "studies/codes/score.hpp"
+#include "tests/studies/codes/written_run.hpp"
+
+namespace mpmvv {
+namespace output_faults_test {
+
+using codes::Output;
+using codes::Snapshot;
+using records::Record;
+using records::Status;
+using testing::HasSubstr;
+
+/// A case and the exact positions and velocities at a time, with ids, masses and reference positions.
+class OutputFaults : public testing::Test {
+ protected:
+  const cases::Case c = written_run::square();
+  const codes::CaseParticles<2> particles = codes::case_particles<2>(c);
+
+  Snapshot exact(double t) const {
+    Snapshot s{.file = "end.csv"};
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+      s.id.push_back(static_cast<std::int64_t>(p) + 1);
+      s.X.push_back(written_run::point<2>(particles.X[p]));
+      s.x.push_back(written_run::point<2>(particles.exact(p, t)));
+      s.v.push_back(written_run::point<2>(particles.setup.solution->v(particles.X[p], t)));
+      s.mass.push_back(particles.m[p]);
+    }
+    return s;
+  }
+  Snapshot end() const { return exact(particles.end_time); }
+
+  void expect(const Output& output, Status status, const std::string& reason) const {
+    const Record r = codes::score(c, output);
+    EXPECT_EQ(r.status, status) << r.reason;
+    EXPECT_THAT(r.reason, HasSubstr(reason));
+    EXPECT_TRUE(std::isnan(r.error.l2));
+    EXPECT_EQ(r.failure == records::Failure::of_case, status == Status::failed);
+  }
+  void expect_failed(const Snapshot& s, const std::string& reason) const { expect({.end = s}, Status::failed, reason); }
+};
+
+TEST_F(OutputFaults, NoneInTheExactEnd) {
+  const Record r = codes::score(c, {.end = end()});
+  EXPECT_EQ(r.status, Status::ok) << r.reason;
+  EXPECT_LT(r.error.linf, 1e-15);
+}
+
+TEST_F(OutputFaults, MissingParticles) {
+  Snapshot s = end();
+  for (auto* points : {&s.X, &s.x, &s.v}) points->erase(points->begin() + 4);
+  s.id.erase(s.id.begin() + 4);
+  s.mass.erase(s.mass.begin() + 4);
+  expect_failed(s, "1 of 256 particles are missing in end.csv (of the case 5)");
+  s.X.clear();
+  expect_failed(s, "1 of 256 particles are missing in end.csv (of the case 5)");
+  s.id.clear();
+  expect_failed(s, "1 of 256 particles are missing in end.csv");
+}
+
+TEST_F(OutputFaults, DoubledParticles) {
+  Snapshot s = end();
+  s.X[7] = s.X[9];
+  expect_failed(s, "two particles in end.csv start where the case's particle 10 does");
+  s.X.clear();
+  s.id[7] = 10;
+  expect_failed(s, "particle 10 stands twice in end.csv");
+  s.id[7] = 900;
+  expect_failed(s, "particle 900 in end.csv (the case has particles 1 to 256");
+}
+
+TEST_F(OutputFaults, OtherParticlesThanTheCases) {
+  Snapshot s = end();
+  for (auto& X : s.X) X[0] += 0.01;
+  expect_failed(s, "start up to 0.01 m from those of the case, which are 0.062 m apart");
+}
+
+TEST_F(OutputFaults, ParticlesThatBlewUp) {
+  Snapshot s = end();
+  s.x[5][1] = std::numeric_limits<double>::quiet_NaN();
+  expect({.end = s}, Status::unstable,
+         "1 of 256 particles with a position that is no number in end.csv (the first in line 6)");
+  s = end();
+  s.x[5][1] = 3;
+  expect({.end = s}, Status::unstable, "particle 6 has escaped: y = 3 m");
+  s = end();
+  s.x[5][0] += 0.3;
+  expect({.end = s}, Status::unstable, "displacement error 0.3 beyond");
+  s = end();
+  for (auto& v : s.v) v[0] = 1e6;
+  expect({.end = s}, Status::unstable, "energy");
+}
+
+TEST_F(OutputFaults, WrongUnits) {
+  Snapshot s = end();
+  for (std::size_t p = 0; p < s.size(); ++p) {
+    for (std::size_t d = 0; d < 2; ++d) s.u.resize(s.size()), s.u[p][d] = 1e3 * (s.x[p][d] - s.X[p][d]);
+  }
+  s.x.clear();
+  expect_failed(s, "displacements in end.csv are 1000 times those of the case");
+  s = end();
+  for (auto* points : {&s.X, &s.x})
+    for (auto& point : *points)
+      for (double& value : point) value *= 1e-3;
+  expect_failed(s, "positions in end.csv are 0.001 times those of the case (another unit? --length-unit 1000)");
+  s = end();
+  for (double& m : s.mass) m *= 1000;
+  expect_failed(s, "1000 times that of the case");
+}
+
+TEST_F(OutputFaults, WrongTime) {
+  Snapshot s = exact(particles.end_time / 2);
+  expect_failed(s, "another time in end.csv?");
+  s = end();
+  s.time = 0.0039;
+  expect_failed(s, "time 0.0039 s in end.csv, the case ends at 0.004 s");
+}
+
+TEST_F(OutputFaults, AnOrderThatCannotBeVerified) {
+  Snapshot s = end();
+  s.id.clear();
+  s.X.clear();
+  std::swap(s.x[3], s.x[80]);
+  for (auto& x : s.x) x[0] += 0.02;  // more than half a spacing from time zero, for some
+  expect_failed(s, "the order of end.csv cannot be verified");
+}
+
+/// Small displacements: the nearest particle at time zero.
+TEST(Matching, TakesTheNearestAtTheStartWhereThatIsPlain) {
+  const cases::Case c = written_run::square("0.0005");
+  const auto particles = codes::case_particles<2>(c);
+  Snapshot s{.file = "end.csv"};
+  for (std::size_t p = 0; p < particles.size(); ++p)
+    s.x.push_back(written_run::point<2>(particles.exact(p, particles.end_time)));
+  std::swap(s.x[3], s.x[80]);
+  const Record r = codes::score(c, {.end = s});
+  EXPECT_EQ(r.status, Status::ok) << r.reason;
+  EXPECT_LT(r.error.linf, 1e-15);
+}
+
+TEST_F(OutputFaults, AnotherCase) {
+  Snapshot s = end();
+  s.says = {{"problem", "ring"}};
+  expect_failed(s, "problem = ring in end.csv, the case has square");
+  s.says = {{"amplitude", "0.07"}, {"cells", "8"}, {"anything", "else"}};
+  expect_failed(s, "amplitude = 0.07 in end.csv, the case has");
+}
+
+}  // namespace output_faults_test
+}  // namespace mpmvv
