@@ -1,5 +1,6 @@
-// The scene of matter (https://github.com/larsblatny/matter) that the adapter runs: it stands in for matter's src/mpm.cpp, includes its headers
-// and takes what a case says from the file that it is given. See docs/other-codes/matter.md.
+// The scene of matter (https://github.com/larsblatny/matter) that the adapter runs: it stands in for matter's
+// src/mpm.cpp, includes its headers and takes what a case says from the file that it is given. See
+// docs/other-codes/matter.md.
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -37,9 +38,14 @@ Scene read_scene(std::istream& file) {
   return scene;
 }
 
+/// A plate holds the nodes that would be behind it at the end of a step: one that leaves a plate where it stands is let
+/// go. Hence a quarter of a cell before the wall.
 void put_walls(Simulation& sim) {
-  for (const PlateType side : {PlateType::left, PlateType::bottom}) sim.plates.push_back(std::make_unique<ObjectPlate>(0, side, BC::SlipStick));
-  for (const PlateType side : {PlateType::right, PlateType::top}) sim.plates.push_back(std::make_unique<ObjectPlate>(1, side, BC::SlipStick));
+  const T lower = sim.dx / 4, upper = 1 - sim.dx / 4;
+  for (const PlateType side : {PlateType::left, PlateType::bottom})
+    sim.plates.push_back(std::make_unique<ObjectPlate>(lower, side, BC::SlipStick));
+  for (const PlateType side : {PlateType::right, PlateType::top})
+    sim.plates.push_back(std::make_unique<ObjectPlate>(upper, side, BC::SlipStick));
 }
 
 void set_up(Simulation& sim, const Scene& scene) {
