@@ -41,6 +41,11 @@ std::string help_of(const settings::SettingKey& key) {
   return absent.empty() ? help : fmt::format("{} ({})", help, absent);
 }
 
+bool takes_word(const settings::SettingKey& key) {
+  return !setting_words(key.key).empty() ||
+         (key.member && std::holds_alternative<std::string>(key.member->value(cases::Case{})));
+}
+
 }  // namespace
 
 settings::Setting parameter_setting(const std::string& text) {
@@ -58,13 +63,12 @@ void CaseOptions::add_to(CLI::App& command) {
     if (key.member && key.member->is_flag)
       flags_[key.key] = command.add_flag(name, help);
     else
-      given_[key.key] =
-          command.add_option(name, help)->expected(1)->type_name(setting_words(key.key).empty() ? "NUMBER" : "WORD");
+      given_[key.key] = command.add_option(name, help)->expected(1)->type_name(takes_word(key) ? "WORD" : "NUMBER");
   }
   command.add_option("--param", parameters_, "physical value of the problem (repeatable)")->type_name("NAME=VALUE");
 }
 
-cases::Case CaseOptions::the_case() const {
+std::vector<settings::Setting> CaseOptions::settings() const {
   std::vector<settings::Setting> settings;
   for (const auto& [key, option] : given_)
     if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
@@ -76,7 +80,11 @@ cases::Case CaseOptions::the_case() const {
   }
   for (const auto& [key, option] : flags_)
     if (option->count() > 0) settings.push_back({key, option->as<std::string>(), option->get_name()});
-  return settings::make_case(settings);
+  return settings;
+}
+
+cases::Case CaseOptions::the_case() const {
+  return settings::make_case(settings());
 }
 
 }  // namespace mpmvv::cli

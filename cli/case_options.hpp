@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/cases/case.hpp"
+#include "studies/settings/settings.hpp"
 
 namespace mpmvv::cli {
 
@@ -12,6 +12,9 @@ namespace mpmvv::cli {
 class CaseOptions {
  public:
   void add_to(CLI::App& command);
+
+  /// What was given.
+  std::vector<settings::Setting> settings() const;
 
   /// UsageError where what was given makes no case.
   cases::Case the_case() const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/code_list.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
@@ -84,6 +85,10 @@ int list(const std::string& what, const std::string& folder, bool json) {
     if (what.empty() || what == name) add_words(name, settings::words_of_key(key));
   }
   if (what.empty() || what == "checks") add_words("checks", check_names());
+  if (what == "codes") {
+    all[what] = codes_json();
+    if (!json) print_codes(all[what]);
+  }
   if (what == "study-file") {
     all[what] = study_file_json();
     if (!json) print_text(plan::study_file_reference());
@@ -100,7 +105,7 @@ int list(const std::string& what, const std::string& folder, bool json) {
 }  // namespace
 
 std::vector<std::string> list_names() {
-  std::vector<std::string> names{"studies", "problems", "checks", "study-file"};
+  std::vector<std::string> names{"studies", "problems", "codes", "checks", "study-file"};
   for (const auto& [name, key] : word_lists()) names.push_back(name);
   return names;
 }
@@ -112,13 +117,13 @@ void add_list(CLI::App& app, int& exit_code) {
       "list", "Print what there is: studies, problems with their values, and the words of every key");
   command
       ->add_option("what", *what,
-                   "studies, study-file, problems, bases, integrators, ... (default: all but the first two)")
+                   "studies, study-file, codes, problems, bases, integrators, ... (default: all but the first three)")
       ->type_name("LIST");
   command->add_option("--studies", *folder, "folder of study files (default: the one that comes with the program)")
       ->type_name("FOLDER");
   command->add_flag("--json", *json, "print one JSON object");
-  add_examples(*command, {"mpmvv list studies", "mpmvv list problems", "mpmvv list bases", "mpmvv list study-file",
-                          "mpmvv list --json"});
+  add_examples(*command, {"mpmvv list studies", "mpmvv list problems", "mpmvv list codes", "mpmvv list bases",
+                          "mpmvv list study-file", "mpmvv list --json"});
   command->callback([what, folder, json, &exit_code] { exit_code = list(*what, *folder, *json); });
 }
 

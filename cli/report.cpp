@@ -89,6 +89,7 @@ reports::ReportInput report_input(const ReportOptions& options) {
   input.versions = store.versions();
   if (reports::has_trends(input)) input.trends = trends_in(store, input.versions);
   input.earlier = earlier_version(store, goldens, input.studies);
+  input.codes = store.code_series(input.provenance.digest);
   input.newest_result = newest_result(store, input);
   for (const records::StudyResult& study : input.studies) {
     if (auto commands = case_commands(study); !commands.empty()) input.commands[study.name] = std::move(commands);

@@ -1,13 +1,20 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 
 #include "cli/case_options.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/interruption.hpp"
 #include "cli/run_text.hpp"
+#include "cli/shipped.hpp"
+#include "studies/codes/external_run.hpp"
+#include "studies/codes/fields.hpp"
+#include "studies/plan/external_series.hpp"
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
@@ -22,7 +29,7 @@ namespace {
 nlohmann::json scheme_json(const cases::Case& c) {
   nlohmann::json json;
   for (const settings::SettingKey& key : settings::setting_keys())
-    if (key.member && key.member->part == cases::CasePart::scheme)
+    if (key.member && key.member->part == cases::CasePart::scheme && key.is_of(c.scheme.code))
       std::visit([&](const auto& value) { json[key.key] = value; }, key.member->value(c));
   return json;
 }
@@ -49,16 +56,52 @@ struct RunOptions {
   CaseOptions of_case;
   bool json = false;
   int threads = 1;
-  std::string vtu;
+  std::string vtu, keep;
 };
 
-int run(const RunOptions& options) {
-  const cases::Case c = options.of_case.the_case();
+/// Refuses what only our own solver's runs have.
+void require_no_own_options(const RunOptions& options, const std::string& code) {
+  if (options.threads > 1) throw UsageError(fmt::format("--threads for code '{}' (it takes one)", code));
+  if (!options.vtu.empty())
+    throw UsageError(fmt::format("--vtu for code '{}' (what it writes itself is kept with --keep FOLDER)", code));
+}
+
+/// The record of a case that another code runs. An interrupt ends that, too.
+records::Record run_by_other_code(const std::vector<settings::Setting>& given, const RunOptions& options) {
+  std::vector<settings::Setting> settings = given;
+  plan::CodeFinder finder(shipped("adapters"));
+  const std::string absent = finder.complete(settings, ".");
+  const cases::Case c = settings::make_case(settings);
+  require_no_own_options(options, c.scheme.code);
+  if (!absent.empty()) throw UsageError(absent);
+  const codes::Code& code = finder.codes().at(c.scheme.code);
+  codes::require_able(code.adapter, c);
+  codes::require_sound_templates(c, code);
+  const Interruption interruption;
+  const std::stop_callback stop(interruption.token(), [] {
+    constexpr int interrupted = 130;
+    codes::abandon_external_runs();
+    std::_Exit(interrupted);
+  });
+  if (c.measure.repeat > 0) return codes::run_external_timed({c}, finder.codes()).front();
+  return codes::run_external(c, code, options.keep);
+}
+
+records::Record run_by_own_solver(const std::vector<settings::Setting>& settings, const RunOptions& options) {
+  const cases::Case c = settings::make_case(settings);
+  if (!options.keep.empty())
+    throw UsageError("--keep without --code (our own solver's runs have no folder; --vtu FOLDER writes states)");
   if (c.measure.repeat > 0 && options.threads > 1)
     throw UsageError("--threads beside --repeat (cost is measured on one thread)");
   if (c.measure.repeat > 0 && !options.vtu.empty())
     throw UsageError("--vtu beside --repeat (cost is measured without writing; run twice)");
-  const records::Record record = runs::run_case(c, options.threads, options.vtu);
+  return runs::run_case(c, options.threads, options.vtu);
+}
+
+int run(const RunOptions& options) {
+  const std::vector<settings::Setting> settings = options.of_case.settings();
+  const bool is_other = std::ranges::find(settings, "code", &settings::Setting::key) != settings.end();
+  const records::Record record = is_other ? run_by_other_code(settings, options) : run_by_own_solver(settings, options);
   if (options.json)
     print_json(record_json(record));
   else
@@ -76,6 +119,8 @@ void add_run(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 256))
       ->type_name("NUMBER");
   command->add_option("--vtu", options->vtu, "write eleven particle states for ParaView to this folder")
+      ->type_name("FOLDER");
+  command->add_option("--keep", options->keep, "run another code in this folder, and leave all files there")
       ->type_name("FOLDER");
   command->add_flag("--json", options->json, "print the record as one JSON object");
   add_examples(*command,

@@ -47,8 +47,12 @@ void print_balance(const Record& r) {
 void print_record(const Record& r) {
   const cases::Scheme& s = r.the_case.scheme;
   const cases::Resolution& resolution = r.the_case.resolution;
-  print("{} with basis {}, integrator {}, velocity update {}, boundary {}\n", r.the_case.problem.name, s.basis,
-        s.integrator, s.velocity_update, s.boundary);
+  if (s.code.empty())
+    print("{} with basis {}, integrator {}, velocity update {}, boundary {}\n", r.the_case.problem.name, s.basis,
+          s.integrator, s.velocity_update, s.boundary);
+  else
+    print("{} with code {} ({}), {}body force {}\n", r.the_case.problem.name, s.code, s.code_version,
+          s.variant.empty() ? "" : fmt::format("variant {}, ", s.variant), to_string(s.force_form));
   print("cells {}, ppc {}: {} particles; {} steps of {:.6g} s (cfl {:.4g}), end time {:.6g} s\n", resolution.cells,
         resolution.ppc, r.particles, r.steps, resolution.dt, r.cfl, r.the_case.problem.end_time);
   print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");

@@ -15,7 +15,9 @@
 #include "cli/progress_line.hpp"
 #include "cli/shipped.hpp"
 #include "cli/study_text.hpp"
+#include "studies/codes/external_run.hpp"
 #include "studies/plan/claim_reader.hpp"
+#include "studies/plan/external_series.hpp"
 #include "studies/plan/study_runner.hpp"
 #include "studies/support/error.hpp"
 
@@ -74,7 +76,17 @@ std::vector<std::filesystem::path> claim_folders(const std::vector<std::string>&
   return folders;
 }
 
-std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
+/// Where a code is not there, a study that was asked for by its name cannot be run; of a whole folder it is left out.
+/// Whether it is.
+bool is_left_out(plan::StudyPlan& plan, const std::string& file, plan::CodeFinder& codes, const StudyOptions& options) {
+  const std::string absent = plan::complete_series(plan, file, codes);
+  if (absent.empty()) return false;
+  if (!options.names.empty() && !options.plan) throw support::UsageError(fmt::format("{}: {}", file, absent));
+  note("{} is left out: {}\n", plan.name, absent);
+  return true;
+}
+
+std::vector<plan::StudyPlan> read_plans(const StudyOptions& options, plan::CodeFinder& codes) {
   const std::vector<Overriding> overriding = overriding_settings(options);
   const std::vector<std::string> files = named_study_files(options.names, options.studies);
   std::vector<plan::StudyPlan> plans;
@@ -84,6 +96,7 @@ std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
     for (std::size_t k = 0; k + 1 < plans.size(); ++k)
       if (plans[k].name == plans.back().name)
         throw support::UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
+    if (is_left_out(plans.back(), file, codes, options)) plans.pop_back();
   }
   require_taken(overriding, plans);
   plan::state_claims(plans, claim_folders(files));
@@ -94,13 +107,15 @@ std::vector<plan::StudyPlan> read_plans(const StudyOptions& options) {
 /// As a shell says of a program that was interrupted from the keyboard.
 [[noreturn]] void stop(const StudyOptions& options, const plan::RunnerCounts& counts) {
   constexpr int interrupted = 130;
+  codes::abandon_external_runs();
   note("stopped: {} finished and kept in {}, the running ones are lost; the same command goes on from there\n",
        count_text(counts.ran, "case"), options.db);
   std::_Exit(interrupted);
 }
 
 std::vector<plan::StudyOutcome> run(const std::vector<plan::StudyPlan>& plans, store::Store& store,
-                                    const StudyOptions& options, plan::RunnerCounts& counts) {
+                                    const StudyOptions& options, const codes::Codes& codes,
+                                    plan::RunnerCounts& counts) {
   const Interruption interruption;
   ProgressLine line;
   const auto on_stop = [&](const plan::RunnerCounts& so_far) {
@@ -108,11 +123,13 @@ std::vector<plan::StudyOutcome> run(const std::vector<plan::StudyPlan>& plans, s
     stop(options, so_far);
   };
   const auto listener = line.listener();
-  return plan::run_studies(plans, store, {options.jobs, listener, listener, interruption.token(), on_stop}, counts);
+  return plan::run_studies(plans, store, {options.jobs, listener, listener, interruption.token(), on_stop, codes},
+                           counts);
 }
 
 int study(const StudyOptions& options) {
-  const std::vector<plan::StudyPlan> plans = read_plans(options);
+  plan::CodeFinder codes(shipped("adapters"));
+  const std::vector<plan::StudyPlan> plans = read_plans(options, codes);
   if (options.plan) {
     print_forecast(plans, options.db, options.jobs, options.json);
     return 0;
@@ -120,7 +137,7 @@ int study(const StudyOptions& options) {
   store::Store store(options.db, store::Store::Mode::create_or_write);
   plan::require_one_voice(plans, store.statements(store::current_provenance().digest), options.db);
   plan::RunnerCounts counts;
-  const auto outcomes = run(plans, store, options, counts);
+  const auto outcomes = run(plans, store, options, codes.codes(), counts);
   std::size_t failed = 0;
   for (const plan::StudyOutcome& outcome : outcomes) {
     failed += outcome.failed;

@@ -32,7 +32,8 @@ Page claim_page(const ReportInput& input, const claims::Claim& claim, const std:
 /// A study: studies/NAME.html.
 Page study_page(const ReportInput& input, const Section& section);
 
-/// What the program costs, and what its gate catches: benchmark.html, mutants.html, where there are any.
+/// What the program costs, what other codes gave, what the gate catches: benchmark.html, codes.html, mutants.html,
+/// where there are any.
 std::vector<Page> program_pages(const ReportInput& input);
 
 /// The style and the script of all pages.

@@ -1,4 +1,5 @@
 #include "page_template.hpp"
+#include "reports/code_table.hpp"
 #include "reports/mutant_table.hpp"
 #include "reports/page_frame.hpp"
 #include "reports/table_data.hpp"
@@ -12,6 +13,9 @@ std::vector<Page> program_pages(const ReportInput& input) {
   if (input.benchmark)
     pages.push_back(framed_page("benchmark.html", "Benchmark", benchmark_template, input,
                                 object({{"tables", list_of(benchmark_tables(*input.benchmark), table_data)}})));
+  if (!input.codes.empty())
+    pages.push_back(framed_page("codes.html", "Other codes", codes_template, input,
+                                object({{"tables", list_of(std::vector{code_table(input)}, table_data)}})));
   if (input.mutation)
     pages.push_back(framed_page("mutants.html", "Planted mistakes", mutants_template, input,
                                 object({{"tables", list_of(mutant_tables(*input.mutation, input.alarms), table_data)},

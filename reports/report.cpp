@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "reports/chart.hpp"
+#include "reports/code_table.hpp"
 #include "reports/csv.hpp"
 #include "reports/mutant_table.hpp"
 #include "reports/page.hpp"
@@ -82,6 +83,8 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
   if (input.benchmark)
     write_table(tables / "program/benchmark.tex", latex_tables("Benchmark", benchmark_tables(*input.benchmark)),
                 summary);
+  if (!input.codes.empty())
+    write_table(tables / "program/codes.tex", latex_tables("Other codes", {code_table(input)}), summary);
   if (input.mutation)
     write_table(tables / "program/mutants.tex",
                 latex_tables("Planted mistakes", mutant_tables(*input.mutation, input.alarms)), summary);

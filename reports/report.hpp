@@ -12,6 +12,7 @@
 #include "studies/claims/claim.hpp"
 #include "studies/claims/trend.hpp"
 #include "studies/records/result.hpp"
+#include "studies/store/code_series.hpp"
 #include "studies/store/provenance.hpp"
 #include "studies/store/version.hpp"
 
@@ -55,6 +56,7 @@ struct ReportInput {
   std::optional<MutationResults> mutation = {};
   std::vector<AlarmRun> alarms = {};  ///< runs of the gate without a mistake
   std::optional<Earlier> earlier = {};
+  std::vector<store::CodeSeries> codes = {};                        ///< series that other codes ran
   std::map<std::string, std::vector<SeriesCommand>> commands = {};  ///< by study
   std::map<std::string, std::string> files = {};                    ///< of studies that do not lie here as STUDY.toml
   std::string newest_result = {};                                   ///< its time, ISO 8601, UTC; may be empty
@@ -72,10 +74,11 @@ struct ReportSummary {
 };
 
 /// Writes OUT/index.html and what it leads to: gate.html, a page for each study in OUT/studies/ and for each claim in
-/// OUT/claims/, and where there is something to show benchmark.html, mutants.html and trend.html; OUT/figures/
-/// NAME.{gp,dat,svg,pdf} (STUDY~NAME where studies share the name), OUT/trends/NAME.*, OUT/tables/STUDY.csv, STUDY.tex
-/// and, where there are any, WHAT/STUDY.csv, program/benchmark.tex and program/mutants.tex. Nothing leads outside OUT.
-/// Throws UsageError, and leaves OUT as it was, when a file cannot be written or gnuplot is missing or fails.
+/// OUT/claims/, and where there is something to show benchmark.html, codes.html, mutants.html and trend.html;
+/// OUT/figures/ NAME.{gp,dat,svg,pdf} (STUDY~NAME where studies share the name), OUT/trends/NAME.*,
+/// OUT/tables/STUDY.csv, STUDY.tex and, where there are any, WHAT/STUDY.csv, program/benchmark.tex, program/codes.tex
+/// and program/mutants.tex. Nothing leads outside OUT. Throws UsageError, and leaves OUT as it was, when a file cannot
+/// be written or gnuplot is missing or fails.
 ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
                            const std::function<void(const std::string&)>& progress);
 

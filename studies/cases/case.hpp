@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -54,7 +55,12 @@ struct Case {
   auto operator<=>(const Case&) const = default;
 };
 
-/// One line `key=value ...` in a fixed order with round-trip numbers; equal cases have equal texts.
+/// The words that tell methods apart: basis, integrator and velocity update, or another code, its variant and nothing.
+using Method = std::array<std::string, 3>;
+Method method_of(const Scheme& scheme);
+
+/// One line `key=value ...` in a fixed order with round-trip numbers, of what decides the result: where another code
+/// runs, nothing of our own solver. Equal cases have equal texts.
 std::string canonical_text(const Case& c);
 
 /// 64-bit FNV-1a hash of a text in hexadecimal: a short name for people; stores compare the whole text.

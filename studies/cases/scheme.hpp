@@ -65,6 +65,13 @@ constexpr std::array<const char*, 2> words_of(Fill) {
   return {"lattice", "conforming"};
 }
 
+/// How the body force reaches another code. `misplaced` is b(X) taken at x, a planted mistake; so is `none`, no b at
+/// all.
+enum class ForceForm { reference, current, inverse, per_particle, misplaced, none };
+constexpr std::array<const char*, 6> words_of(ForceForm) {
+  return {"reference", "current", "inverse", "per-particle", "misplaced", "none"};
+}
+
 /// How a problem is solved. Words of the solver's own lists are texts here, which does not know it.
 struct Scheme {
   std::string basis = "linear";
@@ -85,6 +92,13 @@ struct Scheme {
   BodyForce body_force = BodyForce::particles;
   Fill fill = Fill::lattice;
   std::string material = "neo-hookean-log";
+
+  /// The code that solves it; empty: our own. With another code the words of our own solver say nothing.
+  std::string code = {};
+  std::string variant = {};  ///< of the code, a word of its adapter
+  ForceForm force_form = ForceForm::reference;
+  std::string code_version = {};  ///< that its program gives, or its file's digest
+  std::string adapter = {};       ///< digest of the adapter's files
 
   auto operator<=>(const Scheme&) const = default;
 };

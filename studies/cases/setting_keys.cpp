@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv::cases {
 
@@ -66,12 +67,12 @@ Member flag(bool Part::*member) {
   return result;
 }
 
-/// One of the enum's words; nobody asks for `none`.
+/// One of the enum's words; nobody asks for `none`, but for no body force.
 template <class Part, support::HasWords Enum>
 Member word(Enum Part::*member) {
   std::vector<std::string> words;
   for (const std::string each : words_of(Enum{}))
-    if (each != "none") words.push_back(each);
+    if (each != "none" || std::is_same_v<Enum, ForceForm>) words.push_back(each);
   Member result = read_by(
       [words](const Setting& setting) {
         require_word(setting, words);
@@ -94,6 +95,15 @@ double part_of_a_cell(const Setting& setting) {
   return value;
 }
 
+/// A word of an adapter. In a case's text it stands between spaces.
+std::string word_of_a_code(const Setting& setting) {
+  const bool is_word = support::is_file_stem(setting.value);
+  if (!is_word)
+    throw support::UsageError(
+        fmt::format("{} = '{}' in {} ({})", setting.key, setting.value, setting.where, support::file_stem_rule));
+  return setting.value;
+}
+
 }  // namespace
 
 std::string text_of(const Value& value) {
@@ -102,8 +112,16 @@ std::string text_of(const Value& value) {
 
 const std::vector<SettingKey>& setting_keys() {
   static const std::vector<SettingKey> keys{
-      {"problem", "what is solved"},
-      {"quarter", "only the part of which mirror images make the whole body", flag(&ProblemChoice::quarter)},
+      {"problem", "what is solved", {}, KeyOf::every},
+      {"quarter", "only the part of which mirror images make the whole body", flag(&ProblemChoice::quarter),
+       KeyOf::every},
+      {"code", "another code that solves it, by its adapter", read_by(&word_of_a_code, &Scheme::code), KeyOf::other},
+      {"variant", "of the code", read_by(&word_of_a_code, &Scheme::variant), KeyOf::other},
+      {"force_form", "how the body force reaches the code", word(&Scheme::force_form), KeyOf::other},
+      {"code_version", "of the code, where no other will do", read_by(&word_of_a_code, &Scheme::code_version),
+       KeyOf::other},
+      {"adapter", "digest of the adapter's files, where no others will do", read_by(&word_of_a_code, &Scheme::adapter),
+       KeyOf::other},
       {"basis", "grid basis functions", by_rule(&Scheme::basis)},
       {"smoothing_length", "of ugimp, in cells", by_rule(&Scheme::smoothing_length)},
       {"integrator", "order of the step", by_rule(&Scheme::integrator)},
@@ -120,29 +138,30 @@ const std::vector<SettingKey>& setting_keys() {
       {"wall_acceleration", "acceleration of held nodes", word(&Scheme::wall_acceleration)},
       {"deformation", "update of F", word(&Scheme::deformation)},
       {"body_force", "where the body force is evaluated", word(&Scheme::body_force)},
-      {"fill", "how particles fill the body", word(&Scheme::fill)},
-      {"material", "constitutive law", by_rule(&Scheme::material)},
-      {"cells", "cells per length L of the problem", read_by(whole_from(1, 1'000'000), &Resolution::cells)},
-      {"ppc", "particles per cell and direction", read_by(whole_from(1, 100), &Resolution::ppc)},
+      {"fill", "how particles fill the body", word(&Scheme::fill), KeyOf::every},
+      {"material", "constitutive law", by_rule(&Scheme::material), KeyOf::every},
+      {"cells", "cells per length L of the problem", read_by(whole_from(1, 1'000'000), &Resolution::cells),
+       KeyOf::every},
+      {"ppc", "particles per cell and direction", read_by(whole_from(1, 100), &Resolution::ppc), KeyOf::every},
       {"grid_offset", "shift of the grid against the body where nothing holds it, in cells",
        read_by(&part_of_a_cell, &Resolution::grid_offset)},
       {"shuffle", "seed of another order of the particles",
        read_by(whole_from(0, 1'000'000'000), &Resolution::shuffle)},
-      {"cfl", "wave speed times time step over cell width"},
-      {"dt", "time step in s; must divide the end time", by_rule(&Resolution::dt)},
-      {"end_time", "in s"},
-      {"steps", "stop after so many steps of the default end time's step", by_rule(&Resolution::steps)},
+      {"cfl", "wave speed times time step over cell width", {}, KeyOf::every},
+      {"dt", "time step in s; must divide the end time", by_rule(&Resolution::dt), KeyOf::every},
+      {"end_time", "in s", {}, KeyOf::every},
+      {"steps", "stop after so many steps of the default end time's step", by_rule(&Resolution::steps), KeyOf::every},
       {"every_step", "errors over all steps, too", flag(&Measure::every_step)},
       {"nodal_error", "error of the nodal accelerations at the end, too", flag(&Measure::nodal_error)},
       {"velocity_error", "mean over all steps of the RMS velocity error, too", flag(&Measure::velocity_error)},
       {"stress_error", "RMS error of the stresses at the end, too", flag(&Measure::stress_error)},
       {"blowup_error", "unstable beyond this error, in displacement amplitudes",
-       read_by(&parse_number, &Measure::blowup_error)},
+       read_by(&parse_number, &Measure::blowup_error), KeyOf::every},
       {"blowup_energy", "unstable beyond this energy, in initial energies",
        read_by(&parse_number, &Measure::blowup_energy)},
       {"whole", "in studies: all of a body, not the part of which mirror images make it", flag(&Measure::whole)},
       {"repeat", "run alone so often (3 or more) and keep the median cost",
-       read_by(whole_from(3, 99), &Measure::repeat)},
+       read_by(whole_from(3, 99), &Measure::repeat), KeyOf::every},
   };
   return keys;
 }

@@ -27,14 +27,21 @@ struct Member {
   bool is_flag = false;                            ///< true or false
 };
 
+/// Of which solver's cases a key is.
+enum class KeyOf { own, every, other };
+
 /// A key that settings may have.
 struct SettingKey {
   std::string key;
   std::string meaning;                ///< for help
   std::optional<Member> member = {};  ///< none where others follow from it
+  KeyOf of = KeyOf::own;
+
+  /// Whether a case of the named code has it; empty: of our own solver.
+  bool is_of(const std::string& code) const { return of == KeyOf::every || (of == KeyOf::other) == !code.empty(); }
 };
 
-/// All keys: the one place where they are named. Those with a member make a case's text, in this order.
+/// All keys: the one place where they are named. Those with a member that a case has make its text, in this order.
 const std::vector<SettingKey>& setting_keys();
 
 }  // namespace mpmvv::cases

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "studies/codes/external_run.hpp"
 #include "studies/plan/estimates.hpp"
 #include "studies/runs/run_case.hpp"
 #include "studies/runs/run_part.hpp"
@@ -27,8 +28,9 @@ double usable_memory() {
 }
 
 std::string label(const Case& c) {
-  return fmt::format("{} {} {} {} cells={} ppc={}", c.problem.name, c.scheme.basis, c.scheme.integrator,
-                     c.scheme.boundary, c.resolution.cells, c.resolution.ppc);
+  const auto [basis, integrator, velocity_update] = cases::method_of(c.scheme);
+  return fmt::format("{} {} {} {} cells={} ppc={}", c.problem.name, basis, integrator, c.scheme.boundary,
+                     c.resolution.cells, c.resolution.ppc);
 }
 
 }  // namespace
@@ -116,7 +118,10 @@ void CasePool::time_all(const std::vector<Case>& cases) {
   std::vector<Record> records;
   {
     const Admission::Place place(admission_, options_.jobs, memory);
-    records = runs::run_timed(cases);
+    std::vector<Case> own, others;
+    for (const Case& c : cases) (c.scheme.code.empty() ? own : others).push_back(c);
+    records = runs::run_timed(own);
+    for (Record& record : codes::run_external_timed(others, options_.codes)) records.push_back(std::move(record));
   }
   for (const Record& record : records) {
     finish(record.the_case, record.the_case.measure.repeat * record.wall_seconds);
@@ -137,6 +142,7 @@ bool CasePool::is_there(const Case& c) {
 }
 
 Record CasePool::record_of(const Case& c, double seconds_of_all) {
+  if (!c.scheme.code.empty()) return external_record_of(c);
   const double about = seconds({c});
   if (const auto part = settings::part_of(c)) {
     const int threads = threads_for(*part, about, seconds_of_all);
@@ -150,6 +156,14 @@ Record CasePool::record_of(const Case& c, double seconds_of_all) {
   const Admission::Place place(admission_, threads, memory_estimate(c));
   const Record record = runs::run_case(c, threads);
   finish(c, threads * record.wall_seconds);
+  return record;
+}
+
+/// Another code takes one thread.
+Record CasePool::external_record_of(const Case& c) {
+  const Admission::Place place(admission_, 1, memory_estimate(c));
+  const Record record = codes::run_external(c, options_.codes.at(c.scheme.code));
+  finish(c, record.wall_seconds);
   return record;
 }
 

@@ -57,6 +57,7 @@ class CasePool {
   void run_all(std::vector<cases::Case> missing);
   bool is_there(const cases::Case& c);
   records::Record record_of(const cases::Case& c, double seconds_of_all);
+  records::Record external_record_of(const cases::Case& c);
   void finish(const cases::Case& c, double core_seconds);
   void report_to(const std::function<void(const Progress&)>& listener);
   int threads_for(const cases::Case& as_run, double seconds, double seconds_of_all) const;

@@ -12,7 +12,7 @@ namespace mpmvv::plan {
 enum class Source { same_case, like_cases, guess };
 
 /// How long runs will take: what the same case took in the newest version that the store has it of, else what cases of
-/// its problem, basis, integrator and velocity update took per particle and step, else a guess.
+/// its problem and method (`cases::method_of`) took per particle and step, else a guess.
 class CostModel {
  public:
   struct Time {

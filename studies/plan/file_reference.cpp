@@ -104,6 +104,7 @@ std::string takes(const SettingKey& key) {
   const auto words = settings::words_of_key(key.key);
   if (!words.empty()) return fmt::format("`{}`", fmt::join(words, "`, `"));
   if (!key.member) return "number";
+  if (std::holds_alternative<std::string>(key.member->value({}))) return "a word ([adapters.md](adapters.md))";
   return std::holds_alternative<double>(key.member->value({})) ? "number" : "whole number";
 }
 
@@ -135,7 +136,12 @@ std::string without(const SettingKey& key) {
                                                        {"wall_method", "`combined`"},
                                                        {"wall_depth", "1"},
                                                        {"wall_gradient", "`given`"},
-                                                       {"repeat", "not measured"}};
+                                                       {"repeat", "not measured"},
+                                                       {"code", "our own solver"},
+                                                       {"variant", "the only one of the code"},
+                                                       {"force_form", "`reference`, of a code"},
+                                                       {"code_version", "that of the program"},
+                                                       {"adapter", "that of its files"}};
   if (const auto found = said.find(key.key); found != said.end()) return found->second;
   const std::string value = cases::text_of(key.member->value({}));
   return settings::words_of_key(key.key).empty() ? value : "`" + value + "`";

@@ -96,7 +96,7 @@ class Forecaster {
     const CostModel::Time time = costs_.time(c);
     ++sources_[static_cast<std::size_t>(time.source)];
     study.seconds += time.seconds;
-    longest_ = std::max(longest_, {time.seconds, c.scheme.basis, c.resolution.cells});
+    longest_ = std::max(longest_, {time.seconds, cases::method_of(c.scheme)[0], c.resolution.cells});
     return time.seconds;
   }
 
@@ -129,7 +129,7 @@ class Forecaster {
   std::vector<double> tasks_;  ///< seconds of what runs beside each other
   Forecast result_;
   std::array<std::size_t, 3> sources_{};               ///< of the present study's times
-  std::tuple<double, std::string, int> longest_ = {};  ///< of its cases: seconds, basis, cells
+  std::tuple<double, std::string, int> longest_ = {};  ///< of its cases: seconds, basis or code, cells
 };
 
 }  // namespace

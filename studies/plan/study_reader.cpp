@@ -72,6 +72,30 @@ void read_sweep(const TomlTable& root, StudyPlan& plan) {
     throw UsageError(fmt::format("a value twice in the sweep over '{}' in {}", plan.sweep, sweep->where(plan.sweep)));
 }
 
+/// The code that settings choose; empty: our own solver.
+std::string code_of(const std::vector<Setting>& settings) {
+  const auto found = std::ranges::find(settings, "code", &Setting::key);
+  return found == settings.end() ? "" : found->value;
+}
+
+bool is_of(const Setting& setting, const std::string& code) {
+  const auto& keys = settings::setting_keys();
+  const auto known = std::ranges::find(keys, setting.key, &settings::SettingKey::key);
+  return known == keys.end() || known->is_of(code);
+}
+
+/// Of the fixed settings a series takes what its solver knows. What no series' solver knows stays, to be refused.
+void leave_to_others(const std::vector<Setting>& fixed, std::vector<SeriesPlan>& series) {
+  std::vector<std::string> codes;
+  for (const SeriesPlan& one : series) codes.push_back(code_of(one.settings));
+  for (const Setting& setting : fixed)
+    if (std::ranges::any_of(codes, [&](const std::string& code) { return is_of(setting, code); }))
+      for (std::size_t k = 0; k < series.size(); ++k)
+        std::erase_if(series[k].settings, [&](const Setting& s) {
+          return s.key == setting.key && s.where == setting.where && !is_of(s, codes[k]);
+        });
+}
+
 void read_series(const TomlTable& root, StudyPlan& plan) {
   std::vector<Setting> fixed;
   if (const auto table = root.table("fixed")) fixed = settings_of(*table);
@@ -82,6 +106,7 @@ void read_series(const TomlTable& root, StudyPlan& plan) {
     for (const Setting& setting : settings_of(table, {"name"})) series.settings.push_back(setting);
     plan.series.push_back(series);
   }
+  leave_to_others(fixed, plan.series);
 }
 
 void read_limit(const TomlTable& root, StudyPlan& plan) {

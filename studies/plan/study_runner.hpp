@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/codes/code.hpp"
 #include "studies/plan/progress.hpp"
 #include "studies/plan/study.hpp"
 #include "studies/records/result.hpp"
@@ -22,6 +23,7 @@ struct RunnerOptions {
   std::function<void(const Progress&)> more_work = {};    ///< told when more cases are asked for
   std::stop_token stop = {};                              ///< asks to stop before the end
   std::function<void(const RunnerCounts&)> on_stop = {};  ///< then ends the program, while the store is at rest
+  codes::Codes codes = {};                                ///< those of all series
 };
 
 struct StudyOutcome {

@@ -37,7 +37,7 @@ bool is_stable(const Case& c, const problems::Problem& problem) {
 
 std::optional<Case> part_of(const Case& c) {
   const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
-  const bool is_wanted = !c.measure.whole && c.measure.repeat == 0 && !c.measure.nodal_error;
+  const bool is_wanted = c.scheme.code.empty() && !c.measure.whole && c.measure.repeat == 0 && !c.measure.nodal_error;
   const bool is_symmetric = c.resolution.grid_offset == 0 && c.resolution.shuffle == 0;
   if (!is_wanted || !is_symmetric || !problem.has_quarter() || c.problem.quarter || !is_shown(c.scheme, problem) ||
       !is_stable(c, problem))

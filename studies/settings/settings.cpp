@@ -7,6 +7,7 @@
 
 #include "studies/problems/problem.hpp"
 #include "studies/settings/given.hpp"
+#include "studies/settings/other_code.hpp"
 #include "studies/settings/part.hpp"
 #include "studies/settings/scales.hpp"
 #include "studies/settings/scheme_rules.hpp"
@@ -105,6 +106,7 @@ ProblemChoice make_choice(std::span<const Setting> given) {
 Case make_case(std::span<const Setting> given) {
   const Settings settings = by_key(given);
   const Problem& problem = chosen_problem(settings);
+  require_keys_of_code(settings);
 
   Case c;
   c.problem = make_choice(settings, problem);
@@ -119,7 +121,7 @@ Case make_case(std::span<const Setting> given) {
         problem.lead_time(c.problem.parameters, problem.length(c.problem.parameters) / c.resolution.cells);
   set_time_step(settings, problem, c);
   require_scales(c, problem, most_extreme(given));
-  validate(c, problem);
+  c.scheme.code.empty() ? validate(c, problem) : validate_other_code(c, problem);
   if (c.measure.whole) c = as_whole(c);
   return c;
 }

@@ -21,11 +21,12 @@ void for_numbers(const Visit& visit) {
 
 Columns run_columns(const Record& r) {
   const auto& [problem, scheme, resolution, measure] = r.the_case;
+  const auto [basis, integrator, velocity_update] = cases::method_of(scheme);
   Columns columns{{"case_text", cases::canonical_text(r.the_case)},
                   {"problem", problem.name},
-                  {"basis", scheme.basis},
-                  {"integrator", scheme.integrator},
-                  {"velocity_update", scheme.velocity_update},
+                  {"basis", basis},
+                  {"integrator", integrator},
+                  {"velocity_update", velocity_update},
                   {"boundary", scheme.boundary},
                   {"cells", resolution.cells},
                   {"ppc", resolution.ppc},

@@ -12,12 +12,13 @@
 
 #include "studies/records/record.hpp"
 #include "studies/records/result.hpp"
+#include "studies/store/code_series.hpp"
 #include "studies/store/provenance.hpp"
 #include "studies/store/version.hpp"
 
 namespace mpmvv::store {
 
-/// Seconds per particle and step by problem, basis, integrator and velocity update.
+/// Seconds per particle and step by problem and method (`cases::method_of`).
 using StepCosts = std::map<std::array<std::string, 4>, double>;
 
 /// The results store: one SQLite file. Two processes may write it at once. Every message is a UsageError with
@@ -58,6 +59,9 @@ class Store {
 
   /// Studies of this digest by name, in name order. Empty when there is none.
   std::vector<records::StudyResult> studies(const std::string& digest) const;
+
+  /// The series of studies of this digest that other codes ran, in the order of the studies.
+  std::vector<CodeSeries> code_series(const std::string& digest) const;
 
   /// What the studies of this digest say of the claims that they state.
   std::vector<records::ClaimText> statements(const std::string& digest) const;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <mutex>
 #include <string_view>
 #include <thread>
 
@@ -85,7 +86,40 @@ bool wait_until(pid_t child, int& status, Clock::time_point deadline) {
   return true;
 }
 
+/// The groups of processes that run.
+class Running {
+ public:
+  void add(pid_t group) {
+    const std::lock_guard lock(mutex_);
+    groups_.insert(group);
+    if (is_over_) kill(-group, SIGKILL);
+  }
+  void remove(pid_t group) {
+    const std::lock_guard lock(mutex_);
+    groups_.erase(group);
+  }
+  void kill_all() {
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+    for (const pid_t group : groups_) kill(-group, SIGKILL);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<pid_t> groups_;
+  bool is_over_ = false;
+};
+
+Running& running() {
+  static Running all;
+  return all;
+}
+
 }  // namespace
+
+void kill_processes() {
+  running().kill_all();
+}
 
 ProcessEnd run_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
                        const std::map<std::string, std::string>& environment, std::chrono::milliseconds limit,
@@ -101,12 +135,14 @@ ProcessEnd run_process(const std::vector<std::string>& command, const std::files
   end.start_error = spawn(child, command, folder, environment_with(environment, kept), ends[1]);
   close(ends[1]);
   if (end.start_error == 0) {
+    running().add(child);
     int status = 0;
     end.timed_out = !read_all(ends[0], end.output, deadline) || !wait_until(child, status, deadline);
     if (end.timed_out) {
       kill(-child, SIGKILL);
       waitpid(child, &status, 0);
     }
+    running().remove(child);
     end.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
   close(ends[0]);

@@ -26,4 +26,7 @@ ProcessEnd run_process(const std::vector<std::string>& command, const std::files
                        const std::map<std::string, std::string>& environment, std::chrono::milliseconds limit,
                        const std::optional<std::set<std::string>>& kept = std::nullopt);
 
+/// Kills all that `run_process` has started, on whatever thread, and lets it start no more: the caller is about to end.
+void kill_processes();
+
 }  // namespace mpmvv::support

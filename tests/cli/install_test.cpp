@@ -21,7 +21,8 @@ TEST(Install, TheProgramFindsItsStudiesAndGoldensWhereverItLies) {
   for (const char* file :
        {"share/man/man1/mpmvv.1.gz", "share/bash-completion/completions/mpmvv", "share/zsh/site-functions/_mpmvv",
         "share/fish/vendor_completions.d/mpmvv.fish", "share/doc/mpmvv/README.md",
-        "share/doc/mpmvv/docs/first-study.md", "share/mpmvv/studies/s-fig10.toml", "share/mpmvv/studies/cost.txt"})
+        "share/doc/mpmvv/docs/first-study.md", "share/mpmvv/studies/s-fig10.toml", "share/mpmvv/studies/cost.txt",
+        "share/mpmvv/adapters/small-mpm/adapter.toml"})
     EXPECT_TRUE(std::filesystem::exists(installed + "/" + file)) << file;
   EXPECT_FALSE(std::filesystem::exists(installed + "/share/mpmvv/studies/CMakeLists.txt"));
   std::filesystem::rename(installed, moved);
@@ -29,6 +30,7 @@ TEST(Install, TheProgramFindsItsStudiesAndGoldensWhereverItLies) {
                             "/bin':\"$PATH\" && mpmvv study s-jump --db r.db "
                             "&& mpmvv gate --only s-jump --db r.db 2>&1");
   EXPECT_EQ(gate.code, 0) << gate.out;
+  EXPECT_THAT(shell("'" + moved + "/bin/mpmvv' list codes 2>&1").out, HasSubstr("small-mpm  1.0"));
   EXPECT_THAT(gate.out, HasSubstr("3 pass, 0 fail, 0 inconclusive"));
 }
 

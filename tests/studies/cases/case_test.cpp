@@ -41,6 +41,32 @@ TEST(CanonicalText, IsOneLineOfEveryChoiceInAFixedOrder) {
       "whole=false repeat=0");
 }
 
+/// What another code makes of a case knows nothing of our own solver's words.
+TEST(CanonicalText, OfAnotherCodeHasNothingOfOurOwnSolver) {
+  Case c = bar_case();
+  c.scheme.code = "nairn", c.scheme.variant = "spline-usl", c.scheme.force_form = ForceForm::per_particle;
+  c.scheme.code_version = "4.2", c.scheme.adapter = "af63dc4c8601ec8c";
+  EXPECT_EQ(canonical_text(c),
+            "problem=bar param.amplitude=0.05 param.density=1 end_time=0.01 quarter=false code=nairn "
+            "variant=spline-usl force_form=per-particle code_version=4.2 adapter=af63dc4c8601ec8c fill=lattice "
+            "material=neo-hookean-log cells=64 ppc=4 dt=0.3333333333333333 steps=800 blowup_error=1 repeat=0");
+}
+
+TEST(CanonicalText, OfAnotherCodeDependsOnProgramAdapterAndForm) {
+  Case c = bar_case();
+  c.scheme.code = "nairn";
+  std::set<std::string> texts{canonical_text(bar_case()), canonical_text(c)};
+  for (std::string Scheme::*word : {&Scheme::code, &Scheme::variant, &Scheme::code_version, &Scheme::adapter}) {
+    Case changed = c;
+    changed.scheme.*word = "x";
+    EXPECT_TRUE(texts.insert(canonical_text(changed)).second);
+  }
+  for (const ForceForm form : {ForceForm::current, ForceForm::inverse, ForceForm::misplaced, ForceForm::none}) {
+    c.scheme.force_form = form;
+    EXPECT_TRUE(texts.insert(canonical_text(c)).second);
+  }
+}
+
 TEST(CanonicalText, NumbersReadBackAsTheSameNumber) {
   for (const double dt : {0.1, 1.0 / 3, 4e-6, 1e300, std::numeric_limits<double>::denorm_min()}) {
     Case c = bar_case();

@@ -1,0 +1,37 @@
+#include "cli/code_list.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/shipped.hpp"
+#include "cli/table.hpp"
+#include "studies/plan/external_series.hpp"
+
+namespace mpmvv::cli {
+
+nlohmann::json codes_json() {
+  nlohmann::json codes = nlohmann::json::array();
+  for (const std::filesystem::path& file : plan::CodeFinder(shipped("adapters")).adapter_files()) {
+    const codes::Adapter adapter = codes::read_adapter(file);
+    nlohmann::json variants = nlohmann::json::array();
+    for (const auto& [word, values] : adapter.variants) variants.push_back(word);
+    nlohmann::json one{{"code", adapter.name}, {"adapter", file.string()}, {"variants", variants}};
+    if (const auto code = codes::find_code(adapter))
+      one["program"] = code->program.string(), one["version"] = code->version;
+    else
+      one["missing"] = codes::how_to_get(adapter);
+    codes.push_back(one);
+  }
+  return codes;
+}
+
+void print_codes(const nlohmann::json& codes) {
+  Table table({{"code"}, {"version"}, {"variants"}, {"program", Table::Kind::prose}}, 0);
+  for (const nlohmann::json& code : codes)
+    table.add({code["code"].get<std::string>(), code.value("version", "-"),
+               fmt::format("{}", fmt::join(code["variants"].get<std::vector<std::string>>(), ", ")),
+               code.contains("program") ? code["program"].get<std::string>() : code["missing"].get<std::string>()});
+  table.print();
+}
+
+}  // namespace mpmvv::cli

@@ -1,0 +1,12 @@
+#pragma once
+#include <nlohmann/json.hpp>
+
+namespace mpmvv::cli {
+
+/// The other codes that have an adapter here or among those that come with the program: by name, program and version
+/// where they are there, else what to do.
+nlohmann::json codes_json();
+
+void print_codes(const nlohmann::json& codes);
+
+}  // namespace mpmvv::cli

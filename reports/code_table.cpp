@@ -1,0 +1,75 @@
+#include "reports/code_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "reports/text.hpp"
+
+namespace mpmvv::reports {
+
+namespace {
+
+using records::ClaimPart;
+using records::StudyResult;
+
+const StudyResult& study_of(const ReportInput& input, const store::CodeSeries& series) {
+  return *std::ranges::find(input.studies, series.study, &StudyResult::name);
+}
+
+/// Whether the criterion looked at the series.
+bool is_about(const ClaimPart& part, const std::string& series) {
+  return std::ranges::any_of(part.found,
+                             [&](const records::Found& found) { return found.what.find(series) != std::string::npos; });
+}
+
+std::string orders_of(const StudyResult& study, const std::string& name) {
+  std::vector<std::string> orders;
+  for (const records::Series& series : study.series)
+    if (series.name == name)
+      for (const auto& o : series.orders)
+        orders.push_back(
+            fmt::format("{} in {}, {} to {}", order_text(o.order, o.half_width), o.norm, brief(o.from), brief(o.to)));
+  return orders.empty() ? "–" : fmt::format("{}", fmt::join(orders, "; "));
+}
+
+/// What was asked of the series, and whether it holds.
+std::string asked_of(const StudyResult& study, const std::string& series) {
+  std::vector<std::string> asked;
+  for (const ClaimPart& part : study.parts)
+    if (is_about(part, series)) asked.push_back(fmt::format("{}: {}", part.statement, to_string(part.verdict)));
+  return asked.empty() ? "–" : fmt::format("{}", fmt::join(asked, "; "));
+}
+
+/// The claims that these criteria belong to, as their study states them.
+std::string findings_of(const ReportInput& input, const StudyResult& study, const std::string& series) {
+  std::vector<std::string> findings;
+  for (const claims::Claim& claim : input.claims)
+    if (std::ranges::any_of(study.parts,
+                            [&](const ClaimPart& part) { return part.claim == claim.id && is_about(part, series); }))
+      findings.push_back(fmt::format("{} ({})", claim.statement, claim.verdict));
+  return findings.empty() ? "–" : fmt::format("{}", fmt::join(findings, "; "));
+}
+
+}  // namespace
+
+Table code_table(const ReportInput& input) {
+  Table table{
+      "Other codes: what was found, as it was found. A version is what its program says, or the digest of its file",
+      {"study", "series", "variant", "body force", "date", "order", "asked", "finding"},
+      {}};
+  std::vector<store::CodeSeries> all = input.codes;
+  std::ranges::stable_sort(all, {}, [](const store::CodeSeries& s) { return s.code + " " + s.version; });
+  for (const store::CodeSeries& s : all) {
+    const std::string title = s.code + " " + s.version;
+    if (table.groups.empty() || table.groups.back().title != title) table.groups.push_back({title, {}});
+    const StudyResult& study = study_of(input, s);
+    table.groups.back().rows.push_back({s.study, s.series, s.variant.empty() ? "–" : s.variant, s.force_form,
+                                        s.kept_at.substr(0, 10), orders_of(study, s.series), asked_of(study, s.series),
+                                        findings_of(input, study, s.series)});
+  }
+  return table;
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,190 @@
+#include "studies/codes/adapter.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/boundary/boundaries.hpp"
+#include "solver/material/materials.hpp"
+#include "solver/words.hpp"
+#include "studies/cases/case.hpp"
+#include "studies/codes/readers.hpp"
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
+#include "studies/support/toml_file.hpp"
+
+namespace mpmvv::codes {
+
+using support::TomlTable;
+using support::UsageError;
+
+namespace {
+
+TomlTable required_table(const TomlTable& root, const std::string& name, const std::vector<std::string>& keys) {
+  const auto table = root.table(name);
+  if (!table) throw UsageError(fmt::format("no [{}] in {} (an adapter has one)", name, root.where()));
+  table->allow_only(keys);
+  return *table;
+}
+
+/// Texts that must be there.
+std::vector<std::string> some_texts(const TomlTable& table, const std::string& key, const char* wanted) {
+  std::vector<std::string> texts = table.texts(key);
+  if (texts.empty()) throw UsageError(fmt::format("no '{}' in {} ({})", key, table.where(key), wanted));
+  return texts;
+}
+
+void require_words(const std::vector<std::string>& words, const std::vector<std::string>& known, const char* what,
+                   const std::string& where) {
+  for (const std::string& word : words)
+    if (std::ranges::find(known, word) == known.end())
+      throw UsageError(fmt::format("unknown {} '{}' in {} (known: {})", what, word, where, fmt::join(known, ", ")));
+}
+
+FieldValues values_of(const TomlTable& table) {
+  FieldValues values;
+  for (const std::string& key : table.keys()) values[key] = table.scalar_text(key);
+  return values;
+}
+
+ProgramNames read_program(const TomlTable& root) {
+  const TomlTable table = required_table(root, "program", {"variable", "command", "version", "page"});
+  return {table.text("variable"), table.text("command", ""), table.texts("version"), table.text("page", "")};
+}
+
+std::vector<InputFile> read_input_files(const TomlTable& root, const std::filesystem::path& folder) {
+  std::vector<InputFile> inputs;
+  for (const TomlTable& table : root.tables("input")) {
+    table.allow_only({"template", "file"});
+    const std::filesystem::path file = table.text("file");
+    if (file.is_absolute() || file.has_parent_path() || !file.has_filename())
+      throw UsageError(
+          fmt::format("input file '{}' in {} (a name in the run's folder)", file.string(), table.where("file")));
+    inputs.push_back({file, support::require_file(folder / table.text("template"), "a template of an adapter")});
+  }
+  return inputs;
+}
+
+void read_command(const TomlTable& root, Adapter& adapter) {
+  const TomlTable table = required_table(root, "command", {"argv", "environment", "time_limit", "unstable"});
+  adapter.command = some_texts(table, "argv", "the words of the command, the first of them \"{{program}}\"");
+  adapter.unstable = table.texts("unstable");
+  if (const auto environment = table.table("environment")) adapter.environment = values_of(*environment);
+  const double seconds = table.number("time_limit");
+  if (!(seconds > 0 && seconds <= 1e6))
+    throw UsageError(
+        fmt::format("time_limit = {} in {} (in s, > 0 and at most 1e6)", seconds, table.where("time_limit")));
+  adapter.time_limit = std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(1000 * seconds)));
+}
+
+/// Names of columns, and one of the file's units in m, s and kg.
+Columns read_columns(const TomlTable& output) {
+  Columns columns;
+  if (const auto names = output.table("columns")) {
+    std::vector<std::string> pairs;
+    for (const auto& [quantity, name] : values_of(*names)) pairs.push_back(quantity + "=" + name);
+    columns.names = parse_columns(fmt::format("{}", fmt::join(pairs, ",")), output.where("columns"));
+  }
+  if (const auto units = output.table("units")) {
+    units->allow_only({"length", "time", "mass"});
+    for (const auto& [key, unit] :
+         {std::pair{"length", &columns.length}, {"time", &columns.time}, {"mass", &columns.mass}}) {
+      *unit = units->number(key, 1);
+      if (!(*unit > 0)) throw UsageError(fmt::format("{} = {} in {} (> 0)", key, *unit, units->where(key)));
+    }
+  }
+  return columns;
+}
+
+OutputFiles read_output(const TomlTable& root) {
+  const TomlTable table = required_table(root, "output", {"format", "file", "start", "convert", "columns", "units"});
+  OutputFiles output{table.text("format", ""), table.text("file"), table.text("start", ""), {}, read_columns(table)};
+  std::vector<std::string> known;
+  for (const Format& format : formats()) known.push_back(format.word);
+  if (!output.format.empty()) require_words({output.format}, known, "format", table.where("format"));
+  for (const TomlTable& step : table.tables("convert")) {
+    step.allow_only({"argv"});
+    output.convert.push_back(some_texts(step, "argv", "the words of a command"));
+  }
+  return output;
+}
+
+Stepping read_stepping(const TomlTable& root) {
+  Stepping stepping;
+  const auto table = root.table("step");
+  if (!table) return stepping;
+  table->allow_only({"rule", "time_tolerance"});
+  const std::string rule = table->text("rule", "given");
+  require_words({rule}, {"given", "own"}, "rule", table->where("rule"));
+  stepping.is_given = rule == "given";
+  stepping.time_tolerance = table->number("time_tolerance", stepping.time_tolerance);
+  return stepping;
+}
+
+Capabilities read_capabilities(const TomlTable& root) {
+  const TomlTable table = required_table(
+      root, "capabilities",
+      {"dimensions", "force_forms", "boundaries", "materials", "initial_velocity", "initial_deformation"});
+  Capabilities able;
+  for (const double dimension : table.numbers("dimensions")) {
+    if (dimension != 1 && dimension != 2 && dimension != 3)
+      throw UsageError(fmt::format("dimension {} in {} (1, 2 or 3)", dimension, table.where("dimensions")));
+    able.dimensions.push_back(static_cast<int>(dimension));
+  }
+  const auto words = [&](const char* key, const std::vector<std::string>& known) {
+    const auto found = some_texts(table, key, "a list of words");
+    require_words(found, known, key, table.where(key));
+    return found;
+  };
+  const auto forms = cases::words_of(cases::ForceForm{});
+  able.force_forms = words("force_forms", {forms.begin(), forms.end()});
+  const auto boundaries = solver::words<solver::AnyBoundary>();
+  able.boundaries = words("boundaries", {boundaries.begin(), boundaries.end()});
+  const auto materials = solver::words<solver::AnyMaterial>();
+  able.materials = words("materials", {materials.begin(), materials.end()});
+  able.initial_velocity = table.flag("initial_velocity", false);
+  able.initial_deformation = table.flag("initial_deformation", false);
+  return able;
+}
+
+/// Of all that the adapter's folder says of a run: the file, and the templates.
+std::string digest_of(const std::string& text, const std::vector<InputFile>& inputs) {
+  std::string all = text;
+  for (const InputFile& input : inputs) all += fmt::format("\n{}\n{}", input.file, input.text);
+  return cases::fingerprint(all);
+}
+
+}  // namespace
+
+Adapter read_adapter(const std::filesystem::path& file) {
+  const std::string text = support::require_file(file, "an adapter, TOML");
+  const TomlTable root = TomlTable::parse(text, file.string());
+  root.allow_only(
+      {"code", "program", "input", "command", "output", "step", "expressions", "fields", "variants", "capabilities"});
+  Adapter adapter;
+  adapter.name = root.text("code");
+  adapter.folder = file.parent_path();
+  if (adapter.name != std::filesystem::absolute(file).parent_path().filename())
+    throw UsageError(fmt::format("code '{}' in {} (the name of the adapter's folder, {})", adapter.name,
+                                 root.where("code"),
+                                 std::filesystem::absolute(file).parent_path().filename().string()));
+  adapter.program = read_program(root);
+  adapter.inputs = read_input_files(root, adapter.folder);
+  read_command(root, adapter);
+  adapter.output = read_output(root);
+  adapter.stepping = read_stepping(root);
+  if (const auto table = root.table("expressions")) {
+    table->allow_only({"dialect"});
+    adapter.dialect = table->text("dialect");
+  }
+  if (const auto table = root.table("fields")) adapter.fields = values_of(*table);
+  if (const auto table = root.table("variants"))
+    for (const std::string& word : table->keys()) adapter.variants[word] = values_of(*table->table(word));
+  adapter.capabilities = read_capabilities(root);
+  adapter.digest = digest_of(text, adapter.inputs);
+  return adapter;
+}
+
+}  // namespace mpmvv::codes

@@ -1,0 +1,57 @@
+#include "studies/codes/output_files.hpp"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "studies/codes/fields.hpp"
+#include "studies/codes/readers.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv::codes {
+
+namespace fs = std::filesystem;
+using support::UsageError;
+
+namespace {
+
+/// So that step 10 comes after step 9: shorter names first.
+bool comes_before(const fs::path& a, const fs::path& b) {
+  const std::string first = a.filename().string(), second = b.filename().string();
+  return std::tuple(first.size(), first) < std::tuple(second.size(), second);
+}
+
+/// The last file of the folder with such a name.
+fs::path last_file(const fs::path& folder, const std::string& name) {
+  const fs::path pattern = fs::path(name);
+  if (name.find('*') == std::string::npos) return folder / pattern;
+  std::vector<fs::path> found;
+  std::error_code unreadable;
+  for (const auto& entry : fs::directory_iterator(folder / pattern.parent_path(), unreadable))
+    if (fnmatch(pattern.filename().c_str(), entry.path().filename().c_str(), 0) == 0) found.push_back(entry.path());
+  if (found.empty()) throw UsageError(fmt::format("the code wrote no file '{}'", name));
+  return *std::ranges::max_element(found, comes_before);
+}
+
+Snapshot read(const Code& code, const Fields& fields, const fs::path& folder, const std::string& name) {
+  const std::string file = filled_word(name, fields, code);
+  return read_snapshot(last_file(folder, file), code.adapter.output.columns, code.adapter.output.format);
+}
+
+}  // namespace
+
+Output read_output(const Code& code, const Fields& fields, const fs::path& folder, double end_time) {
+  const Adapter& adapter = code.adapter;
+  Output output{{}, read(code, fields, folder, adapter.output.end)};
+  if (!adapter.output.start.empty()) output.start = read(code, fields, folder, adapter.output.start);
+  const std::optional<double> time = std::exchange(output.end.time, std::nullopt);
+  if (time && !(std::abs(*time - end_time) <= adapter.stepping.time_tolerance * end_time))
+    throw UsageError(
+        fmt::format("its output is of the time {:.10g} s and not of the end time {:.10g} s", *time, end_time));
+  return output;
+}
+
+}  // namespace mpmvv::codes

@@ -1,0 +1,27 @@
+#pragma once
+#include <filesystem>
+
+namespace mpmvv::codes {
+
+/// The folder of a run: one named, or a temporary one, which goes unless it is kept.
+class RunFolder {
+ public:
+  explicit RunFolder(const std::filesystem::path& named);
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Gives it a place among those that have failed, and returns that.
+  std::filesystem::path keep();
+
+ private:
+  std::filesystem::path path_;
+  bool is_temporary_;
+};
+
+/// Removes the temporary folders of this process.
+void remove_run_folders();
+
+}  // namespace mpmvv::codes

@@ -1,0 +1,40 @@
+#include "studies/settings/other_code.hpp"
+
+#include <fmt/format.h>
+
+#include "studies/support/error.hpp"
+
+namespace mpmvv::settings {
+
+using support::UsageError;
+
+void require_keys_of_code(const Settings& settings) {
+  const auto given = settings.find("code");
+  const std::string code = given == settings.end() ? "" : given->second.value;
+  for (const SettingKey& key : setting_keys()) {
+    const auto it = settings.find(key.key);
+    if (it == settings.end() || key.is_of(code)) continue;
+    if (code.empty())
+      throw UsageError(fmt::format("{} in {} has no meaning without code (it is of another code than our own solver)",
+                                   key.key, it->second.where));
+    throw UsageError(
+        fmt::format("{} in {} has no meaning for code '{}' (it is of our own solver; what a code does is its variant)",
+                    key.key, it->second.where, code));
+  }
+}
+
+void validate_other_code(const cases::Case& c, const problems::Problem& problem) {
+  const auto refuse = [&](const std::string& why) {
+    throw UsageError(fmt::format("problem '{}' with code '{}': {}", problem.name, c.scheme.code, why));
+  };
+  if (!problem.has_solution(c.problem.parameters))
+    refuse("it has no exact solution, by which codes are measured (another problem)");
+  if (problem.is_loaded && problem.is_loaded(c.problem.parameters))
+    refuse("it needs a traction on its surface, which adapters do not give (another problem or parameters)");
+  if (c.scheme.fill == cases::Fill::conforming && !problem.is_curved(c.problem.parameters))
+    refuse("fill 'conforming' has no meaning for it, which a lattice fills (use lattice)");
+  if (problem.is_one_particle) refuse("it is of our own solver's single particle (another problem)");
+  if (!(c.measure.blowup_error > 0)) refuse("blowup_error must be > 0");
+}
+
+}  // namespace mpmvv::settings

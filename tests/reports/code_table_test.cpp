@@ -1,0 +1,59 @@
+#include "reports/code_table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace mpmvv::reports {
+namespace code_table_test {
+
+using testing::HasSubstr;
+
+ReportInput input_with_codes() {
+  ReportInput input;
+  records::StudyResult study;
+  study.name = "theirs";
+  study.series = {{"tlmpm", {}, {}, {}}, {"ours", {}, {}, {}}};
+  fits::ObservedOrder order;
+  order.order = 2.01, order.half_width = 0.05, order.from = 8, order.to = 64, order.norm = "l2";
+  study.series[0].orders.push_back(order);
+  records::ClaimPart part;
+  part.claim = "second", part.statement = "second order", part.verdict = records::PartVerdict::holds;
+  part.found = {{"tlmpm", 2.01}};
+  study.parts = {part};
+  input.studies = {study};
+  claims::Claim claim;
+  claim.id = "second", claim.statement = "the total form is second order", claim.verdict = "confirmed";
+  input.claims = {claim};
+  input.codes = {{"theirs", "tlmpm", "karamelo", "2.0", "tlmpm-linear", "reference", "2026-11-25T10:00:00Z"}};
+  return input;
+}
+
+TEST(CodeTable, HasARowForEachSeriesOfAnotherCode) {
+  const Table table = code_table(input_with_codes());
+  ASSERT_EQ(table.groups.size(), 1U);
+  EXPECT_EQ(table.groups[0].title, "karamelo 2.0");
+  ASSERT_EQ(table.groups[0].rows.size(), 1U);
+  const auto& row = table.groups[0].rows[0];
+  EXPECT_EQ(row.size(), table.columns.size());
+  EXPECT_EQ(row[2], "tlmpm-linear");
+  EXPECT_EQ(row[4], "2026-11-25");
+  EXPECT_THAT(row[5], HasSubstr("2.01"));
+  EXPECT_EQ(row[6], "second order: holds");
+  EXPECT_EQ(row[7], "the total form is second order (confirmed)");
+}
+
+TEST(CodeTable, HasAGroupForEachVersion) {
+  ReportInput input = input_with_codes();
+  input.codes.push_back(input.codes[0]);
+  input.codes.back().version = "1.9";
+  const Table table = code_table(input);
+  ASSERT_EQ(table.groups.size(), 2U);
+  EXPECT_EQ(table.groups[0].title, "karamelo 1.9");
+}
+
+TEST(CodeTable, IsEmptyWithoutOne) {
+  EXPECT_TRUE(code_table(ReportInput{}).empty());
+}
+
+}  // namespace code_table_test
+}  // namespace mpmvv::reports

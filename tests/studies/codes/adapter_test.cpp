@@ -1,0 +1,88 @@
+#include "studies/codes/adapter.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
+
+namespace mpmvv::codes {
+namespace adapter_test {
+
+using support::UsageError;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The adapter of docs/adapters.md, in a folder of its own.
+class AdapterFile : public testing::Test {
+ protected:
+  AdapterFile() {
+    support::make_folder(folder_);
+    support::write_if_changed(folder_ / "input.mustache", "cells {{cells}}\n");
+    const std::string page = support::require_file(MPMVV_SOURCE_DIR "/docs/adapters.md", "a page");
+    const auto begin = page.find("    code = "), end = page.find("\nWhat columns");
+    for (std::size_t at = begin; at < end; at = page.find('\n', at) + 1)
+      if (const std::string line = page.substr(at, page.find('\n', at) + 1 - at); line.size() > 4)
+        text_ += line.substr(4);
+  }
+  ~AdapterFile() override { std::filesystem::remove_all(folder_); }
+
+  Adapter read(const std::string& text) const {
+    support::write_if_changed(folder_ / "adapter.toml", text);
+    return read_adapter(folder_ / "adapter.toml");
+  }
+
+  std::string complaint_without(const std::string& part, const std::string& instead = "") const {
+    std::string text = text_;
+    text.replace(text.find(part), part.size(), instead);
+    try {
+      read(text);
+    } catch (const UsageError& e) {
+      return e.what();
+    }
+    return "";
+  }
+
+  const std::filesystem::path top_ = std::filesystem::path(testing::TempDir()) / "adapter_test",
+                              folder_ = top_ / "small-mpm";
+  std::string text_;
+};
+
+TEST_F(AdapterFile, IsReadAsItsPageSays) {
+  const Adapter adapter = read(text_);
+  EXPECT_EQ(adapter.name, "small-mpm");
+  EXPECT_EQ(adapter.program.variable, "MPMVV_SMALL_MPM");
+  EXPECT_THAT(adapter.program.version, ElementsAre("{{program}}", "--version"));
+  ASSERT_EQ(adapter.inputs.size(), 1U);
+  EXPECT_EQ(adapter.inputs[0].file, "input.txt");
+  EXPECT_EQ(adapter.inputs[0].text, "cells {{cells}}\n");
+  EXPECT_EQ(adapter.time_limit, std::chrono::seconds(300));
+  EXPECT_EQ(adapter.output.columns.names.at("x"), "px");
+  EXPECT_EQ(adapter.output.columns.length, 1e-3);
+  EXPECT_EQ(adapter.output.convert.at(0).at(0), "{{adapter}}/convert.py");
+  EXPECT_EQ(adapter.variants.at("linear").at("shape"), "1");
+  EXPECT_THAT(adapter.capabilities.dimensions, ElementsAre(1, 2));
+  EXPECT_TRUE(adapter.stepping.is_given);
+}
+
+/// What a template says decides results as much as the file does.
+TEST_F(AdapterFile, ItsDigestIsOfItsTemplatesToo) {
+  const std::string before = read(text_).digest;
+  EXPECT_EQ(read(text_).digest, before);
+  support::write_if_changed(folder_ / "input.mustache", "cells {{cells}} \n");
+  EXPECT_NE(read(text_).digest, before);
+}
+
+TEST_F(AdapterFile, MistakesAreNamedWithTheirLine) {
+  EXPECT_THAT(complaint_without("\"small-mpm\"", "\"other\""), HasSubstr("name of the adapter's folder, small-mpm"));
+  EXPECT_THAT(complaint_without("\"csv\"", "\"xml\""), HasSubstr("unknown format 'xml' in"));
+  EXPECT_THAT(complaint_without("time_limit = 300", "time_limit = 0"), HasSubstr("adapter.toml:13"));
+  EXPECT_THAT(complaint_without("[capabilities]", "[ability]"), HasSubstr("unknown key 'ability'"));
+  EXPECT_THAT(complaint_without("x = \"px\"", "q = \"px\""), HasSubstr("adapter.toml:20"));
+  EXPECT_THAT(complaint_without("\"input.txt\"  ", "\"../a\"  "), HasSubstr("a name in the run's folder"));
+  EXPECT_THAT(complaint_without("\"input.mustache\"", "\"none\""), HasSubstr("a template of an adapter"));
+  EXPECT_THAT(complaint_without("\"misplaced\"", "\"moved\""), HasSubstr("unknown force_forms 'moved'"));
+}
+
+}  // namespace adapter_test
+}  // namespace mpmvv::codes

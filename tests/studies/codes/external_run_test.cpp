@@ -1,0 +1,142 @@
+#include "studies/codes/external_run.hpp"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+
+#include "studies/support/error.hpp"
+#include "tests/studies/codes/mover.hpp"
+
+namespace mpmvv::codes {
+namespace external_run_test {
+
+using records::Record;
+using records::Status;
+using support::UsageError;
+using testing::HasSubstr;
+
+class ExternalRun : public testing::Test {
+ protected:
+  Record run() const { return run_external(settings::make_case(Mover::settings()), mover_.code()); }
+
+  const Mover mover_;
+};
+
+TEST_F(ExternalRun, IsScoredAsARunOfOurs) {
+  const Record record = run();
+  EXPECT_EQ(record.status, Status::ok) << record.reason;
+  EXPECT_EQ(record.particles, 64);
+  EXPECT_LT(record.error.linf, 1e-15);
+  EXPECT_GT(record.wall_seconds, 0);
+}
+
+TEST_F(ExternalRun, KeepsItsFolderWhereItIsToldTo) {
+  const auto kept = mover_.top() / "kept";
+  run_external(settings::make_case(Mover::settings()), mover_.code(), kept);
+  for (const char* file : {"input.txt", "particles.csv", "log.txt"})
+    EXPECT_TRUE(std::filesystem::exists(kept / file)) << file;
+}
+
+TEST_F(ExternalRun, SaysHowTheProgramEnded) {
+  mover_.script("echo no such mesh >&2; exit 3");
+  const Record record = run();
+  EXPECT_EQ(record.status, Status::failed);
+  EXPECT_EQ(record.failure, records::Failure::of_case);
+  EXPECT_THAT(record.reason, HasSubstr("ended with status 3: no such mesh; its folder: "));
+  const std::filesystem::path folder = record.reason.substr(record.reason.rfind(' ') + 1);
+  EXPECT_TRUE(std::filesystem::exists(folder / "log.txt"));
+  std::filesystem::remove_all(folder.parent_path());
+}
+
+TEST_F(ExternalRun, EndsAtTheTimeLimitWithAllThatItStarted) {
+  std::string text = Mover::text;
+  text.replace(text.find("= 20"), 4, "= 0.2");
+  mover_.adapter(text);
+  mover_.script("sleep 60 & sleep 60");
+  const auto start = std::chrono::steady_clock::now();
+  const Record record = run();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  EXPECT_EQ(record.status, Status::failed);
+  EXPECT_THAT(record.reason, HasSubstr("time limit of 0.2 s"));
+}
+
+/// A result of the method, which the search of a limit can use.
+TEST_F(ExternalRun, ThatSaysThatItBlewUpIsUnstable) {
+  mover_.script("echo blown up at step 3; exit 1");
+  EXPECT_EQ(run().status, Status::unstable);
+}
+
+TEST_F(ExternalRun, WithoutItsFileHasFailed) {
+  mover_.script("true");
+  const Record record = run();
+  EXPECT_EQ(record.status, Status::failed);
+  EXPECT_THAT(record.reason, HasSubstr("particles.csv"));
+}
+
+/// Shell characters in a value are no commands.
+TEST_F(ExternalRun, StartsWithoutAShell) {
+  std::string text = Mover::text;
+  text.replace(text.find("\"{{end_time}}\""), 14, "\"{{end_time}}\", \"; touch hit\"");
+  mover_.adapter(text);
+  const auto kept = mover_.top() / "kept";
+  run_external(settings::make_case(Mover::settings()), mover_.code(), kept);
+  EXPECT_FALSE(std::filesystem::exists(kept / "hit"));
+}
+
+TEST_F(ExternalRun, TakesTheMedianOfTimedRuns) {
+  auto settings = Mover::settings();
+  settings.push_back({"repeat", "3", "test"});
+  const auto records = run_external_timed({settings::make_case(settings)}, {{"mover", mover_.code()}});
+  EXPECT_GT(records.at(0).cost.step_seconds, 0);
+  EXPECT_GE(records.at(0).cost.spread, 0);
+}
+
+TEST_F(ExternalRun, UnknownFieldsAreNamed) {
+  mover_.write("input.mustache", "{{cels}}");
+  EXPECT_THAT(run().reason, HasSubstr("unknown field 'cels' in the template of input.txt"));
+}
+
+TEST_F(ExternalRun, NumbersHaveAllTheirDigits) {
+  mover_.write("input.mustache", "{{h}} {{dt}} {{is_plane}} {{#is_line}}no{{/is_line}}");
+  auto settings = Mover::settings("3");
+  run_external(settings::make_case(settings), mover_.code(), mover_.top() / "kept");
+  double h = 0, dt = 0;
+  std::ifstream(mover_.top() / "kept" / "input.txt") >> h >> dt;
+  EXPECT_EQ(h, 1.0 / 3);
+  EXPECT_EQ(dt, settings::make_case(settings).resolution.dt);
+}
+
+TEST_F(ExternalRun, WhatACodeCannotDoIsRefused) {
+  const auto refusal = [&](const std::string& without, const std::string& instead) {
+    std::string text = Mover::text;
+    text.replace(text.find(without), without.size(), instead);
+    mover_.adapter(text);
+    try {
+      require_able(read_adapter(mover_.folder() / "adapter.toml"), settings::make_case(Mover::settings()));
+    } catch (const UsageError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal("none", "none"), "");
+  EXPECT_THAT(refusal("[2]", "[1, 3]"), HasSubstr("it has 2 dimensions (it can: 1, 3)"));
+  EXPECT_THAT(refusal("\"reference\", ", ""), HasSubstr("force_form 'reference' (it can: none)"));
+  EXPECT_THAT(refusal("\"periodic\"", "\"free\""), HasSubstr("boundary 'periodic'"));
+  EXPECT_THAT(refusal("velocity = true", "velocity = false"), HasSubstr("it starts with a velocity"));
+}
+
+TEST_F(ExternalRun, TheVersionIsThatOfTheProgramOrItsFile) {
+  const std::string of_file = mover_.code().version;
+  mover_.script("echo another");
+  EXPECT_NE(mover_.code().version, of_file);
+  std::string text = Mover::text;
+  text.replace(text.find("[[input]]"), 0, "version = [\"{{program}}\", \"--version\"]\n");
+  mover_.adapter(text);
+  mover_.script("echo mover, version 2.1/b");
+  EXPECT_EQ(mover_.code().version, "2.1_b");
+  mover_.script("exit 1");
+  EXPECT_THROW(mover_.code(), UsageError);
+}
+
+}  // namespace external_run_test
+}  // namespace mpmvv::codes

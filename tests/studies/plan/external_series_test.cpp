@@ -1,0 +1,144 @@
+#include "studies/plan/external_series.hpp"
+
+#include <gmock/gmock.h>
+
+#include "studies/plan/study_runner.hpp"
+#include "studies/support/error.hpp"
+#include "tests/studies/codes/mover.hpp"
+
+namespace mpmvv::plan {
+namespace external_series_test {
+
+using support::UsageError;
+using testing::HasSubstr;
+
+constexpr const char* both = R"(title = "Both"
+[fixed]
+problem = "translation"
+basis = "bspline2"
+ppc = 2
+cfl = 0.5
+[[series]]
+name = "ours"
+[[series]]
+name = "theirs"
+code = "mover"
+[sweep]
+cells = [4, 8, 16]
+)";
+
+class ExternalSeries : public testing::Test {
+ protected:
+  StudyPlan plan(const std::string& text) const { return parse_study(text, file()); }
+  std::filesystem::path file() const { return mover_.top() / "both.toml"; }
+
+  std::string complaint(const std::string& text) const {
+    CodeFinder finder("");
+    try {
+      StudyPlan read = plan(text);
+      complete_series(read, file(), finder);
+    } catch (const UsageError& e) {
+      return e.what();
+    }
+    return "";
+  }
+
+  const codes::Mover mover_;
+};
+
+TEST_F(ExternalSeries, OneStudyHasOursAndTheirs) {
+  StudyPlan read = plan(both);
+  CodeFinder finder("");
+  ASSERT_EQ(complete_series(read, file(), finder), "");
+  const cases::Case ours = case_at(read.series[0], "cells", 8, ""), theirs = case_at(read.series[1], "cells", 8, "");
+  EXPECT_EQ(ours.scheme.basis, "bspline2");
+  EXPECT_EQ(theirs.scheme.variant, "plain");
+  EXPECT_EQ(theirs.scheme.code_version, mover_.code().version);
+  EXPECT_EQ(theirs.scheme.adapter, mover_.code().adapter.digest);
+}
+
+TEST_F(ExternalSeries, TheirCasesAreKeptAndFoundAgain) {
+  StudyPlan read = plan(both);
+  CodeFinder finder("");
+  complete_series(read, file(), finder);
+  RunnerOptions options;
+  options.codes = finder.codes();
+  store::Store store(mover_.top() / "r.db", store::Store::Mode::create_or_write);
+  RunnerCounts counts;
+  const auto outcomes = run_studies({read}, store, options, counts);
+  EXPECT_EQ(counts.ran, 6U);
+  for (const auto& series : outcomes[0].result.series)
+    for (const auto& point : series.points) EXPECT_LT(point.y.at("l2"), 1e-13) << series.name << point.reason;
+  run_studies({read}, store, options, counts);
+  EXPECT_EQ(counts.ran, 0U);
+  EXPECT_EQ(counts.reused, 6U);
+
+  const auto of_codes = store.code_series(store::current_provenance().digest);
+  ASSERT_EQ(of_codes.size(), 1U);
+  EXPECT_EQ(of_codes[0].series, "theirs");
+  EXPECT_EQ(of_codes[0].code, "mover");
+  EXPECT_EQ(of_codes[0].variant, "plain");
+  EXPECT_EQ(of_codes[0].version, mover_.code().version);
+
+  mover_.script(std::string(codes::Mover::moving) + "# edited\n");
+  StudyPlan again = plan(both);
+  CodeFinder anew("");
+  complete_series(again, file(), anew);
+  options.codes = anew.codes();
+  run_studies({again}, store, options, counts);
+  EXPECT_EQ(counts.ran, 3U) << "another program runs anew";
+}
+
+TEST_F(ExternalSeries, StabilityLimitsAreSearchedWithTheirRuns) {
+  mover_.script(std::string("awk -v c=\"$2\" 'BEGIN { exit !(c > 0.7) }' && { echo blown up; exit 1; }\n") +
+                codes::Mover::moving);
+  std::string adapter = codes::Mover::text;
+  adapter.replace(adapter.find("\"{{end_time}}\""), 14, "\"{{end_time}}\", \"{{cfl}}\"");
+  mover_.adapter(adapter);
+  StudyPlan read = plan(R"(title = "Limit"
+[[series]]
+name = "theirs"
+problem = "translation"
+code = "mover"
+ppc = 2
+cells = 4
+[limit]
+key = "cfl"
+from = 0.1
+to = 2
+)");
+  CodeFinder finder("");
+  ASSERT_EQ(complete_series(read, file(), finder), "");
+  RunnerOptions options;
+  options.codes = finder.codes();
+  store::Store store(mover_.top() / "r.db", store::Store::Mode::create_or_write);
+  RunnerCounts counts;
+  const auto outcomes = run_studies({read}, store, options, counts);
+  ASSERT_TRUE(outcomes[0].result.series[0].limit.has_value()) << outcomes[0].trouble;
+  EXPECT_LE(outcomes[0].result.series[0].limit->stable, 0.7);
+  EXPECT_GT(outcomes[0].result.series[0].limit->unstable, 0.7);
+}
+
+TEST_F(ExternalSeries, WithoutTheProgramItSaysHowToGetIt) {
+  std::filesystem::remove(mover_.folder() / "mover");
+  StudyPlan read = plan(both);
+  CodeFinder finder("");
+  EXPECT_THAT(complete_series(read, file(), finder), HasSubstr("MPMVV_TEST_MOVER=PROGRAM"));
+}
+
+TEST_F(ExternalSeries, MistakesAreNamed) {
+  const auto with = [](const std::string& line) {
+    return std::string(both).insert(std::string(both).find("[sweep]"), line);
+  };
+  EXPECT_THAT(complaint(with("variant = \"fast\"\n")), HasSubstr("unknown variant 'fast' of code 'mover'"));
+  EXPECT_THAT(complaint(with("code_version = \"9\"\n")), HasSubstr("code_version = '9'"));
+  EXPECT_THAT(complaint(with("basis = \"linear\"\n")), HasSubstr("basis in"));
+  EXPECT_THAT(complaint(with("force_form = \"misplaced\"\n")), HasSubstr("cannot run problem 'translation'"));
+  std::string other = both;
+  other.replace(other.find("\"mover\""), 7, "\"shaker\"");
+  EXPECT_THAT(complaint(other), HasSubstr("no adapter of code 'shaker'"));
+  EXPECT_THAT(complaint(other), HasSubstr("there are: "));
+}
+
+}  // namespace external_series_test
+}  // namespace mpmvv::plan

@@ -1,0 +1,71 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "studies/settings/part.hpp"
+#include "studies/settings/settings.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv::settings {
+namespace other_code_test {
+
+using support::UsageError;
+using testing::HasSubstr;
+
+using Given = std::initializer_list<std::pair<const char*, const char*>>;
+
+cases::Case made(Given given) {
+  std::vector<Setting> settings{{"cells", "16", "a.toml:1"}, {"ppc", "2", "a.toml:2"}, {"cfl", "0.2", "a.toml:3"}};
+  for (const auto& [key, value] : given) settings.push_back({key, value, "a.toml:9"});
+  return make_case(settings);
+}
+
+std::string complaint(Given given) {
+  try {
+    made(given);
+  } catch (const UsageError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(OtherCode, IsPartOfACase) {
+  const cases::Case c = made({{"problem", "square-rest"}, {"code", "nairn"}, {"variant", "usl"}});
+  EXPECT_EQ(c.scheme.code, "nairn");
+  EXPECT_EQ(c.scheme.variant, "usl");
+  EXPECT_EQ(c.scheme.force_form, cases::ForceForm::reference);
+  EXPECT_EQ(made({{"problem", "square-rest"}, {"code", "nairn"}, {"force_form", "none"}}).scheme.force_form,
+            cases::ForceForm::none);
+}
+
+TEST(OtherCode, TakesNoWordOfOurOwnSolver) {
+  for (const auto& [key, value] : {std::pair{"basis", "linear"},
+                                   {"integrator", "usl"},
+                                   {"boundary", "periodic"},
+                                   {"grid_offset", "0.5"},
+                                   {"nodal_error", "true"}})
+    EXPECT_THAT(complaint({{"problem", "square"}, {"code", "nairn"}, {key, value}}),
+                HasSubstr(std::string(key) + " in a.toml:9 has no meaning for code 'nairn'"));
+}
+
+TEST(OtherCode, ItsWordsHaveNoMeaningWithoutIt) {
+  for (const auto& [key, value] : {std::pair{"variant", "usl"}, {"force_form", "current"}, {"code_version", "1"}})
+    EXPECT_THAT(complaint({{"problem", "square"}, {key, value}}), HasSubstr("has no meaning without code"));
+}
+
+TEST(OtherCode, NeedsASolutionAndAFreeSurface) {
+  EXPECT_THAT(complaint({{"problem", "impact"}, {"code", "nairn"}}), HasSubstr("no exact solution"));
+  EXPECT_THAT(complaint({{"problem", "ring"}, {"code", "nairn"}, {"param.poissons_ratio", "0.3"}}),
+              HasSubstr("traction"));
+  EXPECT_EQ(complaint({{"problem", "ring"}, {"code", "nairn"}, {"quarter", "true"}}), "");
+}
+
+TEST(OtherCode, RunsTheWholeBody) {
+  EXPECT_FALSE(part_of(made({{"problem", "square"}, {"code", "nairn"}})).has_value());
+}
+
+TEST(OtherCode, IsNamedByAWord) {
+  EXPECT_THAT(complaint({{"problem", "square"}, {"code", "a b"}}), HasSubstr("code = 'a b' in a.toml:9"));
+}
+
+}  // namespace other_code_test
+}  // namespace mpmvv::settings
