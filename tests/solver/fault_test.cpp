@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "tests/numbers.hpp"
+#include "tests/solver/each_basis.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
@@ -20,13 +21,12 @@ std::string fault_of(const Scene<D>& scene, double dt, int steps = 20) {
   return "";
 }
 
-template <class B>
-class Faults : public ::testing::Test {
+class Faults : public WithEachBasis {
  protected:
   /// Calls check(scene) with sound scenes of every integrator: the line on one thread and on two, the square on two.
   template <class Check>
-  static void everywhere(const Check& check) {
-    const AnyBoundary boundary = B::ghost == 0 ? AnyBoundary{Dirichlet{}} : Periodic{};
+  void everywhere(const Check& check) {
+    const AnyBoundary boundary = has_open_knots ? AnyBoundary{Dirichlet{}} : Periodic{};
     for (const auto integrator : integrator_words())
       for (const int threads : {1, 2}) {
         const auto prepared = [&](auto scene) {
@@ -35,20 +35,20 @@ class Faults : public ::testing::Test {
           scene.threads = threads;
           return scene;
         };
-        check(prepared(full_scene<1>(B{}, 40, 2, boundary)));
-        if (threads == 2) check(prepared(full_scene<2>(B{}, 17, 2, boundary)));
-        if (threads == 1 && integrator == "usl") check(prepared(full_scene<3>(B{}, 3, 2, boundary)));
+        check(prepared(full_scene<1>(basis, 40, 2, boundary)));
+        if (threads == 2) check(prepared(full_scene<2>(basis, 17, 2, boundary)));
+        if (threads == 1 && integrator == "usl") check(prepared(full_scene<3>(basis, 3, 2, boundary)));
       }
   }
 };
-TYPED_TEST_SUITE(Faults, TestedBases);
+INSTANTIATE_TEST_SUITE_P(, Faults, every_basis(), word_in_name);
 
-TYPED_TEST(Faults, SoundRunsHaveNone) {
-  this->everywhere([](const auto& scene) { EXPECT_EQ(fault_of(scene, 0.1 * scene.h / 120), ""); });
+TEST_P(Faults, SoundRunsHaveNone) {
+  everywhere([](const auto& scene) { EXPECT_EQ(fault_of(scene, 0.1 * scene.h / 120), ""); });
 }
 
-TYPED_TEST(Faults, NotANumberIsReported) {
-  this->everywhere([](auto scene) {
+TEST_P(Faults, NotANumberIsReported) {
+  everywhere([](auto scene) {
     scene.particles.v[7][0] = nan;
     EXPECT_NE(fault_of(scene, 0.1 * scene.h / 120, 3), "");
     scene.particles.v[7][0] = 0;
@@ -60,8 +60,8 @@ TYPED_TEST(Faults, NotANumberIsReported) {
   });
 }
 
-TYPED_TEST(Faults, LeavingIsReported) {
-  this->everywhere([](auto scene) {
+TEST_P(Faults, LeavingIsReported) {
+  everywhere([](auto scene) {
     scene.boundary.fill(Free{});
     for (auto& v : scene.particles.v) v.setConstant(100);
     EXPECT_EQ(fault_of(scene, 0.2 * scene.h / 100), "a particle left the domain");
@@ -72,8 +72,8 @@ TYPED_TEST(Faults, LeavingIsReported) {
   });
 }
 
-TYPED_TEST(Faults, InversionIsReported) {
-  this->everywhere([](auto scene) {
+TEST_P(Faults, InversionIsReported) {
+  everywhere([](auto scene) {
     scene.particles.F[4] *= -1;
     if (scene.particles.F[4].determinant() > 0) scene.particles.F[4].col(0) *= -1;
     const std::string fault = fault_of(scene, 1e-7, 2);
@@ -81,8 +81,8 @@ TYPED_TEST(Faults, InversionIsReported) {
   });
 }
 
-TYPED_TEST(Faults, TooLongAStepIsReported) {
-  this->everywhere([](auto scene) {
+TEST_P(Faults, TooLongAStepIsReported) {
+  everywhere([](auto scene) {
     for (const double cfl : {10.0, 100.0, 3000.0}) EXPECT_NE(fault_of(scene, cfl * scene.h / 120, 400), "") << cfl;
   });
 }

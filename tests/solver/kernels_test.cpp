@@ -3,6 +3,7 @@
 #include "solver/kernels/block_kernels.hpp"
 #include "solver/kernels/map_to_grid.hpp"
 #include "solver/kernels/update_particles.hpp"
+#include "tests/solver/each_basis.hpp"
 #include "tests/solver/moved_body.hpp"
 
 /// Kernels against their equations written down plainly, every particle with every node that it reaches.
@@ -27,8 +28,8 @@ auto heads(const auto& field) {
 }
 
 /// m_i, p_i and f_i of these stresses and body forces.
-template <int D, class B>
-void expect_mapped(const MovedBody<D, B>& body, const std::vector<Mat<D>>& tau, const std::vector<Vec<D>>& b) {
+template <int D>
+void expect_mapped(const MovedBody<D>& body, const std::vector<Mat<D>>& tau, const std::vector<Vec<D>>& b) {
   const auto& particles = body.particles;
   std::vector<Vec<D + 1>> momentum(body.grid.size(), Vec<D + 1>::Zero());
   std::vector<Vec<D>> force(body.grid.size(), Vec<D>::Zero());
@@ -42,9 +43,9 @@ void expect_mapped(const MovedBody<D, B>& body, const std::vector<Mat<D>>& tau, 
   expect_near<D>(heads<D>(body.grid.f), force, "force");
 }
 
-template <class B, int D>
-void expect_to_map(const AnyMaterial& material, const BodyForce<D>* force) {
-  MovedBody<D, B> body;
+template <int D>
+void expect_to_map(const AnyBasis& basis, const AnyMaterial& material, const BodyForce<D>* force) {
+  MovedBody<D> body(basis);
   auto& particles = body.particles;
   std::vector<Mat<D>> tau;
   std::vector<Vec<D>> b;
@@ -67,11 +68,11 @@ void expect_to_map(const AnyMaterial& material, const BodyForce<D>* force) {
   expect_mapped(body, tau, b);
 }
 
-template <class B, int D>
-void expect_to_map_either_way() {
+template <int D>
+void expect_to_map_either_way(const AnyBasis& basis) {
   const SomeForce<D> force;
-  expect_to_map<B, D>(NeoHookeanLog{3000, 4000}, &force);
-  expect_to_map<B, D>(MieGruneisen{.bulk_modulus = 1e4, .gamma = 1}, nullptr);
+  expect_to_map<D>(basis, NeoHookeanLog{3000, 4000}, &force);
+  expect_to_map<D>(basis, MieGruneisen{.bulk_modulus = 1e4, .gamma = 1}, nullptr);
 }
 
 /// x, v and F of a body and what they should be.
@@ -90,9 +91,9 @@ struct Expected {
 };
 
 /// A velocity update with each of its fields once, and `flip` in both of its forms.
-template <class B, int D, bool is_flip>
-void expect_to_move(Deformation rule, const auto& fields_of) {
-  MovedBody<D, B> body;
+template <int D, bool is_flip>
+void expect_to_move(const AnyBasis& basis, Deformation rule, const auto& fields_of) {
+  MovedBody<D> body(basis);
   const VelocityFields<D> fields = fields_of(body.grid);
   ASSERT_TRUE(!is_flip || are_flip(fields, body.grid));
   const double dt = 0.004;
@@ -112,13 +113,13 @@ void expect_to_move(Deformation rule, const auto& fields_of) {
   body.visit({UpdateParticle<D, is_flip>{body.particles, body.grid, fields, dt, deform}});
   expected.compare(body.particles);
 
-  MovedBody<D, B> by_two;  // F by a kernel of its own, velocity and position by another
+  MovedBody<D> by_two(basis);  // F by a kernel of its own, velocity and position by another
   const VelocityFields<D> same = fields_of(by_two.grid);
   by_two.visit({UpdateDeformation<D>{by_two.particles, by_two.grid, deform},
                 UpdateVelocityAndPosition<D, is_flip>{by_two.particles, by_two.grid, same, dt}});
   expected.compare(by_two.particles);
 
-  MovedBody<D, B> by_rate;  // the position by the rate that is kept
+  MovedBody<D> by_rate(basis);  // the position by the rate that is kept
   by_rate.particles.rate.resize(by_rate.particles.size());
   by_rate.visit({UpdateDeformation<D>{by_rate.particles, by_rate.grid, deform},
                  UpdateVelocityAndRate<D>{by_rate.particles, by_rate.grid, fields_of(by_rate.grid), dt},
@@ -126,25 +127,25 @@ void expect_to_move(Deformation rule, const auto& fields_of) {
   expected.compare(by_rate.particles);
 }
 
-template <class B, int D>
-void expect_to_move_by_any_fields() {
+template <int D>
+void expect_to_move_by_any_fields(const AnyBasis& basis) {
   using Fields = VelocityFields<D>;
   const auto flip = [](const Grid<D>& grid) { return Fields{.acceleration = &grid.a, .drift = &grid.v}; };
-  expect_to_move<B, D, true>(Deformation::linear, flip);
-  expect_to_move<B, D, false>(Deformation::exponential, flip);
-  expect_to_move<B, D, false>(Deformation::linear, [](const Grid<D>& grid) {
+  expect_to_move<D, true>(basis, Deformation::linear, flip);
+  expect_to_move<D, false>(basis, Deformation::exponential, flip);
+  expect_to_move<D, false>(basis, Deformation::linear, [](const Grid<D>& grid) {
     return Fields{.acceleration = &grid.a, .before = 0.3, .after = 0.7};
   });
-  expect_to_move<B, D, false>(Deformation::linear, [](const Grid<D>& grid) {
+  expect_to_move<D, false>(basis, Deformation::linear, [](const Grid<D>& grid) {
     return Fields{.velocity = &grid.a, .drift = &grid.v, .before = -0.5, .after = 0.5};
   });
-  expect_to_move<B, D, false>(Deformation::linear, [](const Grid<D>&) { return Fields{.after = 1}; });
+  expect_to_move<D, false>(basis, Deformation::linear, [](const Grid<D>&) { return Fields{.after = 1}; });
 }
 
 /// W (18), then x and F by the same velocity: the sweeps of `uvf`.
-template <class B, int D>
-void expect_to_move_velocity_first() {
-  MovedBody<D, B> body;
+template <int D>
+void expect_to_move_velocity_first(const AnyBasis& basis) {
+  MovedBody<D> body(basis);
   Expected<D> expected(body.particles);
   const DeformationStep<D> deform{0.01, Deformation::linear};
   for (std::size_t p = 0; p < body.particles.size(); ++p) {
@@ -157,9 +158,9 @@ void expect_to_move_velocity_first() {
   expected.compare(body.particles);
 }
 
-template <class B, int D>
-void expect_mass_products() {
-  MovedBody<D, B> body;
+template <int D>
+void expect_mass_products(const AnyBasis& basis) {
+  MovedBody<D> body(basis);
   std::vector<Vec<D>> product(body.grid.size(), Vec<D>::Zero());
   for (std::size_t p = 0; p < body.particles.size(); ++p)
     for (const auto& [n, N, dN] : body.weights[p]) product[n] += N * body.particles.m[p] * body.value(p, body.grid.v);
@@ -168,9 +169,9 @@ void expect_mass_products() {
 }
 
 /// Of one number on each node, in the component of the mass.
-template <class B, int D>
-void expect_scalar_mass_products() {
-  MovedBody<D, B> body;
+template <int D>
+void expect_scalar_mass_products(const AnyBasis& basis) {
+  MovedBody<D> body(basis);
   std::vector<Padded<D + 1>> u(body.grid.size());
   for (std::size_t n = 0; n < u.size(); ++n) u[n] = padded_alone<D>(std::sin(static_cast<double>(n)));
   std::vector<Vec<D + 1>> product(u.size(), Vec<D + 1>::Zero());
@@ -184,10 +185,10 @@ void expect_scalar_mass_products() {
 }
 
 /// y' = y^n + next k and the sum of the weighted rates; without a next stage the sum itself.
-template <class B, int D>
-void expect_stages() {
+template <int D>
+void expect_stages(const AnyBasis& basis) {
   for (const std::optional<double> next : {std::optional(0.006), std::optional<double>()}) {
-    MovedBody<D, B> body;
+    MovedBody<D> body(basis);
     body.particles.start_stages();
     Expected<D> now(body.particles), sum(body.particles);
     for (std::size_t p = 0; p < body.particles.size(); ++p) {
@@ -204,33 +205,32 @@ void expect_stages() {
   }
 }
 
-template <class B>
-class Kernels : public ::testing::Test {
+class Kernels : public WithEachBasis {
  protected:
   template <class Check>
   void in_every_dimension(const Check& check) {
     check(Dimension<1>{}), check(Dimension<2>{}), check(Dimension<3>{});
   }
 };
-TYPED_TEST_SUITE(Kernels, TestedBases);
+INSTANTIATE_TEST_SUITE_P(, Kernels, every_basis(), word_in_name);
 
-TYPED_TEST(Kernels, MapMomentumAndForces) {
-  this->in_every_dimension([]<int D>(Dimension<D>) { expect_to_map_either_way<TypeParam, D>(); });
+TEST_P(Kernels, MapMomentumAndForces) {
+  in_every_dimension([this]<int D>(Dimension<D>) { expect_to_map_either_way<D>(basis); });
 }
-TYPED_TEST(Kernels, UpdateParticles) {
-  this->in_every_dimension([]<int D>(Dimension<D>) { expect_to_move_by_any_fields<TypeParam, D>(); });
+TEST_P(Kernels, UpdateParticles) {
+  in_every_dimension([this]<int D>(Dimension<D>) { expect_to_move_by_any_fields<D>(basis); });
 }
-TYPED_TEST(Kernels, UpdateVelocityFirst) {
-  this->in_every_dimension([]<int D>(Dimension<D>) { expect_to_move_velocity_first<TypeParam, D>(); });
+TEST_P(Kernels, UpdateVelocityFirst) {
+  in_every_dimension([this]<int D>(Dimension<D>) { expect_to_move_velocity_first<D>(basis); });
 }
-TYPED_TEST(Kernels, MultiplyByTheMass) {
-  this->in_every_dimension([]<int D>(Dimension<D>) {
-    expect_mass_products<TypeParam, D>();
-    expect_scalar_mass_products<TypeParam, D>();
+TEST_P(Kernels, MultiplyByTheMass) {
+  in_every_dimension([this]<int D>(Dimension<D>) {
+    expect_mass_products<D>(basis);
+    expect_scalar_mass_products<D>(basis);
   });
 }
-TYPED_TEST(Kernels, AdvanceAStageOfRungeAndKutta) {
-  this->in_every_dimension([]<int D>(Dimension<D>) { expect_stages<TypeParam, D>(); });
+TEST_P(Kernels, AdvanceAStageOfRungeAndKutta) {
+  in_every_dimension([this]<int D>(Dimension<D>) { expect_stages<D>(basis); });
 }
 
 }  // namespace mpmvv::solver::kernels_test

@@ -13,7 +13,7 @@ namespace mpmvv::solver {
 
 /// Particles on their way, up to 0.4 cells along each axis from where they were sorted, with masses, velocities and
 /// deformations of their own, on a grid in motion; and the weights of each, node by node.
-template <int D, class B>
+template <int D>
 struct MovedBody {
   struct Weight {
     std::size_t n;
@@ -21,12 +21,14 @@ struct MovedBody {
     Vec<D> dN;
   };
 
-  Scene<D> scene = full_scene<D>(B{}, D == 3 ? 5 : 12, D == 1 ? 12 : 3, Free{});
+  Scene<D> scene;
   Particles<D>& particles = scene.particles;
-  Grid<D> grid = grid_for<B, D>(scene.lower, scene.h, scene.cells);
+  Grid<D> grid;
   std::vector<std::vector<Weight>> weights;  ///< by particle
 
-  MovedBody() {
+  explicit MovedBody(const AnyBasis& basis)
+      : scene(full_scene<D>(basis, D == 3 ? 5 : 12, D == 1 ? 12 : 3, Free{})),
+        grid(grid_for<D>(basis, scene.lower, scene.h, scene.cells)) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> some(-1, 1);
     const auto any = [&] { return some(random); };
@@ -35,7 +37,7 @@ struct MovedBody {
       for (int d = 0; d < D; ++d) particles.x[p][d] = std::clamp(particles.x[p][d] + 0.4 * scene.h * any(), 0.0, 1.0);
       particles.v[p] = Vec<D>::NullaryExpr(any);
       particles.F[p] += 0.2 * Mat<D>::NullaryExpr(any);
-      weights.push_back(weights_of(p));
+      std::visit([&](const auto& b) { weights.push_back(weights_of(b, p)); }, basis);
     }
     for (auto* field : {&grid.v, &grid.a})
       for (auto& value : *field) value = Padded<D>::NullaryExpr(any);
@@ -43,12 +45,13 @@ struct MovedBody {
 
   /// Takes all particles through these kernels.
   void visit(std::initializer_list<AnyKernel<D>> kernels) {
-    AnyBlock<D> any = make_block<D>(B{}, 0);
-    auto& block = std::get<BlockOf<D, B>>(any);
-    for (block.begin = 0; block.begin < particles.size(); block.begin += block.most) {
-      block.count = static_cast<int>(std::min<std::size_t>(block.most, particles.size() - block.begin));
-      ASSERT_EQ(evaluate(B{}, particles, grid, true, any), Fault::none);
-      std::fill_n(block.tau, block.most, PaddedMat<D>::Constant(std::nan("")));
+    AnyBlock<D> any = make_block<D>(scene.basis, 0);
+    const auto most = static_cast<std::size_t>(std::visit([](const auto& own) { return own.most; }, any));
+    Block<D>& block = common<D>(any);
+    for (block.begin = 0; block.begin < particles.size(); block.begin += most) {
+      block.count = static_cast<int>(std::min(most, particles.size() - block.begin));
+      ASSERT_EQ(evaluate(scene.basis, particles, grid, true, any), Fault::none);
+      std::fill_n(block.tau, most, PaddedMat<D>::Constant(std::nan("")));
       for (const auto& kernel : kernels) kernel(any, grid);
     }
   }
@@ -67,7 +70,8 @@ struct MovedBody {
   }
 
  private:
-  std::vector<Weight> weights_of(std::size_t p) const {
+  template <class B>
+  std::vector<Weight> weights_of(const B& basis, std::size_t p) const {
     Particles<D> one;
     one.resize(1);
     one.x[0] = particles.x[p];
@@ -79,7 +83,7 @@ struct MovedBody {
         all.push_back({static_cast<std::size_t>(n), N, dN});
       });
     };
-    EXPECT_EQ(evaluate_one(B{}, one, grid, visit), Fault::none);
+    EXPECT_EQ(evaluate_one(basis, one, grid, visit), Fault::none);
     return all;
   }
 };

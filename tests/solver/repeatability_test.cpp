@@ -2,6 +2,7 @@
 #include <random>
 
 #include "solver/parallel/slabs.hpp"
+#include "tests/solver/each_basis.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
@@ -46,9 +47,8 @@ Scene<D> drifting(const AnyBasis& basis, const Index<D>& cells) {
   return scene;
 }
 
-template <class B>
-class Repeatability : public ::testing::Test {};
-TYPED_TEST_SUITE(Repeatability, TestedBases);
+class Repeatability : public WithEachBasis {};
+INSTANTIATE_TEST_SUITE_P(, Repeatability, every_basis(), word_in_name);
 
 template <int D>
 void expect_the_same_for_any_threads(Scene<D> scene, std::string_view integrator, int steps) {
@@ -63,18 +63,18 @@ void expect_the_same_for_any_threads(Scene<D> scene, std::string_view integrator
   }
 }
 
-TYPED_TEST(Repeatability, NumberOfThreadsDoesNotMatter) {
-  if (TypeParam::ghost == 0) return;  // nothing drifts between walls; see the next test
+TEST_P(Repeatability, NumberOfThreadsDoesNotMatter) {
+  if (has_open_knots) return;  // nothing drifts between walls; see the next test
   for (const auto integrator : integrator_words()) {
-    expect_the_same_for_any_threads(drifting<1>(TypeParam{}, {50}), integrator, 100);
+    expect_the_same_for_any_threads(drifting<1>(basis, {50}), integrator, 100);
     if (integrator == "usl" || integrator == "usl+" || integrator == "rk4")  // between them they sweep as all others do
-      expect_the_same_for_any_threads(drifting<2>(TypeParam{}, {4, 40}), integrator, 60);
+      expect_the_same_for_any_threads(drifting<2>(basis, {4, 40}), integrator, 60);
   }
-  expect_the_same_for_any_threads(with_consistent_mass(drifting<2>(TypeParam{}, {4, 40})), "usl", 60);
+  expect_the_same_for_any_threads(with_consistent_mass(drifting<2>(basis, {4, 40})), "usl", 60);
 }
 
-TYPED_TEST(Repeatability, NumberOfThreadsDoesNotMatterBetweenWalls) {
-  Scene<2> scene = full_scene<2>(TypeParam{}, 33, 2, Dirichlet{});
+TEST_P(Repeatability, NumberOfThreadsDoesNotMatterBetweenWalls) {
+  Scene<2> scene = full_scene<2>(basis, 33, 2, Dirichlet{});
   set_wave(scene, 2);
   const auto one = run(scene, 10);
   scene.threads = 3;
@@ -88,8 +88,8 @@ TEST(Repeatable, NumberOfThreadsDoesNotMatterOnManyNodes) {  // their loops are 
   for (scene.threads = 2; scene.threads < 4; ++scene.threads) expect_identical(one, run(scene, 5));
 }
 
-TYPED_TEST(Repeatability, OrderOfCreationDoesNotMatter) {
-  Scene<2> scene = full_scene<2>(TypeParam{}, 18, 2, TypeParam::ghost == 0 ? AnyBoundary{Dirichlet{}} : Periodic{});
+TEST_P(Repeatability, OrderOfCreationDoesNotMatter) {
+  Scene<2> scene = full_scene<2>(basis, 18, 2, has_open_knots ? AnyBoundary{Dirichlet{}} : Periodic{});
   set_wave(scene, 5);
   const auto ordered = run(scene, 40);
   std::vector<std::uint32_t> shuffle(scene.particles.size());
@@ -106,9 +106,8 @@ TYPED_TEST(Repeatability, OrderOfCreationDoesNotMatter) {
 }
 
 /// A motion that meets every face squarely, as the manufactured ones do; by a cutoff below all those tried.
-template <class B>
-Scene<2> squarely(const AnyBoundary& boundary) {
-  Scene<2> scene = full_scene<2>(B{}, 10, 3, boundary);
+Scene<2> squarely(const AnyBasis& basis, const AnyBoundary& boundary) {
+  Scene<2> scene = full_scene<2>(basis, 10, 3, boundary);
   for (std::size_t p = 0; p < scene.particles.size(); ++p)
     for (int d = 0; d < 2; ++d) scene.particles.v[p][d] = 5 * std::sin(2 * M_PI * scene.particles.x[p][d]);
   scene.mass_cutoff = 1e-14;
@@ -117,23 +116,23 @@ Scene<2> squarely(const AnyBoundary& boundary) {
 
 /// A corner that overlaps a wall by ε gives a ghost node a mass and a force of order ε: what the cutoff leaves out
 /// there changes the motion in proportion to it.
-TYPED_TEST(Repeatability, MassCutoffDoesNotMatter) {
+TEST_P(Repeatability, MassCutoffDoesNotMatter) {
   for (const AnyBoundary& boundary : std::vector<AnyBoundary>{Dirichlet{}, Symmetry{}}) {
-    Scene<2> scene = squarely<TypeParam>(boundary);
+    Scene<2> scene = squarely(basis, boundary);
     const auto finest = run(scene, 60);
     for (const double cutoff : {1e-13, 1e-12, 1e-11, 1e-10}) {
       scene.mass_cutoff = cutoff;
       const auto coarser = run(scene, 60);
-      if (TypeParam::width != ParticleWidth::domain) expect_identical(finest, coarser);
+      if (width_of(basis) != ParticleWidth::domain) expect_identical(finest, coarser);
       for (std::size_t p = 0; p < finest.size(); ++p)
         EXPECT_LT((finest.x[p] - coarser.x[p]).norm(), 10 * cutoff * scene.h);
     }
   }
 }
 
-TYPED_TEST(Repeatability,
-           MassCutoffHardlyMattersAtAFreeFace) {  // particles push nodes beyond it as they first reach them
-  Scene<2> scene = squarely<TypeParam>(Free{});
+TEST_P(Repeatability,
+       MassCutoffHardlyMattersAtAFreeFace) {  // particles push nodes beyond it as they first reach them
+  Scene<2> scene = squarely(basis, Free{});
   const auto finest = run(scene, 60);
   for (const double cutoff : {1e-13, 1e-12, 1e-11, 1e-10}) {
     scene.mass_cutoff = cutoff;

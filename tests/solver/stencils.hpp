@@ -76,6 +76,11 @@ Grid<D> grid_for(const Vec<D>& lower, double h, const Index<D>& cells) {
   return Grid<D>(lower, h, cells, B::extra_inside, B::ghost);
 }
 
+template <int D>
+Grid<D> grid_for(const AnyBasis& basis, const Vec<D>& lower, double h, const Index<D>& cells) {
+  return std::visit([&]<class B>(const B&) { return grid_for<B, D>(lower, h, cells); }, basis);
+}
+
 /// Calls visit(n, N, ∇N) for every node of the block's first particle.
 template <int D, int K, class Visit>
 void for_nodes(const PointBlock<D, K>& block, const Particles<D>&, const Grid<D>& grid, const Visit& visit) {

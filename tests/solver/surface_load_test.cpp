@@ -4,6 +4,7 @@
 
 #include "solver/kernels/map_surface_load.hpp"
 #include "solver/step.hpp"
+#include "tests/solver/each_basis.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
@@ -29,13 +30,12 @@ class GivenLoad final : public SurfaceLoad<2> {
 
 /// The middle of the unit square with a load that grows in time on two of its particles, which are turned: that gives
 /// no stress.
-template <class B>
-class SurfaceLoads : public ::testing::Test {
+class SurfaceLoads : public WithEachBasis {
  protected:
   SurfaceLoads() {
     scene.h = 0.125;
     scene.cells = {8, 8};
-    scene.basis = settings<B>(0.5).front().basis;
+    scene.basis = std::visit([]<class B>(const B&) -> AnyBasis { return settings<B>(0.5).front().basis; }, basis);
     scene.material = NeoHookeanLog{3000, 4000};
     scene.boundary.fill(Free{});
     scene.particles = particles_at<2>(lattice<2>({0.25, 0.25}, 0.0625, {8, 8}), 0.0625 * 0.0625);
@@ -56,11 +56,11 @@ class SurfaceLoads : public ::testing::Test {
   Scene<2> scene;
   GivenLoad load;
 };
-TYPED_TEST_SUITE(SurfaceLoads, TestedBases);
+INSTANTIATE_TEST_SUITE_P(, SurfaceLoads, every_basis(), word_in_name);
 
-TYPED_TEST(SurfaceLoads, GiveTheGridTheirForceAndMoment) {
-  const Vec<2> first = this->place(0), second = this->place(1);
-  Step<2> s(this->scene);
+TEST_P(SurfaceLoads, GiveTheGridTheirForceAndMoment) {
+  const Vec<2> first = place(0), second = place(1);
+  Step<2> s(scene);
   s.set_time(2);
   s.map_momentum_and_forces();
   Vec<2> force = Vec<2>::Zero();
@@ -75,10 +75,10 @@ TYPED_TEST(SurfaceLoads, GiveTheGridTheirForceAndMoment) {
   EXPECT_LT((moment - exact).norm(), 1e-13);
 }
 
-TYPED_TEST(SurfaceLoads, GiveTheBodyTheirImpulse) {
+TEST_P(SurfaceLoads, GiveTheBodyTheirImpulse) {
   for (const int threads : {1, 2}) {
-    this->scene.threads = threads;
-    Mpm<2> mpm(this->scene);
+    scene.threads = threads;
+    Mpm<2> mpm(scene);
     constexpr double dt = 1e-5;
     for (int k = 0; k < 10; ++k) ASSERT_TRUE(mpm.step(dt));
     Vec<2> momentum = Vec<2>::Zero();
@@ -88,9 +88,9 @@ TYPED_TEST(SurfaceLoads, GiveTheBodyTheirImpulse) {
   }
 }
 
-TYPED_TEST(SurfaceLoads, OnAParticleBeyondTheGridAreAFault) {
-  this->scene.particles.x[63][0] = 2;
-  Mpm<2> mpm(this->scene);
+TEST_P(SurfaceLoads, OnAParticleBeyondTheGridAreAFault) {
+  scene.particles.x[63][0] = 2;
+  Mpm<2> mpm(scene);
   EXPECT_FALSE(mpm.step(1e-5));
   EXPECT_EQ(mpm.fault(), "a particle left the domain");
 }
