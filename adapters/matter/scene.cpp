@@ -67,7 +67,7 @@ void set_up(Simulation& sim, const Scene& scene) {
   sim.cfl = 1e10;
   sim.cfl_elastic = number("dt") * std::sqrt(sim.E / sim.rho) / sim.dx;
   sim.Np = scene.x.size();
-  sim.particle_volume = number("particle_volume");
+  sim.particle_volume = number("particle_width") * number("particle_width");
   sim.particle_mass = sim.rho * sim.particle_volume;
   sim.particles = Particles(sim.Np);
   sim.particles.x = scene.x;
