@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "studies/codes/conditions.hpp"
 #include "studies/codes/expressions.hpp"
@@ -55,11 +56,13 @@ void add_conditions(const Case& c, TemplateFields& fields) {
   set(fields, "particle_width", known.h / c.resolution.ppc);
   set(fields, "dt", known.dt);
   set(fields, "end_time", known.end_time);
+  set(fields, "before_end", known.end_time - known.dt / 2);
   set(fields, "cfl", known.cfl);
   set(fields, "wave_speed", known.wave_speed);
   set(fields, "density", known.density);
   fields.set("material", known.material);
   fields.set("dimension", fmt::format("{}", known.dimension));
+  set(fields, "particles_per_cell", std::pow(c.resolution.ppc, known.dimension));
   static const std::vector<std::string> shapes{"line", "plane", "solid"};
   set_words(fields, shapes, shapes[static_cast<std::size_t>(known.dimension - 1)]);
   if (known.elasticity) {

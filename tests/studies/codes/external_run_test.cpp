@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "studies/support/error.hpp"
 #include "tests/studies/codes/mover.hpp"
@@ -58,6 +59,16 @@ TEST_F(ExternalRun, EndsAtTheTimeLimitWithAllThatItStarted) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   EXPECT_EQ(record.status, Status::failed);
   EXPECT_THAT(record.reason, HasSubstr("time limit of 0.2 s"));
+}
+
+/// What templates cannot work out themselves.
+TEST_F(ExternalRun, TellsTheParticlesOfACellAndATimeJustBeforeTheEnd) {
+  mover_.write("input.mustache", "{{ppc}} {{particles_per_cell}} {{end_time}} {{before_end}} {{dt}} {{dimension}}");
+  run_external(settings::make_case(Mover::settings()), mover_.code(), mover_.top() / "kept");
+  double ppc = 0, particles = 0, end = 0, before = 0, dt = 0, dimension = 0;
+  std::ifstream(mover_.top() / "kept" / "input.txt") >> ppc >> particles >> end >> before >> dt >> dimension;
+  EXPECT_EQ(particles, std::pow(ppc, dimension));
+  EXPECT_DOUBLE_EQ(end - before, dt / 2);
 }
 
 /// A result of the method, which the search of a limit can use.
