@@ -16,6 +16,7 @@ void add_expression(CLI::App& app, int& exit_code);
 void add_case(CLI::App& app, int& exit_code);
 void add_score(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
+void add_submit(CLI::App& app, int& exit_code);
 void add_gate(CLI::App& app, int& exit_code);
 void add_propose(CLI::App& app, int& exit_code);
 void add_report(CLI::App& app, int& exit_code);

@@ -5,6 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "studies/store/store.hpp"
 #include "studies/support/file.hpp"
@@ -16,7 +17,8 @@ using store::Store;
 namespace {
 
 struct DbOptions {
-  std::string db, other, out, study;
+  std::string db, out, study;
+  std::vector<std::filesystem::path> others;
   bool json = false;
 };
 
@@ -39,7 +41,10 @@ int check(const DbOptions& options) {
 }
 
 int merge(const DbOptions& options) {
-  print("{} records copied from {} to {}\n", Store::merge(options.db, options.other), options.other, options.db);
+  const std::int64_t copied = Store::merge(options.db, options.others);
+  print("{} records copied from {} to {}\n", copied,
+        options.others.size() == 1 ? options.others[0].string() : count_text(options.others.size(), "store"),
+        options.db);
   return 0;
 }
 
@@ -78,8 +83,9 @@ void add_db(CLI::App& app, int& exit_code) {
   add("info", "Print what the store holds", &info, {"mpmvv db info --db results.db"})
       ->add_flag("--json", options->json, "print one JSON object");
   add("check", "Check the store's integrity", &check, {"mpmvv db check --db results.db"});
-  add("merge", "Copy what another store has and this one lacks", &merge, {"mpmvv db merge results.db --db all.db"})
-      ->add_option("other", options->other, "the other store")
+  add("merge", "Copy what other stores have and this one lacks: of all of them or, where one is bad, of none", &merge,
+      {"mpmvv db merge results.db --db all.db", "mpmvv db merge shard-1.db shard-2.db --db all.db"})
+      ->add_option("others", options->others, "the other stores")
       ->required()
       ->type_name("FILE");
   add("forget", "Remove a study in all its versions; its runs stay, so that to run it again costs little", &forget,

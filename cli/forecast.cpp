@@ -22,11 +22,12 @@ nlohmann::json json_of(const plan::StudyForecast& s) {
 
 }  // namespace
 
-void print_forecast(const std::vector<plan::StudyPlan>& plans, const std::string& db, int jobs, bool as_json) {
+void print_forecast(const std::vector<plan::StudyPlan>& plans, const plan::Work& work, const std::string& db, int jobs,
+                    bool as_json) {
   store::require_place(db);
   std::optional<store::Store> store;
   if (std::filesystem::exists(db)) store.emplace(db, store::Store::Mode::read);
-  const plan::Forecast all = plan::forecast(plans, store ? &*store : nullptr, jobs);
+  const plan::Forecast all = plan::forecast(plans, work, store ? &*store : nullptr, jobs);
   if (as_json) {
     nlohmann::json json{{"jobs", jobs},
                         {"core_seconds", all.core_seconds},

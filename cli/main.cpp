@@ -25,6 +25,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_case(app, exit_code);
   add_score(app, exit_code);
   add_study(app, exit_code);
+  add_submit(app, exit_code);
   add_gate(app, exit_code);
   add_propose(app, exit_code);
   add_report(app, exit_code);

@@ -6,6 +6,9 @@ namespace mpmvv::plan {
 /// Number of particles times steps, more for an expanded inverse: to run long cases first.
 double work_estimate(const cases::Case& c);
 
+/// Seconds that a check takes, of which nothing is known; the longest take some.
+inline constexpr double about_check = 5;
+
 /// Upper estimate of the memory that a run of this case takes, in bytes.
 double memory_estimate(const cases::Case& c);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <set>
 
 #include "studies/plan/cost_model.hpp"
@@ -20,22 +21,21 @@ using cases::Case;
 
 namespace {
 
-/// Until `jobs` workers are done, each taking the longest task that is left.
-double seconds_on(int jobs, std::vector<double> tasks) {
-  std::ranges::sort(tasks, std::greater{});
-  std::vector<double> busy(static_cast<std::size_t>(jobs), 0.0);
-  for (const double task : tasks) *std::ranges::min_element(busy) += task;
-  return std::ranges::max(busy);
-}
-
 class Forecaster {
  public:
-  Forecaster(const store::Store* store, int jobs) : store_(store), jobs_(jobs), costs_(store) {
+  Forecaster(const Work& work, const store::Store* store, int jobs)
+      : cases_(work.runs.begin(), work.runs.end()),
+        checks_(work.checks.begin(), work.checks.end()),
+        store_(store),
+        jobs_(jobs),
+        costs_(store) {
+    for (const std::vector<Case>& timed : work.timed) cases_.insert(timed.begin(), timed.end());
+    for (const LimitTask& limit : work.limits) limits_[limit.plan].push_back(limit);
     if (store) stored_studies_ = store->studies(digest_);
   }
 
   Forecast of(const std::vector<StudyPlan>& plans) {
-    for (const StudyPlan& plan : plans) result_.studies.push_back(of(plan));
+    for (std::size_t k = 0; k < plans.size(); ++k) add_study(plans, k);
     for (const StudyForecast& study : result_.studies) result_.core_seconds += study.seconds;
     result_.seconds = seconds_on(jobs_, tasks_) + result_.timed_seconds;
     return result_;
@@ -47,20 +47,20 @@ class Forecaster {
     return record && !records::is_worth_another_try(*record);
   }
 
-  StudyForecast of(const StudyPlan& plan) {
+  void add_study(const std::vector<StudyPlan>& plans, std::size_t k) {
+    const StudyPlan& plan = plans[k];
     StudyForecast study{.study = plan.name, .why = {}};
     sources_ = {};
     longest_ = {};
-    const std::vector<Case> swept = sweep_cases(plan);
-    const std::set<Case> cases(swept.begin(), swept.end());
+    std::set<Case> cases;
+    for (const Case& c : sweep_cases(plan))
+      if (cases_.contains(c)) cases.insert(c);
+    if (cases.empty() && !checks_.contains(k) && !limits_.contains(k)) return;
     study.cases = cases.size();
     for (const Case& c : cases) add_case(c, study);
-    if (plan.limit)
-      for (const SeriesPlan& series : plan.series)
-        if (plan.searches(series))
-          for (const SeriesPlan& replicate : replicates_of(plan, series)) add_scan(plan, replicate, study);
+    for (const LimitTask& limit : limits_[k]) add_scan(scan_cases(plans, limit), study);
     study.why = why(plan, study);
-    return study;
+    result_.studies.push_back(study);
   }
 
   void add_case(const Case& c, StudyForecast& study) {
@@ -82,9 +82,9 @@ class Forecaster {
   }
 
   /// The probes of a scan count as one task: what comes after them is not known yet.
-  void add_scan(const StudyPlan& plan, const SeriesPlan& replicate, StudyForecast& study) {
+  void add_scan(const std::vector<Case>& scan, StudyForecast& study) {
     double seconds = 0;
-    for (const Case& c : scan_cases(plan, replicate)) {
+    for (const Case& c : scan) {
       if (is_stored(c)) continue;
       ++study.probes;
       seconds += add_time(c, study);
@@ -120,6 +120,9 @@ class Forecaster {
     return fmt::format("{}", fmt::join(reasons, "; "));
   }
 
+  std::set<Case> cases_;  ///< of sweeps
+  std::set<std::size_t> checks_;
+  std::map<std::size_t, std::vector<LimitTask>> limits_;  ///< by study
   const store::Store* store_;
   const int jobs_;
   const CostModel costs_;
@@ -135,7 +138,18 @@ class Forecaster {
 }  // namespace
 
 Forecast forecast(const std::vector<StudyPlan>& plans, const store::Store* store, int jobs) {
-  return Forecaster(store, jobs).of(plans);
+  return forecast(plans, work_of(plans), store, jobs);
+}
+
+Forecast forecast(const std::vector<StudyPlan>& plans, const Work& work, const store::Store* store, int jobs) {
+  return Forecaster(work, store, jobs).of(plans);
+}
+
+double seconds_on(int jobs, std::vector<double> tasks) {
+  std::ranges::sort(tasks, std::greater{});
+  std::vector<double> busy(static_cast<std::size_t>(jobs), 0.0);
+  for (const double task : tasks) *std::ranges::min_element(busy) += task;
+  return std::ranges::max(busy);
 }
 
 }  // namespace mpmvv::plan

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "studies/plan/study.hpp"
+#include "studies/plan/work.hpp"
 #include "studies/store/store.hpp"
 
 namespace mpmvv::plan {
@@ -32,5 +33,11 @@ struct Forecast {
 
 /// Runs nothing and keeps nothing. `store` is null where there is none yet.
 Forecast forecast(const std::vector<StudyPlan>& plans, const store::Store* store, int jobs);
+
+/// The same of one machine's work; studies of which it has nothing are left out.
+Forecast forecast(const std::vector<StudyPlan>& plans, const Work& work, const store::Store* store, int jobs);
+
+/// Seconds until so many workers are done, each taking the longest task that is left.
+double seconds_on(int jobs, std::vector<double> tasks);
 
 }  // namespace mpmvv::plan

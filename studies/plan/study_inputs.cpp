@@ -7,7 +7,6 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "studies/settings/part.hpp"
 #include "studies/support/parallel.hpp"
 #include "studies/support/reason.hpp"
 
@@ -28,11 +27,6 @@ struct ProbeFailed : std::runtime_error {
 fits::Probe probe_of(const std::string& key, double asked, const Record& r) {
   if (r.status == records::Status::failed) throw ProbeFailed(fmt::format("a probe at {} failed: {}", asked, r.reason));
   return {key == "cfl" ? r.cfl : asked, r.status == records::Status::ok, r.reason};
-}
-
-/// The whole body: near its limit round-off decides, and grows otherwise in a part of it.
-Case probe_case(const fits::LimitSearch& search, const SeriesPlan& series, double value) {
-  return settings::as_whole(case_at(series, search.key, value, series.where));
 }
 
 fits::StabilityLimit search_limit(const fits::LimitSearch& search, const SeriesPlan& series, CasePool& pool) {
@@ -56,19 +50,14 @@ class Tasks {
  public:
   explicit Tasks(CasePool& pool) : pool_(pool) {}
 
-  void add_sweeps(const std::vector<StudyPlan>& plans) {
-    std::vector<Case> untimed;
-    for (const StudyPlan& plan : plans)
-      for (const Case& c : sweep_cases(plan))
-        if (c.measure.repeat == 0) untimed.push_back(c);
-    const std::vector<Case> missing = pool_.missing(untimed);
+  void add_runs(const std::vector<Case>& cases) {
+    const std::vector<Case> missing = pool_.missing(cases);
     const double all = pool_.seconds(missing);
     for (const Case& c : missing) tasks_.push_back({pool_.seconds({c}), [this, c, all] { pool_.run(c, all); }});
   }
 
-  /// Nothing is known of how long checks take; the longest take some seconds.
   void add_check(const StudyPlan& plan, StudyInputs& input, const std::function<void()>& when_done) {
-    constexpr double about = 5;
+    constexpr double about = about_check;
     pool_.expect(about);
     tasks_.push_back({about, [this, &plan, &input, when_done] {
                         pool_.expect(-about);
@@ -82,25 +71,21 @@ class Tasks {
                       }});
   }
 
-  void add_limits(const StudyPlan& plan, StudyInputs& input) {
+  void add_limit(const StudyPlan& plan, const LimitTask& limit, StudyInputs& input) {
+    const auto replicates = replicates_of(plan, plan.series[limit.series]);
     input.limits.resize(plan.series.size());
-    for (std::size_t s = 0; s < plan.series.size(); ++s) {
-      if (!plan.searches(plan.series[s])) continue;
-      const auto replicates = replicates_of(plan, plan.series[s]);
-      input.limits[s].resize(replicates.size());
-      for (std::size_t k = 0; k < replicates.size(); ++k) {
-        const double about = pool_.seconds(scan_cases(plan, replicates[k]));
-        pool_.expect(about);
-        tasks_.push_back({about, [this, about, &plan, &input, s, k, replicate = replicates[k]] {
-                            pool_.expect(-about);
-                            try {
-                              input.limits[s][k] = search_limit(plan.limit->search, replicate, pool_);
-                            } catch (const ProbeFailed& failed) {
-                              note(input, failed.what());
-                            }
-                          }});
-      }
-    }
+    input.limits[limit.series].resize(replicates.size());
+    const double about = pool_.seconds(scan_cases(plan, replicates[limit.replicate]));
+    pool_.expect(about);
+    tasks_.push_back({about, [this, about, &plan, &input, limit, replicate = replicates[limit.replicate]] {
+                        pool_.expect(-about);
+                        try {
+                          input.limits[limit.series][limit.replicate] =
+                              search_limit(plan.limit->search, replicate, pool_);
+                        } catch (const ProbeFailed& failed) {
+                          note(input, failed.what());
+                        }
+                      }});
   }
 
   void run(int jobs) {
@@ -121,31 +106,6 @@ class Tasks {
 
 }  // namespace
 
-std::vector<Case> sweep_cases(const StudyPlan& plan, const SeriesPlan& series) {
-  std::vector<Case> cases;
-  for (const double value : plan.values)
-    for (const Case& c : replicates_at(plan, series, value)) cases.push_back(c);
-  return cases;
-}
-
-std::vector<Case> sweep_cases(const StudyPlan& plan) {
-  std::vector<Case> cases;
-  for (const SeriesPlan& series : plan.series)
-    for (const Case& c : sweep_cases(plan, series)) cases.push_back(c);
-  return cases;
-}
-
-bool is_timed(const StudyPlan& plan) {
-  return std::ranges::any_of(sweep_cases(plan), [](const Case& c) { return c.measure.repeat > 0; });
-}
-
-std::vector<Case> scan_cases(const StudyPlan& plan, const SeriesPlan& replicate) {
-  std::vector<Case> cases;
-  for (const double value : fits::scan_values(plan.limit->search))
-    cases.push_back(probe_case(plan.limit->search, replicate, value));
-  return cases;
-}
-
 std::optional<checks::CheckResult> stored_check(const StudyPlan& plan,
                                                 const std::vector<records::StudyResult>& stored) {
   for (const records::StudyResult& s : stored)
@@ -157,19 +117,18 @@ std::optional<checks::CheckResult> stored_check(const StudyPlan& plan,
   return std::nullopt;
 }
 
-std::vector<StudyInputs> run_beside_each_other(const std::vector<StudyPlan>& plans,
+std::vector<StudyInputs> run_beside_each_other(const std::vector<StudyPlan>& plans, const Work& work,
                                                const std::vector<records::StudyResult>& stored, CasePool& pool,
                                                int jobs,
                                                const std::function<void(std::size_t, const StudyInputs&)>& checked) {
   auto inputs = std::vector<StudyInputs>(plans.size());
   Tasks tasks(pool);
-  tasks.add_sweeps(plans);
-  for (std::size_t k = 0; k < plans.size(); ++k) {
-    if (!plans[k].check.empty()) inputs[k].check = stored_check(plans[k], stored);
-    if (!plans[k].check.empty() && !inputs[k].check)
-      tasks.add_check(plans[k], inputs[k], [&, k] { checked(k, inputs[k]); });
-    if (plans[k].limit) tasks.add_limits(plans[k], inputs[k]);
+  tasks.add_runs(work.runs);
+  for (const std::size_t k : work.checks) {
+    inputs[k].check = stored_check(plans[k], stored);
+    if (!inputs[k].check) tasks.add_check(plans[k], inputs[k], [&, k] { checked(k, inputs[k]); });
   }
+  for (const LimitTask& limit : work.limits) tasks.add_limit(plans[limit.plan], limit, inputs[limit.plan]);
   tasks.run(jobs);
   return inputs;
 }

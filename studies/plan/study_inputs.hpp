@@ -8,6 +8,7 @@
 #include "studies/fits/stability_limit.hpp"
 #include "studies/plan/case_pool.hpp"
 #include "studies/plan/study.hpp"
+#include "studies/plan/work.hpp"
 
 namespace mpmvv::plan {
 
@@ -18,22 +19,12 @@ struct StudyInputs {
   std::string trouble;                                    ///< why some of it is missing; else empty
 };
 
-/// The cases of a series, those of one swept value together; those of all series.
-std::vector<cases::Case> sweep_cases(const StudyPlan& plan, const SeriesPlan& series);
-std::vector<cases::Case> sweep_cases(const StudyPlan& plan);
-
-/// Whether costs are measured in it.
-bool is_timed(const StudyPlan& plan);
-
-/// The runs that a limit's scan asks for at most.
-std::vector<cases::Case> scan_cases(const StudyPlan& plan, const SeriesPlan& replicate);
-
 /// What the check measured when this digest last ran the same file; none otherwise.
 std::optional<checks::CheckResult> stored_check(const StudyPlan& plan, const std::vector<records::StudyResult>& stored);
 
-/// Runs all studies' sweeps (but for what is timed), checks and searches of limits beside each other, what takes
-/// longest first. Inputs by plan; `checked` takes those of a study as soon as its check has run, on any thread.
-std::vector<StudyInputs> run_beside_each_other(const std::vector<StudyPlan>& plans,
+/// Runs sweeps (but for what is timed), checks and searches of limits beside each other, what takes longest first.
+/// Inputs by plan; `checked` takes those of a study as soon as its check has run, on any thread.
+std::vector<StudyInputs> run_beside_each_other(const std::vector<StudyPlan>& plans, const Work& work,
                                                const std::vector<records::StudyResult>& stored, CasePool& pool,
                                                int jobs,
                                                const std::function<void(std::size_t, const StudyInputs&)>& checked);

@@ -107,11 +107,25 @@ class StudyRunner {
       is_done[k] = 1;
     };
     const std::vector<StudyInputs> all_inputs =
-        run_beside_each_other(plans, store_.studies(provenance_.digest), pool_, options_.jobs, finish);
+        run_beside_each_other(plans, work_of(plans), store_.studies(provenance_.digest), pool_, options_.jobs, finish);
     for (const bool timed : {false, true})
       for (std::size_t k = 0; k < plans.size(); ++k)
         if (!is_done[k] && is_timed(plans[k]) == timed) finish(k, all_inputs[k]);
     return outcomes;
+  }
+
+  ShardOutcome run(const std::vector<StudyPlan>& plans, const Work& work) {
+    ShardOutcome outcome;
+    const auto keep_check = [&](std::size_t k, const StudyInputs& inputs) { outcome_of(plans[k], inputs); };
+    const std::vector<StudyInputs> all_inputs =
+        run_beside_each_other(plans, work, store_.studies(provenance_.digest), pool_, options_.jobs, keep_check);
+    for (std::size_t k = 0; k < plans.size(); ++k)
+      if (!all_inputs[k].trouble.empty()) outcome.troubles.push_back(plans[k].name + ": " + all_inputs[k].trouble);
+    std::vector<std::vector<Case>> all_cases = work.timed;
+    all_cases.push_back(work.runs);
+    for (const std::vector<Case>& cases : all_cases)
+      outcome.failed += static_cast<std::size_t>(std::ranges::count(pool_.get(cases), Status::failed, &Record::status));
+    return outcome;
   }
 
   RunnerCounts counts() const { return pool_.counts(); }
@@ -168,6 +182,14 @@ std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, store
   std::vector<StudyOutcome> outcomes = runner.run(plans);
   counts = runner.counts();
   return outcomes;
+}
+
+ShardOutcome run_shard(const std::vector<StudyPlan>& plans, const Work& work, store::Store& store,
+                       const RunnerOptions& options, RunnerCounts& counts) {
+  StudyRunner runner(store, options);
+  ShardOutcome outcome = runner.run(plans, work);
+  counts = runner.counts();
+  return outcome;
 }
 
 }  // namespace mpmvv::plan

@@ -7,6 +7,7 @@
 #include "studies/codes/code.hpp"
 #include "studies/plan/progress.hpp"
 #include "studies/plan/study.hpp"
+#include "studies/plan/work.hpp"
 #include "studies/records/result.hpp"
 #include "studies/store/store.hpp"
 
@@ -38,5 +39,16 @@ struct StudyOutcome {
 /// store.
 std::vector<StudyOutcome> run_studies(const std::vector<StudyPlan>& plans, store::Store& store,
                                       const RunnerOptions& options, RunnerCounts& counts);
+
+/// What came of one machine's work.
+struct ShardOutcome {
+  std::size_t failed = 0;             ///< cases with status `failed`
+  std::vector<std::string> troubles;  ///< "n-fig8: its check ended early: ...": what was not brought to its end
+};
+
+/// Runs what the store does not hold of the work, in the same order and as `run_studies`, and keeps records and checks.
+/// What is derived of them is made where all machines' stores are one: there `run_studies` finds all it asks for.
+ShardOutcome run_shard(const std::vector<StudyPlan>& plans, const Work& work, store::Store& store,
+                       const RunnerOptions& options, RunnerCounts& counts);
 
 }  // namespace mpmvv::plan

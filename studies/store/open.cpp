@@ -71,7 +71,7 @@ Tables tables_after(const fs::path& file, Steps steps) {
 /// The file has the tables of its schema; what others have put beside them is theirs.
 void require_tables(const Database& database, std::int64_t schema, Steps steps) {
   const Tables wanted = tables_after(database.file(), steps.first(static_cast<std::size_t>(schema)));
-  const Tables newest = tables_after(database.file(), steps);
+  const Tables newest = schema < std::ssize(steps) ? tables_after(database.file(), steps) : wanted;
   Tables found = tables_of(database);
   std::erase_if(found, [&](const auto& t) { return !wanted.contains(t.first) && !newest.contains(t.first); });
   for (const auto& [name, sql] : wanted)

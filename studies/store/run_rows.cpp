@@ -45,8 +45,9 @@ Value id_of(const Database& database, const Value& case_text, const Value& diges
   return database.scalar("SELECT id FROM runs WHERE case_text = ? AND digest = ?", {case_text, digest});
 }
 
-/// Inserts a row of `runs`; 1 when it was kept.
-std::int64_t insert_row(Database& database, const Columns& columns, const Value& case_text, const Value& digest) {
+}  // namespace
+
+std::int64_t insert_run_row(Database& database, const Columns& columns, const Value& case_text, const Value& digest) {
   std::vector<std::string> replacements;
   for (const auto& [name, value] : columns) replacements.push_back(fmt::format("{0} = excluded.{0}", name));
   const std::int64_t kept = database.insert(
@@ -57,8 +58,6 @@ std::int64_t insert_row(Database& database, const Columns& columns, const Value&
   if (kept > 0) seal(database, Sealed::run, id_of(database, case_text, digest).integer());
   return kept;
 }
-
-}  // namespace
 
 std::int64_t provenance_id(Database& database, const Provenance& p) {
   database.insert("provenance",
@@ -93,7 +92,7 @@ void insert_run(Database& database, const Record& r, const Provenance& p) {
   Columns columns = run_columns(r);
   columns.insert(columns.end(),
                  {{"provenance", provenance_id(database, p)}, {"digest", p.digest}, {"kept_at", p.time}});
-  insert_row(database, columns, cases::canonical_text(r.the_case), p.digest);
+  insert_run_row(database, columns, cases::canonical_text(r.the_case), p.digest);
 }
 
 std::optional<Record> find_run(const Database& database, const cases::Case& c, const std::string& digest) {
@@ -127,22 +126,6 @@ std::map<std::string, double> run_quantities(const Row& row) {
   for_numbers([&](const RunNumber& number) { add(number.name); });
   for (const char* name : {"particles", "steps", "dt"}) add(name);
   return quantities;
-}
-
-std::int64_t copy_runs(const Database& from, Database& to) {
-  std::map<std::int64_t, std::int64_t> ids;  // of provenance, there and here
-  from.each("SELECT *, '' AS kept_at FROM provenance", {},
-            [&](const Row& row) { ids[row["id"].integer()] = provenance_id(to, read_provenance(row)); });
-  std::int64_t copied = 0;
-  from.each("SELECT * FROM runs ORDER BY id", {}, [&](const Row& row) {
-    require_intact(from, Sealed::run, row["id"]);
-    Columns columns{{"provenance", ids.at(row["provenance"].integer())}};
-    for (std::size_t i = 0; i < row.names().size(); ++i)
-      if (const std::string& name = row.names()[i]; name != "id" && name != "provenance" && name != "seal")
-        columns.emplace_back(name, row.values()[i]);
-    copied += insert_row(to, columns, row["case_text"], row["digest"]);
-  });
-  return copied;
 }
 
 }  // namespace mpmvv::store

@@ -19,6 +19,9 @@ Provenance read_provenance(const Row& row);
 /// Keeps a run unless its key is there; a run that was carried out takes the place of a `failed` one.
 void insert_run(Database& database, const records::Record& r, const Provenance& p);
 
+/// The same with a row's columns; 1 when it was kept.
+std::int64_t insert_run_row(Database& database, const Columns& columns, const Value& case_text, const Value& digest);
+
 std::optional<records::Record> find_run(const Database& database, const cases::Case& c, const std::string& digest);
 
 /// What a row of `runs` gives to a point of a series: the errors that were measured, cost, energy, size.

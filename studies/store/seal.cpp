@@ -132,6 +132,16 @@ void seal(Database& database, Sealed kind, std::int64_t id) {
   database.change(fmt::format("UPDATE {} SET seal = ? WHERE id = ?", noun.table), {seal_of(database, noun, id), id});
 }
 
+std::int64_t seal_of_run(const Row& run, const Row& provenance) {
+  const std::vector<std::string>& rows = noun_of(Sealed::run).rows;
+  Crc crc;
+  add(crc, rows[0]);
+  add(crc, run);
+  add(crc, rows[1]);
+  add(crc, provenance);
+  return static_cast<std::int64_t>(crc.checksum());
+}
+
 void seal_all(Database& database) {
   for (const Sealed kind : all_kinds)
     for (const Value& id : ids(database, noun_of(kind))) seal(database, kind, id.integer());

@@ -17,6 +17,9 @@ inline constexpr std::int64_t first_sealed_schema = 8;
 /// Seals what has just been written under this id.
 void seal(Database& database, Sealed kind, std::int64_t id);
 
+/// The seal of a run that has these rows, all of their columns.
+std::int64_t seal_of_run(const Row& run, const Row& provenance);
+
 /// Seals all that a store holds.
 void seal_all(Database& database);
 

@@ -195,19 +195,6 @@ std::vector<std::string> Store::check() const {
   return faults;
 }
 
-std::int64_t Store::merge(const std::filesystem::path& file, const std::filesystem::path& other) {
-  Database from = open_store(other, Mode::read);
-  if (std::error_code absent; std::filesystem::equivalent(other, file, absent))
-    throw support::UsageError(fmt::format("results store '{}' merged into itself (name another store)", file.string()));
-  Transaction one_state(from, Kind::read);
-  std::int64_t copied = 0;
-  open_store(file, Mode::create_or_write, migrations(), [&](Database& to) {
-    copied = copy_runs(from, to);
-    copy_studies(from, to);
-  });
-  return copied;
-}
-
 std::size_t Store::forget(const std::string& study) {
   Transaction transaction(impl_->database, Kind::write);
   const auto versions = static_cast<std::size_t>(

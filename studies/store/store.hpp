@@ -78,9 +78,13 @@ class Store {
   /// For `db check`: integrity_check, foreign_key_check and all seals; what is wrong, empty when sound.
   std::vector<std::string> check() const;
 
-  /// Copies every record and study of another store that the one in `file` lacks, which is made when absent;
-  /// the number of records copied. What fails changes nothing and makes no file.
-  static std::int64_t merge(const std::filesystem::path& file, const std::filesystem::path& other);
+  /// Copies every record and study of other stores that the one in `file` lacks, which is made when absent; the number
+  /// of records copied. All of them or none: what fails, or is killed, changes nothing and makes no file. Of records
+  /// with the same key the first one stays, as in `keep`.
+  static std::int64_t merge(const std::filesystem::path& file, std::span<const std::filesystem::path> others);
+  static std::int64_t merge(const std::filesystem::path& file, const std::filesystem::path& other) {
+    return merge(file, {&other, 1});
+  }
 
   /// Removes the study in all its versions, their number; the runs stay, as they belong to their cases. UsageError when
   /// there is none.

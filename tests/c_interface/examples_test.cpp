@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <sstream>
 
 #include "mms/catalogue.hpp"
@@ -51,6 +53,21 @@ TEST(Examples, SeeTheInterfaceAlone) {
   for (std::string address, kind, name; symbols >> address >> kind >> name; ++seen)
     EXPECT_TRUE(name.starts_with("mpmvv_") || name == "MPMVV_MMS_1") << name;
   EXPECT_GT(seen, 15);
+}
+
+/// The libraries as installed, in a place to which they were moved, under a project that knows nothing else of mpmvv.
+TEST(FindPackageNightly, GivesAProjectElsewhereTheRing) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / ("mpmvv-package-" + std::to_string(getpid()));
+  const std::string installed = folder / "installed", moved = folder / "moved", build = folder / "build";
+  output_of("cmake --install '" MPMVV_BUILD_DIR "' --component library --prefix '" + installed + "'");
+  fs::rename(installed, moved);
+  output_of("cmake -S '" MPMVV_SOURCE_DIR "/tests/package' -B '" + build + "' -DCMAKE_PREFIX_PATH='" + moved +
+            "' -DRING_C='" MPMVV_SOURCE_DIR "/mms/c/examples/ring.c' && cmake --build '" + build + "'");
+  expect_the_ring("'" + build + "/outside_in_c'");
+  expect_the_ring("'" + build + "/outside_in_cpp'");
+  EXPECT_FALSE(fs::exists(moved + "/bin")) << "the program is another component";
+  fs::remove_all(folder);
 }
 
 }  // namespace mpmvv::examples_test

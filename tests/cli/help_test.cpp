@@ -51,6 +51,7 @@ class Help : public testing::Test {
       result.values = {{"gap", 1, "a gap"}};
       store::Store(db_, store::Store::Mode::write).keep_study(result, {}, version);
     }
+    for (const char* shard : {"shard-1.db", "shard-2.db"}) std::filesystem::copy_file(db_, folder_ / shard);
   }
 
   /// What another code wrote of a case that ends as it starts, in its own units and names, too.

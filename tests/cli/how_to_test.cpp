@@ -54,6 +54,12 @@ TEST_F(HowTo, AStudySearchesLimits) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "trial.db"));
 }
 
+TEST_F(HowTo, MachinesShareAStudy) {
+  folder_.write("splines.toml", walk("splines.toml"));
+  EXPECT_THAT(follow(walk("shards")), HasSubstr("\n0 cases run, "));
+  EXPECT_THAT(follow(walk("submit")), HasSubstr("cluster/submit.sh"));
+}
+
 /// A folder of studies and goldens, as a machine that checks every change has it.
 TEST_F(HowTo, AJobRunsGatesAndReports) {
   std::filesystem::create_directories(folder_ / "studies");

@@ -98,6 +98,7 @@ TEST_F(BuildInfo, DigestFollowsWhatCarriesACaseOut) {
                                             {"solver", true},
                                             {"studies/cases", true},
                                             {"studies/checks", true},
+                                            {"studies/codes", true},
                                             {"studies/runs", true},
                                             {"studies/problems", true},
                                             {"studies/settings", true},

@@ -1,0 +1,12 @@
+#include "cli/engines.hpp"
+
+#include <array>
+
+namespace mpmvv::cli {
+
+std::span<const Engine> engines() {
+  static constexpr std::array all{Engine{"slurm", slurm_scripts}};
+  return all;
+}
+
+}  // namespace mpmvv::cli

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/engines.hpp"
+
+namespace mpmvv::cli {
+
+namespace {
+
+/// What of a job's work ends it is in its log; what a shard has finished is in its store.
+constexpr const char* shard_body = R"sh(
+i=$SLURM_ARRAY_TASK_ID
+rm -f "$folder/shard-$i.done"
+cd "$place" || exit
+code=0
+"$program" study "${studies[@]}" --shard "$i/$shards" "${costs[@]}" --db "$folder/shard-$i.db" --jobs "$jobs" || code=$?
+# 0 and 1: all of it is recorded, some of it as failed.
+((code > 1)) || touch "$folder/shard-$i.done"
+exit "$code"
+)sh";
+
+constexpr const char* merge_body = R"sh(
+missing=() stores=()
+for ((i = 1; i <= shards; ++i)); do
+  stores+=("$folder/shard-$i.db")
+  [[ -e $folder/shard-$i.done ]] || missing+=("$i")
+done
+if ((${#missing[@]})); then
+  list=$(IFS=,; echo "${missing[*]}")
+  echo "missing: shards $list of $shards (why: $folder/shard-NUMBER.log); nothing is merged"
+  echo "again, each from where it was: '$folder/submit.sh' $list"
+  exit 1
+fi
+cd "$place" || exit
+status=0
+step() {
+  local code=0
+  "$@" || code=$?
+  ((status)) || status=$code
+}
+"$program" db merge "${stores[@]}" --db "$db" || exit
+step "$program" study "${studies[@]}" --db "$db" --jobs "$jobs"
+((${#gated[@]} == 0)) || step "$program" gate --db "$db" "${gated[@]}"
+step "$program" report --db "$db" --out "$folder/report" "${goldens[@]}"
+exit "$status"
+)sh";
+
+constexpr const char* submit_body = R"sh(
+set -euo pipefail
+(($#)) || rm -f "$folder"/shard-*.done
+array=$(sbatch --parsable --array="${1:-1-$shards}" "$folder/shard.sh")
+merge=$(sbatch --parsable --dependency="afterany:${array%%;*}" "$folder/merge.sh")
+echo "shards ${1:-1-$shards}: job ${array%%;*}; merge, gate and report: job ${merge%%;*}, $folder/merge.log"
+)sh";
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+std::string list(const std::string& option, const std::vector<std::string>& values) {
+  std::vector<std::string> words;
+  for (const std::string& value : values) {
+    if (!option.empty()) words.push_back(option);
+    words.push_back(quoted(value));
+  }
+  return fmt::format("({})", fmt::join(words, " "));
+}
+
+/// An option with a value that may be absent.
+std::string list(const std::string& option, const std::string& value) {
+  return value.empty() ? "()" : list(option, std::vector{value});
+}
+
+std::string directives(const Submission& s, const char* name, const char* log, std::size_t minutes,
+                       std::size_t megabytes) {
+  std::vector<std::string> all{fmt::format("job-name=mpmvv-{}", name),
+                               fmt::format("output=\"{}/{}\"", s.folder.string(), log),
+                               "open-mode=append",
+                               "ntasks=1",
+                               fmt::format("cpus-per-task={}", s.jobs),
+                               fmt::format("time={}", minutes),
+                               fmt::format("mem={}M", megabytes)};
+  if (!s.partition.empty()) all.push_back("partition=" + s.partition);
+  if (!s.account.empty()) all.push_back("account=" + s.account);
+  std::string lines = "#!/bin/bash\n";
+  for (const std::string& option : all) lines += fmt::format("#SBATCH --{}\n", option);
+  for (const std::string& option : s.options) lines += fmt::format("#SBATCH {}\n", option);
+  return lines;
+}
+
+std::string variables(const Submission& s) {
+  return fmt::format(
+      "program={}\nplace={}\nfolder={}\ndb={}\nstudies={}\ncosts={}\ngated={}\ngoldens={}\nshards={}\njobs={}\n",
+      quoted(s.program), quoted(s.place), quoted(s.folder), quoted(s.db), list("", s.files), list("--costs", s.costs),
+      list("--only", s.gated), list("--goldens", s.goldens), s.shards, s.jobs);
+}
+
+}  // namespace
+
+std::vector<Script> slurm_scripts(const Submission& s) {
+  constexpr std::size_t merge_minutes = 120, merge_megabytes = 4096;
+  const std::string alone = s.alone ? "#SBATCH --exclusive\n" : "";
+  return {
+      {"shard.sh", directives(s, "shard", "shard-%a.log", s.minutes, s.megabytes) + alone + variables(s) + shard_body},
+      {"merge.sh", directives(s, "merge", "merge.log", merge_minutes, merge_megabytes) + variables(s) + merge_body},
+      {"submit.sh", "#!/bin/bash\n" + variables(s) + submit_body}};
+}
+
+}  // namespace mpmvv::cli

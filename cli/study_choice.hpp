@@ -1,0 +1,29 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "studies/plan/external_series.hpp"
+#include "studies/plan/study.hpp"
+
+namespace mpmvv::cli {
+
+/// Which studies a user names, and what he sets in them.
+struct StudyChoice {
+  std::vector<std::string> names;
+  std::string studies;                             ///< a folder
+  std::vector<std::string> settings, where_taken;  ///< KEY=VALUE
+};
+
+/// The options that name studies: FILE..., --studies.
+void add_study_choice(CLI::App& command, StudyChoice& choice);
+
+/// What becomes of a study whose code is not there.
+enum class AbsentCode { left_out, refused };
+
+/// Reads them and says what the settings changed and what is left out. UsageError for what is wrong in them, and where
+/// the results store is one of their files.
+std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::string& db, plan::CodeFinder& codes,
+                                        AbsentCode absent);
+
+}  // namespace mpmvv::cli

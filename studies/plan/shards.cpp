@@ -1,0 +1,177 @@
+#include "studies/plan/shards.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+
+#include "studies/plan/estimates.hpp"
+#include "studies/plan/forecast.hpp"
+#include "studies/support/error.hpp"
+
+namespace mpmvv::plan {
+
+using cases::Case;
+
+namespace {
+
+/// Work that stays together. Its time is in whole microseconds, so that processors which round otherwise agree on it.
+struct Piece {
+  Work work;
+  std::int64_t microseconds = 0;
+};
+
+/// What a case and all cases that a search of its limit may probe have in common.
+Case family(Case c) {
+  c.resolution.dt = 0;
+  c.resolution.steps = 0;
+  c.scheme.smoothing_length = 0;
+  return c;
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
+
+void append(Work& to, const Work& more) {
+  append(to.runs, more.runs);
+  append(to.checks, more.checks);
+  append(to.limits, more.limits);
+  append(to.timed, more.timed);
+}
+
+double seconds_of(const std::vector<Case>& cases, const CostModel& costs) {
+  double sum = 0;
+  for (const Case& c : cases) sum += costs.time(c).seconds;
+  return sum;
+}
+
+class Splitter {
+ public:
+  Splitter(const std::vector<StudyPlan>& plans, const CostModel& costs) : plans_(plans), costs_(costs) {}
+
+  std::vector<Piece> pieces() {
+    const Work all = work_of(plans_);
+    for (const LimitTask& limit : all.limits) add_limit(limit);
+    for (const Case& c : std::set<Case>(all.runs.begin(), all.runs.end())) add_run(c);
+    for (const std::size_t check : all.checks)
+      add({.runs = {}, .checks = {check}, .limits = {}, .timed = {}}, about_check);
+    for (const std::vector<Case>& cases : all.timed) add_timed(cases);
+    std::erase_if(pieces_, [](const Piece& piece) { return piece.microseconds == 0; });
+    std::ranges::stable_sort(pieces_, std::greater{}, &Piece::microseconds);
+    return pieces_;
+  }
+
+ private:
+  void add_to(std::size_t piece, const Work& work, double seconds) {
+    append(pieces_[piece].work, work);
+    pieces_[piece].microseconds += 1 + std::llround(1e6 * seconds);
+  }
+
+  std::size_t add(const Work& work, double seconds) {
+    pieces_.emplace_back();
+    add_to(pieces_.size() - 1, work, seconds);
+    return pieces_.size() - 1;
+  }
+
+  void add_limit(const LimitTask& limit) {
+    const std::vector<Case> scan = scan_cases(plans_, limit);
+    const Work work{.runs = {}, .checks = {}, .limits = {limit}, .timed = {}};
+    const auto [place, is_new] = families_.try_emplace(family(scan.front()), pieces_.size());
+    if (is_new) pieces_.emplace_back();
+    add_to(place->second, work, seconds_of(scan, costs_));
+  }
+
+  void add_run(const Case& c) {
+    const Work work{.runs = {c}, .checks = {}, .limits = {}, .timed = {}};
+    const double seconds = costs_.time(c).seconds;
+    if (const auto place = families_.find(family(c)); place != families_.end())
+      add_to(place->second, work, seconds);
+    else
+      add(work, seconds);
+  }
+
+  /// Studies that time the same case are one piece.
+  void add_timed(const std::vector<Case>& cases) {
+    const Work work{.runs = {}, .checks = {}, .limits = {}, .timed = {cases}};
+    const std::size_t own = add(work, seconds_of(cases, costs_));
+    for (const Case& c : cases) {
+      const auto [place, is_new] = timed_.try_emplace(c, own);
+      if (is_new || place->second == own) continue;
+      Piece& other = pieces_[place->second];
+      append(pieces_[own].work, other.work);
+      pieces_[own].microseconds += other.microseconds;
+      for (const std::vector<Case>& study : std::exchange(other, {}).work.timed)
+        for (const Case& moved : study) timed_[moved] = own;
+    }
+  }
+
+  const std::vector<StudyPlan>& plans_;
+  const CostModel& costs_;
+  std::vector<Piece> pieces_;
+  std::map<Case, std::size_t> families_;  ///< of searches: their piece
+  std::map<Case, std::size_t> timed_;     ///< piece of a timed case
+};
+
+std::optional<std::size_t> number_from(std::string_view text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+Shard shard_from(const std::string& text) {
+  constexpr std::size_t most = 10'000;
+  if (const auto slash = text.find('/'); slash != std::string::npos) {
+    const auto number = number_from(text.substr(0, slash)), of = number_from(text.substr(slash + 1));
+    if (number && of && *number >= 1 && *number <= *of && *of <= most) return {*number, *of};
+  }
+  throw support::UsageError(
+      fmt::format("--shard {} (NUMBER/OF, from 1/OF to OF/OF, at most {}, as in --shard 2/8)", text, most));
+}
+
+std::vector<Work> split(const std::vector<StudyPlan>& plans, const CostModel& costs, std::size_t shards) {
+  std::vector<Work> works(shards);
+  std::vector<std::int64_t> loads(shards, 0);
+  for (const Piece& piece : Splitter(plans, costs).pieces()) {
+    const auto least = std::ranges::min_element(loads);
+    *least += piece.microseconds;
+    append(works[static_cast<std::size_t>(least - loads.begin())], piece.work);
+  }
+  return works;
+}
+
+Demand demand(const std::vector<StudyPlan>& plans, const Work& work, const CostModel& costs, int jobs) {
+  std::vector<double> tasks(work.checks.size(), about_check), memories;
+  const auto add = [&](const std::vector<Case>& cases) {
+    for (const Case& c : cases) memories.push_back(memory_estimate(c));
+  };
+  add(work.runs);
+  for (const Case& c : work.runs) tasks.push_back(costs.time(c).seconds);
+  for (const LimitTask& limit : work.limits) {
+    const std::vector<Case> scan = scan_cases(plans, limit);
+    add(scan);
+    tasks.push_back(seconds_of(scan, costs));
+  }
+  double timed = 0;
+  for (const std::vector<Case>& cases : work.timed) {
+    add(cases);
+    timed += seconds_of(cases, costs);
+  }
+  const auto at_once = std::min(static_cast<std::ptrdiff_t>(jobs), std::ssize(memories));
+  std::ranges::partial_sort(memories, memories.begin() + at_once, std::greater{});
+  return {seconds_on(jobs, std::move(tasks)) + timed,
+          std::accumulate(memories.begin(), memories.begin() + at_once, 0.0)};
+}
+
+}  // namespace mpmvv::plan

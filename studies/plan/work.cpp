@@ -1,0 +1,75 @@
+#include "studies/plan/work.hpp"
+
+#include <algorithm>
+
+#include "studies/settings/part.hpp"
+
+namespace mpmvv::plan {
+
+using cases::Case;
+
+namespace {
+
+bool is_timed(const Case& c) {
+  return c.measure.repeat > 0;
+}
+
+void add_limits(const StudyPlan& plan, std::size_t k, Work& work) {
+  for (std::size_t s = 0; s < plan.series.size(); ++s) {
+    if (!plan.searches(plan.series[s])) continue;
+    const std::size_t replicates = replicates_of(plan, plan.series[s]).size();
+    for (std::size_t r = 0; r < replicates; ++r) work.limits.push_back({k, s, r});
+  }
+}
+
+}  // namespace
+
+Work work_of(const std::vector<StudyPlan>& plans) {
+  Work work;
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    std::vector<Case> cases = sweep_cases(plans[k]);
+    const auto timed = std::stable_partition(cases.begin(), cases.end(), [](const Case& c) { return !is_timed(c); });
+    if (timed != cases.end()) work.timed.emplace_back(timed, cases.end());
+    work.runs.insert(work.runs.end(), cases.begin(), timed);
+    if (!plans[k].check.empty()) work.checks.push_back(k);
+    if (plans[k].limit) add_limits(plans[k], k, work);
+  }
+  return work;
+}
+
+std::vector<Case> sweep_cases(const StudyPlan& plan, const SeriesPlan& series) {
+  std::vector<Case> cases;
+  for (const double value : plan.values)
+    for (const Case& c : replicates_at(plan, series, value)) cases.push_back(c);
+  return cases;
+}
+
+std::vector<Case> sweep_cases(const StudyPlan& plan) {
+  std::vector<Case> cases;
+  for (const SeriesPlan& series : plan.series)
+    for (const Case& c : sweep_cases(plan, series)) cases.push_back(c);
+  return cases;
+}
+
+bool is_timed(const StudyPlan& plan) {
+  return std::ranges::any_of(sweep_cases(plan), [](const Case& c) { return is_timed(c); });
+}
+
+/// The whole body: near its limit round-off decides, and grows otherwise in a part of it.
+Case probe_case(const fits::LimitSearch& search, const SeriesPlan& replicate, double value) {
+  return settings::as_whole(case_at(replicate, search.key, value, replicate.where));
+}
+
+std::vector<Case> scan_cases(const StudyPlan& plan, const SeriesPlan& replicate) {
+  std::vector<Case> cases;
+  for (const double value : fits::scan_values(plan.limit->search))
+    cases.push_back(probe_case(plan.limit->search, replicate, value));
+  return cases;
+}
+
+std::vector<Case> scan_cases(const std::vector<StudyPlan>& plans, const LimitTask& limit) {
+  const StudyPlan& plan = plans[limit.plan];
+  return scan_cases(plan, replicates_of(plan, plan.series[limit.series])[limit.replicate]);
+}
+
+}  // namespace mpmvv::plan
