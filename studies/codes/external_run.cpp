@@ -90,8 +90,7 @@ Record carry_out(const Case& c, const Code& code, const fs::path& folder) {
   std::string log;
   const double seconds = run_command(code, code.adapter.command, fields, folder, log);
   for (const auto& command : code.adapter.output.convert) run_command(code, command, fields, folder, log);
-  Record record =
-      score(c, read_output(code, fields, folder, static_cast<double>(c.resolution.steps) * c.resolution.dt));
+  Record record = score(c, read_output(c, code, fields, folder));
   record.wall_seconds = seconds;
   record.ns_per_particle_step = 1e9 * seconds / static_cast<double>(record.particles * record.steps);
   return record;

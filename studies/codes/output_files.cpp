@@ -43,14 +43,18 @@ Snapshot read(const Code& code, const TemplateFields& fields, const fs::path& fo
 
 }  // namespace
 
-Output read_output(const Code& code, const TemplateFields& fields, const fs::path& folder, double end_time) {
+Output read_output(const cases::Case& c, const Code& code, const TemplateFields& fields, const fs::path& folder) {
   const Adapter& adapter = code.adapter;
   Output output{{}, read(code, fields, folder, adapter.output.end)};
   if (!adapter.output.start.empty()) output.start = read(code, fields, folder, adapter.output.start);
-  const std::optional<double> time = std::exchange(output.end.time, std::nullopt);
+  const double end_time = static_cast<double>(c.resolution.steps) * c.resolution.dt;
+  std::optional<double>& time = output.end.time;
   if (time && !(std::abs(*time - end_time) <= adapter.stepping.time_tolerance * end_time))
     throw UsageError(
         fmt::format("its output is of the time {:.10g} s and not of the end time {:.10g} s", *time, end_time));
+  const bool is_planted =
+      c.scheme.force_form == cases::ForceForm::misplaced || c.scheme.force_form == cases::ForceForm::none;
+  if (time || is_planted) time = end_time;
   return output;
 }
 

@@ -102,6 +102,29 @@ TEST_F(ExternalRun, TakesTheMedianOfTimedRuns) {
   EXPECT_GE(records.at(0).cost.spread, 0);
 }
 
+TEST_F(ExternalRun, OfAnotherTimeHasFailed) {
+  mover_.script(
+      "echo id,x,y,m,time > particles.csv\n"
+      "awk -v t=\"$1\" '{ print $1 \",\" $2 \",\" $3 \",\" $6 \",\" t / 2 }' input.txt >> particles.csv");
+  const Record record = run();
+  EXPECT_EQ(record.status, Status::failed);
+  EXPECT_THAT(record.reason, HasSubstr("and not of the end time"));
+}
+
+/// Without its motion the body is where it was at time zero: of a planted mistake that is an error like any other.
+TEST_F(ExternalRun, APlantedMistakeHasAnErrorAndNoOtherTime) {
+  mover_.script(
+      "echo id,x,y,m > particles.csv\n"
+      "awk '{ print $1 \",\" $2 \",\" $3 \",\" $6 }' input.txt >> particles.csv");
+  EXPECT_EQ(run().status, Status::failed);
+  auto settings = Mover::settings();
+  settings.push_back({"force_form", "none", "test"});
+  settings.push_back({"blowup_error", "100", "test"});
+  const Record record = run_external(settings::make_case(settings), mover_.code());
+  EXPECT_EQ(record.status, Status::ok) << record.reason;
+  EXPECT_GT(record.error.l2, 0.1);
+}
+
 TEST_F(ExternalRun, UnknownFieldsAreNamed) {
   mover_.write("input.mustache", "{{cels}}");
   EXPECT_THAT(run().reason, HasSubstr("unknown field 'cels' in the template of input.txt"));
