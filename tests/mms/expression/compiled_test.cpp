@@ -59,7 +59,7 @@ TEST_F(Compiled, ByACCompiler) {
            << "(double X, double Y, double Z, double x, double y, double z, double t) {\n"
               "  (void)X, (void)Y, (void)Z, (void)x, (void)y, (void)z, (void)t;\n  return "
            << text(samples_[n].formula, dialect("c")) << ";\n}\n";
-    for (const Place& place : samples_[n].places) {
+    for (const PlaceAndTime& place : samples_[n].places) {
       names << 'f' << n << ", ";
       places << numbers({place.begin(), place.end()}) << '\n';
     }
@@ -78,7 +78,7 @@ TEST_F(Compiled, ByPython) {
   source << "from math import *\ndef show(f, places):\n    for p in places:\n        print(repr(float(f(*p))))\n";
   for (const FormulaSample& sample : samples_) {
     source << "show(lambda X, Y, Z, x, y, z, t: " << text(sample.formula, dialect("python")) << ", [";
-    for (const Place& place : sample.places) source << "(" << numbers({place.begin(), place.end()}) << "), ";
+    for (const PlaceAndTime& place : sample.places) source << "(" << numbers({place.begin(), place.end()}) << "), ";
     source << "])\n";
   }
   write("values.py", source.str());
@@ -95,7 +95,7 @@ TEST_F(Compiled, ByAFortranCompiler) {
               << "    f" << n << " = " << text(samples_[n].formula, dialect("fortran")) << "\n  end function\n";
     calls << "  do k = 1, " << samples_[n].places.size() << "\n    read *, x, y, z, t\n    print '(es25.17e3)', f" << n
           << "(x, y, z, t)\n  end do\n";
-    for (const Place& place : samples_[n].places) {
+    for (const PlaceAndTime& place : samples_[n].places) {
       const std::size_t first = samples_[n].is_of_reference ? 0 : 3;
       places << numbers({place[first], place[first + 1], place[first + 2], place[6]}) << '\n';
     }

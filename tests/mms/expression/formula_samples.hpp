@@ -10,14 +10,14 @@
 namespace mpmvv::mms {
 
 /// Values of the variables X, Y, Z, x, y, z and t.
-using Place = std::array<double, 7>;
+using PlaceAndTime = std::array<double, 7>;
 
 /// An expression of a solution, and what the solution itself gives at some places.
 struct FormulaSample {
   std::string what;  ///< "b_x of ring, reference"
   bool is_of_reference;
   expression::Traced formula;
-  std::vector<Place> places;
+  std::vector<PlaceAndTime> places;
   std::vector<double> expected;
 
   /// Of what is rounded: displacements are differences of positions, which are of order one.
@@ -64,7 +64,7 @@ std::vector<FormulaSample> samples_of(const Entry& entry, const Values& given) {
       std::vector<double> expected;
       for (const Vec<D>& vector : {u, v, b}) expected.insert(expected.end(), vector.data(), vector.data() + D);
       expected.insert(expected.end(), F.data(), F.data() + D * D);
-      Place place{};
+      PlaceAndTime place{};
       for (std::size_t d = 0; d < D; ++d) place[d] = X.data()[d], place[3 + d] = X.data()[d] + u.data()[d];
       place[6] = t;
       for (std::size_t n = 0; n < expected.size(); ++n) {

@@ -55,7 +55,7 @@ TEST(Traced, DerivesEveryOperation) {
 }
 
 /// With every variable replaced by its value an expression folds to a number.
-double value_at(Traced formula, const Place& place) {
+double value_at(Traced formula, const PlaceAndTime& place) {
   for (std::size_t k = 0; k < place.size(); ++k) formula = substitute(formula, static_cast<Variable>(k), place[k]);
   return formula.number();
 }
@@ -95,7 +95,7 @@ TEST(Formulas, AreDerivedFromADisplacement) {
   ASSERT_TRUE(formulas);
   const Vec<2> X(0.3, 0.7), b = sheared.b(X, 0.4), v = sheared.v(X, 0.4);
   for (std::size_t d = 0; d < 2; ++d) {
-    const Place place{0.3, 0.7, 0, 0, 0, 0, 0.4};
+    const PlaceAndTime place{0.3, 0.7, 0, 0, 0, 0, 0.4};
     EXPECT_NEAR(value_at(formulas->b[d], place), b.data()[d], 1e-13 * b.norm());
     EXPECT_NEAR(value_at(formulas->v[d], place), v.data()[d], 1e-15);
   }
