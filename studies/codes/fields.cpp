@@ -26,6 +26,16 @@ void set(TemplateFields& fields, const std::string& name, double value) {
   fields.set(name, text(value));
 }
 
+/// Those of an adapter: `true` and `false` are conditions, all else is text.
+void set_values(TemplateFields& fields, const FieldValues& values) {
+  for (const auto& [name, value] : values) {
+    if (value == "true" || value == "false")
+      fields.set(name, value == "true");
+    else
+      fields.set(name, value);
+  }
+}
+
 /// `word` is true of these words: is_plane of line, plane, solid.
 void set_words(TemplateFields& fields, const std::vector<std::string>& words, const std::string& word) {
   for (std::string each : words) {
@@ -115,9 +125,9 @@ TemplateFields fields_of(const Case& c, const Code& code) {
   fields.set("adapter", std::filesystem::absolute(code.adapter.folder).string());
   add_scheme(c, fields);
   add_conditions(c, fields);
-  for (const auto& [name, value] : code.adapter.fields) fields.set(name, value);
+  set_values(fields, code.adapter.fields);
   if (const auto variant = code.adapter.variants.find(c.scheme.variant); variant != code.adapter.variants.end())
-    for (const auto& [name, value] : variant->second) fields.set(name, value);
+    set_values(fields, variant->second);
   return fields;
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t header_size = 64;
 
 /// The header: "ver6"; a length and as many letters that say what particles have, the first one 'i' with the least
-/// significant byte first; the same of cracks; the dimension; the kind of grid; the time in ms.
+/// significant byte first; the same of cracks; the dimension; the kind of grid; the time.
 struct ArchiveHeader {
   std::string particles, cracks;
   std::size_t dimension;
@@ -40,7 +40,7 @@ ArchiveHeader read_header(const Source& source) {
   }
   header.dimension = content[at] == '3' ? 3 : 2;
   header.is_big_endian = header.particles[0] != 'i';
-  header.time = 1e-3 * number_at(&content[at + 2], {'f', 4}, header.is_big_endian);
+  header.time = number_at(&content[at + 2], {'f', 4}, header.is_big_endian);
   return header;
 }
 
@@ -121,6 +121,13 @@ ParticleTable read_nairn(const Source& source) {
   ParticleTable table;
   table.columns = columns_of(records, record.size, record.fields, header.is_big_endian);
   table.time = header.time;
+  return table;
+}
+
+/// Of a run without `ConsistentUnits`: in mm, g, s, but for the header's time in ms.
+ParticleTable read_nairn_legacy(const Source& source) {
+  ParticleTable table = read_nairn(source);
+  *table.time *= 1e-3;
   return table;
 }
 

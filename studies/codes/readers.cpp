@@ -41,6 +41,7 @@ const std::vector<Format>& formats() {
       {"ply", {".ply"}, &read_ply},
       {"dump", {".dump", ".lammpstrj", ".custom"}, &read_dump},
       {"nairn", {}, &read_nairn},
+      {"nairn-legacy", {}, &read_nairn_legacy},
   };
   return all;
 }

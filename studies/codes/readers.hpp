@@ -32,6 +32,7 @@ ParticleTable read_vtu(const Source& source);
 ParticleTable read_ply(const Source& source);
 ParticleTable read_dump(const Source& source);
 ParticleTable read_nairn(const Source& source);
+ParticleTable read_nairn_legacy(const Source& source);
 
 /// What the file holds. `format` is a word of `formats()`; empty: as the name's ending says. UsageError when it cannot
 /// be read.

@@ -130,6 +130,16 @@ TEST_F(ExternalRun, UnknownFieldsAreNamed) {
   EXPECT_THAT(run().reason, HasSubstr("unknown field 'cels' in the template of input.txt"));
 }
 
+TEST_F(ExternalRun, TrueAndFalseOfAVariantAreConditions) {
+  mover_.write("input.mustache",
+               "{{#is_plain}}plain{{/is_plain}}{{^is_odd}}, not odd{{/is_odd}}{{#is_odd}}, odd{{/is_odd}}\n");
+  run_external(settings::make_case(Mover::settings()), mover_.code(), mover_.top() / "kept");
+  std::string line;
+  std::ifstream input(mover_.top() / "kept" / "input.txt");
+  std::getline(input, line);
+  EXPECT_EQ(line, "plain, not odd");
+}
+
 TEST_F(ExternalRun, NumbersHaveAllTheirDigits) {
   mover_.write("input.mustache", "{{h}} {{dt}} {{is_plane}} {{#is_line}}no{{/is_line}}");
   auto settings = Mover::settings("3");

@@ -43,6 +43,8 @@ unstable = ["blown up"]
 [output]
 file = "particles.csv"
 [variants.plain]
+is_plain = true
+is_odd = false
 [capabilities]
 dimensions = [2]
 force_forms = ["reference", "none"]
