@@ -72,8 +72,7 @@ void expect_each_once(const std::vector<StudyPlan>& plans, const std::vector<Wor
 
 TEST(Shards, HaveAllOfTheWorkEachOnce) {
   for (const std::vector<StudyPlan>& plans : {all_kinds(), shipped()})
-    for (const std::size_t shards : {1UL, 2UL, 9UL})
-      expect_each_once(plans, split(plans, CostModel(nullptr), shards));
+    for (const std::size_t shards : {1UL, 2UL, 9UL}) expect_each_once(plans, split(plans, CostModel(nullptr), shards));
 }
 
 TEST(Shards, LeaveTogetherWhatIsTimedInOneStudy) {
