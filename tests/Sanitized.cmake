@@ -53,7 +53,8 @@ if(MPMVV_SANITIZE STREQUAL "thread")
   list(APPEND plain ${read} ${MPMVV_PLAIN}/mms/libmpmvv_mms.a)
   list(JOIN plain "," plain)
   target_link_libraries(test_studies PRIVATE
-    "$<LINK_GROUP:RESCAN,${plain}>" SQLite::SQLite3 tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json)
+    "$<LINK_GROUP:RESCAN,${plain}>" SQLite::SQLite3 tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json
+    pugixml::pugixml ZLIB::ZLIB)
   foreach(name solver studies)
     target_compile_options(test_${name} PRIVATE -O0)
     target_compile_definitions(test_${name} PRIVATE MPMVV_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
