@@ -120,6 +120,7 @@ Record run_external(const Case& c, const Code& code, const fs::path& keep) {
     record = without_end(c, fault.status, fault.what());
   } catch (const std::exception& e) {
     record = without_end(c, Status::failed, support::reason_of(e));
+    record.failure = records::failure_of(e);
   }
   if (record.status == Status::failed) record.reason += fmt::format("; its folder: {}", folder.keep().string());
   return record;

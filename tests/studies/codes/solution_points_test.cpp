@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
+#include "tests/studies/codes/csv_parts.hpp"
 
 namespace mpmvv::codes {
 namespace solution_points_test {
@@ -37,20 +37,6 @@ std::string refusal(const std::string& points, const PointQuery& query = with_fi
     return e.what();
   }
   return "";
-}
-
-std::vector<double> numbers(const std::string& line) {
-  std::vector<double> all;
-  std::istringstream text(line);
-  for (std::string field; std::getline(text, field, ',');) all.push_back(std::stod(field));
-  return all;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> all;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) all.push_back(line);
-  return all;
 }
 
 TEST(SolutionAtPoints, TakesPlacesAndTimesAndLeavesOtherColumnsAlone) {

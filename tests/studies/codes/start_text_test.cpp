@@ -3,7 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <numbers>
-#include <sstream>
+
+#include "tests/studies/codes/csv_parts.hpp"
 
 namespace mpmvv::codes {
 namespace start_text_test {
@@ -24,20 +25,6 @@ StartState two_particles(int dimension) {
   state.V = {4.1, 4.2};
   state.F = {{1, 2, 3, 4, 5, 6, 7, 8, 9}, {-1, -2, -3, -4, -5, -6, -7, -8, 1 / pi}};
   return state;
-}
-
-std::vector<double> numbers(const std::string& line) {
-  std::vector<double> all;
-  std::istringstream text(line);
-  for (std::string field; std::getline(text, field, ',');) all.push_back(std::stod(field));
-  return all;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
 }
 
 TEST(StartText, HasTheColumnsOfTheDimension) {
