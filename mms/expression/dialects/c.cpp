@@ -24,10 +24,8 @@ Dialect c_dialect() {
   return {.name = "c",
           .what = "C and C++, with math.h; X, Y, Z, x, y, z and t are doubles",
           .number = number,
-          .variable = plain_variable,
           .power = power,
-          .function = function,
-          .negative = minus};
+          .function = function};
 }
 
 }  // namespace mpmvv::mms::expression

@@ -20,10 +20,7 @@ Dialect fortran_dialect() {
       .name = "fortran",
       .what = "Fortran in double precision; lines may be longer than 132 columns (gfortran -ffree-line-length-none)",
       .number = in_double_precision,
-      .variable = plain_variable,
-      .power = two_stars_power,
-      .function = plain_function,
-      .negative = minus};
+      .power = two_stars_power};
 }
 
 }  // namespace mpmvv::mms::expression

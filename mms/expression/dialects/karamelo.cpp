@@ -39,7 +39,6 @@ Dialect karamelo_dialect() {
           .what = "formulas in the input of Karamelo, of x0, y0, z0 and time; it keeps seven digits of constants",
           .number = with_decimals,
           .variable = initial_variable,
-          .power = caret_power,
           .function = function_it_has,
           .negative = from_zero};
 }

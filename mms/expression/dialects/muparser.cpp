@@ -12,13 +12,8 @@ std::string_view function_with_ln(Operation operation) {
 }  // namespace
 
 Dialect muparser_dialect() {
-  return {.name = "muparser",
-          .what = "the muParser library, and with it deal.II and others",
-          .number = shortest,
-          .variable = plain_variable,
-          .power = caret_power,
-          .function = function_with_ln,
-          .negative = minus};
+  return {
+      .name = "muparser", .what = "the muParser library, and with it deal.II and others", .function = function_with_ln};
 }
 
 }  // namespace mpmvv::mms::expression

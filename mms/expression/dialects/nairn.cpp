@@ -16,11 +16,7 @@ std::string_view current_variable(Variable variable) {
 Dialect nairn_dialect() {
   return {.name = "nairn",
           .what = "functions in the input of nairn-mpm-fea, of the current x, y, z and t, in the units of its input",
-          .number = shortest,
-          .variable = current_variable,
-          .power = caret_power,
-          .function = plain_function,
-          .negative = minus};
+          .variable = current_variable};
 }
 
 }  // namespace mpmvv::mms::expression

@@ -5,11 +5,7 @@ namespace mpmvv::mms::expression {
 Dialect python_dialect() {
   return {.name = "python",
           .what = "Python, after `from math import *` or, for arrays, `from numpy import *`",
-          .number = shortest,
-          .variable = plain_variable,
-          .power = two_stars_power,
-          .function = plain_function,
-          .negative = minus};
+          .power = two_stars_power};
 }
 
 }  // namespace mpmvv::mms::expression
