@@ -34,6 +34,8 @@ nlohmann::json record_json(const records::Record& r) {
                       {"reason", r.reason}};
   for (const auto* numbers : {&records::run_errors(), &records::run_by_products()})
     for (const records::RunNumber& number : *numbers) json[nlohmann::json::json_pointer(number.path)] = number.get(r);
+  for (const records::ParticleError& one : r.particle_errors)
+    json["particle_errors"].push_back({{"x", one.x}, {"y", one.y}, {"error", one.error}});
   return json;
 }
 

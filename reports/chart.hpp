@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Dot {
   double value = 0;  ///< as measured; NaN where it was not
   double drawn = 0;  ///< where the mark stands on the y axis
   Mark mark = Mark::inside;
+  double shade = support::not_measured;  ///< its colour on the chart's scale, where its curve has squares
 };
 
 struct Curve {
@@ -26,6 +28,7 @@ struct Curve {
   bool emphasised = true;  ///< the line itself is the result, not a guide to the eye
   std::vector<Dot> dots;
   double size = 0.8;  ///< of the markers
+  double square = 0;  ///< width of the squares that dots are drawn as, in the axes' units, each in its shade; 0: none
 };
 
 inline constexpr double report_letter = 0.04, paper_letter = 0.06;
@@ -73,6 +76,7 @@ struct Chart {
   double letter = report_letter;     ///< height of a letter as a fraction of the y axis
   bool to_scale = false;             ///< one unit is as long along x as along y
   Axis x, y;
+  std::optional<Axis> shades;  ///< the scale of the dots' colours, drawn beside the axes
   std::vector<Curve> curves;
   std::vector<Rule> rules;
   std::vector<Box> boxes;  ///< drawn slightly shrunk, below the dots
@@ -91,6 +95,10 @@ Chart work_chart(const records::StudyResult& study, const records::Figure& figur
 
 /// Particles and their voxels, one panel for each series, side by side and to scale.
 Chart particle_chart(const records::StudyResult& study, const records::Figure& figure);
+
+/// The particles of each series' last sound run in panels, each in a colour for its error; of a body along a line, the
+/// errors against their places.
+Chart particle_error_chart(const records::StudyResult& study, const records::Figure& figure);
 
 /// The series that a figure draws, in its order; all of the study's when it names none.
 /// Throws UsageError when the figure names a series that the study lacks.

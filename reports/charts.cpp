@@ -29,6 +29,14 @@ std::vector<const Series*> figure_series(const records::StudyResult& study, cons
   return chosen;
 }
 
+namespace {
+
+Chart any_particle_chart(const records::StudyResult& study, const Figure& figure) {
+  return study.kind == "check" ? particle_chart(study, figure) : particle_error_chart(study, figure);
+}
+
+}  // namespace
+
 std::vector<Chart> charts_of(const records::StudyResult& study, double letter) {
   const auto has_value = [&](const Figure& f) {
     return std::ranges::any_of(study.series, [&](const Series& s) {
@@ -42,7 +50,7 @@ std::vector<Chart> charts_of(const records::StudyResult& study, double letter) {
     const bool map = limits && !has_value(figure);
     charts.push_back(map                               ? stability_map(study, figure)
                      : figure.kind == "work-precision" ? work_chart(study, figure)
-                     : figure.kind == "particles"      ? particle_chart(study, figure)
+                     : figure.kind == "particles"      ? any_particle_chart(study, figure)
                                                        : error_chart(study, figure, letter));
     mapped |= map;
   }

@@ -14,6 +14,10 @@ namespace {
 using records::ClaimPart;
 using records::StudyResult;
 
+std::string title_of(const store::CodeSeries& series) {
+  return series.code.name + " " + series.code.version;
+}
+
 const StudyResult& study_of(const ReportInput& input, const store::CodeSeries& series) {
   return *std::ranges::find(input.studies, series.study, &StudyResult::name);
 }
@@ -26,14 +30,23 @@ bool is_about(const ClaimPart& part, const std::string& series) {
   });
 }
 
-std::string orders_of(const StudyResult& study, const std::string& name) {
-  std::vector<std::string> orders;
-  for (const records::Series& series : study.series)
-    if (series.name == name)
-      for (const auto& o : series.orders)
-        orders.push_back(
-            fmt::format("{} in {}, {} to {}", order_text(o.order, o.half_width), o.norm, brief(o.from), brief(o.to)));
-  return orders.empty() ? "–" : fmt::format("{}", fmt::join(orders, "; "));
+std::string order_and_window(const fits::ObservedOrder& o) {
+  return fmt::format("{} in {}, {} to {}", order_text(o.order, o.half_width), o.norm, brief(o.from), brief(o.to));
+}
+
+std::string limit_and_bracket(const fits::StabilityLimit& limit) {
+  if (!limit.found) return fmt::format("no limit of {} found", limit.key);
+  return fmt::format("{} {} in {}", limit.stable < limit.unstable ? "stable to" : "stable from", brief(limit.value()),
+                     limit.key);
+}
+
+/// The orders and the limit that were found.
+std::string fitted_of(const StudyResult& study, const std::string& name) {
+  const auto series = std::ranges::find(study.series, name, &records::Series::name);
+  std::vector<std::string> fitted;
+  for (const fits::ObservedOrder& order : series->orders) fitted.push_back(order_and_window(order));
+  if (series->limit) fitted.push_back(limit_and_bracket(*series->limit));
+  return fitted.empty() ? "–" : fmt::format("{}", fmt::join(fitted, "; "));
 }
 
 /// What was asked of the series, and whether it holds.
@@ -59,17 +72,17 @@ std::string findings_of(const ReportInput& input, const StudyResult& study, cons
 Table code_table(const ReportInput& input) {
   Table table{
       "Other codes: what was found, as it was found. A version is what its program says, or the digest of its file",
-      {"study", "series", "variant", "body force", "date", "order", "asked", "finding"},
+      {"study", "series", "variant", "body force", "date", "order or limit", "asked", "finding"},
       {}};
   std::vector<store::CodeSeries> all = input.codes;
-  std::ranges::stable_sort(all, {}, [](const store::CodeSeries& s) { return s.code + " " + s.version; });
+  std::ranges::stable_sort(all, {}, title_of);
   for (const store::CodeSeries& s : all) {
-    const std::string title = s.code + " " + s.version;
+    const std::string title = title_of(s);
     if (table.groups.empty() || table.groups.back().title != title) table.groups.push_back({title, {}});
     const StudyResult& study = study_of(input, s);
-    table.groups.back().rows.push_back({s.study, s.series, s.variant.empty() ? "–" : s.variant, s.force_form,
-                                        s.kept_at.substr(0, 10), orders_of(study, s.series), asked_of(study, s.series),
-                                        findings_of(input, study, s.series)});
+    table.groups.back().rows.push_back({s.study, s.series, s.code.variant.empty() ? "–" : s.code.variant,
+                                        s.code.force_form, s.kept_at.substr(0, 10), fitted_of(study, s.series),
+                                        asked_of(study, s.series), findings_of(input, study, s.series)});
   }
   return table;
 }

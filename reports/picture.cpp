@@ -40,6 +40,13 @@ void read_size(const std::string& svg, Picture& picture) {
   numbers >> picture.width >> picture.height;
 }
 
+/// ", errors from 1.2e-06 to 0.00031"
+std::string shades_words(const Curve& curve) {
+  if (curve.square == 0) return "";
+  const auto [least, most] = std::ranges::minmax_element(curve.dots, {}, &Dot::shade);
+  return fmt::format(", errors from {} to {}", brief(least->shade), brief(most->shade));
+}
+
 Picture picture_of(const Chart& chart, const std::string& folder, const std::string& svg) {
   Picture picture{chart.name, folder, chart.caption, chart.notes, description_of(chart)};
   read_size(svg, picture);
@@ -56,7 +63,8 @@ std::string description_of(const Chart& chart) {
   std::string text = fmt::format("{} against {}.", axis_words(chart.y), axis_words(chart.x));
   if (chart.to_scale) {
     text = "Particles, to scale:";
-    for (const auto& curve : chart.curves) text += fmt::format(" {} of {};", curve.dots.size(), curve.name);
+    for (const auto& curve : chart.curves)
+      text += fmt::format(" {} of {}{};", curve.dots.size(), curve.name, shades_words(curve));
     text.back() = '.';
     return text;
   }

@@ -22,11 +22,12 @@ std::string plot_data(const Chart& chart) {
   std::string text = fmt::format("# {}\n", one_line(chart.name));
   for (const auto& curve : chart.curves) {
     if (curve.dots.empty()) continue;
-    text += fmt::format("# {}: x, value, drawn at, mark (1 in a window, 0 outside, -1 unstable, -2 none)\n",
-                        one_line(curve.name));
+    text += fmt::format("# {}: x, value, drawn at, mark (1 in a window, 0 outside, -1 unstable, -2 none){}\n",
+                        one_line(curve.name), curve.square > 0 ? ", error" : "");
     for (const auto& d : curve.dots) {
       const int mark = d.mark == Mark::inside ? 1 : d.mark == Mark::outside ? 0 : d.mark == Mark::unstable ? -1 : -2;
-      text += fmt::format("{} {} {} {}\n", plot_number(d.x), plot_number(d.value), plot_number(d.drawn), mark);
+      text += fmt::format("{} {} {} {}{}\n", plot_number(d.x), plot_number(d.value), plot_number(d.drawn), mark,
+                          curve.square > 0 ? " " + plot_number(d.shade) : "");
     }
     text += "\n\n";
   }

@@ -86,6 +86,11 @@ class Elements {
       marks.push_back(
           fmt::format("data index {} using 1:($4=={}?$3:NaN) with points pt {} {}", index, mark, type, look));
     };
+    if (curve.square > 0) {
+      marks.push_back(fmt::format("data index {0} using 1:3:({1}):({1}):5 with boxxyerror fs solid noborder lc palette",
+                                  index, plot_number(0.46 * curve.square)));
+      return;
+    }
     const auto [filled, hollow] = marker_of(curve.style);
     if (curve.marked && has(curve, Mark::outside)) {
       points(0, filled, size(curve.size) + "lc rgb '#FFFFFF'");

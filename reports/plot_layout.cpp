@@ -114,6 +114,10 @@ double Layout::y_label_at(std::size_t line) const {
   return (0.9 + line_height * static_cast<double>(line)) * page.font / page.width;
 }
 
+double Layout::shades_label_at() const {
+  return 1 - 0.9 * page.font / page.width;
+}
+
 bool Layout::has_room() const {
   constexpr double least = 8;  ///< in sizes of the font
   const double across = (axes_right() - axes_left()) * page.width, up = (axes_top() - axes_bottom()) * height();

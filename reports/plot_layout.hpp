@@ -40,6 +40,7 @@ struct Layout {
   double axes_right() const { return 1 - right / page.width; }
   double x_label_at() const;
   double y_label_at(std::size_t line) const;
+  double shades_label_at() const;     ///< across, of the scale of colours
   KeyPlace key_place(int row) const;  ///< down the first column, then the next
 
   /// Whether the axes are long enough to be read, both of them.

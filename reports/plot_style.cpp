@@ -42,4 +42,9 @@ std::string dash_of(int style) {
   return fmt::format("dt {}", style == plain_style ? dashes[0] : chosen(dashes, style));
 }
 
+std::string shade_stops() {
+  return "0 '#E1CC55', 1 '#C3B369', 2 '#A59C74', 3 '#8A8678', 4 '#707173', 5 '#575D6D', 6 '#3B496C', 7 '#123570', "
+         "8 '#00224E'";
+}
+
 }  // namespace mpmvv::reports

@@ -14,6 +14,10 @@ Marker marker_of(int style);
 /// "lc rgb '#0072B2'", mixed with white on request.
 std::string colour_of(int style, double whiteness = 0);
 
+/// The colours of a scale from light to dark: cividis (Nuñez et al. 2018) less its lightest part, of one order of
+/// lightness to any colour vision and in grey.
+std::string shade_stops();
+
 /// "dt (8,4)".
 std::string dash_of(int style);
 

@@ -7,6 +7,7 @@
 #include "reports/plot.hpp"
 #include "reports/plot_elements.hpp"
 #include "reports/plot_layout.hpp"
+#include "reports/plot_style.hpp"
 #include "reports/text.hpp"
 
 namespace mpmvv::reports {
@@ -30,7 +31,7 @@ Notation of_formulas(Notation texts) {
   return texts == Notation::plain ? Notation::enhanced : texts;
 }
 
-std::string axis_text(char letter, const Axis& axis, Notation texts) {
+std::string axis_text(std::string_view letter, const Axis& axis, Notation texts) {
   const Notation tic_notation = axis.names ? texts : of_formulas(texts);
   std::string tics;
   for (const auto& tic : axis.tics)
@@ -63,6 +64,28 @@ unset key
                      pictures, chart.name, chart.to_scale ? "ratio -1" : "noratio");
 }
 
+/// The scale of colours, right of the axes; its label is put there like that of an axis.
+std::string shades_text(const Chart& chart, Notation texts, const std::string& placed_label) {
+  if (!chart.shades) return "";
+  return fmt::format(
+      "set palette defined ({})\nset colorbox user origin graph 1.03, graph 0 size graph 0.025, graph 1 noborder\n{}{}",
+      shade_stops(), placed_label, axis_text("cb", *chart.shades, texts));
+}
+
+std::string report_shades(const Chart& chart) {
+  const Notation plain = Notation::plain;
+  return shades_text(
+      chart, plain,
+      fmt::format("set cblabel {} {}\n", quoted(chart.shades.value_or(Axis{}).label, plain), reading(plain)));
+}
+
+std::string paper_shades(const Chart& chart, const Layout& layout, Notation texts) {
+  return shades_text(
+      chart, texts,
+      fmt::format("set label {} at screen {:.5f}, graph 0.5 center rotate by 90 {}\n",
+                  quoted(chart.shades.value_or(Axis{}).label, texts), layout.shades_label_at(), reading(texts)));
+}
+
 std::string labels_text(const Chart& chart, Notation texts) {
   std::string text;
   for (const auto& label : chart.labels) text += label_text(label, texts);
@@ -76,7 +99,7 @@ std::string report_axes(const Chart& chart, const Layout& layout) {
     text += fmt::format("set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n", layout.axes_bottom(),
                         layout.axes_top());
   text += fmt::format("set rmargin {}\n", chart.right_margin);
-  for (const auto& [letter, axis] : {std::pair{'x', &chart.x}, std::pair{'y', &chart.y}})
+  for (const auto& [letter, axis] : {std::pair{"x", &chart.x}, std::pair{"y", &chart.y}})
     text += fmt::format("set {}label {} noenhanced\n", letter, quoted(axis->label, Notation::plain)) +
             axis_text(letter, *axis, Notation::plain);
   return text;
@@ -89,7 +112,7 @@ std::string paper_axes(const Chart& chart, const Layout& layout, Notation texts)
       "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n"
       "set tmargin at screen {:.5f}\n",
       layout.axes_left(), layout.axes_right(), layout.axes_bottom(), layout.axes_top());
-  text += axis_text('x', with_room(chart.x, length, layout.page.font), texts) + axis_text('y', chart.y, texts);
+  text += axis_text("x", with_room(chart.x, length, layout.page.font), texts) + axis_text("y", chart.y, texts);
   text += fmt::format("set label {} at graph 0.5, screen {:.5f} center front {}\n", quoted(chart.x.label, texts),
                       layout.x_label_at(), reading(texts));
   for (std::size_t line = 0; line < layout.y_label.size(); ++line)
@@ -150,7 +173,7 @@ Plot plot_of(const Chart& chart) {
   const double width = layout.page.width, height = layout.height();
   const Notation plain = Notation::plain;
   std::string script = head_text(chart, fmt::format("{0}.svg and {0}.pdf", chart.name)) + placed_key(layout, plain, 1) +
-                       report_axes(chart, layout) + labels_text(chart, plain);
+                       report_axes(chart, layout) + report_shades(chart) + labels_text(chart, plain);
   script += fmt::format(svg_output, chart.name, width / 0.75, height / 0.75, plot_command(chart, 1));
   script += fmt::format(pdf_output, chart.name, width / 72, height / 72);
   return {chart.name, script, plot_data(chart), {".svg", ".pdf"}};
@@ -162,7 +185,8 @@ Plot plot_of(const Chart& chart, const Sheet& sheet) {
   const Layout layout = layout_on(chart, sheet);
   const std::string picture = chart.name + ending_of(sheet.format);
   std::string script = head_text(chart, picture) + placed_key(layout, texts, mark_scale) +
-                       paper_axes(chart, layout, texts) + labels_text(chart, texts);
+                       paper_axes(chart, layout, texts) + paper_shades(chart, layout, texts) +
+                       labels_text(chart, texts);
   script += fmt::format("set terminal {}\nset output '{}'\n",
                         terminal_text(sheet, sheet.width / mm_per_inch, layout.height() / 72), picture);
   script += plot_command(chart, mark_scale) + "unset output\n";

@@ -32,10 +32,11 @@ struct Resolution {
 
 /// What is measured besides the errors at the end, and when a run counts as blown up.
 struct Measure {
-  bool every_step = false;      ///< errors over all steps
-  bool nodal_error = false;     ///< error of the nodes' accelerations at the end
-  bool velocity_error = false;  ///< mean over all steps of the particles' RMS velocity error
-  bool stress_error = false;    ///< error of the particles' stresses at the end
+  bool every_step = false;       ///< errors over all steps
+  bool nodal_error = false;      ///< error of the nodes' accelerations at the end
+  bool velocity_error = false;   ///< mean over all steps of the particles' RMS velocity error
+  bool stress_error = false;     ///< error of the particles' stresses at the end
+  bool particle_errors = false;  ///< displacement errors of the particles at the end, each with its place
   double blowup_error =
       1;  ///< unstable when the largest displacement error exceeds this times the problem's displacement scale
   double blowup_energy = 10;  ///< unstable when kinetic + strain energy exceeds this times the initial total

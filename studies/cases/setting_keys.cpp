@@ -155,6 +155,8 @@ const std::vector<SettingKey>& setting_keys() {
       {"nodal_error", "error of the nodal accelerations at the end, too", flag(&Measure::nodal_error)},
       {"velocity_error", "mean over all steps of the RMS velocity error, too", flag(&Measure::velocity_error)},
       {"stress_error", "RMS error of the stresses at the end, too", flag(&Measure::stress_error)},
+      {"particle_errors", "displacement errors of the particles at the end by their places, too",
+       flag(&Measure::particle_errors), KeyOf::every},
       {"blowup_error", "unstable beyond this error, in displacement amplitudes",
        read_by(&parse_number, &Measure::blowup_error), KeyOf::every},
       {"blowup_energy", "unstable beyond this energy, in initial energies",

@@ -11,7 +11,7 @@
 #include "studies/codes/output_files.hpp"
 #include "studies/codes/run_folder.hpp"
 #include "studies/codes/score.hpp"
-#include "studies/fits/median.hpp"
+#include "studies/runs/rounds.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
@@ -103,9 +103,7 @@ Record without_end(const Case& c, Status status, const std::string& reason) {
   record.status = status;
   record.failure = status == Status::failed ? records::Failure::of_case : records::Failure::none;
   record.reason = reason;
-  const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
-  record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells /
-               problem.length(c.problem.parameters);
+  record.cfl = problems::cfl_number(c);
   return record;
 }
 
@@ -127,28 +125,7 @@ Record run_external(const Case& c, const Code& code, const fs::path& keep) {
 }
 
 std::vector<Record> run_external_timed(const std::vector<Case>& cases, const Codes& codes) {
-  std::vector<Record> records;
-  for (const Case& c : cases) records.push_back(run_external(c, codes.at(c.scheme.code)));
-  std::vector<std::vector<double>> seconds(cases.size());
-  bool due = true;
-  for (int round = 0; due; ++round) {
-    due = false;
-    for (std::size_t k = 0; k < cases.size(); ++k) {
-      if (records[k].status != Status::ok || round >= cases[k].measure.repeat) continue;
-      const Record again = round > 0 ? run_external(cases[k], codes.at(cases[k].scheme.code)) : records[k];
-      seconds[k].push_back(again.wall_seconds);
-      due = true;
-    }
-  }
-  for (std::size_t k = 0; k < cases.size(); ++k) {
-    Record& record = records[k];
-    if (seconds[k].empty()) continue;
-    const auto [least, most] = std::minmax_element(seconds[k].begin(), seconds[k].end());
-    record.cost.step_seconds = fits::median_of(seconds[k]);
-    record.cost.spread = (*most - *least) / record.cost.step_seconds;
-    record.ns_per_particle_step = 1e9 * record.cost.step_seconds / static_cast<double>(record.particles * record.steps);
-  }
-  return records;
+  return runs::run_in_rounds(cases, [&](const Case& c) { return run_external(c, codes.at(c.scheme.code)); });
 }
 
 void abandon_external_runs() {

@@ -10,6 +10,7 @@
 #include "studies/codes/rounding.hpp"
 #include "studies/runs/blow_up.hpp"
 #include "studies/runs/norms.hpp"
+#include "studies/runs/particle_errors.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::codes {
@@ -97,6 +98,14 @@ void measure_balance(const MatchedEnd<D>& end, Record& record) {
     record.energy.kinetic += moving.m[line] * moving.v[line].squaredNorm() / 2;
 }
 
+template <int D>
+std::vector<records::ParticleError> particle_errors(const MatchedEnd<D>& end) {
+  runs::ParticleErrors errors(D, end.particles.spacing);
+  for (std::size_t line = 0; line < end.size(); ++line)
+    errors.add<D>(end.particles.X[end.particle[line]], end.x(line), end.error(line, end.particles.end_time).norm());
+  return errors.reduced();
+}
+
 void require_stable(const std::string& reason) {
   if (!reason.empty()) throw OutputFault(Status::unstable, reason);
 }
@@ -120,6 +129,7 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   record.error.l1 = norms.l1();
   record.error.l2 = norms.l2();
   record.error.linf = norms.linf();
+  if (c.measure.particle_errors) record.particle_errors = particle_errors(end);
   record.output_floor = rounding_error(output.end.rounding);
   if (c.measure.stress_error && !output.end.stress.empty()) record.error.stress = stress_error(end);
   if (c.measure.velocity_error && !output.end.v.empty()) record.error.velocity = velocity_error(end);
@@ -147,8 +157,7 @@ Record score(const cases::Case& c, const Output& output) {
   Record record;
   record.the_case = c;
   record.steps = c.resolution.steps;
-  record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells /
-               problem.length(c.problem.parameters);
+  record.cfl = problems::cfl_number(c);
   try {
     measure(problem, output, record);
   } catch (const OutputFault& fault) {

@@ -45,8 +45,6 @@ void read_range(const TomlTable& table, const char* key, std::optional<double>& 
 /// What the figure's kind asks of the study.
 void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTable& table) {
   if (figure.kind == "work-precision") require_cost(plan, table.where("kind"));
-  if (figure.kind == "particles" && plan.check.empty())
-    throw UsageError(fmt::format("particles in {} without a check (it brings the particles)", table.where("kind")));
   for (const char* key : {"marks", "slopes"})
     if (figure.kind != "curves" && table.has(key))
       throw UsageError(
@@ -67,7 +65,10 @@ Figure read_figure(const TomlTable& table, const StudyPlan& plan) {
   figure.log_x = is_logarithmic(table, "xscale");
   figure.log_y = is_logarithmic(table, "yscale");
   figure.quantity = table.has("quantity") ? norm_of(table, "quantity") : plan.check.empty() ? "l2" : "y";
-  figure.series = measured_series(plan, figure.quantity, series_names(table, "series", plan), table.where("quantity"));
+  figure.series =
+      figure.kind == "particles" && plan.check.empty()
+          ? series_with_particles(plan, series_names(table, "series", plan), table.where("kind"))
+          : measured_series(plan, figure.quantity, series_names(table, "series", plan), table.where("quantity"));
   figure.marks = series_names(table, "marks", plan);
   if (table.has("slopes")) figure.slopes = table.numbers("slopes");
   read_range(table, "x_range", figure.x_min, figure.x_max);

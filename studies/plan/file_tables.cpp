@@ -83,7 +83,9 @@ FileTable figure_table() {
            {"name", "text", "the study's", "the file's, where a study has more figures than one"},
            {"kind", "text", "`curves`",
             "`curves`: a quantity against the swept value; `work-precision`: against the measured cost, where every "
-            "series has `repeat`; `particles`: particles and voxels that a check has taken"},
+            "series has `repeat`; `particles`: particles and voxels that a check has taken, or those of each series' "
+            "last sound run, coloured "
+            "by their errors, where every series has `particle_errors`"},
            {"quantity", "text", "`l2`", "what is drawn, a norm; `y` where a check brings the curves"},
            {"xscale", "text", "`log`", "`log` or `linear`"},
            {"yscale", "text", "`log`", "`log` or `linear`"},

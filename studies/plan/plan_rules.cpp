@@ -49,6 +49,26 @@ std::string setting_of(const std::string& norm) {
   return found == records::run_errors().end() ? "" : found->setting;
 }
 
+/// Each of the series, or of all without a name, asks for what the setting measures.
+void require_setting(const StudyPlan& plan, const std::string& setting, const std::vector<std::string>& names,
+                     const std::string& what) {
+  if (setting.empty()) return;
+  for (const SeriesPlan& series : plan.series) {
+    if (!names.empty() && std::ranges::find(names, series.name) == names.end()) continue;
+    if (const Setting* asked = series.setting(setting); !asked || asked->value != "true")
+      throw UsageError(fmt::format("{} without {} = true in series '{}'", what, setting, series.name));
+  }
+}
+
+/// The series named, or without a name those that do not turn the setting off.
+std::vector<std::string> series_with(const StudyPlan& plan, const std::string& setting,
+                                     std::vector<std::string> names) {
+  if (!names.empty() || setting.empty()) return names;
+  for (const SeriesPlan& series : plan.series)
+    if (const Setting* asked = series.setting(setting); !asked || asked->value != "false") names.push_back(series.name);
+  return names;
+}
+
 }  // namespace
 
 void require_word(const std::string& what, const std::string& word, const std::vector<std::string>& known,
@@ -125,23 +145,24 @@ void require_measured(const StudyPlan& plan, const std::string& norm, const std:
   if ((norm == "y") == plan.check.empty())
     throw UsageError(fmt::format("norm '{}' in {} (y for the curves of a check, an error norm for runs)", norm, where));
   if (norm == "ns_per_particle_step") require_cost(plan, where);
-  const std::string setting = setting_of(norm);
-  if (setting.empty()) return;
-  for (const SeriesPlan& series : plan.series) {
-    if (!names.empty() && std::ranges::find(names, series.name) == names.end()) continue;
-    if (const Setting* asked = series.setting(setting); !asked || asked->value != "true")
-      throw UsageError(
-          fmt::format("norm '{}' in {} without {} = true in series '{}'", norm, where, setting, series.name));
-  }
+  require_setting(plan, setting_of(norm), names, fmt::format("norm '{}' in {}", norm, where));
 }
 
 std::vector<std::string> measured_series(const StudyPlan& plan, const std::string& norm, std::vector<std::string> names,
                                          const std::string& where) {
-  if (const std::string setting = setting_of(norm); names.empty() && !setting.empty())
-    for (const SeriesPlan& series : plan.series)
-      if (const Setting* asked = series.setting(setting); !asked || asked->value != "false")
-        names.push_back(series.name);
+  names = series_with(plan, setting_of(norm), std::move(names));
   require_measured(plan, norm, names, where);
+  return names;
+}
+
+std::vector<std::string> series_with_particles(const StudyPlan& plan, std::vector<std::string> names,
+                                               const std::string& where) {
+  constexpr const char* setting = "particle_errors";
+  if (plan.replicates)
+    throw UsageError(fmt::format("particles in {} beside replicates in {} (one run's particles are drawn)", where,
+                                 plan.replicates->where));
+  names = series_with(plan, setting, std::move(names));
+  require_setting(plan, setting, names, fmt::format("particles in {}", where));
   return names;
 }
 

@@ -43,4 +43,9 @@ void require_measured(const StudyPlan& plan, const std::string& norm, const std:
 std::vector<std::string> measured_series(const StudyPlan& plan, const std::string& norm, std::vector<std::string> names,
                                          const std::string& where);
 
+/// The series of a figure of particles: those named, or all that do not turn `particle_errors` off. Throws unless each
+/// asks for them, and beside replicates.
+std::vector<std::string> series_with_particles(const StudyPlan& plan, std::vector<std::string> names,
+                                               const std::string& where);
+
 }  // namespace mpmvv::plan

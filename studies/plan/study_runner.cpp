@@ -31,6 +31,7 @@ Point point_of(double x, const Record& r) {
   for (const records::RunNumber& number : records::run_errors()) add(number.name, number.get(r));
   for (const records::RunNumber& number : records::run_by_products()) add(number.name, number.get(r));
   add("energy_loss", records::energy_loss(r.energy));
+  point.particle_errors = r.particle_errors;
   return point;
 }
 
@@ -61,6 +62,18 @@ Series swept_series(const StudyPlan& plan, const SeriesPlan& series, std::span<c
   for (std::size_t k = 0; k < plan.values.size(); ++k)
     result.points.push_back(point_of(plan.values[k], records.subspan(k * each, each)));
   return result;
+}
+
+/// The code that the series' settings choose; those of another code are complete.
+std::optional<records::OtherCode> other_code(const SeriesPlan& series) {
+  const auto word = [&](const char* key) {
+    const settings::Setting* setting = series.setting(key);
+    return setting ? setting->value : "";
+  };
+  if (!series.setting("code")) return std::nullopt;
+  const std::string form = word("force_form");
+  return records::OtherCode{word("code"), word("code_version"), word("variant"),
+                            form.empty() ? support::to_string(cases::Scheme{}.force_form) : form};
 }
 
 bool is_wanted(const std::vector<std::string>& names, const Series& series) {
@@ -161,6 +174,7 @@ class StudyRunner {
       const std::vector<Record> records = pool_.get(own);
       outcome.failed += static_cast<std::size_t>(std::ranges::count(records, Status::failed, &Record::status));
       result.series.push_back(swept_series(plan, plan.series[s], records));
+      result.series.back().code = other_code(plan.series[s]);
       cases.push_back(plan.replicates ? std::vector<Case>{} : own);
       if (plan.searches(plan.series[s]) && inputs.trouble.empty())
         result.series.back().limit = fits::common_limit(inputs.limits[s]);

@@ -75,6 +75,8 @@ Extent extent(const cases::Case& c);
 
 std::vector<int> domain_cells(const cases::Case& c);  ///< along each axis
 
+double cfl_number(const cases::Case& c);  ///< wave speed × time step / cell width
+
 // The problems, each defined in its own file.
 Problem bar_problem();
 Problem bar_rest_problem();

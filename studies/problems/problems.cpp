@@ -117,4 +117,10 @@ std::vector<int> domain_cells(const cases::Case& c) {
   });
 }
 
+double cfl_number(const cases::Case& c) {
+  const Problem& problem = find_problem(c.problem.name, "the case");
+  return problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells /
+         problem.length(c.problem.parameters);
+}
+
 }  // namespace mpmvv::problems

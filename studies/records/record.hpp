@@ -67,6 +67,12 @@ struct Cost {
   double spread = not_measured;
 };
 
+/// The displacement error of a particle at the end, or the RMS of neighbours where there are many, in m.
+struct ParticleError {
+  double x = 0, y = 0;  ///< where it is, seen along z, in m
+  double error = 0;
+};
+
 /// What came out of one case.
 struct Record {
   cases::Case the_case;
@@ -84,6 +90,7 @@ struct Record {
   double output_floor = not_measured;  ///< RMS displacement error that the rounding of another code's output makes, m
   double images = 1;  ///< of the part that was run, itself among them, which make the body; 1: all of it was run
   Cost cost = {};     ///< where the case asks for it
+  std::vector<ParticleError> particle_errors = {};  ///< of the part that was run, where the case asks for them
 };
 
 /// Whether another try may do better.

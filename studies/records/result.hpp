@@ -20,6 +20,14 @@ struct Point {
   std::map<std::string, double>
       y;  ///< by quantity: `l1`, `l2`, `linf`, `..._all_steps`, `wall_seconds`, ...; curves: `y`
   std::map<std::string, std::vector<double>> replicates = {};  ///< by quantity, where `y` is their mean
+  std::vector<ParticleError> particle_errors = {};             ///< of a run that was asked for them
+};
+
+/// Another code than our own solver, as it ran a series.
+struct OtherCode {
+  std::string name, version;
+  std::string variant;  ///< empty where it has but one
+  std::string force_form;
 };
 
 struct Series {
@@ -28,6 +36,7 @@ struct Series {
   std::vector<fits::ObservedOrder> orders;
   std::optional<fits::StabilityLimit> limit;
   std::vector<fits::Extrapolation> extrapolations = {};
+  std::optional<OtherCode> code = {};  ///< that ran it; none: our own solver, or a check
 };
 
 /// A named number measured by a check.
@@ -39,7 +48,8 @@ struct Value {
 
 /// A report's figure, as the study file describes it. Its kind says what is drawn: `curves`, the quantity of each
 /// series against the swept value; `work-precision`, the quantity against the measured cost; `particles`, a panel for
-/// each series, whose points are particles at (x, `y`) with voxels of widths `width_x`, `width_y` where they have any.
+/// each series: of a check, whose points are particles at (x, `y`) with voxels of widths `width_x`, `width_y` where
+/// they have any; of runs, the particles of the last sound one, coloured by their errors.
 struct Figure {
   std::string name;  ///< file name without ending, `s-fig10`
   std::string caption;

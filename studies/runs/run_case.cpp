@@ -9,10 +9,10 @@
 #include <optional>
 #include <vector>
 
-#include "studies/fits/median.hpp"
 #include "studies/runs/balance.hpp"
 #include "studies/runs/blow_up.hpp"
 #include "studies/runs/nodal_error.hpp"
+#include "studies/runs/rounds.hpp"
 #include "studies/runs/run_errors.hpp"
 #include "studies/runs/scene.hpp"
 #include "studies/runs/vtu.hpp"
@@ -93,6 +93,7 @@ void measure_end(const Case& c, solver::Mpm<D>& mpm, const PreparedCase<D>& prep
     record.error.l1 = norms.l1();
     record.error.l2 = norms.l2();
     record.error.linf = norms.linf();
+    if (c.measure.particle_errors) record.particle_errors = particle_errors(mpm, prepared, c.resolution.ppc);
   }
   if (c.measure.nodal_error) {
     const ErrorNorms norms = acceleration_errors(mpm, *prepared.setup.solution, prepared.setup.body);
@@ -133,11 +134,11 @@ void run(const Case& c, const problems::Problem& problem, int threads, VtuSeries
 }
 
 /// One run of the case, whatever its dimension.
-Record run_once(const Case& c, const problems::Problem& problem, int threads, VtuSeries* vtu) {
+Record run_once(const Case& c, int threads, VtuSeries* vtu) {
+  const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
   Record record;
   record.the_case = c;
-  record.cfl = problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells /
-               problem.length(c.problem.parameters);
+  record.cfl = problems::cfl_number(c);
   try {
     switch (problem.dimension()) {
       case 1:
@@ -159,48 +160,17 @@ Record run_once(const Case& c, const problems::Problem& problem, int threads, Vt
   return record;
 }
 
-/// Repeats each sound run as often as its case says, in rounds, so that a slow spell of the machine meets all alike,
-/// and takes the median of each cost.
-void measure_costs(std::vector<Record>& records) {
-  std::vector<std::vector<double>> costs(records.size());
-  bool due = true;
-  for (int round = 0; due; ++round) {
-    due = false;
-    for (std::size_t k = 0; k < records.size(); ++k) {
-      const Case& c = records[k].the_case;
-      if (records[k].status != Status::ok || round >= c.measure.repeat) continue;
-      const Record repeated =
-          round > 0 ? run_once(c, problems::find_problem(c.problem.name, "the case"), 1, nullptr) : records[k];
-      costs[k].push_back(repeated.ns_per_particle_step);
-      due = true;
-    }
-  }
-  for (std::size_t k = 0; k < records.size(); ++k) {
-    Record& record = records[k];
-    if (costs[k].empty()) continue;
-    const auto [least, most] = std::minmax_element(costs[k].begin(), costs[k].end());
-    record.ns_per_particle_step = fits::median_of(costs[k]);
-    record.cost.step_seconds =
-        1e-9 * record.ns_per_particle_step * static_cast<double>(record.particles * record.steps);
-    record.cost.spread = (*most - *least) / record.ns_per_particle_step;
-  }
-}
-
 }  // namespace
 
 Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
   if (c.measure.repeat > 0) return run_timed({c}).front();
   std::optional<VtuSeries> frames;
   if (!vtu.empty()) frames.emplace(vtu);
-  return run_once(c, problems::find_problem(c.problem.name, "the case"), threads, frames ? &*frames : nullptr);
+  return run_once(c, threads, frames ? &*frames : nullptr);
 }
 
 std::vector<Record> run_timed(const std::vector<Case>& cases) {
-  std::vector<Record> records;
-  for (const Case& c : cases)
-    records.push_back(run_once(c, problems::find_problem(c.problem.name, "the case"), 1, nullptr));
-  measure_costs(records);
-  return records;
+  return run_in_rounds(cases, [](const Case& c) { return run_once(c, 1, nullptr); });
 }
 
 }  // namespace mpmvv::runs

@@ -5,6 +5,7 @@
 
 #include "solver/mpm.hpp"
 #include "studies/runs/norms.hpp"
+#include "studies/runs/particle_errors.hpp"
 #include "studies/runs/scene.hpp"
 
 /// Errors of a run's particles against the exact solution.
@@ -15,14 +16,14 @@ inline double nearest_image(double x, double period) {
   return x - period * std::round(x / period);
 }
 
-/// δ_p = |(x_p - X_p) - u(X_p, t)| of every particle, W (64); across periodic faces by the nearest image.
-template <int D>
-ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) {
+/// Calls visit(p, δ_p) with δ_p = |(x_p - X_p) - u(X_p, t)| of every particle, W (64); across periodic faces by the
+/// nearest image.
+template <int D, class Visit>
+void for_displacement_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Visit& visit) {
   constexpr std::size_t chunk = 256;
   const auto& particles = mpm.particles();
   const auto& grid = mpm.grid();
   const auto& periodic = mpm.periodic();
-  ErrorNorms norms;
   solver::Vec<D> u[chunk];
   for (std::size_t begin = 0; begin < particles.size(); begin += chunk) {
     const std::size_t n = std::min(chunk, particles.size() - begin);
@@ -34,10 +35,28 @@ ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>&
         const double period = grid.h() * grid.cells()[static_cast<std::size_t>(d)];
         if (periodic[static_cast<std::size_t>(d)]) delta[d] = nearest_image(delta[d], period);
       }
-      norms.add(delta.norm());
+      visit(p, delta.norm());
     }
   }
+}
+
+template <int D>
+ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) {
+  ErrorNorms norms;
+  for_displacement_errors(mpm, prepared, [&](std::size_t, double delta) { norms.add(delta); });
   return norms;
+}
+
+/// The same with the particles' places.
+template <int D>
+std::vector<records::ParticleError> particle_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared,
+                                                    int ppc) {
+  const auto& particles = mpm.particles();
+  ParticleErrors errors(D, mpm.grid().h() / ppc);
+  for_displacement_errors(mpm, prepared, [&](std::size_t p, double delta) {
+    errors.add<D>(prepared.X[particles.id[p]], particles.x[p], delta);
+  });
+  return errors.reduced();
 }
 
 /// The mean over the steps noted of the particles' RMS velocity error.

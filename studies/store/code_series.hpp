@@ -1,12 +1,14 @@
 #pragma once
 #include <string>
 
+#include "studies/records/result.hpp"
+
 namespace mpmvv::store {
 
 /// A series of a study that another code ran.
 struct CodeSeries {
   std::string study, series;
-  std::string code, version, variant, force_form;
+  records::OtherCode code;
   std::string kept_at;  ///< of the study, ISO 8601, UTC
 };
 

@@ -95,7 +95,13 @@ void insert_limit(Database& database, std::int64_t series, const fits::Stability
 
 void insert_series(Database& database, std::int64_t study, std::size_t ordinal, const records::Series& series,
                    const std::vector<std::string>& cases, const std::string& digest) {
-  const std::int64_t id = insert_item(database, "series", {"study", study}, ordinal, {{"name", series.name}});
+  Columns columns{{"name", series.name}};
+  if (series.code)
+    columns.insert(columns.end(), {{"code", series.code->name},
+                                   {"code_version", series.code->version},
+                                   {"variant", series.code->variant},
+                                   {"force_form", series.code->force_form}});
+  const std::int64_t id = insert_item(database, "series", {"study", study}, ordinal, columns);
   for (std::size_t k = 0; k < series.points.size(); ++k)
     insert_point(database, id, k, series.points[k], k < cases.size() ? cases[k] : "", digest);
   for (std::size_t k = 0; k < series.orders.size(); ++k) insert_order(database, id, k, series.orders[k]);

@@ -3,6 +3,7 @@
 #include <limits>
 #include <set>
 
+#include "studies/store/particle_errors.hpp"
 #include "studies/store/run_rows.hpp"
 #include "studies/store/seal.hpp"
 #include "studies/store/study_rows.hpp"
@@ -90,6 +91,7 @@ std::pair<records::Point, std::string> load_point(const Database& database, cons
   if (!row["run"].null()) {
     require_intact(database, Sealed::run, row["run"]);
     point.y = run_quantities(row);
+    point.particle_errors = particle_errors_of(row["particle_errors"]);
     case_text = row["case_text"].text();
   }
   database.each("SELECT quantity, value FROM point_values WHERE point = ?", {row["point"]},
@@ -116,6 +118,7 @@ std::pair<records::Series, std::vector<std::string>> load_series(const Database&
   series.orders = load_items(database, "fits", "series", id, [&](const Row& r) { return load_order(database, r); });
   database.each("SELECT * FROM limits WHERE series = ?", {id},
                 [&](const Row& r) { series.limit = load_limit(database, r); });
+  series.code = other_code(row);
   series.extrapolations = load_items(database, "extrapolations", "series", id, load_extrapolation);
   return {series, cases};
 }
@@ -207,6 +210,14 @@ StoredStudy load_study(const Database& database, const Row& row) {
 }
 
 }  // namespace
+
+std::optional<records::OtherCode> other_code(const Row& series) {
+  if (series["code"].null()) return std::nullopt;
+  return records::OtherCode{.name = series["code"].text(),
+                            .version = series["code_version"].text(),
+                            .variant = series["variant"].text(),
+                            .force_form = series["force_form"].text()};
+}
 
 std::vector<StoredStudy> load_studies(const Database& database, const std::string& digest) {
   std::vector<StoredStudy> studies;

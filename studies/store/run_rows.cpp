@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "studies/store/particle_errors.hpp"
 #include "studies/store/seal.hpp"
 
 namespace mpmvv::store {
@@ -38,6 +39,7 @@ Columns run_columns(const Record& r) {
                   {"reason", r.reason},
                   {"failure", r.failure == records::Failure::none ? Value() : Value(to_string(r.failure))}};
   for_numbers([&](const RunNumber& number) { columns.emplace_back(number.name, number.get(r)); });
+  columns.emplace_back("particle_errors", value_of(r.particle_errors));
   return columns;
 }
 
@@ -114,6 +116,7 @@ std::optional<Record> find_run(const Database& database, const cases::Case& c, c
                    .energy = {},
                    .balance = {}};
     for_numbers([&](const RunNumber& number) { number.set(*found) = row[number.name].real(); });
+    found->particle_errors = particle_errors_of(row["particle_errors"]);
   });
   return found;
 }

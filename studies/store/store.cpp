@@ -31,14 +31,6 @@ std::vector<std::string> texts_of(const Values& values) {
   return texts;
 }
 
-/// What stands behind ` key=` in a case's text.
-std::string word_of(const std::string& case_text, const std::string& key) {
-  const std::size_t at = case_text.find(" " + key + "=");
-  if (at == std::string::npos) return "";
-  const std::size_t begin = at + key.size() + 2;
-  return case_text.substr(begin, case_text.find(' ', begin) - begin);
-}
-
 }  // namespace
 
 Store::Store(const std::filesystem::path& file, Mode mode)
@@ -113,15 +105,10 @@ std::vector<records::ClaimText> Store::statements(const std::string& digest) con
 std::vector<CodeSeries> Store::code_series(const std::string& digest) const {
   std::vector<CodeSeries> all;
   impl_->database.each(
-      "SELECT studies.name AS study, series.name AS series, min(case_text) AS case_text, studies.kept_at AS kept_at "
-      "FROM studies JOIN series ON series.study = studies.id JOIN points ON points.series = series.id "
-      "JOIN runs ON runs.id = points.run WHERE studies.digest = ? AND case_text LIKE '% code=%' "
-      "GROUP BY series.id ORDER BY studies.name, series.ordinal",
+      "SELECT studies.name AS study_name, kept_at, series.* FROM series JOIN studies ON studies.id = series.study "
+      "WHERE digest = ? AND code IS NOT NULL ORDER BY studies.name, ordinal",
       {digest}, [&](const Row& row) {
-        const std::string text = row["case_text"].text();
-        const auto word = [&](const char* key) { return word_of(text, key); };
-        all.push_back({row["study"].text(), row["series"].text(), word("code"), word("code_version"), word("variant"),
-                       word("force_form"), row["kept_at"].text()});
+        all.push_back({row["study_name"].text(), row["name"].text(), *other_code(row), row["kept_at"].text()});
       });
   return all;
 }

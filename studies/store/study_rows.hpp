@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ void insert_study(Database& database, const StoredStudy& study);
 
 /// Studies of this digest, in name order.
 std::vector<StoredStudy> load_studies(const Database& database, const std::string& digest);
+
+/// The code that ran the series of this row; none: our own solver, or a check.
+std::optional<records::OtherCode> other_code(const Row& series);
 
 /// Copies the studies that `to` lacks; their runs must be there.
 void copy_studies(const Database& from, Database& to);

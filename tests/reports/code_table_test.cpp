@@ -24,7 +24,7 @@ ReportInput input_with_codes() {
   claims::Claim claim;
   claim.id = "second", claim.statement = "the total form is second order", claim.verdict = "confirmed";
   input.claims = {claim};
-  input.codes = {{"theirs", "tlmpm", "karamelo", "2.0", "tlmpm-linear", "reference", "2026-11-25T10:00:00Z"}};
+  input.codes = {{"theirs", "tlmpm", {"karamelo", "2.0", "tlmpm-linear", "reference"}, "2026-11-25T10:00:00Z"}};
   return input;
 }
 
@@ -42,6 +42,17 @@ TEST(CodeTable, HasARowForEachSeriesOfAnotherCode) {
   EXPECT_EQ(row[7], "the total form is second order (confirmed)");
 }
 
+TEST(CodeTable, SaysUpToWhereASeriesIsStable) {
+  ReportInput input = input_with_codes();
+  records::Series& series = input.studies[0].series[0];
+  series.orders.clear();
+  series.limit.emplace();
+  series.limit->key = "cfl", series.limit->stable = 0.7, series.limit->unstable = 0.72, series.limit->found = true;
+  EXPECT_EQ(code_table(input).groups[0].rows[0][5], "stable to 0.71 in cfl");
+  series.limit->found = false;
+  EXPECT_EQ(code_table(input).groups[0].rows[0][5], "no limit of cfl found");
+}
+
 /// One name may begin another.
 TEST(CodeTable, SaysOfASeriesWhatWasAskedOfThatOne) {
   ReportInput input = input_with_codes();
@@ -53,7 +64,7 @@ TEST(CodeTable, SaysOfASeriesWhatWasAskedOfThatOne) {
 TEST(CodeTable, HasAGroupForEachVersion) {
   ReportInput input = input_with_codes();
   input.codes.push_back(input.codes[0]);
-  input.codes.back().version = "1.9";
+  input.codes.back().code.version = "1.9";
   const Table table = code_table(input);
   ASSERT_EQ(table.groups.size(), 2U);
   EXPECT_EQ(table.groups[0].title, "karamelo 1.9");

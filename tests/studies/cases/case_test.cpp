@@ -37,7 +37,8 @@ TEST(CanonicalText, IsOneLineOfEveryChoiceInAFixedOrder) {
       "deformation=linear body_force=particles fill=lattice material=neo-hookean-log cells=64 ppc=4 grid_offset=0 "
       "shuffle=0 "
       "dt=0.3333333333333333 steps=800 "
-      "every_step=false nodal_error=false velocity_error=false stress_error=false blowup_error=1 blowup_energy=10 "
+      "every_step=false nodal_error=false velocity_error=false stress_error=false particle_errors=false blowup_error=1 "
+      "blowup_energy=10 "
       "whole=false repeat=0");
 }
 
@@ -49,7 +50,8 @@ TEST(CanonicalText, OfAnotherCodeHasNothingOfOurOwnSolver) {
   EXPECT_EQ(canonical_text(c),
             "problem=bar param.amplitude=0.05 param.density=1 end_time=0.01 quarter=false code=nairn "
             "variant=spline-usl force_form=per-particle code_version=4.2 adapter=af63dc4c8601ec8c fill=lattice "
-            "material=neo-hookean-log cells=64 ppc=4 dt=0.3333333333333333 steps=800 blowup_error=1 repeat=0");
+            "material=neo-hookean-log cells=64 ppc=4 dt=0.3333333333333333 steps=800 "
+            "particle_errors=false blowup_error=1 repeat=0");
 }
 
 TEST(CanonicalText, OfAnotherCodeDependsOnProgramAdapterAndForm) {

@@ -39,6 +39,18 @@ TEST(Score, MatchesById) {
   for (const double error : {r.error.l1, r.error.l2, r.error.linf}) EXPECT_NEAR(error, 5e-6, 1e-15);
 }
 
+TEST(Score, HasTheErrorsOfTheParticlesWhereTheyAre) {
+  cases::Case c = square();
+  const Snapshot end = exact_end(c);
+  EXPECT_TRUE(score(c, {.end = end}).particle_errors.empty());
+  c.measure.particle_errors = true;
+  const records::Record r = score(c, {.end = end});
+  ASSERT_EQ(r.particle_errors.size(), 64U);
+  EXPECT_EQ(r.particle_errors[20].x, end.x[20][0]);
+  EXPECT_EQ(r.particle_errors[20].y, end.x[20][1]);
+  EXPECT_NEAR(r.particle_errors[20].error, 5e-6, 1e-15);
+}
+
 TEST(Score, ADoubledIdIsAReason) {
   const cases::Case c = square();
   Snapshot end = exact_end(c);

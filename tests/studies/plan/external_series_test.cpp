@@ -76,9 +76,10 @@ TEST_F(ExternalSeries, TheirCasesAreKeptAndFoundAgain) {
   const auto of_codes = store.code_series(store::current_provenance().digest);
   ASSERT_EQ(of_codes.size(), 1U);
   EXPECT_EQ(of_codes[0].series, "theirs");
-  EXPECT_EQ(of_codes[0].code, "mover");
-  EXPECT_EQ(of_codes[0].variant, "plain");
-  EXPECT_EQ(of_codes[0].version, mover_.code().version);
+  EXPECT_EQ(of_codes[0].code.name, "mover");
+  EXPECT_EQ(of_codes[0].code.variant, "plain");
+  EXPECT_EQ(of_codes[0].code.force_form, "reference");
+  EXPECT_EQ(of_codes[0].code.version, mover_.code().version);
 
   mover_.script(std::string(codes::Mover::moving) + "# edited\n");
   StudyPlan again = plan(both);
@@ -117,6 +118,21 @@ to = 2
   ASSERT_TRUE(outcomes[0].result.series[0].limit.has_value()) << outcomes[0].trouble;
   EXPECT_LE(outcomes[0].result.series[0].limit->stable, 0.7);
   EXPECT_GT(outcomes[0].result.series[0].limit->unstable, 0.7);
+  EXPECT_EQ(store.code_series(store::current_provenance().digest).at(0).code.name, "mover");
+}
+
+TEST_F(ExternalSeries, WithReplicatesIsOneOfAnotherCode) {
+  std::string text = std::string(both) + "[replicates]\ncfl = [0.4, 0.5]\n";
+  text.erase(text.find("cfl = 0.5\n"), 10);
+  StudyPlan read = plan(text);
+  CodeFinder finder("");
+  ASSERT_EQ(complete_series(read, file(), finder), "");
+  RunnerOptions options;
+  options.codes = finder.codes();
+  store::Store store(mover_.top() / "r.db", store::Store::Mode::create_or_write);
+  RunnerCounts counts;
+  run_studies({read}, store, options, counts);
+  EXPECT_EQ(store.code_series(store::current_provenance().digest).at(0).series, "theirs");
 }
 
 TEST_F(ExternalSeries, WithoutTheProgramItSaysHowToGetIt) {

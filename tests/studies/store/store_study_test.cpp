@@ -109,6 +109,7 @@ Series curve() {
   s.points.front().replicates = {{"y", {0.9, 1.1}}, {"z", {not_measured}}};
   s.extrapolations = {{"y", 4, 64, 5, "φ0 + α h", 1.1, -0.5, 1e-3, 0.02, 1.0 / 3, not_measured, "not monotone"},
                       {"z", 1, 2, 0, "none", not_measured, not_measured}};
+  s.code = {{"karamelo", "2.0", "", "per-particle"}};
   return s;
 }
 

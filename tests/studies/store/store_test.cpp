@@ -38,7 +38,8 @@ TEST(RunNumbers, AreAllMembers) {
   EXPECT_EQ(std::ssize(run_errors()), count_members<Errors>() + count_members<Balance>());
   constexpr int of_the_record = 5;  // wall_seconds, ns_per_particle_step, cfl, images, output_floor
   EXPECT_EQ(std::ssize(run_by_products()), count_members<Energy>() + count_members<Cost>() + of_the_record);
-  constexpr int without_a_number = 10;  // case, particles, steps, status, failure, reason; error, energy, balance, cost
+  // case, particles, steps, status, failure, reason, errors of particles; error, energy, balance, cost
+  constexpr int without_a_number = 11;
   EXPECT_EQ(count_members<Record>(), without_a_number + of_the_record);
 }
 
@@ -64,6 +65,20 @@ TEST_F(StoreTest, ARecordComesBackWhole) {
   const std::optional<Record> found = store.find(r.the_case, "d1");
   ASSERT_TRUE(found);
   EXPECT_EQ(describe(*found), describe(r));
+}
+
+/// With five digits.
+TEST_F(StoreTest, ErrorsOfParticlesComeBack) {
+  Store store(file_, Store::Mode::create_or_write);
+  Record r = record(8);
+  r.particle_errors = {{0.25, -1.5, 3e-6}, {1.0 / 3, 0, 0}};
+  store.keep(r, provenance());
+  const auto found = store.find(r.the_case, "d1").value().particle_errors;
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].y, -1.5);
+  EXPECT_EQ(found[0].error, 3e-6);
+  EXPECT_NEAR(found[1].x, 1.0 / 3, 1e-5);
+  EXPECT_TRUE(store.check().empty());
 }
 
 TEST_F(StoreTest, NaNAndInfinityComeBackAsNaN) {

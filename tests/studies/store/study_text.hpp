@@ -60,8 +60,18 @@ struct Text {
   }
 
   static std::string of(const records::Point& p) {
-    const auto& [x, status, reason, y, replicates] = p;
-    return fmt::format("point {} {} '{}' {} {}", x, to_string(status), reason, y, replicates);
+    const auto& [x, status, reason, y, replicates, particle_errors] = p;
+    return fmt::format("point {} {} '{}' {} {}\n{}", x, to_string(status), reason, y, replicates, of(particle_errors));
+  }
+
+  static std::string of(const records::ParticleError& e) {
+    const auto& [x, y, error] = e;
+    return fmt::format("particle {} {} {}", x, y, error);
+  }
+
+  static std::string of(const records::OtherCode& c) {
+    const auto& [name, version, variant, force_form] = c;
+    return fmt::format("code {} {} '{}' {}", name, version, variant, force_form);
   }
 
   static std::string of(const fits::Probe& p) {
@@ -75,8 +85,8 @@ struct Text {
   }
 
   static std::string of(const Series& s) {
-    const auto& [name, points, orders, limit, extrapolations] = s;
-    return fmt::format("series {}\n{}{}{}{}", name, of(points), of(orders), of(limit), of(extrapolations));
+    const auto& [name, points, orders, limit, extrapolations, code] = s;
+    return fmt::format("series {}\n{}{}{}{}{}", name, of(points), of(orders), of(limit), of(extrapolations), of(code));
   }
 
   static std::string of(const records::Value& v) {

@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/panels.hpp"
+#include "reports/text.hpp"
+
+namespace mpmvv::reports {
+
+using records::ParticleError;
+using records::Point;
+using records::Series;
+
+namespace {
+
+constexpr const char* error_label = "displacement error (m)";
+
+/// A series at the last value at which it has errors of particles.
+struct LastRun {
+  const Series* series;
+  const Point* point;
+
+  const std::vector<ParticleError>& errors() const { return point->particle_errors; }
+};
+
+std::vector<LastRun> last_runs(const records::StudyResult& study, const records::Figure& figure) {
+  std::vector<LastRun> runs;
+  for (const Series* series : figure_series(study, figure)) {
+    const auto last = std::find_if(series->points.rbegin(), series->points.rend(),
+                                   [](const Point& p) { return !p.particle_errors.empty(); });
+    if (last != series->points.rend()) runs.push_back({series, &*last});
+  }
+  return runs;
+}
+
+/// About what the particles are apart: the median of the ways to the nearest other one.
+double spacing_of(const std::vector<ParticleError>& all) {
+  std::vector<double> ways;
+  for (const ParticleError& one : all) {
+    double least = INFINITY;
+    for (const ParticleError& other : all)
+      if (&other != &one) least = std::min(least, std::hypot(other.x - one.x, other.y - one.y));
+    if (least > 0 && std::isfinite(least)) ways.push_back(least);
+  }
+  if (ways.empty()) return 1;
+  const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
+  std::ranges::nth_element(ways, middle);
+  return *middle;
+}
+
+/// From where nearly all errors are to the largest, so that a few that are about zero do not take the colours.
+Axis shade_axis(const std::vector<LastRun>& runs) {
+  std::vector<double> errors;
+  for (const LastRun& run : runs)
+    for (const ParticleError& one : run.errors())
+      if (one.error > 0) errors.push_back(one.error);
+  if (errors.empty()) return make_axis({error_label, true, {}, {}}, errors);
+  std::ranges::sort(errors);
+  const double low = errors[errors.size() / 50];
+  return make_axis({error_label, true, {}, {}}, std::vector{std::min(low, errors.back() / 2), errors.back()});
+}
+
+Panel panel_of(const LastRun& run) {
+  Panel panel{run.series->name, {}};
+  const double width = spacing_of(run.errors());
+  for (const ParticleError& one : run.errors()) {
+    panel.particles.push_back({{one.x, one.y}, width, width});
+    panel.shades.push_back(one.error);
+  }
+  return panel;
+}
+
+Chart shaded_panels(const records::Figure& figure, const std::vector<LastRun>& runs) {
+  constexpr double axes_width = 560;
+  constexpr std::size_t room_of_the_scale = 13;
+  std::vector<Panel> panels;
+  for (const LastRun& run : runs) panels.push_back(panel_of(run));
+  Chart chart = panel_chart(figure, panels, axes_width);
+  chart.right_margin = room_of_the_scale;
+  chart.shades = shade_axis(runs);
+  return chart;
+}
+
+/// A body along a line.
+Chart errors_along_a_line(const records::Figure& figure, const std::vector<LastRun>& runs) {
+  constexpr std::size_t most_marked = 40;
+  Chart chart;
+  chart.name = figure.name;
+  chart.caption = figure.caption;
+  std::vector<double> places, errors;
+  for (const LastRun& run : runs) {
+    std::vector<ParticleError> sorted = run.errors();
+    std::ranges::sort(sorted, {}, &ParticleError::x);
+    Curve curve{run.series->name,
+                run.series->name,
+                static_cast<int>(chart.curves.size()),
+                true,
+                sorted.size() <= most_marked,
+                true,
+                {}};
+    for (const ParticleError& one : sorted) {
+      curve.dots.push_back({one.x, one.error, one.error, one.error > 0 ? Mark::inside : Mark::absent});
+      places.push_back(one.x), errors.push_back(one.error);
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  chart.x = make_axis({figure.xlabel, false, figure.x_min, figure.x_max, 0.02, 0.02}, places);
+  chart.y = make_axis({error_label, true, figure.y_min, figure.y_max, 0.06, 0.08}, errors);
+  return chart;
+}
+
+/// Of which runs the particles are, and what is left out.
+void add_notes(Chart& chart, const records::StudyResult& study, const std::vector<LastRun>& runs) {
+  std::vector<std::string> which;
+  bool has_parts = false;
+  for (const LastRun& run : runs) {
+    which.push_back(fmt::format("{} at {} {}", run.series->name, study.sweep, brief(run.point->x)));
+    const auto images = run.point->y.find("images");
+    has_parts |= images != run.point->y.end() && images->second > 1;
+  }
+  chart.notes.push_back(which.empty() ? "No run has errors of particles."
+                                      : fmt::format("At the end: {}.", fmt::join(which, "; ")));
+  if (chart.shades)
+    chart.notes.push_back(
+        "Blue is a large error, yellow a small one. Where particles are many, a square stands for neighbours, "
+        "with their RMS error.");
+  if (has_parts) chart.notes.push_back("Drawn is the part of the body that was run: mirror images make the rest.");
+}
+
+}  // namespace
+
+Chart particle_error_chart(const records::StudyResult& study, const records::Figure& figure) {
+  const std::vector<LastRun> runs = last_runs(study, figure);
+  const bool is_flat = std::ranges::all_of(runs, [](const LastRun& run) {
+    return std::ranges::all_of(run.errors(), [](const ParticleError& one) { return one.y == 0; });
+  });
+  Chart chart = is_flat ? errors_along_a_line(figure, runs) : shaded_panels(figure, runs);
+  add_notes(chart, study, runs);
+  return chart;
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,42 @@
+#include "studies/runs/rounds.hpp"
+
+#include <algorithm>
+
+#include "studies/fits/median.hpp"
+
+namespace mpmvv::runs {
+
+using cases::Case;
+using records::Record;
+
+namespace {
+
+/// Takes the median of a record's costs, in ns per particle and step.
+void set_cost(Record& record, const std::vector<double>& costs) {
+  if (costs.empty()) return;
+  const auto [least, most] = std::minmax_element(costs.begin(), costs.end());
+  record.ns_per_particle_step = fits::median_of(costs);
+  record.cost.step_seconds = 1e-9 * record.ns_per_particle_step * static_cast<double>(record.particles * record.steps);
+  record.cost.spread = (*most - *least) / record.ns_per_particle_step;
+}
+
+}  // namespace
+
+std::vector<Record> run_in_rounds(const std::vector<Case>& cases, const std::function<Record(const Case&)>& run) {
+  std::vector<Record> records;
+  for (const Case& c : cases) records.push_back(run(c));
+  std::vector<std::vector<double>> costs(cases.size());
+  bool due = true;
+  for (int round = 0; due; ++round) {
+    due = false;
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+      if (records[k].status != records::Status::ok || round >= cases[k].measure.repeat) continue;
+      costs[k].push_back((round > 0 ? run(cases[k]) : records[k]).ns_per_particle_step);
+      due = true;
+    }
+  }
+  for (std::size_t k = 0; k < cases.size(); ++k) set_cost(records[k], costs[k]);
+  return records;
+}
+
+}  // namespace mpmvv::runs

@@ -1,0 +1,101 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/chart.hpp"
+#include "reports/picture.hpp"
+#include "reports/plot.hpp"
+
+/// Particles of runs, coloured by their errors.
+namespace mpmvv::reports::particle_error_chart_test {
+
+using records::ParticleError;
+using records::Series;
+using records::Status;
+using records::StudyResult;
+
+using testing::Contains;
+using testing::HasSubstr;
+
+/// 10 by 10 particles, a tenth apart, whose errors grow along x from 1e-6 to 1e-4.
+std::vector<ParticleError> square() {
+  std::vector<ParticleError> all;
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 10; ++j) all.push_back({0.05 + 0.1 * i, 0.05 + 0.1 * j, 1e-6 * std::pow(100, i / 9.0)});
+  return all;
+}
+
+StudyResult runs_study() {
+  StudyResult study;
+  study.name = "runs";
+  study.kind = "convergence";
+  study.sweep = "cells";
+  study.series = {Series{"theirs", {}, {}, {}}, Series{"ours", {}, {}, {}}};
+  for (Series& series : study.series) {
+    series.points = {
+        {8, Status::ok, "", {{"images", 1}}}, {16, Status::ok, "", {{"images", 1}}}, {32, Status::unstable, "", {}}};
+    series.points[0].particle_errors = {{0, 0.1, 1}};
+    series.points[1].particle_errors = square();
+  }
+  records::Figure figure;
+  figure.name = "runs", figure.kind = "particles", figure.xlabel = "x", figure.ylabel = "y";
+  study.figures = {figure};
+  return study;
+}
+
+TEST(ParticleErrorChart, HasAPanelOfSquaresForTheLastSoundRunOfEachSeries) {
+  const Chart chart = charts_of(runs_study()).at(0);
+  ASSERT_EQ(chart.curves.size(), 2U);
+  EXPECT_TRUE(chart.to_scale);
+  EXPECT_TRUE(chart.boxes.empty());
+  EXPECT_EQ(chart.curves[0].dots.size(), 100U);
+  EXPECT_NEAR(chart.curves[0].square, 0.1, 1e-12);
+  EXPECT_NEAR(chart.curves[1].dots[99].shade, 1e-4, 1e-12);
+  EXPECT_GT(chart.curves[1].dots[0].x, 1) << "beside the first panel";
+  EXPECT_THAT(chart.notes, Contains(HasSubstr("theirs at cells 16; ours at cells 16")));
+}
+
+/// A few that are about zero would take the colours of all others.
+TEST(ParticleErrorChart, ItsColoursAreThoseOfNearlyAllErrors) {
+  StudyResult study = runs_study();
+  study.series[0].points[1].particle_errors[3].error = 1e-15;
+  study.series[0].points[1].particle_errors[4].error = 0;
+  const Chart chart = charts_of(study).at(0);
+  ASSERT_TRUE(chart.shades);
+  EXPECT_TRUE(chart.shades->log);
+  EXPECT_DOUBLE_EQ(chart.shades->from, 1e-6);
+  EXPECT_NEAR(chart.shades->to, 1e-4, 1e-12);
+}
+
+TEST(ParticleErrorChart, IsDrawnInThePaletteAndItsErrorsAreInTheData) {
+  const Chart chart = charts_of(runs_study()).at(0);
+  const Plot plot = plot_of(chart);
+  for (const char* text : {"set palette defined", "set logscale cb", "lc palette", "displacement error (m)"})
+    EXPECT_THAT(plot.script, HasSubstr(text));
+  EXPECT_THAT(plot.data, HasSubstr(" 1 1.6681005372000587e-06\n"));
+  EXPECT_THAT(description_of(chart), HasSubstr("100 of theirs, errors from 1e-06 to 0.0001"));
+}
+
+TEST(ParticleErrorChart, OfABodyAlongALineIsErrorAgainstPlace) {
+  StudyResult study = runs_study();
+  for (Series& series : study.series) series.points[1].particle_errors = {{0.9, 0, 2e-5}, {0.1, 0, 1e-6}, {0.5, 0, 0}};
+  const Chart chart = charts_of(study).at(0);
+  EXPECT_FALSE(chart.to_scale);
+  EXPECT_FALSE(chart.shades);
+  ASSERT_EQ(chart.curves[0].dots.size(), 3U);
+  EXPECT_EQ(chart.curves[0].dots[2].x, 0.9);
+  EXPECT_EQ(chart.curves[0].dots[2].value, 2e-5);
+  EXPECT_EQ(chart.curves[0].dots[1].mark, Mark::absent);
+}
+
+TEST(ParticleErrorChart, SaysWhatIsNotThere) {
+  StudyResult study = runs_study();
+  study.series[0].points[1].y["images"] = 4;
+  EXPECT_THAT(charts_of(study).at(0).notes, Contains(HasSubstr("mirror images make the rest")));
+  for (Series& series : study.series)
+    for (records::Point& point : series.points) point.particle_errors.clear();
+  const Chart empty = charts_of(study).at(0);
+  EXPECT_THAT(empty.notes, Contains("No run has errors of particles."));
+  EXPECT_THAT(plot_of(empty).script, HasSubstr("nothing to draw"));
+}
+
+}  // namespace mpmvv::reports::particle_error_chart_test
