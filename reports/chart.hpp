@@ -17,8 +17,8 @@ struct Dot {
   Mark mark = Mark::inside;
 };
 
-/// How a curve is told from others: by a number of its own, or as a member of a group that shares colour and marker, the
-/// first solid and filled, the second dashed and hollow, the third dotted and hollow.
+/// How a curve is told from others: by a number of its own, or as a member of a group that shares colour and marker,
+/// the first solid and filled, the second dashed and hollow, the third dotted and hollow.
 struct Style {
   int number = 0;
   int member = alone;
@@ -32,8 +32,8 @@ struct Style {
 inline constexpr Style plain_style = -1;
 
 struct Curve {
-  std::string name;        ///< in the data file
-  std::string key;         ///< in the key
+  std::string name;  ///< in the data file
+  std::string key;   ///< in the key
   Style style = 0;
   bool joined = true;      ///< a line from dot to dot
   bool marked = true;      ///< a marker on each dot

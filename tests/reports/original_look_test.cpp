@@ -52,7 +52,8 @@ TEST(OriginalLook, AGroupSharesItsColourAndMarker) {
   EXPECT_FALSE(is_hollow(style(2)));
   EXPECT_TRUE(is_hollow(style(3)));
   EXPECT_NE(colour_of(style(0)), colour_of(style(2)));
-  for (const std::size_t grouped : {0u, 2u, 3u}) EXPECT_NE(marker_of(style(1)).filled, marker_of(style(grouped)).filled);
+  for (const std::size_t grouped : {0u, 2u, 3u})
+    EXPECT_NE(marker_of(style(1)).filled, marker_of(style(grouped)).filled);
 }
 
 TEST(OriginalLook, HollowPointsAreDrawnAndInTheKey) {
@@ -60,6 +61,16 @@ TEST(OriginalLook, HollowPointsAreDrawnAndInTheKey) {
   const auto hollow = std::to_string(marker_of(Style(0, 1)).hollow);
   EXPECT_NE(plot.script.find("($4==1?$3:NaN) with points pt " + hollow), std::string::npos) << plot.script;
   EXPECT_NE(plot.script.find("front point pt " + hollow), std::string::npos) << plot.script;
+}
+
+/// Whether two samples of a key follow one another that differ in their dashes alone.
+TEST(OriginalLook, NoSampleOfTheKeyTakesTheDashOfTheOneBefore) {
+  const Plot plot = plot_of(charts_of(study_with("n-fig5", "energy_loss", {"FLIP, USL", "FMPM(8), USL"})).at(0));
+  std::vector<std::string> looks;
+  for (std::size_t at = 0; (at = plot.script.find("nohead front ", at)) != std::string::npos; ++at)
+    looks.push_back(plot.script.substr(at, plot.script.find('\n', at) - at));
+  ASSERT_EQ(looks.size(), 2u);
+  EXPECT_NE(looks[0].substr(0, looks[0].find(" dt")), looks[1].substr(0, looks[1].find(" dt")));
 }
 
 }  // namespace original_look_test
