@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "reports/text.hpp"
+#include "studies/claims/samples.hpp"
 
 namespace mpmvv::reports {
 
@@ -30,9 +31,11 @@ std::string orders_of(const StudyResult& study, const std::string& name) {
   std::vector<std::string> orders;
   for (const records::Series& series : study.series)
     if (series.name == name)
-      for (const auto& o : series.orders)
-        orders.push_back(
-            fmt::format("{} in {}, {} to {}", order_text(o.order, o.half_width), o.norm, brief(o.from), brief(o.to)));
+      for (const auto& o : series.orders) {
+        const std::string without = claims::left_out(series, o.norm);
+        orders.push_back(fmt::format("{} in {}, {} to {}{}", order_text(o.order, o.half_width), o.norm, brief(o.from),
+                                     brief(o.to), without.empty() ? "" : " without " + without));
+      }
   return orders.empty() ? "–" : fmt::format("{}", fmt::join(orders, "; "));
 }
 

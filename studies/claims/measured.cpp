@@ -54,8 +54,11 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
   const auto stable = std::count_if(series.points.begin(), series.points.end(), [&](const Point& point) {
     return c.window.holds(point.x) && point.status != Status::unstable;
   });
-  if (fit.points < stable)
-    out.missing = fmt::format("'{}': {} of {} stable points are no use", series.name, stable - fit.points, stable);
+  if (fit.points < stable) {
+    const std::string near_floor = left_out(series, norm);
+    out.missing = fmt::format("'{}': {} of {} stable points are no use{}", series.name, stable - fit.points, stable,
+                              near_floor.empty() ? "" : ", left out: " + near_floor);
+  }
   return fit;
 }
 

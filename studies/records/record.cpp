@@ -53,6 +53,7 @@ const std::vector<RunNumber>& run_by_products() {
       number<&Record::cfl>(1, "cfl", "/cfl"),
       number<&Record::images>(10, "images", "/images"),
       number<&Record::output_floor>(12, "output_floor", "/output_floor", "m"),
+      number<&Record::solution_floor>(13, "solution_floor", "/solution_floor", "m"),
   };
   return numbers;
 }
