@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "reports/chart.hpp"
+#include "reports/original_look.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::reports {
@@ -44,6 +45,7 @@ std::vector<Chart> charts_of(const records::StudyResult& study, double letter) {
                      : figure.kind == "work-precision" ? work_chart(study, figure)
                      : figure.kind == "particles"      ? particle_chart(study, figure)
                                                        : error_chart(study, figure, letter));
+    if (!map && figure.kind == "curves") give_original_look(charts.back(), figure);
     mapped |= map;
   }
   const bool probed = std::ranges::any_of(study.series, [](const Series& s) { return s.limit.has_value(); });

@@ -96,7 +96,7 @@ class ErrorChart {
     return dot;
   }
 
-  void add_curve(const Series& s, int style) {
+  void add_curve(const Series& s, Style style) {
     const bool joined = std::ranges::find(figure_.marks, s.name) == figure_.marks.end();
     Curve curve{s.name, key_of(s), style, joined, s.points.size() <= most_markers, s.orders.empty(), {}};
     for (const auto& p : s.points) {
@@ -146,7 +146,7 @@ class ErrorChart {
           note_missing(curve.name, dot.x, fmt::format("{} is off the axes", brief(dot.value)));
   }
 
-  void add_rules(const Series& s, int style) {
+  void add_rules(const Series& s, Style style) {
     for (const auto* o : orders_of(s, figure_.quantity)) {
       add_fit(s, *o, style);
       if (o->floor && o->floor->accepted && is_number_on(figure_.log_y, o->floor->floor))
@@ -164,7 +164,7 @@ class ErrorChart {
   }
 
   /// The power law from the first to the last point of its window.
-  void add_fit(const Series& s, const ObservedOrder& o, int style) {
+  void add_fit(const Series& s, const ObservedOrder& o, Style style) {
     double from = INFINITY, to = -INFINITY;
     for (const auto& p : s.points)
       if (p.status == Status::ok && in_window(o, p.x)) from = std::min(from, p.x), to = std::max(to, p.x);
