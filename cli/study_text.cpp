@@ -35,15 +35,12 @@ void print_orders(const records::StudyResult& study) {
   print_apart(table);
 }
 
-/// Points of which an order takes none, as another code wrote too few digits.
+/// Points that an order does not take, and why.
 void print_left_out(const records::StudyResult& study) {
   for (const Series& series : study.series)
     for (const fits::ObservedOrder& order : series.orders)
-      if (const auto values = claims::left_out(series, order.norm); !values.empty())
-        print_indented(
-            fmt::format("left out of the order of '{}' in {}: {} (within {} times the error that the rounding "
-                        "of the code's output makes)",
-                        series.name, order.norm, fmt::join(values, ", "), claims::least_over_floor));
+      if (const std::string values = claims::left_out(series, order.norm); !values.empty())
+        print_indented(fmt::format("left out of the order of '{}' in {}: {}", series.name, order.norm, values));
 }
 
 /// On what grounds: the floor, and what replicates say.

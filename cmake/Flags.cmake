@@ -33,7 +33,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     -Wno-subobject-linkage  # in a batch of files g++ takes what one of them keeps to itself for a header's
     # Memory is collected from 1 GiB on instead of 128 MiB: a tenth less time to compile, and 1.7 GiB at most for a room.
     --param=ggc-min-heapsize=1000000)
-  if(MPMVV_ARCH AND NOT MPMVV_ARCH STREQUAL "auto")
+  if(mpmvv_arch_flag MATCHES "x86-64-v4|native")
     # g++ 12 finds what is not initialized in its own header for AVX-512 (GCC bug 105593).
     target_compile_options(mpmvv_flags INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized)
   endif()

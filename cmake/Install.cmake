@@ -38,10 +38,17 @@ install(PROGRAMS tests/codes/small_mpm.py DESTINATION ${mpmvv_data}/tests/codes)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
+if(mpmvv_arch_flag STREQUAL "-march=x86-64-v3")
+  set(mpmvv_processors "It needs a processor with AVX2 and FMA (x86-64-v3).")
+elseif(mpmvv_arch_flag AND NOT mpmvv_arch_flag STREQUAL "-march=x86-64")
+  set(mpmvv_processors "It is built with ${mpmvv_arch_flag}.")
+else()
+  set(mpmvv_processors "It runs on every amd64 processor.")
+endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_PACKAGE_CONTACT "mpmvv <mpmvv@localhost>")
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/Package.cmake)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
@@ -50,5 +57,6 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS "latexmk, texlive-latex-recommended")  # for w
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "\
 Runs a solver of the Material Point Method against manufactured solutions,
 fits the orders and stability limits that it shows, judges what papers claim
-of its methods, and holds the results of every version against reviewed ones.")
+of its methods, and holds the results of every version against reviewed ones.
+${mpmvv_processors}")
 include(CPack)

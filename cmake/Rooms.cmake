@@ -4,7 +4,7 @@
 # How a target's sources compile:
 #   COMPUTES  what a run calls, and where several files hold a function of a header, of which the linker takes the first,
 #             what the solver calls: as the preset says
-#   ALGEBRA   dense algebra: takes twice the time to run at -Og, and a tenth more at -O1
+#   ALGEBRA   dense algebra, and the matching of particles: takes twice the time to run at -Og, and a tenth more at -O1
 #   OTHER     all else: compiles at -Og in two thirds of the time
 # With the sanitizers everything compiles faster when it is left as it is.
 function(mpmvv_optimize target kind)

@@ -19,10 +19,24 @@ struct Dot {
   double shade = support::not_measured;  ///< its colour on the chart's scale, where its curve has squares
 };
 
+/// How a curve is told from others: by a number of its own, or as a member of a group that shares colour and marker,
+/// the first solid and filled, the second dashed and hollow, the third dotted and hollow.
+struct Style {
+  int number = 0;
+  int member = alone;
+
+  static constexpr int alone = -1;
+  constexpr Style(int own) : number(own) {}
+  constexpr Style(int group, int in_group) : number(group), member(in_group) {}
+  friend bool operator==(const Style&, const Style&) = default;
+};
+
+inline constexpr Style plain_style = -1;
+
 struct Curve {
-  std::string name;        ///< in the data file
-  std::string key;         ///< in the key
-  int style = 0;           ///< chooses colour and marker
+  std::string name;  ///< in the data file
+  std::string key;   ///< in the key
+  Style style = 0;
   bool joined = true;      ///< a line from dot to dot
   bool marked = true;      ///< a marker on each dot
   bool emphasised = true;  ///< the line itself is the result, not a guide to the eye
@@ -38,8 +52,6 @@ inline bool has_key(const Curve& curve) {
   return !curve.key.empty() && !curve.dots.empty();
 }
 
-inline constexpr int plain_style = -1;
-
 struct Place {
   double x = 0, y = 0;
 };
@@ -48,7 +60,7 @@ struct Place {
 struct Rule {
   enum class Kind { fit, reference, triangle, floor, limit, front, frame };
   Kind kind = Kind::fit;
-  int style = 0;        ///< as the curve's; plain_style: black
+  Style style = 0;      ///< as the curve's; plain_style: black
   std::string meaning;  ///< in the data file
   std::vector<Place> path;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "reports/chart.hpp"
+#include "reports/original_look.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::reports {
@@ -52,6 +53,7 @@ std::vector<Chart> charts_of(const records::StudyResult& study, double letter) {
                      : figure.kind == "work-precision" ? work_chart(study, figure)
                      : figure.kind == "particles"      ? any_particle_chart(study, figure)
                                                        : error_chart(study, figure, letter));
+    if (!map && figure.kind == "curves") give_original_look(charts.back(), figure);
     mapped |= map;
   }
   const bool probed = std::ranges::any_of(study.series, [](const Series& s) { return s.limit.has_value(); });
@@ -59,7 +61,7 @@ std::vector<Chart> charts_of(const records::StudyResult& study, double letter) {
     Figure map;
     map.name = study.name + "-map";
     while (std::ranges::find(study.figures, map.name, &Figure::name) != study.figures.end()) map.name += "-map";
-    map.caption = "Stability map: " + study.title;
+    map.caption = study.title + ": stable and unstable runs of the search for the limit.";
     charts.push_back(stability_map(study, map));
   }
   return charts;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "reports/text.hpp"
+#include "studies/claims/samples.hpp"
 
 namespace mpmvv::reports {
 
@@ -30,8 +31,10 @@ bool is_about(const ClaimPart& part, const std::string& series) {
   });
 }
 
-std::string order_and_window(const fits::ObservedOrder& o) {
-  return fmt::format("{} in {}, {} to {}", order_text(o.order, o.half_width), o.norm, brief(o.from), brief(o.to));
+std::string order_and_window(const records::Series& series, const fits::ObservedOrder& o) {
+  const std::string without = claims::left_out(series, o.norm);
+  return fmt::format("{} in {}, {} to {}{}", order_text(o.order, o.half_width), o.norm, brief(o.from), brief(o.to),
+                     without.empty() ? "" : " without " + without);
 }
 
 std::string limit_and_bracket(const fits::StabilityLimit& limit) {
@@ -44,7 +47,7 @@ std::string limit_and_bracket(const fits::StabilityLimit& limit) {
 std::string fitted_of(const StudyResult& study, const std::string& name) {
   const auto series = std::ranges::find(study.series, name, &records::Series::name);
   std::vector<std::string> fitted;
-  for (const fits::ObservedOrder& order : series->orders) fitted.push_back(order_and_window(order));
+  for (const fits::ObservedOrder& order : series->orders) fitted.push_back(order_and_window(*series, order));
   if (series->limit) fitted.push_back(limit_and_bracket(*series->limit));
   return fitted.empty() ? "–" : fmt::format("{}", fmt::join(fitted, "; "));
 }

@@ -82,8 +82,10 @@ class ErrorChart {
     const double value = y == p.y.end() ? NAN : y->second;
     Dot dot{p.x, value, value, Mark::inside};
     const auto orders = orders_of(s, figure_.quantity);
-    if (!orders.empty() && std::ranges::none_of(orders, [&](const auto* o) { return in_window(*o, p.x); }))
-      dot.mark = Mark::outside;
+    const auto is_fitted = [&](const ObservedOrder* o) {
+      return in_window(*o, p.x) && !claims::is_near_floor(p, figure_.quantity);
+    };
+    if (!orders.empty() && std::ranges::none_of(orders, is_fitted)) dot.mark = Mark::outside;
     if (p.status == Status::unstable) {
       dot.mark = Mark::unstable;
     } else if (p.status == Status::failed || !is_number_on(figure_.log_y, value)) {
@@ -94,7 +96,7 @@ class ErrorChart {
     return dot;
   }
 
-  void add_curve(const Series& s, int style) {
+  void add_curve(const Series& s, Style style) {
     const bool joined = std::ranges::find(figure_.marks, s.name) == figure_.marks.end();
     Curve curve{s.name, key_of(s), style, joined, s.points.size() <= most_markers, s.orders.empty(), {}};
     for (const auto& p : s.points) {
@@ -144,7 +146,7 @@ class ErrorChart {
           note_missing(curve.name, dot.x, fmt::format("{} is off the axes", brief(dot.value)));
   }
 
-  void add_rules(const Series& s, int style) {
+  void add_rules(const Series& s, Style style) {
     for (const auto* o : orders_of(s, figure_.quantity)) {
       add_fit(s, *o, style);
       if (o->floor && o->floor->accepted && is_number_on(figure_.log_y, o->floor->floor))
@@ -162,7 +164,7 @@ class ErrorChart {
   }
 
   /// The power law from the first to the last point of its window.
-  void add_fit(const Series& s, const ObservedOrder& o, int style) {
+  void add_fit(const Series& s, const ObservedOrder& o, Style style) {
     double from = INFINITY, to = -INFINITY;
     for (const auto& p : s.points)
       if (p.status == Status::ok && in_window(o, p.x)) from = std::min(from, p.x), to = std::max(to, p.x);
@@ -176,6 +178,12 @@ class ErrorChart {
     chart_.rules.push_back(std::move(rule));
   }
 
+  void note_left_out() {
+    for (const Series* s : series_)
+      if (const std::string values = claims::left_out(*s, figure_.quantity); !values.empty() && !s->orders.empty())
+        chart_.notes.push_back(fmt::format("Left out of the order of {}: {}.", s->name, values));
+  }
+
   void add_notes() {
     const auto rules = [&](Rule::Kind kind) {
       return std::ranges::find(chart_.rules, kind, &Rule::kind) != chart_.rules.end();
@@ -187,12 +195,13 @@ class ErrorChart {
     std::string aid;
     if (rules(Rule::Kind::fit))
       aid += "Thick lines: fitted power laws over their windows, order ± 95 % half width in the key. ";
-    if (marks(Mark::outside)) aid += "Hollow points lie outside the window. ";
+    if (marks(Mark::outside)) aid += "Hollow points lie outside the window, or are left out. ";
     if (rules(Rule::Kind::reference)) aid += "Grey, with a triangle: reference slopes. ";
     if (rules(Rule::Kind::floor)) aid += "Dotted: floor of the fit with a floor. ";
     if (rules(Rule::Kind::limit)) aid += "Vertical lines: bracket of the stability limit. ";
     if (marks(Mark::unstable)) aid += "Crosses at the upper edge: unstable. ";
     if (!aid.empty()) chart_.notes.push_back(aid.substr(0, aid.size() - 1));
+    note_left_out();
     if (missing_.empty()) return;
     constexpr std::size_t most = 6;
     const std::size_t shown = std::min(most, missing_.size());

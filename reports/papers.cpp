@@ -11,9 +11,13 @@ namespace mpmvv::reports {
 namespace {
 
 PaperFigure figure_from(const support::TomlTable& table) {
-  table.allow_only({"number", "panels", "differs", "without", "wide"});
-  PaperFigure figure{table.text("number"), table.texts("panels"), table.text("differs", ""), table.text("without", ""),
-                     table.flag("wide", false)};
+  table.allow_only({"number", "panels", "differs", "without", "wide", "percent", "group"});
+  PaperFigure figure{table.text("number"),      table.texts("panels"),     table.text("differs", ""),
+                     table.text("without", ""), table.flag("wide", false), table.text("percent", "")};
+  for (const auto& group : table.tables("group")) {
+    group.allow_only({"series"});
+    figure.groups.push_back(group.texts("series"));
+  }
   if (figure.panels.empty() == figure.without.empty())
     throw support::UsageError(
         fmt::format("figure {} in {} (either panels, or why it is without)", figure.number, table.where()));

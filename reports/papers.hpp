@@ -11,6 +11,8 @@ struct PaperFigure {
   std::string differs;  ///< from the original; may be empty
   std::string without;  ///< why there are no panels
   bool wide = false;    ///< takes the width of two columns
+  std::string percent;  ///< label of the axis, where the original has fractions in percent; may be empty
+  std::vector<std::vector<std::string>> groups = {};  ///< series that share colour and marker in the original
 };
 
 struct Paper {

@@ -92,11 +92,17 @@ class Elements {
       return;
     }
     const auto [filled, hollow] = marker_of(curve.style);
-    if (curve.marked && has(curve, Mark::outside)) {
-      points(0, filled, size(curve.size) + "lc rgb '#FFFFFF'");
-      points(0, hollow, size(curve.size) + "lw 1.3 " + colour_of(curve.style));
+    const auto add_hollow = [&, filled = filled, hollow = hollow](int mark) {
+      points(mark, filled, size(curve.size) + "lc rgb '#FFFFFF'");
+      points(mark, hollow, size(curve.size) + "lw 1.3 " + colour_of(curve.style));
+    };
+    if (curve.marked && has(curve, Mark::outside)) add_hollow(0);
+    if (curve.marked && has(curve, Mark::inside)) {
+      if (is_hollow(curve.style))
+        add_hollow(1);
+      else
+        points(1, filled, size(curve.size) + colour_of(curve.style));
     }
-    if (curve.marked && has(curve, Mark::inside)) points(1, filled, size(curve.size) + colour_of(curve.style));
     if (has(curve, Mark::unstable)) points(-1, cross, size(0.85) + "lw 1.8 " + colour_of(curve.style));
   }
 
@@ -124,7 +130,9 @@ std::string plot_elements(const Chart& chart, double mark_scale) {
 
 int key_marker(const Curve& curve) {
   const bool only_crosses = has(curve, Mark::unstable) && !has(curve, Mark::inside) && !has(curve, Mark::outside);
-  return only_crosses ? cross : marker_of(curve.style).filled;
+  if (only_crosses) return cross;
+  const auto [filled, hollow] = marker_of(curve.style);
+  return is_hollow(curve.style) ? hollow : filled;
 }
 
 }  // namespace mpmvv::reports

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "reports/chart.hpp"
-
 namespace mpmvv::reports {
 
 namespace {
@@ -18,18 +16,22 @@ constexpr std::array<Marker, 6> markers{{{7, 6}, {5, 4}, {9, 8}, {13, 12}, {11, 
 constexpr std::array<const char*, 5> dashes{"1", "(9,4)", "(3,3)", "(9,3,2,3)", "(14,3,3,3,3,3)"};
 
 template <class Choices>
-const auto& chosen(const Choices& choices, int style) {
-  return choices[static_cast<std::size_t>(style) % choices.size()];
+const auto& chosen(const Choices& choices, int number) {
+  return choices[static_cast<std::size_t>(number) % choices.size()];
 }
 
 }  // namespace
 
-Marker marker_of(int style) {
-  return style == plain_style ? markers[0] : chosen(markers, style);
+Marker marker_of(const Style& style) {
+  return style == plain_style ? markers[0] : chosen(markers, style.number);
 }
 
-std::string colour_of(int style, double whiteness) {
-  const unsigned rgb = style == plain_style ? 0x000000 : chosen(palette, style);
+bool is_hollow(const Style& style) {
+  return style.member > 0;
+}
+
+std::string colour_of(const Style& style, double whiteness) {
+  const unsigned rgb = style == plain_style ? 0x000000 : chosen(palette, style.number);
   unsigned mixed = 0;
   for (const int shift : {16, 8, 0}) {
     const double part = (rgb >> shift) & 0xFFu;
@@ -38,8 +40,9 @@ std::string colour_of(int style, double whiteness) {
   return fmt::format("lc rgb '#{:06X}'", mixed);
 }
 
-std::string dash_of(int style) {
-  return fmt::format("dt {}", style == plain_style ? dashes[0] : chosen(dashes, style));
+std::string dash_of(const Style& style) {
+  if (style == plain_style) return fmt::format("dt {}", dashes[0]);
+  return fmt::format("dt {}", chosen(dashes, style.member == Style::alone ? style.number : style.member));
 }
 
 std::string shade_stops() {

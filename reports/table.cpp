@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "reports/text.hpp"
+#include "studies/claims/samples.hpp"
 
 namespace mpmvv::reports {
 
@@ -44,12 +45,28 @@ Table with_rows(Table table, Table::Rows rows) {
   return table;
 }
 
+constexpr const char* how_to_read_orders =
+    "The fit is C h^order over the window. Asymptotic: the orders of neighbouring points agree there; the range found "
+    "is "
+    "where they do. Floor: an error E0 that stays as h falls, where a fit with one is accepted.";
+
+/// The points that fitted orders do not take, and why; empty where they take all.
+std::string left_out_of_orders(const StudyResult& study) {
+  std::vector<std::string> all;
+  for (const Series& series : study.series)
+    for (const auto& o : series.orders)
+      if (const std::string values = claims::left_out(series, o.norm); !values.empty())
+        all.push_back(fmt::format("of {} in {} at {}", series.name, o.norm, values));
+  return all.empty() ? "" : fmt::format(" Left out of the orders are errors {}.", fmt::join(all, "; "));
+}
+
 }  // namespace
 
 Table fits_table(const StudyResult& study) {
   const Table table{"Fitted orders",
                     {"norm", "window", "points", "order", "C", "R²", "asymptotic", "asymptotic range found", "floor"},
-                    {}};
+                    {},
+                    how_to_read_orders + left_out_of_orders(study)};
   return with_series(table, study, [](const Series& series) {
     Table::Rows rows;
     for (const auto& o : series.orders) {

@@ -16,7 +16,7 @@ struct Table {
   std::string caption;
   std::vector<std::string> columns;
   std::vector<Group> groups;
-  std::string note = {};  ///< what is the same in all rows; may be empty
+  std::string note = {};  ///< what is to be said of all rows; may be empty
 
   bool empty() const { return groups.empty(); }
 };

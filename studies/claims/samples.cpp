@@ -1,5 +1,8 @@
 #include "studies/claims/samples.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,19 +15,44 @@ double step_size(double x, const std::string& sweep) {
   return sweep == "cells" ? 1 / x : x;
 }
 
-bool is_near_floor(const records::Point& point, const std::string& norm) {
-  constexpr std::array displacement_errors{"l1", "l2", "linf"};
-  if (std::find(displacement_errors.begin(), displacement_errors.end(), norm) == displacement_errors.end())
-    return false;
-  const auto floor = point.y.find("output_floor"), error = point.y.find(norm);
-  return floor != point.y.end() && error != point.y.end() && error->second < least_over_floor * floor->second;
+namespace {
+
+struct Floor {
+  const char *number, *made_by;
+};
+constexpr std::array floors{Floor{"output_floor", "the error that the rounding of the code's output makes"},
+                            Floor{"solution_floor", "the error of the solution, which is not exact for the law"}};
+
+/// The first floor that the point's error is near to; null without any.
+const Floor* floor_near(const records::Point& point, const std::string& norm) {
+  constexpr std::array displacement_errors{"l1", "l2", "linf", "l1_all_steps", "l2_all_steps", "linf_all_steps"};
+  const auto error = point.y.find(norm);
+  if (std::ranges::find(displacement_errors, norm) == displacement_errors.end() || error == point.y.end())
+    return nullptr;
+  const auto is_near = [&](const Floor& floor) {
+    const auto value = point.y.find(floor.number);
+    return value != point.y.end() && error->second < least_over_floor * value->second;
+  };
+  const auto found = std::ranges::find_if(floors, is_near);
+  return found == floors.end() ? nullptr : &*found;
 }
 
-std::vector<double> left_out(const records::Series& series, const std::string& norm) {
-  std::vector<double> values;
-  for (const records::Point& point : series.points)
-    if (is_near_floor(point, norm)) values.push_back(point.x);
-  return values;
+}  // namespace
+
+bool is_near_floor(const records::Point& point, const std::string& norm) {
+  return floor_near(point, norm) != nullptr;
+}
+
+std::string left_out(const records::Series& series, const std::string& norm) {
+  std::vector<std::string> all;
+  for (const Floor& floor : floors) {
+    std::vector<double> values;
+    for (const records::Point& point : series.points)
+      if (floor_near(point, norm) == &floor) values.push_back(point.x);
+    if (!values.empty())
+      all.push_back(fmt::format("{} (within {} times {})", fmt::join(values, ", "), least_over_floor, floor.made_by));
+  }
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 std::vector<ErrorSample> samples_of(const records::Series& series, const std::string& norm, const std::string& sweep) {
@@ -40,7 +68,7 @@ std::vector<ErrorSample> replicate_samples_of(const records::Series& series, con
                                               const std::string& sweep) {
   std::vector<ErrorSample> samples;
   for (const records::Point& point : series.points)
-    if (const auto all = point.replicates.find(norm); all != point.replicates.end())
+    if (const auto all = point.replicates.find(norm); all != point.replicates.end() && !is_near_floor(point, norm))
       for (const double e : all->second) samples.push_back({point.x, step_size(point.x, sweep), e});
   return samples;
 }

@@ -11,11 +11,15 @@ namespace mpmvv::claims {
 /// The step size that goes with a swept value: h = 1/x for a sweep over `cells`, else x.
 double step_size(double x, const std::string& sweep);
 
-/// Errors below this times what the rounding of a code's output makes (`output_floor`) say nothing of an order.
+/// Errors below this times a floor say nothing of an order: what the rounding of a code's output makes
+/// (`output_floor`), and what the solution is off by for the body's law (`solution_floor`).
 inline constexpr double least_over_floor = 3;
 
-/// The swept values whose errors are that near to the floor; errors of displacements alone have one.
-std::vector<double> left_out(const records::Series& series, const std::string& norm);
+bool is_near_floor(const records::Point& point, const std::string& norm);
+
+/// The swept values whose errors are that near to a floor, and which one it is: "32, 64 (within 3 times ...)"; empty
+/// without any. Errors of displacements alone have floors.
+std::string left_out(const records::Series& series, const std::string& norm);
 
 /// The usable points of a series in one norm, with their step sizes; without those near the floor.
 std::vector<fits::ErrorSample> samples_of(const records::Series& series, const std::string& norm,

@@ -57,8 +57,12 @@ void require_able(const Adapter& adapter, const Case& c) {
   if (!has(able.force_forms, to_string(c.scheme.force_form)))
     refuse(
         fmt::format("force_form '{}' (it can: {})", to_string(c.scheme.force_form), fmt::join(able.force_forms, ", ")));
-  if (!has(able.materials, c.scheme.material))
-    refuse(fmt::format("material '{}' (it can: {})", c.scheme.material, fmt::join(able.materials, ", ")));
+  if (!has(able.materials, c.scheme.material)) {
+    const std::string other = has(able.materials, problem.other_material)
+                                  ? fmt::format("; the problem takes material = {}, too", problem.other_material)
+                                  : "";
+    refuse(fmt::format("material '{}' (it can: {}{})", c.scheme.material, fmt::join(able.materials, ", "), other));
+  }
   for (const std::string& word : boundaries_of(c, problem))
     if (!is_met(word, problem, able))
       refuse(fmt::format("boundary '{}' (it can: {})", word, fmt::join(able.boundaries, ", ")));

@@ -131,6 +131,7 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   record.error.linf = norms.linf();
   if (c.measure.particle_errors) record.particle_errors = particle_errors(end);
   record.output_floor = rounding_error(output.end.rounding);
+  record.solution_floor = problems::solution_floor(particles.setup, particles.end_time);
   if (c.measure.stress_error && !output.end.stress.empty()) record.error.stress = stress_error(end);
   if (c.measure.velocity_error && !output.end.v.empty()) record.error.velocity = velocity_error(end);
 }

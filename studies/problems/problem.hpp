@@ -39,6 +39,7 @@ struct Problem {
   double (*lead_time)(const Parameters&, double h) = nullptr;
   std::string boundary;                      ///< default
   std::string material = "neo-hookean-log";  ///< its law
+  std::string other_material = {};           ///< that its body may be of instead: `Setup::other_law`; empty: none
   bool is_one_particle = false;              ///< whether it is one particle in one cell, at no other resolution
   /// Of its quarter, the part on one side of a plane of symmetry across each axis; `quarter` has no meaning without.
   SymmetryPlanes symmetry_planes = SymmetryPlanes::none;

@@ -2,6 +2,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "mms/solution.hpp"
@@ -9,8 +10,15 @@
 #include "solver/material/materials.hpp"
 #include "studies/problems/body.hpp"
 #include "studies/problems/problem.hpp"
+#include "studies/support/not_measured.hpp"
 
 namespace mpmvv::problems {
+
+/// A law that the body may be of instead of the problem's own, by which it moves nearly as the solution says.
+struct OtherLaw {
+  solver::AnyMaterial material;
+  std::function<double(double t)> solution_error;  ///< RMS displacement error of the solution, m, at most by time t
+};
 
 /// What a problem hands to the runner: the body at rest in its domain and how it starts.
 template <int D>
@@ -22,7 +30,24 @@ struct Setup {
   std::function<solver::Vec<D>(const solver::Vec<D>&)> start_velocity = nullptr;  ///< used when there is no solution
   std::array<std::shared_ptr<solver::WallMotion>, 2 * D> walls = {};              ///< by face; null where none can be
   double speed = 0;  ///< of the problem, m/s, which velocity errors are measured by; 0: it has none
+  std::optional<OtherLaw> other_law = {};
 };
+
+/// Makes the body of this law; `other_law` stays only where it is that one.
+template <int D>
+void choose_law(Setup<D>& setup, const Problem& problem, const std::string& material) {
+  if (material == problem.material)
+    setup.other_law.reset();
+  else
+    setup.material = setup.other_law->material;
+}
+
+/// RMS displacement error of the solution itself by time t, m, at most; not measured where it is exact for the law that
+/// was chosen.
+template <int D>
+double solution_floor(const Setup<D>& setup, double t) {
+  return setup.other_law ? setup.other_law->solution_error(t) : support::not_measured;
+}
 
 /// The setup of a choice: the whole body, or its quarter. `h` is the cell width, for bodies that depend on it.
 template <int D>

@@ -53,6 +53,7 @@ const std::vector<RunNumber>& run_by_products() {
       number<&Record::cfl>(1, "cfl", "/cfl"),
       number<&Record::images>(10, "images", "/images"),
       number<&Record::output_floor>(12, "output_floor", "/output_floor", "m"),
+      number<&Record::solution_floor>(13, "solution_floor", "/solution_floor", "m"),
   };
   return numbers;
 }
@@ -67,6 +68,7 @@ const std::vector<std::string>& norm_words() {
 }
 
 std::string unit_of(const std::string& quantity) {
+  if (quantity == "dt") return "s";
   for (const auto* numbers : {&run_errors(), &run_by_products()})
     for (const RunNumber& number : *numbers)
       if (number.name == quantity) return number.unit;

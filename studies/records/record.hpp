@@ -87,7 +87,8 @@ struct Record {
   Balance balance;
   double wall_seconds = not_measured;          ///< of one run, whatever else ran at that time
   double ns_per_particle_step = not_measured;  ///< step loop alone; of a cost case the median
-  double output_floor = not_measured;  ///< RMS displacement error that the rounding of another code's output makes, m
+  double output_floor = not_measured;    ///< RMS displacement error that the rounding of another code's output makes, m
+  double solution_floor = not_measured;  ///< RMS displacement error of a solution that is not of the body's law, m
   double images = 1;  ///< of the part that was run, itself among them, which make the body; 1: all of it was run
   Cost cost = {};     ///< where the case asks for it
   std::vector<ParticleError> particle_errors = {};  ///< of the part that was run, where the case asks for them

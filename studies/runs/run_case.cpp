@@ -94,6 +94,7 @@ void measure_end(const Case& c, solver::Mpm<D>& mpm, const PreparedCase<D>& prep
     record.error.l2 = norms.l2();
     record.error.linf = norms.linf();
     if (c.measure.particle_errors) record.particle_errors = particle_errors(mpm, prepared, c.resolution.ppc);
+    record.solution_floor = problems::solution_floor(prepared.setup, mpm.time());
   }
   if (c.measure.nodal_error) {
     const ErrorNorms norms = acceleration_errors(mpm, *prepared.setup.solution, prepared.setup.body);

@@ -133,6 +133,7 @@ PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, in
   const auto grid = background_grid<D>(c, prepared.setup, scene.h);
   scene.lower = grid.lower;
   scene.cells = grid.cells;
+  problems::choose_law(prepared.setup, problem, c.scheme.material);
   scene.material = prepared.setup.material;
   scene.integrator = c.scheme.integrator;
   scene.velocity_update =

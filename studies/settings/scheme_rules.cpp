@@ -60,6 +60,19 @@ void set_velocity_update(const Settings& settings, Scheme& scheme) {
   if (const auto it = settings.find("cfl_x"); it != settings.end()) scheme.cfl_x = positive(it->second);
 }
 
+/// The problem's own law, or the other one that its body may be of.
+void set_material(const Settings& settings, const Problem& problem, Scheme& scheme) {
+  const auto it = settings.find("material");
+  if (it == settings.end()) {
+    scheme.material = problem.material;
+    return;
+  }
+  if (scheme.material == problem.material || scheme.material == problem.other_material) return;
+  throw UsageError(fmt::format("material '{}' in {} for problem '{}' (it is of {}{})", scheme.material,
+                               it->second.where, problem.name, problem.material,
+                               problem.other_material.empty() ? "" : " or " + problem.other_material));
+}
+
 /// What goes with moving walls.
 void set_walls(const Settings& settings, Scheme& scheme) {
   if (scheme.boundary.find(solver::Wall::word) != std::string::npos) {
@@ -83,10 +96,7 @@ void complete_scheme(const Settings& settings, const Problem& problem, bool quar
     cases::require_word(it->second, list.words);
     scheme.*list.member = it->second.value;
   }
-  if (const auto it = settings.find("material"); it != settings.end() && scheme.material != problem.material)
-    throw UsageError(fmt::format("material '{}' in {} for problem '{}' (it is of {})", scheme.material,
-                                 it->second.where, problem.name, problem.material));
-  scheme.material = problem.material;
+  set_material(settings, problem, scheme);
   set_smoothing_length(settings, scheme);
   set_velocity_update(settings, scheme);
   if (!solver::integrator_named(scheme.integrator).is_staggered) {

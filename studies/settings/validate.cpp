@@ -181,6 +181,12 @@ constexpr Rule rules[]{
      "problem '{problem}' has no exact stress for stress_error (leave it out)"},
     {[](const Asked& a) { return a.c.measure.particle_errors && !a.has_solution; },
      "problem '{problem}' has no exact displacement for particle_errors (leave it out)"},
+    {[](const Asked& a) {
+       return (a.c.measure.nodal_error || a.c.measure.stress_error) && a.s.material != a.problem.material;
+     },
+     "nodal_error or stress_error with material '{material}', of which the solution of problem '{problem}' is not "
+     "exact "
+     "(leave it out)"},
     {[](const Asked& a) { return a.c.measure.nodal_error && a.takes_difference; },
      "nodal_error with wall_acceleration 'difference', which belongs to a step and not to the end time (use zero)"},
     {[](const Asked& a) { return !(a.c.measure.blowup_error > 0) || !(a.c.measure.blowup_energy > 0); },

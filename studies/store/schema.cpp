@@ -160,7 +160,12 @@ constexpr const char* schema_12 = R"sql(
   ALTER TABLE runs ADD COLUMN output_floor REAL;
 )sql";
 
+/// The floor of a solution that is not of the body's law.
 constexpr const char* schema_13 = R"sql(
+  ALTER TABLE runs ADD COLUMN solution_floor REAL;
+)sql";
+
+constexpr const char* schema_14 = R"sql(
   -- Displacement errors of particles at the end: x, y and error in m, a line for each.
   ALTER TABLE runs ADD COLUMN particle_errors TEXT;
 
@@ -171,8 +176,8 @@ constexpr const char* schema_13 = R"sql(
   ALTER TABLE series ADD COLUMN force_form TEXT;
 )sql";
 
-constexpr std::array written{schema_1, schema_2, schema_3,  schema_4,  schema_5,  schema_6, schema_7,
-                             schema_8, schema_9, schema_10, schema_11, schema_12, schema_13};
+constexpr std::array written{schema_1, schema_2, schema_3,  schema_4,  schema_5,  schema_6,  schema_7,
+                             schema_8, schema_9, schema_10, schema_11, schema_12, schema_13, schema_14};
 
 /// The columns of the numbers of a run that a later schema brings. Before another text is written, they become one,
 /// too.

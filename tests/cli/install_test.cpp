@@ -9,7 +9,9 @@
 namespace mpmvv::cli {
 namespace install_test {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::MatchesRegex;
 
 const std::string build = std::filesystem::path(MPMVV_PROGRAM).parent_path();
 
@@ -39,7 +41,9 @@ class PackageNightly : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder = std::make_unique<Folder>();
-    const Answer made = shell("cd '" + build + "' && cpack -G DEB -B '" + (*folder / "package") + "' 2>&1");
+    const Answer made =
+        shell("cd '" + build + "' && DEBFULLNAME='A. Tester' DEBEMAIL=tester@example.org cpack -G DEB -B '" +
+              (*folder / "package") + "' 2>&1");
     ASSERT_EQ(made.code, 0) << made.out;
   }
   static void TearDownTestSuite() { folder.reset(); }
@@ -52,6 +56,21 @@ TEST_F(PackageNightly, NamesTheLibrariesThatItsProgramNeeds) {
   for (const char* depends :
        {"libc6", "libstdc++6", "libsqlite3-0", "libfmt9", "libtomlplusplus3", "gnuplot-nox | gnuplot"})
     EXPECT_THAT(fields.out, HasSubstr(depends));
+}
+
+TEST_F(PackageNightly, SaysOfWhichCommitItIsByWhomAndForWhichProcessors) {
+  const Answer fields = shell("dpkg-deb --field '" + (*folder / "package") + "'/*.deb");
+  EXPECT_THAT(fields.out, HasSubstr("Maintainer: A. Tester <tester@example.org>\n"));
+  EXPECT_THAT(fields.out, ContainsRegex("Version: 0[.]1[.]0(~git[0-9]{12}[.][0-9a-f]+)?\n"));
+  EXPECT_THAT(fields.out, ContainsRegex("It (needs a processor with AVX2 and FMA|runs on every amd64 processor)"));
+}
+
+TEST(ProcessorNightly, WithoutTheInstructionsOfTheBuildGetsALine) {
+  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "built for every processor";
+  const Answer old = shell("qemu-x86_64 -cpu Nehalem '" MPMVV_PROGRAM "' --version 2>&1");
+  EXPECT_EQ(old.code, 2);
+  EXPECT_THAT(old.out, MatchesRegex("mpmvv: this processor lacks .*AVX2 and FMA[^\n]*\n"));
+  EXPECT_EQ(shell("qemu-x86_64 -cpu Haswell '" MPMVV_PROGRAM "' --version 2>&1").code, 0);
 }
 
 TEST_F(PackageNightly, TakesAFirstStudyToAGateThatPassesOnABareDebian) {

@@ -61,6 +61,12 @@ TEST(CodeTable, SaysOfASeriesWhatWasAskedOfThatOne) {
   EXPECT_EQ(code_table(input).groups[0].rows[0][6], "–");
 }
 
+TEST(CodeTable, SaysWhichErrorsAnOrderLeavesOut) {
+  ReportInput input = input_with_codes();
+  input.studies[0].series[0].points = {{.x = 32, .reason = "", .y = {{"l2", 1e-6}, {"solution_floor", 1e-6}}}};
+  EXPECT_THAT(code_table(input).groups[0].rows[0][5], HasSubstr("8 to 64 without 32 (within 3 times"));
+}
+
 TEST(CodeTable, HasAGroupForEachVersion) {
   ReportInput input = input_with_codes();
   input.codes.push_back(input.codes[0]);

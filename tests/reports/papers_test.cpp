@@ -39,6 +39,20 @@ TEST(Papers, EveryPanelIsAFigureOfAStudy) {
         EXPECT_TRUE(declared.contains(panel)) << paper.key << " Fig. " << figure.number << ": " << panel;
 }
 
+TEST(Papers, EverySeriesOfAGroupIsOneOfTheStudy) {
+  int groups = 0;
+  for (const Paper& paper : papers())
+    for (const PaperFigure& figure : paper.figures)
+      for (const auto& group : figure.groups) {
+        ++groups;
+        std::set<std::string> known;
+        const auto study = support::TomlTable::read(MPMVV_SOURCE_DIR "/studies/" + figure.panels.front() + ".toml");
+        for (const auto& series : study.tables("series")) known.insert(series.text("name"));
+        for (const auto& name : group) EXPECT_TRUE(known.contains(name)) << figure.number << ": " << name;
+      }
+  EXPECT_GT(groups, 0);
+}
+
 TEST(Papers, EveryFigureOfThePapersIsNamed) {
   std::vector<std::string> expected, named;
   for (const auto& [key, last] : {std::pair{"S", 13}, std::pair{"W", 7}, std::pair{"N", 8}})

@@ -83,6 +83,15 @@ TEST(Table, FitsSayWindowIntervalAndFloor) {
                                    "E0 = 1.1e-06, order 2.02: residual 0.3 % against 21 %"));
 }
 
+TEST(Table, FitsSayWhichErrorsTheyLeaveOutAndWhy) {
+  auto study = synthetic::convergence();
+  EXPECT_THAT(fits_table(study).note, testing::Not(testing::HasSubstr("Left out")));
+  const auto fitted = std::ranges::find_if(study.series, [](const auto& series) { return !series.orders.empty(); });
+  fitted->points.back().y["solution_floor"] = fitted->points.back().y.at(fitted->orders.front().norm);
+  EXPECT_THAT(fits_table(study).note,
+              testing::HasSubstr("512 (within 3 times the error of the solution, which is not exact for the law)"));
+}
+
 TEST(Table, CheapestSeriesOfEachPowerOfTen) {
   records::StudyResult study;
   study.series = {records::Series{"first order", {}, {}, {}}, records::Series{"second order", {}, {}, {}}};

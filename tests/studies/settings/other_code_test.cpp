@@ -59,6 +59,18 @@ TEST(OtherCode, NeedsASolutionAndAFreeSurface) {
   EXPECT_EQ(complaint({{"problem", "ring"}, {"code", "nairn"}, {"quarter", "true"}}), "");
 }
 
+TEST(OtherCode, MayHaveALawThatTheSolutionIsNotExactFor) {
+  EXPECT_EQ(made({{"problem", "wave"}, {"code", "nairn"}}).scheme.material, "linear-elastic");
+  EXPECT_EQ(made({{"problem", "wave"}, {"code", "nairn"}, {"material", "neo-hookean-log"}}).scheme.material,
+            "neo-hookean-log");
+  EXPECT_THAT(complaint({{"problem", "wave"}, {"material", "mie-gruneisen"}}),
+              HasSubstr("it is of linear-elastic or neo-hookean-log"));
+  EXPECT_THAT(complaint({{"problem", "square"}, {"material", "linear-elastic"}}),
+              HasSubstr("(it is of neo-hookean-log)"));
+  EXPECT_THAT(complaint({{"problem", "wave"}, {"material", "neo-hookean-log"}, {"stress_error", "true"}}),
+              HasSubstr("is not exact"));
+}
+
 TEST(OtherCode, RunsTheWholeBody) {
   EXPECT_FALSE(part_of(made({{"problem", "square"}, {"code", "nairn"}})).has_value());
 }

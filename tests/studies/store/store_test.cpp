@@ -36,7 +36,7 @@ std::string describe(const Record& r) {
 TEST(RunNumbers, AreAllMembers) {
   using namespace records;
   EXPECT_EQ(std::ssize(run_errors()), count_members<Errors>() + count_members<Balance>());
-  constexpr int of_the_record = 5;  // wall_seconds, ns_per_particle_step, cfl, images, output_floor
+  constexpr int of_the_record = 6;  // wall_seconds, ns_per_particle_step, cfl, images, output_floor, solution_floor
   EXPECT_EQ(std::ssize(run_by_products()), count_members<Energy>() + count_members<Cost>() + of_the_record);
   // case, particles, steps, status, failure, reason, errors of particles; error, energy, balance, cost
   constexpr int without_a_number = 11;

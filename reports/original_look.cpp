@@ -1,0 +1,47 @@
+#include "reports/original_look.hpp"
+
+#include <algorithm>
+
+#include "reports/papers.hpp"
+
+namespace mpmvv::reports {
+
+namespace {
+
+void scale_y(Chart& chart, double factor, const std::string& label) {
+  for (Curve& curve : chart.curves)
+    for (Dot& dot : curve.dots) dot.value *= factor, dot.drawn *= factor;
+  for (Rule& rule : chart.rules)
+    for (Place& place : rule.path) place.y *= factor;
+  for (Label& text : chart.labels) text.at.y *= factor;
+  chart.y = make_axis({label, chart.y.log, chart.y.from * factor, chart.y.to * factor}, {});
+}
+
+/// Curves that no group names follow the groups, each as one of its own.
+void group(Chart& chart, const std::vector<std::vector<std::string>>& groups) {
+  std::vector<Style> styles;
+  int next = static_cast<int>(groups.size());
+  for (Curve& curve : chart.curves) {
+    const auto has_curve = [&](const auto& names) { return std::ranges::find(names, curve.name) != names.end(); };
+    const auto own = std::ranges::find_if(groups, has_curve);
+    styles.push_back(own == groups.end() ? Style(next++, 0)
+                                         : Style(static_cast<int>(own - groups.begin()),
+                                                 static_cast<int>(std::ranges::find(*own, curve.name) - own->begin())));
+  }
+  for (Rule& rule : chart.rules)
+    if (rule.style != plain_style) rule.style = styles.at(static_cast<std::size_t>(rule.style.number));
+  for (std::size_t i = 0; i < styles.size(); ++i) chart.curves[i].style = styles[i];
+}
+
+}  // namespace
+
+void give_original_look(Chart& chart, const records::Figure& figure) {
+  for (const Paper& paper : papers())
+    for (const PaperFigure& original : paper.figures) {
+      if (std::ranges::find(original.panels, figure.name) == original.panels.end()) continue;
+      if (!original.percent.empty() && figure.quantity == "energy_loss") scale_y(chart, 100, original.percent);
+      if (!original.groups.empty()) group(chart, original.groups);
+    }
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,10 @@
+#pragma once
+#include "reports/chart.hpp"
+
+namespace mpmvv::reports {
+
+/// Makes the chart of a figure that shows one of a paper look like the original (papers.toml): fractions of energy in
+/// percent, groups of series in one colour.
+void give_original_look(Chart& chart, const records::Figure& figure);
+
+}  // namespace mpmvv::reports
