@@ -98,7 +98,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"caption", "kind = \"pie\"\ncaption", "unknown figure kind 'pie'"},
         BadFile{"caption", "kind = \"work-precision\"\ncaption", "`repeat` in every series"},
         BadFile{"caption", "kind = \"particles\"\ncaption", "without particle_errors = true in series 'linear'"},
-        BadFile{"[[fit]]", "[[figure]]\nname = \"p\"\nkind = \"particles\"\n[replicates]\nshuffle = [1, 2]\n[[fit]]",
+        BadFile{"[[fit]]",
+                "[[figure]]\nname = \"p\"\nkind = \"particles\"\ncaption = \"c\"\nxlabel = \"x\"\nylabel = "
+                "\"y\"\n[replicates]\nshuffle = [1, 2]\n[[fit]]",
                 "beside replicates in "},
         BadFile{"measure = \"order\"", "measure = \"cost-ratio\"\nover = \"linear\"", "`repeat` in every series"},
         BadFile{"title = \"Small\"", "title = 'Small", "bad.toml"}));
