@@ -53,7 +53,7 @@ std::vector<Chart> charts_of(const records::StudyResult& study, double letter) {
     Figure map;
     map.name = study.name + "-map";
     while (std::ranges::find(study.figures, map.name, &Figure::name) != study.figures.end()) map.name += "-map";
-    map.caption = "Stability map: " + study.title;
+    map.caption = study.title + ": stable and unstable runs of the search for the limit.";
     charts.push_back(stability_map(study, map));
   }
   return charts;

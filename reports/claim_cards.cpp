@@ -28,6 +28,17 @@ const Picture* picture_of(const claims::Claim& claim, const std::vector<Section>
   return first;
 }
 
+/// What is asked, in the place of a figure.
+data asked_list(const claims::Claim& claim) {
+  constexpr std::size_t most = 6;
+  const std::size_t shown = std::min(most, claim.parts.size());
+  const std::vector<claims::JudgedPart> first(claim.parts.begin(),
+                                              claim.parts.begin() + static_cast<std::ptrdiff_t>(shown));
+  return list_of(first, [](const claims::JudgedPart& line) {
+    return object({{"statement", line.part.statement}, {"verdict", to_string(line.part.verdict)}});
+  });
+}
+
 data card(const claims::Claim& claim, const std::vector<Section>& sections) {
   const Picture* picture = picture_of(claim, sections);
   return object({{"id", claim.id},
@@ -39,6 +50,8 @@ data card(const claims::Claim& claim, const std::vector<Section>& sections) {
                  {"verdict", claim.verdict},
                  {"deciding", deciding_text(claim)},
                  {"count", count_text(claim)},
+                 {"has_no_picture", picture == nullptr && !claim.parts.empty()},
+                 {"criteria", asked_list(claim)},
                  {"pictures", list_of(picture ? std::vector{*picture} : std::vector<Picture>{}, picture_data)}});
 }
 

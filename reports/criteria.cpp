@@ -35,10 +35,25 @@ std::string found_text(double value) {
   return brief(value);
 }
 
+/// " ± 0.74", where the evidence says so of what was found.
+std::string half_width_text(const ClaimPart& part, const Found& found) {
+  const std::string start = found.what + " (±";
+  const auto at = part.evidence.find(start);
+  if (at == std::string::npos) return "";
+  const auto from = at + start.size();
+  return " ± " + part.evidence.substr(from, part.evidence.find(')', from) - from);
+}
+
+/// Why no verdict was given although there are numbers.
+std::string undecided_text(const ClaimPart& part) {
+  const bool is_across = part.evidence.find("an interval reaches across") != std::string::npos;
+  return is_across ? "An interval reaches across a bound: other points might lie on its other side." : part.evidence;
+}
+
 data found_data(const ClaimPart& part, const Found& found) {
   return object({{"what", found.what},
                  {"asked", asked_text(part)},
-                 {"value", found_text(found.value)},
+                 {"value", found_text(found.value) + half_width_text(part, found)},
                  {"bar", criterion_bar(part, found.value)}});
 }
 
@@ -50,7 +65,8 @@ data part_data(const claims::JudgedPart& line) {
                  {"verdict", to_string(part.verdict)},
                  {"evidence", part.evidence},
                  {"has_evidence", part.found.empty()},
-                 {"has_interval", !part.found.empty() && part.verdict == PartVerdict::inconclusive},
+                 {"undecided", undecided_text(part)},
+                 {"is_undecided", !part.found.empty() && part.verdict == PartVerdict::inconclusive},
                  {"asked", asked_text(part)},
                  {"found", list_of(part.found, found)},
                  {"reason", part.reason},
@@ -90,7 +106,9 @@ std::string count_text(const claims::Claim& claim) {
   if (claim.parts.empty()) return "not judged yet";
   const std::size_t shown = count(claim, PartVerdict::shown), judged = claim.parts.size() - shown;
   if (judged == 0) return "shown in figures";
-  return fmt::format("{} of {} criteria hold", count(claim, PartVerdict::holds), judged);
+  const std::size_t holding = count(claim, PartVerdict::holds);
+  if (judged == 1) return holding == 1 ? "its criterion holds" : "its criterion does not hold";
+  return fmt::format("{} of {} criteria hold", holding, judged);
 }
 
 data criteria_data(const std::vector<claims::JudgedPart>& parts) {

@@ -23,6 +23,7 @@ data gate_group_data(const GateGroup& group) {
                  {"verdict", verdict},
                  {"counts", gate_counts(group.lines)},
                  {"is_open", verdict != "pass"},
+                 {"has_reasons", std::ranges::any_of(group.lines, [](const GateLine& g) { return !g.reason.empty(); })},
                  {"lines", list_of(group.lines, line)}});
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "page_template.hpp"
@@ -44,6 +45,12 @@ struct Part {
 
 std::string latex(const std::string& text) {
   return typeset(text, Notation::latex);
+}
+
+/// The caption without "Compare S Fig. 2(a).", as the figure's label says it.
+std::string own_caption(const Chart& chart) {
+  static const std::regex comparison(R"( Compare [A-Z] Fig\. [^ ]*[^ .](, [a-z]+)?\.)");
+  return std::regex_replace(chart.caption, comparison, "");
 }
 
 /// "(a)", "(b)".
@@ -98,7 +105,8 @@ class Document {
         continue;
       }
       const bool alone = figure.panels.size() == 1;
-      printed.caption += (alone ? " " : " " + letter_of(printed.panels.size()) + " ") + latex(chart->second->caption);
+      printed.caption +=
+          (alone ? " " : " " + letter_of(printed.panels.size()) + " ") + latex(own_caption(*chart->second));
       printed.panels.push_back(chart->second);
       taken_.insert(name);
     }

@@ -10,7 +10,8 @@ namespace {
 constexpr double points_per_pixel = 0.75;
 
 /// In sizes of the font.
-constexpr double letter_width = 0.52;  ///< on average, of DejaVu Sans: the widest font of those in use
+constexpr double letter_width = 0.52;   ///< on average, of DejaVu Sans: the widest font of those in use
+constexpr double capital_width = 0.75;  ///< of LaTeX's fonts, too
 constexpr double digit_width = 0.66;
 constexpr double sample_width = 3.2;  ///< of a key's line and marker
 constexpr double sample_gap = 0.7;    ///< from there to the text
@@ -27,12 +28,13 @@ double characters(const std::string& utf8) {
 
 /// In points.
 double text_width(const std::string& text, double font) {
-  return letter_width * font * characters(text);
+  const auto capitals = static_cast<double>(std::ranges::count_if(text, [](char c) { return c >= 'A' && c <= 'Z'; }));
+  return font * (letter_width * characters(text) + (capital_width - letter_width) * capitals);
 }
 
 /// Digits and signs are wider than letters are on average.
 double tic_width(const Tic& tic, double font) {
-  return digit_width / letter_width * text_width(tic.text, font);
+  return digit_width * font * characters(tic.text);
 }
 
 double widest_tic(const Axis& axis, double font) {

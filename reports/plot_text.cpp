@@ -90,6 +90,7 @@ std::string paper_axes(const Chart& chart, const Layout& layout, Notation texts)
       "set tmargin at screen {:.5f}\n",
       layout.axes_left(), layout.axes_right(), layout.axes_bottom(), layout.axes_top());
   text += axis_text('x', with_room(chart.x, length, layout.page.font), texts) + axis_text('y', chart.y, texts);
+  text += "set xtics offset 0,-0.25\n";  // clear of the lowest text of the other axis
   text += fmt::format("set label {} at graph 0.5, screen {:.5f} center front {}\n", quoted(chart.x.label, texts),
                       layout.x_label_at(), reading(texts));
   for (std::size_t line = 0; line < layout.y_label.size(); ++line)

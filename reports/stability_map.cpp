@@ -29,6 +29,11 @@ std::string limit_text(const fits::StabilityLimit& limit) {
   return limit.monotone ? text : text + ", not monotone";
 }
 
+/// How people write what was searched.
+std::string axis_label(const std::string& key) {
+  return key == "cfl" ? "CFL number" : key == "smoothing_length" ? "smoothing length / h" : key;
+}
+
 }  // namespace
 
 Chart stability_map(const records::StudyResult& study, const records::Figure& figure) {
@@ -54,8 +59,8 @@ Chart stability_map(const records::StudyResult& study, const records::Figure& fi
   }
   const bool log = figure.log_x && !values.empty() && std::ranges::min(values) > 0;
   const std::string key = series.empty() ? study.sweep : series.front()->limit->key;
-  chart.x =
-      make_axis({figure.xlabel.empty() ? key : figure.xlabel, log, figure.x_min, figure.x_max, 0.04, 0.04}, values);
+  chart.x = make_axis(
+      {figure.xlabel.empty() ? axis_label(key) : figure.xlabel, log, figure.x_min, figure.x_max, 0.04, 0.04}, values);
   chart.y.label = figure.ylabel;
   chart.y.from = 0.4;
   chart.y.to = rows + 0.6;
@@ -63,7 +68,7 @@ Chart stability_map(const records::StudyResult& study, const records::Figure& fi
   chart.height = 90 + 26 * std::max(1.0, rows);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const std::string text = limit_text(*series[i]->limit);
-    chart.labels.push_back({{chart.x.value(1.015), rows - static_cast<double>(i)}, text, Label::Side::left});
+    chart.labels.push_back({{chart.x.value(1.025), rows - static_cast<double>(i)}, text, Label::Side::left});
     chart.right_margin = std::max(chart.right_margin, text.size() + 2);
   }
   chart.curves = {std::move(stable), std::move(unstable)};

@@ -45,6 +45,11 @@ Table with_rows(Table table, Table::Rows rows) {
   return table;
 }
 
+constexpr const char* how_to_read_orders =
+    "The fit is C h^order over the window. Asymptotic: the orders of neighbouring points agree there; the range found "
+    "is "
+    "where they do. Floor: an error E0 that stays as h falls, where a fit with one is accepted.";
+
 /// The points that fitted orders do not take, and why; empty where they take all.
 std::string left_out_of_orders(const StudyResult& study) {
   std::vector<std::string> all;
@@ -52,7 +57,7 @@ std::string left_out_of_orders(const StudyResult& study) {
     for (const auto& o : series.orders)
       if (const std::string values = claims::left_out(series, o.norm); !values.empty())
         all.push_back(fmt::format("of {} in {} at {}", series.name, o.norm, values));
-  return all.empty() ? "" : fmt::format("Left out of the orders are errors {}.", fmt::join(all, "; "));
+  return all.empty() ? "" : fmt::format(" Left out of the orders are errors {}.", fmt::join(all, "; "));
 }
 
 }  // namespace
@@ -61,7 +66,7 @@ Table fits_table(const StudyResult& study) {
   const Table table{"Fitted orders",
                     {"norm", "window", "points", "order", "C", "R²", "asymptotic", "asymptotic range found", "floor"},
                     {},
-                    left_out_of_orders(study)};
+                    how_to_read_orders + left_out_of_orders(study)};
   return with_series(table, study, [](const Series& series) {
     Table::Rows rows;
     for (const auto& o : series.orders) {

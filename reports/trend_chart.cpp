@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -48,6 +49,11 @@ Curve trend_curve(const Trend& trend, int style, bool log) {
   return curve;
 }
 
+/// One number has no course.
+bool has_course(const Trend& trend) {
+  return std::ranges::count_if(trend.numbers, [](double number) { return std::isfinite(number); }) >= 2;
+}
+
 std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind, const std::vector<Trend>& trends,
                                  const std::vector<store::Version>& versions) {
   Chart chart;
@@ -56,7 +62,7 @@ std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind
   chart.height = 240;
   std::vector<double> numbers;
   for (const Trend& trend : trends) {
-    if (trend.kind != kind.kind) continue;
+    if (trend.kind != kind.kind || !has_course(trend)) continue;
     chart.curves.push_back(trend_curve(trend, static_cast<int>(chart.curves.size()), kind.log));
     numbers.insert(numbers.end(), trend.numbers.begin(), trend.numbers.end());
   }

@@ -45,6 +45,17 @@ double error_at(const Series& series, double x, const std::string& norm) {
   return support::not_measured;
 }
 
+/// "over cells 16 to 128", "over cells 16".
+std::string over_window(const Criterion& c, const StudyResult& result) {
+  const std::string from = fmt::format("over {} {}", result.sweep, c.window.from);
+  return c.window.from == c.window.to ? from : fmt::format("{} to {}", from, c.window.to);
+}
+
+/// "at cells = 16".
+std::string at_point(const StudyResult& result, double x) {
+  return fmt::format("at {} = {}", result.sweep, x);
+}
+
 /// The order over the points in the window that are stable; `missing` when one failed or has not been measured.
 ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
                            Measured& out) {
@@ -76,10 +87,10 @@ void measure_order(const Criterion& c, const StudyResult& result, const Series& 
   for (const Point& point : series.points)
     if (c.window.holds(point.x) && point.status == Status::unstable) unstable.push_back(point.x);
   const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
-  add_order(fmt::format("order of '{}' in {} over [{}, {}]", series.name, c.norm, c.window.from, c.window.to), fit,
-            without, out);
+  add_order(fmt::format("order of '{}' in {} {}", series.name, c.norm, over_window(c, result)), fit, without, out);
   if (!unstable.empty() && c.at_least)
-    out.add(fmt::format("order of '{}' at {}", series.name, unstable[0]), -std::numeric_limits<double>::infinity());
+    out.add(fmt::format("order of '{}' {}", series.name, at_point(result, unstable[0])),
+            -std::numeric_limits<double>::infinity());
 }
 
 /// The series whose one quantity, of which `norm` is the name, is that norm over `over_norm`.
@@ -100,28 +111,29 @@ void measure_order_difference(const Criterion& c, const StudyResult& result, con
   const double own = stable_order(c, result, series, c.norm, out).order;
   const double other = stable_order(c, result, series, c.over_norm, out).order;
   const ObservedOrder fit = stable_order(c, result, quotient(series, c.norm, c.over_norm), c.norm, out);
-  add_order(fmt::format("order of '{}' in {} ({:.2f}) less that in {} ({:.2f}) over [{}, {}]", series.name, c.norm, own,
-                        c.over_norm, other, c.window.from, c.window.to),
+  add_order(fmt::format("order of '{}' in {} ({:.2f}) less that in {} ({:.2f}) {}", series.name, c.norm, own,
+                        c.over_norm, other, over_window(c, result)),
             fit, "", out);
 }
 
-void measure_errors(const Criterion& c, const Series& series, Measured& out) {
+void measure_errors(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
   for (const Point& point : series.points)
     if (c.window.holds(point.x))
-      out.add(fmt::format("{} of '{}' at {}", c.norm, series.name, point.x), error_at(point, c.norm));
+      out.add(fmt::format("{} of '{}' {}", c.norm, series.name, at_point(result, point.x)), error_at(point, c.norm));
 }
 
 /// Two unstable runs are as bad as each other: W gives either an error of one.
-void measure_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
+void measure_ratios(const Criterion& c, const StudyResult& result, const Series& series, const Series& over,
+                    Measured& out) {
   for (const Point& point : series.points) {
     if (!c.window.holds(point.x)) continue;
     const double own = error_at(point, c.norm), other = error_at(over, point.x, c.norm);
-    out.add(fmt::format("{} of '{}' over '{}' at {}", c.norm, series.name, over.name, point.x),
+    out.add(fmt::format("{} of '{}' over '{}' {}", c.norm, series.name, over.name, at_point(result, point.x)),
             std::isinf(own) && std::isinf(other) ? 1 : own / other);
   }
 }
 
-void measure_spread(const Criterion& c, const Series& series, Measured& out) {
+void measure_spread(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
   double least = std::numeric_limits<double>::infinity(), largest = 0;
   for (const Point& point : series.points) {
     if (!c.window.holds(point.x)) continue;
@@ -129,9 +141,8 @@ void measure_spread(const Criterion& c, const Series& series, Measured& out) {
     if (std::isnan(error)) out.missing = fmt::format("'{}' has no {} at {}", series.name, c.norm, point.x);
     least = std::min(least, error), largest = std::max(largest, error);
   }
-  out.add(
-      fmt::format("largest over smallest {} of '{}' over [{}, {}]", c.norm, series.name, c.window.from, c.window.to),
-      largest / least);
+  out.add(fmt::format("largest over smallest {} of '{}' {}", c.norm, series.name, over_window(c, result)),
+          largest / least);
 }
 
 /// Slope of the least-squares line through the points in the window; NaN when one is unstable or not measured.
@@ -148,18 +159,19 @@ double first_value(const Criterion& c, const Series& series) {
   return support::not_measured;
 }
 
-void measure_slope(const Criterion& c, const Series& series, const Series& over, Measured& out) {
+void measure_slope(const Criterion& c, const StudyResult& result, const Series& series, const Series& over,
+                   Measured& out) {
   const bool share = c.kind == Criterion::Kind::slope_share;
-  out.add(fmt::format("slope of '{}' in {} over {} of '{}', [{}, {}]", series.name, c.norm,
-                      share ? "the value" : "that", over.name, c.window.from, c.window.to),
+  out.add(fmt::format("slope of '{}' in {} over {} of '{}', {}", series.name, c.norm, share ? "the value" : "that",
+                      over.name, over_window(c, result)),
           slope_of(c, series) / (share ? first_value(c, over) : slope_of(c, over)));
 }
 
-void measure_status(const Criterion& c, const Series& series, Measured& out) {
+void measure_status(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
   double ok = 0, all = 0;
   for (const Point& point : series.points)
     if (c.window.holds(point.x)) ok += point.status == Status::ok ? 1 : 0, ++all;
-  out.add(fmt::format("stable share of '{}' over [{}, {}]", series.name, c.window.from, c.window.to), ok / all);
+  out.add(fmt::format("stable share of '{}' {}", series.name, over_window(c, result)), ok / all);
 }
 
 /// The limit of a series; null, and `missing`, where none was found.
@@ -224,16 +236,16 @@ void measure_series(const Criterion& c, const StudyResult& result, const Series&
     case Criterion::Kind::order_difference:
       return measure_order_difference(c, result, series, out);
     case Criterion::Kind::error:
-      return measure_errors(c, series, out);
+      return measure_errors(c, result, series, out);
     case Criterion::Kind::error_ratio:
-      return measure_ratios(c, series, *over, out);
+      return measure_ratios(c, result, series, *over, out);
     case Criterion::Kind::spread:
-      return measure_spread(c, series, out);
+      return measure_spread(c, result, series, out);
     case Criterion::Kind::slope_ratio:
     case Criterion::Kind::slope_share:
-      return measure_slope(c, series, *over, out);
+      return measure_slope(c, result, series, *over, out);
     case Criterion::Kind::status:
-      return measure_status(c, series, out);
+      return measure_status(c, result, series, out);
     case Criterion::Kind::limit:
       return measure_limit(series, out);
     case Criterion::Kind::limit_ratio:

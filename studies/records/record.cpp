@@ -68,6 +68,7 @@ const std::vector<std::string>& norm_words() {
 }
 
 std::string unit_of(const std::string& quantity) {
+  if (quantity == "dt") return "s";
   for (const auto* numbers : {&run_errors(), &run_by_products()})
     for (const RunNumber& number : *numbers)
       if (number.name == quantity) return number.unit;

@@ -48,7 +48,7 @@ TEST(ReadBackPage, VerdictsStandBesideWhatTheyAreOf) {
   provenance.add("", {{"", "compiler"}, {"", p.compiler + ", " + p.build_type}});
   provenance.add("", {{"", "flags"}, {"", p.flags}});
   provenance.add("", {{"", "processor"}, {"", p.cpu}});
-  provenance.add("", {{"", "time"}, {"", p.time}});
+  provenance.add("", {{"", "report written"}, {"", p.time}});
   const WrittenReport report(input);
   report.expect_html(provenance);
   ExpectedTable gate;
@@ -73,6 +73,40 @@ TEST(ReadBackPage, GoldensThatDoNotPassStandOnEveryPageOfTheirStudy) {
                    {"reason", "why fail"}});
   const WrittenReport report(input);
   for (const char* page : {"index.html", "studies/all-numbers.html"}) report.expect_html_on(page, failing);
+}
+
+TEST(ReadBackPage, GoldensWithoutReasonsHaveNoColumnForThem) {
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.gate = {{"all-numbers", "golden one", "pass", "1.1 to 1.2", "1.15", ""}};
+  const std::string page = WrittenReport(input).page("gate.html");
+  EXPECT_THAT(page, testing::HasSubstr(">measured</th>"));
+  EXPECT_THAT(page, testing::Not(testing::HasSubstr(">reason</th>")));
+}
+
+TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
+  using enum records::PartVerdict;
+  ReportInput input = read_back::input_of(distinct::everything());
+  records::ClaimPart asked = part(inconclusive, 1.8, std::nullopt, {{"order of 'a'", 1.97}, {"order of 'b'", 2.5}});
+  asked.evidence =
+      "order of 'a' (±0.28) = 1.97; order of 'b' (±0.1) = 2.5 (asked: at least 1.8, but an interval reaches across)";
+  input.claims = {{"X-one", "a sentence", "", "", "open", "", {}, {"all-numbers"}}};
+  input.claims[0].parts = {{"all-numbers", asked}};
+  const std::string page = WrittenReport(input).page("claims/X-one.html");
+  EXPECT_THAT(page, testing::AllOf(testing::HasSubstr(">1.97 ± 0.28<"), testing::HasSubstr(">2.5 ± 0.1<"),
+                                   testing::HasSubstr("An interval reaches across a bound"),
+                                   testing::Not(testing::HasSubstr(asked.evidence))));
+}
+
+TEST(ReadBackPage, AClaimWithoutAFigureShowsItsCriteria) {
+  using enum records::PartVerdict;
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.claims = {{"X-one", "a sentence", "", "", "partly", "", {}, {}}};
+  input.claims[0].parts = {{"elsewhere", part(holds, 1, 2, {{"first", 1.5}})},
+                           {"elsewhere", part(fails, 1, 2, {{"second", 2.5}})}};
+  const std::string page = WrittenReport(input).page("index.html");
+  EXPECT_THAT(page, testing::HasSubstr("<span class=\"mark fails\">fails</span>: asked of second"));
+  input.claims[0].parts.resize(1);
+  EXPECT_THAT(WrittenReport(input).page("index.html"), testing::HasSubstr("X-one · its criterion holds"));
 }
 
 TEST(ReadBackPage, CriteriaHaveWhatWasAskedBesideWhatWasFound) {

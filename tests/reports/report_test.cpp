@@ -136,7 +136,8 @@ ReportInput input_with_trends() {
   auto in = input();
   in.versions = {{"00ff", {"8be1f2c0"}, "2026-01-01T00:00:00Z"}, {"11aa", {"<7>", "9cd"}, "2026-01-02T00:00:00Z"}};
   in.trends = {{"bar-bases", Finding::Kind::order, "order of 'a' & 'b'", {2, 1.9}},
-               {"bar-bases", Finding::Kind::error, "error of 'a'", {1e-3, support::not_measured}},
+               {"bar-bases", Finding::Kind::error, "error of 'a'", {1e-3, 2e-3}},
+               {"bar-new", Finding::Kind::order, "of one version", {support::not_measured, 2}},
                {"bar-cfl", Finding::Kind::limit, "limit of 'a'", {0.8, 0.8}},
                {"weights", Finding::Kind::value, "value 'gap'", {1, 1}}};
   return in;
@@ -154,7 +155,8 @@ TEST(Report, TrendsHaveAPageOfTheirOwn) {
   const TempFolder folder;
   EXPECT_THAT(page_of(input_with_trends(), folder), HasSubstr("<a href=\"trend.html\">"));
   const auto page = content(folder / "out" / "trend.html");
-  EXPECT_EQ(matches(page, "(<figure)").size(), 3u) << "orders, errors, limits; no values";
+  EXPECT_EQ(matches(page, "(<figure)").size(), 3u) << "orders, errors, limits; no values, nothing of one version";
+  EXPECT_THAT(page, Not(HasSubstr("bar-new")));
   EXPECT_THAT(page, AllOf(HasSubstr("<code>&lt;7&gt;</code>"), HasSubstr("href=\"index.html\"")));
   EXPECT_EQ(matches(page, "href=\"(trends/[^\"]*)\"").size(), 12u);
 }

@@ -58,11 +58,11 @@ TEST(Criterion, SaysWhatWasAskedAndEachNumberThatWasFound) {
   EXPECT_EQ(order.at_least, 1.9);
   EXPECT_EQ(order.at_most, std::nullopt);
   ASSERT_EQ(order.found.size(), 1U);
-  EXPECT_EQ(order.found[0].what, "order of 'good' in l2 over [8, 64]");
+  EXPECT_EQ(order.found[0].what, "order of 'good' in l2 over cells 8 to 64");
   EXPECT_NEAR(order.found[0].value, 2, 1e-12);
   const records::ClaimPart errors = judge(criterion(Kind::error, "bad", {}, 1), two_series());
   ASSERT_EQ(errors.found.size(), 4U);
-  EXPECT_EQ(errors.found[1].what, "l2 of 'bad' at 16");
+  EXPECT_EQ(errors.found[1].what, "l2 of 'bad' at cells = 16");
   EXPECT_EQ(errors.found[1].value, 2. / 256);
   EXPECT_TRUE(std::isinf(errors.found[3].value)) << "unstable";
   EXPECT_EQ(judge(criterion(Kind::shown, "", {}, {}), two_series()).measure, "shown");
@@ -84,8 +84,8 @@ TEST(Criterion, HowWellAnOrderIsKnownIsNoPartOfWhatWasFound) {
   StudyResult result = scattered(1);
   Criterion c = criterion(Kind::order, "good", 1.5, {});
   c.window = {8, 128};
-  EXPECT_EQ(judge(c, result).found.at(0).what, "order of 'good' in l2 over [8, 128]");
-  EXPECT_THAT(judge(c, result).evidence, HasSubstr("over [8, 128] (±0.64) = 2"));
+  EXPECT_EQ(judge(c, result).found.at(0).what, "order of 'good' in l2 over cells 8 to 128");
+  EXPECT_THAT(judge(c, result).evidence, HasSubstr("over cells 8 to 128 (±0.64) = 2"));
 }
 
 PartVerdict verdict_of_order(const StudyResult& result, std::optional<double> at_least, std::optional<double> at_most) {
