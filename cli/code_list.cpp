@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/console.hpp"
 #include "cli/shipped.hpp"
 #include "cli/table.hpp"
 #include "studies/plan/external_series.hpp"
@@ -26,12 +27,16 @@ nlohmann::json codes_json() {
 }
 
 void print_codes(const nlohmann::json& codes) {
-  Table table({{"code"}, {"version"}, {"variants"}, {"program", Table::Kind::prose}}, 0);
-  for (const nlohmann::json& code : codes)
-    table.add({code["code"].get<std::string>(), code.value("version", "-"),
-               fmt::format("{}", fmt::join(code["variants"].get<std::vector<std::string>>(), ", ")),
-               code.contains("program") ? code["program"].get<std::string>() : code["missing"].get<std::string>()});
-  table.print();
+  Table programs({{"code"}, {"version"}, {"program", Table::Kind::prose}}, 0);
+  Table variants({{"code"}, {"variants", Table::Kind::prose}}, 0);
+  for (const nlohmann::json& code : codes) {
+    const std::string name = code["code"];
+    programs.add({name, code.value("version", "-"), code.value("program", code.value("missing", ""))});
+    variants.add({name, fmt::format("{}", fmt::join(code["variants"].get<std::vector<std::string>>(), ", "))});
+  }
+  programs.print();
+  print_text("\n");
+  variants.print();
 }
 
 }  // namespace mpmvv::cli

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "tests/cli/small_study.hpp"
 #include "tests/walk.hpp"
 
@@ -68,6 +70,16 @@ TEST_F(OtherCodes, WhatIsNotThereIsLeftOutOfAFolderAndRefusedByName) {
   EXPECT_EQ(one.code, 2);
   EXPECT_THAT(one.err, HasSubstr("MPMVV_GONE=PROGRAM"));
   EXPECT_THAT(in_folder("mpmvv list codes").out, HasSubstr("MPMVV_GONE=PROGRAM"));
+}
+
+TEST_F(OtherCodes, AreListedInLinesThatATerminalHolds) {
+  std::istringstream list(in_folder("script -qec 'stty cols 80; mpmvv list codes' /dev/null").out);
+  int lines = 0;
+  for (std::string line; std::getline(list, line); ++lines) {
+    const bool has_path = line.find('/') != std::string::npos;  // which is one word
+    EXPECT_TRUE(has_path || line.size() <= 81) << line;
+  }
+  EXPECT_GT(lines, 12);
 }
 
 TEST_F(OtherCodes, TheOnesOfTheProgramAreFoundByName) {
