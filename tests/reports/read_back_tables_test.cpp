@@ -34,7 +34,7 @@ std::string yes(bool b) {
 
 /// Calls `add` with every series of the study and each member of the range that it has.
 template <class Range, class Add>
-void for_each(const records::StudyResult& study, Range Series::* range, const Add& add) {
+void for_each(const records::StudyResult& study, Range Series::*range, const Add& add) {
   for (const Series& series : study.series)
     for (const auto& item : series.*range) add(series, item);
 }
