@@ -18,7 +18,7 @@ constexpr double sample_gap = 0.7;    ///< from there to the text
 constexpr double key_gap = 1.2;
 constexpr double row_height = 1.4;  ///< of the key
 constexpr double line_height = 1.25;
-constexpr double label_room = 3.6;  ///< below the axes: tics, label and a gap
+constexpr double label_room = 4.1;  ///< below the axes: tics, label and a gap
 
 constexpr double paper_ratio = 0.7;  ///< height to width, with labels
 
