@@ -43,6 +43,16 @@ class ExternalSeries : public testing::Test {
     return "";
   }
 
+  /// Runs the study with the code that it names.
+  std::vector<StudyOutcome> run(StudyPlan read, store::Store& store) const {
+    CodeFinder finder("");
+    EXPECT_EQ(complete_series(read, file(), finder), "");
+    RunnerOptions options;
+    options.codes = finder.codes();
+    RunnerCounts counts;
+    return run_studies({read}, store, options, counts);
+  }
+
   const codes::Mover mover_;
 };
 
@@ -108,13 +118,8 @@ key = "cfl"
 from = 0.1
 to = 2
 )");
-  CodeFinder finder("");
-  ASSERT_EQ(complete_series(read, file(), finder), "");
-  RunnerOptions options;
-  options.codes = finder.codes();
   store::Store store(mover_.top() / "r.db", store::Store::Mode::create_or_write);
-  RunnerCounts counts;
-  const auto outcomes = run_studies({read}, store, options, counts);
+  const auto outcomes = run(read, store);
   ASSERT_TRUE(outcomes[0].result.series[0].limit.has_value()) << outcomes[0].trouble;
   EXPECT_LE(outcomes[0].result.series[0].limit->stable, 0.7);
   EXPECT_GT(outcomes[0].result.series[0].limit->unstable, 0.7);
@@ -124,14 +129,8 @@ to = 2
 TEST_F(ExternalSeries, WithReplicatesIsOneOfAnotherCode) {
   std::string text = std::string(both) + "[replicates]\ncfl = [0.4, 0.5]\n";
   text.erase(text.find("cfl = 0.5\n"), 10);
-  StudyPlan read = plan(text);
-  CodeFinder finder("");
-  ASSERT_EQ(complete_series(read, file(), finder), "");
-  RunnerOptions options;
-  options.codes = finder.codes();
   store::Store store(mover_.top() / "r.db", store::Store::Mode::create_or_write);
-  RunnerCounts counts;
-  run_studies({read}, store, options, counts);
+  run(plan(text), store);
   EXPECT_EQ(store.code_series(store::current_provenance().digest).at(0).series, "theirs");
 }
 
