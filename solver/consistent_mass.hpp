@@ -20,11 +20,10 @@ namespace mpmvv::solver {
 /// lie in [ε, 1]: no mode of forces is accelerated more than 1/ε times as much as with the lumped mass. A mode of M
 /// with eigenvalue s is changed by the fraction ε (1 - s)/s, on smooth modes ε times the error of the lumped mass.
 ///
-/// Systems are solved by conjugate gradients for all components at once, each product being a sweep over the particles
-/// (as fast as with an assembled sparse matrix, which would have to be assembled first). They are preconditioned by
-/// diag(m) and start from the lumped solution: where nothing is held residuals then sum to zero, and particles get the
-/// whole momentum however soon the iteration ends. It ends after ln(2 / (tolerance sqrt(ε))) / 2 sqrt(ε) steps at most,
-/// by which the tolerance is reached, eigenvalues being as they are.
+/// Systems are solved by conjugate gradients for all components at once. They are preconditioned by diag(m) and start
+/// from the lumped solution: where nothing is held residuals then sum to zero, and particles get the whole momentum
+/// however soon the iteration ends. It ends after ln(2 / (tolerance sqrt(ε))) / 2 sqrt(ε) steps at most, by which the
+/// tolerance is reached, eigenvalues being as they are.
 template <int D>
 class ConsistentMass {
  public:

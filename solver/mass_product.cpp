@@ -1,69 +1,46 @@
 #include "solver/mass_product.hpp"
 
-#include <algorithm>
-
 #include "solver/kernels/add_mass_product.hpp"
-#include "solver/stencils/node_loop.hpp"
 #include "solver/step.hpp"
 
 namespace mpmvv::solver {
 
 namespace {
 
-/// Keeps the stencils of particles that have domains: a block kernel.
+/// Whether so many products take less time with the matrix than by sweeps, each of which evaluates stencils anew: as
+/// measured with 2^D particles a cell.
 template <int D>
-struct KeepStencils {
-  CpdiStencilCache<D>& cache;
-
-  void operator()(const Block<D>&, const Grid<D>&) const {}
-  template <int K>
-  void operator()(const CpdiBlock<D, K>& block, const Grid<D>& grid) const {
-    cache.keep(block, grid);
-  }
-};
-
-/// As the sweep of `AddMassProduct`, by stencils of W nodes along each axis that are kept.
-template <int W, int D>
-void add_by_cache(Step<D>& s, const CpdiStencilCache<D>& cache, const AddMassProduct<D>& kernel) {
-  s.for_slabs([&](std::size_t begin, std::size_t end) {
-    for (; begin < end; begin += cpdi_block_size<D>)
-      for_interleaved(static_cast<int>(std::min<std::size_t>(cpdi_block_size<D>, end - begin)), [&](int k) {
-        const std::size_t p = begin + static_cast<std::size_t>(k);
-        const auto nodes = cache.template stencil<W>(p, s.grid());
-        nodes.scatter(kernel(p, nodes, cache), kernel.product);
-      });
-  });
+bool is_worth_a_matrix(const AnyBasis& basis, int products) {
+  return std::visit(
+      [products]<class B>(const B&) {
+        constexpr int W = box_width<BlockOf<D, B>>;
+        return B::width == ParticleWidth::domain ? products >= W : 2 * products > power(W, D);
+      },
+      basis);
 }
 
 }  // namespace
 
 template <int D>
 MassProduct<D>::MassProduct(const Step<D>& s, int most) {
-  std::visit(
-      [&]<class B>(const B&) {
-        if constexpr (B::width == ParticleWidth::domain)
-          if (most > 1) cache_.emplace(B::support, s.particles().size());
-      },
-      s.scene().basis);
+  if constexpr (may_assemble)
+    if (is_worth_a_matrix<D>(s.scene().basis, most)) matrix_.emplace(s);
 }
 
 template <int D>
 void MassProduct<D>::prepare(Step<D>& s) {
-  if (!cache_ || kept_after_ == s.moves()) return;
-  kept_after_ = s.moves();
-  cache_->clear();
-  s.sweep({KeepStencils<D>{*cache_}}, Adds::nothing);
+  if constexpr (may_assemble) {
+    if (!matrix_ || assembled_after_ == s.moves()) return;
+    assembled_after_ = s.moves();
+    is_assembled_ = matrix_->assemble(s);
+  }
 }
 
 template <int D>
-void MassProduct<D>::add(Step<D>& s, const Field& u, Field& field) const {
-  const AddMassProduct<D> kernel{s.particles(), u, field};
-  if (!uses_cache()) return s.sweep({kernel});
-  std::visit(
-      [&]<class B>(const B&) {
-        if constexpr (B::width == ParticleWidth::domain) add_by_cache<B::support + 1>(s, *cache_, kernel);
-      },
-      s.scene().basis);
+void MassProduct<D>::add(Step<D>& s, const Field& u, Field& field) {
+  if constexpr (may_assemble)
+    if (is_assembled_) return matrix_->add(s, u, field);
+  s.sweep({AddMassProduct<D>{s.particles(), u, field}});
 }
 
 template class MassProduct<1>;

@@ -106,6 +106,12 @@ class Step {
     active_nodes_.visit(pool_, visit);
   }
 
+  /// Calls visit(first, end) for each run of such nodes along the storage.
+  template <class Visit>
+  void for_runs_of_nodes(const Visit& visit) {
+    active_nodes_.visit_runs(pool_, visit);
+  }
+
   template <class V>
   void clear(std::vector<V>& field);  ///< to zero, before particles are mapped to it
   template <class V>

@@ -34,9 +34,16 @@ class ActiveNodes {
   /// Calls visit(n) for each.
   template <class Visit>
   void visit(ThreadPool& pool, const Visit& visit) const {
+    visit_runs(pool, [visit](std::size_t first, std::size_t end) {
+      for (std::size_t n = first; n < end; ++n) visit(n);
+    });
+  }
+
+  /// Calls visit(first, end) for each run of them.
+  template <class Visit>
+  void visit_runs(ThreadPool& pool, const Visit& visit) const {
     pool.run(static_cast<int>(runs_.size()), [&](int task) {
-      for (const auto& [first, last] : runs_[static_cast<std::size_t>(task)])
-        for (std::size_t n = first; n < last; ++n) visit(n);
+      for (const auto& [first, end] : runs_[static_cast<std::size_t>(task)]) visit(first, end);
     });
   }
 

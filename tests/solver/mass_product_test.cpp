@@ -1,5 +1,7 @@
 #include "solver/mass_product.hpp"
 
+#include <numeric>
+#include <optional>
 #include <random>
 
 #include "solver/mpm.hpp"
@@ -17,19 +19,21 @@ class TurnedBody {
   explicit TurnedBody(double extent) : step_(scene(extent)), u_(step_.grid().size()) {
     std::mt19937 random(5);
     for (auto& velocity : u_) velocity = Padded<D>::NullaryExpr([&] { return some_(random); });
+    step_.map_momentum();
   }
 
   /// SᵀM S u, as one of so many.
   std::vector<Padded<D>> product(int most) {
     MassProduct<D> product(step_, most);
     product.prepare(step_);
-    uses_cache_ = product.uses_cache();
+    is_assembled_ = product.is_assembled();
     std::vector<Padded<D>> image(u_.size(), Padded<D>::Zero());
     product.add(step_, u_, image);
     return image;
   }
 
-  bool uses_cache() const { return uses_cache_; }  ///< the last time
+  bool is_assembled() const { return is_assembled_; }  ///< the last time
+  const Grid<D>& grid() const { return step_.grid(); }
 
  private:
   static Scene<D> scene(double extent) {
@@ -47,16 +51,22 @@ class TurnedBody {
   static inline std::uniform_real_distribution<double> some_{-1, 1};
   Step<D> step_;
   std::vector<Padded<D>> u_;
-  bool uses_cache_ = false;
+  bool is_assembled_ = false;
 };
 
+/// A particle of a domain reaches so far that no two corners are more than a cell apart.
+template <class B>
+bool fits(double extent) {
+  return B::width != ParticleWidth::domain || extent < 3;
+}
+
 template <int D, class B>
-void expect_the_cache_to_change_nothing(double extent, bool fits) {
+void expect_the_matrix_to_change_nothing(double extent) {
   TurnedBody<D, B> body(extent);
   const auto once = body.product(1);
-  EXPECT_FALSE(body.uses_cache());
-  const auto often = body.product(2);
-  EXPECT_EQ(body.uses_cache(), fits);
+  EXPECT_FALSE(body.is_assembled());
+  const auto often = body.product(100);
+  EXPECT_EQ(body.is_assembled(), D < 3 && fits<B>(extent));
   const double cell_mass = std::pow(1.0 / 6, D);
   for (std::size_t n = 0; n < once.size(); ++n)
     EXPECT_LT((once[n] - often[n]).template head<D>().norm(), 1e-14 * cell_mass) << D << "D, node " << n;
@@ -64,14 +74,14 @@ void expect_the_cache_to_change_nothing(double extent, bool fits) {
 
 template <class B>
 class MassProducts : public ::testing::Test {};
-using Domains = ::testing::Types<Cpdi, B2Cpdi>;
-TYPED_TEST_SUITE(MassProducts, Domains);
+using Bases = ::testing::Types<Linear, Gimp, BSpline2, BSpline3, B2Gimp, Cpdi, B2Cpdi>;
+TYPED_TEST_SUITE(MassProducts, Bases);
 
 TYPED_TEST(MassProducts, AreTheSameOnceAndOften) {
-  for (const double extent : {0.5, 1.0, 3.0}) {  // the last: wider than the cache takes
-    expect_the_cache_to_change_nothing<1, TypeParam>(extent, extent < 3);
-    expect_the_cache_to_change_nothing<2, TypeParam>(extent, extent < 3);
-    expect_the_cache_to_change_nothing<3, TypeParam>(extent, extent < 3);
+  for (const double extent : {0.5, 1.0, 3.0}) {  // the last: wider than the matrix takes
+    expect_the_matrix_to_change_nothing<1, TypeParam>(extent);
+    expect_the_matrix_to_change_nothing<2, TypeParam>(extent);
+    expect_the_matrix_to_change_nothing<3, TypeParam>(extent);
   }
 }
 
@@ -89,7 +99,12 @@ void expect_to_go_on_as_if_begun_anew(Scene<2> scene) {
     EXPECT_LT((going_on.particles().v[p] - anew.particles().v[p]).norm(), 1e-10) << p;
 }
 
-TYPED_TEST(MassProducts, FollowTheParticles) {
+template <class B>
+class StepsWithMassProducts : public ::testing::Test {};
+using SmoothBases = ::testing::Types<Gimp, BSpline2, BSpline3, B2Gimp, Cpdi, B2Cpdi>;
+TYPED_TEST_SUITE(StepsWithMassProducts, SmoothBases);
+
+TYPED_TEST(StepsWithMassProducts, FollowTheParticles) {
   auto scene = full_scene<2>(TypeParam{}, 8, 2, Free{});
   scene.velocity_update = Fmpm{3};
   expect_to_go_on_as_if_begun_anew(scene);
@@ -99,38 +114,30 @@ TYPED_TEST(MassProducts, FollowTheParticles) {
   expect_to_go_on_as_if_begun_anew(scene);
 }
 
-/// Keeps the stencil of one particle in the plane, so many cells wide.
+/// The box of one particle in the plane, so many cells wide; none if it does not fit.
 template <class B>
-void keep_one(CpdiStencilCache<2>& cache, double extent, const Grid<2>& grid) {
+std::optional<NodeBoxes<2, box_width<BlockOf<2, B>>>> box_of_one(double cells, const Grid<2>& grid) {
   Particles<2> particles;
   particles.resize(1);
   particles.x[0] = {0.47, 0.52};
-  particles.R = {extent * Mat<2>::Identity()};
-  CpdiBlock<2, B::support> block(0);
+  particles.l = {Vec<2>::Constant(std::min(cells, 1.0))};
+  particles.R = {cells * Mat<2>::Identity()};
+  BlockOf<2, B> block(0);
   block.begin = 0, block.count = 1;
   EXPECT_EQ(evaluate_stencils(B{}, particles, grid, false, block), Fault::none);
-  cache.clear();
-  cache.keep(block, grid);
+  NodeBoxes<2, box_width<BlockOf<2, B>>> boxes;
+  if (!find_boxes(block, grid, boxes)) return std::nullopt;
+  return boxes;
 }
 
-template <class B>
-void expect_a_partition_of_unity() {
-  const auto grid = grid_for<B, 2>(Vec<2>::Zero(), 0.125, {8, 8});
-  CpdiStencilCache<2> cache(B::support, 1);
-  for (const double extent : {0.1, 0.5, 1.0}) {
-    keep_one<B>(cache, extent, grid);
-    EXPECT_TRUE(cache.is_complete());
-    const auto nodes = cache.template stencil<B::support + 1>(0, grid);
-    const std::vector<Padded<2>> ones(grid.size(), Padded<2>::Ones());
-    EXPECT_LT((nodes.gather(ones) - Padded<2>::Ones()).norm(), 1e-15);
+TYPED_TEST(MassProducts, AreOfBoxesThatArePartitionsOfUnity) {
+  const auto grid = grid_for<TypeParam, 2>(Vec<2>::Zero(), 0.125, {8, 8});
+  for (const double cells : {0.1, 0.5, 1.0}) {
+    const auto boxes = box_of_one<TypeParam>(cells, grid);
+    ASSERT_TRUE(boxes);
+    EXPECT_NEAR(std::accumulate(std::begin(boxes->N[0]), std::end(boxes->N[0]), 0.0), 1, 1e-15);
   }
-  keep_one<B>(cache, 2.5, grid);
-  EXPECT_FALSE(cache.is_complete());
-}
-
-TEST(CpdiStencilCaches, AreAPartitionOfUnityWhileTheyFit) {
-  expect_a_partition_of_unity<Cpdi>();
-  expect_a_partition_of_unity<B2Cpdi>();
+  EXPECT_EQ(box_of_one<TypeParam>(2.5, grid).has_value(), fits<TypeParam>(3));
 }
 
 }  // namespace mpmvv::solver::mass_product_test
