@@ -20,6 +20,7 @@ struct Pack {
   [[gnu::always_inline]] friend Pack operator+(const Pack& a, const Pack& b) { return Pack(Double4(a.of + b.of)); }
   [[gnu::always_inline]] friend Pack operator-(const Pack& a, const Pack& b) { return Pack(Double4(a.of - b.of)); }
   [[gnu::always_inline]] friend Pack operator*(const Pack& a, const Pack& b) { return Pack(Double4(a.of * b.of)); }
+  [[gnu::always_inline]] friend Pack operator/(const Pack& a, const Pack& b) { return Pack(Double4(a.of / b.of)); }
   [[gnu::always_inline]] friend Pack operator-(const Pack& a) { return Pack(Double4(-a.of)); }
   [[gnu::always_inline]] Pack& operator+=(const Pack& b) { return of += b.of, *this; }
   [[gnu::always_inline]] Pack& operator-=(const Pack& b) { return of -= b.of, *this; }

@@ -19,10 +19,10 @@ struct CpdiBlock : Block<D> {
 
   using Block<D>::Block;
 
-  int node[corners][D][most];        ///< first node along each axis
-  int first[corners][most];          ///< its storage index
-  double S[corners][D][K][most];     ///< weights per axis
-  Mat<D> slope[cpdi_block_size<D>];  ///< 2^(1-D) R^-T, per length, where a kernel of the sweep uses gradients
+  int node[corners][D][most];              ///< first node along each axis
+  int first[corners][most];                ///< its storage index
+  double S[corners][D][K][most];           ///< weights per axis
+  PaddedMat<D> slope[cpdi_block_size<D>];  ///< 2^(1-D) R^-T, per length, where a kernel of the sweep uses gradients
 
   /// Of the k-th particle.
   template <bool with_gradients = true>
@@ -35,7 +35,7 @@ struct CpdiBlock : Block<D> {
         for (int i = 0; i < K; ++i) s.at[c].N[d][i] = S[c][d][i][k];
       }
     }
-    if constexpr (with_gradients) s.slope.template topRows<D>() = slope[k];
+    if constexpr (with_gradients) s.slope = slope[k];
     return s;
   }
 };

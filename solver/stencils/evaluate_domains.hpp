@@ -7,41 +7,50 @@
 #include "solver/fault.hpp"
 #include "solver/particles.hpp"
 #include "solver/stencils/cpdi_block.hpp"
+#include "solver/stencils/particle_pack.hpp"
 
 /// Evaluates the stencils of particles that have domains.
 namespace mpmvv::solver {
 
-/// `value` moved into [least, most], a NaN to `least`; counts in `strays` those that had to be moved.
-inline double confined(double value, double least, double most, int& strays) {
-  const double inside = std::min(std::max(least, value), most);
-  strays += inside == value ? 0 : 1;
-  return inside;
-}
-
-/// A block's particles along one axis, in cells: where they are, and half of each edge of their domains.
+/// A block's particles in cells: where they are, and half of each edge of their domains, along each axis. The last
+/// particle is repeated until the last pack is full.
 template <int D>
-struct DomainsOnAxis {
-  double centre[cpdi_block_size<D>], half[D][cpdi_block_size<D>];
+struct DomainsByAxis {
+  alignas(32) double centre[D][cpdi_block_size<D>], half[D][D][cpdi_block_size<D>];
 };
 
 /// A particle out of reach of the grid, a corner more than `domain_reach` cells from its particle, or a NaN is a fault.
 template <class B, int D>
-Fault find_domains(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid, int axis,
-                   DomainsOnAxis<D>& domains) {
-  const double inverse_h = 1 / grid.h(), lower = grid.lower()[axis];
-  const double least = 1 + domain_reach - B::ghost, most = std::nextafter(grid.cells()[axis] - least, 0.0);
-  const Vec<D>* x = &particles.x[block.begin];
-  const Mat<D>* R = &particles.R[block.begin];
-  int outside = 0, outgrown = 0;
-  for (int k = 0; k < block.count; ++k) {
-    domains.centre[k] = confined((x[k][axis] - lower) * inverse_h, least, most, outside);
-    double extent = 0;
-    for (int e = 0; e < D; ++e) extent += std::abs(R[k](axis, e)) / 2;
-    const bool fits = extent <= domain_reach;
-    outgrown += fits ? 0 : 1;
-    for (int e = 0; e < D; ++e) domains.half[e][k] = fits ? R[k](axis, e) / 2 : 0;
-  }
-  return (outside > 0 ? Fault::outside : Fault::none) | (outgrown > 0 ? Fault::outgrown : Fault::none);
+[[gnu::flatten]] Fault find_domains(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
+                                    DomainsByAxis<D>& domains) {
+  const double inverse_h = 1 / grid.h(), least = 1 + domain_reach - B::ghost;
+  Mask4 outside{}, inside{-1, -1, -1, -1};
+  for_packs(block, [&](const ParticlePack& pack, int k) {
+    const PackVec<D> x = pack.of(particles.x);
+    const PackMat<D> half = 0.5 * pack.of(particles.R);
+    for (int d = 0; d < D; ++d) {
+      const double most = std::nextafter(grid.cells()[d] - least, 0.0);
+      store4(confined((x[d] - grid.lower()[d]) * inverse_h, least, most, outside).of, &domains.centre[d][k]);
+      Double4 extent{};
+      for (int e = 0; e < D; ++e) extent += half(d, e).of < 0. ? -half(d, e).of : half(d, e).of;
+      const Mask4 fits = extent <= double{domain_reach};
+      inside &= fits;
+      for (int e = 0; e < D; ++e) store4(fits ? half(d, e).of : Double4{}, &domains.half[d][e][k]);
+    }
+  });
+  return (any(outside) ? Fault::outside : Fault::none) | (all(inside) ? Fault::none : Fault::outgrown);
+}
+
+/// 2^(1-D) R^-T of a block's particles, per length.
+template <int D>
+[[gnu::flatten]] void find_slopes(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
+                                  PaddedMat<D>* slope) {
+  const double factor = 2 / grid.h() / (1 << D);
+  for_packs(block, [&](const ParticlePack& pack, int k) {
+    Eigen::Matrix<Pack, padded_size<D>, D> four = Eigen::Matrix<Pack, padded_size<D>, D>::Zero();
+    four.template topRows<D>() = factor * pack.of(particles.R).inverse().transpose();
+    store_packs<padded_size<D> * D>(four.data(), slope[k].data());
+  });
 }
 
 /// Evaluates the basis at the corners of the domains of a block's particles. With a fault the stencils concerned lie
@@ -51,27 +60,22 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
                         CpdiBlock<D, B::support>& block) {
   using Corners = CpdiStencil<D, B::support>;
   const int count = block.count;
-  Fault found = Fault::none;
+  DomainsByAxis<D> domains;
+  const Fault found = find_domains<B>(block, particles, grid, domains);
   for (auto& first : block.first) std::fill_n(first, count, grid.node({}));
   for (int d = 0; d < D; ++d) {
     const int cells = grid.cells()[d], stride = grid.stride(d);
-    DomainsOnAxis<D> domains;
-    found = found | find_domains<B>(block, particles, grid, d, domains);
     for (int c = 0; c < Corners::corners; ++c)
       for (int k = 0; k < count; ++k) {
-        double xi = domains.centre[k];
-        for (int e = 0; e < D; ++e) xi += Corners::sign(c, e) * domains.half[e][k];
+        double xi = domains.centre[d][k];
+        for (int e = 0; e < D; ++e) xi += Corners::sign(c, e) * domains.half[d][e][k];
         double N[B::support], dN[B::support];
         block.node[c][d][k] = basis.evaluate({xi, cells, 0}, N, dN);
         block.first[c][k] += stride * block.node[c][d][k];
         for (int i = 0; i < B::support; ++i) block.S[c][d][i][k] = N[i];
       }
   }
-  if (with_gradients) {
-    const double factor = 2 / grid.h() / Corners::corners;
-    for (int k = 0; k < count; ++k)
-      block.slope[k] = factor * particles.R[block.begin + static_cast<std::size_t>(k)].inverse().transpose();
-  }
+  if (with_gradients) find_slopes(block, particles, grid, block.slope);
   return found;
 }
 
