@@ -47,5 +47,12 @@ TEST(ListCommand, WordsStandBesideTheirKeys) {
               AllOf(ContainsRegex("\nbar +1D"), ContainsRegex("\nmasses +lumped, consistent\n")));
 }
 
+TEST(ListCommand, DialectsAreThoseOfTheCommandThatWritesFormulas) {
+  const Folder folder;
+  EXPECT_THAT(call(folder, "list dialects").out, ContainsRegex("dialect +of what\nc +C and C\\+\\+, with math.h"));
+  for (const auto& dialect : call(folder, "list dialects --json").json()["dialects"])
+    EXPECT_EQ(call(folder, "expression --problem wave --dialect " + dialect["dialect"].get<std::string>()).code, 0);
+}
+
 }  // namespace list_test
 }  // namespace mpmvv::cli

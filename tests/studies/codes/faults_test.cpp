@@ -84,7 +84,7 @@ TEST_F(OutputFaults, ParticlesThatBlewUp) {
   Snapshot s = end();
   s.x[5][1] = std::numeric_limits<double>::quiet_NaN();
   expect({.end = s}, Status::unstable,
-         "1 of 256 particles with a position that is no number in end.csv (the first in line 6)");
+         "1 of 256 particles with a position that is no number in end.csv (the first: 6)");
   s = end();
   s.x[5][1] = 3;
   expect({.end = s}, Status::unstable, "particle 6 has escaped: y = 3 m");
@@ -107,7 +107,9 @@ TEST_F(OutputFaults, WrongUnits) {
   for (auto* points : {&s.X, &s.x})
     for (auto& point : *points)
       for (double& value : point) value *= 1e-3;
-  expect_failed(s, "positions in end.csv are 0.001 times those of the case (another unit? --length-unit 1000)");
+  expect_failed(s,
+                "positions in end.csv are 0.001 times those of the case (another unit? --length-unit 1000, or units of "
+                "the adapter)");
   s = end();
   for (double& m : s.mass) m *= 1000;
   expect_failed(s, "1000 times that of the case");
