@@ -91,9 +91,15 @@ async function copy(text, button) {
   setTimeout(() => (button.textContent = "Copy"), 1500);
 }
 
+/** Keeps the words of a command whole: a browser may break a line behind the first hyphen of --db. */
+function keepWordsWhole(code) {
+  code.replaceChildren(...code.textContent.split(/( +)/).map((word, place) => (place % 2 ? word : part("span", word, "word"))));
+}
+
 function startCopies() {
   for (const place of all(".command")) {
     const code = place.querySelector("code");
+    if (place.matches("p")) keepWordsWhole(code);
     const button = document.createElement("button");
     button.type = "button";
     button.textContent = "Copy";

@@ -49,6 +49,9 @@ nlohmann::json points_in(const std::string& script) {
 TEST_F(ReportCommand, SaysHowToRepeatEveryPoint) {
   ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
   ASSERT_EQ(report(none_).code, 0);
+  for (const char* file : {"studies/small.html", "claims/S-fig10.html"})
+    EXPECT_THAT(page(file), HasSubstr("<script src=\"../points/small.js\" defer></script>")) << file;
+  EXPECT_THAT(page("studies/small.html"), Not(HasSubstr("()</p>"))) << "a note that there is none of";
   const nlohmann::json points = points_in(page("points/small.js"));
   EXPECT_EQ(points["key"], "cells");
   ASSERT_EQ(points["series"].size(), 2u);
