@@ -16,6 +16,7 @@ std::vector<std::string> program_parts() {
           "CMakePresets.json",
           "CONTRIBUTING.md",
           "README.md",
+          "adapters",
           "cli",
           "cmake",
           "docs",
@@ -33,7 +34,7 @@ std::string gate_version(const ScratchTree& tree) {
     return std::ranges::any_of(parts, [&](const char* part) { return is_within(file, part); });
   };
   const auto decides = [&](const std::string& file) {
-    return !lies_in(file, std::array{".github", "CHANGELOG.md", "CONTRIBUTING.md", "README.md", "cli", "docs", "run",
+    return !lies_in(file, std::array{".github", "CHANGELOG.md", "CONTRIBUTING.md", "README.md", "adapters", "cli", "docs", "run",
                                      "tests/benchmark", "tests/mutation"});
   };
   const auto expects = [&](const std::string& file) {

@@ -86,9 +86,8 @@ ScratchTree::ScratchTree(const fs::path& source, const fs::path& work, const std
           fmt::format("work folder '{}' lies in the tree's '{}' (another folder)", work.string(), part));
   }
   require_scratch(work_);
-  for (const fs::path& folder : {build(), tree()}) require_no_link(folder);
-  if (fs::exists(tree()))
-    for (const auto& entry : fs::recursive_directory_iterator(tree())) require_no_link(entry.path());
+  for (const fs::path& folder : {tree(), builds(), build()}) require_no_link(folder);
+  for (const fs::path& path : copied()) require_no_link(path);
   lock();
   for (const std::string& part : parts) copy(source, part);
   std::ranges::sort(files_);
@@ -162,13 +161,22 @@ void ScratchTree::copy(const fs::path& source, const std::string& part) {
     if (entry.is_regular_file()) copy_file(entry.path().lexically_relative(source).generic_string());
 }
 
+std::vector<fs::path> ScratchTree::copied() const {
+  std::vector<fs::path> paths;
+  if (!fs::exists(tree())) return paths;
+  for (auto entry = fs::recursive_directory_iterator(tree()); entry != end(entry); ++entry)
+    if (entry->path() == builds())
+      entry.disable_recursion_pending();
+    else
+      paths.push_back(entry->path());
+  return paths;
+}
+
 void ScratchTree::remove_strays() const {
-  std::vector<fs::path> strays;
-  for (const auto& entry : fs::recursive_directory_iterator(tree()))
-    if (entry.is_regular_file() &&
-        !std::ranges::binary_search(files_, entry.path().lexically_relative(tree()).generic_string()))
-      strays.push_back(entry.path());
-  for (const fs::path& stray : strays) fs::remove(stray);
+  for (const fs::path& path : copied())
+    if (fs::is_regular_file(path) &&
+        !std::ranges::binary_search(files_, path.lexically_relative(tree()).generic_string()))
+      fs::remove(path);
 }
 
 }  // namespace mpmvv::mutation

@@ -16,8 +16,8 @@ namespace mpmvv::mutation {
 /// Whether it is this part of a tree, a file or a folder, or lies in it.
 bool is_within(const std::string& file, const std::string& part);
 
-/// A scratch copy of a source tree that is changed in one way at a time, beside a folder to build it in. The tree
-/// itself is only read, and only at the start.
+/// A scratch copy of a source tree that is changed in one way at a time, with a folder in it to build it in: a program
+/// finds what the tree ships from where it was built. The tree itself is only read, and only at the start.
 class ScratchTree {
  public:
   /// Brings WORK/tree in line with these parts (files and folders) of the source, whatever an earlier run has left
@@ -30,7 +30,7 @@ class ScratchTree {
   const std::vector<std::string>& files() const { return files_; }  ///< of the copy, sorted, from its top
   std::string text(const std::string& file) const;                  ///< without any edit
   std::filesystem::path tree() const { return work_ / "tree"; }
-  std::filesystem::path build() const { return work_ / "build"; }
+  std::filesystem::path build() const { return builds() / "mutants"; }
 
   /// A digest of the files that are wanted, without any edit.
   std::string digest(const std::function<bool(const std::string& file)>& is_wanted) const;
@@ -51,6 +51,8 @@ class ScratchTree {
   void lock();
   void copy(const std::filesystem::path& source, const std::string& part);
   void remove_strays() const;
+  std::filesystem::path builds() const { return tree() / "build"; }
+  std::vector<std::filesystem::path> copied() const;  ///< what lies in the copy, but for what is built
 
   std::filesystem::path work_;
   boost::interprocess::file_lock lock_;

@@ -83,6 +83,13 @@ TEST(ReadBackPage, GoldensWithoutReasonsHaveNoColumnForThem) {
   EXPECT_THAT(page, testing::Not(testing::HasSubstr(">reason</th>")));
 }
 
+TEST(ReadBackPage, GoldensStandBelowTheTitleOfTheirStudy) {
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.studies[0].title = "What bars do";
+  input.gate = {{"all-numbers", "golden one", "pass", "1.1 to 1.2", "1.15", ""}};
+  EXPECT_THAT(WrittenReport(input).page("gate.html"), testing::HasSubstr("1 pass · What bars do"));
+}
+
 TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
   using enum records::PartVerdict;
   ReportInput input = read_back::input_of(distinct::everything());

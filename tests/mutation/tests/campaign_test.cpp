@@ -208,11 +208,14 @@ TEST_F(ScratchTrees, ManyFilesChangeTogetherAndNewOnesGo) {
 TEST_F(ScratchTrees, ANewOneUndoesWhatAKilledOneLeft) {
   scratch().apply(edit_);
   std::ofstream(folder_ / "work/tree/code/stray.txt") << "five";
+  fs::create_directories(folder_ / "work/tree/build/mutants");
+  std::ofstream(folder_ / "work/tree/build/mutants/built") << "six";
   fs::remove(source_ / "code/inner/b.txt");
   const ScratchTree copy = scratch();
   EXPECT_EQ(read(copy.tree() / "code/a.txt"), "one + two\n");
   EXPECT_FALSE(fs::exists(copy.tree() / "code/stray.txt"));
   EXPECT_FALSE(fs::exists(copy.tree() / "code/inner/b.txt"));
+  EXPECT_EQ(read(copy.build() / "built"), "six");
 }
 
 TEST_F(ScratchTrees, TheDigestIsThatOfTheUneditedFiles) {
@@ -273,9 +276,10 @@ TEST_F(ScratchTrees, OnlyWhatIsEmptyOrItsOwnIsAScratchFolder) {
   fs::remove(foreign / marker.filename());
   std::ofstream(foreign / marker.filename()) << "mine";
   refuses(foreign);
-  for (const char* inside : {"tree", "tree/code", "build"}) {
+  for (const char* inside : {"tree", "tree/code", "tree/build", "tree/build/mutants"}) {
     scratch();
     fs::remove_all(folder_ / "work" / inside);
+    fs::create_directories((folder_ / "work" / inside).parent_path());
     fs::create_directory_symlink(foreign / "tree", folder_ / "work" / inside);
     refuses(folder_ / "work");
     fs::remove(folder_ / "work" / inside);
