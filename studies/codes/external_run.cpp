@@ -79,7 +79,11 @@ void explain(RunFolder& folder, Record& record) {
     record.failure = Failure::of_machine;
     record.reason += "; its disk is full (TMPDIR names another place for runs)";
   }
-  record.reason += fmt::format("; its folder: {}", folder.keep().string());
+  try {
+    record.reason += fmt::format("; its folder: {}", folder.keep().string());
+  } catch (const support::WriteError& e) {  // somebody has removed it
+    record.reason += fmt::format("; {}", e.what());
+  }
 }
 
 }  // namespace

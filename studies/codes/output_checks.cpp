@@ -118,11 +118,11 @@ void require_time(const MatchedEnd<D>& end) {
   const std::size_t stride = (end.size() + lines - 1) / lines;
   const double error = error_at(end, T, stride);
   if (!(error > 0.02 * end.particles.setup.solution->displacement_scale())) return;
+  const double least = std::max(1.5 * end.particles.dt, 0.03 * T);  // less is a phase that lags, an error like others
   double best = error, when = T;
   for (int k = 0; k <= times; ++k) {
     const double t = 2 * T * k / times;
-    if (const double other = error_at(end, t, stride); std::abs(t - T) > 1.5 * end.particles.dt && other < best)
-      best = other, when = t;
+    if (const double other = error_at(end, t, stride); std::abs(t - T) > least && other < best) best = other, when = t;
   }
   if (best < error / 5)
     fail_output(

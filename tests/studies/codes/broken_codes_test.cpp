@@ -144,6 +144,13 @@ TEST_F(BrokenCode, MayDoBetterWithMoreRoom) {
   EXPECT_THAT(record.reason, HasSubstr("cannot write input.txt (File too large)"));
 }
 
+TEST_F(BrokenCode, MayLoseItsFolder) {
+  const Record record = run("rm -r \"$PWD\"");
+  EXPECT_EQ(record.status, Status::failed);
+  EXPECT_EQ(record.failure, Failure::of_machine);
+  EXPECT_THAT(record.reason, HasSubstr("cannot write log.txt (No such file or directory)"));
+}
+
 TEST_F(BrokenCode, NeedsAFolderThatIsThere) {
   const Code code = mover_.code();
   setenv("TMPDIR", "/no/folder", 1);

@@ -90,6 +90,22 @@ TEST_F(ExternalRun, OfAnotherTimeHasFailed) {
   EXPECT_THAT(record.reason, HasSubstr("and not of the end time"));
 }
 
+/// A step of 0 is what some codes write of all.
+TEST_F(ExternalRun, OfAnotherStepHasFailed) {
+  std::string text = Mover::text;
+  mover_.adapter(text.replace(text.find("particles.csv"), 13, "particles.dump"));
+  const auto dump_of_step = [&](const char* step) {
+    mover_.script("{ echo ITEM: TIMESTEP; echo " + std::string(step) +
+                  "\nprintf 'ITEM: NUMBER OF ATOMS\\n64\\nITEM: ATOMS id x y\\n'\n"
+                  "awk -v t=\"$1\" '{ printf \"%d %.17g %.17g\\n\", $1, $2 + t * $4, $3 + t * $5 }' input.txt\n"
+                  "} > particles.dump");
+    return run();
+  };
+  EXPECT_THAT(dump_of_step("7").reason, HasSubstr("its output is of step 7 and not of the last one, 16"));
+  EXPECT_EQ(dump_of_step("16").status, Status::ok);
+  EXPECT_EQ(dump_of_step("0").status, Status::ok);
+}
+
 /// Without its motion the body is where it was at time zero: of a planted mistake that is an error like any other.
 TEST_F(ExternalRun, APlantedMistakeHasAnErrorAndNoOtherTime) {
   mover_.script(

@@ -123,6 +123,13 @@ TEST_F(OutputFaults, WrongTime) {
   expect_failed(s, "time 0.0039 s in end.csv, the case ends at 0.004 s");
 }
 
+/// A wave that lags behind is an error of the method.
+TEST_F(OutputFaults, ALittleLateIsNoOtherTime) {
+  const Record r = codes::score(c, {.end = exact(0.98 * particles.end_time)});
+  EXPECT_EQ(r.status, Status::ok) << r.reason;
+  EXPECT_GT(r.error.l2, 0);
+}
+
 TEST_F(OutputFaults, AnOrderThatCannotBeVerified) {
   Snapshot s = end();
   s.id.clear();
