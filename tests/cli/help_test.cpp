@@ -109,17 +109,9 @@ TEST_F(Help, OfEveryCommandEndsWithExamplesThatRun) {
   run_examples("");
 }
 
-/// Without the escapes by which a terminal's line ends.
-std::string at_columns(const Folder& folder, int columns, const std::string& command) {
-  const std::string call = fmt::format("stty cols {}; '{}' {} --help", columns, program(), command);
-  const Answer answer = shell("cd '" + (folder / "") + "' && script -qec \"" + call + "\" /dev/null");
-  EXPECT_EQ(answer.code, 0) << command;
-  return std::regex_replace(answer.out, std::regex("\r"), "");
-}
-
 TEST_F(Help, OfEveryCommandFitsATerminalOf80Columns) {
   const auto check = [&](const auto& self, const std::string& command) -> void {
-    const std::string text = at_columns(folder_, 80, command);
+    const std::string text = on_terminal(folder_, 80, command + " --help");
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), 80U) << command << ": " << line;
     const std::string joined = std::regex_replace(text, std::regex(" \\\\\n +"), " ");
