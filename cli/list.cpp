@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/markdown.hpp"
 #include "cli/problem_list.hpp"
 #include "cli/study_list.hpp"
 #include "cli/table.hpp"
@@ -71,10 +72,11 @@ void print_dialects(const nlohmann::json& dialects) {
 }
 
 void print_studies(const nlohmann::json& studies) {
-  Table table({{"study"}, {"title"}, {"claims", Table::Kind::prose}}, 0);
+  Table table({{"study"}, {"title (claims)", Table::Kind::prose}}, 0);
   for (const nlohmann::json& study : studies) {
     const auto claims = study["claims"].get<std::vector<std::string>>();
-    table.add({study["name"], study["title"], fmt::format("{}", fmt::join(claims, ", "))});
+    const std::string title = study["title"];
+    table.add({study["name"], claims.empty() ? title : fmt::format("{} ({})", title, fmt::join(claims, ", "))});
   }
   table.print();
 }
@@ -110,7 +112,7 @@ int list(const std::string& what, const std::string& folder, bool json) {
   }
   if (what == "study-file") {
     all[what] = study_file_json();
-    if (!json) print_text(plan::study_file_reference());
+    if (!json) print_markdown(plan::study_file_reference());
   }
   if (all.empty())
     throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(list_names(), ", ")));

@@ -30,7 +30,7 @@ struct ScoreOptions {
   bool json = false;
 };
 
-codes::Columns columns_of(const ScoreOptions& options) {
+codes::Columns columns_in(const ScoreOptions& options) {
   codes::Columns columns;
   if (!options.columns.empty()) columns.names = codes::parse_columns(options.columns, "--columns");
   columns.length = cases::positive({"length unit", options.length, "--length-unit"});
@@ -67,7 +67,7 @@ void keep(const records::Record& record, const std::string& db) {
 int score(const ScoreOptions& options) {
   const cases::Case c = codes::read_case(options.the_case);
   if (!options.db.empty()) require_keepable(c, options.the_case);
-  codes::Columns columns = columns_of(options);
+  codes::Columns columns = columns_in(options);
   const auto paths = [](const std::vector<std::string>& names) {
     return std::vector<std::filesystem::path>(names.begin(), names.end());
   };

@@ -127,7 +127,7 @@ std::string probed_key(const StudyResult& study) {
 std::string points_of(const Chart& chart, const std::string& svg, const StudyResult& study,
                       const std::vector<SeriesCommand>& commands) {
   const auto frame = frame_in(svg);
-  if (!frame || chart.to_scale) return "";
+  if (!frame || chart.of_particles) return "";
   Points points(chart, *frame, commands);
   if (chart.y.names) {
     add_probes(chart, points);

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 #include <sstream>
 
+#include "cli/lines.hpp"
 #include "studies/store/provenance.hpp"
 #include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
@@ -90,7 +92,6 @@ class Help : public testing::Test {
       if (!line.starts_with(' ')) run_examples(command + " " + line.substr(0, line.find(' ')));
   }
 
- private:
   /// Noise may decide what a cost says.
   void run_example(const std::string& example) {
     ASSERT_TRUE(example.starts_with("mpmvv ")) << example;
@@ -108,6 +109,19 @@ class Help : public testing::Test {
 
 TEST_F(Help, OfEveryCommandEndsWithExamplesThatRun) {
   run_examples("");
+}
+
+TEST_F(Help, OfEveryCommandFitsATerminalOf80Columns) {
+  const auto check = [&](const auto& self, const std::string& command) -> void {
+    const std::string text = on_terminal(folder_, 80, command + " --help");
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), 80U) << command << ": " << line;
+    const std::string joined = std::regex_replace(text, std::regex(" \\\\\n +"), " ");
+    EXPECT_EQ(section(joined, "Examples"), section(help(command), "Examples")) << command;
+    for (const std::string& line : section(text, "Subcommands"))
+      if (!line.starts_with(' ')) self(self, command + " " + line.substr(0, line.find(' ')));
+  };
+  check(check, "");
 }
 
 TEST_F(Help, ShowsValuesAndDefaults) {
