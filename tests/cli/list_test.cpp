@@ -60,7 +60,7 @@ TEST(ListCommand, DialectsAreThoseOfTheCommandThatWritesFormulas) {
 
 TEST(ListCommand, FitsATerminalOf80Columns) {
   const Folder folder;
-  for (const char* list : {"", "studies", "problems", "study-file"}) {
+  for (const char* list : {"", "studies", "problems", "dialects", "study-file"}) {
     std::istringstream lines(on_terminal(folder, 80, std::string("list ") + list));
     for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), 80U) << list << ": " << line;
   }
