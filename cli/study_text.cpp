@@ -44,7 +44,7 @@ void print_failures(const records::StudyResult& study) {
     for (const records::Point& point : series.points)
       if (point.status == records::Status::failed)
         table.add({series.name, fmt::format("{:.6g}", point.x), point.reason});
-  print_apart(table);
+  table.print_apart();
 }
 
 /// On what grounds: the floor, and what replicates say.
