@@ -218,10 +218,10 @@ function startAges() {
   }
 }
 
-/** Keeps numbers as 1e-12 in one line: a browser may break behind their hyphen. */
+/** Keeps numbers as 1e-12 in one line, as a browser may break behind their hyphen, and cells = 16. */
 function keepNumbersWhole() {
   const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-  const number = /(\d[\d.]*e[-+]\d+)/;
+  const number = /((?:\w+ = )?\d[\d.]*e[-+]\d+|\w+ = \d[\d.]*)/;
   const found = [];
   while (texts.nextNode())
     if (number.test(texts.currentNode.data) && !texts.currentNode.parentElement.closest("pre, .n, .results td:not([class])")) found.push(texts.currentNode);

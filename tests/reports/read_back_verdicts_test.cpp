@@ -104,6 +104,21 @@ TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
                                    testing::Not(testing::HasSubstr(asked.evidence))));
 }
 
+TEST(ReadBackPage, RowsOfACriterionSayOnceWhatTheyCompare) {
+  using enum records::PartVerdict;
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.claims = {{"X-one", "a sentence", "", "", "confirmed", "", {}, {}}};
+  input.claims[0].parts = {{"all-numbers", part(holds, 1, 3,
+                                                {{"l2 of 'a' at cells = 8", 1.5},
+                                                 {"l2 of 'a' at cells = 16", 1.6},
+                                                 {"l2 of 'b' at cells = 16", 1.7},
+                                                 {"l2 of 'b' at rest", 1.8}})}};
+  const std::string page = WrittenReport(input).page("claims/X-one.html");
+  for (const char* what : {"l2 of &apos;a&apos; at cells = 8", "at cells = 16", "l2 of &apos;b&apos; at cells = 16",
+                           "l2 of &apos;b&apos; at rest"})
+    EXPECT_THAT(page, testing::HasSubstr(std::string("<tr><td>") + what + "</td>"));
+}
+
 TEST(ReadBackPage, AClaimWithoutAFigureShowsItsCriteria) {
   using enum records::PartVerdict;
   ReportInput input = read_back::input_of(distinct::everything());
