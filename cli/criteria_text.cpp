@@ -44,7 +44,8 @@ void print_criteria(const std::string& head, const std::vector<LabelledPart>& pa
 
 void print_grounds(const std::vector<LabelledPart>& parts) {
   for (const auto& [label, part] : parts) {
-    print("\n  {} {}: {}\n", label, to_string(part.verdict), part.statement);
+    print("\n");
+    print_indented(fmt::format("{} {}: {}", label, to_string(part.verdict), part.statement), 2);
     for (std::size_t begin = 0; begin < part.evidence.size();) {
       const std::size_t end = std::min(part.evidence.find("; ", begin), part.evidence.size());
       print_indented(part.evidence.substr(begin, end - begin));
@@ -56,7 +57,8 @@ void print_grounds(const std::vector<LabelledPart>& parts) {
 void print_reasons(const std::vector<LabelledPart>& parts) {
   for (const auto& [label, part] : parts)
     if (!part.reason.empty()) {
-      print("\n  why it fails: {}\n", part.statement);
+      print("\n");
+      print_indented("why it fails: " + part.statement, 2);
       print_indented(part.reason);
     }
 }

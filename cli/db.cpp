@@ -5,6 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/lines.hpp"
 #include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "studies/store/store.hpp"
@@ -22,12 +23,20 @@ struct DbOptions {
   bool json = false;
 };
 
+/// Beside each other or, where the label is long, below.
+void print_labelled(const std::string& label, const std::string& text) {
+  constexpr std::size_t column = 24;
+  if (label.size() <= column) return print("{:<{}} {}\n", label, column, text);
+  print("{}\n", label);
+  print_indented(text);
+}
+
 int info(const DbOptions& options) {
   const auto lines = Store(options.db, Store::Mode::read).info();
   nlohmann::json json;
   for (const auto& [label, text] : lines) {
     json[label] = text;
-    if (!options.json) print("{:<24} {}\n", label, text);
+    if (!options.json) print_labelled(label, text);
   }
   if (options.json) print_json(json);
   return 0;

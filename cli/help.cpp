@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <sstream>
+
 #include "cli/console.hpp"
 #include "cli/lines.hpp"
 
@@ -23,6 +25,23 @@ std::string names_of(const std::set<CLI::Option*>& options) {
   std::vector<std::string> names;
   for (const CLI::Option* option : options) names.push_back(option->get_name());
   return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// A call in as many lines as it takes, broken before options, as a shell reads it.
+std::string continued(const std::string& call) {
+  const std::string end = " \\", indent(6, ' ');
+  if (columns_of(call) <= text_width()) return call;
+  std::string text, line;
+  for (std::size_t begin = 0; begin < call.size();) {
+    const std::size_t next = std::min(call.find(" -", begin + 1), call.size());
+    const std::string part = call.substr(begin, next - begin);
+    if (!line.empty() && columns_of(line + part + end) > text_width())
+      text += line + end + '\n', line = indent + part.substr(1);
+    else
+      line += part;
+    begin = next;
+  }
+  return text + line;
 }
 
 }  // namespace
@@ -50,6 +69,17 @@ std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
 
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
   return described(command->get_name(), command->get_description());
+}
+
+std::string HelpFormatter::make_description(const CLI::App* command) const {
+  return fmt::format("{}\n", fmt::join(wrapped(command->get_description(), text_width()), "\n"));
+}
+
+std::string HelpFormatter::make_footer(const CLI::App* command) const {
+  std::istringstream footer(command->get_footer());
+  std::string text;
+  for (std::string line; std::getline(footer, line);) text += '\n' + continued(line);
+  return text + '\n';
 }
 
 void add_examples(CLI::App& command, const std::vector<std::string>& calls) {

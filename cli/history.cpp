@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/lines.hpp"
 #include "cli/numbers.hpp"
 #include "cli/results.hpp"
 #include "cli/table.hpp"
@@ -58,9 +59,11 @@ void print_comparison(const goldens::Comparison& comparison, const Version& a, c
   table.print();
   for (const std::string& what : comparison.only_before) print("only in the first: {}\n", what);
   for (const std::string& what : comparison.only_after) print("only in the second: {}\n", what);
-  print("{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} costs shown as ratios\n",
-        comparison.changed(), comparison.changes.size(), goldens::relative_round_off, goldens::absolute_round_off,
-        comparison.costs.size());
+  print_indented(fmt::format("{} of {} results changed by more than round-off ({:g} relative, {:g} absolute); {} costs "
+                             "shown as ratios",
+                             comparison.changed(), comparison.changes.size(), goldens::relative_round_off,
+                             goldens::absolute_round_off, comparison.costs.size()),
+                 0);
 }
 
 nlohmann::json comparison_json(const goldens::Comparison& comparison, const Version& a, const Version& b, bool all) {

@@ -39,8 +39,8 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t columns) {
   return lines;
 }
 
-void print_indented(const std::string& text) {
-  const std::string indent(4, ' ');
+void print_indented(const std::string& text, std::size_t blanks) {
+  const std::string indent(blanks, ' ');
   for (const std::string& line : wrapped(text, text_width() - indent.size())) print("{}{}\n", indent, line);
 }
 

@@ -14,8 +14,8 @@ std::string padded(const std::string& text, std::size_t columns, Align align);
 /// The text in lines of at most so many columns, broken at blanks; a longer word has a line of its own.
 std::vector<std::string> wrapped(const std::string& text, std::size_t columns);
 
-/// Prints the text in lines of the terminal's width, each behind four blanks.
-void print_indented(const std::string& text);
+/// Prints the text in lines of the terminal's width, each behind so many blanks.
+void print_indented(const std::string& text, std::size_t blanks = 4);
 
 /// The text, with … in place of what goes beyond so many columns.
 std::string cut(const std::string& text, std::size_t columns);

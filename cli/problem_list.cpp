@@ -74,7 +74,7 @@ void print_problems() {
                {"L (m)", Kind::number},
                {"wave speed\n(m/s)", Kind::number},
                {"end time\n(s)", Kind::number},
-               {"default boundary (its cost in order)", Kind::prose}},
+               {"default boundary\n(its cost in order)", Kind::prose}},
               0);
   for (const Problem& p : problems::problems()) {
     const problems::Parameters defaults = problems::complete_parameters(p, {});

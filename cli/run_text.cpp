@@ -19,7 +19,8 @@ void print_errors(const Record& r) {
   const cases::Measure& asked = r.the_case.measure;
   Table table({{"error"}, {"l1", Kind::number}, {"l2", Kind::number}, {"linf", Kind::number}});
   const auto add = [&table](const char* what, double l1, double l2, double linf) {
-    table.add({what, error_text(l1), error_text(l2), error_text(linf)});
+    if (!std::isnan(l1) || !std::isnan(l2) || !std::isnan(linf))
+      table.add({what, error_text(l1), error_text(l2), error_text(linf)});
   };
   const records::Errors& e = r.error;
   add("displacement at the end (m)", e.l1, e.l2, e.linf);
@@ -28,28 +29,30 @@ void print_errors(const Record& r) {
   constexpr double none = records::not_measured;
   if (asked.velocity_error) add("velocity, mean of all steps (% of the problem's speed)", none, e.velocity, none);
   if (asked.stress_error) add("stress at the end (Pa)", none, e.stress, none);
-  print("\n");
-  table.print();
+  table.print_apart();
 }
 
 void print_balance(const Record& r) {
   Table table({{"measured"}, {"is", Kind::number}});
-  table.add({"kinetic energy at the end (J)", error_text(r.energy.kinetic)});
-  table.add({"strain energy at the end (J)", error_text(r.energy.strain)});
-  table.add({"energy at the start (J)", error_text(r.energy.initial_total)});
-  table.add({"change of mass", error_text(r.balance.mass)});
-  table.add({"change of momentum", error_text(r.balance.momentum)});
-  table.add({"change of angular momentum", error_text(r.balance.angular_momentum)});
-  if (!std::isnan(r.output_floor)) table.add({"error that the output's digits make (m)", error_text(r.output_floor)});
-  print("\n");
-  table.print();
+  const auto add = [&table](const char* what, double number) {
+    if (!std::isnan(number)) table.add({what, error_text(number)});
+  };
+  add("kinetic energy at the end (J)", r.energy.kinetic);
+  add("strain energy at the end (J)", r.energy.strain);
+  add("energy at the start (J)", r.energy.initial_total);
+  add("change of mass", r.balance.mass);
+  add("change of momentum", r.balance.momentum);
+  add("change of angular momentum", r.balance.angular_momentum);
+  add("error that the output's digits make (m)", r.output_floor);
+  table.print_apart();
 }
 
 /// How finely the problem was resolved, and what came of it.
 void print_outcome(const Record& r) {
   const cases::Resolution& resolution = r.the_case.resolution;
-  print("cells {}, ppc {}: {} particles; {} steps of {:.6g} s (cfl {:.4g}), end time {:.6g} s\n", resolution.cells,
-        resolution.ppc, r.particles, r.steps, resolution.dt, r.cfl, r.the_case.problem.end_time);
+  print("cells {}, ppc {}: {} particles\n", resolution.cells, resolution.ppc, r.particles);
+  print("{} steps of {:.6g} s (cfl {:.4g}), end time {:.6g} s\n", r.steps, resolution.dt, r.cfl,
+        r.the_case.problem.end_time);
   print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
   print_errors(r);
   print_balance(r);

@@ -20,19 +20,13 @@ using Kind = Table::Kind;
 
 namespace {
 
-void print_apart(const Table& table) {
-  if (table.empty()) return;
-  print("\n");
-  table.print();
-}
-
 void print_orders(const records::StudyResult& study) {
   Table table({{"order of"}, {"in"}, {"over"}, {"order", Kind::number}, {"95 %", Kind::number}, {"asymptotic"}});
   for (const Series& series : study.series)
     for (const fits::ObservedOrder& order : series.orders)
       table.add({series.name, order.norm, window_text(order.from, order.to), order_text(order.order),
                  half_width_text(fits::half_width(order)), order.asymptotic ? "yes" : "no"});
-  print_apart(table);
+  table.print_apart();
 }
 
 /// Points that an order does not take, and why.
@@ -41,6 +35,16 @@ void print_left_out(const records::StudyResult& study) {
     for (const fits::ObservedOrder& order : series.orders)
       if (const std::string values = claims::left_out(series, order.norm); !values.empty())
         print_indented(fmt::format("left out of the order of '{}' in {}: {}", series.name, order.norm, values));
+}
+
+/// Why runs failed.
+void print_failures(const records::StudyResult& study) {
+  Table table({{"failed"}, {study.sweep, Kind::number}, {"why", Kind::prose}});
+  for (const Series& series : study.series)
+    for (const records::Point& point : series.points)
+      if (point.status == records::Status::failed)
+        table.add({series.name, fmt::format("{:.6g}", point.x), point.reason});
+  table.print_apart();
 }
 
 /// On what grounds: the floor, and what replicates say.
@@ -74,11 +78,11 @@ void print_extrapolations(const records::StudyResult& study) {
     for (const fits::Extrapolation& e : series.extrapolations)
       table.add({series.name, e.norm, window_text(e.from, e.to), e.model, order_text(e.order), number_text(e.limit),
                  number_text(e.finest), half_width_text(e.uncertainty), number_text(e.convergence_index)});
-  print_apart(table);
+  table.print_apart();
 }
 
 std::string remark_on(const fits::StabilityLimit& limit) {
-  if (!limit.found) return "no limit in the range searched";
+  if (!limit.found) return text_without_limit(limit);
   return limit.monotone ? "" : "not monotone: a stable probe lies beyond an unstable one";
 }
 
@@ -93,13 +97,13 @@ void print_limits(const records::StudyResult& study) {
     if (const auto& limit = series.limit)
       table.add({series.name, limit->key, number_text(limit->stable), number_text(limit->unstable),
                  fmt::format("{}", limit->probes.size()), remark_on(*limit)});
-  print_apart(table);
+  table.print_apart();
 }
 
 void print_values(const records::StudyResult& study) {
   Table table({{"value"}, {"is", Kind::number}, {"meaning", Kind::prose}});
   for (const records::Value& value : study.values) table.add({value.name, number_text(value.value), value.meaning});
-  print_apart(table);
+  table.print_apart();
 }
 
 /// Under the id of the claim that each is a criterion of.
@@ -119,6 +123,7 @@ void print_criteria(const records::StudyResult& study, bool verbose) {
 void print_study(const records::StudyResult& study, bool verbose) {
   print("{}: {}\n", study.name, study.title);
   print_errors(study);
+  print_failures(study);
   print_orders(study);
   print_left_out(study);
   print_extrapolations(study);

@@ -107,4 +107,10 @@ void Table::print() const {
   print_text(text(width, has_colours()));
 }
 
+void Table::print_apart() const {
+  if (rows_.empty()) return;
+  print_text("\n");
+  print();
+}
+
 }  // namespace mpmvv::cli

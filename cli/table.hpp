@@ -22,11 +22,11 @@ class Table {
   explicit Table(std::vector<Column> columns, std::size_t indent = 2);
 
   void add(std::vector<std::string> cells);  ///< one for each column
-  bool empty() const { return rows_.empty(); }
 
   std::size_t width() const;  ///< in columns of the terminal, without what takes what is left
   std::string text(std::size_t width, bool coloured) const;
-  void print() const;  ///< as wide as the terminal is; nothing of a table without rows
+  void print() const;        ///< as wide as the terminal is; nothing of a table without rows
+  void print_apart() const;  ///< the same below an empty line
 
  private:
   using Cells = std::vector<std::string>;

@@ -169,11 +169,29 @@ void propose_value(Draft& draft, const records::Value& value) {
   }
 }
 
-void propose_series(Draft& draft, const std::string& sweep, const Series& series) {
-  for (const ObservedOrder& fit : series.orders) propose_order(draft, sweep, series, fit);
+/// The errors that figures draw of a series.
+std::set<std::string> drawn_norms(const records::StudyResult& study, const Series& series) {
   std::set<std::string> norms;
-  for (const ObservedOrder& fit : series.orders)
-    if (norms.insert(fit.norm).second) propose_error(draft, sweep, series, fit.norm);
+  for (const records::Figure& figure : study.figures) {
+    const auto has_it = [&](const Point& point) { return point.y.contains(figure.quantity); };
+    const bool draws_series =
+        figure.series.empty() || std::ranges::find(figure.series, series.name) != figure.series.end();
+    if (figure.kind == "curves" && draws_series && std::ranges::any_of(series.points, has_it))
+      norms.insert(figure.quantity);
+  }
+  return norms;
+}
+
+/// Its orders and the finest errors beside them, and its limit; where a study of runs asks for neither, the finest
+/// errors that it draws.
+void propose_series(Draft& draft, const records::StudyResult& study, const Series& series) {
+  std::set<std::string> norms;
+  for (const ObservedOrder& fit : series.orders) {
+    propose_order(draft, study.sweep, series, fit);
+    norms.insert(fit.norm);
+  }
+  if (study.kind != "check" && series.orders.empty() && !series.limit) norms = drawn_norms(study, series);
+  for (const std::string& norm : norms) propose_error(draft, study.sweep, series, norm);
   if (series.limit) propose_limit(draft, series, *series.limit);
 }
 
@@ -211,10 +229,13 @@ std::string propose_goldens(const records::StudyResult& study, const store::Prov
   draft.remark("To review: hold each number against its claim, delete what proves nothing, give a wider band its why,");
   draft.remark("then add reviewed = \"DATE: who and on what grounds\".");
   draft.line(fmt::format("study = {}\n", quoted(study.name)));
-  for (const Series& series : study.series) propose_series(draft, study.sweep, series);
+  for (const Series& series : study.series) propose_series(draft, study, series);
   for (const records::Value& value : study.values) propose_value(draft, value);
   if (!draft.has_tables()) {
-    throw UsageError(fmt::format("nothing to propose for study '{}' (orders, limits or check values)", study.name));
+    throw UsageError(
+        fmt::format("nothing to propose for study '{}' (a [[fit]], a [limit], a check, or a [[figure]] of "
+                    "an error that some run has)",
+                    study.name));
   }
   return draft.text();
 }

@@ -87,6 +87,7 @@ struct Chart {
   std::size_t right_margin = 2;      ///< in characters
   double letter = report_letter;     ///< height of a letter as a fraction of the y axis
   bool to_scale = false;             ///< one unit is as long along x as along y
+  bool of_particles = false;         ///< places of particles, in panels side by side
   Axis x, y;
   std::optional<Axis> shades;  ///< the scale of the dots' colours, drawn beside the axes
   std::vector<Curve> curves;

@@ -36,6 +36,7 @@ Page claim_page(const ReportInput& input, const claims::Claim& claim, const std:
                              {"has_where", !claim.where.empty()},
                              {"verdict", claim.verdict},
                              {"deciding", deciding_text(claim)},
+                             {"has_deciding", !deciding_text(claim).empty()},
                              {"count", count_text(claim)},
                              {"has_parts", !claim.parts.empty()},
                              {"parts", criteria_data(claim.parts)},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "reports/criterion_bar.hpp"
 #include "reports/text.hpp"
@@ -50,8 +51,15 @@ std::string undecided_text(const ClaimPart& part) {
   return is_across ? "An interval reaches across a bound: other points might lie on its other side." : part.evidence;
 }
 
-data found_data(const ClaimPart& part, const Found& found) {
-  return object({{"what", found.what},
+/// What was compared without what the row above says as well: "at cfl = 0.2" below "l2 of 'a' at cfl = 0.1".
+std::string beyond(const std::string& above, const std::string& what) {
+  const auto at = what.rfind(" at ");
+  const bool has_place = at != std::string::npos && what.find(" = ", at) != std::string::npos;
+  return has_place && above.starts_with(what.substr(0, at + 4)) ? what.substr(at + 1) : what;
+}
+
+data found_data(const ClaimPart& part, const Found& found, const std::string& above) {
+  return object({{"what", beyond(above, found.what)},
                  {"asked", asked_text(part)},
                  {"value", found_text(found.value) + half_width_text(part, found)},
                  {"bar", criterion_bar(part, found.value)}});
@@ -59,7 +67,8 @@ data found_data(const ClaimPart& part, const Found& found) {
 
 data part_data(const claims::JudgedPart& line) {
   const ClaimPart& part = line.part;
-  const auto found = [&](const Found& f) { return found_data(part, f); };
+  std::string above;
+  const auto found = [&](const Found& f) { return found_data(part, f, std::exchange(above, f.what)); };
   return object({{"study", line.study},
                  {"statement", part.statement},
                  {"verdict", to_string(part.verdict)},

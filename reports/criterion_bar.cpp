@@ -60,12 +60,9 @@ std::string criterion_bar(const records::ClaimPart& part, double found) {
   const double left = at_least ? scale.pixel(*at_least) : 0, right = at_most ? scale.pixel(*at_most) : bar_width;
   const double at = std::isfinite(found) ? scale.pixel(found) : found > 0 ? bar_width - edge / 2 : edge / 2;
   const bool holds = (!at_least || found >= *at_least) && (!at_most || found <= *at_most);
-  return fmt::format(
-      R"(<svg class="bar" viewBox="0 0 {0:g} {1:g}" aria-hidden="true"><path class="axis" d="M0 {2:g}H{0:g}"/>)"
-      R"(<rect class="band" x="{3:.1f}" y="2" width="{4:.1f}" height="{5:g}"/>)"
-      R"(<circle class="{6}" cx="{7:.1f}" cy="{2:g}" r="4"/></svg>)",
-      bar_width, bar_height, bar_height / 2, left, std::max(1.0, right - left), bar_height - 4,
-      holds ? "within" : "beyond", at);
+  return fmt::format(R"(<svg class="bar" aria-hidden="true"><path d="M0 {0:g}H{1:g}"/>)"
+                     R"(<path class="band" d="M{2:.3g} {0:g}h{3:.3g}"/><path class="{4}" d="M{5:.3g} {0:g}h0"/></svg>)",
+                     bar_height / 2, bar_width, left, std::max(1.0, right - left), holds ? "within" : "beyond", at);
 }
 
 }  // namespace mpmvv::reports

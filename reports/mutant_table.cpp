@@ -84,14 +84,25 @@ Table planted_table(const std::vector<MutantResult>& mistakes) {
       "that an order, an error, a limit or a report can show", "that change efficiency or robustness only");
 }
 
+/// A published summary does not name its mutations.
+Table without_empty_first_column(Table table) {
+  for (const Table::Group& group : table.groups)
+    for (const auto& row : group.rows)
+      if (!row.front().empty()) return table;
+  table.columns.erase(table.columns.begin());
+  for (Table::Group& group : table.groups)
+    for (auto& row : group.rows) row.erase(row.begin());
+  return table;
+}
+
 Table survivor_table(const std::vector<MutantResult>& survivors) {
-  return grouped(
+  return without_empty_first_column(grouped(
       {"Random mutations that nothing catches", {"mutation", "where", "line", "with the mutation", "reason"}, {}},
       survivors,
       [](const MutantResult& m) -> std::vector<std::string> {
         return {name_text(m), place(m), m.before, m.after, m.reason};
       },
-      "not explained", "explained");
+      "not explained", "explained"));
 }
 
 Table alarm_table(const std::vector<AlarmRun>& runs) {

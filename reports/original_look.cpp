@@ -17,6 +17,12 @@ void scale_y(Chart& chart, double factor, const std::string& label) {
   chart.y = make_axis({label, chart.y.log, chart.y.from * factor, chart.y.to * factor}, {});
 }
 
+void draw_to_scale(Chart& chart) {
+  constexpr double axes_width = 650, room_for_labels = 80;
+  chart.to_scale = true;
+  chart.height = axes_width * (chart.y.to - chart.y.from) / (chart.x.to - chart.x.from) + room_for_labels;
+}
+
 /// Curves that no group names follow the groups, each as one of its own.
 void group(Chart& chart, const std::vector<std::vector<std::string>>& groups) {
   std::vector<Style> styles;
@@ -39,7 +45,9 @@ void give_original_look(Chart& chart, const records::Figure& figure) {
   for (const Paper& paper : papers())
     for (const PaperFigure& original : paper.figures) {
       if (std::ranges::find(original.panels, figure.name) == original.panels.end()) continue;
-      if (!original.percent.empty() && figure.quantity == "energy_loss") scale_y(chart, 100, original.percent);
+      if (const auto& axis = original.upwards; axis && figure.quantity == axis->quantity)
+        scale_y(chart, axis->factor, axis->label);
+      if (original.to_scale && !chart.x.log && !chart.y.log) draw_to_scale(chart);
       if (!original.groups.empty()) group(chart, original.groups);
     }
 }

@@ -3,8 +3,8 @@
 
 namespace mpmvv::reports {
 
-/// Makes the chart of a figure that shows one of a paper look like the original (papers.toml): fractions of energy in
-/// percent, groups of series in one colour.
+/// Makes the chart of a figure that shows one of a paper look like the original (papers.toml): its units, lengths to
+/// scale, groups of series in one colour.
 void give_original_look(Chart& chart, const records::Figure& figure);
 
 }  // namespace mpmvv::reports

@@ -36,6 +36,9 @@ Page study_page(const ReportInput& input, const Section& section);
 /// where there are any.
 std::vector<Page> program_pages(const ReportInput& input);
 
+/// What the report's script says of the points of a section's figures, which several pages show: points/FIGURE.js.
+std::vector<Page> points_pages(const Section& section);
+
 /// The style and the script of all pages.
 std::vector<Page> page_aids();
 

@@ -33,6 +33,15 @@ std::string study_file(const ReportInput& input, const std::string& study) {
   return found == input.files.end() ? study + ".toml" : found->second;
 }
 
+std::vector<Page> points_pages(const Section& section) {
+  std::vector<Page> pages;
+  for (const Picture& picture : section.pictures)
+    if (!picture.points.empty())
+      pages.push_back({fmt::format("points/{}.js", picture.name),
+                       fmt::format("tellPoints(\"figure-{}\", {});\n", anchor(picture.name), picture.points)});
+  return pages;
+}
+
 std::vector<Page> page_aids() {
   return {{"style.css", std::string(pages_style)}, {"report.js", std::string(pages_script)}};
 }

@@ -63,7 +63,7 @@ Chart panel_chart(const records::Figure& figure, const std::vector<Panel>& panel
   Chart chart;
   chart.name = figure.name;
   chart.caption = figure.caption;
-  chart.to_scale = true;
+  chart.to_scale = chart.of_particles = true;
   Bounds bounds;
   std::size_t most = 0;
   for (const Panel& panel : panels) {

@@ -11,9 +11,13 @@ namespace mpmvv::reports {
 namespace {
 
 PaperFigure figure_from(const support::TomlTable& table) {
-  table.allow_only({"number", "panels", "differs", "without", "wide", "percent", "group"});
+  table.allow_only({"number", "panels", "differs", "without", "wide", "to_scale", "upwards", "group"});
   PaperFigure figure{table.text("number"),      table.texts("panels"),     table.text("differs", ""),
-                     table.text("without", ""), table.flag("wide", false), table.text("percent", "")};
+                     table.text("without", ""), table.flag("wide", false), table.flag("to_scale", false)};
+  if (const auto axis = table.table("upwards")) {
+    axis->allow_only({"quantity", "label", "factor"});
+    figure.upwards = {axis->text("quantity"), axis->text("label"), axis->number("factor")};
+  }
   for (const auto& group : table.tables("group")) {
     group.allow_only({"series"});
     figure.groups.push_back(group.texts("series"));

@@ -1,17 +1,25 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace mpmvv::reports {
 
+/// The axis of a quantity that a paper has in another unit than the studies.
+struct OriginalAxis {
+  std::string quantity, label;
+  double factor = 1;  ///< of the studies' numbers
+};
+
 /// A figure of a paper, and which figures of studies show the same.
 struct PaperFigure {
   std::string number;
   std::vector<std::string> panels;
-  std::string differs;  ///< from the original; may be empty
-  std::string without;  ///< why there are no panels
-  bool wide = false;    ///< takes the width of two columns
-  std::string percent;  ///< label of the axis, where the original has fractions in percent; may be empty
+  std::string differs;    ///< from the original; may be empty
+  std::string without;    ///< why there are no panels
+  bool wide = false;      ///< takes the width of two columns
+  bool to_scale = false;  ///< one unit is as long along x as along y
+  std::optional<OriginalAxis> upwards = {};
   std::vector<std::vector<std::string>> groups = {};  ///< series that share colour and marker in the original
 };
 

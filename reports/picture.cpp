@@ -61,7 +61,7 @@ std::string svg_of(const Chart& chart, const std::filesystem::path& folder) {
 
 std::string description_of(const Chart& chart) {
   std::string text = fmt::format("{} against {}.", axis_words(chart.y), axis_words(chart.x));
-  if (chart.to_scale) {
+  if (chart.of_particles) {
     text = "Particles, to scale:";
     for (const auto& curve : chart.curves)
       text += fmt::format(" {} of {}{};", curve.dots.size(), curve.name, shades_words(curve));

@@ -32,8 +32,7 @@ std::vector<Picture> pictures_of(const std::vector<Chart>& charts, const std::fi
 std::string description_of(const Chart& chart);
 
 /// Every point of a chart of this study, by series: where it stands in the picture, in pixels, its swept value, what
-/// was measured, and the command that repeats it. JSON that can stand in a page; empty where the chart has no such
-/// points.
+/// was measured, and the command that repeats it. JSON; empty where the chart has no such points.
 std::string points_of(const Chart& chart, const std::string& svg, const records::StudyResult& study,
                       const std::vector<SeriesCommand>& commands);
 

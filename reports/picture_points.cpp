@@ -64,16 +64,14 @@ class Points {
     if (dot.mark == Mark::absent || !chart_.x.holds(dot.x) || !chart_.y.holds(dot.drawn)) return;
     const double x = frame_.left + chart_.x.fraction(dot.x) * (frame_.right - frame_.left);
     const double y = frame_.bottom - chart_.y.fraction(dot.drawn) * (frame_.bottom - frame_.top);
-    of(series)["points"].push_back({std::round(x * 10) / 10, std::round(y * 10) / 10, swept, value});
+    of(series)["points"].push_back({std::lround(x), std::lround(y), swept, value});
     ++count_;
   }
 
-  /// With < and > as codes, so that no text of it ends the element that holds it.
   std::string text(const std::string& key, const std::string& quantity) const {
     if (series_.empty() || count_ > most_points) return "";
     const json all{{"key", key}, {"quantity", quantity}, {"series", series_}};
-    const std::string text = all.dump(-1, ' ', false, json::error_handler_t::replace);
-    return replace_all(replace_all(text, "<", "\\u003c"), ">", "\\u003e");
+    return all.dump(-1, ' ', false, json::error_handler_t::replace);
   }
 
  private:
@@ -82,7 +80,9 @@ class Points {
       if (known["name"] == series) return known;
     series_.push_back({{"name", series}, {"points", json::array()}});
     const auto command = std::ranges::find(commands_, series, &SeriesCommand::series);
-    if (command != commands_.end()) series_.back()["command"] = command->text, series_.back()["note"] = command->note;
+    if (command == commands_.end()) return series_.back();
+    series_.back()["command"] = command->text;
+    if (!command->note.empty()) series_.back()["note"] = command->note;
     return series_.back();
   }
 
@@ -127,7 +127,7 @@ std::string probed_key(const StudyResult& study) {
 std::string points_of(const Chart& chart, const std::string& svg, const StudyResult& study,
                       const std::vector<SeriesCommand>& commands) {
   const auto frame = frame_in(svg);
-  if (!frame || chart.to_scale) return "";
+  if (!frame || chart.of_particles) return "";
   Points points(chart, *frame, commands);
   if (chart.y.names) {
     add_probes(chart, points);

@@ -1,3 +1,5 @@
+#include <set>
+
 #include "page_template.hpp"
 #include "reports/code_table.hpp"
 #include "reports/mutant_table.hpp"
@@ -8,6 +10,16 @@ namespace mpmvv::reports {
 
 using namespace template_data;
 
+namespace {
+
+std::vector<std::string> studies_of_codes(const ReportInput& input) {
+  std::set<std::string> studies;
+  for (const store::CodeSeries& series : input.codes) studies.insert(series.study);
+  return {studies.begin(), studies.end()};
+}
+
+}  // namespace
+
 std::vector<Page> program_pages(const ReportInput& input) {
   std::vector<Page> pages;
   if (input.benchmark)
@@ -15,7 +27,8 @@ std::vector<Page> program_pages(const ReportInput& input) {
                                 object({{"tables", list_of(benchmark_tables(*input.benchmark), table_data)}})));
   if (!input.codes.empty())
     pages.push_back(framed_page("codes.html", "Other codes", codes_template, input,
-                                object({{"tables", list_of(std::vector{code_table(input)}, table_data)}})));
+                                object({{"tables", list_of(std::vector{code_table(input)}, table_data)},
+                                        {"studies", text_list(studies_of_codes(input))}})));
   if (input.mutation)
     pages.push_back(framed_page("mutants.html", "Planted mistakes", mutants_template, input,
                                 object({{"tables", list_of(mutant_tables(*input.mutation, input.alarms), table_data)},

@@ -51,7 +51,10 @@ void write_page(const Page& page, const fs::path& folder) {
 
 void write_pages(const ReportInput& input, const std::vector<Section>& sections, const fs::path& folder) {
   for (const Page& aid : page_aids()) write_page(aid, folder);
-  for (const Section& section : sections) write_page(study_page(input, section), folder);
+  for (const Section& section : sections) {
+    write_page(study_page(input, section), folder);
+    for (const Page& points : points_pages(section)) write_page(points, folder);
+  }
   for (const claims::Claim& claim : input.claims) write_page(claim_page(input, claim, sections), folder);
   for (const Page& page : program_pages(input)) write_page(page, folder);
   write_page(gate_page(input), folder);

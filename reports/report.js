@@ -91,9 +91,15 @@ async function copy(text, button) {
   setTimeout(() => (button.textContent = "Copy"), 1500);
 }
 
+/** Keeps the words of a command whole: a browser may break a line behind the first hyphen of --db. */
+function keepWordsWhole(code) {
+  code.replaceChildren(...code.textContent.split(/( +)/).map((word, place) => (place % 2 ? word : part("span", word, "word"))));
+}
+
 function startCopies() {
   for (const place of all(".command")) {
     const code = place.querySelector("code");
+    if (place.matches("p")) keepWordsWhole(code);
     const button = document.createElement("button");
     button.type = "button";
     button.textContent = "Copy";
@@ -103,8 +109,7 @@ function startCopies() {
 }
 
 /** The points of a figure: where in the picture's own pixels, and what to say of them. */
-function pointsOf(plot) {
-  const data = JSON.parse(plot.querySelector(".points").textContent);
+function pointsOf(data) {
   return data.series.flatMap(series =>
     series.points.map(([x, y, swept, value]) => ({
       x, y,
@@ -119,10 +124,10 @@ const shorter = number => (number.length > 9 ? String(Number(Number(number).toPr
 
 /** Tells the points of one figure, by pointer, touch or arrow keys. */
 class Plot {
-  constructor(element) {
+  constructor(element, points) {
     this.element = element;
     this.picture = element.querySelector("img");
-    this.points = pointsOf(element);
+    this.points = points;
     this.ring = document.createElement("span");
     this.ring.className = "ring";
     this.at = -1;
@@ -171,6 +176,11 @@ class Plot {
   }
 }
 
+/** Called by points/NAME.js, which follows the figure that it tells of. */
+function tellPoints(figure, data) {
+  new Plot(document.getElementById(figure).querySelector(".plot"), pointsOf(data));
+}
+
 function part(tag, text, name = "") {
   const element = document.createElement(tag);
   element.textContent = text;
@@ -208,13 +218,13 @@ function startAges() {
   }
 }
 
-/** Keeps numbers as 1e-12 in one line: a browser may break behind their hyphen. */
+/** Keeps numbers as 1e-12 in one line, as a browser may break behind their hyphen, and cells = 16. */
 function keepNumbersWhole() {
   const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-  const number = /(\d[\d.]*e[-+]\d+)/;
+  const number = /((?:\w+ = )?\d[\d.]*e[-+]\d+|\w+ = \d[\d.]*)/;
   const found = [];
   while (texts.nextNode())
-    if (number.test(texts.currentNode.data) && !texts.currentNode.parentElement.closest("script, pre, .n")) found.push(texts.currentNode);
+    if (number.test(texts.currentNode.data) && !texts.currentNode.parentElement.closest("pre, .n, .results td:not([class])")) found.push(texts.currentNode);
   for (const text of found)
     text.replaceWith(...text.data.split(number).map((words, place) => (place % 2 ? part("span", words, "whole") : words)));
 }
@@ -224,4 +234,3 @@ startForms();
 startTables();
 startCopies();
 startAges();
-for (const plot of all(".plot:has(.points)")) new Plot(plot);

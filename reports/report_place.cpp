@@ -52,7 +52,8 @@ std::vector<fs::path> files_in_order(const fs::path& folder) {
 }
 
 bool is_reports_own(const fs::path& file) {
-  static constexpr std::array<std::string_view, 7> endings{".csv", ".dat", ".gp", ".html", ".pdf", ".svg", ".tex"};
+  static constexpr std::array<std::string_view, 8> endings{".csv", ".dat", ".gp",  ".html",
+                                                           ".js",  ".pdf", ".svg", ".tex"};
   return std::ranges::find(endings, file.extension().string()) != endings.end();
 }
 
@@ -65,8 +66,7 @@ void carry_over(const fs::path& from, const fs::path& to) {
 }
 
 bool is_same_folder(int descriptor, const fs::path& folder) {
-  struct stat opened {
-  }, named{};
+  struct stat opened{}, named{};
   return fstat(descriptor, &opened) == 0 && stat(folder.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
          opened.st_ino == named.st_ino;
 }
@@ -117,10 +117,10 @@ void ReportPlace::take_lock(const std::function<void(const std::string&)>& progr
 void ReportPlace::begin_draft() const {
   remove_tree(draft_);
   make_folder(draft_);
-  for (const char* page :
-       {"index.html", "gate.html", "trend.html", "benchmark.html", "mutants.html", "style.css", "report.js"})
+  for (const char* page : {"index.html", "gate.html", "trend.html", "benchmark.html", "codes.html", "mutants.html",
+                           "style.css", "report.js"})
     if (fs::is_regular_file(folder_ / page)) carry_over(folder_ / page, draft_ / page);
-  for (const char* part : {"claims", "figures", "studies", "tables", "trends"}) {
+  for (const char* part : {"claims", "figures", "points", "studies", "tables", "trends"}) {
     if (!fs::is_directory(folder_ / part)) continue;
     for (const auto& file : files_in_order(folder_ / part))
       if (is_reports_own(file)) carry_over(folder_ / part / file, draft_ / part / file);

@@ -47,7 +47,10 @@ data command_list(const ReportInput& input, const StudyResult& study) {
     const std::string value = is_swept      ? fmt::format("{}", series->points.back().x)
                               : is_searched ? fmt::format("{}", series->limit->stable)
                                             : "";
-    return object({{"series", c.series}, {"text", replace_all(c.text, "{}", value)}, {"note", c.note}});
+    return object({{"series", c.series},
+                   {"text", replace_all(c.text, "{}", value)},
+                   {"note", c.note},
+                   {"has_note", !c.note.empty()}});
   });
 }
 

@@ -26,6 +26,11 @@ ColumnKind kind_of_column(const Table& table, std::size_t column) {
   return kind;
 }
 
+/// As style.css names them: a number, a word that stays in its line, a text.
+std::string css_class(const ColumnKind& kind) {
+  return kind.number ? "n" : kind.word ? "w" : "t";
+}
+
 }  // namespace
 
 data table_data(const Table& table) {
@@ -34,7 +39,7 @@ data table_data(const Table& table) {
   const auto cells = [&](const std::vector<std::string>& texts) {
     data list{data::type::list};
     for (std::size_t c = 0; c < texts.size(); ++c)
-      list << object({{"text", texts[c]}, {"number", kinds[c].number}, {"word", kinds[c].word && !kinds[c].number}});
+      list << object({{"text", texts[c]}, {"number", kinds[c].number}, {"kind", css_class(kinds[c])}});
     return list;
   };
   const auto row = [&](const std::vector<std::string>& texts) { return object({{"cells", cells(texts)}}); };

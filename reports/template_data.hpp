@@ -59,7 +59,6 @@ inline data picture_data(const Picture& p) {
                  {"description", p.description},
                  {"width", fmt::format("{}", p.width)},
                  {"height", fmt::format("{}", p.height)},
-                 {"points", p.points},
                  {"has_points", !p.points.empty()}});
 }
 

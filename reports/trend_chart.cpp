@@ -54,6 +54,29 @@ bool has_course(const Trend& trend) {
   return std::ranges::count_if(trend.numbers, [](double number) { return std::isfinite(number); }) >= 2;
 }
 
+/// What a name says around the series between their first and last quote: "error of '" and "' in l2".
+struct Around {
+  std::string before, after;
+  bool operator==(const Around&) const = default;
+};
+
+std::optional<Around> around_series(const std::string& name) {
+  const auto first = name.find('\''), last = name.rfind('\'');
+  if (first == last) return std::nullopt;
+  return Around{name.substr(0, first), name.substr(last + 1)};
+}
+
+/// Where all curves say the same of series that differ, their keys are the series, and the caption says the rest.
+void shorten_keys(Chart& chart, const std::string& study) {
+  const auto around = around_series(chart.curves.front().name);
+  const auto says_the_same = [&](const Curve& curve) { return around_series(curve.name) == around; };
+  if (!around || !std::ranges::all_of(chart.curves, says_the_same)) return;
+  for (Curve& curve : chart.curves)
+    curve.key = curve.name.substr(around->before.size() + 1,
+                                  curve.name.size() - around->before.size() - around->after.size() - 2);
+  chart.caption = fmt::format("Study {}: {}each series{} in each version.", study, around->before, around->after);
+}
+
 std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind, const std::vector<Trend>& trends,
                                  const std::vector<store::Version>& versions) {
   Chart chart;
@@ -67,6 +90,7 @@ std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind
     numbers.insert(numbers.end(), trend.numbers.begin(), trend.numbers.end());
   }
   if (chart.curves.empty()) return std::nullopt;
+  shorten_keys(chart, study);
   chart.x = version_axis(versions);
   chart.y = make_axis({kind.label, kind.log, {}, {}, 0.1, 0.1}, numbers);
   return chart;

@@ -72,7 +72,7 @@ double largest_radius(const solver::AnyBasis& basis, double depth, WallMethod me
 }
 
 struct BarBetweenWalls {
-  const char* name;
+  const char *name, *title;
   solver::AnyBasis basis;
   double depth;
 };
@@ -86,8 +86,9 @@ struct BarBetweenWalls {
 /// the combined method's lie in [0, 1] for every k. Its are 2Q - Q² for k = 2, and have no such bound beyond.
 CheckResult check_wall_spectra() {
   CheckResult result;
-  const std::vector<BarBetweenWalls> settings{
-      {"cpdi_d1", solver::Cpdi{}, 1}, {"cpdi_d2.5", solver::Cpdi{}, 2.5}, {"b2cpdi_d1.5", solver::B2Cpdi{}, 1.5}};
+  const std::vector<BarBetweenWalls> settings{{"cpdi_d1", "CPDI, d = 1", solver::Cpdi{}, 1},
+                                              {"cpdi_d2.5", "CPDI, d = 2.5", solver::Cpdi{}, 2.5},
+                                              {"b2cpdi_d1.5", "B2CPDI, d = 1.5", solver::B2Cpdi{}, 1.5}};
   const std::vector<std::pair<const char*, WallMethod>> methods{{"velocity", WallMethod::velocity},
                                                                 {"lumped", WallMethod::lumped},
                                                                 {"combined", WallMethod::combined},
@@ -97,8 +98,8 @@ CheckResult check_wall_spectra() {
     for (const auto& [name, method] : methods) {
       std::vector<double> radii;
       for (const double k : orders) radii.push_back(largest_radius(at.basis, at.depth, method, static_cast<int>(k)));
+      result.add_curve(std::string(name) + ", " + at.title, orders, radii);
       const std::string label = std::string(name) + "_" + at.name;
-      result.add_curve(label, orders, radii);
       result.add("largest_" + label, *std::max_element(radii.begin(), radii.end()), "largest radius, k to 16");
       if (method != WallMethod::combined) continue;
       result.add("two_" + label, std::max(radii[0], radii[1]), "largest radius, k = 1 and 2");

@@ -119,8 +119,8 @@ void require_no_idle_settings(const StudyPlan& plan, const SeriesPlan& series) {
   if (!plan.sweep.empty() && plan.searches(series) && plan.sweep != plan.limit->search.key &&
       varies_with(series, plan.sweep) && !series.setting(plan.sweep))
     throw UsageError(
-        fmt::format("the limit in {} has no {} for series '{}', as the sweep's are its own (one `{}` in "
-                    "[fixed] or in the series)",
+        fmt::format("the limit in {} has no {} for series '{}' (one `{}` in [fixed] or in the series; those of "
+                    "[sweep] are for its errors)",
                     plan.limit->where, plan.sweep, series.name, plan.sweep));
 }
 

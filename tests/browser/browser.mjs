@@ -21,7 +21,7 @@ export const pages = () => files().filter(file => file.endsWith(".html"));
 
 /** The first page of each kind, those of claims and studies that have figures. */
 export function kinds(all = pages()) {
-  return ["index.html", "gate.html", "trend.html", "benchmark.html", "mutants.html", /^studies\//, /^claims\//]
+  return ["index.html", "gate.html", "trend.html", "benchmark.html", "codes.html", "mutants.html", /^studies\//, /^claims\//]
     .map(kind => all.find(page => (typeof kind === "string" ? page === kind : kind.test(page))))
     .filter(Boolean);
 }

@@ -46,6 +46,25 @@ for (const width of widths)
         }));
   });
 
+test("on a phone, what was compared has the width of the page, and what was found stands below it", () =>
+  inWindow(browser, { viewport: { width: 390, height: 900 } }, async page => {
+    await page.goto(address(pages().find(file => file.startsWith("claims/"))));
+    const [what, found, bar] = await page.evaluate(() => {
+      const row = [...document.querySelectorAll(".criteria tr")].find(r => r.querySelector(".bar"));
+      return [row.cells[0], row.cells[2], row.querySelector(".bar")].map(e => e.getBoundingClientRect().toJSON());
+    });
+    assert.ok(what.width > 320 && found.top >= what.bottom, JSON.stringify([what, found]));
+    assert.ok(bar.width > 90 && bar.right <= what.right, JSON.stringify([what, bar]));
+  }));
+
+test("no word of a command is broken at its hyphens", () =>
+  inWindow(browser, { viewport: { width: 390, height: 900 } }, async page => {
+    await page.goto(address(pages().find(file => file.startsWith("studies/"))));
+    await page.evaluate(() => document.querySelectorAll("details").forEach(details => (details.open = true)));
+    const heights = await page.locator("p.command .word").evaluateAll(words => words.map(w => w.getBoundingClientRect().height));
+    assert.ok(heights.length > 3 && Math.max(...heights) < 1.5 * Math.min(...heights), `${heights}`);
+  }));
+
 test("every page in the dark is dark, and so are its figures", async t => {
   for (const file of kinds())
     await t.test(file, () =>

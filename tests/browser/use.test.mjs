@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { address, inWindow, launch, pages, report } from "./browser.mjs";
+import { address, files, inWindow, launch, pages, report } from "./browser.mjs";
 
 let browser;
 before(async () => (browser = await launch()));
@@ -71,8 +71,13 @@ test("studies are sorted by a column, both ways", () =>
     assert.deepEqual(await points(), [...up].reverse().sort((a, b) => b - a));
   }));
 
-test("the gate folds what passes, and searches", () =>
+test("the gate folds what passes, and searches; without goldens it says how to make some", () =>
   at("gate.html", async page => {
+    if ((await page.locator(".goldens").count()) === 0) {
+      assert.match(await page.locator("main").innerText(), /No goldens were judged.*mpmvv propose/s);
+      assert.equal(await page.locator("form").count(), 0);
+      return;
+    }
     assert.equal(await page.locator(".goldens[data-verdict=pass][open]").count(), 0);
     assert.equal(await page.locator(".goldens:not([data-verdict=pass]):not([open])").count(), 0);
     const study = (await page.locator(".goldens strong").last().innerText()).trim();
@@ -83,10 +88,12 @@ test("the gate folds what passes, and searches", () =>
   }));
 
 test("a point tells its case, its value and the command that repeats it", async () => {
-  await at(pageWith("studies/", '"command":"mpmvv run'), async page => {
-    const plot = page.locator(".plot:has(.points)").first();
+  const text = file => readFileSync(join(report, file), "utf8");
+  const points = files().find(file => file.startsWith("points/") && text(file).includes('"command":"mpmvv run'));
+  const data = JSON.parse(text(points).match(/, (\{.*\})\);/)[1]);
+  await at(pageWith("studies/", points), async page => {
+    const plot = page.locator(`figure:has(script[src$="${points}"]) .plot`);
     await plot.scrollIntoViewIfNeeded();
-    const data = JSON.parse(await plot.locator(".points").textContent());
     const [series] = data.series, [x, y, swept, value] = series.points[0];
     const box = await plot.locator("img").boundingBox();
     const scale = box.width / Number(await plot.locator("img").getAttribute("width"));

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "cli/lines.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
@@ -65,6 +66,15 @@ TEST_F(Claims, HaveAPageEach) {
   const Answer both = claims("linear second");
   EXPECT_LT(both.out.find("linear: refuted"), both.out.find("second: confirmed"));
   EXPECT_THAT(both.out, HasSubstr("    Someone 2020, Fig. 1\n"));
+}
+
+TEST_F(Claims, AndGroundsFitATerminalOf80Columns) {
+  const std::string study = "study small.toml --verbose --db " + db_,
+                    page = "claims linear second --verbose --db " + db_;
+  for (const std::string& arguments : {study, page, "db info --db " + db_}) {
+    std::istringstream lines(on_terminal(folder_, 80, arguments));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), 80U) << arguments << ": " << line;
+  }
 }
 
 TEST_F(Claims, AreFoundByTheirIdsAlone) {

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 #include <sstream>
 
+#include "cli/lines.hpp"
 #include "studies/store/provenance.hpp"
 #include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
@@ -58,6 +60,8 @@ class Help : public testing::Test {
   void write_output() {
     const std::string the_case = " --problem square-rest --cells 16 --ppc 2 --cfl 0.2";
     ASSERT_EQ(call(folder_, "case" + the_case + " > " + (folder_ / "case.json")).code, 0);
+    const std::string of_a_code = "case --code small-mpm --variant linear";
+    ASSERT_EQ(call(folder_, of_a_code + the_case + " > " + (folder_ / "theirs.json")).code, 0);
     const std::string files = " --csv " + (folder_ / "end.csv") + " --vtu ";
     for (const char* name : {"start.vtu", "end.vtu"})
       ASSERT_EQ(call(folder_, "particles" + the_case + files + (folder_ / name)).code, 0);
@@ -88,7 +92,6 @@ class Help : public testing::Test {
       if (!line.starts_with(' ')) run_examples(command + " " + line.substr(0, line.find(' ')));
   }
 
- private:
   /// Noise may decide what a cost says.
   void run_example(const std::string& example) {
     ASSERT_TRUE(example.starts_with("mpmvv ")) << example;
@@ -106,6 +109,19 @@ class Help : public testing::Test {
 
 TEST_F(Help, OfEveryCommandEndsWithExamplesThatRun) {
   run_examples("");
+}
+
+TEST_F(Help, OfEveryCommandFitsATerminalOf80Columns) {
+  const auto check = [&](const auto& self, const std::string& command) -> void {
+    const std::string text = on_terminal(folder_, 80, command + " --help");
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), 80U) << command << ": " << line;
+    const std::string joined = std::regex_replace(text, std::regex(" \\\\\n +"), " ");
+    EXPECT_EQ(section(joined, "Examples"), section(help(command), "Examples")) << command;
+    for (const std::string& line : section(text, "Subcommands"))
+      if (!line.starts_with(' ')) self(self, command + " " + line.substr(0, line.find(' ')));
+  };
+  check(check, "");
 }
 
 TEST_F(Help, ShowsValuesAndDefaults) {

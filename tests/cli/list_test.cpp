@@ -2,15 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
+#include "cli/lines.hpp"
 #include "tests/cli/program.hpp"
 
 namespace mpmvv::cli {
 namespace list_test {
 
 using testing::AllOf;
+using testing::AnyOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(ListCommand, SaysWhatDefaultBoundariesCostInOrder) {
   const Folder folder;
@@ -45,6 +49,30 @@ TEST(ListCommand, WordsStandBesideTheirKeys) {
   EXPECT_THAT(call(folder, "list bases").out, ContainsRegex("key +words\nbases +linear, bspline2, "));
   EXPECT_THAT(call(folder, "list").out,
               AllOf(ContainsRegex("\nbar +1D"), ContainsRegex("\nmasses +lumped, consistent\n")));
+}
+
+TEST(ListCommand, DialectsAreThoseOfTheCommandThatWritesFormulas) {
+  const Folder folder;
+  EXPECT_THAT(call(folder, "list dialects").out, ContainsRegex("dialect +of what\nc +C and C\\+\\+, with math.h"));
+  for (const auto& dialect : call(folder, "list dialects --json").json()["dialects"])
+    EXPECT_EQ(call(folder, "expression --problem wave --dialect " + dialect["dialect"].get<std::string>()).code, 0);
+}
+
+TEST(ListCommand, FitsATerminalOf80Columns) {
+  const Folder folder;
+  for (const char* list : {"", "studies", "problems", "dialects", "study-file"}) {
+    std::istringstream lines(on_terminal(folder, 80, std::string("list ") + list));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), 80U) << list << ": " << line;
+  }
+}
+
+TEST(ListCommand, ExplainsTheStudyFileWithoutMarkdownOnATerminal) {
+  const std::string reference = on_terminal(Folder(), 80, "list study-file");
+  EXPECT_THAT(reference,
+              AllOf(HasSubstr("source     who claims it, \"Steffen et al. 2008\" (takes text; without it none)"),
+                    HasSubstr("from 'from' to 'to', then bisection\n(measuring.md)"),
+                    HasSubstr("spread            largest over smallest 'norm' at the swept values")));
+  EXPECT_THAT(reference, Not(AnyOf(HasSubstr("|"), HasSubstr("`"), HasSubstr("**"))));
 }
 
 }  // namespace list_test

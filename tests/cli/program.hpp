@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 
@@ -67,6 +68,14 @@ inline Answer call(const Folder& folder, const std::string& arguments, const std
   Answer answer = shell(before + "'" + program() + "' " + arguments + " 2>'" + err + "'");
   answer.err = read_text(err);
   return answer;
+}
+
+/// What a call in the folder prints on a terminal of so many columns, without colours.
+inline std::string on_terminal(const Folder& folder, int columns, const std::string& arguments) {
+  const std::string call = "stty cols " + std::to_string(columns) + "; '" + program() + "' " + arguments;
+  const std::string text = shell("cd '" + (folder / "") + "' && script -qec \"" + call + "\" /dev/null").out;
+  return std::regex_replace(std::regex_replace(text, std::regex("\033\\[[0-9;]*[a-zA-Z]"), ""), std::regex("\r\n?"),
+                            "\n");
 }
 
 /// What a shell says in the folder to lines as a page has them: there the program is `mpmvv`.

@@ -41,15 +41,18 @@ TEST_F(ReportCommand, WritesPagesAndTheirFiguresOnce) {
   EXPECT_THAT(report(none_).out, HasSubstr("(0 drawn)"));
 }
 
-/// The commands that the page says of a figure's points.
-nlohmann::json points_on(const std::string& page) {
-  return nlohmann::json::parse(between(page, "class=\"points\">", "</script>"));
+/// What the report's script says of a figure's points.
+nlohmann::json points_in(const std::string& script) {
+  return nlohmann::json::parse(between(script, "tellPoints(\"figure-small\", ", ");\n"));
 }
 
 TEST_F(ReportCommand, SaysHowToRepeatEveryPoint) {
   ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
   ASSERT_EQ(report(none_).code, 0);
-  const nlohmann::json points = points_on(page("studies/small.html"));
+  for (const char* file : {"studies/small.html", "claims/S-fig10.html"})
+    EXPECT_THAT(page(file), HasSubstr("<script src=\"../points/small.js\" defer></script>")) << file;
+  EXPECT_THAT(page("studies/small.html"), Not(HasSubstr("()</p>"))) << "a note that there is none of";
+  const nlohmann::json points = points_in(page("points/small.js"));
   EXPECT_EQ(points["key"], "cells");
   ASSERT_EQ(points["series"].size(), 2u);
   for (const auto& series : points["series"]) {

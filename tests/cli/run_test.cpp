@@ -6,7 +6,9 @@
 namespace mpmvv::cli {
 namespace run_test {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* bar =
     "run --problem bar --basis bspline2 --integrator cd --boundary periodic --cells 32 --ppc 4 --cfl 0.2 ";
@@ -77,6 +79,15 @@ TEST(RunCommand, ABlownUpRunIsAResult) {
   EXPECT_EQ(record["status"], "unstable");
   EXPECT_TRUE(record["error"]["linf"].is_null());
   EXPECT_THAT(record["reason"].get<std::string>(), HasSubstr("at step"));
+}
+
+TEST(RunCommand, WhatABlownUpRunHasNotMeasuredHasNoRow) {
+  const Folder folder;
+  const std::string run = "run --problem bar --integrator usl --cells 32 --ppc 4 ";
+  const std::string unstable = call(folder, run + "--cfl 3").out;
+  EXPECT_THAT(unstable, AllOf(HasSubstr("status unstable ("), HasSubstr("energy at the start (J)"),
+                              Not(HasSubstr("change of mass")), Not(HasSubstr("linf"))));
+  EXPECT_THAT(call(folder, run + "--cfl 0.3 --steps 2").out, AllOf(HasSubstr("change of mass"), HasSubstr("linf")));
 }
 
 TEST(RunCommand, AmplitudesOfEitherSignAndNoneAreStable) {

@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"[sweep]\ncells = [8, 16, 32, 64]",
                 "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nseries = [\"bspline2\"]", "is neither swept nor searched"},
         BadFile{"[sweep]\n", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\n[sweep]\n",
-                "has no cells for series 'linear', as the sweep's are its own (one `cells` in [fixed]"},
+                "has no cells for series 'linear' (one `cells` in [fixed] or in the series; those of [sweep]"},
         BadFile{"[sweep]\n", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nseries = [\"cubic\"]\n[sweep]\n",
                 "unknown series 'cubic'"},
         BadFile{"basis = \"linear\"\n[[series]]\nname = \"bspline2\"\n",

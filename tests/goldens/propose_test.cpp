@@ -289,6 +289,25 @@ TEST(Propose, ADirtyTreeIsNamedAndRefusedWhereACommitIsAsked) {
   require_committed(study, clean);
 }
 
+TEST(Propose, WithoutAFitOrLimitTheFinestErrorsThatFiguresDraw) {
+  Series series = convergent();
+  series.orders.clear();
+  series.points[2].y["stress_error"] = 17.25, series.points[2].y["l1"] = 1;
+  StudyResult study = study_with(series);
+  EXPECT_THROW(propose_goldens(study, clean), UsageError) << "no figure";
+  study.figures.resize(3);
+  study.figures[1].quantity = "stress_error";
+  study.figures[2].quantity = "l1", study.figures[2].series = {"another"};
+  const auto goldens = proposed(study);
+  ASSERT_EQ(goldens.size(), 2U);
+  const auto& error = std::get<ErrorGolden>(goldens[1].expectation);
+  EXPECT_EQ(error.norm, "stress_error");
+  EXPECT_EQ(error.at, 64);
+  EXPECT_EQ(error.expected, 17.25);
+  study.series[0].limit = cfl_limit(0.7, 0.71);
+  EXPECT_EQ(proposed(study).size(), 1U) << "the limit is what was asked";
+}
+
 TEST(Propose, NothingToProposeIsAnError) {
   EXPECT_THROW(propose_goldens(study_with({}), clean), UsageError);
 }

@@ -49,6 +49,15 @@ TEST(MutantTables, ASummaryHasTheScoreAndTheSurvivors) {
   EXPECT_THAT(tables[1].groups[0].rows[0], Contains("a - b"));
 }
 
+TEST(MutantTables, SurvivorsWithoutNamesHaveNoColumnForThem) {
+  MutationResults summary = both_kinds();
+  EXPECT_EQ(mutant_tables(summary, {})[2].columns.front(), "mutation");
+  summary.survivors[0].name.clear();
+  const Table survivors = mutant_tables(summary, {})[2];
+  EXPECT_EQ(survivors.columns.front(), "where");
+  EXPECT_THAT(survivors.groups[0].rows, ElementsAre(ElementsAre("solver/grid.hpp:7", "a + b", "a - b", "")));
+}
+
 TEST(MutantTables, OfTheRandomOnesSurvivorsAreListed) {
   const auto tables = mutant_tables(both_kinds(), {});
   ASSERT_EQ(tables[2].groups.size(), 1U);

@@ -1,7 +1,9 @@
 #include "reports/original_look.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/picture.hpp"
 #include "reports/plot.hpp"
 #include "reports/plot_style.hpp"
 
@@ -40,6 +42,24 @@ TEST(OriginalLook, OtherQuantitiesAndFiguresStayAsTheyAre) {
     EXPECT_DOUBLE_EQ(chart.curves[0].dots[0].drawn, 0.1 / 4) << figure;
     EXPECT_EQ(chart.curves[0].style, Style(0)) << figure;
   }
+}
+
+TEST(OriginalLook, PressureIsInGigapascal) {
+  const Chart chart = charts_of(study_with("n-fig8a", "y", {"pressure"})).at(0);
+  EXPECT_EQ(chart.y.label, "pressure (GPa)");
+  EXPECT_DOUBLE_EQ(chart.curves[0].dots[0].drawn, 1e-9 * 0.1 / 4);
+}
+
+TEST(OriginalLook, DomainsAreToScale) {
+  records::StudyResult study = study_with("b-fig16-3a", "y", {"domain"});
+  study.figures[0].log_x = study.figures[0].log_y = false;
+  study.figures[0].x_min = 4, study.figures[0].x_max = 16, study.figures[0].y_min = 0, study.figures[0].y_max = 6;
+  const Chart chart = charts_of(study).at(0);
+  EXPECT_TRUE(chart.to_scale);
+  EXPECT_DOUBLE_EQ(chart.height, 650 * 6.0 / 12 + 80);
+  EXPECT_THAT(description_of(chart), testing::HasSubstr("domain: from")) << "curves, not particles";
+  study.figures[0].log_x = true;
+  EXPECT_FALSE(charts_of(study).at(0).to_scale) << "a logarithm has no scale";
 }
 
 TEST(OriginalLook, AGroupSharesItsColourAndMarker) {

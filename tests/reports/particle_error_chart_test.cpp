@@ -54,6 +54,15 @@ TEST(ParticleErrorChart, HasAPanelOfSquaresForTheLastSoundRunOfEachSeries) {
   EXPECT_THAT(chart.notes, Contains(HasSubstr("theirs at cells 16; ours at cells 16")));
 }
 
+TEST(ParticleErrorChart, SquaresOfManyParticlesCloseTheGapsOfAStretchedBody) {
+  StudyResult study = runs_study();
+  auto& many = study.series[0].points[1].particle_errors;
+  many.clear();
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 20; ++j) many.push_back({1.3 * i, 1.0 * j, 1e-6});
+  EXPECT_GT(charts_of(study).at(0).curves[0].square, 1.3);
+}
+
 /// A few that are about zero would take the colours of all others.
 TEST(ParticleErrorChart, ItsColoursAreThoseOfNearlyAllErrors) {
   StudyResult study = runs_study();

@@ -83,6 +83,13 @@ TEST(ReadBackPage, GoldensWithoutReasonsHaveNoColumnForThem) {
   EXPECT_THAT(page, testing::Not(testing::HasSubstr(">reason</th>")));
 }
 
+TEST(ReadBackPage, GoldensStandBelowTheTitleOfTheirStudy) {
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.studies[0].title = "What bars do";
+  input.gate = {{"all-numbers", "golden one", "pass", "1.1 to 1.2", "1.15", ""}};
+  EXPECT_THAT(WrittenReport(input).page("gate.html"), testing::HasSubstr("1 pass · What bars do"));
+}
+
 TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
   using enum records::PartVerdict;
   ReportInput input = read_back::input_of(distinct::everything());
@@ -95,6 +102,21 @@ TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
   EXPECT_THAT(page, testing::AllOf(testing::HasSubstr(">1.97 ± 0.28<"), testing::HasSubstr(">2.5 ± 0.1<"),
                                    testing::HasSubstr("An interval reaches across a bound"),
                                    testing::Not(testing::HasSubstr(asked.evidence))));
+}
+
+TEST(ReadBackPage, RowsOfACriterionSayOnceWhatTheyCompare) {
+  using enum records::PartVerdict;
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.claims = {{"X-one", "a sentence", "", "", "confirmed", "", {}, {}}};
+  input.claims[0].parts = {{"all-numbers", part(holds, 1, 3,
+                                                {{"l2 of 'a' at cells = 8", 1.5},
+                                                 {"l2 of 'a' at cells = 16", 1.6},
+                                                 {"l2 of 'b' at cells = 16", 1.7},
+                                                 {"l2 of 'b' at rest", 1.8}})}};
+  const std::string page = WrittenReport(input).page("claims/X-one.html");
+  for (const char* what : {"l2 of &apos;a&apos; at cells = 8", "at cells = 16", "l2 of &apos;b&apos; at cells = 16",
+                           "l2 of &apos;b&apos; at rest"})
+    EXPECT_THAT(page, testing::HasSubstr(std::string("<tr><td>") + what + "</td>"));
 }
 
 TEST(ReadBackPage, AClaimWithoutAFigureShowsItsCriteria) {

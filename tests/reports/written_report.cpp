@@ -46,10 +46,19 @@ void add_html_row(Table& table, const HtmlNode& row) {
     table.groups.back().rows.push_back(cells);
 }
 
+/// With the ends of cells that HTML leaves out, as the next cell or the end of the row says them, and XML does not.
+std::string with_ends_of_cells(std::string table) {
+  for (auto at = table.find("<td"); at != std::string::npos; at = table.find("<td", at + 1)) {
+    const auto next = std::min(table.find("<td", at + 1), table.find("</tr>", at));
+    if (table.find("</td>", at) > next) table.insert(next, "</td>");
+  }
+  return table;
+}
+
 std::vector<Table> html_tables(const std::string& page) {
   std::vector<Table> tables;
   for (const std::string& part : parts_of(page, "<table", "</table>")) {
-    std::istringstream in(part);
+    std::istringstream in(with_ends_of_cells(part));
     HtmlNode root;
     boost::property_tree::read_xml(in, root, boost::property_tree::xml_parser::trim_whitespace);
     Table& table = tables.emplace_back();

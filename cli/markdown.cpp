@@ -1,0 +1,86 @@
+#include "cli/markdown.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <optional>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include "cli/console.hpp"
+#include "cli/lines.hpp"
+#include "cli/table.hpp"
+
+namespace mpmvv::cli {
+
+namespace {
+
+/// Without what marks links, words of code and weight; a word of code among others has quotes.
+std::string plain(const std::string& text) {
+  static const std::regex link(R"(\[([^\]]*)\]\([^)]*\))"), weight(R"(\*\*)"), codes(R"((`[^`]*`(, )?)*)"), code("`");
+  const std::string bare = std::regex_replace(std::regex_replace(text, link, "$1"), weight, "");
+  return std::regex_replace(bare, code, std::regex_match(bare, codes) ? "" : "'");
+}
+
+/// A table by the keys of its first column: beside each its meaning, and in brackets what the other columns say.
+class Keys {
+ public:
+  explicit Keys(std::vector<std::string> heads)
+      : heads_(std::move(heads)),
+        main_(heads_.back() == "meaning" ? heads_.size() - 1 : 1),
+        table_({{heads_[0]}, {heads_[main_], Table::Kind::prose}}, 0) {}
+
+  void add(const std::vector<std::string>& cells) {
+    std::vector<std::string> others;
+    for (std::size_t k = 1; k < cells.size(); ++k)
+      if (k != main_ && !cells[k].empty()) others.push_back(heads_[k] + " " + cells[k]);
+    table_.add(
+        {cells[0], others.empty() ? cells[main_] : fmt::format("{} ({})", cells[main_], fmt::join(others, "; "))});
+  }
+
+  void print() const { table_.print(); }
+
+ private:
+  std::vector<std::string> heads_;
+  std::size_t main_;
+  Table table_;
+};
+
+std::vector<std::string> cells_of(const std::string& row) {
+  std::vector<std::string> cells;
+  for (std::size_t begin = 0; begin + 2 < row.size();) {
+    const std::size_t end = row.find(" |", begin + 1);
+    cells.push_back(plain(row.substr(begin + 2, end - begin - 2)));
+    begin = end + 1;
+  }
+  return cells;
+}
+
+}  // namespace
+
+void print_markdown(const std::string& text) {
+  if (!output_columns()) return print_text(text);
+  std::istringstream in(text);
+  std::optional<Keys> keys;
+  std::string paragraph;
+  const auto end_part = [&] {
+    if (keys) keys->print();
+    if (!paragraph.empty()) print_indented(plain(paragraph), 0);
+    keys.reset(), paragraph.clear();
+  };
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("|---")) continue;
+    if (line.starts_with('|') && keys)
+      keys->add(cells_of(line));
+    else if (line.starts_with('|'))
+      keys.emplace(cells_of(line));
+    else if (line.empty() || line.starts_with('#'))
+      end_part(), print("{}\n", plain(line.substr(std::min(line.find_first_not_of("# "), line.size()))));
+    else
+      paragraph += (paragraph.empty() ? "" : " ") + line;
+  }
+  end_part();
+}
+
+}  // namespace mpmvv::cli
