@@ -4,18 +4,34 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/shipped.hpp"
 #include "studies/codes/case_file.hpp"
+#include "studies/plan/external_series.hpp"
 
 namespace mpmvv::cli {
+
+namespace {
+
+/// Of another code with its version and its adapter, by which a study knows it.
+cases::Case case_of(const CaseOptions& options) {
+  std::vector<settings::Setting> settings = options.settings();
+  plan::CodeFinder finder(shipped("adapters"));
+  const std::string absent = finder.complete(settings, ".");
+  if (!absent.empty()) note("mpmvv: {}; without its version the case cannot go into a store\n", absent);
+  return settings::make_case(settings);
+}
+
+}  // namespace
 
 void add_case(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CaseOptions>();
   CLI::App* command =
       app.add_subcommand("case", "Print a case as JSON: what another code's input and its score are made from");
   options->add_to(*command);
-  add_examples(*command, {"mpmvv case --problem square-rest --cells 16 --ppc 2 --cfl 0.2 > case.json"});
+  add_examples(*command, {"mpmvv case --problem square-rest --cells 16 --ppc 2 --cfl 0.2 > case.json",
+                          "mpmvv case --code small-mpm --variant linear --problem bar --cells 4 --ppc 2 --cfl 0.2"});
   command->callback([options, &exit_code] {
-    print_text(codes::case_text(options->the_case()));
+    print_text(codes::case_text(case_of(*options)));
     exit_code = 0;
   });
 }

@@ -13,6 +13,7 @@
 #include "cli/study_list.hpp"
 #include "cli/table.hpp"
 #include "studies/checks/check.hpp"
+#include "studies/codes/expressions.hpp"
 #include "studies/plan/file_reference.hpp"
 #include "studies/plan/file_tables.hpp"
 #include "studies/settings/settings.hpp"
@@ -56,6 +57,20 @@ nlohmann::json study_file_json() {
   return tables;
 }
 
+/// Ways to write formulas.
+nlohmann::json dialects_json() {
+  nlohmann::json dialects = nlohmann::json::array();
+  for (const codes::Dialect& dialect : mms::expression::dialects())
+    dialects.push_back({{"dialect", dialect.name}, {"of", dialect.what}});
+  return dialects;
+}
+
+void print_dialects(const nlohmann::json& dialects) {
+  Table table({{"dialect"}, {"of what", Table::Kind::prose}}, 0);
+  for (const nlohmann::json& dialect : dialects) table.add({dialect["dialect"], dialect["of"]});
+  table.print();
+}
+
 void print_studies(const nlohmann::json& studies) {
   Table table({{"study"}, {"title (claims)", Table::Kind::prose}}, 0);
   for (const nlohmann::json& study : studies) {
@@ -91,6 +106,10 @@ int list(const std::string& what, const std::string& folder, bool json) {
     all[what] = codes_json();
     if (!json) print_codes(all[what]);
   }
+  if (what == "dialects") {
+    all[what] = dialects_json();
+    if (!json) print_dialects(all[what]);
+  }
   if (what == "study-file") {
     all[what] = study_file_json();
     if (!json) print_markdown(plan::study_file_reference());
@@ -107,7 +126,7 @@ int list(const std::string& what, const std::string& folder, bool json) {
 }  // namespace
 
 std::vector<std::string> list_names() {
-  std::vector<std::string> names{"studies", "problems", "codes", "checks", "study-file"};
+  std::vector<std::string> names{"studies", "problems", "codes", "dialects", "checks", "study-file"};
   for (const auto& [name, key] : word_lists()) names.push_back(name);
   return names;
 }
@@ -119,13 +138,13 @@ void add_list(CLI::App& app, int& exit_code) {
       "list", "Print what there is: studies, problems with their values, and the words of every key");
   command
       ->add_option("what", *what,
-                   "studies, study-file, codes, problems, bases, integrators, ... (default: all but the first three)")
+                   "studies, study-file, codes, dialects, problems, bases, ... (default: all but the first four)")
       ->type_name("LIST");
   command->add_option("--studies", *folder, "folder of study files (default: the one that comes with the program)")
       ->type_name("FOLDER");
   command->add_flag("--json", *json, "print one JSON object");
-  add_examples(*command, {"mpmvv list studies", "mpmvv list problems", "mpmvv list codes", "mpmvv list bases",
-                          "mpmvv list study-file", "mpmvv list --json"});
+  add_examples(*command, {"mpmvv list studies", "mpmvv list problems", "mpmvv list codes", "mpmvv list dialects",
+                          "mpmvv list bases", "mpmvv list study-file", "mpmvv list --json"});
   command->callback([what, folder, json, &exit_code] { exit_code = list(*what, *folder, *json); });
 }
 

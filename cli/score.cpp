@@ -13,6 +13,7 @@
 #include "studies/cases/setting.hpp"
 #include "studies/codes/case_file.hpp"
 #include "studies/codes/readers.hpp"
+#include "studies/store/store.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::cli {
@@ -24,7 +25,7 @@ namespace {
 struct ScoreOptions {
   std::string the_case;
   std::vector<std::string> outputs, start;
-  std::string format, columns, step;
+  std::string format, columns, step, db;
   std::string length = "1", time = "1", mass = "1";
   bool json = false;
 };
@@ -39,8 +40,33 @@ codes::Columns columns_in(const ScoreOptions& options) {
   return columns;
 }
 
+/// The case is one that a study may ask for: of another code with its version and adapter.
+void require_keepable(const cases::Case& c, const std::string& file) {
+  if (c.scheme.adapter.empty())
+    throw UsageError(
+        fmt::format("--db with {}, which names no version of another code (mpmvv case --code NAME ..., where the code "
+                    "and its adapter are)",
+                    file));
+  if (c.measure.repeat > 0)
+    throw UsageError(fmt::format("--db with {}, whose cost is measured (a case without repeat)", file));
+}
+
+/// Puts the record where a study finds it in place of a run.
+void keep(const records::Record& record, const std::string& db) {
+  if (record.status == records::Status::failed) return note("not kept in {}: the run failed\n", db);
+  store::Store store(db, store::Store::Mode::create_or_write);
+  const store::Provenance provenance = store::current_provenance();
+  const auto known = store.find(record.the_case, provenance.digest);
+  if (known && !records::is_worth_another_try(*known))
+    throw UsageError(
+        fmt::format("{} holds this case already (a store of its own, or another version of the code)", db));
+  store.keep(record, provenance);
+  note("kept in {}\n", db);
+}
+
 int score(const ScoreOptions& options) {
   const cases::Case c = codes::read_case(options.the_case);
+  if (!options.db.empty()) require_keepable(c, options.the_case);
   codes::Columns columns = columns_in(options);
   const auto paths = [](const std::vector<std::string>& names) {
     return std::vector<std::filesystem::path>(names.begin(), names.end());
@@ -53,6 +79,7 @@ int score(const ScoreOptions& options) {
     print_json(record_json(record));
   else
     print_score(record, fmt::format("{}", fmt::join(options.outputs, ", ")), output.end.digits);
+  if (!options.db.empty()) keep(record, options.db);
   return record.status == records::Status::failed ? 1 : 0;
 }
 
@@ -82,9 +109,12 @@ void add_score(CLI::App& app, int& exit_code) {
   command->add_option("--length-unit", options->length, "of the files, in m (default: 1)")->type_name("NUMBER");
   command->add_option("--time-unit", options->time, "of the files, in s (default: 1)")->type_name("NUMBER");
   command->add_option("--mass-unit", options->mass, "of the files, in kg (default: 1)")->type_name("NUMBER");
+  command->add_option("--db", options->db, "keep the record in this store: a study takes it in place of a run")
+      ->type_name("FILE");
   command->add_flag("--json", options->json, "print the record as one JSON object");
   add_examples(*command, {"mpmvv score case.json end.csv", "mpmvv score case.json end.vtu --start start.vtu --json",
-                          "mpmvv score case.json end.dump --columns id=tag,x=px,y=py --length-unit 1e-3"});
+                          "mpmvv score case.json end.dump --columns id=tag,x=px,y=py --length-unit 1e-3",
+                          "mpmvv score theirs.json end.csv --db results.db"});
   command->callback([options, &exit_code] { exit_code = score(*options); });
 }
 

@@ -37,6 +37,16 @@ void print_left_out(const records::StudyResult& study) {
         print_indented(fmt::format("left out of the order of '{}' in {}: {}", series.name, order.norm, values));
 }
 
+/// Why runs failed.
+void print_failures(const records::StudyResult& study) {
+  Table table({{"failed"}, {study.sweep, Kind::number}, {"why", Kind::prose}});
+  for (const Series& series : study.series)
+    for (const records::Point& point : series.points)
+      if (point.status == records::Status::failed)
+        table.add({series.name, fmt::format("{:.6g}", point.x), point.reason});
+  table.print_apart();
+}
+
 /// On what grounds: the floor, and what replicates say.
 void print_fits(const Series& series) {
   for (const fits::ObservedOrder& order : series.orders) {
@@ -72,7 +82,7 @@ void print_extrapolations(const records::StudyResult& study) {
 }
 
 std::string remark_on(const fits::StabilityLimit& limit) {
-  if (!limit.found) return "no limit in the range searched";
+  if (!limit.found) return text_without_limit(limit);
   return limit.monotone ? "" : "not monotone: a stable probe lies beyond an unstable one";
 }
 
@@ -113,6 +123,7 @@ void print_criteria(const records::StudyResult& study, bool verbose) {
 void print_study(const records::StudyResult& study, bool verbose) {
   print("{}: {}\n", study.name, study.title);
   print_errors(study);
+  print_failures(study);
   print_orders(study);
   print_left_out(study);
   print_extrapolations(study);

@@ -177,7 +177,8 @@ void measure_status(const Criterion& c, const StudyResult& result, const Series&
 /// The limit of a series; null, and `missing`, where none was found.
 const StabilityLimit* limit_of(const Series& series, Measured& out) {
   if (series.limit && series.limit->found) return &*series.limit;
-  out.missing = fmt::format("'{}' has no limit in the range searched", series.name);
+  out.missing = fmt::format("'{}' has no limit{}", series.name,
+                            series.limit ? ": " + text_without_limit(*series.limit) : " in the range searched");
   return nullptr;
 }
 

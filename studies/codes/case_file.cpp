@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "studies/codes/case_fields.hpp"
 #include "studies/codes/quantity.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/settings/settings.hpp"
@@ -55,21 +56,15 @@ json columns_json() {
   return columns;
 }
 
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
-  throw UsageError(fmt::format("{} in {} (a case, as `mpmvv case` writes it)", why, file.string()));
-}
-
-/// A value as settings have it.
-std::string setting_text(const json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
 Case case_of(const json& object, const std::string& where) {
   std::vector<Setting> given;
-  for (const auto& [key, value] : object.at("settings").items()) given.push_back({key, setting_text(value), where});
-  for (const auto& [name, value] : object.at("parameters").items())
-    given.push_back({"param." + name, setting_text(value), where});
-  return settings::make_case(given);
+  for (const auto& [key, value] : object["settings"].items()) given.push_back({key, value.get<std::string>(), where});
+  for (const auto& [name, value] : object["parameters"].items())
+    given.push_back({"param." + name, value.dump(), where});
+  Case c = settings::make_case(given);
+  object["dt"].get_to(c.resolution.dt);  // to the last bit
+  object["end_time"].get_to(c.problem.end_time);
+  return c;
 }
 
 }  // namespace
@@ -94,19 +89,13 @@ std::string case_text(const Case& c) {
 }
 
 Case read_case(const std::filesystem::path& file) {
+  const std::string name = file.string();
   const json object = json::parse(support::require_file(file, "a case, as `mpmvv case` writes it"), nullptr, false);
-  if (object.is_discarded()) fail(file, "no JSON");
-  Case c;
-  std::string text;
-  try {
-    c = case_of(object, file.string());
-    object.at("case").get_to(text);
-    object.at("dt").get_to(c.resolution.dt);  // to the last bit
-    object.at("end_time").get_to(c.problem.end_time);
-  } catch (const json::exception& e) {
-    fail(file, fmt::format("no case: {}", e.what()));
-  }
-  if (cases::canonical_text(c) != text) fail(file, "settings that make another case than its text");
+  if (object.is_discarded()) fail_case(name, "no JSON");
+  require_case_fields(object, name);
+  const Case c = case_of(object, name);
+  if (cases::canonical_text(c) != object["case"]) fail_case(name, "settings that make another case than its text");
+  require_same_fields(object, json::parse(case_text(c)), name);
   return c;
 }
 

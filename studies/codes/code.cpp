@@ -9,6 +9,7 @@
 #include <cstring>
 #include <sstream>
 
+#include "studies/codes/run_folder.hpp"
 #include "studies/codes/template_text.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -69,7 +70,7 @@ std::string version_of(const Adapter& adapter, const fs::path& program) {
   for (const std::string& word : adapter.program.version)
     command.push_back(filled(word, fields, fmt::format("version of code '{}'", adapter.name)));
   constexpr std::chrono::seconds limit{20};
-  const support::ProcessEnd end = support::run_process(command, fs::temp_directory_path(), {}, limit);
+  const support::ProcessEnd end = support::run_process(command, place_of_runs(), {}, limit);
   std::istringstream words(end.output);
   std::string last;
   for (std::string word; words >> word;) last = word;

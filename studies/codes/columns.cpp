@@ -135,6 +135,7 @@ Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const s
   const double pressure = columns.mass / columns.length / columns.time / columns.time;
   Snapshot s{.file = file,
              .time = time_of(table, lookup, columns.time, file),
+             .step = table.step,
              .id = ids(lookup, file),
              .X = components<3>(lookup, "X", length),
              .x = components<3>(lookup, "x", length),

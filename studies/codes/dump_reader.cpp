@@ -91,6 +91,7 @@ ParticleTable read_dump(const Source& source) {
     throw UsageError(fmt::format("no atoms of step {} in {} (ITEM: ATOMS id x y ...)", frame.step, source.file));
   ParticleTable table;
   table.time = frame.time;
+  table.step = frame.step;
   for (const std::string_view name : frame.names) table.columns.push_back({.name = std::string(name)});
   TextLines rows = *frame.rows;
   for (std::int64_t p = 0; p < frame.atoms; ++p) add_row(table, fields_of(*rows.next(), ' '), rows);

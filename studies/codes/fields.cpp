@@ -102,7 +102,8 @@ void add_expressions(const Case& c, const Dialect& dialect, TemplateFields& fiel
   for (std::size_t d = 0; d < all.F0.size(); ++d) set_components(fields, fmt::format("F0_{}", axes[d]), all.F0[d]);
 }
 
-TemplateFields particle_of(const StartState& state, std::size_t p) {
+/// `width` is a particle's: half of it, about its place, has no other particle in it.
+TemplateFields particle_of(const StartState& state, std::size_t p, double width) {
   TemplateFields one;
   one.set("id", fmt::format("{}", state.id[p]));
   set(one, "m", state.m[p]);
@@ -110,6 +111,8 @@ TemplateFields particle_of(const StartState& state, std::size_t p) {
   for (std::size_t d = 0; d < static_cast<std::size_t>(state.dimension); ++d) {
     set(one, std::string(1, "XYZ"[d]), state.X[p][d]);
     set(one, std::string(1, axes[d]), state.x[p][d]);
+    set(one, fmt::format("{}_below", axes[d]), state.x[p][d] - width / 4);
+    set(one, fmt::format("{}_above", axes[d]), state.x[p][d] + width / 4);
     set(one, fmt::format("v_{}", axes[d]), state.v[p][d]);
     for (std::size_t k = 0; k < static_cast<std::size_t>(state.dimension); ++k)
       set(one, fmt::format("F_{}{}", axes[d], axes[k]), state.F[p][3 * d + k]);
@@ -134,17 +137,18 @@ TemplateFields fields_of(const Case& c, const Code& code) {
 TemplateFields input_fields_of(const Case& c, const Code& code) {
   TemplateFields fields = fields_of(c, code);
   const StartState state = start_state(c);
-  fields.set("has_initial_velocity", !is_at_rest(state, conditions(c).wave_speed));
+  const Conditions known = conditions(c);
+  fields.set("has_initial_velocity", !is_at_rest(state, known.wave_speed));
   fields.set("has_initial_deformation", !is_undeformed(state));
   std::vector<std::vector<std::string>> forces;
   if (const std::string& dialect = code.adapter.dialect; !dialect.empty()) {
-    const Dialect& known = dialect_named(dialect, (code.adapter.folder / "adapter.toml").string());
-    add_expressions(c, known, fields);
-    if (c.scheme.force_form == cases::ForceForm::per_particle) forces = particle_forces(c, known);
+    const Dialect& language = dialect_named(dialect, (code.adapter.folder / "adapter.toml").string());
+    add_expressions(c, language, fields);
+    if (c.scheme.force_form == cases::ForceForm::per_particle) forces = particle_forces(c, language);
   }
   TemplateFields particles(TemplateFields::type::list);
   for (std::size_t p = 0; p < state.size(); ++p) {
-    TemplateFields particle = particle_of(state, p);
+    TemplateFields particle = particle_of(state, p, known.h / c.resolution.ppc);
     if (!forces.empty()) set_components(particle, "b", forces[p]);
     particles.push_back(particle);
   }

@@ -38,8 +38,10 @@ Lines by_case_id(const Snapshot& s, std::size_t particles) {
   std::vector<bool> taken(particles, false);
   for (const std::int64_t id : s.id) {
     if (id < 1 || id > static_cast<std::int64_t>(particles))
-      fail_output("particle {} in {} (the case has particles 1 to {}; a code with ids of its own: --start)", id, s.file,
-                  particles);
+      fail_output(
+          "particle {} in {} (the case has particles 1 to {}; a code with ids of its own: --start, or start of the "
+          "adapter)",
+          id, s.file, particles);
     const auto p = static_cast<std::size_t>(id - 1);
     if (taken[p]) fail_output("particle {} stands twice in {}", id, s.file);
     taken[p] = true;

@@ -43,8 +43,8 @@ void require_displacement_units(const MatchedEnd<D>& end);
 template <int D>
 void require_inside(const MatchedEnd<D>& end);
 
-/// There is no other time, up to twice the end time, whose exact solution fits five times better, where the error is
-/// more than a fiftieth of the displacements.
+/// There is no other time, up to twice the end time and 3 per cent of it away, whose exact solution fits five times
+/// better, where the error is more than a fiftieth of the displacements.
 template <int D>
 void require_time(const MatchedEnd<D>& end);
 

@@ -24,14 +24,15 @@ bool comes_before(const fs::path& a, const fs::path& b) {
   return std::tuple(first.size(), first) < std::tuple(second.size(), second);
 }
 
-/// The last file of the folder with such a name.
+/// The last thing in the folder with such a name, which may be a pattern.
 fs::path last_file(const fs::path& folder, const std::string& name) {
   const fs::path pattern = fs::path(name);
-  if (name.find('*') == std::string::npos) return folder / pattern;
   std::vector<fs::path> found;
   std::error_code unreadable;
   for (const auto& entry : fs::directory_iterator(folder / pattern.parent_path(), unreadable))
-    if (fnmatch(pattern.filename().c_str(), entry.path().filename().c_str(), 0) == 0) found.push_back(entry.path());
+    if (entry.path().filename() == pattern.filename() ||
+        fnmatch(pattern.filename().c_str(), entry.path().filename().c_str(), 0) == 0)
+      found.push_back(entry.path());
   if (found.empty()) throw UsageError(fmt::format("the code wrote no file '{}'", name));
   return *std::ranges::max_element(found, comes_before);
 }
@@ -47,6 +48,10 @@ Output read_output(const cases::Case& c, const Code& code, const TemplateFields&
   const Adapter& adapter = code.adapter;
   Output output{{}, read(code, fields, folder, adapter.output.end)};
   if (!adapter.output.start.empty()) output.start = read(code, fields, folder, adapter.output.start);
+  const std::int64_t steps = c.resolution.steps;
+  const std::int64_t step = output.end.step.value_or(0);  // Karamelo's dumps are all of step 0
+  if (adapter.stepping.is_given && step != 0 && step != steps)
+    throw UsageError(fmt::format("its output is of step {} and not of the last one, {}", step, steps));
   const double end_time = static_cast<double>(c.resolution.steps) * c.resolution.dt;
   std::optional<double>& time = output.end.time;
   if (time && !(std::abs(*time - end_time) <= adapter.stepping.time_tolerance * end_time))

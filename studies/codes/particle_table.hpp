@@ -30,6 +30,7 @@ inline void append(TableColumn& all, const TableColumn& more) {
 struct ParticleTable {
   std::vector<TableColumn> columns;
   std::optional<double> time;               ///< in the file's unit
+  std::optional<std::int64_t> step = {};    ///< time steps before it
   std::vector<std::size_t> lines = {};      ///< of the rows of a text, counted from 1
   std::map<std::string, std::string> says;  ///< pairs of a key and its value, as comments carry them
 

@@ -71,7 +71,7 @@ Snapshot read_snapshot(const std::vector<std::filesystem::path>& parts, const Co
   Snapshot whole = read_snapshot(parts.at(0), columns, format);
   for (std::size_t k = 1; k < parts.size(); ++k) {
     const Snapshot part = read_snapshot(parts[k], columns, format), before = whole;
-    if (part.time != whole.time || part.says != whole.says)
+    if (part.time != whole.time || part.step != whole.step || part.says != whole.says)
       throw UsageError(fmt::format("{} is of another time or run than {} (parts of one state)", part.file, whole.file));
     const auto add = [&](auto member) { append(whole.*member, part.*member, part, before); };
     add(&Snapshot::id), add(&Snapshot::X), add(&Snapshot::x), add(&Snapshot::u), add(&Snapshot::v);

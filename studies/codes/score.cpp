@@ -118,7 +118,8 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   const MatchedEnd<D> end = matched(particles, output);
   require_displacement_units(end);
   require_inside(end);
-  if (!output.end.time) require_time(end);  // one that is said needs no guess
+  const bool says_when = output.end.time || output.end.step == c.resolution.steps;
+  if (!says_when) require_time(end);
   require_mass(end);
   const runs::BlowUp<D> blow_up(c, particles.setup, particles.is_driven, particles.energy);
   const auto norms =

@@ -17,7 +17,8 @@ using Tensor = std::array<double, 9>;  ///< row by row
 struct Snapshot {
   std::string file;
   std::optional<double> time = {};
-  std::vector<std::int64_t> id = {};  ///< of the particle: 1, 2, ... in the order in which they fill the body
+  std::optional<std::int64_t> step = {};  ///< how many time steps there were before it
+  std::vector<std::int64_t> id = {};      ///< of the particle: 1, 2, ... in the order in which they fill the body
   std::vector<Point> X = {}, x = {}, u = {}, v = {};  ///< reference position, position, displacement, velocity
   std::vector<double> mass = {}, volume = {};
   std::vector<Tensor> F = {}, stress = {};  ///< deformation gradient; Cauchy stress

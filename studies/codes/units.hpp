@@ -17,8 +17,8 @@ inline double unit_factor(double ratio) {
 
 /// OutputFault that names the factor.
 [[noreturn]] inline void fail_units(const char* what, double factor, const std::string& file) {
-  fail_output("{} in {} are {:g} times those of the case (another unit? --length-unit {:g})", what, file, factor,
-              1 / factor);
+  fail_output("{} in {} are {:g} times those of the case (another unit? --length-unit {:g}, or units of the adapter)",
+              what, file, factor, 1 / factor);
 }
 
 /// RMS distance from their middle.

@@ -114,4 +114,12 @@ StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates) {
   return common;
 }
 
+std::string text_without_limit(const StabilityLimit& limit) {
+  const bool has_stable = !std::isnan(limit.stable), has_unstable = !std::isnan(limit.unstable);
+  if (has_stable == has_unstable) return "no limit in the range searched";
+  if (has_unstable) return fmt::format("unstable at the first value tried, {:.4g}", limit.unstable);
+  const bool is_least = limit.probes.size() > 1 && limit.stable == limit.probes.front().value;
+  return fmt::format("stable at all values tried, {} to {:.4g}", is_least ? "down" : "up", limit.stable);
+}
+
 }  // namespace mpmvv::fits

@@ -26,6 +26,9 @@ struct StabilityLimit {
   double value() const { return (stable + unstable) / 2; }
 };
 
+/// What is known where no limit was found: up to where runs were stable, or from where on they were not.
+std::string text_without_limit(const StabilityLimit& limit);
+
 /// How a limit is searched: a geometric scan of [from, to], both ends included, then bisection of one bracket.
 struct LimitSearch {
   std::string key;  ///< what is varied: `cfl`, `smoothing_length`

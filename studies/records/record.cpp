@@ -3,6 +3,8 @@
 #include <new>
 #include <system_error>
 
+#include "studies/support/error.hpp"
+
 namespace mpmvv::records {
 
 namespace {
@@ -76,8 +78,9 @@ std::string unit_of(const std::string& quantity) {
 }
 
 Failure failure_of(const std::exception& e) {
-  const bool of_machine =
-      dynamic_cast<const std::bad_alloc*>(&e) != nullptr || dynamic_cast<const std::system_error*>(&e) != nullptr;
+  const bool of_machine = dynamic_cast<const std::bad_alloc*>(&e) != nullptr ||
+                          dynamic_cast<const std::system_error*>(&e) != nullptr ||
+                          dynamic_cast<const support::WriteError*>(&e) != nullptr;
   return of_machine ? Failure::of_machine : Failure::of_case;
 }
 

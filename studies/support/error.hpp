@@ -9,4 +9,9 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A file or folder that cannot be written, as on a full disk: no fault of what is to be computed.
+struct WriteError : UsageError {
+  using UsageError::UsageError;
+};
+
 }  // namespace mpmvv::support

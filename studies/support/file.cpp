@@ -40,7 +40,7 @@ std::string require_file(const fs::path& file, const std::string& wanted) {
 namespace {
 
 [[noreturn]] void refuse_to_write(const fs::path& file, const std::string& why) {
-  throw UsageError(fmt::format("cannot write {} ({}); name a file in a folder that is there and can be written",
+  throw WriteError(fmt::format("cannot write {} ({}); name a file in a folder that is there and can be written",
                                file.string(), why));
 }
 
@@ -84,7 +84,7 @@ void move_file(const fs::path& from, const fs::path& to) {
   std::error_code failed;
   fs::rename(from, to, failed);
   if (failed)
-    throw UsageError(
+    throw WriteError(
         fmt::format("cannot write {} ({}); name a folder that can be written", to.string(), failed.message()));
 }
 
@@ -92,7 +92,7 @@ void make_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed || !fs::is_directory(folder))
-    throw UsageError(fmt::format("cannot make the folder {} ({}); name one that can be written", folder.string(),
+    throw WriteError(fmt::format("cannot make the folder {} ({}); name one that can be written", folder.string(),
                                  failed ? failed.message() : "a file is in its place"));
 }
 

@@ -12,10 +12,10 @@ std::optional<std::string> read_file(const std::filesystem::path& file);
 std::string require_file(const std::filesystem::path& file, const std::string& wanted);
 
 /// Writes the file unless it already has this content; true when it was written. The file appears whole or not at
-/// all. Throws UsageError when it cannot be written.
+/// all. Throws WriteError when it cannot be written.
 bool write_if_changed(const std::filesystem::path& file, const std::string& content);
 
-/// Gives the file or folder another name, in place of a file of that name. Throws UsageError when it cannot.
+/// Gives the file or folder another name, in place of a file of that name. Throws WriteError when it cannot.
 void move_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Names of studies and figures: the files of a report begin with them.
@@ -23,7 +23,7 @@ inline constexpr const char* file_stem_rule =
     "at most 100 letters, digits, '.', '_', '+' and '-', the first neither '.' nor '-'";
 bool is_file_stem(const std::string& text);
 
-/// Makes the folder and its parents; throws UsageError when that fails.
+/// Makes the folder and its parents; throws WriteError when that fails.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace mpmvv::support

@@ -14,11 +14,15 @@
 #include <string_view>
 #include <thread>
 
+#include "studies/support/kept_output.hpp"
+
 namespace mpmvv::support {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kept_half = 8 << 20;  ///< bytes
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> result;
@@ -51,7 +55,10 @@ int spawn(pid_t& child, std::vector<std::string> command, const std::filesystem:
   posix_spawn_file_actions_adddup2(&actions, out, STDERR_FILENO);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  sigset_t none;  // a child that inherits blocked signals cannot be asked to end
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
   posix_spawnattr_setpgroup(&attributes, 0);
 
   const int failed = posix_spawnp(&child, command.front().c_str(), &actions, &attributes, pointers(command).data(),
@@ -61,28 +68,35 @@ int spawn(pid_t& child, std::vector<std::string> command, const std::filesystem:
   return failed;
 }
 
-/// Reads until the other end closes; false when the deadline comes first.
-bool read_all(int in, std::string& text, Clock::time_point deadline) {
-  std::array<char, 4096> buffer;
-  while (true) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    pollfd ready{in, POLLIN, 0};
-    const int events = poll(&ready, 1, static_cast<int>(std::max<long>(0, left)));
-    if (events < 0 && errno == EINTR) continue;
-    if (events <= 0) return false;
-    const ssize_t n = read(in, buffer.data(), buffer.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return true;
-    text.append(buffer.data(), static_cast<std::size_t>(n));
-  }
+/// Whether the child has ended. It can still be waited for: until then nobody else has its number.
+bool has_ended(pid_t child) {
+  siginfo_t seen{};
+  return waitid(P_PID, static_cast<id_t>(child), &seen, WEXITED | WNOHANG | WNOWAIT) == 0 && seen.si_pid == child;
 }
 
-/// Waits for the child's end; false when the deadline comes first.
-bool wait_until(pid_t child, int& status, Clock::time_point deadline) {
-  while (waitpid(child, &status, WNOHANG) != child) {
+/// Appends what there is to read within a time; false when there will never be more.
+bool read_some(int in, KeptOutput& output, std::chrono::milliseconds wait) {
+  pollfd ready{in, POLLIN, 0};
+  if (poll(&ready, 1, static_cast<int>(wait.count())) <= 0) return true;
+  static thread_local std::array<char, 1 << 16> buffer;
+  const ssize_t n = read(in, buffer.data(), buffer.size());
+  if (n > 0) output.append({buffer.data(), static_cast<std::size_t>(n)});
+  return n > 0 || (n < 0 && errno == EINTR);
+}
+
+/// Reads until the child has ended; false when the deadline comes first. What its own children write later is not
+/// waited for.
+bool read_until_end(pid_t child, int in, KeptOutput& output, Clock::time_point deadline) {
+  constexpr std::chrono::milliseconds look{10}, short_look{1};
+  bool is_open = true;
+  while (!has_ended(child)) {
     if (Clock::now() >= deadline) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (is_open)
+      is_open = read_some(in, output, look);
+    else
+      std::this_thread::sleep_for(short_look);
   }
+  if (is_open) read_some(in, output, {});  // all that a pipe holds
   return true;
 }
 
@@ -136,14 +150,15 @@ ProcessEnd run_process(const std::vector<std::string>& command, const std::files
   close(ends[1]);
   if (end.start_error == 0) {
     running().add(child);
+    KeptOutput output(kept_half);
+    end.timed_out = !read_until_end(child, ends[0], output, deadline);
+    end.output = output.text();
+    kill(-child, SIGKILL);  // and what it has left behind
     int status = 0;
-    end.timed_out = !read_all(ends[0], end.output, deadline) || !wait_until(child, status, deadline);
-    if (end.timed_out) {
-      kill(-child, SIGKILL);
-      waitpid(child, &status, 0);
-    }
+    waitpid(child, &status, 0);
     running().remove(child);
-    end.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    end.exit_code = end.signal == 0 ? WEXITSTATUS(status) : 128 + end.signal;
   }
   close(ends[0]);
   return end;

@@ -61,6 +61,8 @@ class Help : public testing::Test {
   void write_output() {
     const std::string the_case = " --problem square-rest --cells 16 --ppc 2 --cfl 0.2";
     ASSERT_EQ(call(folder_, "case" + the_case + " > " + (folder_ / "case.json")).code, 0);
+    const std::string of_a_code = "case --code small-mpm --variant linear";
+    ASSERT_EQ(call(folder_, of_a_code + the_case + " > " + (folder_ / "theirs.json")).code, 0);
     const std::string files = " --csv " + (folder_ / "end.csv") + " --vtu ";
     for (const char* name : {"start.vtu", "end.vtu"})
       ASSERT_EQ(call(folder_, "particles" + the_case + files + (folder_ / name)).code, 0);

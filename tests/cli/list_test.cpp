@@ -51,9 +51,16 @@ TEST(ListCommand, WordsStandBesideTheirKeys) {
               AllOf(ContainsRegex("\nbar +1D"), ContainsRegex("\nmasses +lumped, consistent\n")));
 }
 
+TEST(ListCommand, DialectsAreThoseOfTheCommandThatWritesFormulas) {
+  const Folder folder;
+  EXPECT_THAT(call(folder, "list dialects").out, ContainsRegex("dialect +of what\nc +C and C\\+\\+, with math.h"));
+  for (const auto& dialect : call(folder, "list dialects --json").json()["dialects"])
+    EXPECT_EQ(call(folder, "expression --problem wave --dialect " + dialect["dialect"].get<std::string>()).code, 0);
+}
+
 TEST(ListCommand, FitsATerminalOf80Columns) {
   const Folder folder;
-  for (const char* list : {"", "studies", "problems", "study-file"}) {
+  for (const char* list : {"", "studies", "problems", "dialects", "study-file"}) {
     std::istringstream lines(on_terminal(folder, 80, std::string("list ") + list));
     for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), 80U) << list << ": " << line;
   }

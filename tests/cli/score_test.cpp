@@ -72,7 +72,7 @@ TEST_F(Score, RefusesWhatItCannotRead) {
   EXPECT_THAT(refusal(folder_.write("end.csv", "x,y\n1,one\n")), HasSubstr("'one' for 'y' in"));
   EXPECT_THAT(refusal(end_ + " --length-unit 0"), HasSubstr("--length-unit"));
   folder_.write("case.json", "{}");
-  EXPECT_THAT(refusal(end_), HasSubstr("no case: "));
+  EXPECT_THAT(refusal(end_), HasSubstr("no field 'case' in "));
   folder_.write("case.json", "problem");
   EXPECT_THAT(refusal(end_), HasSubstr("no JSON in"));
 }

@@ -49,8 +49,8 @@ TEST(CodeTable, SaysUpToWhereASeriesIsStable) {
   series.limit.emplace();
   series.limit->key = "cfl", series.limit->stable = 0.7, series.limit->unstable = 0.72, series.limit->found = true;
   EXPECT_EQ(code_table(input).groups[0].rows[0][5], "stable to 0.71 in cfl");
-  series.limit->found = false;
-  EXPECT_EQ(code_table(input).groups[0].rows[0][5], "no limit of cfl found");
+  series.limit->found = false, series.limit->unstable = records::not_measured;
+  EXPECT_EQ(code_table(input).groups[0].rows[0][5], "stable at all values tried, up to 0.7 in cfl");
 }
 
 /// One name may begin another.

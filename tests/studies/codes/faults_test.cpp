@@ -84,7 +84,7 @@ TEST_F(OutputFaults, ParticlesThatBlewUp) {
   Snapshot s = end();
   s.x[5][1] = std::numeric_limits<double>::quiet_NaN();
   expect({.end = s}, Status::unstable,
-         "1 of 256 particles with a position that is no number in end.csv (the first in line 6)");
+         "1 of 256 particles with a position that is no number in end.csv (the first: 6)");
   s = end();
   s.x[5][1] = 3;
   expect({.end = s}, Status::unstable, "particle 6 has escaped: y = 3 m");
@@ -107,7 +107,9 @@ TEST_F(OutputFaults, WrongUnits) {
   for (auto* points : {&s.X, &s.x})
     for (auto& point : *points)
       for (double& value : point) value *= 1e-3;
-  expect_failed(s, "positions in end.csv are 0.001 times those of the case (another unit? --length-unit 1000)");
+  expect_failed(s,
+                "positions in end.csv are 0.001 times those of the case (another unit? --length-unit 1000, or units of "
+                "the adapter)");
   s = end();
   for (double& m : s.mass) m *= 1000;
   expect_failed(s, "1000 times that of the case");
@@ -119,6 +121,13 @@ TEST_F(OutputFaults, WrongTime) {
   s = end();
   s.time = 0.0039;
   expect_failed(s, "time 0.0039 s in end.csv, the case ends at 0.004 s");
+}
+
+/// A wave that lags behind is an error of the method.
+TEST_F(OutputFaults, ALittleLateIsNoOtherTime) {
+  const Record r = codes::score(c, {.end = exact(0.98 * particles.end_time)});
+  EXPECT_EQ(r.status, Status::ok) << r.reason;
+  EXPECT_GT(r.error.l2, 0);
 }
 
 TEST_F(OutputFaults, AnOrderThatCannotBeVerified) {

@@ -12,16 +12,20 @@
 namespace mpmvv::codes {
 
 /// A code in a folder of its own: a shell script that moves each particle by its velocity times the end time, which
-/// solves problem `translation`.
+/// solves problem `translation`. Runs have their folders in its own.
 class Mover {
  public:
   Mover() : top_(std::filesystem::temp_directory_path() / ("mpmvv-mover-" + std::to_string(getpid()))) {
     std::filesystem::create_directories(folder());
+    setenv("TMPDIR", top_.c_str(), 1);
     write("input.mustache", "{{#particles}}\n{{id}} {{x}} {{y}} {{v_x}} {{v_y}} {{m}}\n{{/particles}}\n");
     script(moving);
     adapter(text);
   }
-  ~Mover() { std::filesystem::remove_all(top_); }
+  ~Mover() {
+    setenv("TMPDIR", top_.parent_path().c_str(), 1);
+    std::filesystem::remove_all(top_);
+  }
   Mover(const Mover&) = delete;
   Mover& operator=(const Mover&) = delete;
 
@@ -52,6 +56,34 @@ boundaries = ["periodic"]
 materials = ["neo-hookean-log"]
 initial_velocity = true
 )";
+
+  static constexpr const char* study = R"(title = "Moved"
+[fixed]
+problem = "translation"
+ppc = 2
+cfl = 0.5
+[[series]]
+name = "theirs"
+code = "mover"
+[sweep]
+cells = [4, 8, 16]
+[[fit]]
+norm = "l2"
+window = [4, 16]
+)";
+
+  /// Lines of a script that start a process which goes on for a minute, and wait until it has written its number.
+  static std::string start(const std::string& how, const std::string& file) {
+    return how + " sh -c 'echo $$ > " + file + "; exec sleep 60' &\nuntil [ -s " + file + " ]; do sleep 0.01; done\n";
+  }
+  /// Whether the process of this number goes on; one that has ended may still be there, as nobody has asked for it.
+  static bool is_running(const std::filesystem::path& file) {
+    std::string number, word, state;
+    std::ifstream(file) >> number;
+    std::ifstream status("/proc/" + number + "/status");
+    while (status >> word && word != "State:") continue;
+    return status >> state && state != "Z";
+  }
 
   std::filesystem::path top() const { return top_; }
   std::filesystem::path folder() const { return top_ / "adapters" / "mover"; }

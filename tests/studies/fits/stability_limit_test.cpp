@@ -265,5 +265,20 @@ TEST(StabilityLimit, AMissingVerdictIsABugOfTheCaller) {
   EXPECT_THROW(find_limit(cfl_search(), forgetful), std::logic_error);
 }
 
+TEST(StabilityLimit, SaysWhatIsKnownWithoutOne) {
+  const auto text = [](bool below, double limit) {
+    const ProbeBatch probe = [&](const std::vector<double>& values) {
+      std::vector<Probe> probes;
+      for (const double value : values) probes.push_back({value, below ? value < limit : value > limit, ""});
+      return probes;
+    };
+    return text_without_limit(find_limit({.key = "cfl", .from = 0.25, .to = 2, .stable_below = below}, probe));
+  };
+  EXPECT_EQ(text(true, 3), "stable at all values tried, up to 2");
+  EXPECT_EQ(text(false, 0.1), "stable at all values tried, down to 0.25");
+  EXPECT_EQ(text(true, 0.2), "unstable at the first value tried, 0.25");
+  EXPECT_EQ(text_without_limit({}), "no limit in the range searched");
+}
+
 }  // namespace stability_limit_test
 }  // namespace mpmvv::fits

@@ -1,0 +1,82 @@
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include <thread>
+
+#include "tests/cli/program.hpp"
+#include "tests/studies/codes/mover.hpp"
+
+/// Studies whose code goes wrong, or is stopped.
+namespace mpmvv::cli {
+namespace broken_codes_test {
+
+namespace fs = std::filesystem;
+using codes::Mover;
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+class StudyOfABrokenCode : public testing::Test {
+ protected:
+  StudyOfABrokenCode() {
+    std::ofstream(mover_.top() / "s.toml") << Mover::study;
+    mover_.adapter(
+        std::string(Mover::text)
+            .replace(std::string(Mover::text).find("\"{{end_time}}\""), 14, "\"{{end_time}}\", \"{{cells}}\""));
+  }
+
+  Answer in_folder(const std::string& arguments) const {
+    return call(folder_, arguments, "cd '" + mover_.top().string() + "' && ");
+  }
+  pid_t start_study() const {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    fs::current_path(mover_.top());
+    freopen("/dev/null", "w", stdout);
+    freopen("messages", "w", stderr);
+    execl(program().c_str(), "mpmvv", "study", "s.toml", "--db", "r.db", "--jobs", "1", nullptr);
+    _exit(127);
+  }
+
+  const Mover mover_;
+  const Folder folder_;
+};
+
+TEST_F(StudyOfABrokenCode, SaysWhyARunFailed) {
+  mover_.script(std::string(Mover::moving) + "[ $2 = 4 ] || { echo no such mesh; exit 3; }\n");
+  const Answer answer = in_folder("study s.toml --db r.db");
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.out, AllOf(ContainsRegex("\n +failed +cells +why\n +theirs +8 +[^\n]*mover ended with"),
+                                HasSubstr("3 cases run, 0 taken from r.db, 2 failed")));
+}
+
+/// Both run what the store does not hold, and both find it sound.
+TEST_F(StudyOfABrokenCode, TwoAtOnceShareAStore) {
+  const pid_t first = start_study(), second = start_study();
+  for (const pid_t each : {first, second}) {
+    int status = 0;
+    waitpid(each, &status, 0);
+    EXPECT_EQ(status, 0) << read_text(mover_.top() / "messages");
+  }
+  EXPECT_EQ(in_folder("db check --db r.db").code, 0);
+  EXPECT_THAT(in_folder("study s.toml --db r.db").out, HasSubstr("0 cases run, 3 taken"));
+}
+
+TEST_F(StudyOfABrokenCode, ThatIsStoppedLeavesNothingRunning) {
+  const fs::path group = mover_.top() / "group", session = mover_.top() / "session";
+  mover_.script(std::string(Mover::moving) + "[ $2 = 4 ] && exit 0\n" + Mover::start("", group) +
+                Mover::start("setsid", session) + "sleep 60\n");
+  const pid_t child = start_study();
+  for (int k = 0; k < 2000 && !fs::exists(session); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  for (const fs::path& file : {group, session}) EXPECT_FALSE(Mover::is_running(file)) << file;
+  for (const auto& entry : fs::directory_iterator(mover_.top()))
+    EXPECT_NE(entry.path().filename().string().substr(0, 10), "mpmvv-run-");
+  EXPECT_THAT(read_text(mover_.top() / "messages"), HasSubstr("the same command goes on from there"));
+}
+
+}  // namespace broken_codes_test
+}  // namespace mpmvv::cli
