@@ -78,8 +78,8 @@ std::string HelpFormatter::make_description(const CLI::App* command) const {
 std::string HelpFormatter::make_footer(const CLI::App* command) const {
   std::istringstream footer(command->get_footer());
   std::string text;
-  for (std::string line; std::getline(footer, line);) text += '\n' + continued(line);
-  return text + '\n';
+  for (std::string line; std::getline(footer, line);) text += continued(line) + '\n';
+  return text;
 }
 
 void add_examples(CLI::App& command, const std::vector<std::string>& calls) {

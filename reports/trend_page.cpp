@@ -1,5 +1,6 @@
 #include "reports/trend_page.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "page_template.hpp"
@@ -16,11 +17,18 @@ using template_data::data;
 
 constexpr const char* trends_folder = "trends";
 
+/// The first letters of a hash, which tell it from others, and whether the tree was dirty.
+std::string in_short(const std::string& hash) {
+  constexpr std::size_t letters = 12;
+  const std::size_t end = std::min(hash.find('-'), hash.size());
+  return hash.substr(0, std::min(letters, end)) + hash.substr(end);
+}
+
 data version_data(const store::Version& version, std::size_t number) {
   return template_data::object({{"number", std::to_string(number)},
                                 {"time", version.time},
-                                {"commits", template_data::text_list(version.commits)},
-                                {"digest", version.digest}});
+                                {"commits", template_data::list_of(version.commits, in_short)},
+                                {"digest", in_short(version.digest)}});
 }
 
 data trend_section_data(const std::string& study, const std::vector<Picture>& pictures) {

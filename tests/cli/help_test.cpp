@@ -18,6 +18,7 @@ namespace help_test {
 using testing::AllOf;
 using testing::AnyOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// The lines of a help's section, without the blanks before them.
 std::vector<std::string> section(const std::string& help, const std::string& head) {
@@ -116,6 +117,7 @@ TEST_F(Help, OfEveryCommandFitsATerminalOf80Columns) {
     const std::string text = on_terminal(folder_, 80, command + " --help");
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), 80U) << command << ": " << line;
+    EXPECT_THAT(text, Not(HasSubstr("\n\n\n"))) << command;
     const std::string joined = std::regex_replace(text, std::regex(" \\\\\n +"), " ");
     EXPECT_EQ(section(joined, "Examples"), section(help(command), "Examples")) << command;
     for (const std::string& line : section(text, "Subcommands"))

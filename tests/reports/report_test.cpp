@@ -161,6 +161,14 @@ TEST(Report, TrendsHaveAPageOfTheirOwn) {
   EXPECT_EQ(matches(page, "href=\"(trends/[^\"]*)\"").size(), 12u);
 }
 
+TEST(Report, TrendsNameVersionsByTheFirstLettersOfTheirHashes) {
+  const TempFolder folder;
+  auto in = input_with_trends();
+  in.versions[0] = {"0123456789abcdef", {"fedcba98765432100-dirty"}, "2026-01-01T00:00:00Z"};
+  EXPECT_THAT(page_of(in, folder, "trend.html"),
+              AllOf(HasSubstr("<code>0123456789ab</code>"), HasSubstr("<code>fedcba987654-dirty</code>")));
+}
+
 TEST(Report, TrendsAreDrawnOnce) {
   const TempFolder folder;
   EXPECT_EQ(write_report(input_with_trends(), folder / "out", silent).figures_drawn, 6);

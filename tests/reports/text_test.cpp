@@ -34,6 +34,7 @@ TEST(Text, OrderHasAnIntervalOnlyWhenThereIsOne) {
   EXPECT_EQ(order_text(2.012, NAN), "2.01");
   EXPECT_EQ(order_text(NAN, NAN), "–");
   EXPECT_EQ(order_text(2.00012, 0.0004), "2.0001 ± 0.0004") << "never ± 0.00";
+  EXPECT_EQ(order_text(1e-9, 3.2e-8), "0.0000 ± 3e-08");
   EXPECT_EQ(order_text(-0.3, 12.7), "-0.30 ± 12.70");
 }
 
