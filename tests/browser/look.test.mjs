@@ -57,6 +57,15 @@ test("on a phone, what was compared has the width of the page, and what was foun
     assert.ok(bar.width > 90 && bar.right <= what.right, JSON.stringify([what, bar]));
   }));
 
+test("on a phone, a golden's numbers stand below its name", () =>
+  inWindow(browser, { viewport: { width: 390, height: 900 } }, async page => {
+    await page.goto(address("gate.html"));
+    await page.evaluate(() => document.querySelectorAll("details").forEach(details => (details.open = true)));
+    const rows = await page.locator(".judged tbody tr").evaluateAll(all =>
+      all.map(row => [...row.cells].slice(0, 4).map(cell => cell.getBoundingClientRect().toJSON())));
+    for (const [name, verdict, , measured] of rows) assert.ok(verdict.top >= name.bottom - 1 && measured.right <= name.right + 1);
+  }));
+
 test("no word of a command is broken at its hyphens", () =>
   inWindow(browser, { viewport: { width: 390, height: 900 } }, async page => {
     await page.goto(address(pages().find(file => file.startsWith("studies/"))));

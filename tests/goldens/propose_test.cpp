@@ -10,67 +10,16 @@
 #include "goldens/gate.hpp"
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
+#include "tests/goldens/propose_samples.hpp"
 
 namespace mpmvv::goldens {
 namespace propose_test {
 
-using records::Series;
-using records::Status;
-using records::StudyResult;
-using support::not_measured;
+using namespace propose_samples;
+
 using support::UsageError;
 
 using testing::HasSubstr;
-
-const store::Provenance clean{"d1", "abc", false, "GNU 12.2.0", "-O3", "Release", "cpu", "2026-11-21T00:00:00Z"};
-
-fits::ObservedOrder fitted(const std::string& norm, int points, double order) {
-  fits::ObservedOrder fit;
-  fit.norm = norm;
-  fit.from = 16;
-  fit.to = 64;
-  fit.points = points;
-  fit.order = order;
-  return fit;
-}
-
-fits::StabilityLimit cfl_limit(double stable, double unstable) {
-  fits::StabilityLimit limit;
-  limit.key = "cfl";
-  limit.stable = stable;
-  limit.unstable = unstable;
-  limit.found = true;
-  return limit;
-}
-
-StudyResult study_with(const Series& series, const std::string& sweep = "cells") {
-  StudyResult study;
-  study.name = "s-fig10";
-  study.sweep = sweep;
-  study.series = {series};
-  return study;
-}
-
-Series convergent() {
-  Series series;
-  series.name = "quadratic \"open\", \\ tab\t";
-  series.points = {{16, Status::ok, "", {{"l2", 1.6e-3}}},
-                   {32, Status::ok, "", {{"l2", 4.0001e-4}}},
-                   {64, Status::ok, "", {{"l2", 1.00049e-4}}},
-                   {128, Status::unstable, "energy", {{"l2", 7}}},
-                   {256, Status::ok, "", {{"l2", not_measured}}}};
-  series.orders = {fitted("l2", 3, 1.99951)};
-  return series;
-}
-
-std::vector<Golden> proposed(const StudyResult& study) {
-  return parse_goldens(propose_goldens(study, clean), "new.toml");
-}
-
-/// The same with a reviewer's mark.
-std::vector<Golden> reviewed(const StudyResult& study) {
-  return parse_goldens("reviewed = \"now\"\n" + propose_goldens(study, clean), "new.toml");
-}
 
 TEST(Propose, OrdersAndErrorsRoundTripWithTheBandsOfTheHouse) {
   const auto goldens = proposed(study_with(convergent()));
@@ -254,62 +203,6 @@ TEST(Propose, WhatWasMeasuredPassesItsOwnProposal) {
     EXPECT_EQ(report.results.size(), 5U);
     EXPECT_EQ(report.exit_code(), 0) << propose_goldens(study, clean);
   }
-}
-
-TEST(Propose, WhatCannotBeProposedIsARemark) {
-  Series series = convergent();
-  series.orders.push_back(fitted("linf", 2, 2));
-  series.limit = cfl_limit(1, 1.01);
-  series.limit->monotone = false;
-  StudyResult study = study_with(series);
-  study.values = {{"gap", not_measured, ""}};
-  EXPECT_EQ(proposed(study).size(), 2U);
-  const std::string text = propose_goldens(study, clean);
-  EXPECT_THAT(text, HasSubstr("in linf over [16, 64]: 2 usable points"));
-  EXPECT_THAT(text, HasSubstr("# No error of"));
-  EXPECT_THAT(text, HasSubstr("stability is not monotone"));
-  EXPECT_THAT(text, HasSubstr("# No value \"gap\""));
-}
-
-TEST(Propose, TextOfPeopleCannotBreakTheFile) {
-  StudyResult study = study_with(convergent());
-  study.values = {{"gap\n[[order]]", 1, "two\nlines"}};
-  const auto goldens = proposed(study);
-  ASSERT_EQ(goldens.size(), 3U);
-  EXPECT_EQ(std::get<ValueGolden>(goldens[2].expectation).name, "gap\n[[order]]");
-}
-
-TEST(Propose, ADirtyTreeIsNamedAndRefusedWhereACommitIsAsked) {
-  store::Provenance dirty = clean;
-  dirty.dirty = true;
-  const StudyResult study = study_with(convergent());
-  EXPECT_THAT(propose_goldens(study, dirty), HasSubstr("commit abc with changes that are not committed, digest d1"));
-  EXPECT_THAT(propose_goldens(study, clean), HasSubstr("commit abc, digest d1"));
-  EXPECT_THROW(require_committed(study, dirty), UsageError);
-  require_committed(study, clean);
-}
-
-TEST(Propose, WithoutAFitOrLimitTheFinestErrorsThatFiguresDraw) {
-  Series series = convergent();
-  series.orders.clear();
-  series.points[2].y["stress_error"] = 17.25, series.points[2].y["l1"] = 1;
-  StudyResult study = study_with(series);
-  EXPECT_THROW(propose_goldens(study, clean), UsageError) << "no figure";
-  study.figures.resize(3);
-  study.figures[1].quantity = "stress_error";
-  study.figures[2].quantity = "l1", study.figures[2].series = {"another"};
-  const auto goldens = proposed(study);
-  ASSERT_EQ(goldens.size(), 2U);
-  const auto& error = std::get<ErrorGolden>(goldens[1].expectation);
-  EXPECT_EQ(error.norm, "stress_error");
-  EXPECT_EQ(error.at, 64);
-  EXPECT_EQ(error.expected, 17.25);
-  study.series[0].limit = cfl_limit(0.7, 0.71);
-  EXPECT_EQ(proposed(study).size(), 1U) << "the limit is what was asked";
-}
-
-TEST(Propose, NothingToProposeIsAnError) {
-  EXPECT_THROW(propose_goldens(study_with({}), clean), UsageError);
 }
 
 }  // namespace propose_test

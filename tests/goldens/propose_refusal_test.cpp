@@ -1,0 +1,75 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "goldens/propose.hpp"
+#include "studies/support/error.hpp"
+#include "tests/goldens/propose_samples.hpp"
+
+/// What is not proposed, and what stands in for it.
+namespace mpmvv::goldens {
+namespace propose_refusal_test {
+
+using namespace propose_samples;
+
+using support::UsageError;
+
+using testing::HasSubstr;
+
+TEST(Propose, WhatCannotBeProposedIsARemark) {
+  Series series = convergent();
+  series.orders.push_back(fitted("linf", 2, 2));
+  series.limit = cfl_limit(1, 1.01);
+  series.limit->monotone = false;
+  StudyResult study = study_with(series);
+  study.values = {{"gap", not_measured, ""}};
+  EXPECT_EQ(proposed(study).size(), 2U);
+  const std::string text = propose_goldens(study, clean);
+  EXPECT_THAT(text, HasSubstr("in linf over [16, 64]: 2 usable points"));
+  EXPECT_THAT(text, HasSubstr("# No error of"));
+  EXPECT_THAT(text, HasSubstr("stability is not monotone"));
+  EXPECT_THAT(text, HasSubstr("# No value \"gap\""));
+}
+
+TEST(Propose, TextOfPeopleCannotBreakTheFile) {
+  StudyResult study = study_with(convergent());
+  study.values = {{"gap\n[[order]]", 1, "two\nlines"}};
+  const auto goldens = proposed(study);
+  ASSERT_EQ(goldens.size(), 3U);
+  EXPECT_EQ(std::get<ValueGolden>(goldens[2].expectation).name, "gap\n[[order]]");
+}
+
+TEST(Propose, ADirtyTreeIsNamedAndRefusedWhereACommitIsAsked) {
+  store::Provenance dirty = clean;
+  dirty.dirty = true;
+  const StudyResult study = study_with(convergent());
+  EXPECT_THAT(propose_goldens(study, dirty), HasSubstr("commit abc with changes that are not committed, digest d1"));
+  EXPECT_THAT(propose_goldens(study, clean), HasSubstr("commit abc, digest d1"));
+  EXPECT_THROW(require_committed(study, dirty), UsageError);
+  require_committed(study, clean);
+}
+
+TEST(Propose, WithoutAFitOrLimitTheFinestErrorsThatFiguresDraw) {
+  Series series = convergent();
+  series.orders.clear();
+  series.points[2].y["stress_error"] = 17.25, series.points[2].y["l1"] = 1;
+  StudyResult study = study_with(series);
+  EXPECT_THROW(propose_goldens(study, clean), UsageError) << "no figure";
+  study.figures.resize(3);
+  study.figures[1].quantity = "stress_error";
+  study.figures[2].quantity = "l1", study.figures[2].series = {"another"};
+  const auto goldens = proposed(study);
+  ASSERT_EQ(goldens.size(), 2U);
+  const auto& error = std::get<ErrorGolden>(goldens[1].expectation);
+  EXPECT_EQ(error.norm, "stress_error");
+  EXPECT_EQ(error.at, 64);
+  EXPECT_EQ(error.expected, 17.25);
+  study.series[0].limit = cfl_limit(0.7, 0.71);
+  EXPECT_EQ(proposed(study).size(), 1U) << "the limit is what was asked";
+}
+
+TEST(Propose, NothingToProposeIsAnError) {
+  EXPECT_THROW(propose_goldens(study_with({}), clean), UsageError);
+}
+
+}  // namespace propose_refusal_test
+}  // namespace mpmvv::goldens
