@@ -20,8 +20,8 @@ constexpr std::array<const char*, 3> words_of(Status) {
   return {"ok", "unstable", "failed"};
 }
 
-/// Whose fault it is that a run `failed`: one of the machine (no memory, no threads, a full disk) may be gone the next time, one of
-/// the case is not.
+/// Whose fault it is that a run `failed`: one of the machine (no memory, no threads, a full disk) may be gone the next
+/// time, one of the case is not.
 enum class Failure { none, of_case, of_machine };
 constexpr std::array<const char*, 3> words_of(Failure) {
   return {"none", "case", "machine"};
