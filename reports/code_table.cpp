@@ -38,7 +38,7 @@ std::string order_and_window(const records::Series& series, const fits::Observed
 }
 
 std::string limit_and_bracket(const fits::StabilityLimit& limit) {
-  if (!limit.found) return fmt::format("{} in {}", text_without_limit(limit), limit.key);
+  if (!limit.found) return fmt::format("no limit in {}: {}", limit.key, text_without_limit(limit));
   return fmt::format("{} {} in {}", limit.stable < limit.unstable ? "stable to" : "stable from", brief(limit.value()),
                      limit.key);
 }

@@ -98,13 +98,14 @@ StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe) {
 
 StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates) {
   const StabilityLimit& first = replicates.front();
-  const bool stable_below = first.stable < first.unstable;
-  const auto outermost = [stable_below](double a, double b) { return stable_below ? std::min(a, b) : std::max(a, b); };
-  const auto innermost = [stable_below](double a, double b) { return stable_below ? std::max(a, b) : std::min(a, b); };
+  const auto found = std::ranges::find(replicates, true, &StabilityLimit::found);
+  const bool stable_below = found == replicates.end() || found->stable < found->unstable;
+  const auto least = [](double a, double b) { return std::isnan(b) || b < a ? b : a; };
+  const auto largest = [](double a, double b) { return std::isnan(b) || b > a ? b : a; };
   StabilityLimit common = first;
   for (const StabilityLimit& one : std::span(replicates).subspan(1)) {
-    common.stable = outermost(common.stable, one.stable);
-    common.unstable = innermost(common.unstable, one.unstable);
+    common.stable = stable_below ? least(common.stable, one.stable) : largest(common.stable, one.stable);
+    common.unstable = stable_below ? largest(common.unstable, one.unstable) : least(common.unstable, one.unstable);
     const bool agrees = one.found == first.found && std::isnan(one.stable) == std::isnan(first.stable);
     common.monotone = common.monotone && one.monotone && agrees;
     common.found = common.found && one.found;
@@ -114,12 +115,26 @@ StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates) {
   return common;
 }
 
+namespace {
+
+/// Whether runs at one value, which are neighbours here, have ended differently.
+bool do_replicates_disagree(const std::vector<Probe>& probes) {
+  return std::ranges::adjacent_find(probes, [](const Probe& a, const Probe& b) {
+           return a.value == b.value && a.stable != b.stable;
+         }) != probes.end();
+}
+
+}  // namespace
+
 std::string text_without_limit(const StabilityLimit& limit) {
-  const bool has_stable = !std::isnan(limit.stable), has_unstable = !std::isnan(limit.unstable);
-  if (has_stable == has_unstable) return "no limit in the range searched";
-  if (has_unstable) return fmt::format("unstable at the first value tried, {:.4g}", limit.unstable);
-  const bool is_least = limit.probes.size() > 1 && limit.stable == limit.probes.front().value;
-  return fmt::format("stable at all values tried, {} to {:.4g}", is_least ? "down" : "up", limit.stable);
+  if (limit.probes.empty()) return "nothing tried";
+  const bool is_unstable_once = std::ranges::any_of(limit.probes, is_unstable);
+  if (is_unstable_once && !std::ranges::all_of(limit.probes, is_unstable))
+    return do_replicates_disagree(limit.probes) ? "replicates disagree"
+                                                : "stable at some of the values tried, unstable at others";
+  const double farthest = is_unstable_once ? limit.unstable : limit.stable;
+  return fmt::format("{} at all values tried, {} to {:.4g}", is_unstable_once ? "unstable" : "stable",
+                     farthest < limit.probes.back().value ? "down" : "up", farthest);
 }
 
 }  // namespace mpmvv::fits

@@ -50,7 +50,8 @@ TEST(CodeTable, SaysUpToWhereASeriesIsStable) {
   series.limit->key = "cfl", series.limit->stable = 0.7, series.limit->unstable = 0.72, series.limit->found = true;
   EXPECT_EQ(code_table(input).groups[0].rows[0][5], "stable to 0.71 in cfl");
   series.limit->found = false, series.limit->unstable = records::not_measured;
-  EXPECT_EQ(code_table(input).groups[0].rows[0][5], "stable at all values tried, up to 0.7 in cfl");
+  series.limit->probes = {{0.35, true, ""}, {0.7, true, ""}};
+  EXPECT_EQ(code_table(input).groups[0].rows[0][5], "no limit in cfl: stable at all values tried, up to 0.7");
 }
 
 /// One name may begin another.
