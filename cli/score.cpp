@@ -51,9 +51,8 @@ void require_keepable(const cases::Case& c, const std::string& file) {
     throw UsageError(fmt::format("--db with {}, whose cost is measured (a case without repeat)", file));
 }
 
-/// Puts the record where a study finds it in place of a run.
+/// Puts the record where a study finds it in place of a run, unless there is one.
 void keep(const records::Record& record, const std::string& db) {
-  if (record.status == records::Status::failed) return note("not kept in {}: the run failed\n", db);
   store::Store store(db, store::Store::Mode::create_or_write);
   const store::Provenance provenance = store::current_provenance();
   const auto known = store.find(record.the_case, provenance.digest);
@@ -61,7 +60,6 @@ void keep(const records::Record& record, const std::string& db) {
     throw UsageError(
         fmt::format("{} holds this case already (a store of its own, or another version of the code)", db));
   store.keep(record, provenance);
-  note("kept in {}\n", db);
 }
 
 int score(const ScoreOptions& options) {
@@ -75,12 +73,14 @@ int score(const ScoreOptions& options) {
   columns.step.reset();
   if (!options.start.empty()) output.start = codes::read_snapshot(paths(options.start), columns, options.format);
   const records::Record record = codes::score(c, output);
+  const bool is_failed = record.status == records::Status::failed;
+  if (!options.db.empty() && !is_failed) keep(record, options.db);
   if (options.json)
     print_json(record_json(record));
   else
     print_score(record, fmt::format("{}", fmt::join(options.outputs, ", ")), output.end.digits);
-  if (!options.db.empty()) keep(record, options.db);
-  return record.status == records::Status::failed ? 1 : 0;
+  if (!options.db.empty()) note("{} in {}\n", is_failed ? "the run failed: not kept" : "kept", options.db);
+  return is_failed ? 1 : 0;
 }
 
 std::string format_words() {

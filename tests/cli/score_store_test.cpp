@@ -41,6 +41,8 @@ TEST_F(ScoredIntoAStore, WhatIsThereStays) {
   const Answer again = in_folder("score case.json kept/particles.csv --db r.db");
   EXPECT_EQ(again.code, 2);
   EXPECT_THAT(again.err, HasSubstr("r.db holds this case already"));
+  EXPECT_EQ(again.out, "");
+  EXPECT_EQ(in_folder("score case.json kept/particles.csv --db r.db --json").out, "");
 }
 
 /// A file of another time says nothing of the code.
