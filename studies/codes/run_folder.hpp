@@ -18,14 +18,13 @@ class RunFolder {
 
  private:
   std::filesystem::path path_;
-  int number_;
   bool is_temporary_;
 };
 
 /// Where the environment says that temporary files belong (`TMPDIR`). UsageError where that is no folder.
 std::filesystem::path place_of_runs();
 
-/// Removes the temporary folders of this process.
+/// Removes the temporary folders of this process. Throws nothing: it is about to end.
 void remove_run_folders();
 
 }  // namespace mpmvv::codes

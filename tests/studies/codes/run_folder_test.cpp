@@ -1,0 +1,79 @@
+#include "studies/codes/run_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace mpmvv::codes {
+namespace run_folder_test {
+
+namespace fs = std::filesystem;
+
+class RunFolders : public testing::Test {
+ protected:
+  RunFolders() {
+    fs::create_directories(top_);
+    setenv("TMPDIR", top_.c_str(), 1);
+  }
+  ~RunFolders() override {
+    setenv("TMPDIR", top_.parent_path().c_str(), 1);
+    fs::remove_all(top_);
+  }
+
+  /// Folders of another process of this number, as containers have them.
+  void make_foreign(const std::string& what) const {
+    for (int k = 0; k < 100; ++k) {
+      fs::create_directories(foreign(what, k));
+      std::ofstream(foreign(what, k) / "theirs") << k;
+    }
+  }
+  bool is_foreign_whole(const std::string& what) const {
+    for (int k = 0; k < 100; ++k)
+      if (!fs::exists(foreign(what, k) / "theirs")) return false;
+    return true;
+  }
+
+  const fs::path top_ = fs::temp_directory_path() / ("mpmvv-run-folders-" + std::to_string(getpid()));
+
+ private:
+  fs::path foreign(const std::string& what, int k) const {
+    return top_ / ("mpmvv-" + what + "-" + std::to_string(getpid()) + "-" + std::to_string(k));
+  }
+};
+
+TEST_F(RunFolders, TakeNoPlaceOfOthers) {
+  make_foreign("run");
+  make_foreign("failed");
+  RunFolder failed{{}};
+  EXPECT_TRUE(fs::is_empty(failed.path()));
+  EXPECT_TRUE(fs::is_empty(failed.keep()));
+  { const RunFolder good{{}}; }
+  EXPECT_TRUE(is_foreign_whole("run"));
+  EXPECT_TRUE(is_foreign_whole("failed"));
+}
+
+TEST_F(RunFolders, AreRemovedTogetherAndNoOthers) {
+  make_foreign("run");
+  const RunFolder first{{}}, second{{}};
+  RunFolder failed{{}};
+  failed.keep();
+  remove_run_folders();
+  EXPECT_FALSE(fs::exists(first.path()));
+  EXPECT_FALSE(fs::exists(second.path()));
+  EXPECT_TRUE(fs::exists(failed.path()));
+  EXPECT_TRUE(is_foreign_whole("run"));
+}
+
+TEST_F(RunFolders, AreRemovedWhereverTemporaryFilesBelongByNow) {
+  const RunFolder folder{{}};
+  setenv("TMPDIR", "/no/folder", 1);
+  EXPECT_NO_THROW(remove_run_folders());
+  EXPECT_FALSE(fs::exists(folder.path()));
+}
+
+}  // namespace run_folder_test
+}  // namespace mpmvv::codes
