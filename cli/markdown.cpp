@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <optional>
 #include <regex>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "cli/console.hpp"
@@ -23,15 +25,21 @@ std::string plain(const std::string& text) {
   return std::regex_replace(bare, code, std::regex_match(bare, codes) ? "" : "'");
 }
 
+std::vector<std::string> two_or_more(std::vector<std::string> cells) {
+  cells.resize(std::max<std::size_t>(cells.size(), 2));
+  return cells;
+}
+
 /// A table by the keys of its first column: beside each its meaning, and in brackets what the other columns say.
 class Keys {
  public:
   explicit Keys(std::vector<std::string> heads)
-      : heads_(std::move(heads)),
+      : heads_(two_or_more(std::move(heads))),
         main_(heads_.back() == "meaning" ? heads_.size() - 1 : 1),
         table_({{heads_[0]}, {heads_[main_], Table::Kind::prose}}, 0) {}
 
-  void add(const std::vector<std::string>& cells) {
+  void add(std::vector<std::string> cells) {
+    cells.resize(heads_.size());
     std::vector<std::string> others;
     for (std::size_t k = 1; k < cells.size(); ++k)
       if (k != main_ && !cells[k].empty()) others.push_back(heads_[k] + " " + cells[k]);
@@ -49,10 +57,11 @@ class Keys {
 
 std::vector<std::string> cells_of(const std::string& row) {
   std::vector<std::string> cells;
-  for (std::size_t begin = 0; begin + 2 < row.size();) {
-    const std::size_t end = row.find(" |", begin + 1);
-    cells.push_back(plain(row.substr(begin + 2, end - begin - 2)));
-    begin = end + 1;
+  for (std::size_t begin = 1; begin < row.size();) {
+    const std::size_t end = std::min(row.find(" |", begin), row.size());
+    const std::size_t text = std::min(row.find_first_not_of(' ', begin), end);
+    cells.push_back(plain(row.substr(text, end - text)));
+    begin = end + 2;
   }
   return cells;
 }
