@@ -40,6 +40,11 @@ void survive_failed_writes() {
   for (const int write_failed : {SIGXFSZ, SIGPIPE}) std::signal(write_failed, [](int) {});
 }
 
+/// Who ignores that children end never learns it, and hands that on to the programs that it starts.
+void heed_children() {
+  std::signal(SIGCHLD, SIG_DFL);
+}
+
 /// "mpmvv db info".
 std::string full_name(const CLI::App& app) {
   return (app.get_parent() ? full_name(*app.get_parent()) + ' ' : "") + app.get_name();
@@ -118,6 +123,7 @@ int run(CLI::App& app, int argc, char** argv, const int& exit_code) {
 int enter(int argc, char** argv, const std::string& name, const std::string& description, const AddCommands& add) {
   fill_standard_streams();
   survive_failed_writes();
+  heed_children();
   try {
     CLI::App app{description, name};
     app.formatter(std::make_shared<HelpFormatter>());

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <system_error>
+
 #include "studies/codes/fields.hpp"
 #include "studies/codes/output_files.hpp"
 #include "studies/codes/run_command.hpp"

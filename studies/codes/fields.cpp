@@ -102,7 +102,8 @@ void add_expressions(const Case& c, const Dialect& dialect, TemplateFields& fiel
   for (std::size_t d = 0; d < all.F0.size(); ++d) set_components(fields, fmt::format("F0_{}", axes[d]), all.F0[d]);
 }
 
-/// `width` is a particle's: half of it, about its place, has no other particle in it.
+/// `width` is a particle's in the reference. Boxes of half of it about x hold one particle each where the start is
+/// compressed by less than a half.
 TemplateFields particle_of(const StartState& state, std::size_t p, double width) {
   TemplateFields one;
   one.set("id", fmt::format("{}", state.id[p]));

@@ -35,8 +35,9 @@ std::string value_of(const cases::Case& c, const std::string& key) {
 }
 
 /// By which a particle is found again in the file: its id, else its place.
-std::int64_t number_of(const Snapshot& s, std::ptrdiff_t place) {
-  return s.id.empty() ? place + 1 : s.id[static_cast<std::size_t>(place)];
+std::string name_of(const Snapshot& s, std::ptrdiff_t place) {
+  return s.id.empty() ? fmt::format("row {}", place + 1)
+                      : fmt::format("particle {}", s.id[static_cast<std::size_t>(place)]);
 }
 
 template <std::size_t N>
@@ -49,7 +50,7 @@ void require_finite(const std::vector<std::array<double, N>>& all, const char* w
   const auto count = all.end() - first - std::count_if(first, all.end(), is_finite);
   throw OutputFault(Status::unstable,
                     fmt::format("{} of {} particles with a {} that is no number in {} (the first: {})", count,
-                                all.size(), what, s.file, number_of(s, first - all.begin())));
+                                all.size(), what, s.file, name_of(s, first - all.begin())));
 }
 
 /// RMS error of every `stride`th line against the exact solution of a time.
@@ -136,8 +137,7 @@ void require_mass(const MatchedEnd<D>& end) {
   if (s.mass.empty()) return;
   const auto odd = std::ranges::find_if_not(s.mass, [](double m) { return m > 0 && std::isfinite(m); });
   if (odd != s.mass.end())
-    fail_output("particle {} in {} has mass {:g} kg (a positive one)", number_of(s, odd - s.mass.begin()), s.file,
-                *odd);
+    fail_output("{} in {} has mass {:g} kg (a positive one)", name_of(s, odd - s.mass.begin()), s.file, *odd);
   const double wanted = std::accumulate(end.particles.m.begin(), end.particles.m.end(), 0.0);
   const double mass = std::accumulate(s.mass.begin(), s.mass.end(), 0.0);
   if (!(std::abs(mass / wanted - 1) <= 0.02))

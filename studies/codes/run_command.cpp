@@ -4,8 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
+#include <chrono>
 #include <csignal>
 #include <cstring>
+#include <map>
+#include <utility>
 
 #include "studies/codes/fields.hpp"
 #include "studies/support/file.hpp"
@@ -57,7 +61,8 @@ std::string tail_of(const std::string& log) {
   constexpr std::size_t most = 300;
   std::string text = log.size() > most ? "..." + log.substr(log.size() - most) : log;
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
-  std::ranges::replace_if(text, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, ' ');
+  std::ranges::replace_if(
+      text, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, ' ');
   return text.empty() ? "it wrote nothing" : text;
 }
 

@@ -23,7 +23,8 @@ struct CommandFault : std::runtime_error {
 std::string tail_of(const std::string& log);
 
 /// Runs a command of the adapter in the folder; the seconds that it took. What it wrote is in `log.txt` there, and
-/// added to the log. Nothing that it started goes on.
+/// added to the log. Nothing that it started goes on, but what has cleared its environment and left the group of the
+/// command, and what runs as another user.
 double run_command(const Code& code, const std::vector<std::string>& templates, const TemplateFields& fields,
                    const std::filesystem::path& folder, std::string& log);
 

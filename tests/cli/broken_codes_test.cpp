@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
-#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "tests/cli/program.hpp"
@@ -62,6 +66,15 @@ TEST_F(StudyOfABrokenCode, TwoAtOnceShareAStore) {
   EXPECT_THAT(in_folder("study s.toml --db r.db").out, HasSubstr("0 cases run, 3 taken"));
 }
 
+/// A caller that asks for no news of its children: the program still hears of its own.
+TEST_F(StudyOfABrokenCode, HearsOfTheEndOfItsRuns) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Answer answer =
+      call(folder_, "study s.toml --db r.db", "cd '" + mover_.top().string() + "' && env --ignore-signal=CHLD ");
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(15)) << "20 is the time limit of a run";
+}
+
 TEST_F(StudyOfABrokenCode, ThatIsStoppedLeavesNothingRunning) {
   const fs::path group = mover_.top() / "group", session = mover_.top() / "session";
   mover_.script(std::string(Mover::moving) + "[ $2 = 4 ] && exit 0\n" + Mover::start("", group) +
@@ -72,7 +85,7 @@ TEST_F(StudyOfABrokenCode, ThatIsStoppedLeavesNothingRunning) {
   int status = 0;
   waitpid(child, &status, 0);
   EXPECT_EQ(WEXITSTATUS(status), 130);
-  for (const fs::path& file : {group, session}) EXPECT_FALSE(Mover::is_running(file)) << file;
+  for (const fs::path& file : {group, session}) EXPECT_FALSE(Mover::goes_on(file)) << file;
   for (const auto& entry : fs::directory_iterator(mover_.top()))
     EXPECT_NE(entry.path().filename().string().substr(0, 10), "mpmvv-run-");
   EXPECT_THAT(read_text(mover_.top() / "messages"), HasSubstr("the same command goes on from there"));

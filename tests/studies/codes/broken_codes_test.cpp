@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
     , BrokenOutput,
     testing::Values(
         Ending{"Nan", "sed -i '5s/,[^,]*,/,nan,/' particles.csv", unstable, none,
-               "1 of 64 particles with a position that is no number in particles.csv (the first: 4)"},
+               "1 of 64 particles with a position that is no number in particles.csv (the first: particle 4)"},
         Ending{"Infinity", "sed -i '5s/,[^,]*,/,-inf,/' particles.csv", unstable, none, "a position that is no number"},
         Ending{"MassNan", "sed -i '5s/,[^,]*$/,nan/' particles.csv", failed, of_case,
                "particle 4 in particles.csv has mass nan kg (a positive one)"},
@@ -116,7 +116,7 @@ TEST_F(BrokenCode, LeavesNothingRunning) {
   for (const auto& entry : fs::directory_iterator(mover_.top())) {
     if (!entry.path().string().starts_with(place)) continue;
     ++started;
-    EXPECT_FALSE(Mover::is_running(entry.path())) << entry.path();
+    EXPECT_FALSE(Mover::goes_on(entry.path())) << entry.path();
   }
   EXPECT_EQ(started, 3);
 }
@@ -129,16 +129,33 @@ TEST_F(BrokenCode, MayWriteMoreThanAMemoryHolds) {
   EXPECT_LT(fs::file_size(kept / "log.txt"), 17U << 20);
 }
 
-/// A disk that takes no more: here a limit on the size of files.
+/// A limit in bytes on the size of files, beyond which a write fails; what was before comes back.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t most) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit little{most, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &little);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+/// A disk that takes no more.
 TEST_F(BrokenCode, MayDoBetterWithMoreRoom) {
   const Code code = mover_.code();
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit little{100, before.rlim_max};
-  signal(SIGXFSZ, SIG_IGN);
-  setrlimit(RLIMIT_FSIZE, &little);
-  const Record record = run_external(settings::make_case(Mover::settings()), code);
-  setrlimit(RLIMIT_FSIZE, &before);
+  const Record record = [&] {
+    const FileSizeLimit full(100);
+    return run_external(settings::make_case(Mover::settings()), code);
+  }();
   EXPECT_EQ(record.status, Status::failed);
   EXPECT_EQ(record.failure, Failure::of_machine);
   EXPECT_THAT(record.reason, HasSubstr("cannot write input.txt (File too large)"));

@@ -84,7 +84,9 @@ TEST_F(OutputFaults, ParticlesThatBlewUp) {
   Snapshot s = end();
   s.x[5][1] = std::numeric_limits<double>::quiet_NaN();
   expect({.end = s}, Status::unstable,
-         "1 of 256 particles with a position that is no number in end.csv (the first: 6)");
+         "1 of 256 particles with a position that is no number in end.csv (the first: particle 6)");
+  s.id.clear();
+  expect({.end = s}, Status::unstable, "in end.csv (the first: row 6)");
   s = end();
   s.x[5][1] = 3;
   expect({.end = s}, Status::unstable, "particle 6 has escaped: y = 3 m");

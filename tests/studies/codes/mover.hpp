@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 
 #include "studies/codes/code.hpp"
 #include "studies/settings/settings.hpp"
@@ -76,13 +78,10 @@ window = [4, 16]
   static std::string start(const std::string& how, const std::string& file) {
     return how + " sh -c 'echo $$ > " + file + "; exec sleep 60' &\nuntil [ -s " + file + " ]; do sleep 0.01; done\n";
   }
-  /// Whether the process of this number goes on; one that has ended may still be there, as nobody has asked for it.
-  static bool is_running(const std::filesystem::path& file) {
-    std::string number, word, state;
-    std::ifstream(file) >> number;
-    std::ifstream status("/proc/" + number + "/status");
-    while (status >> word && word != "State:") continue;
-    return status >> state && state != "Z";
+  /// Whether the process of this number goes on; one that was killed has some seconds to be gone.
+  static bool goes_on(const std::filesystem::path& file) {
+    for (int k = 0; k < 500 && is_running(file); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return is_running(file);
   }
 
   std::filesystem::path top() const { return top_; }
@@ -106,6 +105,15 @@ window = [4, 16]
   }
 
  private:
+  /// One that has ended may still be there, as nobody has asked for it.
+  static bool is_running(const std::filesystem::path& file) {
+    std::string number, word, state;
+    std::ifstream(file) >> number;
+    std::ifstream status("/proc/" + number + "/status");
+    while (status >> word && word != "State:") continue;
+    return status >> state && state != "Z";
+  }
+
   std::filesystem::path top_;
 };
 
