@@ -1,8 +1,10 @@
 #include "solver/mass_matrix.hpp"
 
 #include <algorithm>
+#include <variant>
 
 #include "solver/simd/doubles.hpp"
+#include "solver/stencils/node_boxes.hpp"
 #include "solver/stencils/node_loop.hpp"
 #include "solver/step.hpp"
 
@@ -56,7 +58,8 @@ bool MassMatrix<D>::assemble(Step<D>& s) {
   return fits_;
 }
 
-/// Puts the couplings of a node with those of its seven neighbours.
+/// Puts all couplings of a node, those to earlier lines from the rows there, beside those of the other nodes of its
+/// eight.
 template <int D>
 void MassMatrix<D>::complete(std::size_t n) {
   const double* const row = &rows_[(margin_ + n) * row_size_];

@@ -4,17 +4,19 @@
 #include <cstddef>
 #include <vector>
 
-#include "solver/stencils/node_boxes.hpp"
+#include "solver/grid.hpp"
+#include "solver/simd/padded.hpp"
 
 namespace mpmvv::solver {
 
 template <int D>
 class Step;
 
-/// The consistent mass matrix M_ij = Σ_p m_p N_ip N_jp, SᵀMS of N §2.1, assembled. Where particles reach W nodes along
-/// an axis a node couples to those up to W - 1 away, at (2W - 1)^D displacements. As M is symmetric a node's row has
-/// those along its own line of the first axis and those to lines that come later in storage. For products all of them
-/// are then put side by side for eight nodes. Of bars and in the plane.
+/// The consistent mass matrix M_ij = Σ_p m_p N_ip N_jp, SᵀMS of N §2.1, assembled, for D = 1 and 2. Where particles
+/// reach W nodes along an axis a node couples to those up to W - 1 away, at (2W - 1)^D displacements. As M is symmetric
+/// a node's row has those along its own line of the first axis and those to lines that come later in storage; from the
+/// rows, all displacements of eight nodes are then put side by side for products. Takes 8 bytes for each displacement
+/// and node of the grid, and half as many for the rows: 620 bytes a node for cubic splines in the plane.
 template <int D>
 class MassMatrix {
  public:
@@ -22,7 +24,7 @@ class MassMatrix {
 
   explicit MassMatrix(const Step<D>& s);
 
-  /// Of the particles where they are. False where a particle's domain reaches further than that.
+  /// Of the particles where they are. False where a particle's domain reaches more than W nodes along an axis.
   bool assemble(Step<D>& s);
 
   /// φ_i += Σ_j M_ij u_j on the nodes with mass.
@@ -41,7 +43,7 @@ class MassMatrix {
   void add_run(std::size_t first, std::size_t end, Field& field) const;
 
   std::vector<std::ptrdiff_t> offsets_;   ///< along storage, of all displacements
-  std::size_t earlier_;                   ///< how many of them lead to earlier lines
+  std::size_t earlier_;                   ///< how many of them lead to earlier lines: none for D = 1
   std::size_t row_size_;                  ///< one more than couplings: what is added to a line may reach past the last
   std::size_t margin_;                    ///< nodes before and after those of the grid
   std::vector<double> rows_;              ///< with the margin

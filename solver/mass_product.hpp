@@ -7,6 +7,9 @@
 
 namespace mpmvv::solver {
 
+template <int D>
+class Step;
+
 /// The consistent mass matrix SᵀMS of N §2.1 times fields of nodes, many times by the same positions: assembled where
 /// that is worth it, and else by a sweep over the particles each, to them and back.
 template <int D>

@@ -91,15 +91,6 @@ class Step {
   }
   void sort_strays();  ///< to be called when positions have changed and the step goes on
 
-  /// Calls visit(begin, end) for the particles of every slab; where slabs share nodes they take turns.
-  template <class Visit>
-  void for_slabs(const Visit& visit) {
-    solver::for_slabs(Adds::to_nodes, slabs_, pool_, [&](int slab) {
-      const auto [begin, end] = slabs_.particles(slab);
-      visit(begin, end);
-    });
-  }
-
   /// Calls visit(n) for every node with mass. Those without have no velocity and acceleration but what boundaries hold.
   template <class Visit>
   void for_nodes(const Visit& visit) {

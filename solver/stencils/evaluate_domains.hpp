@@ -24,13 +24,14 @@ template <class B, int D>
 [[gnu::flatten]] Fault find_domains(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
                                     DomainsByAxis<D>& domains) {
   const double inverse_h = 1 / grid.h(), least = 1 + domain_reach - B::ghost;
+  double most[D];
+  for (int d = 0; d < D; ++d) most[d] = std::nextafter(grid.cells()[d] - least, 0.0);
   Mask4 outside{}, inside{-1, -1, -1, -1};
   for_packs(block, [&](const ParticlePack& pack, int k) {
     const PackVec<D> x = pack.of(particles.x);
     const PackMat<D> half = 0.5 * pack.of(particles.R);
     for (int d = 0; d < D; ++d) {
-      const double most = std::nextafter(grid.cells()[d] - least, 0.0);
-      store4(confined((x[d] - grid.lower()[d]) * inverse_h, least, most, outside).of, &domains.centre[d][k]);
+      store4(confined((x[d] - grid.lower()[d]) * inverse_h, least, most[d], outside).of, &domains.centre[d][k]);
       Double4 extent{};
       for (int e = 0; e < D; ++e) extent += half(d, e).of < 0. ? -half(d, e).of : half(d, e).of;
       const Mask4 fits = extent <= double{domain_reach};

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "solver/stencils/any_block.hpp"
 #include "solver/stencils/cpdi_block.hpp"
 #include "solver/stencils/point_block.hpp"
 

@@ -34,8 +34,8 @@ std::string gate_version(const ScratchTree& tree) {
     return std::ranges::any_of(parts, [&](const char* part) { return is_within(file, part); });
   };
   const auto decides = [&](const std::string& file) {
-    return !lies_in(file, std::array{".github", "CHANGELOG.md", "CONTRIBUTING.md", "README.md", "adapters", "cli", "docs", "run",
-                                     "tests/benchmark", "tests/mutation"});
+    return !lies_in(file, std::array{".github", "CHANGELOG.md", "CONTRIBUTING.md", "README.md", "adapters", "cli",
+                                     "docs", "run", "tests/benchmark", "tests/mutation"});
   };
   const auto expects = [&](const std::string& file) {
     const bool is_list = file.ends_with(".txt") && !file.ends_with("CMakeLists.txt");
