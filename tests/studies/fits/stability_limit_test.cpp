@@ -209,36 +209,6 @@ TEST(StabilityLimit, AnUnstableStableEndIsNotFoundAndNotMonotone) {
   EXPECT_EQ(prober.batches.size(), 1u);
 }
 
-/// Of runs that are stable below a value, or from it on.
-StabilityLimit limit_at(double value, bool below) {
-  LimitSearch search = cfl_search();
-  search.stable_below = below;
-  Prober prober{[=](double v) { return (v < value) == below; }};
-  return find_limit(search, prober.batch());
-}
-
-TEST(StabilityLimit, OfReplicatesReachesFromWhereAllAreStableToWhereNoneIs) {
-  for (const bool below : {true, false}) {
-    const StabilityLimit low = limit_at(0.4, below), high = limit_at(0.6, below), middle = limit_at(0.5, below);
-    const StabilityLimit common = common_limit({middle, low, high});
-    EXPECT_EQ(common.stable, below ? low.stable : high.stable);
-    EXPECT_EQ(common.unstable, below ? high.unstable : low.unstable);
-    EXPECT_TRUE(common.found);
-    EXPECT_TRUE(common.monotone);
-    EXPECT_EQ(common.probes.size(), low.probes.size() + high.probes.size() + middle.probes.size());
-    EXPECT_TRUE(std::ranges::is_sorted(common.probes, {}, &Probe::value));
-  }
-  const StabilityLimit alone = limit_at(0.4, true), calm = limit_at(10, true);
-  EXPECT_EQ(common_limit({alone}).stable, alone.stable);
-  EXPECT_FALSE(common_limit({alone, calm}).found);
-  EXPECT_FALSE(common_limit({calm, alone}).monotone);
-  EXPECT_TRUE(common_limit({calm, calm}).monotone);
-  const StabilityLimit wild = limit_at(0.01, true);
-  EXPECT_TRUE(common_limit({wild, wild}).monotone);
-  EXPECT_FALSE(common_limit({calm, wild}).monotone) << "neither all stable nor all unstable";
-  EXPECT_FALSE(common_limit({wild, calm}).monotone);
-}
-
 TEST(StabilityLimit, IsDeterministic) {
   Prober a{[](double v) { return v < 0.123; }}, b{a.stable};
   const StabilityLimit first = find_limit(cfl_search(), a.batch()), second = find_limit(cfl_search(), b.batch());
@@ -265,45 +235,6 @@ TEST(StabilityLimit, BadSearchesAreRejectedBeforeAnyProbe) {
 TEST(StabilityLimit, AMissingVerdictIsABugOfTheCaller) {
   const ProbeBatch forgetful = [](const std::vector<double>&) { return std::vector<Probe>(1); };
   EXPECT_THROW(find_limit(cfl_search(), forgetful), std::logic_error);
-}
-
-TEST(StabilityLimit, SaysWhatIsKnownWithoutOne) {
-  const auto text = [](bool below, double limit) {
-    const ProbeBatch probe = [&](const std::vector<double>& values) {
-      std::vector<Probe> probes;
-      for (const double value : values) probes.push_back({value, below ? value < limit : value > limit, ""});
-      return probes;
-    };
-    return text_without_limit(find_limit({.key = "cfl", .from = 0.25, .to = 2, .stable_below = below}, probe));
-  };
-  EXPECT_EQ(text(true, 3), "stable at all values tried, up to 2");
-  EXPECT_EQ(text(false, 0.1), "stable at all values tried, down to 0.25");
-  EXPECT_EQ(text(true, 0.2), "unstable at all values tried, down to 0.25");
-  EXPECT_EQ(text(false, 3), "unstable at all values tried, up to 2");
-  EXPECT_EQ(text_without_limit({}), "nothing tried");
-  Prober prober{[](double v) { return v > 0.5; }};
-  EXPECT_EQ(text_without_limit(find_limit(cfl_search(), prober.batch())),
-            "stable at some of the values tried, unstable at others");
-}
-
-TEST(StabilityLimit, ThatReplicatesDoNotShareIsSaidWhicheverComesFirst) {
-  for (const bool below : {true, false}) {
-    const StabilityLimit calm = limit_at(below ? 10 : 0.01, below), wild = limit_at(below ? 0.01 : 10, below),
-                         found = limit_at(1.05, below);
-    for (const auto& both : std::vector<std::vector<StabilityLimit>>{
-             {calm, found}, {found, calm}, {wild, found}, {found, wild}, {calm, wild}, {wild, calm}})
-      EXPECT_EQ(text_without_limit(common_limit(both)), "replicates disagree");
-    for (const auto& both : {common_limit({calm, found}), common_limit({found, calm})}) {
-      EXPECT_EQ(both.stable, found.stable);
-      EXPECT_TRUE(std::isnan(both.unstable)) << "one of them is stable at all values";
-    }
-    for (const auto& both : {common_limit({wild, found}), common_limit({found, wild})}) {
-      EXPECT_TRUE(std::isnan(both.stable)) << "one of them is unstable at all values";
-      EXPECT_EQ(both.unstable, found.unstable);
-    }
-    EXPECT_THAT(text_without_limit(common_limit({calm, calm})), HasSubstr("stable at all values tried"));
-    EXPECT_THAT(text_without_limit(common_limit({wild, wild})), HasSubstr("unstable at all values tried"));
-  }
 }
 
 }  // namespace stability_limit_test
