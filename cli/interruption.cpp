@@ -7,7 +7,7 @@ namespace mpmvv::cli {
 namespace {
 
 bool is_ignored(int signal) {
-  struct sigaction action{};
+  struct sigaction action {};
   sigaction(signal, nullptr, &action);
   return action.sa_handler == SIG_IGN;
 }

@@ -66,7 +66,8 @@ void carry_over(const fs::path& from, const fs::path& to) {
 }
 
 bool is_same_folder(int descriptor, const fs::path& folder) {
-  struct stat opened{}, named{};
+  struct stat opened {
+  }, named{};
   return fstat(descriptor, &opened) == 0 && stat(folder.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
          opened.st_ino == named.st_ino;
 }
