@@ -94,7 +94,8 @@ Case read_case(const std::filesystem::path& file) {
   if (object.is_discarded()) fail_case(name, "no JSON");
   require_case_fields(object, name);
   const Case c = case_of(object, name);
-  if (cases::canonical_text(c) != object["case"]) fail_case(name, "settings that make another case than its text");
+  if (object["case"].get<std::string>() != cases::canonical_text(c))
+    fail_case(name, "settings that make another case than its text");
   require_same_fields(object, json::parse(case_text(c)), name);
   return c;
 }
