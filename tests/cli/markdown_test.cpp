@@ -19,6 +19,7 @@ std::string on_a_terminal(const std::string& markdown) {
   constexpr unsigned longest = 10;  // seconds
   const winsize size{25, 80, 0, 0};
   int terminal = -1;
+  std::fflush(stdout);  // or the child has what is left there, too
   const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
   if (child == 0) {
     alarm(longest);
