@@ -50,9 +50,11 @@ records::Record run_by_other_code(const std::vector<settings::Setting>& given, c
   codes::require_able(code.adapter, c);
   codes::require_sound_templates(c, code);
   const Interruption interruption;
-  const std::stop_callback stop(interruption.token(), [] {
+  const std::stop_callback stop(interruption.token(), [&] {
     constexpr int interrupted = 130;
-    codes::abandon_external_runs();
+    const auto no_more_runs = codes::abandon_external_runs();
+    note("stopped: {} was ended before it had finished{}\n", c.scheme.code,
+         options.keep.empty() ? "" : fmt::format("; what it had written is in {}", options.keep));
     std::_Exit(interrupted);
   });
   if (c.measure.repeat > 0) return codes::run_external_timed({c}, finder.codes()).front();

@@ -36,7 +36,7 @@ struct StudyOptions {
 /// As a shell says of a program that was interrupted from the keyboard.
 [[noreturn]] void stop(const StudyOptions& options, const plan::RunnerCounts& counts) {
   constexpr int interrupted = 130;
-  codes::abandon_external_runs();
+  const auto no_more_runs = codes::abandon_external_runs();
   note("stopped: {} finished and kept in {}, the running ones are lost; the same command goes on from there\n",
        count_text(counts.ran, "case"), options.db);
   std::_Exit(interrupted);

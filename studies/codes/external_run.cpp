@@ -110,9 +110,9 @@ std::vector<Record> run_external_timed(const std::vector<Case>& cases, const Cod
   return runs::run_in_rounds(cases, [&](const Case& c) { return run_external(c, codes.at(c.scheme.code)); });
 }
 
-void abandon_external_runs() {
+std::unique_lock<std::mutex> abandon_external_runs() {
   end_commands();
-  remove_run_folders();
+  return remove_run_folders();
 }
 
 }  // namespace mpmvv::codes

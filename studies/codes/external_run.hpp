@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <mutex>
 #include <vector>
 
 #include "studies/codes/code.hpp"
@@ -15,7 +16,8 @@ records::Record run_external(const cases::Case& c, const Code& code, const std::
 /// Runs of which the cost is measured: as often as each says (`repeat`), taking turns, and the median taken.
 std::vector<records::Record> run_external_timed(const std::vector<cases::Case>& cases, const Codes& codes);
 
-/// Ends the programs that run and removes their folders: for a command that is about to stop.
-void abandon_external_runs();
+/// Ends the programs that run and removes their folders: for a command that is about to stop. As long as the lock is
+/// held, no other run begins.
+[[nodiscard]] std::unique_lock<std::mutex> abandon_external_runs();
 
 }  // namespace mpmvv::codes

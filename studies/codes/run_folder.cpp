@@ -4,10 +4,11 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
-#include <mutex>
 #include <set>
 #include <system_error>
+#include <thread>
 
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -43,26 +44,10 @@ fs::path new_folder() {
   return path;
 }
 
-/// The temporary folders of this process.
-class Temporary {
- public:
-  void add(const fs::path& folder) {
-    const std::lock_guard lock(mutex_);
-    folders_.insert(folder);
-  }
-  void forget(const fs::path& folder) {
-    const std::lock_guard lock(mutex_);
-    folders_.erase(folder);
-  }
-  void remove_all() {
-    const std::lock_guard lock(mutex_);
-    std::error_code ignored;
-    for (const fs::path& folder : folders_) fs::remove_all(folder, ignored);
-  }
-
- private:
-  std::mutex mutex_;
-  std::set<fs::path> folders_;
+/// The temporary folders of this process. One comes and goes under this lock.
+struct Temporary {
+  std::mutex mutex;
+  std::set<fs::path> folders;
 };
 
 Temporary& temporary() {
@@ -70,26 +55,40 @@ Temporary& temporary() {
   return all;
 }
 
+/// Of what has been killed a process may write a last file into a folder that is being removed.
+void remove_surely(const fs::path& folder) {
+  constexpr std::chrono::milliseconds wait{10};
+  std::error_code failed;
+  for (int k = 0; k < 100; ++k) {
+    fs::remove_all(folder, failed);
+    if (!failed) return;
+    std::this_thread::sleep_for(wait);
+  }
+}
+
 }  // namespace
 
-RunFolder::RunFolder(const fs::path& named)
-    : path_(named.empty() ? new_folder() : fs::absolute(named)), is_temporary_(named.empty()) {
+RunFolder::RunFolder(const fs::path& named) : is_temporary_(named.empty()) {
+  const std::lock_guard lock(temporary().mutex);
+  path_ = is_temporary_ ? new_folder() : fs::absolute(named);
   support::make_folder(path_);  // of a new one that could not be made it says why
-  if (is_temporary_) temporary().add(path_);
+  if (is_temporary_) temporary().folders.insert(path_);
 }
 
 RunFolder::~RunFolder() {
   std::error_code ignored;
   if (!is_temporary_) return;
+  const std::lock_guard lock(temporary().mutex);
   fs::remove_all(path_, ignored);
-  temporary().forget(path_);
+  temporary().folders.erase(path_);
 }
 
 fs::path RunFolder::keep() {
   if (!is_temporary_) return path_;
+  const std::lock_guard lock(temporary().mutex);
   const fs::path place = free_path("failed");
   support::move_file(path_, place);
-  temporary().forget(path_);
+  temporary().folders.erase(path_);
   path_ = place;
   is_temporary_ = false;
   return place;
@@ -104,8 +103,10 @@ fs::path place_of_runs() {
       fmt::format("TMPDIR is '{}', which is no folder (one that is there and can be written)", named ? named : "/tmp"));
 }
 
-void remove_run_folders() {
-  temporary().remove_all();
+std::unique_lock<std::mutex> remove_run_folders() {
+  std::unique_lock lock(temporary().mutex);
+  for (const fs::path& folder : temporary().folders) remove_surely(folder);
+  return lock;
 }
 
 }  // namespace mpmvv::codes

@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
+#include <tuple>
 
 namespace mpmvv::codes {
 namespace run_folder_test {
@@ -61,7 +65,7 @@ TEST_F(RunFolders, AreRemovedTogetherAndNoOthers) {
   const RunFolder first{{}}, second{{}};
   RunFolder failed{{}};
   failed.keep();
-  remove_run_folders();
+  std::ignore = remove_run_folders();
   EXPECT_FALSE(fs::exists(first.path()));
   EXPECT_FALSE(fs::exists(second.path()));
   EXPECT_TRUE(fs::exists(failed.path()));
@@ -71,7 +75,38 @@ TEST_F(RunFolders, AreRemovedTogetherAndNoOthers) {
 TEST_F(RunFolders, AreRemovedWhereverTemporaryFilesBelongByNow) {
   const RunFolder folder{{}};
   setenv("TMPDIR", "/no/folder", 1);
-  EXPECT_NO_THROW(remove_run_folders());
+  EXPECT_NO_THROW(std::ignore = remove_run_folders());
+  EXPECT_FALSE(fs::exists(folder.path()));
+}
+
+TEST_F(RunFolders, WaitForTheEndOfAProcessThatRemovesThem) {
+  std::atomic<bool> is_there = false;
+  std::jthread late;
+  {
+    const auto no_more = remove_run_folders();
+    late = std::jthread([&] {
+      const RunFolder folder{{}};
+      is_there = true;
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_FALSE(is_there);
+  }
+  late.join();
+  EXPECT_TRUE(is_there);
+}
+
+TEST_F(RunFolders, AreRemovedThoughSomebodyStillWrites) {
+  const RunFolder folder{{}};
+  std::atomic<bool> is_started = false;
+  const std::jthread writer([&] {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+    for (int k = 0; std::chrono::steady_clock::now() < end; ++k) {
+      std::ofstream(folder.path() / std::to_string(k)) << k;
+      is_started = true;
+    }
+  });
+  while (!is_started) std::this_thread::yield();
+  std::ignore = remove_run_folders();
   EXPECT_FALSE(fs::exists(folder.path()));
 }
 
