@@ -7,13 +7,15 @@
 set(MPMVV_PLAIN "" CACHE PATH "build folder without sanitizers, whose cases and rooms are linked")
 
 # Left out are what counts allocations or asks for too much memory, long runs whose code shorter ones cover at least in
-# part (in space, fewer pairs of an integrator with a boundary are left), and the comparisons of numbers of threads,
-# which are the thread sanitizer's.
+# part (in space, fewer pairs of an integrator with a boundary are left), what reads the tree's own text, and the
+# comparisons of numbers of threads, which are the thread sanitizer's.
 set(not_sanitized
   "*Nightly*:Allocation*:*DoesNotDecideTheSquare*:*MassCutoff*:Textbook*:TimeOrder*:*IsHalfAPeriod*:*CannotEnd*:*LittleMemory*"
   ":*ScenesInSpaceMoveAlike:*ContinueIntoSpace:*NoKindOfValueIsABug:*APathOfAnyKind*:*AClosedOrFullStream*"
   ":*EndsWithExamplesThatRun:*EveryCaseOfTheTreeIsOne:*AllOfTheWorkEachOnce:*TheirLongestPieceAllows"
-  ":Part.OfTheCube*:Part.OfTwoBlocks*:*EveryProblemFollowsItsSolution:*ImpactLosesSomeOfItsEnergy:*NumberOfThreads*")
+  ":OutsideProblems.TheWave*:OutsideProblems.FromRest*:*SplinesLoseOrder*:*AreThoseOfEverySolution:CostCommand*"
+  ":Docs*:Layers*:Manual.Names*:*FitsATerminalOf80Columns:*AreCostedBefore*:*WallsLeaveFree/*cpdi"
+  ":Part.Of*:*EveryProblemFollowsItsSolution:*ImpactLosesSomeOfItsEnergy:*NumberOfThreads*")
 string(CONCAT not_sanitized ${not_sanitized})
 
 # One test for each program: a process for each case would take longer to start than the cases to run.

@@ -35,6 +35,7 @@ class StudyOfABrokenCode : public testing::Test {
   pid_t start_study() const {
     const pid_t child = fork();
     if (child != 0) return child;
+    signal(SIGINT, SIG_DFL);  // a shell without job control has what it starts in the background ignore it
     fs::current_path(mover_.top());
     freopen("/dev/null", "w", stdout);
     freopen("messages", "w", stderr);

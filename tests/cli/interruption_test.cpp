@@ -19,6 +19,7 @@ class Interrupted : public testing::TestWithParam<int> {
   pid_t start() {
     const pid_t child = fork();
     if (child != 0) return child;
+    signal(SIGINT, SIG_DFL);  // a shell without job control has what it starts in the background ignore it
     freopen("/dev/null", "w", stdout);
     freopen((folder_ / "messages").c_str(), "w", stderr);
     execl(program().c_str(), "mpmvv", "study", file_.c_str(), "--jobs", "8", "--db", db_.c_str(), nullptr);
