@@ -25,12 +25,12 @@ struct FaceNodes {
 };
 
 /// What a boundary treatment must offer, on one face.
-///   word       its name
-///   holds      true when it overwrites velocities, so that S (30) has a meaning
-///   sum_images       adds up what belongs together in a field (momentum with mass, force) just mapped from the
-///   particles constrain  makes a field of vectors (velocity, acceleration) obey the face
+///   word                 its name
+///   holds                true when it overwrites velocities, so that S (30) has a meaning
+///   sum_images           adds up what belongs together in a field mapped from particles: momentum, mass, force
+///   constrain            makes a field of vectors (velocity, acceleration) obey the face
 /// and one that holds velocities
-///   constrain_transposed  takes the part of a field of forces that drives what it leaves free
+///   constrain_transposed takes the part of a field of forces that drives what it leaves free
 template <class B>
 concept Boundary = requires(const B boundary, Grid<2>& grid, Face face, std::vector<Padded<3>>& momentum,
                             std::vector<Padded<2>>& vectors) {
