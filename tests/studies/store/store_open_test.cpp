@@ -1,8 +1,10 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "studies/store/schema.hpp"
 #include "studies/store/seal.hpp"
 #include "tests/studies/store/store_samples.hpp"
+#include "tests/walk.hpp"
 
 namespace mpmvv::store {
 namespace store_open_test {
@@ -194,6 +196,11 @@ TEST_F(StoreOpen, AnOlderStoreOpensWithoutItsMutants) {
   const Store store(file_, Mode::read);
   EXPECT_THAT(store.check(), testing::IsEmpty());
   EXPECT_TRUE(store.find(bar(8), "d1"));
+}
+
+/// The page on a number of one's own says its schema: what reads that page, hours later, builds with it.
+TEST(Schema, OfANumberOfOnesOwnIsTheNextOne) {
+  EXPECT_THAT(walk("number-entry"), HasSubstr(fmt::format("({}, ", migrations().size() + 1)));
 }
 
 TEST_F(StoreOpen, ACreationThatFailsLeavesNoFile) {
