@@ -36,6 +36,31 @@ TEST_P(ThreadPoolOf, SeesWhatItWroteInTheRunBefore) {
   }
 }
 
+TEST(TaskQueues, AreEmptiedByWhoeverComes) {
+  TaskQueue tasks;
+  std::vector<int> times(3, 0);
+  const auto count = [&](int task) { ++times[static_cast<std::size_t>(task)]; };
+  const Task task(count);
+  for (int k = 1; k <= 2; ++k) {
+    tasks.open(3, task);
+    tasks.take();
+    tasks.wait();  // for nobody else
+    tasks.take();  // as a thread that comes too late
+    EXPECT_EQ(times, std::vector<int>(3, k));
+  }
+}
+
+TEST(TaskQueues, SayWhenNoMoreWillCome) {
+  TaskQueue tasks;
+  unsigned seen = 0;
+  const auto nothing = [](int) {};
+  const Task task(nothing);
+  tasks.open(2, task);
+  EXPECT_TRUE(tasks.wait_for_more(seen));
+  tasks.close();
+  EXPECT_FALSE(tasks.wait_for_more(seen));
+}
+
 /// Both those that still look and those that sleep by then go on.
 TEST_P(ThreadPoolOf, GoesOnAfterARest) {
   std::atomic<int> tasks = 0;

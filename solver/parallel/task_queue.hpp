@@ -1,0 +1,93 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <thread>
+
+namespace mpmvv::solver {
+
+/// Any callable of a task's number, in one type, so that what runs it is compiled once. Valid as long as the callable.
+class Task {
+ public:
+  template <class Visit>
+  Task(const Visit& visit) : visit_(&visit), call_([](const void* v, int k) { (*static_cast<const Visit*>(v))(k); }) {}
+  void operator()(int k) const { call_(visit_, k); }
+
+ private:
+  const void* visit_;
+  void (*call_)(const void* visit, int k);
+};
+
+/// The numbered tasks of one run after another, each for the first thread that asks. Who waits, waits for tasks and not
+/// for threads: one that the system does not let run holds up nobody. With a barrier for all threads, a run on two of
+/// them beside three busy programs took 15 times as long.
+class TaskQueue {
+ public:
+  /// Hands out task(0) to task(count - 1), until `wait` has returned. All earlier ones are done.
+  void open(int count, const Task& task) {
+    task_.store(&task, std::memory_order_relaxed);
+    done_.store(0, std::memory_order_relaxed);
+    const std::uint64_t next_run = (state_.load(std::memory_order_relaxed) >> 2 * bits) + 1;
+    state_.store(next_run << 2 * bits | static_cast<std::uint64_t>(count) << bits, std::memory_order_release);
+    tell();
+  }
+  void open(int count, Task&& gone_too_early) = delete;
+  /// No more will come.
+  void close() {
+    is_closed_ = true;
+    tell();
+  }
+
+  /// Carries out tasks as long as there are some that nobody has taken.
+  void take() {
+    std::uint64_t state = state_.load(std::memory_order_acquire);
+    while (next_of(state) < count_of(state)) {
+      // Of this run, if the exchange finds the state as it was: the run ends after its last task.
+      const Task* const task = task_.load(std::memory_order_relaxed);
+      if (!state_.compare_exchange_weak(state, state + 1, std::memory_order_acq_rel)) continue;
+      (*task)(next_of(state));
+      if (done_.fetch_add(1, std::memory_order_acq_rel) + 1 == count_of(state)) done_.notify_one();
+      state = state_.load(std::memory_order_acquire);
+    }
+  }
+  /// Returns when all are done.
+  void wait() {
+    const int count = count_of(state_.load(std::memory_order_relaxed));
+    for (int done; (done = done_.load(std::memory_order_acquire)) < count;) wait_while(done_, done);
+  }
+  /// Returns when there are others than those `seen`, with true, or when no more will come.
+  bool wait_for_more(unsigned& seen) {
+    wait_while(runs_, seen);
+    seen = runs_.load(std::memory_order_acquire);
+    return !is_closed_;
+  }
+
+ private:
+  /// Of a count of tasks, of which each has 2^14 nodes or particles, whose numbers are an int.
+  static constexpr int bits = 18;
+  static int part(std::uint64_t state) { return static_cast<int>(state & ((std::uint64_t{1} << bits) - 1)); }
+  static int next_of(std::uint64_t state) { return part(state); }
+  static int count_of(std::uint64_t state) { return part(state >> bits); }
+
+  void tell() {
+    runs_.fetch_add(1, std::memory_order_release);
+    runs_.notify_all();
+  }
+  /// Looks for a while before it sleeps: a phase of a step often takes less time than to be woken.
+  template <class T>
+  static void wait_while(const std::atomic<T>& number, T old) {
+    constexpr int looks = 200;
+    for (int k = 0; k < looks; ++k) {
+      if (number.load(std::memory_order_acquire) != old) return;
+      std::this_thread::yield();
+    }
+    number.wait(old, std::memory_order_acquire);
+  }
+
+  std::atomic<std::uint64_t> state_{0};  ///< number of the run, count of its tasks, the next one
+  std::atomic<const Task*> task_{nullptr};
+  std::atomic<int> done_{0};
+  std::atomic<unsigned> runs_{0};  ///< so far
+  std::atomic<bool> is_closed_{false};
+};
+
+}  // namespace mpmvv::solver
