@@ -25,8 +25,8 @@ class RunFolder {
 /// Where the environment says that temporary files belong (`TMPDIR`). UsageError where that is no folder.
 std::filesystem::path place_of_runs();
 
-/// Removes the temporary folders of this process, which is about to end. As long as the lock is held, threads that would
-/// make another one, or keep theirs, wait.
+/// Removes the temporary folders of this process, which is about to end. As long as the lock is held, threads that
+/// would make another one, or keep theirs, wait.
 [[nodiscard]] std::unique_lock<std::mutex> remove_run_folders();
 
 }  // namespace mpmvv::codes
