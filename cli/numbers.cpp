@@ -23,7 +23,7 @@ std::string error_text(double value) {
 }
 
 std::string order_text(double order) {
-  return formatted("{:.2f}", order);
+  return formatted("{:.2f}", std::abs(order) < 0.005 ? 0 : order);  // no -0.00
 }
 
 std::string half_width_text(double half_width) {

@@ -32,7 +32,7 @@ bool is_number(const std::string& text) {
 
 std::string order_text(double order, double half_width) {
   if (std::isnan(order)) return "–";
-  if (std::isnan(half_width)) return fmt::format("{:.2f}", order);
+  if (std::isnan(half_width)) return fmt::format("{:.2f}", std::abs(order) < 0.005 ? 0 : order);  // no -0.00
   constexpr double least_shown = 5e-5;
   if (half_width > 0 && half_width < least_shown) return fmt::format("{:.4f} ± {:.0e}", order, half_width);
   const int decimals = half_width > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(half_width))), 2, 4) : 2;

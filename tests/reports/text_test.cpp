@@ -32,6 +32,8 @@ TEST(Text, NumbersAndTheirAbsenceAreToldFromWords) {
 TEST(Text, OrderHasAnIntervalOnlyWhenThereIsOne) {
   EXPECT_EQ(order_text(2.012, 0.04), "2.01 ± 0.04");
   EXPECT_EQ(order_text(2.012, NAN), "2.01");
+  EXPECT_EQ(order_text(-4e-8, NAN), "0.00");
+  EXPECT_EQ(order_text(-0.006, NAN), "-0.01");
   EXPECT_EQ(order_text(NAN, NAN), "–");
   EXPECT_EQ(order_text(2.00012, 0.0004), "2.0001 ± 0.0004") << "never ± 0.00";
   EXPECT_EQ(order_text(1e-9, 3.2e-8), "0.0000 ± 3e-08");
