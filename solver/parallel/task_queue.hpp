@@ -62,7 +62,7 @@ class TaskQueue {
   }
 
  private:
-  /// Of a count of tasks, of which each has 2^14 nodes or particles, whose numbers are an int.
+  /// Of a count of tasks: 2^17 at most, as each has 2^14 of at most 2^31 nodes or particles.
   static constexpr int bits = 18;
   static int part(std::uint64_t state) { return static_cast<int>(state & ((std::uint64_t{1} << bits) - 1)); }
   static int next_of(std::uint64_t state) { return part(state); }

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <fstream>
 #include <thread>
+#include <vector>
 
 #include "tests/cli/program.hpp"
 #include "tests/studies/codes/mover.hpp"
@@ -32,15 +33,29 @@ class StudyOfABrokenCode : public testing::Test {
   Answer in_folder(const std::string& arguments) const {
     return call(folder_, arguments, "cd '" + mover_.top().string() + "' && ");
   }
-  pid_t start_study() const {
+  pid_t start_study() const { return start({"study", "s.toml", "--db", "r.db", "--jobs", "1"}); }
+  pid_t start(std::vector<const char*> arguments) const {
+    arguments.insert(arguments.begin(), "mpmvv");
+    arguments.push_back(nullptr);
     const pid_t child = fork();
     if (child != 0) return child;
     signal(SIGINT, SIG_DFL);  // a shell without job control has what it starts in the background ignore it
     fs::current_path(mover_.top());
     freopen("/dev/null", "w", stdout);
     freopen("messages", "w", stderr);
-    execl(program().c_str(), "mpmvv", "study", "s.toml", "--db", "r.db", "--jobs", "1", nullptr);
+    execv(program().c_str(), const_cast<char* const*>(arguments.data()));
     _exit(127);
+  }
+
+  /// Interrupts it when the code has written a file. No folder of a run is left.
+  void interrupt(pid_t child, const fs::path& file) const {
+    for (int k = 0; k < 2000 && !fs::exists(file); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    kill(child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    for (const auto& entry : fs::directory_iterator(mover_.top()))
+      EXPECT_NE(entry.path().filename().string().substr(0, 10), "mpmvv-run-");
   }
 
   const Mover mover_;
@@ -81,15 +96,17 @@ TEST_F(StudyOfABrokenCode, ThatIsStoppedLeavesNothingRunning) {
   mover_.script(std::string(Mover::moving) + "[ $2 = 4 ] && exit 0\n" + Mover::start("", group) +
                 Mover::start("setsid", session) + "sleep 60\n");
   const pid_t child = start_study();
-  for (int k = 0; k < 2000 && !fs::exists(session); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  kill(child, SIGINT);
-  int status = 0;
-  waitpid(child, &status, 0);
-  EXPECT_EQ(WEXITSTATUS(status), 130);
+  interrupt(child, session);
   for (const fs::path& file : {group, session}) EXPECT_FALSE(Mover::goes_on(file)) << file;
-  for (const auto& entry : fs::directory_iterator(mover_.top()))
-    EXPECT_NE(entry.path().filename().string().substr(0, 10), "mpmvv-run-");
   EXPECT_THAT(read_text(mover_.top() / "messages"), HasSubstr("the same command goes on from there"));
+}
+
+TEST_F(StudyOfABrokenCode, ARunThatIsStoppedSaysSoAndLeavesNoFolder) {
+  mover_.script("echo > " + (mover_.top() / "begun").string() + "\nsleep 60\n");
+  const pid_t child = start({"run", "--code", "mover", "--variant", "plain", "--problem", "translation", "--cells", "4",
+                             "--ppc", "2", "--cfl", "0.5"});
+  interrupt(child, mover_.top() / "begun");
+  EXPECT_EQ(read_text(mover_.top() / "messages"), "stopped: mover was ended before it had finished\n");
 }
 
 }  // namespace broken_codes_test
