@@ -60,8 +60,13 @@ std::int64_t Mpm<D>::steps() const {
 }
 
 template <int D>
+double Mpm<D>::with_images(double sum) const {
+  return count(step_->scene().images) * sum;
+}
+
+template <int D>
 double Mpm<D>::mass() const {
-  return std::accumulate(particles().m.begin(), particles().m.end(), 0.0);
+  return with_images(std::accumulate(particles().m.begin(), particles().m.end(), 0.0));
 }
 
 template <int D>
@@ -81,12 +86,12 @@ double Mpm<D>::kinetic_energy() const {
   double energy = 0;
   for (std::size_t p = 0; p < particles().size(); ++p)
     energy += 0.5 * particles().m[p] * particles().v[p].squaredNorm();
-  return energy;
+  return with_images(energy);
 }
 
 template <int D>
 double Mpm<D>::strain_energy() const {
-  return std::visit(
+  return with_images(std::visit(
       [&all = particles()]<class M>(const M& material) {
         double energy = 0;
         for (std::size_t p = 0; p < all.size(); ++p)
@@ -96,7 +101,7 @@ double Mpm<D>::strain_energy() const {
             energy += all.V0[p] * material.template energy<D>(all.F[p]);
         return energy;
       },
-      step_->scene().material);
+      step_->scene().material));
 }
 
 template <int D>

@@ -33,10 +33,12 @@ class Mpm {
   double time() const;
   std::int64_t steps() const;  ///< finished ones
 
-  double mass() const;                 ///< Σ m_p
+  // Sums over the particles and the scene's images of them.
+  double mass() const;            ///< Σ m_p
+  double kinetic_energy() const;  ///< Σ m_p v_p²/2
+  double strain_energy() const;   ///< Σ V⁰_p W(F_p), or the internal energy of a material with a history
+
   Mat<D> stress(std::size_t p) const;  ///< Cauchy stress of a particle
-  double kinetic_energy() const;       ///< Σ m_p v_p²/2
-  double strain_energy() const;        ///< Σ V⁰_p W(F_p), or the internal energy of a material with a history
 
   /// Maps the particles as they are now: the grid then holds m_i and a_i = f_i/m_i, constrained, of this very time,
   /// where a step leaves those of its start.
@@ -45,6 +47,8 @@ class Mpm {
   bool is_accelerated(std::size_t n) const;   ///< whether its mass exceeds the scene's `mass_cutoff`
 
  private:
+  double with_images(double sum) const;
+
   std::unique_ptr<Step<D>> step_;
 };
 

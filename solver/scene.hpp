@@ -6,6 +6,7 @@
 #include "solver/basis/bases.hpp"
 #include "solver/body_force.hpp"
 #include "solver/boundary/boundaries.hpp"
+#include "solver/boundary/images.hpp"
 #include "solver/consistent_mass_settings.hpp"
 #include "solver/deformation.hpp"
 #include "solver/material/materials.hpp"
@@ -39,6 +40,7 @@ struct Scene {
   AnyBasis basis;
   AnyMaterial material;
   std::array<AnyBoundary, 2 * D> boundary;
+  Images images = Images::none;        ///< of the particles, one more part of the body each
   BodyForce<D>* body_force = nullptr;  ///< none when null; must outlive the run
   BodyForceOn body_force_on = BodyForceOn::particles;
   const SurfaceLoad<D>* surface_load = nullptr;  ///< none when null; must outlive the run

@@ -18,6 +18,16 @@ Grid<D> make_grid(const Scene<D>& scene) {
       scene.basis);
 }
 
+/// Whether the first two axes have the same cells and the same boundaries.
+template <int D>
+bool are_shared([[maybe_unused]] const Scene<D>& scene) {
+  if constexpr (D == 1) return false;
+  const auto& faces = scene.boundary;
+  return scene.cells[0] == scene.cells[1] && faces[0].index() == faces[2].index() &&
+         faces[1].index() == faces[3].index() &&
+         (scene.images == Images::diagonal ? scene.lower[0] == scene.lower[1] : faces[0].index() == faces[1].index());
+}
+
 template <int D>
 Scene<D> validated(Scene<D> scene) {
   const auto require = [](bool holds, const char* what) {
@@ -31,6 +41,7 @@ Scene<D> validated(Scene<D> scene) {
   require(!is_wide || particles.l.size() == particles.size(), "particles without the widths that the basis takes");
   require(width != ParticleWidth::domain || particles.R.size() == particles.size(),
           "particles without the domains that the basis takes");
+  require(scene.images == Images::none || are_shared(scene), "images that the grid or the boundaries do not share");
   for (const AnyBoundary& boundary : scene.boundary)
     if (const auto* wall = std::get_if<Wall>(&boundary)) require(wall->motion, "a wall without a motion");
   return scene;

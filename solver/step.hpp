@@ -54,7 +54,7 @@ class Step {
   Vec<D> node_position(std::size_t n) const;  ///< of the node at a storage index
   bool is_accelerated(std::size_t n) const { return grid_.m(n) > least_mass_; }
 
-  // From particles to the grid; images that the boundaries identify are summed.
+  // From particles to the grid; images are summed, those that the boundaries identify among them.
   void map_momentum();             ///< m_i, p_i                                    S (1), (2), W (8), (9)
   void map_momentum_and_forces();  ///< and τ_p = τ(F_p), f_i                       S (3), (4), (16), W (12), (14)
   void deform_and_map_forces(const DeformationStep<D>& deform);  ///< F_p by the grid's v, then τ_p = τ(F_p), f_i
@@ -106,7 +106,8 @@ class Step {
   template <class V>
   void clear(std::vector<V>& field);  ///< to zero, before particles are mapped to it
   template <class V>
-  void sum_images(std::vector<V>& field);  ///< adds up what the boundaries identify, after particles have been mapped
+  void sum_images(
+      std::vector<V>& field);    ///< adds up what images and boundaries identify, after particles have been mapped
   void sum_momentum_images();    ///< that of momenta and masses; the masses decide what `for_nodes` visits from then on
   void constrain(Field& field);  ///< v = C v, where walls stand still
   void constrain_transposed(Field& field);  ///< f = Cᵀ f
@@ -177,6 +178,7 @@ void Step<D>::clear(std::vector<V>& field) {
 template <int D>
 template <class V>
 void Step<D>::sum_images(std::vector<V>& field) {
+  sum_over(scene_.images, grid_, field);
   for_faces([&](const auto& boundary, Face face) { boundary.sum_images(grid_, face, field); });
 }
 

@@ -145,8 +145,8 @@ Record CasePool::record_of(const Case& c, double seconds_of_all) {
   if (!c.scheme.code.empty()) return external_record_of(c);
   const double about = seconds({c});
   if (const auto part = settings::part_of(c)) {
-    const int threads = threads_for(*part, about, seconds_of_all);
-    const Admission::Place place(admission_, threads, memory_estimate(*part));
+    const int threads = threads_for(part->body, about, seconds_of_all);
+    const Admission::Place place(admission_, threads, memory_estimate(part->body));
     if (const auto record = runs::run_part(c, *part, threads)) {
       finish(c, threads * record->wall_seconds);
       return *record;

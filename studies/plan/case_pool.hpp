@@ -16,8 +16,8 @@
 
 namespace mpmvv::plan {
 
-/// Gets records of cases: from memory, from the store, or by running them, on a part of the body where mirror images of
-/// it make the rest. A case runs once, unless two threads ask for it at the same time. Cases run in parallel, the long
+/// Gets records of cases: from memory, from the store, or by running them, on a part of the body where images of it
+/// make the rest. A case runs once, unless two threads ask for it at the same time. Cases run in parallel, the long
 /// ones first, as far as the machine's memory allows. Two kinds run alone: those whose cost is measured, on one thread
 /// and taking turns; and big ones, on all threads.
 class CasePool {

@@ -27,7 +27,8 @@ CostModel::CostModel(const store::Store* store)
 CostModel::Time CostModel::time(const cases::Case& c) const {
   const int runs = std::max(1, c.measure.repeat);
   if (const auto last = store_ ? store_->last_seconds(c) : std::nullopt) return {runs * *last, Source::same_case};
-  const double work = runs * work_estimate(settings::part_of(c).value_or(c));
+  const auto part = settings::part_of(c).value_or(settings::Part{c});
+  const double work = runs * work_estimate(part.body) / solver::count(part.images);
   const auto [basis, integrator, velocity_update] = cases::method_of(c.scheme);
   if (const auto known = costs_.find({c.problem.name, basis, integrator, velocity_update}); known != costs_.end())
     return {known->second * work, Source::like_cases};

@@ -111,7 +111,7 @@ class Forecaster {
     const std::size_t all = study.runs + study.probes;
     add(all > 0, "{} not in the store for this program", all);
     add(plan.check.empty() && all == 0, "all there");
-    add(study.parts > 0, "{} on a part of the body that mirror images complete", study.parts);
+    add(study.parts > 0, "{} on a part of the body that its images complete", study.parts);
     add(study.timed > 0, "{} timed, alone at the end", study.timed);
     add(all > 0, "longest {:.3g} s ({}, {} cells)", std::get<0>(longest_), std::get<1>(longest_),
         std::get<2>(longest_));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mms/parameter.hpp"
+#include "solver/boundary/images.hpp"
 #include "studies/cases/case.hpp"
 
 namespace mpmvv::problems {
@@ -43,6 +44,8 @@ struct Problem {
   bool is_one_particle = false;              ///< whether it is one particle in one cell, at no other resolution
   /// Of its quarter, the part on one side of a plane of symmetry across each axis; `quarter` has no meaning without.
   SymmetryPlanes symmetry_planes = SymmetryPlanes::none;
+  /// What besides maps its body, or its quarter, and their motion onto themselves.
+  solver::Images images = solver::Images::none;
   /// Whether the solution needs a traction on the body's surface.
   bool (*is_loaded)(const Parameters&) = nullptr;
   std::variant<SetupFunction<1>, SetupFunction<2>, SetupFunction<3>> setup;

@@ -27,6 +27,7 @@ Problem shell_problem() {
           .end_time = [](const Parameters& p) { return 2 / bar_wave_speed(p); },
           .boundary = "free",
           .symmetry_planes = SymmetryPlanes::at_lower_faces,
+          .images = solver::Images::diagonal,
           .is_loaded = has_poissons_ratio,
           .setup = &shell_setup};
 }

@@ -27,6 +27,7 @@ Problem vortex_problem() {
           .end_time_formula = "period",
           .end_time = [](const Parameters& p) { return p.at("period"); },
           .boundary = "free",
+          .images = solver::Images::quarter_turns,
           .setup = &vortex_setup};
 }
 

@@ -6,7 +6,7 @@
 
 namespace mpmvv::runs {
 
-/// Momenta of the particles, and the sizes that their changes are measured by.
+/// Momenta of the particles and their images, and the sizes that their changes are measured by.
 template <int D>
 struct Momenta {
   solver::Vec<D> linear = solver::Vec<D>::Zero();   ///< Σ m v
@@ -14,15 +14,22 @@ struct Momenta {
   double speed = 0;                                 ///< Σ m |v|
   double swing = 0;                                 ///< Σ m |x| |v|
 
-  explicit Momenta(const solver::Particles<D>& particles) {
+  explicit Momenta(const solver::Particles<D>& particles, solver::Images images = solver::Images::none) {
     for (std::size_t p = 0; p < particles.size(); ++p) {
-      const solver::Vec<D>&x = particles.x[p], &v = particles.v[p];
-      const double m = particles.m[p];
-      linear += m * v;
-      angular += m * (x * v.transpose() - v * x.transpose());
-      speed += m * v.norm();
-      swing += m * x.norm() * v.norm();
+      solver::Vec<D> x = particles.x[p], v = particles.v[p];
+      for (int k = 0; k < count(images); ++k) {
+        add(particles.m[p], x, v);
+        x = next_image(images, x), v = next_image(images, v);
+      }
     }
+  }
+
+ private:
+  void add(double m, const solver::Vec<D>& x, const solver::Vec<D>& v) {
+    linear += m * v;
+    angular += m * (x * v.transpose() - v * x.transpose());
+    speed += m * v.norm();
+    swing += m * x.norm() * v.norm();
   }
 };
 

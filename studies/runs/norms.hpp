@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
 
 #include "studies/records/record.hpp"
 
@@ -10,11 +10,12 @@ namespace mpmvv::runs {
 /// Mean, root mean square and maximum of the particles' displacement errors δ_p, W (64). One NaN makes all three NaN.
 class ErrorNorms {
  public:
-  void add(double delta) {
-    sum_ += delta;
-    sum_of_squares_ += delta * delta;
+  /// That of so many particles.
+  void add(double delta, int particles = 1) {
+    sum_ += particles * delta;
+    sum_of_squares_ += particles * delta * delta;
     largest_ = std::max(largest_, delta);
-    ++count_;
+    count_ += particles;
   }
 
   double l1() const { return sum_ / static_cast<double>(count_); }
@@ -23,7 +24,7 @@ class ErrorNorms {
 
  private:
   double sum_ = 0, sum_of_squares_ = 0, largest_ = 0;
-  std::size_t count_ = 0;
+  std::int64_t count_ = 0;
 };
 
 }  // namespace mpmvv::runs

@@ -104,14 +104,19 @@ void measure_end(const Case& c, solver::Mpm<D>& mpm, const PreparedCase<D>& prep
   }
 }
 
+struct Manner {
+  int threads = 1;
+  solver::Images images = solver::Images::none;
+};
+
 template <int D>
-void run(const Case& c, const problems::Problem& problem, int threads, VtuSeries* vtu, Record& record) {
+void run(const Case& c, const problems::Problem& problem, Manner manner, VtuSeries* vtu, Record& record) {
   const double start = wall_seconds();
-  PreparedCase<D> prepared = prepare_case<D>(c, problem, threads);
+  PreparedCase<D> prepared = prepare_case<D>(c, problem, manner.threads, manner.images);
   solver::Mpm<D> mpm(std::move(prepared.scene));
-  record.particles = static_cast<std::int64_t>(mpm.particles().size());
+  for (const std::uint32_t id : mpm.particles().id) record.particles += prepared.count_of(id);
   record.energy.initial_total = mpm.kinetic_energy() + mpm.strain_energy();
-  const Momenta<D> start_momenta(mpm.particles());
+  const Momenta<D> start_momenta(mpm.particles(), prepared.images);
 
   const bool every_step = c.measure.every_step && prepared.points;
   if (every_step) record.error.l1_all_steps = record.error.l2_all_steps = record.error.linf_all_steps = 0;
@@ -124,18 +129,20 @@ void run(const Case& c, const problems::Problem& problem, int threads, VtuSeries
     if (vtu && VtuSeries::due(record.steps, c.resolution.steps)) vtu->write(mpm, prepared.X);
   });
   if (record.status == Status::ok) {
-    record.balance = balance(start_momenta, Momenta<D>(mpm.particles()), mpm.mass(), mass_of(prepared.setup));
+    record.balance =
+        balance(start_momenta, Momenta<D>(mpm.particles(), prepared.images), mpm.mass(), mass_of(prepared.setup));
     if (c.measure.velocity_error) record.error.velocity = 100 / prepared.setup.speed * velocity_error.mean();
     measure_end(c, mpm, prepared, record);
   } else {
     record.error = {};
   }
-  record.ns_per_particle_step = 1e9 * step_seconds / static_cast<double>(record.particles * record.steps);
+  record.ns_per_particle_step =
+      1e9 * step_seconds / (static_cast<double>(mpm.particles().size()) * static_cast<double>(record.steps));
   record.wall_seconds = wall_seconds() - start;
 }
 
 /// One run of the case, whatever its dimension.
-Record run_once(const Case& c, int threads, VtuSeries* vtu) {
+Record run_once(const Case& c, Manner manner, VtuSeries* vtu) {
   const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
   Record record;
   record.the_case = c;
@@ -143,13 +150,13 @@ Record run_once(const Case& c, int threads, VtuSeries* vtu) {
   try {
     switch (problem.dimension()) {
       case 1:
-        run<1>(c, problem, threads, vtu, record);
+        run<1>(c, problem, manner, vtu, record);
         break;
       case 2:
-        run<2>(c, problem, threads, vtu, record);
+        run<2>(c, problem, manner, vtu, record);
         break;
       default:
-        run<3>(c, problem, threads, vtu, record);
+        run<3>(c, problem, manner, vtu, record);
     }
   } catch (const support::UsageError&) {
     throw;
@@ -167,11 +174,15 @@ Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
   if (c.measure.repeat > 0) return run_timed({c}).front();
   std::optional<VtuSeries> frames;
   if (!vtu.empty()) frames.emplace(vtu);
-  return run_once(c, threads, frames ? &*frames : nullptr);
+  return run_once(c, {threads}, frames ? &*frames : nullptr);
+}
+
+Record run_without_images(const Case& c, solver::Images images, int threads) {
+  return run_once(c, {threads, images}, nullptr);
 }
 
 std::vector<Record> run_timed(const std::vector<Case>& cases) {
-  return run_in_rounds(cases, [](const Case& c) { return run_once(c, 1, nullptr); });
+  return run_in_rounds(cases, [](const Case& c) { return run_once(c, {}, nullptr); });
 }
 
 }  // namespace mpmvv::runs

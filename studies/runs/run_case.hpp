@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "solver/boundary/images.hpp"
 #include "studies/records/record.hpp"
 
 namespace mpmvv::runs {
@@ -11,6 +12,10 @@ namespace mpmvv::runs {
 /// `run_timed`; the particle states of others go to the directory `vtu` unless it is empty (UsageError when it cannot
 /// be written).
 records::Record run_case(const cases::Case& c, int threads, const std::filesystem::path& vtu = {});
+
+/// The same where the body, its motion, boundary, grid and particles have such images: only the particles of which the
+/// others are images are run. The record is the body's but for the cost, which is theirs.
+records::Record run_without_images(const cases::Case& c, solver::Images images, int threads);
 
 /// Runs cases whose cost is measured: on one thread, as often as each says (`repeat`), taking turns. The caller sees to
 /// it that nothing else runs on the machine.

@@ -43,7 +43,8 @@ void for_displacement_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>& p
 template <int D>
 ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) {
   ErrorNorms norms;
-  for_displacement_errors(mpm, prepared, [&](std::size_t, double delta) { norms.add(delta); });
+  for_displacement_errors(
+      mpm, prepared, [&](std::size_t p, double delta) { norms.add(delta, prepared.count_of(mpm.particles().id[p])); });
   return norms;
 }
 
@@ -59,16 +60,25 @@ std::vector<records::ParticleError> particle_errors(const solver::Mpm<D>& mpm, c
   return errors.reduced();
 }
 
+/// Root mean square over the particles of `error(p, X_p)`.
+template <int D, class Error>
+double rms_over_particles(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Error& error) {
+  ErrorNorms norms;
+  for (std::size_t p = 0; p < mpm.particles().size(); ++p) {
+    const auto id = mpm.particles().id[p];
+    norms.add(error(p, prepared.X[id]), prepared.count_of(id));
+  }
+  return norms.l2();
+}
+
 /// The mean over the steps noted of the particles' RMS velocity error.
 template <int D>
 class VelocityError {
  public:
   void note(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) {
-    const auto& particles = mpm.particles();
-    ErrorNorms norms;
-    for (std::size_t p = 0; p < particles.size(); ++p)
-      norms.add((particles.v[p] - prepared.setup.solution->v(prepared.X[particles.id[p]], mpm.time())).norm());
-    sum_ += norms.l2();
+    sum_ += rms_over_particles(mpm, prepared, [&](std::size_t p, const solver::Vec<D>& X) {
+      return (mpm.particles().v[p] - prepared.setup.solution->v(X, mpm.time())).norm();
+    });
     ++steps_;
   }
   double mean() const { return sum_ / static_cast<double>(steps_); }
@@ -77,14 +87,6 @@ class VelocityError {
   double sum_ = 0;
   std::int64_t steps_ = 0;
 };
-
-/// Root mean square over the particles of `error(p, X_p)`.
-template <int D, class Error>
-double rms_over_particles(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Error& error) {
-  ErrorNorms norms;
-  for (std::size_t p = 0; p < mpm.particles().size(); ++p) norms.add(error(p, prepared.X[mpm.particles().id[p]]));
-  return norms.l2();
-}
 
 /// RMS over the particles of |σ_p - σ(X_p, t)|.
 template <int D>

@@ -1,19 +1,26 @@
 #include "studies/runs/run_part.hpp"
 
 #include "studies/runs/run_case.hpp"
-#include "studies/settings/part.hpp"
 
 namespace mpmvv::runs {
 
-std::optional<records::Record> run_part(const cases::Case& whole, const cases::Case& part, int threads) {
-  records::Record r = run_case(part, threads);
-  if (r.status != records::Status::ok) return std::nullopt;
-  const int images = settings::images_of_part(part);
-  r.the_case = whole;
-  r.images = images;
+namespace {
+
+/// Of the whole from those of one of so many mirror images, the momenta of which cancel.
+void add_mirror_images(int images, records::Record& r) {
   r.particles *= images;
   for (double* energy : {&r.energy.kinetic, &r.energy.strain, &r.energy.initial_total}) *energy *= images;
-  for (double* change : {&r.balance.momentum, &r.balance.angular_momentum}) *change *= 0;  // those of images cancel
+  for (double* change : {&r.balance.momentum, &r.balance.angular_momentum}) *change *= 0;
+}
+
+}  // namespace
+
+std::optional<records::Record> run_part(const cases::Case& whole, const settings::Part& part, int threads) {
+  records::Record r = run_without_images(part.body, part.images, threads);
+  if (r.status != records::Status::ok) return std::nullopt;
+  if (part.mirror_images > 1) add_mirror_images(part.mirror_images, r);
+  r.the_case = whole;
+  r.images = part.count();
   return r;
 }
 

@@ -19,17 +19,35 @@ namespace {
 
 using solver::Vec;
 
-/// Fills the body: reference positions, volumes, and the widths that the basis takes.
+/// Particles that one at X and its images are; none where another of them is run. No particle lies on an axis about
+/// which a body turns.
+template <int D>
+int count_with_images(const Vec<D>& X, solver::Images images, double h) {
+  if (images == solver::Images::none) return 1;
+  const double x = X[0], y = X[D > 1 ? 1 : 0];
+  if (images == solver::Images::quarter_turns) return x > 0 && y > 0 ? 4 : 0;
+  const double round_off = 1e-9 * h;
+  return x > y + round_off ? 2 : x > y - round_off ? 1 : 0;
+}
+
+/// Fills the body: reference positions, volumes, and the widths that the basis takes. A particle that is its own image
+/// has its share of its volume.
 template <int D>
 void fill(PreparedCase<D>& prepared, const Case& c) {
   auto& scene = prepared.scene;
   const auto width = width_of(scene.basis);
-  const auto about = static_cast<std::size_t>(problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, D) + 0.5);
+  const int images = count(scene.images);
+  const auto about =
+      static_cast<std::size_t>(problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, D) / images + 0.5);
   prepared.X.reserve(about);
+  if (images > 1) prepared.with_images.reserve(about);
   scene.particles.V0.reserve(about);
   const PlaceVoxel<D> place = [&](const Voxel<D>& voxel) {
+    const int of_body = count_with_images<D>(voxel.X, scene.images, scene.h);
+    if (of_body == 0) return;
+    if (images > 1) prepared.with_images.push_back(static_cast<std::uint8_t>(of_body));
     prepared.X.push_back(voxel.X);
-    scene.particles.V0.push_back(voxel.V);
+    scene.particles.V0.push_back(voxel.V * of_body / images);
     if (width == solver::ParticleWidth::domain)
       scene.particles.R.push_back(voxel.edges / scene.h);
     else if (width != solver::ParticleWidth::none)
@@ -125,7 +143,7 @@ problems::Domain<D> background_grid(const Case& c, const problems::Setup<D>& set
 }
 
 template <int D>
-PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, int threads) {
+PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, int threads, solver::Images images) {
   PreparedCase<D> prepared;
   auto& scene = prepared.scene;
   scene.h = problem.length(c.problem.parameters) / c.resolution.cells;
@@ -144,6 +162,7 @@ PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, in
   scene.difference_acceleration = c.scheme.wall_acceleration == cases::WallAcceleration::difference;
   if (c.scheme.mass == cases::Mass::consistent) scene.consistent_mass.emplace();
   scene.threads = threads;
+  scene.images = prepared.images = images;
   set_boundaries(prepared, c.scheme);
 
   scene.basis = settings::named<solver::AnyBasis>(c.scheme.basis);
@@ -177,8 +196,8 @@ template class SolutionTraction<3>;
 template problems::Domain<1> background_grid<1>(const Case&, const problems::Setup<1>&, double);
 template problems::Domain<2> background_grid<2>(const Case&, const problems::Setup<2>&, double);
 template problems::Domain<3> background_grid<3>(const Case&, const problems::Setup<3>&, double);
-template PreparedCase<1> prepare_case<1>(const Case&, const problems::Problem&, int);
-template PreparedCase<2> prepare_case<2>(const Case&, const problems::Problem&, int);
-template PreparedCase<3> prepare_case<3>(const Case&, const problems::Problem&, int);
+template PreparedCase<1> prepare_case<1>(const Case&, const problems::Problem&, int, solver::Images);
+template PreparedCase<2> prepare_case<2>(const Case&, const problems::Problem&, int, solver::Images);
+template PreparedCase<3> prepare_case<3>(const Case&, const problems::Problem&, int, solver::Images);
 
 }  // namespace mpmvv::runs

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -67,10 +68,15 @@ template <int D>
 struct PreparedCase {
   problems::Setup<D> setup;
   std::vector<solver::Vec<D>> X;  ///< reference positions by particle id
+  solver::Images images = solver::Images::none;
+  std::vector<std::uint8_t> with_images;  ///< particles of the body that each is with its images, by id; empty: one
   std::unique_ptr<mms::PointwiseSolution<D>> points;
   std::unique_ptr<SolutionBodyForce<D>> body_force;
   std::unique_ptr<SolutionTraction<D>> traction;  ///< null where the surface is free or held
   solver::Scene<D> scene;
+
+  /// Particles of the body that one is with its images.
+  int count_of(std::uint32_t id) const { return with_images.empty() ? 1 : with_images[id]; }
 
   /// Whether walls put energy in, so that it has no bound.
   bool is_driven() const {
@@ -90,15 +96,16 @@ double mass_of(const problems::Setup<D>& setup) {
 template <int D>
 problems::Domain<D> background_grid(const cases::Case& c, const problems::Setup<D>& setup, double h);
 
-/// The body filled with particles in their state at t = 0.
+/// The body filled with particles in their state at t = 0, but for those that are images of others.
 template <int D>
-PreparedCase<D> prepare_case(const cases::Case& c, const problems::Problem& problem, int threads);
+PreparedCase<D> prepare_case(const cases::Case& c, const problems::Problem& problem, int threads,
+                             solver::Images images = solver::Images::none);
 
 extern template problems::Domain<1> background_grid<1>(const cases::Case&, const problems::Setup<1>&, double);
 extern template problems::Domain<2> background_grid<2>(const cases::Case&, const problems::Setup<2>&, double);
 extern template problems::Domain<3> background_grid<3>(const cases::Case&, const problems::Setup<3>&, double);
-extern template PreparedCase<1> prepare_case<1>(const cases::Case&, const problems::Problem&, int);
-extern template PreparedCase<2> prepare_case<2>(const cases::Case&, const problems::Problem&, int);
-extern template PreparedCase<3> prepare_case<3>(const cases::Case&, const problems::Problem&, int);
+extern template PreparedCase<1> prepare_case<1>(const cases::Case&, const problems::Problem&, int, solver::Images);
+extern template PreparedCase<2> prepare_case<2>(const cases::Case&, const problems::Problem&, int, solver::Images);
+extern template PreparedCase<3> prepare_case<3>(const cases::Case&, const problems::Problem&, int, solver::Images);
 
 }  // namespace mpmvv::runs

@@ -12,13 +12,13 @@ using cases::Scheme;
 
 namespace {
 
-/// Whether it is among what the test compares.
-bool is_shown(const Scheme& scheme, const problems::Problem& problem) {
-  const bool is_boundary_shown =
-      scheme.boundary == problem.boundary ||
-      (problem.boundary == solver::Periodic::word &&
-       (scheme.boundary == solver::Symmetry::word || scheme.boundary == solver::Mirror::word));
-  return is_boundary_shown && scheme.body_force == cases::BodyForce::particles && scheme.mass == cases::Mass::lumped &&
+std::string boundary_of(const std::string& given, const problems::Problem& problem) {
+  return canonical_boundary(given, problem.dimension(), "its part");
+}
+
+/// Whether it is among what the test compares, on a boundary that both images and mirrors share.
+bool is_shown(const Scheme& scheme) {
+  return scheme.body_force == cases::BodyForce::particles && scheme.mass == cases::Mass::lumped &&
          scheme.wall_acceleration == cases::WallAcceleration::zero;
 }
 
@@ -33,25 +33,39 @@ bool is_stable(const Case& c, const problems::Problem& problem) {
   return problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells <= largest_cfl * length;
 }
 
+/// The case of the quarter, whose mirror images make the body.
+std::optional<Case> quarter_of(const Case& c, const problems::Problem& problem) {
+  const std::string& boundary = c.scheme.boundary;
+  const bool is_mirrored =
+      boundary == problem.boundary || (problem.boundary == solver::Periodic::word &&
+                                       (boundary == solver::Symmetry::word || boundary == solver::Mirror::word));
+  if (!problem.has_quarter() || c.problem.quarter || !is_mirrored) return std::nullopt;
+  Case quarter = c;
+  quarter.problem.quarter = true;
+  quarter.scheme.boundary = boundary_of(problem.quarter_boundary(boundary), problem);
+  if (!is_valid(quarter, problem)) return std::nullopt;
+  return quarter;
+}
+
+/// The images that the body of the case consists of; none where all of it is drawn.
+solver::Images images_of(const Case& c, const problems::Problem& problem) {
+  const bool is_loaded = problem.is_loaded && problem.is_loaded(c.problem.parameters);
+  const bool is_shared = c.scheme.boundary == boundary_of(problem.default_boundary(c.problem.quarter), problem);
+  return is_shared && !is_loaded && !c.measure.particle_errors ? problem.images : solver::Images::none;
+}
+
 }  // namespace
 
-std::optional<Case> part_of(const Case& c) {
+std::optional<Part> part_of(const Case& c) {
   const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
   const bool is_wanted = c.scheme.code.empty() && !c.measure.whole && c.measure.repeat == 0 && !c.measure.nodal_error;
   const bool is_symmetric = c.resolution.grid_offset == 0 && c.resolution.shuffle == 0;
-  if (!is_wanted || !is_symmetric || !problem.has_quarter() || c.problem.quarter || !is_shown(c.scheme, problem) ||
-      !is_stable(c, problem))
-    return std::nullopt;
-  Case part = c;
-  part.problem.quarter = true;
-  part.scheme.boundary =
-      canonical_boundary(problem.quarter_boundary(c.scheme.boundary), problem.dimension(), "its quarter");
-  if (!is_valid(part, problem)) return std::nullopt;
+  if (!is_wanted || !is_symmetric || !is_shown(c.scheme) || !is_stable(c, problem)) return std::nullopt;
+  Part part{c};
+  if (const auto quarter = quarter_of(c, problem)) part = {*quarter, 1 << problem.dimension()};
+  part.images = images_of(part.body, problem);
+  if (part.count() == 1) return std::nullopt;
   return part;
-}
-
-int images_of_part(const Case& part) {
-  return 1 << problems::find_problem(part.problem.name, "the case").dimension();
 }
 
 Case as_whole(Case c) {
