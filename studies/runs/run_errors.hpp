@@ -48,14 +48,18 @@ ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>&
   return norms;
 }
 
-/// The same with the particles' places.
+/// The same with the particles' places, and those of their images.
 template <int D>
 std::vector<records::ParticleError> particle_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared,
                                                     int ppc) {
   const auto& particles = mpm.particles();
   ParticleErrors errors(D, mpm.grid().h() / ppc);
   for_displacement_errors(mpm, prepared, [&](std::size_t p, double delta) {
-    errors.add<D>(prepared.X[particles.id[p]], particles.x[p], delta);
+    solver::Vec<D> X = prepared.X[particles.id[p]], x = particles.x[p];
+    for (int k = 0; k < prepared.count_of(particles.id[p]); ++k) {
+      errors.add<D>(X, x, delta);
+      X = next_image(prepared.images, X), x = next_image(prepared.images, x);
+    }
   });
   return errors.reduced();
 }

@@ -8,6 +8,7 @@
 #include "solver/words.hpp"
 #include "studies/runs/fill.hpp"
 #include "studies/runs/for_solver.hpp"
+#include "studies/runs/without_images.hpp"
 #include "studies/settings/boundaries.hpp"
 #include "studies/settings/named.hpp"
 
@@ -19,47 +20,49 @@ namespace {
 
 using solver::Vec;
 
-/// Particles that one at X and its images are; none where another of them is run. No particle lies on an axis about
-/// which a body turns.
+/// Visits the voxels of the whole body.
 template <int D>
-int count_with_images(const Vec<D>& X, solver::Images images, double h) {
-  if (images == solver::Images::none) return 1;
-  const double x = X[0], y = X[D > 1 ? 1 : 0];
-  if (images == solver::Images::quarter_turns) return x > 0 && y > 0 ? 4 : 0;
-  const double round_off = 1e-9 * h;
-  return x > y + round_off ? 2 : x > y - round_off ? 1 : 0;
-}
-
-/// Fills the body: reference positions, volumes, and the widths that the basis takes. A particle that is its own image
-/// has its share of its volume.
-template <int D>
-void fill(PreparedCase<D>& prepared, const Case& c) {
-  auto& scene = prepared.scene;
-  const auto width = width_of(scene.basis);
-  const int images = count(scene.images);
-  const auto about =
-      static_cast<std::size_t>(problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, D) / images + 0.5);
-  prepared.X.reserve(about);
-  if (images > 1) prepared.with_images.reserve(about);
-  scene.particles.V0.reserve(about);
-  const PlaceVoxel<D> place = [&](const Voxel<D>& voxel) {
-    const int of_body = count_with_images<D>(voxel.X, scene.images, scene.h);
-    if (of_body == 0) return;
-    if (images > 1) prepared.with_images.push_back(static_cast<std::uint8_t>(of_body));
-    prepared.X.push_back(voxel.X);
-    scene.particles.V0.push_back(voxel.V * of_body / images);
-    if (width == solver::ParticleWidth::domain)
-      scene.particles.R.push_back(voxel.edges / scene.h);
-    else if (width != solver::ParticleWidth::none)
-      scene.particles.l.push_back(Vec<D>::Constant(std::pow(voxel.V, 1.0 / D) / scene.h));
-  };
-  const FillDensity density{scene.h, c.resolution.ppc};
+void fill_body(const PreparedCase<D>& prepared, const Case& c, const PlaceVoxel<D>& place) {
+  const FillDensity density{prepared.scene.h, c.resolution.ppc};
   switch (c.scheme.fill) {
     case cases::Fill::lattice:
       return fill_lattice<D>(prepared.setup.body, density, place);
     case cases::Fill::conforming:
       if constexpr (D > 1) fill_conforming<D>(std::get<problems::Annulus<D>>(prepared.setup.body), density, place);
   }
+}
+
+/// Fills the body: reference positions, volumes, and the widths that the basis takes.
+template <int D>
+void fill(PreparedCase<D>& prepared, const Case& c) {
+  auto& scene = prepared.scene;
+  const auto width = width_of(scene.basis);
+  const WithoutImages<D> run(scene.images, scene.h);
+  const auto about = static_cast<std::size_t>(
+      problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, D) / count(scene.images) + 0.5);
+  prepared.X.reserve(about);
+  scene.particles.V0.reserve(about);
+  fill_body<D>(prepared, c, [&](const Voxel<D>& voxel) {
+    const int of_body = run.count_of(voxel.X);
+    if (of_body == 0) return;
+    if (scene.images != solver::Images::none) prepared.with_images.push_back(static_cast<std::uint8_t>(of_body));
+    prepared.X.push_back(voxel.X);
+    scene.particles.V0.push_back(run.share_of(voxel.X) * voxel.V);
+    if (width == solver::ParticleWidth::domain)
+      scene.particles.R.push_back(voxel.edges / scene.h);
+    else if (width != solver::ParticleWidth::none)
+      scene.particles.l.push_back(Vec<D>::Constant(std::pow(voxel.V, 1.0 / D) / scene.h));
+  });
+}
+
+/// The traction on the body's surface.
+template <int D>
+void load(PreparedCase<D>& prepared, const Case& c) {
+  const auto all = surface<D>(prepared.setup.body, {prepared.scene.h, c.resolution.ppc});
+  const WithoutImages<D> run(prepared.scene.images, prepared.scene.h);
+  auto patches = run.patches(all, [&](const PlaceVoxel<D>& place) { fill_body<D>(prepared, c, place); });
+  prepared.traction = std::make_unique<SolutionTraction<D>>(*prepared.setup.solution, std::move(patches), prepared.X);
+  prepared.scene.surface_load = prepared.traction.get();
 }
 
 /// Position, velocity and deformation gradient at t = 0; with start `exact` the velocity of -Δt/2, W §4.
@@ -177,11 +180,7 @@ PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, in
     scene.body_force_on = for_solver(c.scheme.body_force);
     if (prepared.points->reads_places() && scene.body_force_on == solver::BodyForceOn::particles)
       scene.particles.X = prepared.X;
-    if (problem.is_loaded && problem.is_loaded(c.problem.parameters)) {
-      prepared.traction = std::make_unique<SolutionTraction<D>>(
-          *prepared.setup.solution, surface<D>(prepared.setup.body, {scene.h, c.resolution.ppc}), prepared.X);
-      scene.surface_load = prepared.traction.get();
-    }
+    if (problem.is_loaded && problem.is_loaded(c.problem.parameters)) load(prepared, c);
   }
   shuffle(scene.particles, c.resolution.shuffle);
   return prepared;

@@ -47,11 +47,10 @@ std::optional<Case> quarter_of(const Case& c, const problems::Problem& problem) 
   return quarter;
 }
 
-/// The images that the body of the case consists of; none where all of it is drawn.
+/// The images that the body of the case consists of.
 solver::Images images_of(const Case& c, const problems::Problem& problem) {
-  const bool is_loaded = problem.is_loaded && problem.is_loaded(c.problem.parameters);
-  const bool is_shared = c.scheme.boundary == boundary_of(problem.default_boundary(c.problem.quarter), problem);
-  return is_shared && !is_loaded && !c.measure.particle_errors ? problem.images : solver::Images::none;
+  const bool are_shared = c.scheme.boundary == boundary_of(problem.default_boundary(c.problem.quarter), problem);
+  return are_shared ? problem.images : solver::Images::none;
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST(ParticleErrorChart, OfABodyAlongALineIsErrorAgainstPlace) {
 TEST(ParticleErrorChart, SaysWhatIsNotThere) {
   StudyResult study = runs_study();
   study.series[0].points[1].y["images"] = 4;
-  EXPECT_THAT(charts_of(study).at(0).notes, Contains(HasSubstr("mirror images make the rest")));
+  EXPECT_THAT(charts_of(study).at(0).notes, Contains(HasSubstr("images of it make the rest")));
   for (Series& series : study.series)
     for (records::Point& point : series.points) point.particle_errors.clear();
   const Chart empty = charts_of(study).at(0);

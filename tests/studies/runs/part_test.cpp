@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "solver/basis/bases.hpp"
 #include "solver/words.hpp"
@@ -59,8 +61,7 @@ void expect_part_for_whole(const std::string& text) {
   ASSERT_TRUE(part) << "nothing to compare";
   const auto record = run_part(c, *part, 1);
   const Record whole = run_case(c, 1);
-  ASSERT_EQ(record.has_value(), whole.status == records::Status::ok);
-  if (!record) return;
+  ASSERT_TRUE(record) << "nothing to compare: it blows up, " << whole.reason;
   EXPECT_EQ(record->images, part->count());
   expect_same(*record, whole);
 }
@@ -103,15 +104,17 @@ TEST(Part, OfTheCubeHasTheNumbersOfTheWholeUntilItsEnd) {
   expect_part_for_whole("cells=16 ppc=3 steps=40 boundary=periodic basis=linear cfl=0.2");
 }
 
+/// The blocks meet on step 122; with linear functions they come to no end.
 TEST(Part, OfTwoBlocksHasTheNumbersOfTheWholeWithEveryBasis) {
-  const std::string impact = "problem=impact steps=500 integrator=usl deformation=exponential cfl=0.2 ";
+  const std::string impact = "problem=impact integrator=usl deformation=exponential cfl=0.2 cells=4 ";
   for (const std::string& basis : bases())
     for (const char* update :
          {"flip position=second-order", "fmpm order=1", "fmpm order=4", "fmpm order=8", "xpic order=2"})
-      expect_part_for_whole(impact + basis.substr(0, basis.find(" cells")) + " cells=5 " +
-                            (basis.find("ugimp") != std::string::npos ? "smoothing_length=0.5 " : "") +
-                            "velocity_update=" + update);
-  expect_part_for_whole(impact + "cells=4 basis=cpdi velocity_update=fmpm order=16");
+      expect_part_for_whole(impact + basis.substr(0, basis.find(" cells")) +
+                            (basis.find("linear") != std::string::npos ? " steps=100" : " steps=300") +
+                            (basis.find("ugimp") != std::string::npos ? " smoothing_length=0.5" : "") +
+                            " velocity_update=" + update);
+  expect_part_for_whole(impact + "steps=500 basis=cpdi velocity_update=fmpm order=16");
 }
 
 TEST(Part, OfTwoBlocksHasTheNumbersOfTheWholeWithEveryIntegrator) {
@@ -124,9 +127,13 @@ TEST(Part, OfARingAndAShellHasTheNumbersOfTheWhole) {
   for (const std::string& basis : bases())
     for (const char* fill : {"lattice", "conforming"})
       for (const char* quarter : {"false", "true"})
-        expect_part_for_whole("problem=ring steps=40 cfl=0.2 every_step=true stress_error=true fill=" +
-                              std::string(fill) + " quarter=" + quarter + " " + basis);
-  expect_part_for_whole("problem=ring steps=40 cfl=0.2 basis=bspline3 fill=conforming param.poissons_ratio=0.3");
+        expect_part_for_whole(
+            "problem=ring param.amplitude=0.05 steps=40 cfl=0.2 every_step=true stress_error=true fill=" +
+            std::string(fill) + " quarter=" + quarter + " " + basis);
+  for (const char* basis : {"bspline3", "cpgimp", "cpdi"})
+    for (const char* body : {"problem=ring", "problem=ring quarter=true", "problem=shell quarter=true cells=6"})
+      expect_part_for_whole(std::string(body) +
+                            " steps=20 cfl=0.2 fill=conforming param.poissons_ratio=0.3 basis=" + basis);
   expect_part_for_whole("problem=shell steps=20 cfl=0.2 basis=bspline3 fill=conforming");
   expect_part_for_whole("problem=shell steps=20 cfl=0.2 basis=cpgimp");
   for (const char* basis : {"bspline3", "cpgimp", "cpdi"})
@@ -139,28 +146,50 @@ TEST(Part, OfAVortexHasTheNumbersOfTheWhole) {
   for (const std::string& basis : all)
     for (const char* fill : {"lattice", "conforming"})
       expect_part_for_whole(
-          "problem=vortex steps=40 cfl=0.2 every_step=true stress_error=true fill=" + std::string(fill) + " " + basis);
+          "problem=vortex param.amplitude=0.3 steps=16 cfl=0.2 every_step=true stress_error=true fill=" +
+          std::string(fill) + " " + basis);
 }
 
 TEST(Part, OfAQuarterRingAndAVortexHasTheNumbersOfTheWholeWithEveryIntegratorAndVelocityUpdate) {
-  for (const char* body : {"problem=ring quarter=true", "problem=vortex"}) {
-    const std::string all = body + std::string(" steps=40 basis=cpgimp fill=conforming cfl=0.2 ");
+  for (const char* body : {"problem=ring quarter=true", "problem=vortex param.amplitude=0.3"}) {
+    const std::string all = body + std::string(" steps=40 basis=bspline3 fill=conforming cfl=0.2 ");
     for (const solver::Integrator& integrator : solver::integrators())
       expect_part_for_whole(all + "integrator=" + std::string(integrator.word));
     for (const auto word : solver::words<solver::AnyVelocityUpdate>()) {
       const std::string update(word);
       const bool has_order = solver::expands_inverse(settings::named<solver::AnyVelocityUpdate>(update));
-      const bool is_affine = solver::has_affine_field(settings::named<solver::AnyVelocityUpdate>(update));
-      expect_part_for_whole(all + "integrator=usl velocity_update=" + update + (has_order ? " order=8" : "") +
-                            (is_affine ? " basis=bspline2" : ""));
+      expect_part_for_whole(all + "integrator=usl velocity_update=" + update + (has_order ? " order=8" : ""));
     }
   }
 }
 
 TEST(Part, OfARingAndAVortexHasTheNumbersOfTheWholeUntilItsEnd) {
-  for (const char* basis : {"bspline3", "cpgimp", "cpdi"}) {
+  for (const char* basis : {"bspline3", "cpgimp", "cpdi"})
     expect_part_for_whole("problem=ring quarter=true cells=24 steps=240 fill=conforming basis=" + std::string(basis));
-    expect_part_for_whole("problem=vortex cells=16 steps=60 cfl=0.2 fill=conforming basis=" + std::string(basis));
+  for (const char* basis : {"bspline3", "cpdi"})
+    expect_part_for_whole("problem=vortex param.amplitude=0.3 cells=16 steps=60 cfl=0.2 fill=conforming basis=" +
+                          std::string(basis));
+}
+
+TEST(Part, OfAQuarterRingAndAVortexHasTheErrorsOfAllParticlesWithTheirPlaces) {
+  for (const char* body : {"problem=ring quarter=true", "problem=vortex param.amplitude=0.3"}) {
+    const cases::Case c =
+        case_of(body + std::string(" basis=cpdi fill=conforming cfl=0.2 steps=40 particle_errors=true"));
+    const auto places = [](std::vector<records::ParticleError> all) {
+      std::ranges::sort(all, {}, [](const records::ParticleError& one) {
+        return std::pair(std::round(1e9 * one.x), std::round(1e9 * one.y));
+      });
+      return all;
+    };
+    const auto of_part = run_part(c, settings::part_of(c).value(), 1);
+    ASSERT_TRUE(of_part);
+    const auto part = places(of_part->particle_errors), whole = places(run_case(c, 1).particle_errors);
+    ASSERT_EQ(part.size(), whole.size());
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      EXPECT_NEAR(part[k].x, whole[k].x, 1e-12);
+      EXPECT_NEAR(part[k].y, whole[k].y, 1e-12);
+      EXPECT_NEAR(part[k].error, whole[k].error, 1e-12);
+    }
   }
 }
 
@@ -183,9 +212,7 @@ TEST(Part, IsNotRunWhereItIsNotTheMirrorImageOfTheRest) {
         "problem=cube quarter=true",
         "problem=bar",
         "problem=square",
-        "problem=ring quarter=true fill=conforming param.poissons_ratio=0.3",
         "problem=ring quarter=true boundary=free",
-        "problem=ring quarter=true particle_errors=true",
         "problem=vortex grid_offset=0.25",
         "problem=vortex mass=consistent integrator=usl",
         "basis=bspline2-open boundary=symmetry",
