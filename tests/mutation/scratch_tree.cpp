@@ -154,6 +154,7 @@ void ScratchTree::copy(const fs::path& source, const std::string& part) {
   const auto copy_file = [&](const std::string& file) {
     support::make_folder((tree() / file).parent_path());
     support::write_if_changed(tree() / file, content_of(source / file));
+    fs::permissions(tree() / file, fs::status(source / file).permissions());  // the tree has programs, too
     files_.push_back(file);
   };
   if (!fs::is_directory(source / part)) return copy_file(part);

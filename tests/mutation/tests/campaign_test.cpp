@@ -230,6 +230,13 @@ TEST_F(ScratchTrees, TheDigestIsThatOfTheUneditedFiles) {
   EXPECT_NE(scratch().digest(but_notes), digest);
 }
 
+TEST_F(ScratchTrees, ProgramsOfTheTreeRunInTheCopy) {
+  write("code/program", "#!/bin/sh\necho six\n");
+  EXPECT_FALSE(scratch().run({"test", "-x", "code/program"}, seconds(10)).good());
+  fs::permissions(source_ / "code/program", fs::perms::owner_exec, fs::perm_options::add);
+  EXPECT_EQ(scratch().run({"./code/program"}, seconds(10)).output, "six\n") << "the one of before becomes a program";
+}
+
 TEST_F(ScratchTrees, WhatNeverEndsIsStopped) {
   EXPECT_TRUE(scratch().run({"sleep", "60"}, seconds(0)).timed_out);
   EXPECT_THROW(scratch().run({"./no-such-program"}, seconds(1)), support::UsageError);
