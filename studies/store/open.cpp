@@ -1,8 +1,9 @@
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <fstream>
 #include <map>
+#include <mutex>
 #include <string>
 
 #include "studies/store/schema.hpp"
@@ -62,16 +63,27 @@ Tables tables_of(const Database& database) {
   return tables;
 }
 
-Tables tables_after(const fs::path& file, Steps steps) {
+Tables make_tables(const fs::path& file, Steps steps) {
   Database database(file, Database::Access::in_memory);
   for (const char* step : steps) database.execute(step);
   return tables_of(database);
 }
 
+/// The tables that these steps lead to. SQLite takes longer to make them than all else of an opening, so they are kept.
+const Tables& tables_after(const fs::path& file, Steps steps) {
+  static std::mutex mutex;
+  static std::map<std::string, Tables> kept;
+  const std::string statements = fmt::format("{}", fmt::join(steps, ";"));
+  const std::lock_guard lock(mutex);
+  auto found = kept.find(statements);
+  if (found == kept.end()) found = kept.emplace(statements, make_tables(file, steps)).first;
+  return found->second;
+}
+
 /// The file has the tables of its schema; what others have put beside them is theirs.
 void require_tables(const Database& database, std::int64_t schema, Steps steps) {
-  const Tables wanted = tables_after(database.file(), steps.first(static_cast<std::size_t>(schema)));
-  const Tables newest = schema < std::ssize(steps) ? tables_after(database.file(), steps) : wanted;
+  const Tables& wanted = tables_after(database.file(), steps.first(static_cast<std::size_t>(schema)));
+  const Tables& newest = tables_after(database.file(), steps);
   Tables found = tables_of(database);
   std::erase_if(found, [&](const auto& t) { return !wanted.contains(t.first) && !newest.contains(t.first); });
   for (const auto& [name, sql] : wanted)
