@@ -46,8 +46,8 @@ if(MPMVV_SANITIZE STREQUAL "thread")
   # Of the bases one with knots at the faces and one with particles' domains.
   set(threaded "ThreadPool*:Slabs*:Repeatable.*:*/bspline3_open:*/cpdi:Wall.Threads*:Admission.*:StudyRunner.*")
   set(not_threaded "*MassCutoff*:*.NumberOfThreadsDoesNotMatter/cpdi")
-  add_executable(test_solver solver/fault_test.cpp solver/repeatability_test.cpp solver/surface_load_test.cpp
-    solver/thread_pool_test.cpp solver/wall_test.cpp)
+  add_executable(test_solver solver/fault_test.cpp solver/repeatability_test.cpp solver/stencils.cpp
+    solver/surface_load_test.cpp solver/thread_pool_test.cpp solver/wall_test.cpp)
   file(GLOB plan CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/plan/*.cpp)
   add_executable(test_studies ${plan} studies/plan/admission_test.cpp studies/plan/study_runner_test.cpp)
   list(REMOVE_ITEM run_rooms plan)

@@ -2,6 +2,7 @@
 #include <map>
 #include <random>
 
+#include "tests/solver/each_basis.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
@@ -196,32 +197,30 @@ void expect_the_same_motion(Scene<D> whole, Scene<D> part, std::string_view inte
   EXPECT_EQ(compared, b.particles().size());
 }
 
-template <class B>
-class MirroredBody : public ::testing::Test {};
-TYPED_TEST_SUITE(MirroredBody, TestedBases);
+class MirroredBody : public WithEachBasis {};
+INSTANTIATE_TEST_SUITE_P(, MirroredBody, every_basis(), word_in_name);
 
-TYPED_TEST(MirroredBody, MovesAsTheWholeBodyDoes) {
-  if (TypeParam::ghost == 0) return;  // an open-knot basis has no mirror
+TEST_P(MirroredBody, MovesAsTheWholeBodyDoes) {
+  if (has_open_knots) return;  // an open-knot basis has no mirror
   for (const auto integrator : integrator_words()) {
-    expect_the_same_motion(symmetric_body<1>(TypeParam{}, 0, Free{}), symmetric_body<1>(TypeParam{}, 1, Mirror{}),
-                           integrator);
+    expect_the_same_motion(symmetric_body<1>(basis, 0, Free{}), symmetric_body<1>(basis, 1, Mirror{}), integrator);
     for (const int planes : {1, 2})  // half of it, and a quarter with its corner
-      expect_the_same_motion(symmetric_body<2>(TypeParam{}, 0, Free{}),
-                             symmetric_body<2>(TypeParam{}, planes, Mirror{}), integrator);
+      expect_the_same_motion(symmetric_body<2>(basis, 0, Free{}), symmetric_body<2>(basis, planes, Mirror{}),
+                             integrator);
   }
 }
 
-TYPED_TEST(MirroredBody, MovesAsTheWholeBodyDoesWithTheConsistentMass) {
-  if (TypeParam::ghost == 0) return;
+TEST_P(MirroredBody, MovesAsTheWholeBodyDoesWithTheConsistentMass) {
+  if (has_open_knots) return;
   const auto consistent = [](auto scene) {
     scene.consistent_mass =
         ConsistentMassSettings{.tolerance = 1e-13};  // iterates differ by round-off, what they converge to does not
     return scene;
   };
-  expect_the_same_motion(consistent(symmetric_body<1>(TypeParam{}, 0, Free{})),
-                         consistent(symmetric_body<1>(TypeParam{}, 1, Mirror{})), "usl");
-  expect_the_same_motion(consistent(symmetric_body<2>(TypeParam{}, 0, Free{})),
-                         consistent(symmetric_body<2>(TypeParam{}, 2, Mirror{})), "usl");
+  expect_the_same_motion(consistent(symmetric_body<1>(basis, 0, Free{})),
+                         consistent(symmetric_body<1>(basis, 1, Mirror{})), "usl");
+  expect_the_same_motion(consistent(symmetric_body<2>(basis, 0, Free{})),
+                         consistent(symmetric_body<2>(basis, 2, Mirror{})), "usl");
 }
 
 /// A standing wave with a wall every `half` cells: the periodic box, or the part between two walls.
@@ -238,11 +237,11 @@ Scene<D> standing_wave(const AnyBasis& basis, int half, int cells, const AnyBoun
   return with_consistent_mass(scene);
 }
 
-TYPED_TEST(MirroredBody, IsHalfAPeriodWithTheConsistentMass) {
-  if (TypeParam::ghost == 0) return;
-  const int half = 2 * std::max(TypeParam::ghost, 3) + 2;
-  const auto body = [half]<int D>(const AnyBoundary& boundary, std::integral_constant<int, D>) {
-    return standing_wave<D>(TypeParam{}, half, boundary.index() == 0 ? 2 * half : half, boundary);
+TEST_P(MirroredBody, IsHalfAPeriodWithTheConsistentMass) {
+  if (has_open_knots) return;
+  const int half = 2 * std::max(ghosts_of(basis), 3) + 2;
+  const auto body = [&]<int D>(const AnyBoundary& boundary, std::integral_constant<int, D>) {
+    return standing_wave<D>(basis, half, boundary.index() == 0 ? 2 * half : half, boundary);
   };
   const std::integral_constant<int, 1> line;
   const std::integral_constant<int, 2> plane;

@@ -67,12 +67,6 @@ struct Mapped {
   }
 };
 
-/// The nodes of a particle half a cell wide.
-template <int D>
-std::vector<Reached<D>> reached_with(const AnyBasis& basis, const Grid<D>& grid, const Vec<D>& x) {
-  return std::visit([&]<class B>(const B& own) { return reached<D>(Setting<B>{own, 0.5}, grid, x); }, basis);
-}
-
 class ConsistentMassMatrix : public WithEachBasis {};
 INSTANTIATE_TEST_SUITE_P(, ConsistentMassMatrix, every_basis(), word_in_name);
 
@@ -82,7 +76,7 @@ void expect_the_sum_over_particles(const AnyBasis& basis) {
   Mapped<D> mapped(scene, unregularised);
   Matrix expected = Matrix::Zero(mapped.step.grid().size(), mapped.step.grid().size());
   for (std::size_t p = 0; p < scene.particles.size(); ++p) {
-    const auto nodes = reached_with<D>(scene.basis, mapped.step.grid(), scene.particles.x[p]);
+    const auto nodes = reached(Setting{scene.basis, 0.5}, mapped.step.grid(), scene.particles.x[p]);
     for (const auto& i : nodes)
       for (const auto& j : nodes)
         expected(mapped.step.grid().node(i.node), mapped.step.grid().node(j.node)) += scene.particles.m[p] * i.N * j.N;
@@ -162,7 +156,7 @@ void expect_linear_velocity_found(const AnyBasis& basis) {
   double consistent = 0, lumped = 0;
   for (std::size_t p = 0; p < scene.particles.size(); ++p) {
     Vec<D> v = Vec<D>::Zero(), smoothed = Vec<D>::Zero();
-    for (const auto& i : reached_with<D>(basis, grid, scene.particles.x[p])) {
+    for (const auto& i : reached(Setting{basis, 0.5}, grid, scene.particles.x[p])) {
       const auto n = static_cast<std::size_t>(grid.node(i.node));
       v += i.N * grid.v[n].template head<D>();
       if (grid.m(n) > 0) smoothed += i.N * grid.p[n].template head<D>() / grid.m(n);

@@ -21,7 +21,8 @@ Grid<D> small_grid() {
 template <int D>
 struct RandomParticle {
   Particles<D> particles;
-  CpdiBlock<D, Cpdi::support> block{0};
+  AnyBlock<D> any = make_block<D>(Cpdi{}, 0);
+  CpdiBlock<D, Cpdi::support>& block = std::get<CpdiBlock<D, Cpdi::support>>(any);
   CpdiStencil<D, Cpdi::support> nodes;
 
   RandomParticle(std::mt19937& random, const Grid<D>& grid, double reach = domain_reach) {
@@ -33,7 +34,7 @@ struct RandomParticle {
       for (int e = 0; e < D; ++e) particles.R[0](d, e) = edge(random);
     }
     block.begin = 0, block.count = 1;
-    EXPECT_EQ(evaluate_stencils(Cpdi{}, particles, grid, true, block), Fault::none);
+    EXPECT_EQ(evaluate<D>(Cpdi{}, particles, grid, true, any), Fault::none);
     nodes = block.stencil(0, grid);
   }
 };
@@ -135,13 +136,13 @@ TEST(Cpdi, ScatterIsTheAdjointOfGather) {
 }
 
 /// By node, what a particle with an axis-aligned box as its domain reaches.
-template <class B, int D>
-std::map<Index<D>, std::pair<double, Vec<D>>> box_reaches(const Vec<D>& x, double width) {
+template <int D>
+std::map<Index<D>, std::pair<double, Vec<D>>> box_reaches(const AnyBasis& basis, const Vec<D>& x, double width) {
   std::map<Index<D>, std::pair<double, Vec<D>>> nodes;
   Index<D> count;
   count.fill(cells_across);
-  const auto grid = grid_for<B, D>(Vec<D>::Zero(), 1, count);
-  for (const auto& node : reached(Setting<B>{B{}, width}, grid, x)) {
+  const auto grid = grid_for<D>(basis, Vec<D>::Zero(), 1, count);
+  for (const auto& node : reached(Setting{basis, width}, grid, x)) {
     auto& [N, dN] = nodes.try_emplace(node.node, 0, Vec<D>::Zero()).first->second;
     N += node.N, dN += node.dN;
   }
@@ -150,8 +151,8 @@ std::map<Index<D>, std::pair<double, Vec<D>>> box_reaches(const Vec<D>& x, doubl
 
 template <int D>
 void expect_linear_within_a_cell(const Vec<D>& x, double width) {
-  const auto corners = box_reaches<Cpdi, D>(x, width);
-  for (const auto& [node, hat] : box_reaches<Linear, D>(x, width)) {
+  const auto corners = box_reaches<D>(Cpdi{}, x, width);
+  for (const auto& [node, hat] : box_reaches<D>(Linear{}, x, width)) {
     EXPECT_NEAR(corners.at(node).first, hat.first, 1e-15);
     EXPECT_LT((corners.at(node).second - hat.second).norm(), 1e-14);
   }
@@ -166,8 +167,8 @@ TEST(Cpdi, IsTheLinearBasisWhileItsBoxLiesInACell) {
 TEST(Cpdi, HasTheGradientOfGimpOnALine) {  // (S(x + l/2) - S(x - l/2))/l both
   for (const double l : {0.1, 0.5, 1.0})
     for (const double xi : places(cells_across)) {
-      auto corners = box_reaches<Cpdi, 1>(Vec<1>(xi), l);
-      for (const auto& [node, gimp] : box_reaches<Gimp, 1>(Vec<1>(xi), l)) {
+      auto corners = box_reaches<1>(Cpdi{}, Vec<1>(xi), l);
+      for (const auto& [node, gimp] : box_reaches<1>(Gimp{}, Vec<1>(xi), l)) {
         const auto [N, dN] = corners.contains(node) ? corners[node] : std::pair{0.0, Vec<1>(0)};
         EXPECT_NEAR(dN[0], gimp.second[0], 1e-14) << xi << " " << l;
         EXPECT_NEAR(N, gimp.first, l / 4 + 1e-15) << xi << " " << l;
@@ -213,7 +214,7 @@ TEST(Cpdi, LongDomainsAreFaultsBeyondTheirReach) {
   const auto grid = small_grid<2>();
   for (const double reach : {domain_reach + 1e-9, -domain_reach - 1e-9, nan, infinity}) {
     Fault fault;
-    reached(Setting<Cpdi>{Cpdi{}, 2 * reach}, grid, Vec<2>(0.2, 0.1), &fault);
+    reached(Setting{Cpdi{}, 2 * reach}, grid, Vec<2>(0.2, 0.1), &fault);
     EXPECT_EQ(fault, Fault::outgrown) << reach;
   }
   Scene<1> scene = full_scene<1>(Cpdi{}, 8, 1);

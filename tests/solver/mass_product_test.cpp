@@ -7,17 +7,19 @@
 #include "solver/mpm.hpp"
 #include "solver/stencils/node_boxes.hpp"
 #include "solver/step.hpp"
+#include "tests/solver/each_basis.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
 namespace mpmvv::solver::mass_product_test {
 
 /// A body whose particles have masses, domains and velocities on the nodes of their own.
-template <int D, class B>
+template <int D>
 class TurnedBody {
  public:
   /// Domains up to so many cells wide along each axis.
-  TurnedBody(double extent, const AnyBoundary& boundary) : step_(scene(extent, boundary)), u_(step_.grid().size()) {
+  TurnedBody(const AnyBasis& basis, double extent, const AnyBoundary& boundary)
+      : step_(scene(basis, extent, boundary)), u_(step_.grid().size()) {
     std::mt19937 random(5);
     for (auto& velocity : u_) velocity = Padded<D>::NullaryExpr([&] { return some_(random); });
     step_.map_momentum();
@@ -38,8 +40,8 @@ class TurnedBody {
   const Grid<D>& grid() const { return step_.grid(); }
 
  private:
-  static Scene<D> scene(double extent, const AnyBoundary& boundary) {
-    Scene<D> scene = full_scene<D>(B{}, 6, 2, boundary);
+  static Scene<D> scene(const AnyBasis& basis, double extent, const AnyBoundary& boundary) {
+    Scene<D> scene = full_scene<D>(basis, 6, 2, boundary);
     std::mt19937 random(3);
     auto& particles = scene.particles;
     for (std::size_t p = 0; p < particles.size(); ++p) {
@@ -57,9 +59,8 @@ class TurnedBody {
 };
 
 /// A particle of a domain reaches so far that no two corners are more than a cell apart.
-template <class B>
-bool fits(double extent) {
-  return B::width != ParticleWidth::domain || extent < 3;
+bool fits(const AnyBasis& basis, double extent) {
+  return width_of(basis) != ParticleWidth::domain || extent < 3;
 }
 
 template <int D>
@@ -68,34 +69,34 @@ void expect_the_same(const std::vector<Padded<D>>& a, const std::vector<Padded<D
     EXPECT_LT((a[n] - b[n]).template head<D>().norm(), 1e-14 * cell_mass) << D << "D, node " << n;
 }
 
-template <int D, class B>
-void expect_the_matrix_to_change_nothing(double extent) {
+template <int D>
+void expect_the_matrix_to_change_nothing(const AnyBasis& basis, double extent) {
   for (const AnyBoundary& boundary : {AnyBoundary(Free{}), AnyBoundary(Periodic{}), AnyBoundary(Mirror{})}) {
-    TurnedBody<D, B> body(extent, boundary);
+    TurnedBody<D> body(basis, extent, boundary);
     const auto once = body.product(1);
     EXPECT_FALSE(body.is_assembled());
     const auto often = body.product(100);
-    EXPECT_EQ(body.is_assembled(), D < 3 && fits<B>(extent));
+    EXPECT_EQ(body.is_assembled(), D < 3 && fits(basis, extent));
     expect_the_same<D>(once, often, std::pow(1.0 / 6, D));
   }
 }
 
-template <class B>
-class MassProducts : public ::testing::Test {};
-using Bases = ::testing::Types<Linear, Gimp, BSpline2, BSpline3, B2Gimp, Cpdi, B2Cpdi>;
-TYPED_TEST_SUITE(MassProducts, Bases);
+class MassProducts : public WithEachBasis {};
+INSTANTIATE_TEST_SUITE_P(, MassProducts,
+                         ::testing::Values(Linear{}, Gimp{}, BSpline2{}, BSpline3{}, B2Gimp{}, Cpdi{}, B2Cpdi{}),
+                         word_in_name);
 
-TYPED_TEST(MassProducts, AreTheSameOnceAndOften) {
+TEST_P(MassProducts, AreTheSameOnceAndOften) {
   for (const double extent : {0.5, 1.0, 3.0}) {  // the last: wider than the matrix takes
-    expect_the_matrix_to_change_nothing<1, TypeParam>(extent);
-    expect_the_matrix_to_change_nothing<2, TypeParam>(extent);
-    expect_the_matrix_to_change_nothing<3, TypeParam>(extent);
+    expect_the_matrix_to_change_nothing<1>(basis, extent);
+    expect_the_matrix_to_change_nothing<2>(basis, extent);
+    expect_the_matrix_to_change_nothing<3>(basis, extent);
   }
 }
 
 /// A body that leaves nodes and comes to others, by the same matrix.
-TYPED_TEST(MassProducts, ForgetTheNodesThatABodyHasLeft) {
-  Scene<2> scene = full_scene<2>(TypeParam{}, 12, 2, Free{});
+TEST_P(MassProducts, ForgetTheNodesThatABodyHasLeft) {
+  Scene<2> scene = full_scene<2>(basis, 12, 2, Free{});
   scene.particles = particles_at<2>(lattice<2>(Vec<2>(0.1, 0.1), scene.h / 2, {8, 8}), scene.h * scene.h / 4);
   set_widths(scene, 0.5);
   Step<2> step(scene);
@@ -129,13 +130,12 @@ void expect_to_go_on_as_if_begun_anew(Scene<2> scene) {
     EXPECT_LT((going_on.particles().v[p] - anew.particles().v[p]).norm(), 1e-10) << p;
 }
 
-template <class B>
-class StepsWithMassProducts : public ::testing::Test {};
-using SmoothBases = ::testing::Types<Gimp, BSpline2, BSpline3, B2Gimp, Cpdi, B2Cpdi>;
-TYPED_TEST_SUITE(StepsWithMassProducts, SmoothBases);
+class StepsWithMassProducts : public WithEachBasis {};
+INSTANTIATE_TEST_SUITE_P(, StepsWithMassProducts,
+                         ::testing::Values(Gimp{}, BSpline2{}, BSpline3{}, B2Gimp{}, Cpdi{}, B2Cpdi{}), word_in_name);
 
-TYPED_TEST(StepsWithMassProducts, FollowTheParticles) {
-  auto scene = full_scene<2>(TypeParam{}, 8, 2, Free{});
+TEST_P(StepsWithMassProducts, FollowTheParticles) {
+  auto scene = full_scene<2>(basis, 8, 2, Free{});
   scene.velocity_update = Fmpm{3};
   expect_to_go_on_as_if_begun_anew(scene);
   scene.velocity_update = Flip{};
@@ -144,30 +144,33 @@ TYPED_TEST(StepsWithMassProducts, FollowTheParticles) {
   expect_to_go_on_as_if_begun_anew(scene);
 }
 
-/// The box of one particle in the plane, so many cells wide; none if it does not fit.
-template <class B>
-std::optional<NodeBoxes<2, box_width<BlockOf<2, B>>>> box_of_one(double cells, const Grid<2>& grid) {
+/// The sum of the weights in the box of one particle in the plane, so many cells wide; none if it does not fit.
+std::optional<double> weights_in_box(const AnyBasis& basis, double cells, const Grid<2>& grid) {
   Particles<2> particles;
   particles.resize(1);
   particles.x[0] = {0.47, 0.52};
   particles.l = {Vec<2>::Constant(std::min(cells, 1.0))};
   particles.R = {cells * Mat<2>::Identity()};
-  BlockOf<2, B> block(0);
-  block.begin = 0, block.count = 1;
-  EXPECT_EQ(evaluate_stencils(B{}, particles, grid, false, block), Fault::none);
-  NodeBoxes<2, box_width<BlockOf<2, B>>> boxes;
-  if (!find_boxes(block, grid, boxes)) return std::nullopt;
-  return boxes;
+  AnyBlock<2> any = make_block<2>(basis, 0);
+  common<2>(any).begin = 0, common<2>(any).count = 1;
+  EXPECT_EQ(evaluate<2>(basis, particles, grid, false, any), Fault::none);
+  return std::visit(
+      [&]<class Own>(const Own& block) -> std::optional<double> {
+        NodeBoxes<2, box_width<Own>> boxes;
+        if (!find_boxes(block, grid, boxes)) return std::nullopt;
+        return std::accumulate(std::begin(boxes.N[0]), std::end(boxes.N[0]), 0.0);
+      },
+      any);
 }
 
-TYPED_TEST(MassProducts, AreOfBoxesThatArePartitionsOfUnity) {
-  const auto grid = grid_for<TypeParam, 2>(Vec<2>::Zero(), 0.125, {8, 8});
+TEST_P(MassProducts, AreOfBoxesThatArePartitionsOfUnity) {
+  const auto grid = grid_for<2>(basis, Vec<2>::Zero(), 0.125, {8, 8});
   for (const double cells : {0.1, 0.5, 1.0}) {
-    const auto boxes = box_of_one<TypeParam>(cells, grid);
-    ASSERT_TRUE(boxes);
-    EXPECT_NEAR(std::accumulate(std::begin(boxes->N[0]), std::end(boxes->N[0]), 0.0), 1, 1e-15);
+    const auto sum = weights_in_box(basis, cells, grid);
+    ASSERT_TRUE(sum);
+    EXPECT_NEAR(*sum, 1, 1e-15);
   }
-  EXPECT_EQ(box_of_one<TypeParam>(2.5, grid).has_value(), fits<TypeParam>(3));
+  EXPECT_EQ(weights_in_box(basis, 2.5, grid).has_value(), fits(basis, 3));
 }
 
 }  // namespace mpmvv::solver::mass_product_test

@@ -15,16 +15,10 @@ namespace mpmvv::solver {
 /// deformations of their own, on a grid in motion; and the weights of each, node by node.
 template <int D>
 struct MovedBody {
-  struct Weight {
-    std::size_t n;
-    double N;
-    Vec<D> dN;
-  };
-
   Scene<D> scene;
   Particles<D>& particles = scene.particles;
   Grid<D> grid;
-  std::vector<std::vector<Weight>> weights;  ///< by particle
+  std::vector<std::vector<Weight<D>>> weights;  ///< by particle
 
   explicit MovedBody(const AnyBasis& basis)
       : scene(full_scene<D>(basis, D == 3 ? 5 : 12, D == 1 ? 12 : 3, Free{})),
@@ -37,7 +31,7 @@ struct MovedBody {
       for (int d = 0; d < D; ++d) particles.x[p][d] = std::clamp(particles.x[p][d] + 0.4 * scene.h * any(), 0.0, 1.0);
       particles.v[p] = Vec<D>::NullaryExpr(any);
       particles.F[p] += 0.2 * Mat<D>::NullaryExpr(any);
-      std::visit([&](const auto& b) { weights.push_back(weights_of(b, p)); }, basis);
+      weights.push_back(weights_of(basis, p));
     }
     for (auto* field : {&grid.v, &grid.a})
       for (auto& value : *field) value = Padded<D>::NullaryExpr(any);
@@ -59,31 +53,26 @@ struct MovedBody {
   /// Σ_i N_ip φ_i
   Vec<D> value(std::size_t p, const std::vector<Padded<D>>& field) const {
     Vec<D> sum = Vec<D>::Zero();
-    for (const Weight& w : weights[p]) sum += w.N * field[w.n].template head<D>();
+    for (const auto& w : weights[p]) sum += w.N * field[w.n].template head<D>();
     return sum;
   }
   /// Σ_i φ_i ⊗ ∇N_ip
   Mat<D> gradient(std::size_t p, const std::vector<Padded<D>>& field) const {
     Mat<D> sum = Mat<D>::Zero();
-    for (const Weight& w : weights[p]) sum += field[w.n].template head<D>() * w.dN.transpose();
+    for (const auto& w : weights[p]) sum += field[w.n].template head<D>() * w.dN.transpose();
     return sum;
   }
 
  private:
-  template <class B>
-  std::vector<Weight> weights_of(const B& basis, std::size_t p) const {
+  std::vector<Weight<D>> weights_of(const AnyBasis& basis, std::size_t p) const {
     Particles<D> one;
     one.resize(1);
     one.x[0] = particles.x[p];
     if (!particles.l.empty()) one.l = {particles.l[p]};
     if (!particles.R.empty()) one.R = {particles.R[p]};
-    std::vector<Weight> all;
-    const auto visit = [&](const auto& block) {
-      for_nodes(block, one, grid, [&](std::ptrdiff_t n, double N, const Vec<D>& dN) {
-        all.push_back({static_cast<std::size_t>(n), N, dN});
-      });
-    };
-    EXPECT_EQ(evaluate_one(basis, one, grid, visit), Fault::none);
+    Fault found;
+    auto all = weights_of_one(basis, one, grid, found);
+    EXPECT_EQ(found, Fault::none);
     return all;
   }
 };

@@ -16,23 +16,14 @@
 /// Bases as the solver sees them: through the stencil of one particle on a grid.
 namespace mpmvv::solver {
 
-template <class Any>
-struct TypesOf;
-template <class... Types>
-struct TypesOf<std::variant<Types...>> {
-  using type = ::testing::Types<Types...>;
-};
-
-/// Every basis and dimension.
+/// Every dimension.
 template <int D>
 using Dimension = std::integral_constant<int, D>;
-using TestedBases = TypesOf<AnyBasis>::type;
 using TestedDimensions = ::testing::Types<Dimension<1>, Dimension<2>, Dimension<3>>;
 
 /// A basis with the width of the particle that is looked at, and whether its domain is sheared and turned.
-template <class B>
 struct Setting {
-  B basis;
+  AnyBasis basis;
   double width;
   bool sheared = false;
 };
@@ -48,20 +39,7 @@ Mat<D> domain_shape(bool sheared) {
 
 /// The settings to try a basis with: its widths, or its smoothing lengths, where it has any. With a narrow domain
 /// gradients are small differences over a small width: the narrowest has a tenth of a cell.
-template <class B>
-std::vector<Setting<B>> settings(double least_width = 1e-6) {
-  std::vector<Setting<B>> all;
-  for (const double width : {least_width, 0.1, 0.25, 1.0 / 3, 0.5, 0.75, 0.999999, 1.0}) {
-    if constexpr (requires(B basis) { basis.smoothing_length; })
-      all.push_back({B{.smoothing_length = width}, 1});
-    else if constexpr (B::width == ParticleWidth::domain)
-      all.insert(all.end(), {{B{}, 2 * std::max(width, 0.1)}, {B{}, std::max(width, 0.1), true}});
-    else if (B::width != ParticleWidth::none)
-      all.push_back({B{}, width});
-  }
-  if (all.empty()) all.push_back({B{}, 1});
-  return all;
-}
+std::vector<Setting> settings(const AnyBasis& basis, double least_width = 1e-6);
 
 template <int D>
 struct Reached {
@@ -114,53 +92,23 @@ void for_nodes(const CpdiBlock<D, K>& block, const Particles<D>& particles, cons
   }
 }
 
-/// Evaluates the nodes of the only particle and visits its block: by what the solver has compiled for the bases that it
-/// lists, which others need not be.
-template <int D, class B, class Visit>
-Fault evaluate_one(const B& basis, const Particles<D>& particles, const Grid<D>& grid, const Visit& visit) {
-  const auto evaluate_in = [&](auto& block, const auto& evaluate_block) {
-    block.begin = 0;
-    block.count = 1;
-    const Fault found = evaluate_block();
-    visit(block);
-    return found;
-  };
-  if constexpr (std::is_constructible_v<AnyBasis, B>) {
-    AnyBlock<D> any = make_block<D>(basis, 0);
-    return evaluate_in(std::get<BlockOf<D, B>>(any), [&] { return evaluate<D>(basis, particles, grid, true, any); });
-  } else {
-    BlockOf<D, B> block(0);
-    return evaluate_in(block, [&] { return evaluate_stencils(basis, particles, grid, true, block); });
-  }
-}
+/// A node that a particle reaches, by its place in storage.
+template <int D>
+struct Weight {
+  std::size_t n;
+  double N;
+  Vec<D> dN;
+};
 
-/// What a particle at x reaches; fails the test when that is outside the grid's storage.
-template <int D, class B>
-std::vector<Reached<D>> reached(const Setting<B>& setting, const Grid<D>& grid, const Vec<D>& x,
-                                Fault* fault = nullptr) {
-  Particles<D> particles;
-  particles.resize(1);
-  particles.x[0] = x;
-  particles.l = {Vec<D>::Constant(setting.width)};
-  particles.R = {setting.width * domain_shape<D>(setting.sheared)};
-  std::vector<Reached<D>> all;
-  const Fault found = evaluate_one(setting.basis, particles, grid, [&](const auto& block) {
-    for_nodes(block, particles, grid, [&](std::ptrdiff_t n, double N, const Vec<D>& dN) {
-      EXPECT_GE(n, 0);
-      EXPECT_LT(n, static_cast<std::ptrdiff_t>(grid.size()));
-      Reached<D> node{grid.index(static_cast<std::size_t>(n)), grid.lower(), N, dN};
-      for (int d = 0; d < D; ++d)
-        node.x[d] +=
-            grid.h() * B::position(node.node[static_cast<std::size_t>(d)], grid.cells()[static_cast<std::size_t>(d)]);
-      all.push_back(node);
-    });
-  });
-  if (fault)
-    *fault = found;
-  else
-    EXPECT_EQ(found, Fault::none) << "at " << x.transpose();
-  return all;
-}
+/// What the only particle reaches, by what the solver has compiled for the bases; a node comes as `for_nodes` visits
+/// it. Here and in `reached` the test fails where a node is outside the grid's storage.
+template <int D>
+std::vector<Weight<D>> weights_of_one(const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid,
+                                      Fault& found);
+
+/// What a particle at x reaches.
+template <int D>
+std::vector<Reached<D>> reached(const Setting& setting, const Grid<D>& grid, const Vec<D>& x, Fault* fault = nullptr);
 
 /// Distances from the lower face, in cells, that cover a line of cells: nodes, middles, quarters, both faces, and
 /// random ones in between.

@@ -35,7 +35,7 @@ class SurfaceLoads : public WithEachBasis {
   SurfaceLoads() {
     scene.h = 0.125;
     scene.cells = {8, 8};
-    scene.basis = std::visit([]<class B>(const B&) -> AnyBasis { return settings<B>(0.5).front().basis; }, basis);
+    scene.basis = settings(basis, 0.5).front().basis;
     scene.material = NeoHookeanLog{3000, 4000};
     scene.boundary.fill(Free{});
     scene.particles = particles_at<2>(lattice<2>({0.25, 0.25}, 0.0625, {8, 8}), 0.0625 * 0.0625);

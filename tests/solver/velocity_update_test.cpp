@@ -58,7 +58,7 @@ class Dense {
     const auto grid = grid_for<BSpline2, 1>(scene_.lower, scene_.h, scene_.cells);
     S_ = G_ = Matrix::Zero(count_, static_cast<int>(grid.size()));
     for (int p = 0; p < count_; ++p)
-      for (const auto& i : reached<1>(Setting<BSpline2>{{}, 1}, grid, Vec<1>(X[p])))
+      for (const auto& i : reached<1>(Setting{BSpline2{}, 1}, grid, Vec<1>(X[p])))
         S_(p, grid.node(i.node)) = i.N, G_(p, grid.node(i.node)) = i.dN[0];
     mass_ = S_.transpose() * M_;
     std::vector<int> reached_nodes;
