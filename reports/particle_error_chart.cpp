@@ -129,7 +129,11 @@ void add_notes(Chart& chart, const records::StudyResult& study, const std::vecto
     chart.notes.push_back(
         "Blue is a large error, yellow a small one. Where particles are many, a square stands for neighbours, "
         "with their RMS error.");
-  if (has_parts) chart.notes.push_back("A part of the body was run: images of it make the rest.");
+  if (has_parts)
+    chart.notes.push_back(
+        "A part of the body was run: images of it make the rest, of which mirror images in planes across the axes are "
+        "not "
+        "drawn.");
 }
 
 }  // namespace

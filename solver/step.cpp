@@ -18,14 +18,20 @@ Grid<D> make_grid(const Scene<D>& scene) {
       scene.basis);
 }
 
-/// Whether the first two axes have the same cells and the same boundaries.
+/// Whether the first two axes have the same cells about the origin and the same boundaries, none of them a wall, which
+/// moves as it will.
 template <int D>
-bool are_shared([[maybe_unused]] const Scene<D>& scene) {
-  if constexpr (D == 1) return false;
-  const auto& faces = scene.boundary;
-  return scene.cells[0] == scene.cells[1] && faces[0].index() == faces[2].index() &&
-         faces[1].index() == faces[3].index() &&
-         (scene.images == Images::diagonal ? scene.lower[0] == scene.lower[1] : faces[0].index() == faces[1].index());
+bool are_shared(const Scene<D>& scene) {
+  if constexpr (D > 1) {
+    const auto kind = [&](std::size_t face) { return scene.boundary[face].index(); };
+    const auto is_wall = [](const AnyBoundary& boundary) { return std::holds_alternative<Wall>(boundary); };
+    const bool are_turned =
+        kind(0) == kind(1) && scene.lower.template head<2>().isApprox(Vec<2>::Constant(-scene.h * scene.cells[0] / 2));
+    return scene.cells[0] == scene.cells[1] && scene.lower[0] == scene.lower[1] && kind(0) == kind(2) &&
+           kind(1) == kind(3) && std::ranges::none_of(scene.boundary, is_wall) &&
+           (scene.images == Images::diagonal || are_turned);
+  }
+  return false;
 }
 
 template <int D>

@@ -105,9 +105,9 @@ class Step {
 
   template <class V>
   void clear(std::vector<V>& field);  ///< to zero, before particles are mapped to it
+  /// Adds up what images and boundaries identify, after particles have been mapped.
   template <class V>
-  void sum_images(
-      std::vector<V>& field);    ///< adds up what images and boundaries identify, after particles have been mapped
+  void sum_images(std::vector<V>& field);
   void sum_momentum_images();    ///< that of momenta and masses; the masses decide what `for_nodes` visits from then on
   void constrain(Field& field);  ///< v = C v, where walls stand still
   void constrain_transposed(Field& field);  ///< f = Cᵀ f

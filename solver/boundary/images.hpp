@@ -12,7 +12,7 @@ namespace mpmvv::solver {
 enum class Images {
   none,
   diagonal,      ///< the mirror image at the plane x = y
-  quarter_turns  ///< three, by quarter turns from x to y about the middle of the domain
+  quarter_turns  ///< three, by quarter turns from x to y about the origin, in the middle of the domain
 };
 
 /// The particles that are run and their images.

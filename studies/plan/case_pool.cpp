@@ -145,15 +145,17 @@ Record CasePool::record_of(const Case& c, double seconds_of_all) {
   if (!c.scheme.code.empty()) return external_record_of(c);
   const double about = seconds({c});
   if (const auto part = settings::part_of(c)) {
-    const int threads = threads_for(part->body, about, seconds_of_all);
-    const Admission::Place place(admission_, threads, memory_estimate(part->body));
+    const double memory = memory_estimate(part->body, solver::count(part->images));
+    const int threads = threads_for(memory, about, seconds_of_all);
+    const Admission::Place place(admission_, threads, memory);
     if (const auto record = runs::run_part(c, *part, threads)) {
       finish(c, threads * record->wall_seconds);
       return *record;
     }
   }
-  const int threads = threads_for(c, about, seconds_of_all);
-  const Admission::Place place(admission_, threads, memory_estimate(c));
+  const double memory = memory_estimate(c);
+  const int threads = threads_for(memory, about, seconds_of_all);
+  const Admission::Place place(admission_, threads, memory);
   const Record record = runs::run_case(c, threads);
   finish(c, threads * record.wall_seconds);
   return record;
@@ -168,10 +170,9 @@ Record CasePool::external_record_of(const Case& c) {
 }
 
 /// All for a case that fills the memory, or would still run when all others are done.
-int CasePool::threads_for(const Case& as_run, double seconds, double seconds_of_all) const {
+int CasePool::threads_for(double memory, double seconds, double seconds_of_all) const {
   constexpr double much_memory = 1024.0 * 1024 * 1024, long_time = 5;
-  const bool is_big =
-      memory_estimate(as_run) > much_memory || (seconds > long_time && seconds * options_.jobs > seconds_of_all);
+  const bool is_big = memory > much_memory || (seconds > long_time && seconds * options_.jobs > seconds_of_all);
   return is_big ? options_.jobs : 1;
 }
 

@@ -60,7 +60,7 @@ class CasePool {
   records::Record external_record_of(const cases::Case& c);
   void finish(const cases::Case& c, double core_seconds);
   void report_to(const std::function<void(const Progress&)>& listener);
-  int threads_for(const cases::Case& as_run, double seconds, double seconds_of_all) const;
+  int threads_for(double memory, double seconds, double seconds_of_all) const;
   void time_all(const std::vector<cases::Case>& cases);
   void keep(const records::Record& record);
 

@@ -55,14 +55,14 @@ double work_estimate(const cases::Case& c) {
          static_cast<double>(c.resolution.steps);
 }
 
-double memory_estimate(const cases::Case& c) {
+double memory_estimate(const cases::Case& c, int images) {
   const int D = problems::find_problem(c.problem.name, "the case").dimension();
   const auto [cells_of_body, cells_of_domain] = problems::extent(c);
   const int beside = 1 + 2 * ghosts_of(settings::named<solver::AnyBasis>(c.scheme.basis));
   const double nodes = std::pow(std::pow(cells_of_domain, 1.0 / D) + beside, D);
   const double sorting = 8 * (1 + D + D * D) + 12;  // bytes: a number, a vector, a matrix, three indices
-  return (8 * doubles_per_particle(c.scheme, D) + sorting) * cells_of_body * std::pow(c.resolution.ppc, D) +
-         8 * doubles_per_node(c.scheme, D) * nodes;
+  const double particles = cells_of_body * std::pow(c.resolution.ppc, D) / images;
+  return (8 * doubles_per_particle(c.scheme, D) + sorting) * particles + 8 * doubles_per_node(c.scheme, D) * nodes;
 }
 
 }  // namespace mpmvv::plan

@@ -104,6 +104,7 @@ void measure_end(const Case& c, solver::Mpm<D>& mpm, const PreparedCase<D>& prep
   }
 }
 
+/// How a case is run, of which nothing but the cost depends.
 struct Manner {
   int threads = 1;
   solver::Images images = solver::Images::none;

@@ -20,49 +20,37 @@ namespace {
 
 using solver::Vec;
 
-/// Visits the voxels of the whole body.
+/// Fills the body: reference positions, volumes, and the widths that the basis takes. Returns which of its voxels are
+/// run.
 template <int D>
-void fill_body(const PreparedCase<D>& prepared, const Case& c, const PlaceVoxel<D>& place) {
-  const FillDensity density{prepared.scene.h, c.resolution.ppc};
-  switch (c.scheme.fill) {
-    case cases::Fill::lattice:
-      return fill_lattice<D>(prepared.setup.body, density, place);
-    case cases::Fill::conforming:
-      if constexpr (D > 1) fill_conforming<D>(std::get<problems::Annulus<D>>(prepared.setup.body), density, place);
-  }
-}
-
-/// Fills the body: reference positions, volumes, and the widths that the basis takes.
-template <int D>
-void fill(PreparedCase<D>& prepared, const Case& c) {
+WithoutImages<D> fill(PreparedCase<D>& prepared, const Case& c) {
   auto& scene = prepared.scene;
   const auto width = width_of(scene.basis);
-  const WithoutImages<D> run(scene.images, scene.h);
   const auto about = static_cast<std::size_t>(
       problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, D) / count(scene.images) + 0.5);
   prepared.X.reserve(about);
   scene.particles.V0.reserve(about);
-  fill_body<D>(prepared, c, [&](const Voxel<D>& voxel) {
-    const int of_body = run.count_of(voxel.X);
-    if (of_body == 0) return;
-    if (scene.images != solver::Images::none) prepared.with_images.push_back(static_cast<std::uint8_t>(of_body));
+  WithoutImages<D> run(scene.images, scene.h);
+  const PlaceVoxel<D> place = [&](const Voxel<D>& voxel) {
+    const int particles = run.take(voxel);
+    if (particles == 0) return;
+    if (scene.images != solver::Images::none) prepared.with_images.push_back(static_cast<std::uint8_t>(particles));
     prepared.X.push_back(voxel.X);
-    scene.particles.V0.push_back(run.share_of(voxel.X) * voxel.V);
+    scene.particles.V0.push_back(run.share(particles) * voxel.V);
     if (width == solver::ParticleWidth::domain)
       scene.particles.R.push_back(voxel.edges / scene.h);
     else if (width != solver::ParticleWidth::none)
       scene.particles.l.push_back(Vec<D>::Constant(std::pow(voxel.V, 1.0 / D) / scene.h));
-  });
-}
-
-/// The traction on the body's surface.
-template <int D>
-void load(PreparedCase<D>& prepared, const Case& c) {
-  const auto all = surface<D>(prepared.setup.body, {prepared.scene.h, c.resolution.ppc});
-  const WithoutImages<D> run(prepared.scene.images, prepared.scene.h);
-  auto patches = run.patches(all, [&](const PlaceVoxel<D>& place) { fill_body<D>(prepared, c, place); });
-  prepared.traction = std::make_unique<SolutionTraction<D>>(*prepared.setup.solution, std::move(patches), prepared.X);
-  prepared.scene.surface_load = prepared.traction.get();
+  };
+  const FillDensity density{scene.h, c.resolution.ppc};
+  switch (c.scheme.fill) {
+    case cases::Fill::lattice:
+      fill_lattice<D>(prepared.setup.body, density, place);
+      break;
+    case cases::Fill::conforming:
+      if constexpr (D > 1) fill_conforming<D>(std::get<problems::Annulus<D>>(prepared.setup.body), density, place);
+  }
+  return run;
 }
 
 /// Position, velocity and deformation gradient at t = 0; with start `exact` the velocity of -Δt/2, W §4.
@@ -170,7 +158,7 @@ PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, in
 
   scene.basis = settings::named<solver::AnyBasis>(c.scheme.basis);
   if (auto* ugimp = std::get_if<solver::UGimp>(&scene.basis)) ugimp->smoothing_length = c.scheme.smoothing_length;
-  fill(prepared, c);
+  const WithoutImages<D> run = fill(prepared, c);
   set_initial_state(prepared, c);
   set_current_widths(scene.particles, scene.basis);
   if (prepared.setup.solution) {
@@ -180,7 +168,12 @@ PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, in
     scene.body_force_on = for_solver(c.scheme.body_force);
     if (prepared.points->reads_places() && scene.body_force_on == solver::BodyForceOn::particles)
       scene.particles.X = prepared.X;
-    if (problem.is_loaded && problem.is_loaded(c.problem.parameters)) load(prepared, c);
+    if (problem.is_loaded && problem.is_loaded(c.problem.parameters)) {
+      prepared.traction = std::make_unique<SolutionTraction<D>>(
+          *prepared.setup.solution, run.patches(surface<D>(prepared.setup.body, {scene.h, c.resolution.ppc})),
+          prepared.X);
+      scene.surface_load = prepared.traction.get();
+    }
   }
   shuffle(scene.particles, c.resolution.shuffle);
   return prepared;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "solver/boundary/images.hpp"
@@ -7,14 +8,37 @@
 
 namespace mpmvv::runs {
 
-/// What is left of a body's fill where the rest is images of it.
+/// Of a body's fill, the voxels that are run where the rest is images of them.
 template <int D>
 class WithoutImages {
  public:
   WithoutImages(solver::Images images, double h) : images_(images), round_off_(1e-9 * h) {}
 
-  /// Particles that one at X and its images are; none where another of them is run. No particle lies on an axis about
-  /// which a body turns.
+  /// Takes the next voxel of the fill. Particles that it and its images are; none where another of them is run. No
+  /// particle lies on an axis about which a body turns.
+  int take(const Voxel<D>& voxel) {
+    const int found = count_of(voxel.X);
+    counts_.push_back(static_cast<std::uint8_t>(found));
+    return found;
+  }
+
+  /// Of the volume or the surface of so many particles, that of the one that is run: one that is its own image is
+  /// summed with it.
+  double share(int particles) const { return static_cast<double>(particles) / count(images_); }
+
+  /// The patches of the voxels that are run, by their places among these.
+  std::vector<SurfacePatch<D>> patches(const std::vector<SurfacePatch<D>>& all) const {
+    std::vector<std::uint32_t> places;
+    std::uint32_t run = 0;
+    for (const std::uint8_t found : counts_) places.push_back(found > 0 ? run++ : run);
+    std::vector<SurfacePatch<D>> left;
+    for (const SurfacePatch<D>& patch : all)
+      if (const int found = counts_[patch.voxel]; found > 0)
+        left.push_back({places[patch.voxel], patch.X, share(found) * patch.normal});
+    return left;
+  }
+
+ private:
   int count_of([[maybe_unused]] const solver::Vec<D>& X) const {
     if constexpr (D > 1) {
       if (images_ == solver::Images::quarter_turns) return X[0] > 0 && X[1] > 0 ? 4 : 0;
@@ -23,24 +47,9 @@ class WithoutImages {
     return 1;
   }
 
-  /// Of the volume or the surface at X, as one that is its own image is summed with it.
-  double share_of(const solver::Vec<D>& X) const { return static_cast<double>(count_of(X)) / count(images_); }
-
-  /// The patches of those voxels that are run, by their places among these. Takes the fill's voxels in their order.
-  std::vector<SurfacePatch<D>> patches(const std::vector<SurfacePatch<D>>& all, const auto& fill) const {
-    std::vector<std::uint32_t> places;
-    std::uint32_t run = 0;
-    fill([&](const Voxel<D>& voxel) { places.push_back(count_of(voxel.X) > 0 ? run++ : run); });
-    std::vector<SurfacePatch<D>> left;
-    for (const SurfacePatch<D>& patch : all)
-      if (const double share = share_of(patch.X); share > 0)
-        left.push_back({places[patch.voxel], patch.X, share * patch.normal});
-    return left;
-  }
-
- private:
   solver::Images images_;
   double round_off_;
+  std::vector<std::uint8_t> counts_;  ///< by voxel
 };
 
 }  // namespace mpmvv::runs

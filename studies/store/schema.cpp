@@ -127,7 +127,7 @@ constexpr const char* schema_9 = R"sql(
   DROP TABLE mutants;
 )sql";
 
-/// Of how many mirror images a run is a part.
+/// Of how many images a run is a part.
 constexpr const char* schema_10 = R"sql(
   ALTER TABLE runs ADD COLUMN images REAL;
 )sql";

@@ -91,6 +91,8 @@ TEST(Images, LeadBackAndForth) {
 TEST(Images, ThatGridOrBoundariesDoNotShareAreRefused) {
   const auto refused = [](const auto& change) {
     Scene<2> scene = full_scene<2>(Linear{}, 4, 2, Free{});
+    scene.lower.setConstant(-0.5);
+    for (auto& x : scene.particles.x) x += scene.lower;
     change(scene);
     try {
       Mpm<2>{scene};
@@ -109,6 +111,7 @@ TEST(Images, ThatGridOrBoundariesDoNotShareAreRefused) {
     scene.images = Images::quarter_turns;
     scene.boundary[0] = scene.boundary[2] = Mirror{};
   })) << "a mirror turned by a quarter is on the other side";
+  EXPECT_TRUE(refused([](Scene<2>& scene) { scene.images = Images::quarter_turns, scene.lower.setZero(); }));
   Scene<1> bar = full_scene<1>(Linear{}, 4, 2);
   bar.images = Images::diagonal;
   EXPECT_THROW(Mpm<1>{bar}, std::invalid_argument);

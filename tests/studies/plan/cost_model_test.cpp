@@ -41,5 +41,15 @@ TEST_F(CostModels, LearnFromTheSameCaseElseFromLikeOnesElseGuess) {
   EXPECT_NEAR(model.time(cube("32", "3")).seconds, 3 * 8 * like.seconds, 1e-9) << "three times the whole";
 }
 
+TEST(CostModel, GuessesTheCostOfThePartThatIsRun) {
+  for (const auto& [problem, images] : {std::pair("vortex", 4), std::pair("ring", 8)}) {
+    std::vector<settings::Setting> settings{
+        {"problem", problem, ""}, {"basis", "bspline3", ""}, {"cells", "16", ""}, {"ppc", "2", ""}, {"cfl", "0.2", ""}};
+    const double part = CostModel(nullptr).time(settings::make_case(settings)).seconds;
+    settings.push_back({"whole", "true", ""});
+    EXPECT_NEAR(CostModel(nullptr).time(settings::make_case(settings)).seconds, images * part, 1e-9 * part) << problem;
+  }
+}
+
 }  // namespace cost_model_test
 }  // namespace mpmvv::plan
