@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "reports/panels.hpp"
 #include "reports/text.hpp"
@@ -35,18 +36,23 @@ std::vector<LastRun> last_runs(const records::StudyResult& study, const records:
   return runs;
 }
 
-/// About what the particles are apart: the median of the ways to the nearest other one.
+/// About what the particles are apart: the median of the mean ways to the nearest ones, as many as a particle of a
+/// lattice has at one distance. The nearest alone is close by where particles are in no order.
 double spacing_of(const std::vector<ParticleError>& all) {
-  std::vector<double> ways;
+  constexpr std::size_t most_near = 4;
+  std::vector<double> spacings, ways;
   for (const ParticleError& one : all) {
-    double least = INFINITY;
+    ways.clear();
     for (const ParticleError& other : all)
-      if (&other != &one) least = std::min(least, std::hypot(other.x - one.x, other.y - one.y));
-    if (least > 0 && std::isfinite(least)) ways.push_back(least);
+      if (const double way = std::hypot(other.x - one.x, other.y - one.y); way > 0) ways.push_back(way);
+    const std::size_t near = std::min(most_near, ways.size());
+    const auto last = ways.begin() + static_cast<std::ptrdiff_t>(near);
+    std::ranges::partial_sort(ways, last);
+    if (near > 0) spacings.push_back(std::accumulate(ways.begin(), last, 0.0) / static_cast<double>(near));
   }
-  if (ways.empty()) return 1;
-  const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
-  std::ranges::nth_element(ways, middle);
+  if (spacings.empty()) return 1;
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::ranges::nth_element(spacings, middle);
   return *middle;
 }
 
@@ -65,7 +71,7 @@ Axis shade_axis(const std::vector<LastRun>& runs) {
 /// Where many make an area, their squares close the gaps that a stretched body has.
 Panel panel_of(const LastRun& run) {
   constexpr std::size_t many = 300;
-  constexpr double overlap = 1.4;
+  constexpr double overlap = 1.6;
   Panel panel{run.series->name, {}};
   const double width = spacing_of(run.errors()) * (run.errors().size() > many ? overlap : 1);
   for (const ParticleError& one : run.errors()) {
