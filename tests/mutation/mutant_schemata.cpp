@@ -183,8 +183,12 @@ struct PlacedChoice {
 /// Writes a text with its choices.
 class Writer {
  public:
-  explicit Writer(const std::string& text) : text_(text) {
-    result_.text = fmt::format("#include \"{}\"\n", choice_header);
+  /// The header by its way from the file: the test of the layers knows what rooms include by places in the tree.
+  Writer(const std::string& text, const std::string& file) : text_(text) {
+    std::string up;
+    for (const char c : file)
+      if (c == '/') up += "../";
+    result_.text = fmt::format("#include \"{}{}\"\n", up, choice_header);
   }
 
   /// Choices in the order of their regions' begins, larger ones first.
@@ -253,7 +257,7 @@ Schemata schemata_of(const std::string& text, const std::vector<Choice>& choices
   std::ranges::stable_sort(placed, [](const PlacedChoice& a, const PlacedChoice& b) {
     return a.region.begin != b.region.begin ? a.region.begin < b.region.begin : a.region.end > b.region.end;
   });
-  Writer writer(text);
+  Writer writer(text, choices.empty() ? "" : choices.front().edit.file);
   writer.write({0, text.size()}, placed);
   return std::move(writer).result();
 }

@@ -15,6 +15,7 @@ namespace mutant_schemata_test {
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+using testing::StartsWith;
 
 /// What a program would be made of, were the choice made before it is compiled.
 class Chosen {
@@ -66,6 +67,14 @@ std::set<int> numbers_in(const Schemata& both) {
   std::set<int> numbers;
   for (const ChoicePlace& place : both.places) numbers.insert(place.number);
   return numbers;
+}
+
+TEST(MutantSchemata, TheHeaderIsNamedByItsWayFromTheFile) {
+  const std::string text = "int f(int x) {\n  x += 1;\n  return x;\n}\n";
+  Edit edit = edit_of(text, "+=", "-=");
+  EXPECT_THAT(schemata_of(text, {{7, edit}}).text, StartsWith("#include \"chosen_mutant.hpp\"\n"));
+  edit.file = "solver/boundary/f.cpp";
+  EXPECT_THAT(schemata_of(text, {{7, edit}}).text, StartsWith("#include \"../../chosen_mutant.hpp\"\n"));
 }
 
 TEST(MutantSchemata, AStatementStandsTwice) {
