@@ -40,7 +40,7 @@ struct Scene {
   AnyBasis basis;
   AnyMaterial material;
   std::array<AnyBoundary, 2 * D> boundary;
-  Images images = Images::none;        ///< of the particles, one more part of the body each
+  Images images = Images::none;        ///< of the particles, which make the body with them
   BodyForce<D>* body_force = nullptr;  ///< none when null; must outlive the run
   BodyForceOn body_force_on = BodyForceOn::particles;
   const SurfaceLoad<D>* surface_load = nullptr;  ///< none when null; must outlive the run

@@ -20,24 +20,27 @@ constexpr int count(Images images) {
   return images == Images::quarter_turns ? 4 : images == Images::diagonal ? 2 : 1;
 }
 
-/// The next image of a vector. Further components, such as a mass, stay as they are.
+/// A vector with its first two components exchanged, after quarter turns the one at `reversed` the other way. Further
+/// components, such as a mass, stay as they are.
 template <class V>
-V next_image(Images images, V vector) {
+V turned(Images images, V vector, [[maybe_unused]] int reversed) {
   if constexpr (V::SizeAtCompileTime > 1) {
     if (images != Images::none) std::swap(vector[0], vector[1]);
-    if (images == Images::quarter_turns) vector[0] = -vector[0];
+    if (images == Images::quarter_turns) vector[reversed] = -vector[reversed];
   }
   return vector;
 }
 
+/// The next image of a vector.
+template <class V>
+V next_image(Images images, const V& vector) {
+  return turned(images, vector, 0);
+}
+
 /// The one whose next image it is.
 template <class V>
-V previous_image(Images images, V vector) {
-  if constexpr (V::SizeAtCompileTime > 1) {
-    if (images != Images::none) std::swap(vector[0], vector[1]);
-    if (images == Images::quarter_turns) vector[1] = -vector[1];
-  }
-  return vector;
+V previous_image(Images images, const V& vector) {
+  return turned(images, vector, 1);
 }
 
 /// Gives the nodes that are each other's images, `orbit` in this order, the sum of what particles and their images add:

@@ -91,7 +91,8 @@ struct Record {
   double solution_floor = not_measured;  ///< RMS displacement error of a solution that is not of the body's law, m
   double images = 1;  ///< of the part that was run, itself among them, which make the body; 1: all of it was run
   Cost cost = {};     ///< where the case asks for it
-  std::vector<ParticleError> particle_errors = {};  ///< of the part that was run, where the case asks for them
+  std::vector<ParticleError> particle_errors =
+      {};  ///< where the case asks for them; without the mirror images of a quarter
 };
 
 /// Whether another try may do better.

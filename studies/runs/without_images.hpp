@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "solver/boundary/images.hpp"
@@ -18,7 +17,7 @@ class WithoutImages {
   /// particle lies on an axis about which a body turns.
   int take(const Voxel<D>& voxel) {
     const int found = count_of(voxel.X);
-    counts_.push_back(static_cast<std::uint8_t>(found));
+    if (images_ != solver::Images::none) counts_.push_back(static_cast<std::uint8_t>(found));
     return found;
   }
 
@@ -28,6 +27,7 @@ class WithoutImages {
 
   /// The patches of the voxels that are run, by their places among these.
   std::vector<SurfacePatch<D>> patches(const std::vector<SurfacePatch<D>>& all) const {
+    if (images_ == solver::Images::none) return all;
     std::vector<std::uint32_t> places;
     std::uint32_t run = 0;
     for (const std::uint8_t found : counts_) places.push_back(found > 0 ? run++ : run);
@@ -49,7 +49,7 @@ class WithoutImages {
 
   solver::Images images_;
   double round_off_;
-  std::vector<std::uint8_t> counts_;  ///< by voxel
+  std::vector<std::uint8_t> counts_;  ///< by voxel, where there are images
 };
 
 }  // namespace mpmvv::runs
