@@ -27,13 +27,11 @@ class Hugoniot {
   double energy() const { return 0.5 * u_ * u_; }
 
   double temperature() const {
-    const auto [K, rho0, S, gamma, C, T0] = solid_;
+    const double K = solid_.bulk_modulus, S = solid_.hugoniot_slope, gamma = solid_.gamma;
     const double eta = compression();
-    const auto heat = [K = K, S = S, gamma = gamma](double s) {
-      return std::exp(-gamma * s) * K * S * s * s / std::pow(1 - S * s, 3);
-    };
+    const auto heat = [=](double s) { return std::exp(-gamma * s) * K * S * s * s / std::pow(1 - S * s, 3); };
     const double heating = boost::math::quadrature::gauss<double, 30>::integrate(heat, 0.0, eta);
-    return std::exp(gamma * eta) * (T0 + heating / (rho0 * C));
+    return std::exp(gamma * eta) * (solid_.temperature + heating / (solid_.density * solid_.heat_capacity));
   }
 
  private:

@@ -20,7 +20,7 @@ std::vector<Field> fields(const State& s, bool has_id, bool has_X) {
   all.emplace_back("mass", [&s](std::size_t p) { return s.m[p]; });
   const std::pair<const char*, std::size_t> components[] = {{"s11", 0}, {"s22", 4}, {"s12", 1}};
   for (const auto& [name, k] : components)
-    all.emplace_back(name, [&s, k = k](std::size_t p) { return s.stress[p][k]; });
+    all.emplace_back(name, [&s, at = k](std::size_t p) { return s.stress[p][at]; });
   return all;
 }
 
