@@ -7,14 +7,17 @@
 set(MPMVV_PLAIN "" CACHE PATH "build folder without sanitizers, whose cases and rooms are linked")
 
 # Left out are what counts allocations or asks for too much memory, long runs whose code shorter ones cover at least in
-# part (in space, fewer pairs of an integrator with a boundary are left), what reads the tree's own text, and the
-# comparisons of numbers of threads, which are the thread sanitizer's.
+# part (in space, fewer pairs of an integrator with a boundary are left; of bases, whose kernels are those of others,
+# all but one), what reads the tree's own text or walks its pages, and the comparisons of numbers of threads, which are
+# the thread sanitizer's.
 set(not_sanitized
   "*Nightly*:Allocation*:*DoesNotDecideTheSquare*:*MassCutoff*:Textbook*:TimeOrder*:*IsHalfAPeriod*:*CannotEnd*:*LittleMemory*"
   ":*ScenesInSpaceMoveAlike:*ContinueIntoSpace:*NoKindOfValueIsABug:*APathOfAnyKind*:*AClosedOrFullStream*"
   ":*EndsWithExamplesThatRun:*EveryCaseOfTheTreeIsOne:*AllOfTheWorkEachOnce:*TheirLongestPieceAllows"
   ":OutsideProblems.TheWave*:OutsideProblems.FromRest*:*SplinesLoseOrder*:*AreThoseOfEverySolution:CostCommand*"
   ":Docs*:Layers*:Manual.Names*:*FitsATerminalOf80Columns:*AreCostedBefore*:*WallsLeaveFree/*cpdi"
+  ":HowTo*:OwnStudies*:OtherCodes.FromNothing*:Names.NeverShare*:ConformingFill/1.WholeBody*:OutsideProblems.WithoutABody*"
+  ":Kernels.*/gimp:Kernels.*/ugimp:Kernels.*/cpgimp:Kernels.*/bspline2_open:Kernels.*/bspline3"
   ":Part.Of*:*EveryProblemFollowsItsSolution:*ImpactLosesSomeOfItsEnergy:*NumberOfThreads*")
 string(CONCAT not_sanitized ${not_sanitized})
 
