@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <future>
+#include <utility>
 
 #include "studies/support/error.hpp"
 #include "tests/mutation/gate_output.hpp"
@@ -143,8 +145,10 @@ Trial ProgramBench::meet(GateStage stage, seconds limit) {
   return trial;
 }
 
-support::ProcessEnd ProgramBench::run(const std::vector<std::string>& command, seconds limit) const {
-  return scratch_.run(command, limit, {{choice_variable, std::to_string(chosen_)}});
+support::ProcessEnd ProgramBench::run(const std::vector<std::string>& command, seconds limit,
+                                      std::map<std::string, std::string> environment) const {
+  environment[choice_variable] = std::to_string(chosen_);
+  return scratch_.run(command, limit, environment);
 }
 
 seconds ProgramBench::limit_of(const std::string& name, seconds stage_limit) const {
@@ -154,11 +158,23 @@ seconds ProgramBench::limit_of(const std::string& name, seconds stage_limit) con
 }
 
 /// Of what waits for ever, instead of working, the processors see nothing.
-support::ProcessEnd ProgramBench::run_confined(const std::string& name, const std::vector<std::string>& command,
-                                               seconds limit) {
+support::ProcessEnd ProgramBench::run_confined(const std::vector<std::string>& command, seconds limit,
+                                               std::map<std::string, std::string> environment) const {
+  return run(confined_command(jobs_ * limit, command), 20 * limit, std::move(environment));
+}
+
+support::ProcessEnd ProgramBench::run_test(const std::string& test, seconds limit) {
   const auto start = std::chrono::steady_clock::now();
-  const support::ProcessEnd end = run(confined_command(jobs_ * limit, command), 20 * limit);
-  if (!is_edited_ && end.good()) usual_[name] = seconds_since(start);
+  const auto shard = [&](int k) {
+    return run_confined({program(test), "--gtest_fail_fast", "--gtest_color=no", "--gtest_filter=-*Nightly*"}, limit,
+                        {{"GTEST_TOTAL_SHARDS", std::to_string(jobs_)}, {"GTEST_SHARD_INDEX", std::to_string(k)}});
+  };
+  std::vector<std::future<ProcessEnd>> shards;
+  for (int k = 0; k < jobs_; ++k) shards.push_back(std::async(std::launch::async, shard, k));
+  ProcessEnd end;
+  for (auto& one : shards)
+    if (const ProcessEnd its = one.get(); end.good()) end = its;
+  if (!is_edited_ && end.good()) usual_[test] = seconds_since(start);
   return end;
 }
 
@@ -172,8 +188,7 @@ Trial ProgramBench::run_unit_tests(seconds stage_limit) {
       return trial;
     }
     const seconds limit = limit_of(test, stage_limit);
-    const support::ProcessEnd end = run_confined(
-        test, {program(test), "--gtest_fail_fast", "--gtest_color=no", "--gtest_filter=-*Nightly*"}, limit);
+    const support::ProcessEnd end = run_test(test, limit);
     if (end.good()) continue;
     trial.caught = true;
     const std::string ending =
@@ -194,10 +209,11 @@ Trial ProgramBench::run_gate(GateStage stage, const std::vector<std::string>& st
 std::vector<std::string> ProgramBench::complaints_of(const std::string& study, const std::string& db,
                                                      seconds stage_limit) {
   const seconds limit = limit_of(study, stage_limit);
+  const auto start = std::chrono::steady_clock::now();
   const support::ProcessEnd ran = run_confined(
-      study,
       {program("mpmvv"), "study", "--db", db, "--jobs", std::to_string(jobs_), fmt::format("studies/{}.toml", study)},
       limit);
+  if (!is_edited_ && ran.good()) usual_[study] = seconds_since(start);
   const std::string ending = fmt::format("{}: {}", study, how_it_ended(ran, limit));
   if (ran.timed_out || ran.exit_code > 1) return {ending};
   const support::ProcessEnd judged = run({program("mpmvv"), "gate", "--db", db, "--json", "--only", study}, gate_limit);

@@ -27,11 +27,14 @@ class ProgramBench final : public SchemataBench {
   void configure() const;
   support::ProcessEnd make(const std::vector<std::string>& targets) const;
   bool compiles(const std::string& target);
-  support::ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit) const;
+  support::ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit,
+                          std::map<std::string, std::string> environment = {}) const;
   /// Several times what a study or test program took without a mistake; where that is not known, its stage's limit.
   std::chrono::seconds limit_of(const std::string& name, std::chrono::seconds stage_limit) const;
-  support::ProcessEnd run_confined(const std::string& name, const std::vector<std::string>& command,
-                                   std::chrono::seconds limit);
+  support::ProcessEnd run_confined(const std::vector<std::string>& command, std::chrono::seconds limit,
+                                   std::map<std::string, std::string> environment = {}) const;
+  /// A test program in shards, one for each processor; the end of the first that does not pass.
+  support::ProcessEnd run_test(const std::string& test, std::chrono::seconds limit);
   Trial run_unit_tests(std::chrono::seconds stage_limit);
   Trial run_gate(GateStage stage, const std::vector<std::string>& studies, std::chrono::seconds stage_limit);
   /// What does not pass of one study, run and judged; empty when all of it passes.
