@@ -7,9 +7,9 @@
 set(MPMVV_PLAIN "" CACHE PATH "build folder without sanitizers, whose cases and rooms are linked")
 
 # Left out are what counts allocations or asks for too much memory, long runs whose code shorter ones cover at least in
-# part (in space, fewer pairs of an integrator with a boundary are left; of bases, whose kernels are those of others,
-# all but one), what reads the tree's own text or walks its pages, and the comparisons of numbers of threads, which are
-# the thread sanitizer's.
+# part (in space, fewer pairs of an integrator with a boundary are left; where several bases run the same kernels, one of
+# them), what reads the tree's own text or walks its pages, and the comparisons of numbers of threads, which are the
+# thread sanitizer's.
 set(not_sanitized
   "*Nightly*:Allocation*:*DoesNotDecideTheSquare*:*MassCutoff*:Textbook*:TimeOrder*:*IsHalfAPeriod*:*CannotEnd*:*LittleMemory*"
   ":*ScenesInSpaceMoveAlike:*ContinueIntoSpace:*NoKindOfValueIsABug:*APathOfAnyKind*:*AClosedOrFullStream*"

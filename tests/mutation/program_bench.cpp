@@ -157,6 +157,10 @@ seconds ProgramBench::limit_of(const std::string& name, seconds stage_limit) con
   return std::min(stage_limit, seconds(std::lround(30 + 5 * usual->second)));
 }
 
+void ProgramBench::learn(const std::string& name, const ProcessEnd& end, double seconds) {
+  if (!is_edited_ && end.good()) usual_[name] = seconds;
+}
+
 /// Of what waits for ever, instead of working, the processors see nothing.
 support::ProcessEnd ProgramBench::run_confined(const std::vector<std::string>& command, seconds limit,
                                                std::map<std::string, std::string> environment) const {
@@ -174,7 +178,7 @@ support::ProcessEnd ProgramBench::run_test(const std::string& test, seconds limi
   ProcessEnd end;
   for (auto& one : shards)
     if (const ProcessEnd its = one.get(); end.good()) end = its;
-  if (!is_edited_ && end.good()) usual_[test] = seconds_since(start);
+  learn(test, end, seconds_since(start));
   return end;
 }
 
@@ -213,7 +217,7 @@ std::vector<std::string> ProgramBench::complaints_of(const std::string& study, c
   const support::ProcessEnd ran = run_confined(
       {program("mpmvv"), "study", "--db", db, "--jobs", std::to_string(jobs_), fmt::format("studies/{}.toml", study)},
       limit);
-  if (!is_edited_ && ran.good()) usual_[study] = seconds_since(start);
+  learn(study, ran, seconds_since(start));
   const std::string ending = fmt::format("{}: {}", study, how_it_ended(ran, limit));
   if (ran.timed_out || ran.exit_code > 1) return {ending};
   const support::ProcessEnd judged = run({program("mpmvv"), "gate", "--db", db, "--json", "--only", study}, gate_limit);

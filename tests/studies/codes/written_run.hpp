@@ -57,8 +57,8 @@ Point point(const solver::Vec<D>& v) {
 template <int D>
 Tensor tensor(const solver::Mat<D>& m) {
   Tensor all{};
-  for (int i = 0; i < D; ++i)
-    for (int j = 0; j < D; ++j) all[static_cast<std::size_t>(3 * i + j)] = m(i, j);
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j) all[3 * i + j] = m(static_cast<int>(i), static_cast<int>(j));
   return all;
 }
 
@@ -78,7 +78,7 @@ State run(const cases::Case& c, std::int64_t steps) {
   return s;
 }
 
-inline cases::Case make_case(std::vector<std::pair<std::string, std::string>> settings) {
+inline cases::Case make_case(const std::vector<std::pair<std::string, std::string>>& settings) {
   std::vector<settings::Setting> given;
   for (const auto& [key, value] : settings) given.push_back({key, value, "the test"});
   return mpmvv::settings::make_case(given);
@@ -109,7 +109,7 @@ std::string vtu(const std::vector<Field>& fields, std::size_t particles, Vtk kin
 std::string nairn(const State& s);
 
 inline std::filesystem::path write(const std::string& name, const std::string& content) {
-  const auto file = std::filesystem::temp_directory_path() / fmt::format("mpmvv-{}-{}", ::getpid(), name);
+  auto file = std::filesystem::temp_directory_path() / fmt::format("mpmvv-{}-{}", ::getpid(), name);
   std::ofstream(file, std::ios::binary) << content;
   return file;
 }
