@@ -6,24 +6,28 @@
 # its own of them.
 set(MPMVV_PLAIN "" CACHE PATH "build folder without sanitizers, whose cases and rooms are linked")
 
-# Left out are what counts allocations or asks for too much memory, long runs whose code shorter ones cover at least in
-# part (in space, fewer pairs of an integrator with a boundary are left; where several bases run the same kernels, one of
-# them), what reads the tree's own text or walks its pages, and the comparisons of numbers of threads, which are the
-# thread sanitizer's.
-set(not_sanitized
-  "*Nightly*:Allocation*:*DoesNotDecideTheSquare*:*MassCutoff*:Textbook*:TimeOrder*:*IsHalfAPeriod*:*CannotEnd*:*LittleMemory*"
-  ":*ScenesInSpaceMoveAlike:*ContinueIntoSpace:*NoKindOfValueIsABug:*APathOfAnyKind*:*AClosedOrFullStream*"
-  ":*EndsWithExamplesThatRun:*EveryCaseOfTheTreeIsOne:*AllOfTheWorkEachOnce:*TheirLongestPieceAllows"
-  ":OutsideProblems.TheWave*:OutsideProblems.FromRest*:*SplinesLoseOrder*:*AreThoseOfEverySolution:CostCommand*"
-  ":Docs*:Layers*:Manual.Names*:*FitsATerminalOf80Columns:*AreCostedBefore*:*WallsLeaveFree/*cpdi"
-  ":HowTo*:OwnStudies*:OtherCodes.FromNothing*:Names.NeverShare*:ConformingFill/1.WholeBody*:OutsideProblems.WithoutABody*"
-  ":Kernels.*/gimp:Kernels.*/ugimp:Kernels.*/cpgimp:Kernels.*/bspline2_open:Kernels.*/bspline3"
-  ":Part.Of*:*EveryProblemFollowsItsSolution:*ImpactLosesSomeOfItsEnergy:*NumberOfThreads*")
-string(CONCAT not_sanitized ${not_sanitized})
+# Sets `filter` to the cases that a file names: one pattern of GoogleTest's filters a line, '-' before those that are left
+# out.
+function(mpmvv_filter file)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  file(STRINGS ${file} patterns REGEX "^[^#]")
+  set(left_out ${patterns})
+  list(FILTER patterns EXCLUDE REGEX "^-")
+  list(FILTER left_out INCLUDE REGEX "^-")
+  list(TRANSFORM left_out REPLACE "^-" "")
+  string(JOIN ":" patterns ${patterns})
+  string(JOIN ":" left_out ${left_out})
+  set(filter "${patterns}-${left_out}" PARENT_SCOPE)
+endfunction()
 
-# One test for each program: a process for each case would take longer to start than the cases to run.
-function(mpmvv_sanitized_test name filter)
-  add_test(NAME test_${name} COMMAND test_${name} --gtest_brief=1 --gtest_filter=${filter})
+# Two tests for each program, half of its cases each: a process for each case would take longer to start than the cases to
+# run.
+function(mpmvv_sanitized_test name)
+  foreach(shard 0 1)
+    add_test(NAME test_${name}_${shard} COMMAND test_${name} --gtest_brief=1 --gtest_filter=${filter})
+    set_tests_properties(test_${name}_${shard} PROPERTIES
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=2;GTEST_SHARD_INDEX=${shard};MPMVV_PROGRAM=${PROJECT_BINARY_DIR}/mpmvv")
+  endforeach()
 endfunction()
 
 # The objects of the rooms stand before the cases: of what both instantiate the linker takes the first.
@@ -34,7 +38,7 @@ function(mpmvv_instrumented_rooms name)
   add_executable(test_${name} ${objects})
   target_link_libraries(test_${name} PRIVATE
     "$<LINK_LIBRARY:WHOLE_ARCHIVE,${cases}>" ${rooms} GTest::gtest_main GTest::gmock fmt::fmt)
-  mpmvv_sanitized_test(${name} -${not_sanitized})
+  mpmvv_sanitized_test(${name})
 endfunction()
 
 mpmvv_rooms(read_rooms run_rooms)
@@ -46,9 +50,7 @@ if(MPMVV_SANITIZE STREQUAL "thread")
   foreach(room ${read_rooms} ${run_rooms} mms)
     set_target_properties(mpmvv_${room} PROPERTIES EXCLUDE_FROM_ALL TRUE)
   endforeach()
-  # Of the bases one with knots at the faces and one with particles' domains.
-  set(threaded "ThreadPool*:Slabs*:Repeatable.*:*/bspline3_open:*/cpdi:Wall.Threads*:Admission.*:StudyRunner.*")
-  set(not_threaded "*MassCutoff*:*.NumberOfThreadsDoesNotMatter/cpdi")
+  mpmvv_filter(sanitized_threads.txt)
   add_executable(test_solver solver/fault_test.cpp solver/repeatability_test.cpp solver/stencils.cpp
     solver/surface_load_test.cpp solver/thread_pool_test.cpp solver/wall_test.cpp)
   file(GLOB plan CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/plan/*.cpp)
@@ -65,12 +67,12 @@ if(MPMVV_SANITIZE STREQUAL "thread")
     target_compile_options(test_${name} PRIVATE -O0)
     target_compile_definitions(test_${name} PRIVATE MPMVV_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     target_link_libraries(test_${name} PRIVATE mpmvv_solver GTest::gtest_main GTest::gmock fmt::fmt)
-    mpmvv_sanitized_test(${name} ${threaded}-${not_threaded})
+    mpmvv_sanitized_test(${name})
   endforeach()
 else()
+  mpmvv_filter(sanitized_memory.txt)
   # The longest first.
   mpmvv_instrumented_rooms(cli ${read_rooms} goldens)
-  set_tests_properties(test_cli PROPERTIES ENVIRONMENT MPMVV_PROGRAM=$<TARGET_FILE:mpmvv>)
   mpmvv_instrumented_rooms(studies ${read_rooms} ${run_rooms} solver mms)
   mpmvv_instrumented_rooms(solver solver mms)
   mpmvv_instrumented_rooms(reports ${read_rooms} reports)

@@ -157,8 +157,8 @@ seconds ProgramBench::limit_of(const std::string& name, seconds stage_limit) con
   return std::min(stage_limit, seconds(std::lround(30 + 5 * usual->second)));
 }
 
-void ProgramBench::learn(const std::string& name, const ProcessEnd& end, double seconds) {
-  if (!is_edited_ && end.good()) usual_[name] = seconds;
+void ProgramBench::learn(const std::string& name, const ProcessEnd& end, double took) {
+  if (!is_edited_ && end.good()) usual_[name] = took;
 }
 
 /// Of what waits for ever, instead of working, the processors see nothing.
