@@ -37,20 +37,12 @@ std::vector<std::string> cases_of(const std::string& test_program) {
   return cases;
 }
 
-std::vector<std::string> cases_of_all_programs() {
-  std::vector<std::string> all;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(program()).parent_path())) {
-    if (!entry.path().filename().string().starts_with("test_")) continue;
-    const std::vector<std::string> cases = cases_of(entry.path().string());
-    all.insert(all.end(), cases.begin(), cases.end());
-  }
-  return all;
-}
-
-/// Patterns that name none of the cases.
+/// Patterns of a file that name none of the cases.
 std::vector<std::string> without_a_case(const std::string& file, const std::vector<std::string>& cases) {
   std::vector<std::string> lost;
-  for (const std::string& line : lines_of(read_text(std::string(MPMVV_SOURCE_DIR "/tests/") + file))) {
+  const std::vector<std::string> lines = lines_of(read_text(std::string(MPMVV_SOURCE_DIR "/tests/") + file));
+  EXPECT_FALSE(lines.empty()) << file;
+  for (const std::string& line : lines) {
     const std::string pattern = line.substr(line[0] == '-' ? 1 : 0);
     const auto named = [&](const std::string& name) { return fnmatch(pattern.c_str(), name.c_str(), 0) == 0; };
     if (std::ranges::none_of(cases, named)) lost.push_back(pattern);
@@ -59,7 +51,13 @@ std::vector<std::string> without_a_case(const std::string& file, const std::vect
 }
 
 TEST(Sanitizers, RunAndLeaveOutCasesThatAreThere) {
-  const std::vector<std::string> cases = cases_of_all_programs();
+  std::vector<std::string> cases;
+  for (const char* name : {"test_cli", "test_goldens", "test_mms", "test_reports", "test_solver", "test_studies"}) {
+    const std::filesystem::path test_program = std::filesystem::path(program()).replace_filename(name);
+    if (!std::filesystem::exists(test_program)) GTEST_SKIP() << name << " is not built";
+    const std::vector<std::string> more = cases_of(test_program);
+    cases.insert(cases.end(), more.begin(), more.end());
+  }
   EXPECT_THAT(without_a_case("sanitized_memory.txt", cases), IsEmpty());
   EXPECT_THAT(without_a_case("sanitized_threads.txt", cases), IsEmpty());
 }
