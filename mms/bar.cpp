@@ -1,14 +1,20 @@
 #include "mms/bar.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "mms/lanes.hpp"
 
 namespace mpmvv::mms {
 
 using std::numbers::pi;
 
 namespace {
+
+constexpr std::size_t lanes = Lanes::SizeAtCompileTime;
 
 Vec<1> of(double value) {
   return Vec<1>(value);
@@ -31,11 +37,20 @@ class BarAtPoints final : public PointwiseSolution<1> {
 
   void body_force(double t, std::span<const std::uint32_t> ids, std::span<const Vec<1>>, Vec<1>* b) const override {
     const double A_cos_t = A_ * std::cos(C_ * pi * t), scale = C_ * C_ * pi * pi * A_cos_t;
-    const std::size_t n = ids.size();
-    double* const out = b->data();  // three loops, so that the divisions run side by side
-    for (std::size_t k = 0; k < n; ++k) out[k] = 1 + 2 * pi * A_cos_t * cos_[ids[k]];  // F
-    for (std::size_t k = 0; k < n; ++k) out[k] = scale * (2 / (out[k] * out[k]) + 1);
-    for (std::size_t k = 0; k < n; ++k) out[k] *= sin_[ids[k]];
+    const auto of_eight = [&](const std::uint32_t* id) -> Lanes {
+      Lanes sine, cosine;
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        sine.data()[lane] = sin_[id[lane]], cosine.data()[lane] = cos_[id[lane]];
+      const Lanes F = 1 + 2 * pi * A_cos_t * cosine;
+      return scale * (2 / (F * F) + 1) * sine;
+    };
+    std::size_t k = 0;
+    for (; k + lanes <= ids.size(); k += lanes) Lanes::Map(b[k].data()) = of_eight(&ids[k]);
+    if (k == ids.size()) return;
+    std::array<std::uint32_t, lanes> last{};
+    std::copy(ids.begin() + static_cast<std::ptrdiff_t>(k), ids.end(), last.begin());
+    const Lanes force = of_eight(last.data());
+    std::transform(force.data(), force.data() + ids.size() - k, b + k, of);
   }
   bool reads_places() const override { return false; }
 

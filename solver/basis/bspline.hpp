@@ -18,10 +18,10 @@ inline void quadratic_pieces(double t, double* N, double* dN) {
 /// The cubic pieces on one knot span, t in [0, 1] from its left knot.
 inline void cubic_pieces(double t, double* N, double* dN) {
   const double s = 1 - t;
-  N[0] = s * s * s / 6;
-  N[1] = (4 - 6 * t * t + 3 * t * t * t) / 6;
-  N[2] = (4 - 6 * s * s + 3 * s * s * s) / 6;
-  N[3] = t * t * t / 6;
+  N[0] = 1. / 6 * s * s * s;
+  N[1] = 2. / 3 - t * t * (1 - 0.5 * t);
+  N[2] = 2. / 3 - s * s * (1 - 0.5 * s);
+  N[3] = 1. / 6 * t * t * t;
   dN[0] = -0.5 * s * s;
   dN[1] = t * (1.5 * t - 2);
   dN[2] = s * (2 - 1.5 * s);

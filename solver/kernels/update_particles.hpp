@@ -2,6 +2,7 @@
 #include "solver/deformation.hpp"
 #include "solver/grid.hpp"
 #include "solver/particles.hpp"
+#include "solver/stencils/particle_pack.hpp"
 #include "solver/stencils/stencil.hpp"
 #include "solver/velocity_update/velocity_fields.hpp"
 
@@ -36,10 +37,10 @@ bool are_flip(const VelocityFields<D>& fields, const Grid<D>& grid) {
 template <bool is_flip, int D>
 [[gnu::always_inline]] inline void update_velocity_and_position(Particles<D>& particles, const Grid<D>& grid,
                                                                 const VelocityFields<D>& fields, double dt,
-                                                                std::size_t p, const Padded<D>& v, const auto& nodes) {
+                                                                const auto& p, const auto& v, const auto& nodes) {
   if constexpr (is_flip) {
-    particles.v[p] += (dt * nodes.gather(*fields.acceleration)).template head<D>();
-    particles.x[p] += (dt * v).template head<D>();
+    add((dt * nodes.gather(*fields.acceleration)).template head<D>(), particles.v, p);
+    add((dt * v).template head<D>(), particles.x, p);
   } else {
     const Advance<D> advance(fields, dt, grid, particles.v[p], v, nodes);
     particles.x[p] += dt * advance.rate;
@@ -63,6 +64,7 @@ struct UpdateDeformation {
 /// Velocity, position and F: tasks 4 and 5 of N table 1, S (7) to (10).
 template <int D, bool is_flip>
 struct UpdateParticle {
+  static constexpr bool takes_packs = is_flip;
   static constexpr bool uses_gradients = true;
   Particles<D>& particles;
   const Grid<D>& grid;
@@ -70,10 +72,10 @@ struct UpdateParticle {
   double dt;
   DeformationStep<D> deform;
 
-  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, const auto&) const {
+  [[gnu::always_inline]] void operator()(const auto& p, const auto& nodes, const auto&) const {
     const auto v = nodes.gather_with_gradient(grid.v);
     update_velocity_and_position<is_flip>(particles, grid, fields, dt, p, v.value, nodes);
-    particles.F[p] = deform(particles.F[p], v.gradient);
+    write(deform(read(particles.F, p), v.gradient), particles.F, p);
   }
 };
 

@@ -23,6 +23,12 @@ using StoredDouble4 [[gnu::vector_size(32), gnu::aligned(8)]] = double;
 [[gnu::always_inline]] inline Double2 half(const Double4& q, int which) {
   return which == 0 ? __builtin_shufflevector(q, q, 0, 1) : __builtin_shufflevector(q, q, 2, 3);
 }
+/// The sum of the four numbers of each.
+[[gnu::always_inline]] inline Double4 sums(const Double4& a, const Double4& b, const Double4& c, const Double4& d) {
+  const Double4 ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Double4 cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+}
 /// Rows become columns.
 [[gnu::always_inline]] inline void transpose(Double4& a, Double4& b, Double4& c, Double4& d) {
   const Double4 ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);

@@ -27,7 +27,7 @@ auto padded(const Vector& vector) {
   if constexpr (D == 3)
     return padded_of(vector[0], vector[1], vector[2], 0);
   else
-    return Padded<D>(vector);
+    return typename Vector::PlainObject(vector);
 }
 
 /// The vector with one more component.

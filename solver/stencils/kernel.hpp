@@ -7,14 +7,20 @@
 ///
 /// A *block kernel* is called once a block, kernel(block, grid), and returns nothing or the faults that it found.
 ///
-/// A *node kernel* is called for each particle with its nodes: kernel(p, nodes, block). It may say `uses_gradients`.
-/// One that maps to nodes returns what the particle adds to those of its `field()`.
+/// A *node kernel* is called for each particle with its nodes: kernel(p, nodes, block). It may say `uses_gradients`,
+/// and `takes_packs` where `p` may be four particles of a bar at once (stencils/particle_pack.hpp). One that maps to
+/// nodes returns what the particle adds to those of its `field()`.
 namespace mpmvv::solver {
 
 template <class Kernel>
 inline constexpr bool uses_gradients = false;
 template <class Kernel>
 requires Kernel::uses_gradients inline constexpr bool uses_gradients<Kernel> = true;
+
+template <class Kernel>
+inline constexpr bool takes_packs = false;
+template <class Kernel>
+requires(Kernel::takes_packs) inline constexpr bool takes_packs<Kernel> = true;
 
 /// Two node kernels in one loop over the particles, where neither reads on nodes what the other changes: a step that
 /// maps momentum and forces so takes 1 to 3 % fewer instructions.

@@ -3,6 +3,8 @@
 #include <cstddef>
 
 #include "solver/stencils/kernel.hpp"
+#include "solver/stencils/pack_stencil.hpp"
+#include "solver/stencils/particle_pack.hpp"
 
 /// Runs kernels on blocks, and node kernels on the particles of a block.
 namespace mpmvv::solver {
@@ -16,21 +18,41 @@ template <class Visit>
     for (int k = start; k < count; k += stride) visit(k);
 }
 
-/// Visits the particles of a block one by one, each with its nodes.
+/// Calls a node kernel for a particle, or for four at once.
+template <class Kernel>
+[[gnu::always_inline]] inline void visit(const Kernel& kernel, const auto& p, const auto& nodes, const auto& block) {
+  if constexpr (requires { kernel.field(); })
+    nodes.scatter(kernel(p, nodes, block), kernel.field());
+  else
+    kernel(p, nodes, block);
+}
+
+/// Visits the particles of a block with their nodes: one by one, or those of a bar by four, where the kernels take
+/// packs and the four share most of their nodes.
 template <int D, class Shape, class... Kernels>
 [[gnu::noinline, gnu::flatten]] void visit_particles(const Shape& block, const Grid<D>& grid,
                                                      const Kernels&... kernels) {
-  for_interleaved(block.count, [&](int k) {
-    const auto nodes = block.template stencil<(uses_gradients<Kernels> || ...)>(k, grid);
-    const std::size_t p = block.begin + static_cast<std::size_t>(k);
-    const auto visit = [&](const auto& kernel) {
-      if constexpr (requires { kernel.field(); })
-        nodes.scatter(kernel(p, nodes, block), kernel.field());
-      else
-        kernel(p, nodes, block);
-    };
-    (visit(kernels), ...);
-  });
+  const auto visit_all = [&](const auto& p, const auto& nodes) __attribute__((always_inline)) {
+    (visit(kernels, p, nodes, block), ...);
+  };
+  const auto visit_one = [&](int k) __attribute__((always_inline)) {
+    visit_all(block.begin + static_cast<std::size_t>(k),
+              block.template stencil<(uses_gradients<Kernels> || ...)>(k, grid));
+  };
+  if constexpr (is_line<Shape> && (takes_packs<Kernels> && ...)) {
+    const int packs = block.count / 4;
+    for_interleaved(packs, [&](int pack) {
+      const int k = 4 * pack;
+      const ParticlePack four{block.begin + static_cast<std::size_t>(k), 4};
+      const bool visited = visit_together(
+          block, k, [&](const auto& nodes) __attribute__((always_inline)) { visit_all(four, nodes); });
+      if (!visited)
+        for (int one = k; one < k + 4; ++one) visit_one(one);
+    });
+    for (int k = 4 * packs; k < block.count; ++k) visit_one(k);
+  } else {
+    for_interleaved(block.count, visit_one);
+  }
 }
 
 template <int D, class Shape, class First, class Second>

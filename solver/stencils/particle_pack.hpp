@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "solver/simd/pack.hpp"
+#include "solver/simd/padded.hpp"
 #include "solver/stencils/block.hpp"
 
 namespace mpmvv::solver {
@@ -25,6 +27,52 @@ struct ParticlePack {
     return packs;
   }
 };
+
+/// The same ones, counted from `begin`.
+[[gnu::always_inline]] inline ParticlePack operator-(const ParticlePack& p, std::size_t begin) {
+  return {p.first - begin, p.count};
+}
+
+template <int D>
+requires(D == 1) PackVec<2> padded(const PackVec<1>& vector, const Pack& last) {
+  return {vector[0], last};
+}
+
+/// A field's value on a particle, or its values on four of a bar, a number each.
+template <class T>
+[[gnu::always_inline]] inline const T& read(const T* field, std::size_t p) {
+  return field[p];
+}
+[[gnu::always_inline]] inline Pack read(const double* field, const ParticlePack& p) {
+  return Pack(load4(field + p.first));
+}
+[[gnu::always_inline]] inline PackVec<1> read(const Eigen::Matrix<double, 1, 1>* field, const ParticlePack& p) {
+  return PackVec<1>(read(field->data(), p));
+}
+template <class T>
+[[gnu::always_inline]] inline decltype(auto) read(const std::vector<T>& field, const auto& p) {
+  return read(field.data(), p);
+}
+
+/// field_p = value
+template <class T>
+[[gnu::always_inline]] inline void write(T value, std::vector<T>& field, std::size_t p) {
+  field[p] = std::move(value);  // to copy it g++ goes through memory
+}
+[[gnu::always_inline]] inline void write(const PackVec<1>& value, std::vector<Eigen::Matrix<double, 1, 1>>& field,
+                                         const ParticlePack& p) {
+  store4(value[0].of, field[p.first].data());
+}
+
+/// field_p += value
+template <class T>
+[[gnu::always_inline]] inline void add(const auto& value, std::vector<T>& field, std::size_t p) {
+  field[p] += value;
+}
+template <class T>
+[[gnu::always_inline]] inline void add(const auto& value, std::vector<T>& field, const ParticlePack& p) {
+  write(PackVec<1>(read(field, p) + value), field, p);
+}
 
 /// Calls visit(pack, k) for every four particles of a block, the first of them at place k.
 template <int D, class Visit>

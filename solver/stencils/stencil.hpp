@@ -9,12 +9,15 @@
 
 namespace mpmvv::solver {
 
-/// A value on a particle and its derivatives: column J is the one along x_J.
-template <int D>
+/// A value on a particle, or a pack of them on four, and its derivatives: column J is the one along x_J.
+template <int D, class Number = double>
 struct ValueAndGradient {
-  Padded<D> value;
-  PaddedMat<D> gradient;
+  Eigen::Matrix<Number, padded_size<D>, 1> value;
+  Eigen::Matrix<Number, padded_size<D>, D> gradient;
 };
+template <class Value, class Gradient>
+ValueAndGradient(const Value&, const Gradient&)
+    -> ValueAndGradient<Gradient::ColsAtCompileTime, typename Gradient::Scalar>;
 
 /// An address that counts as known only here. Left to itself g++ keeps one index of a node for all fields and makes
 /// each address of it anew, three instructions more; those of a line's nodes lie at fixed distances from the first.

@@ -132,6 +132,7 @@ void expect_to_move_by_any_fields(const AnyBasis& basis) {
   using Fields = VelocityFields<D>;
   const auto flip = [](const Grid<D>& grid) { return Fields{.acceleration = &grid.a, .drift = &grid.v}; };
   expect_to_move<D, true>(basis, Deformation::linear, flip);
+  expect_to_move<D, true>(basis, Deformation::exponential, flip);
   expect_to_move<D, false>(basis, Deformation::exponential, flip);
   expect_to_move<D, false>(basis, Deformation::linear, [](const Grid<D>& grid) {
     return Fields{.acceleration = &grid.a, .before = 0.3, .after = 0.7};

@@ -1,0 +1,117 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "solver/simd/pack.hpp"
+#include "solver/stencils/point_block.hpp"
+#include "solver/stencils/stencil.hpp"
+
+namespace mpmvv::solver {
+
+/// The nodes of four particles of a bar, side by side in their block: the first one's K, and `more` that others reach
+/// beyond them. A node has a pack of weights, zero for those particles that do not reach it, and is read and written
+/// once for all four.
+template <int K, int more>
+struct PackStencil {
+  static constexpr int nodes = K + more;
+  /// Which of the four begin s nodes after the first one.
+  using Starts = std::array<Mask4, more + 1>;
+
+  std::size_t first;  ///< storage index of the first node
+  std::array<Pack, nodes> N, dN;
+
+  /// Of the particles from the k-th on.
+  [[gnu::always_inline]] PackStencil(const PointBlock<1, K>& block, int k, const Starts& starts)
+      : first(static_cast<std::size_t>(block.first[k])),
+        N(on_nodes(block.N[0], k, starts, std::make_integer_sequence<int, nodes>{})),
+        dN(on_nodes(block.dN[0], k, starts, std::make_integer_sequence<int, nodes>{})) {}
+
+  /// Σ_i N_ip φ_i
+  [[gnu::always_inline]] PackVec<1> gather(const std::vector<Padded<1>>& field) const {
+    return PackVec<1>(sum(N, field));
+  }
+  /// Σ_i N_ip φ_i and Σ_i φ_i ∇N_ip
+  [[gnu::always_inline]] ValueAndGradient<1, Pack> gather_with_gradient(const std::vector<Padded<1>>& field) const {
+    return {PackVec<1>(sum(N, field)), PackVec<1>(sum(dN, field))};
+  }
+
+  /// φ_i += Σ_p N_ip value_p
+  template <int C>
+  [[gnu::always_inline]] void scatter(const PackVec<C>& value, std::vector<Eigen::Matrix<double, C, 1>>& field) const {
+    Pack parts[nodes * C];
+    for (std::size_t i = 0; i < nodes; ++i)
+      for (std::size_t c = 0; c < C; ++c) parts[i * C + c] = N[i] * value.data()[c];
+    add_sums(parts, field[first].data());
+  }
+  /// φ_i += Σ_p (N_ip value_p + gradient_p ∇N_ip)
+  [[gnu::always_inline]] void scatter(const ValueAndGradient<1, Pack>& source, std::vector<Padded<1>>& field) const {
+    Pack parts[nodes];
+    for (std::size_t i = 0; i < nodes; ++i) parts[i] = N[i] * source.value[0] + dN[i] * source.gradient(0, 0);
+    add_sums(parts, field[first].data());
+  }
+
+ private:
+  using Rows = double[K][PointBlock<1, K>::most];
+
+  template <int... i>
+  [[gnu::always_inline]] static std::array<Pack, nodes> on_nodes(const Rows& weights, int k, const Starts& starts,
+                                                                 std::integer_sequence<int, i...>) {
+    return {on_node<i>(weights, k, starts)...};
+  }
+  template <int i>
+  [[gnu::always_inline]] static Pack on_node(const Rows& weights, int k, const Starts& starts) {
+    constexpr int nearest = std::max(0, i - K + 1), farthest = std::min(i, more);  // of the starts that reach it
+    constexpr bool by_all = nearest == 0 && farthest == more;
+    Double4 weight = by_all ? load4(&weights[i][k]) : Double4{};
+    for (int s = nearest + by_all; s <= farthest; ++s)
+      weight = starts[static_cast<std::size_t>(s)] ? load4(&weights[i - s][k]) : weight;
+    return Pack(weight);
+  }
+  [[gnu::always_inline]] Pack sum(const std::array<Pack, nodes>& weights, const std::vector<Padded<1>>& field) const {
+    const double* const values = field[first].data();
+    Pack total = weights[0] * Pack(values[0]);
+    for (std::size_t i = 1; i < nodes; ++i) total += weights[i] * Pack(values[i]);
+    return total;
+  }
+  /// to[i] += Σ_p parts[i]_p
+  template <int n>
+  [[gnu::always_inline]] static void add_sums(const Pack (&parts)[n], double* to) {
+    constexpr int rest = n % 4, before = n - rest;
+    for (int i = 0; i < before; i += 4)
+      store4(load4(to + i) + sums(parts[i].of, parts[i + 1].of, parts[i + 2].of, parts[i + 3].of), to + i);
+    if constexpr (rest > 0) {
+      const auto part = [&](int i) { return i < rest ? parts[before + i].of : Double4{}; };
+      const Double4 last = sums(part(0), part(1), part(2), part(3));
+      for (int i = 0; i < rest; ++i) to[before + i] += last[i];
+    }
+  }
+};
+
+/// Whether a block's particles lie on a line, each with its nodes along it.
+template <class Shape>
+inline constexpr bool is_line = false;
+template <int K>
+inline constexpr bool is_line<PointBlock<1, K>> = true;
+
+/// Calls visit(nodes) for the four particles from the k-th on, unless they lie too far apart or not in their order
+/// along the bar; returns whether it did.
+template <int K>
+[[gnu::always_inline]] inline bool visit_together(const PointBlock<1, K>& block, int k, const auto& visit) {
+  using Int4 [[gnu::vector_size(16), gnu::aligned(4)]] = int;
+  const Int4 nodes = *reinterpret_cast<const Int4*>(block.first + k) - block.first[k];
+  const Mask4 after = __builtin_convertvector(nodes, Mask4), by_0 = after == 0, by_1 = after == 1, by_2 = after == 2;
+  if (all(by_0))
+    visit(PackStencil<K, 0>(block, k, {by_0}));
+  else if (all(by_0 | by_1))
+    visit(PackStencil<K, 1>(block, k, {by_0, by_1}));
+  else if (all(by_0 | by_1 | by_2))
+    visit(PackStencil<K, 2>(block, k, {by_0, by_1, by_2}));
+  else
+    return false;
+  return true;
+}
+
+}  // namespace mpmvv::solver
