@@ -1,4 +1,5 @@
 #pragma once
+#include "solver/grid.hpp"
 #include "solver/particles.hpp"
 #include "solver/stencils/particle_pack.hpp"
 #include "solver/stencils/stencil.hpp"

@@ -146,7 +146,7 @@ struct Stencil : Weights<D, K> {
   static constexpr int C = components<Padded<D>>;
   /// Nodes of a line that are taken at once: in space five times as many components are at work, and four nodes of them
   /// have no room in sixteen registers.
-  static constexpr int at_once = D == 3 && K > 3 ? 2 : K;
+  static constexpr int at_once = std::min(K, D == 3 && K > 3 ? 2 : 8);
   template <int begin>
   static constexpr int nodes_from = std::min(at_once, K - begin);
 
