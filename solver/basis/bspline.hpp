@@ -17,15 +17,15 @@ inline void quadratic_pieces(double t, double* N, double* dN) {
 
 /// The cubic pieces on one knot span, t in [0, 1] from its left knot.
 inline void cubic_pieces(double t, double* N, double* dN) {
-  const double s = 1 - t;
-  N[0] = 1. / 6 * s * s * s;
-  N[1] = 2. / 3 - t * t * (1 - 0.5 * t);
-  N[2] = 2. / 3 - s * s * (1 - 0.5 * s);
-  N[3] = 1. / 6 * t * t * t;
-  dN[0] = -0.5 * s * s;
-  dN[1] = t * (1.5 * t - 2);
-  dN[2] = s * (2 - 1.5 * s);
-  dN[3] = 0.5 * t * t;
+  const double s = 1 - t, ss = s * s, tt = t * t;
+  N[0] = ss * (1. / 6 * s);
+  N[1] = 2. / 3 - tt * (1 - 0.5 * t);
+  N[2] = 2. / 3 - ss * (1 - 0.5 * s);
+  N[3] = tt * (1. / 6 * t);
+  dN[0] = -0.5 * ss;
+  dN[1] = 1.5 * tt - 2 * t;
+  dN[2] = 2 * s - 1.5 * ss;
+  dN[3] = 0.5 * tt;
 }
 
 /// Quadratic B-splines centred on the nodes, S (19) to (21); ghost nodes keep the partition of unity at a face.

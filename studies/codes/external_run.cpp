@@ -107,7 +107,8 @@ Record run_external(const Case& c, const Code& code, const fs::path& keep) {
 }
 
 std::vector<Record> run_external_timed(const std::vector<Case>& cases, const Codes& codes) {
-  return runs::run_in_rounds(cases, [&](const Case& c) { return run_external(c, codes.at(c.scheme.code)); });
+  const auto run = [&](const Case& c) { return run_external(c, codes.at(c.scheme.code)); };
+  return runs::run_in_rounds(cases, run, [&run](const Case& c) { return run(c).ns_per_particle_step; });
 }
 
 std::unique_lock<std::mutex> abandon_external_runs() {

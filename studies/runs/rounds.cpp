@@ -22,7 +22,8 @@ void set_cost(Record& record, const std::vector<double>& costs) {
 
 }  // namespace
 
-std::vector<Record> run_in_rounds(const std::vector<Case>& cases, const std::function<Record(const Case&)>& run) {
+std::vector<Record> run_in_rounds(const std::vector<Case>& cases, const std::function<Record(const Case&)>& run,
+                                  const std::function<double(const Case&)>& cost_of) {
   std::vector<Record> records;
   for (const Case& c : cases) records.push_back(run(c));
   std::vector<std::vector<double>> costs(cases.size());
@@ -31,7 +32,7 @@ std::vector<Record> run_in_rounds(const std::vector<Case>& cases, const std::fun
     due = false;
     for (std::size_t k = 0; k < cases.size(); ++k) {
       if (records[k].status != records::Status::ok || round >= cases[k].measure.repeat) continue;
-      costs[k].push_back((round > 0 ? run(cases[k]) : records[k]).ns_per_particle_step);
+      costs[k].push_back(round > 0 ? cost_of(cases[k]) : records[k].ns_per_particle_step);
       due = true;
     }
   }

@@ -6,9 +6,11 @@
 
 namespace mpmvv::runs {
 
-/// The records of cases whose cost is measured. Each sound run is repeated as often as its case says (`repeat`), in
-/// rounds, so that a slow spell of the machine meets all alike; of the times the median is kept.
+/// The records of cases whose cost is measured. The cost of each sound run is measured as often as its case says
+/// (`repeat`), first with the run, then by `cost_of`, in ns per particle and step, in rounds, so that a slow spell of
+/// the machine meets all alike; the median is kept.
 std::vector<records::Record> run_in_rounds(const std::vector<cases::Case>& cases,
-                                           const std::function<records::Record(const cases::Case&)>& run);
+                                           const std::function<records::Record(const cases::Case&)>& run,
+                                           const std::function<double(const cases::Case&)>& cost_of);
 
 }  // namespace mpmvv::runs

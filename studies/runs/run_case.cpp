@@ -142,6 +142,17 @@ void run(const Case& c, const problems::Problem& problem, Manner manner, VtuSeri
   record.wall_seconds = wall_seconds() - start;
 }
 
+/// What the steps of a sound case cost once more, in ns per particle and step: nothing else is done in between.
+template <int D>
+double cost_of_steps(const Case& c, const problems::Problem& problem) {
+  PreparedCase<D> prepared = prepare_case<D>(c, problem, 1);
+  solver::Mpm<D> mpm(std::move(prepared.scene));
+  const double start = processor_seconds();
+  for (std::int64_t k = 0; k < c.resolution.steps; ++k) mpm.step(c.resolution.dt);
+  const double seconds = processor_seconds() - start;
+  return 1e9 * seconds / (static_cast<double>(mpm.particles().size()) * static_cast<double>(c.resolution.steps));
+}
+
 /// One run of the case, whatever its dimension.
 Record run_once(const Case& c, Manner manner, VtuSeries* vtu) {
   const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
@@ -149,16 +160,7 @@ Record run_once(const Case& c, Manner manner, VtuSeries* vtu) {
   record.the_case = c;
   record.cfl = problems::cfl_number(c);
   try {
-    switch (problem.dimension()) {
-      case 1:
-        run<1>(c, problem, manner, vtu, record);
-        break;
-      case 2:
-        run<2>(c, problem, manner, vtu, record);
-        break;
-      default:
-        run<3>(c, problem, manner, vtu, record);
-    }
+    std::visit([&]<int D>(problems::SetupFunction<D>) { run<D>(c, problem, manner, vtu, record); }, problem.setup);
   } catch (const support::UsageError&) {
     throw;
   } catch (const std::exception& e) {
@@ -183,7 +185,11 @@ Record run_without_images(const Case& c, solver::Images images, int threads) {
 }
 
 std::vector<Record> run_timed(const std::vector<Case>& cases) {
-  return run_in_rounds(cases, [](const Case& c) { return run_once(c, {}, nullptr); });
+  const auto run = [](const Case& c) { return run_once(c, {}, nullptr); };
+  return run_in_rounds(cases, run, [](const Case& c) {
+    const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
+    return std::visit([&]<int D>(problems::SetupFunction<D>) { return cost_of_steps<D>(c, problem); }, problem.setup);
+  });
 }
 
 }  // namespace mpmvv::runs
