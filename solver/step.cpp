@@ -18,18 +18,22 @@ Grid<D> make_grid(const Scene<D>& scene) {
       scene.basis);
 }
 
-/// Whether the first two axes have the same cells about the origin and the same boundaries, none of them a wall, which
-/// moves as it will.
+/// Whether the grid and the boundaries have these images. On both sides of a plane of the middle they are of one kind;
+/// images that exchange the first two axes ask for the same cells and boundaries along both, turns about the origin. A
+/// wall moves as it will: no other face is its image.
 template <int D>
 bool are_shared(const Scene<D>& scene) {
   if constexpr (D > 1) {
     const auto kind = [&](std::size_t face) { return scene.boundary[face].index(); };
-    const auto is_wall = [](const AnyBoundary& boundary) { return std::holds_alternative<Wall>(boundary); };
-    const bool are_turned =
-        kind(0) == kind(1) && scene.lower.template head<2>().isApprox(Vec<2>::Constant(-scene.h * scene.cells[0] / 2));
+    const auto is_wall = [&](std::size_t face) { return std::holds_alternative<Wall>(scene.boundary[face]); };
+    const auto has_middle = [&](std::size_t d) {
+      const double half = scene.h * scene.cells[d] / 2;
+      return kind(2 * d) == kind(2 * d + 1) && std::abs(scene.lower.data()[d] + half) <= 1e-12 * half;
+    };
+    if (is_wall(2) || is_wall(3)) return false;
+    if (scene.images == Images::middle) return has_middle(1);
     return scene.cells[0] == scene.cells[1] && scene.lower[0] == scene.lower[1] && kind(0) == kind(2) &&
-           kind(1) == kind(3) && std::ranges::none_of(scene.boundary, is_wall) &&
-           (scene.images == Images::diagonal || are_turned);
+           kind(1) == kind(3) && (scene.images == Images::diagonal || has_middle(0));
   }
   return false;
 }

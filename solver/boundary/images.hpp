@@ -11,21 +11,23 @@ namespace mpmvv::solver {
 /// boundaries share. They leave the third axis as it is.
 enum class Images {
   none,
+  middle,        ///< the mirror image at the plane y = 0, in the middle of the domain
   diagonal,      ///< the mirror image at the plane x = y
   quarter_turns  ///< three, by quarter turns from x to y about the origin, in the middle of the domain
 };
 
 /// The particles that are run and their images.
 constexpr int count(Images images) {
-  return images == Images::quarter_turns ? 4 : images == Images::diagonal ? 2 : 1;
+  return images == Images::none ? 1 : images == Images::quarter_turns ? 4 : 2;
 }
 
-/// A vector with its first two components exchanged, after quarter turns the one at `reversed` the other way. Further
-/// components, such as a mass, stay as they are.
+/// A vector with its second component the other way, or with its first two exchanged, after quarter turns the one at
+/// `reversed` the other way. Further components, such as a mass, stay as they are.
 template <class V>
 V turned(Images images, V vector, [[maybe_unused]] int reversed) {
   if constexpr (V::SizeAtCompileTime > 1) {
-    if (images != Images::none) std::swap(vector[0], vector[1]);
+    if (images == Images::middle) vector[1] = -vector[1];
+    if (images == Images::diagonal || images == Images::quarter_turns) std::swap(vector[0], vector[1]);
     if (images == Images::quarter_turns) vector[reversed] = -vector[reversed];
   }
   return vector;
@@ -52,11 +54,23 @@ void sum_orbit(Images images, T* const (&orbit)[4]) {
   for (int k = 0; k < count(images); ++k, sum = next_image(images, sum)) *orbit[k] = sum;
 }
 
+/// Adds up a field over the mirror images at the middle of the second axis.
+template <int D, class T>
+void sum_over_middle(const Grid<D>& grid, std::vector<T>& field) {
+  const int last = grid.inside(1) - 1;
+  for (int j = -grid.ghost(); j <= last - j; ++j)
+    grid.for_plane(1, j, last - j, [&](int n, int image) {
+      T* const nodes = field.data();
+      sum_orbit<T>(Images::middle, {nodes + n, nodes + image, nullptr, nullptr});
+    });
+}
+
 /// Adds up a field mapped from particles over their images.
 template <int D, class T>
 void sum_over(Images images, const Grid<D>& grid, std::vector<T>& field) {
   if (images == Images::none) return;
   if constexpr (D > 1) {
+    if (images == Images::middle) return sum_over_middle(grid, field);
     const bool is_mirrored = images == Images::diagonal;
     const int nodes = grid.nodes(0), half = nodes / 2, rows = is_mirrored ? nodes : nodes - half;
     // One node of each orbit: up to the diagonal, or of a quadrant, to which a node in the middle belongs.

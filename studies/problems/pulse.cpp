@@ -9,7 +9,8 @@ constexpr double pulse_length = 0.2, pulse_height = 0.01;  // m
 Setup<2> pulse_setup(const Parameters& p) {
   Setup<2> setup = setup_of<2>("pulse", p);
   setup.material = material_of<solver::LinearElastic>(p);
-  setup.body = Box<2>{.lower = solver::Vec<2>::Zero(), .size = solver::Vec<2>(pulse_length, pulse_height)};
+  setup.body =
+      Box<2>{.lower = solver::Vec<2>(0, -pulse_height / 2), .size = solver::Vec<2>(pulse_length, pulse_height)};
   return setup;
 }
 
@@ -31,6 +32,7 @@ Problem pulse_problem() {
           .end_time = [](const Parameters& p) { return 1.5 * p.at("duration"); },
           .boundary = "free",
           .material = std::string(solver::LinearElastic::word),
+          .images = solver::Images::middle,
           .is_loaded = [](const Parameters&) { return true; },
           .setup = &pulse_setup};
 }

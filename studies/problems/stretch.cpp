@@ -47,6 +47,7 @@ Problem stretch_in(const std::string& name, const std::string& sides) {
           .end_time = [](const Parameters& p) { return 0.2 / p.at("rate"); },
           .boundary = "xmin=wall,xmax=wall" + sides,
           .material = std::string(solver::NeoHookeanSquare::word),
+          .images = D > 1 ? solver::Images::middle : solver::Images::none,
           .setup = &stretch_setup<D>};
 }
 

@@ -42,10 +42,12 @@ class WithoutImages {
   int count_of([[maybe_unused]] const solver::Vec<D>& X) const {
     if constexpr (D > 1) {
       if (images_ == solver::Images::quarter_turns) return X[0] > 0 && X[1] > 0 ? 4 : 0;
-      if (images_ == solver::Images::diagonal) return X[0] > X[1] + round_off_ ? 2 : X[0] > X[1] - round_off_ ? 1 : 0;
+      if (images_ == solver::Images::diagonal) return count_beyond_plane(X[0] - X[1]);
+      if (images_ == solver::Images::middle) return count_beyond_plane(X[1]);
     }
     return 1;
   }
+  int count_beyond_plane(double distance) const { return distance > round_off_ ? 2 : distance > -round_off_ ? 1 : 0; }
 
   solver::Images images_;
   double round_off_;

@@ -11,7 +11,7 @@
 
 namespace mpmvv::solver::images_test {
 
-constexpr Images kinds[]{Images::diagonal, Images::quarter_turns};
+constexpr Images kinds[]{Images::middle, Images::diagonal, Images::quarter_turns};
 
 /// Where the next image of a node lies, counted from the middle of the first two axes.
 template <int D>
@@ -62,6 +62,8 @@ TEST(Images, OfEveryNodeAreSummedOnceEach) {
       expect_sums<2>(images, {cells, cells});
       expect_sums<3>(images, {cells, cells, 3});
     }
+  expect_sums<2>(Images::middle, {3, 6});
+  expect_sums<3>(Images::middle, {7, 3, 2});
 }
 
 TEST(Images, ThatAreNoneLeaveAFieldAsItIs) {
@@ -105,7 +107,9 @@ TEST(Images, ThatGridOrBoundariesDoNotShareAreRefused) {
     EXPECT_FALSE(refused([&](Scene<2>& scene) { scene.images = images; }));
     EXPECT_TRUE(refused([&](Scene<2>& scene) { scene.images = images, scene.cells[1] = 5; }));
     EXPECT_TRUE(refused([&](Scene<2>& scene) { scene.images = images, scene.boundary[2] = Mirror{}; }));
+    EXPECT_TRUE(refused([&](Scene<2>& scene) { scene.images = images, scene.boundary.fill(Wall{}); }));
   }
+  EXPECT_FALSE(refused([](Scene<2>& scene) { scene.images = Images::middle, scene.boundary[0] = Mirror{}; }));
   EXPECT_TRUE(refused([](Scene<2>& scene) { scene.images = Images::diagonal, scene.lower[1] = -1; }));
   EXPECT_TRUE(refused([](Scene<2>& scene) {
     scene.images = Images::quarter_turns;
