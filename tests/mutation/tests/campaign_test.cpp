@@ -12,8 +12,7 @@
 #include "studies/support/error.hpp"
 #include "tests/mutation/scratch_tree.hpp"
 
-namespace mpmvv::mutation {
-namespace mutant_campaign_test {
+namespace mpmvv::mutation::mutant_campaign_test {
 
 using support::UsageError;
 
@@ -297,5 +296,4 @@ TEST_F(ScratchTrees, OnlyWhatIsEmptyOrItsOwnIsAScratchFolder) {
   EXPECT_FALSE(fs::exists(source_ / "tree")) << "nothing is begun in a folder that is refused";
 }
 
-}  // namespace mutant_campaign_test
-}  // namespace mpmvv::mutation
+}  // namespace mpmvv::mutation::mutant_campaign_test
