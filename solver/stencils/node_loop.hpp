@@ -27,32 +27,38 @@ template <class Kernel>
     kernel(p, nodes, block);
 }
 
-/// Visits the particles of a block with their nodes: one by one, or those of a bar by four, where the kernels take
-/// packs and the four share most of their nodes.
+/// Visits `count` particles of a block, from the one at place `begin` on, one by one, each with its nodes.
 template <int D, class Shape, class... Kernels>
-[[gnu::noinline, gnu::flatten]] void visit_particles(const Shape& block, const Grid<D>& grid,
-                                                     const Kernels&... kernels) {
-  const auto visit_all = [&](const auto& p, const auto& nodes) __attribute__((always_inline)) {
-    (visit(kernels, p, nodes, block), ...);
-  };
-  const auto visit_one = [&](int k) __attribute__((always_inline)) {
-    visit_all(block.begin + static_cast<std::size_t>(k),
-              block.template stencil<(uses_gradients<Kernels> || ...)>(k, grid));
-  };
-  if constexpr (is_line<Shape> && (takes_packs<Kernels> && ...)) {
-    const int packs = block.count / 4;
-    for_interleaved(packs, [&](int pack) {
-      const int k = 4 * pack;
-      const ParticlePack four{block.begin + static_cast<std::size_t>(k), 4};
-      const bool visited = visit_together(
-          block, k, [&](const auto& nodes) __attribute__((always_inline)) { visit_all(four, nodes); });
-      if (!visited)
-        for (int one = k; one < k + 4; ++one) visit_one(one);
-    });
-    for (int k = 4 * packs; k < block.count; ++k) visit_one(k);
-  } else {
-    for_interleaved(block.count, visit_one);
-  }
+[[gnu::noinline, gnu::flatten]] void visit_each(const Shape& block, const Grid<D>& grid, int begin, int count,
+                                                const Kernels&... kernels) {
+  for_interleaved(count, [&](int k) {
+    const auto nodes = block.template stencil<(uses_gradients<Kernels> || ...)>(begin + k, grid);
+    (visit(kernels, block.begin + static_cast<std::size_t>(begin + k), nodes, block), ...);
+  });
+}
+
+/// Visits particles of a bar by four with their nodes, where the four share most of these; returns how many of a block
+/// are visited, four to each pack.
+template <int K, class... Kernels>
+[[gnu::noinline, gnu::flatten]] int visit_packs(const PointBlock<1, K>& block, const Grid<1>& grid,
+                                                const Kernels&... kernels) {
+  const int packs = block.count / 4;
+  for_interleaved(packs, [&](int pack) {
+    const ParticlePack four{block.begin + static_cast<std::size_t>(4 * pack), 4};
+    const auto visit_four = [&](const auto& nodes) __attribute__((always_inline)) {
+      (visit(kernels, four, nodes, block), ...);
+    };
+    if (!visit_together(block, 4 * pack, visit_four)) visit_each(block, grid, 4 * pack, 4, kernels...);
+  });
+  return 4 * packs;
+}
+
+/// Visits all particles of a block.
+template <int D, class Shape, class... Kernels>
+void visit_particles(const Shape& block, const Grid<D>& grid, const Kernels&... kernels) {
+  int visited = 0;
+  if constexpr (is_line<Shape> && (takes_packs<Kernels> && ...)) visited = visit_packs(block, grid, kernels...);
+  if (visited < block.count) visit_each(block, grid, visited, block.count - visited, kernels...);
 }
 
 template <int D, class Shape, class First, class Second>

@@ -48,7 +48,7 @@ CheckResult check_pulse_profiles() {
       settings.insert(settings.end(), {{"velocity_update", "fmpm", ""}, {"order", std::to_string(order), ""}});
     else
       settings.push_back({"position", "second-order", ""});
-    profiles::MovingBody<2> bar(settings);
+    profiles::MovingBody<2> bar(settings, solver::Images::middle);
     bar.step_to(bar.resolution().steps);
     const profiles::Profile sigma = profiles::profile(bar, [&bar](std::size_t p) { return bar.mpm().stress(p)(0, 0); });
     const std::string name = order == 0 ? "FLIP" : "FMPM(" + std::to_string(order) + ")";

@@ -32,17 +32,18 @@ class Piston final : public solver::WallMotion {
 };
 
 Setup<2> shock_setup(const Parameters& p) {
-  Setup<2> setup{.body = Box<2>{.lower = solver::Vec<2>::Zero(), .size = solver::Vec<2>(shock_length, shock_height)},
-                 .density = p.at("density"),
-                 .material = solver::MieGruneisen{.density = p.at("density"),
-                                                  .bulk_modulus = p.at("bulk_modulus"),
-                                                  .hugoniot_slope = p.at("hugoniot_slope"),
-                                                  .gamma = p.at("gamma"),
-                                                  .heat_capacity = p.at("heat_capacity"),
-                                                  .temperature = p.at("temperature"),
-                                                  .A1 = p.at("linear_viscosity"),
-                                                  .A2 = p.at("quadratic_viscosity")},
-                 .start_velocity = [](const solver::Vec<2>&) { return solver::Vec<2>(0, 0); }};
+  Setup<2> setup{
+      .body = Box<2>{.lower = solver::Vec<2>(0, -shock_height / 2), .size = solver::Vec<2>(shock_length, shock_height)},
+      .density = p.at("density"),
+      .material = solver::MieGruneisen{.density = p.at("density"),
+                                       .bulk_modulus = p.at("bulk_modulus"),
+                                       .hugoniot_slope = p.at("hugoniot_slope"),
+                                       .gamma = p.at("gamma"),
+                                       .heat_capacity = p.at("heat_capacity"),
+                                       .temperature = p.at("temperature"),
+                                       .A1 = p.at("linear_viscosity"),
+                                       .A2 = p.at("quadratic_viscosity")},
+      .start_velocity = [](const solver::Vec<2>&) { return solver::Vec<2>(0, 0); }};
   setup.walls[0] = std::make_shared<Piston>(0, 0);
   setup.walls[1] = std::make_shared<Piston>(shock_length, -p.at("velocity"));
   return setup;
@@ -78,6 +79,7 @@ Problem shock_problem() {
       .end_time = [](const Parameters&) { return 4e-6; },
       .boundary = "xmin=wall,xmax=wall,ymin=symmetry,ymax=symmetry",
       .material = std::string(solver::MieGruneisen::word),
+      .images = solver::Images::middle,
       .setup = &shock_setup};
 }
 

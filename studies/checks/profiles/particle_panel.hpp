@@ -10,19 +10,22 @@
 
 namespace mpmvv::checks::profiles {
 
-/// A run of a problem with a solution that a check looks at on its way.
+/// A run of a problem with a solution that a check looks at on its way: of all particles, or without those that are
+/// images of others.
 template <int D>
 class MovingBody {
  public:
-  explicit MovingBody(const std::vector<settings::Setting>& settings)
+  explicit MovingBody(const std::vector<settings::Setting>& settings, solver::Images images = solver::Images::none)
       : case_(settings::make_case(settings)),
-        stage_(runs::prepare_case<D>(case_, problems::find_problem(case_.problem.name, "the check"), 1)),
+        stage_(runs::prepare_case<D>(case_, problems::find_problem(case_.problem.name, "the check"), 1, images)),
         mpm_(std::move(stage_.scene)) {}
 
   const cases::Resolution& resolution() const { return case_.resolution; }
   const solver::Mpm<D>& mpm() const { return mpm_; }
   const mms::ManufacturedSolution<D>& solution() const { return *stage_.setup.solution; }
   const std::vector<solver::Vec<D>>& X() const { return stage_.X; }  ///< reference positions by particle id
+  /// Particles of the body that one is with its images.
+  int count_of(std::uint32_t id) const { return stage_.count_of(id); }
 
   /// Throws std::runtime_error when the run blows up.
   void step_to(std::int64_t step) {

@@ -25,7 +25,8 @@ Profile profile(const MovingBody<D>& body, const Value& value) {
   const double unit = 1e-3 * body.mpm().grid().h();
   for (std::size_t p = 0; p < particles.size(); ++p) {
     Column& column = columns[std::llround(body.X()[particles.id[p]][0] / unit)];
-    column.x += particles.x[p][0], column.y += value(p), ++column.count;
+    const double count = body.count_of(particles.id[p]);
+    column.x += count * particles.x[p][0], column.y += count * value(p), column.count += count;
   }
   Profile result;
   for (const auto& [place, column] : columns)

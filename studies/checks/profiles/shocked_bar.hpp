@@ -81,7 +81,7 @@ struct ShockedBar {
   double front, expected_front, first, last;  ///< m
 
   ShockedBar(const ShockMethod& method, int cells, const char* end_time, const mms::Hugoniot& shock)
-      : body(method.settings(cells, end_time)), plateau_pressure(shock.pressure()) {
+      : body(method.settings(cells, end_time), solver::Images::middle), plateau_pressure(shock.pressure()) {
     body.step_to(body.resolution().steps);
     const auto& particles = body.mpm().particles();
     const double h = body.mpm().grid().h(), t = body.mpm().time();

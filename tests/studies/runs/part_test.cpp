@@ -15,8 +15,7 @@
 #include "studies/settings/settings.hpp"
 #include "studies/settings/traits.hpp"
 
-namespace mpmvv::runs {
-namespace part_test {
+namespace mpmvv::runs::part_test {
 
 using records::Record;
 
@@ -185,6 +184,11 @@ TEST(Part, OfABarWithAPlaneAlongItsMiddleHasTheNumbersOfTheWhole) {
       expect_part_for_whole("basis=bspline2 cfl=0.2 " + std::string(body) + " integrator=" + more);
   for (const char* integrator : {"cd", "uvf", "rk4"})
     expect_part_for_whole("problem=pulse cells=5 steps=150 basis=cpgimp cfl=0.2 integrator=" + std::string(integrator));
+  for (const char* update : {"flip position=second-order", "xpic order=4", "fmpm order=4"})
+    expect_part_for_whole(
+        "problem=shock cells=9 basis=b2cpdi integrator=usl cfl=0.2 deformation=exponential steps=150 "
+        "velocity_update=" +
+        std::string(update));
   for (const char* update : {"flip position=second-order", "fmpm order=2"})
     expect_part_for_whole(
         "problem=stretch-3d cells=4 basis=cpdi integrator=usl cfl=0.2 velocity_error=true steps=120 "
@@ -224,6 +228,7 @@ TEST(Part, HasSoManyImages) {
                                             {"problem=shell quarter=true", 2},
                                             {"problem=pulse cells=5", 2},
                                             {"problem=stretch integrator=usl", 2},
+                                            {"problem=shock cells=4 integrator=usl", 2},
                                             {"problem=stretch-3d cells=4 integrator=usl", 2},
                                             {"problem=vortex cfl=0.2", 4},
                                             {"problem=vortex cfl=0.1 basis=cpdi", 4}};
@@ -291,5 +296,4 @@ TEST(Part, IsLeftToTheCaseThatAsksForTheWhole) {
   EXPECT_EQ(case_of("whole=true problem=bar"), case_of("problem=bar")) << "one case, where there is one way to run it";
 }
 
-}  // namespace part_test
-}  // namespace mpmvv::runs
+}  // namespace mpmvv::runs::part_test
