@@ -8,8 +8,8 @@
 
 namespace mpmvv::solver::pack_stencil_test {
 
-/// Four particles of a bar in the middle of a block, whose first nodes lie so far behind the first one's, with weights
-/// of no basis, as these matter to none of it.
+/// Four particles of a bar in the middle of a block, whose first nodes lie so far behind the first one's. The weights
+/// are random: sums are the same with any.
 template <int K>
 struct Four {
   static constexpr int place = 8;
