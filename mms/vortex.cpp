@@ -34,13 +34,16 @@ Vortex::Profile<N> Vortex::profile(const N& R) const {
 }
 
 /// 2 sin(α/2), the chord, in the direction of e_θ turned by α/2.
-Vec<2> Vortex::displacement(const Vec<2>& X, double G) const {
-  const double half = G * profile(X.norm()).H / 2, sine = std::sin(half);
-  return 2 * sine * (std::cos(half) * crossed(X) - sine * X);
+template <class N>
+std::array<N, 2> Vortex::displacement(const std::array<N, 2>& X, double G) const {
+  using std::cos, std::sin, std::sqrt, mms::cos, mms::sin;
+  const N half = G / 2 * profile<N>(sqrt(X[0] * X[0] + X[1] * X[1])).H, cosine = cos(half), sine = sin(half);
+  return {-2 * sine * (cosine * X[1] + sine * X[0]), 2 * sine * (cosine * X[0] - sine * X[1])};
 }
 
 Vec<2> Vortex::u(const Vec<2>& X, double t) const {
-  return displacement(X, G(t));
+  const auto [x, y] = displacement(std::array{X[0], X[1]}, G(t));
+  return {x, y};
 }
 
 Vec<2> Vortex::v(const Vec<2>& X, double t) const {
@@ -78,7 +81,7 @@ Vortex::Parts<N> Vortex::parts(const N& R, const S& G, const S& dG) const {
 
 template <class N>
 std::array<N, 2> Vortex::b_at(const std::array<N, 2>& X, double G, double dG) const {
-  using std::cos, std::sin, std::sqrt;
+  using std::cos, std::sin, std::sqrt, mms::cos, mms::sin;
   const auto [along, across, alpha] = parts<N>(sqrt(X[0] * X[0] + X[1] * X[1]), G, dG);
   const N cosine = cos(alpha), sine = sin(alpha);
   const N of_X = along * cosine - across * sine, of_crossed = along * sine + across * cosine;
@@ -120,8 +123,9 @@ class Vortex::AtPoints final : public PointwiseSolution<2> {
   AtPoints(const Vortex& vortex, const std::vector<Vec<2>>& X) : vortex_(vortex), X_(X) {}
 
   void displacement(double t, std::span<const std::uint32_t> ids, Vec<2>* u) const override {
-    const double G = vortex_.G(t);
-    for (const auto id : ids) *u++ = vortex_.displacement(X_[id], G);
+    in_lanes<2>(
+        ids.size(), [this, ids](std::size_t k) -> const Vec<2>& { return X_[ids[k]]; }, u,
+        [this, G = vortex_.G(t)](const auto& at) { return vortex_.displacement(at, G); });
   }
 
   void body_force(double t, std::span<const std::uint32_t>, std::span<const Vec<2>> X, Vec<2>* b) const override {

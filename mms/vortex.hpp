@@ -32,7 +32,7 @@ class Vortex final : public ManufacturedSolution<2> {
 
   double displacement_scale() const override { return std::min(std::abs(A_), 2.0) * (radii_.inner + radii_.outer) / 2; }
 
-  /// A step costs a point one sine and one cosine, and what is in lanes.
+  /// In lanes, sines and cosines, too.
   std::unique_ptr<PointwiseSolution<2>> at_points(const std::vector<Vec<2>>& X) const override;
 
   expression::Formulas formulas() const override;
@@ -60,7 +60,9 @@ class Vortex final : public ManufacturedSolution<2> {
   /// b there.
   template <class N>
   std::array<N, 2> b_at(const std::array<N, 2>& X, double G, double dG) const;
-  Vec<2> displacement(const Vec<2>& X, double G) const;
+  /// u there.
+  template <class N>
+  std::array<N, 2> displacement(const std::array<N, 2>& X, double G) const;
 
   double G(double t) const { return A_ * std::sin(rate_ * t); }
   double dG(double t) const { return A_ * rate_ * std::cos(rate_ * t); }

@@ -1,8 +1,7 @@
 #pragma once
 #include <Eigen/LU>
 #include <array>
-
-#include "solver/simd/padded.hpp"
+#include <cstddef>
 
 namespace mpmvv::solver {
 
@@ -12,47 +11,26 @@ enum class Deformation {
   exponential  ///< F' = exp(Δt L) F        N table 1, task 5: a rigid rotation stays one, a trace of zero keeps J
 };
 
-/// C + A B
-template <int D, class Matrix>
-[[gnu::always_inline]] inline Matrix plus_product(const auto& C, const Matrix& A, const auto& B) {
-  Matrix result;
-  for (int c = 0; c < D; ++c) {
-    auto column = padded<D>(C.col(c));
-    for (int d = 0; d < D; ++d) column += B(d, c) * A.col(d);
-    result.col(c) = column;
-  }
-  return result;
-}
-
 /// The c_j of A^D = Σ_{j<D} c_j A^j, by the theorem of Cayley and Hamilton.
-template <int D, class Matrix>
-std::array<typename Matrix::Scalar, D> characteristic(const Matrix& A) {
+template <class Number, int D>
+std::array<Number, D> characteristic(const Eigen::Matrix<Number, D, D>& A) {
   const auto minor = [&A](int i, int j) { return A(i, i) * A(j, j) - A(i, j) * A(j, i); };
   if constexpr (D == 1)
     return {A(0, 0)};
   else if constexpr (D == 2)
     return {-minor(0, 1), A(0, 0) + A(1, 1)};
   else
-    return {A.template topRows<3>().eval().determinant(), -(minor(0, 1) + minor(0, 2) + minor(1, 2)),
-            A(0, 0) + A(1, 1) + A(2, 2)};
-}
-
-/// a A + b I, column by column: at once it would go through memory.
-template <int D>
-inline PaddedMat<D> sum_with_identity(double a, const PaddedMat<D>& A, double b) {
-  PaddedMat<D> sum;
-  for (int d = 0; d < D; ++d) sum.col(d) = a * A.col(d) + Padded<D>(b * Padded<D>::Unit(d));
-  return sum;
+    return {A.determinant(), -(minor(0, 1) + minor(0, 2) + minor(1, 2)), A(0, 0) + A(1, 1) + A(2, 2)};
 }
 
 /// exp(A) - I by twelve terms, Horner's scheme on the multiples of I, A and A² that powers come down to: the rest,
 /// |A|¹³/13!, is round-off up to |A| = 0.4, and 2e-13 at 0.6.
-template <int D, class Matrix>
-[[gnu::noinline]] Matrix exponential_less_identity(const Matrix& A) {
-  using Number = typename Matrix::Scalar;
+template <class Number, int D>
+[[gnu::noinline, gnu::flatten]] Eigen::Matrix<Number, D, D> exponential_less_identity(
+    const Eigen::Matrix<Number, D, D>& A) {
   constexpr double share[] = {1,         1. / 2,     1. / 6,      1. / 24,      1. / 120,      1. / 720,
                               1. / 5040, 1. / 40320, 1. / 362880, 1. / 3628800, 1. / 39916800, 1. / 479001600};
-  const std::array<Number, D> c = characteristic<D>(A);
+  const std::array<Number, D> c = characteristic(A);
   std::array<Number, D> x;
   x.fill(0);
   for (int k = 11; k >= 0; --k) {
@@ -61,27 +39,29 @@ template <int D, class Matrix>
     for (std::size_t j = D - 1; j > 0; --j) x[j] = x[j - 1] + c[j] * highest;
     x[0] = c[0] * highest;
   }
-  if constexpr (D == 1) return Matrix(x[0]);
-  if constexpr (D == 2) return sum_with_identity<D>(x[1], A, x[0]);
-  if constexpr (D == 3) {
-    const PaddedMat<D> linear = sum_with_identity<D>(x[2], A, x[1]), zero = PaddedMat<D>::Zero();
-    return sum_with_identity<D>(1, plus_product<D>(zero, A, linear), x[0]);
-  }
+  Eigen::Matrix<Number, D, D> sum = Eigen::Matrix<Number, D, D>::Zero();
+  if constexpr (D == 2) sum = A * x[1];
+  if constexpr (D == 3) sum = A.lazyProduct(A * x[2] + Eigen::Matrix<Number, D, D>::Identity() * x[1]);
+  sum.diagonal().array() += x[0];
+  return sum;
 }
 
 /// A step of F, of a length of its own.
-template <int D>
 struct DeformationStep {
   double dt;
   Deformation rule = Deformation::linear;
 
   /// F'
   template <class Matrix>
-  [[gnu::always_inline]] auto operator()(const auto& F, const Matrix& L) const {
-    Matrix increment;
-    for (int d = 0; d < D; ++d) increment.col(d) = dt * L.col(d);  // at once, a plane's would go through memory
-    if (rule == Deformation::exponential) increment = exponential_less_identity<D>(increment);
-    return plus_product<D>(F, increment, F).template topRows<D>().eval();
+  Matrix operator()(const Matrix& F, const Matrix& L) const {
+    return rule == Deformation::linear ? by<Deformation::linear>(F, L) : by<Deformation::exponential>(F, L);
+  }
+  /// F' where `rule` is this one.
+  template <Deformation that, class Matrix>
+  [[gnu::always_inline]] Matrix by(const Matrix& F, const Matrix& L) const {
+    Matrix increment = dt * L;
+    if constexpr (that == Deformation::exponential) increment = exponential_less_identity(increment);
+    return F + increment.lazyProduct(F);
   }
 };
 

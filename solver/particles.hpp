@@ -57,7 +57,7 @@ struct Particles {
     if (!l0.empty())
       for (std::size_t p = begin; p < end; ++p) l[p] = l0[p].cwiseProduct(F[p].diagonal());
     if (!R0.empty())
-      for (std::size_t p = begin; p < end; ++p) R[p] = F[p] * R0[p];
+      for (std::size_t p = begin; p < end; ++p) R[p].noalias() = F[p] * R0[p];
   }
 
   /// The current state becomes both fields of `stages`.

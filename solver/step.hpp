@@ -57,7 +57,7 @@ class Step {
   // From particles to the grid; images are summed, those that the boundaries identify among them.
   void map_momentum();             ///< m_i, p_i                                    S (1), (2), W (8), (9)
   void map_momentum_and_forces();  ///< and τ_p = τ(F_p), f_i                       S (3), (4), (16), W (12), (14)
-  void deform_and_map_forces(const DeformationStep<D>& deform);  ///< F_p by the grid's v, then τ_p = τ(F_p), f_i
+  void deform_and_map_forces(const DeformationStep& deform);  ///< F_p by the grid's v, then τ_p = τ(F_p), f_i
   /// v_p by the velocity update and the rate at which positions will follow, then m_i, p_i of these.
   void update_velocities_and_map_momentum(double dt);
 
@@ -69,23 +69,22 @@ class Step {
   void advance_velocity(double dt);  ///< v_i += a_i Δt, constrained                               S (6), W (16), S (30)
 
   // From the grid to particles: the last sweep of a step, after which all is ready for the next.
-  void update_particles(double dt);                                             ///< v_p, x_p by the velocity update
-  void update_particles(double dt, const DeformationStep<D>& deform);           ///< and F_p by the grid's v
-  void move_particles_and_deform(double dt, const DeformationStep<D>& deform);  ///< x_p at its rate, F_p by v
+  void update_particles(double dt);                                          ///< v_p, x_p by the velocity update
+  void update_particles(double dt, const DeformationStep& deform);           ///< and F_p by the grid's v
+  void move_particles_and_deform(double dt, const DeformationStep& deform);  ///< x_p at its rate, F_p by v
 
   /// How F follows the grid's velocity gradient for so long.
-  DeformationStep<D> deformation(double dt) const { return {dt, scene_.deformation}; }
+  DeformationStep deformation(double dt) const { return {dt, scene_.deformation}; }
 
   // What the above is made from, for a page with a sweep of its own.
 
   /// One visit to all particles by these kernels.
   void sweep(std::initializer_list<AnyKernel<D>> kernels, Adds adds = Adds::to_nodes);
 
-  /// The last one of a step: by these, then what must hold and be ready for the next step.
+  /// The last one of a step: by these, of which one has checked F, then what must be ready for the next step.
   template <class... Kernels>
   void sweep_and_settle(const Kernels&... kernels) {
-    sweep({kernels..., CheckDeformation<D>{particles_}, UpdateWidth<D>{particles_},
-           SettlePosition<D>{particles_, periodic_, slabs_, must_sort_}},
+    sweep({kernels..., UpdateWidth<D>{particles_}, SettlePosition<D>{particles_, periodic_, slabs_, must_sort_}},
           Adds::nothing);
     ++moves_;
   }

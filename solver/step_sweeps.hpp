@@ -37,8 +37,8 @@ void Step<D>::map_momentum_and_forces() {
 }
 
 template <int D>
-void Step<D>::deform_and_map_forces(const DeformationStep<D>& deform) {
-  map_forces(std::identity{}, UpdateDeformation<D>{particles_, grid_, deform});
+void Step<D>::deform_and_map_forces(const DeformationStep& deform) {
+  map_forces(std::identity{}, EvaluateVelocityGradient<D>{grid_}, UpdateDeformation<D>{particles_, deform});
 }
 
 /// By these kernels, then of stress, then by what `with` makes of that of forces.
@@ -79,18 +79,20 @@ void Step<D>::update_particles(double dt) {
 }
 
 template <int D>
-void Step<D>::update_particles(double dt, const DeformationStep<D>& deform) {
+void Step<D>::update_particles(double dt, const DeformationStep& deform) {
   const VelocityFields<D> fields = velocity_fields(dt);
   const UpdateAffineField<D> affine{particles_, grid_};
+  const UpdateDeformation<D> deformation{particles_, deform};
   if (are_flip(fields, grid_))
-    sweep_and_settle(affine, UpdateParticle<D, true>{particles_, grid_, fields, dt, deform});
+    sweep_and_settle(affine, UpdateParticle<D, true>{particles_, grid_, fields, dt}, deformation);
   else
-    sweep_and_settle(affine, UpdateParticle<D, false>{particles_, grid_, fields, dt, deform});
+    sweep_and_settle(affine, UpdateParticle<D, false>{particles_, grid_, fields, dt}, deformation);
 }
 
 template <int D>
-void Step<D>::move_particles_and_deform(double dt, const DeformationStep<D>& deform) {
-  sweep_and_settle(MoveByRate<D>{particles_, dt}, UpdateDeformation<D>{particles_, grid_, deform});
+void Step<D>::move_particles_and_deform(double dt, const DeformationStep& deform) {
+  sweep_and_settle(MoveByRate<D>{particles_, dt}, EvaluateVelocityGradient<D>{grid_},
+                   UpdateDeformation<D>{particles_, deform});
 }
 
 }  // namespace mpmvv::solver

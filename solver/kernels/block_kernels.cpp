@@ -9,9 +9,10 @@ namespace mpmvv::solver {
 /// Compiled once for all pages.
 template <int D>
 struct BlockKernels {
-  static constexpr std::tuple all{&run_kernel<D, EvaluateStress<D>>,   &run_kernel<D, EvaluateBodyForce<D>>,
-                                  &run_kernel<D, CheckDeformation<D>>, &run_kernel<D, UpdateWidth<D>>,
-                                  &run_kernel<D, MoveByRate<D>>,       &run_kernel<D, SettlePosition<D>>};
+  static constexpr std::tuple all{&run_kernel<D, EvaluateStress<D>>,    &run_kernel<D, EvaluateBodyForce<D>>,
+                                  &run_kernel<D, UpdateDeformation<D>>, &run_kernel<D, CheckDeformation<D>>,
+                                  &run_kernel<D, UpdateWidth<D>>,       &run_kernel<D, MoveByRate<D>>,
+                                  &run_kernel<D, SettlePosition<D>>};
 };
 
 template struct BlockKernels<1>;

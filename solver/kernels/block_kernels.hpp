@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "solver/body_force.hpp"
+#include "solver/deformation.hpp"
 #include "solver/fault.hpp"
 #include "solver/material/materials.hpp"
 #include "solver/parallel/slabs.hpp"
@@ -39,10 +40,10 @@ struct EvaluateStress {
  private:
   [[gnu::noinline, gnu::flatten]] void evaluate_packs(const auto& m, Block<D>& block) const {
     for_packs(
-        block, [&](const ParticlePack& pack, int k) __attribute__((always_inline)) {
+        block, [&](const ParticlePack& pack, int) __attribute__((always_inline)) {
           Eigen::Matrix<Pack, padded_size<D>, D> tau = Eigen::Matrix<Pack, padded_size<D>, D>::Zero();
           tau.template topRows<D>() = m.kirchhoff(pack.of(particles.F));
-          store_packs<padded_size<D> * D>(tau.data(), block.tau[k].data());
+          (pack - block.begin).write(tau, block.tau);
         });
   }
   void evaluate_each(const auto& m, Block<D>& block, const StressStep& step) const {
@@ -85,6 +86,31 @@ struct CheckDeformation {
     Mask4 positive{-1, -1, -1, -1};
     for_packs(block, [&](const ParticlePack& pack, int) {
       positive &= Mask4(pack.of(particles.F).determinant().of > Double4{});
+    });
+    return all(positive) ? Fault::none : Fault::inverted;
+  }
+};
+
+/// F_p follows L_p; inverted particles are found                S (7), (8), W (10), (11)
+template <int D>
+struct UpdateDeformation {
+  Particles<D>& particles;
+  DeformationStep deform;
+
+  Fault operator()(Block<D>& block, const Grid<D>&) const {
+    const bool is_linear = deform.rule == Deformation::linear;
+    return is_linear ? update<Deformation::linear>(block) : update<Deformation::exponential>(block);
+  }
+
+ private:
+  template <Deformation rule>
+  [[gnu::noinline, gnu::flatten]] Fault update(Block<D>& block) const {
+    Mask4 positive{-1, -1, -1, -1};
+    for_packs(block, [&](const ParticlePack& pack, int) {
+      const PackMat<D> L = (pack - block.begin).of(block.L).template topRows<D>();
+      const PackMat<D> F = deform.template by<rule>(pack.of(particles.F), L);
+      pack.write(F, particles.F.data());
+      positive &= Mask4(F.determinant().of > Double4{});
     });
     return all(positive) ? Fault::none : Fault::inverted;
   }

@@ -11,14 +11,14 @@ namespace mpmvv::solver {
 /// Compiled once for all pages that update particles.
 template <int D>
 struct ParticleUpdates {
-  static constexpr std::tuple all{&run_kernel<D, UpdateDeformation<D>>,
+  static constexpr std::tuple all{&run_kernel<D, EvaluateVelocityGradient<D>>,
                                   &run_kernel<D, UpdateParticle<D, false>>,
                                   &run_kernel<D, UpdateParticle<D, true>>,
                                   &run_kernel<D, UpdateVelocityAndPosition<D, false>>,
                                   &run_kernel<D, UpdateVelocityAndPosition<D, true>>,
                                   &run_kernel<D, UpdateVelocityAndRate<D>>,
                                   &run_kernel<D, UpdateVelocity<D>>,
-                                  &run_kernel<D, UpdatePositionAndDeformation<D>>,
+                                  &run_kernel<D, UpdatePosition<D>>,
                                   &run_kernel<D, UpdateAffineField<D>>,
                                   &run_kernel<D, AdvanceStage<D>>};
 };

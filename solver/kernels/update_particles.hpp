@@ -1,5 +1,4 @@
 #pragma once
-#include "solver/deformation.hpp"
 #include "solver/grid.hpp"
 #include "solver/particles.hpp"
 #include "solver/stencils/particle_pack.hpp"
@@ -48,20 +47,18 @@ template <bool is_flip, int D>
   }
 }
 
-/// F_p follows L_p = Σ_i v_i ⊗ ∇N_ip                           S (7), (8), W (10), (11)
+/// L_p = Σ_i v_i ⊗ ∇N_ip, which F_p follows                    S (7), W (10)
 template <int D>
-struct UpdateDeformation {
+struct EvaluateVelocityGradient {
   static constexpr bool uses_gradients = true;
-  Particles<D>& particles;
   const Grid<D>& grid;
-  DeformationStep<D> deform;
 
-  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, const auto&) const {
-    particles.F[p] = deform(particles.F[p], nodes.gather_with_gradient(grid.v).gradient);
+  [[gnu::always_inline]] void operator()(const auto& p, const auto& nodes, auto& block) const {
+    write(nodes.gather_with_gradient(grid.v).gradient, block.L, p - block.begin);
   }
 };
 
-/// Velocity, position and F: tasks 4 and 5 of N table 1, S (7) to (10).
+/// Velocity and position, and L_p: tasks 4 and 5 of N table 1, S (7), (9), (10).
 template <int D, bool is_flip>
 struct UpdateParticle {
   static constexpr bool takes_packs = is_flip;
@@ -70,12 +67,11 @@ struct UpdateParticle {
   const Grid<D>& grid;
   VelocityFields<D> fields;
   double dt;
-  DeformationStep<D> deform;
 
-  [[gnu::always_inline]] void operator()(const auto& p, const auto& nodes, const auto&) const {
-    const auto v = nodes.gather_with_gradient(grid.v);
+  [[gnu::always_inline]] void operator()(const auto& p, const auto& nodes, auto& block) const {
+    auto v = nodes.gather_with_gradient(grid.v);
     update_velocity_and_position<is_flip>(particles, grid, fields, dt, p, v.value, nodes);
-    write(deform(read(particles.F, p), v.gradient), particles.F, p);
+    write(std::move(v.gradient), block.L, p - block.begin);
   }
 };
 
@@ -119,19 +115,18 @@ struct UpdateVelocity {
   }
 };
 
-/// x_p += Σ_i N_ip v_i Δt, and F_p by the same velocity        W (17), (10), (11)
+/// x_p += Σ_i N_ip v_i Δt, and L_p by the same velocity        W (17), (10)
 template <int D>
-struct UpdatePositionAndDeformation {
+struct UpdatePosition {
   static constexpr bool uses_gradients = true;
   Particles<D>& particles;
   const Grid<D>& grid;
   double dt;
-  DeformationStep<D> deform;
 
-  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, const auto&) const {
-    const auto v = nodes.gather_with_gradient(grid.v);
+  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, auto& block) const {
+    auto v = nodes.gather_with_gradient(grid.v);
     particles.x[p] += (dt * v.value).template head<D>();
-    particles.F[p] = deform(particles.F[p], v.gradient);
+    write(std::move(v.gradient), block.L, p - block.begin);
   }
 };
 

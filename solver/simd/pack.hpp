@@ -88,19 +88,17 @@ template <int n>
   }
   for (; k < n; ++k) packs[k].of = Double4{from[0][k], from[1][k], from[2][k], from[3][k]};
 }
-/// The reverse, to four particles that lie side by side.
+/// The reverse.
 template <int n>
-[[gnu::always_inline]] inline void store_packs(const Pack* packs, double* to) {
-  if constexpr (n == 1) {
-    store4(packs[0].of, to);
-  } else {
-    static_assert(n % 4 == 0, "the numbers of a particle fill registers");
-    for (int k = 0; k < n; k += 4) {
-      Double4 rows[]{packs[k].of, packs[k + 1].of, packs[k + 2].of, packs[k + 3].of};
-      transpose(rows[0], rows[1], rows[2], rows[3]);
-      for (int lane = 0; lane < 4; ++lane) store4(rows[lane], to + lane * n + k);
-    }
+[[gnu::always_inline]] inline void store_packs(const Pack* packs, const std::array<double*, 4>& to) {
+  int k = 0;
+  for (; k + 4 <= n; k += 4) {
+    Double4 rows[]{packs[k].of, packs[k + 1].of, packs[k + 2].of, packs[k + 3].of};
+    transpose(rows[0], rows[1], rows[2], rows[3]);
+    for (std::size_t lane = 0; lane < 4; ++lane) store4(rows[lane], to[lane] + k);
   }
+  for (; k < n; ++k)
+    for (std::size_t lane = 0; lane < 4; ++lane) to[lane][k] = packs[k][lane];
 }
 
 }  // namespace mpmvv::solver

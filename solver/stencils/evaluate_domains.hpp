@@ -47,10 +47,10 @@ template <int D>
 [[gnu::flatten]] void find_slopes(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
                                   PaddedMat<D>* slope) {
   const double factor = 2 / grid.h() / (1 << D);
-  for_packs(block, [&](const ParticlePack& pack, int k) {
+  for_packs(block, [&](const ParticlePack& pack, int) {
     Eigen::Matrix<Pack, padded_size<D>, D> four = Eigen::Matrix<Pack, padded_size<D>, D>::Zero();
     four.template topRows<D>() = factor * pack.of(particles.R).inverse().transpose();
-    store_packs<padded_size<D> * D>(four.data(), slope[k].data());
+    (pack - block.begin).write(four, slope);
   });
 }
 

@@ -20,7 +20,7 @@ template <class Visit>
 
 /// Calls a node kernel for a particle, or for four at once.
 template <class Kernel>
-[[gnu::always_inline]] inline void visit(const Kernel& kernel, const auto& p, const auto& nodes, const auto& block) {
+[[gnu::always_inline]] inline void visit(const Kernel& kernel, const auto& p, const auto& nodes, auto& block) {
   if constexpr (requires { kernel.field(); })
     nodes.scatter(kernel(p, nodes, block), kernel.field());
   else
@@ -29,7 +29,7 @@ template <class Kernel>
 
 /// Visits `count` particles of a block, from the one at place `begin` on, one by one, each with its nodes.
 template <int D, class Shape, class... Kernels>
-[[gnu::noinline, gnu::flatten]] void visit_each(const Shape& block, const Grid<D>& grid, int begin, int count,
+[[gnu::noinline, gnu::flatten]] void visit_each(Shape& block, const Grid<D>& grid, int begin, int count,
                                                 const Kernels&... kernels) {
   for_interleaved(count, [&](int k) {
     const auto nodes = block.template stencil<(uses_gradients<Kernels> || ...)>(begin + k, grid);
@@ -40,7 +40,7 @@ template <int D, class Shape, class... Kernels>
 /// Visits particles of a bar by four with their nodes, where the four share most of these; returns how many of a block
 /// are visited, four to each pack.
 template <int K, class... Kernels>
-[[gnu::noinline, gnu::flatten]] int visit_packs(const PointBlock<1, K>& block, const Grid<1>& grid,
+[[gnu::noinline, gnu::flatten]] int visit_packs(PointBlock<1, K>& block, const Grid<1>& grid,
                                                 const Kernels&... kernels) {
   const int packs = block.count / 4;
   for_interleaved(packs, [&](int pack) {
@@ -55,14 +55,14 @@ template <int K, class... Kernels>
 
 /// Visits all particles of a block.
 template <int D, class Shape, class... Kernels>
-void visit_particles(const Shape& block, const Grid<D>& grid, const Kernels&... kernels) {
+void visit_particles(Shape& block, const Grid<D>& grid, const Kernels&... kernels) {
   int visited = 0;
   if constexpr (is_line<Shape> && (takes_packs<Kernels> && ...)) visited = visit_packs(block, grid, kernels...);
   if (visited < block.count) visit_each(block, grid, visited, block.count - visited, kernels...);
 }
 
 template <int D, class Shape, class First, class Second>
-void visit_particles(const Shape& block, const Grid<D>& grid, const Fused<First, Second>& kernels) {
+void visit_particles(Shape& block, const Grid<D>& grid, const Fused<First, Second>& kernels) {
   visit_particles(block, grid, kernels.first, kernels.second);
 }
 

@@ -11,20 +11,40 @@
 
 namespace mpmvv::solver {
 
-/// Up to four particles, one after the other, whose fields are read at once. Where fewer are left the last is read
-/// again in the place of each that is missing.
+/// Up to four particles, one after the other, whose fields are read and written at once. Where fewer are left the last
+/// is read again in the place of each that is missing, and written again.
 struct ParticlePack {
   std::size_t first;
   int count;
 
   template <int R, int C>
+  [[gnu::always_inline]] auto of(const Eigen::Matrix<double, R, C>* field) const {
+    Eigen::Matrix<Pack, R, C> packs;
+    if (R * C == 1 && count == 4)
+      packs(0, 0).of = load4(field[first].data());
+    else
+      load_packs<R * C>(numbers<const double>(field), packs.data());
+    return packs;
+  }
+  template <int R, int C>
   [[gnu::always_inline]] auto of(const std::vector<Eigen::Matrix<double, R, C>>& field) const {
-    const auto numbers = [&](int lane) {
+    return of(field.data());
+  }
+  template <int R, int C>
+  [[gnu::always_inline]] void write(const Eigen::Matrix<Pack, R, C>& packs, Eigen::Matrix<double, R, C>* field) const {
+    if (R * C == 1 && count == 4)
+      store4(packs(0, 0).of, field[first].data());
+    else
+      store_packs<R * C>(packs.data(), numbers<double>(field));
+  }
+
+ private:
+  template <class Number>
+  [[gnu::always_inline]] std::array<Number*, 4> numbers(auto* field) const {
+    const auto of_lane = [&](int lane) {
       return field[first + static_cast<std::size_t>(count == 4 ? lane : std::min(lane, count - 1))].data();
     };
-    Eigen::Matrix<Pack, R, C> packs;
-    load_packs<R * C>({numbers(0), numbers(1), numbers(2), numbers(3)}, packs.data());
-    return packs;
+    return {of_lane(0), of_lane(1), of_lane(2), of_lane(3)};
   }
 };
 
@@ -56,10 +76,10 @@ template <class T>
 
 /// field_p = value
 template <class T>
-[[gnu::always_inline]] inline void write(T value, std::vector<T>& field, std::size_t p) {
+[[gnu::always_inline]] inline void write(T value, T* field, std::size_t p) {
   field[p] = std::move(value);  // to copy it g++ goes through memory
 }
-[[gnu::always_inline]] inline void write(const PackVec<1>& value, std::vector<Eigen::Matrix<double, 1, 1>>& field,
+[[gnu::always_inline]] inline void write(const PackVec<1>& value, Eigen::Matrix<double, 1, 1>* field,
                                          const ParticlePack& p) {
   store4(value[0].of, field[p.first].data());
 }
@@ -71,7 +91,7 @@ template <class T>
 }
 template <class T>
 [[gnu::always_inline]] inline void add(const auto& value, std::vector<T>& field, const ParticlePack& p) {
-  write(PackVec<1>(read(field, p) + value), field, p);
+  write(PackVec<1>(read(field, p) + value), field.data(), p);
 }
 
 /// Calls visit(pack, k) for every four particles of a block, the first of them at place k.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "solver/simd/doubles.hpp"
@@ -79,7 +80,7 @@ struct Weights {
     if constexpr (D == 1)
       for (int i = 0; i < K; ++i) nodes[i] += N[0][i] * value;
     else
-      add_line<D - 1>(along_line<K, components<V>>(N[0]) * on_each_node<K>(value), nodes);
+      add_line<D - 1>(each_node_of_line(on_each_node<1>(value), std::make_index_sequence<K>{}), nodes);
   }
 
  private:
@@ -94,17 +95,28 @@ struct Weights {
       return sum;
     }
   }
+  /// N_i value for the nodes of a line. Added node by node: the corners of a particle's domain often lie a node apart,
+  /// and what is read from two nodes at once, of which one has just been written, has to wait until it is in the cache.
+  template <int C>
+  using Line = std::array<Doubles<C>, K>;
+  template <int C, std::size_t... i>
+  [[gnu::always_inline]] Line<C> each_node_of_line(const Doubles<C>& value, std::index_sequence<i...>) const {
+    return {N[0][i] * value...};
+  }
   template <int axis, class V>
-  [[gnu::always_inline]] void add_line(const Doubles<K * components<V>>& value, V* nodes) const {
+  [[gnu::always_inline]] void add_line(const Line<components<V>>& value, V* nodes) const {
     for (int i = 0; i < K; ++i) {
       V* const next = start_of_line(nodes + i * stride[axis]);
-      if constexpr (axis == 1) {
-        auto sum = line<0>(next);
-        sum += N[1][i] * value;
-        sum.store(reinterpret_cast<double*>(next));
-      } else {
-        add_line<axis - 1>(N[axis][i] * value, next);
-      }
+      Line<components<V>> part = value;
+      for (auto& of_node : part) of_node = N[axis][i] * of_node;
+      if constexpr (axis > 1)
+        add_line<axis - 1>(part, next);
+      else
+        for (std::size_t j = 0; j < K; ++j) {
+          auto sum = Doubles<components<V>>::load(next[j].data());
+          sum += part[j];
+          sum.store(next[j].data());
+        }
     }
   }
 };

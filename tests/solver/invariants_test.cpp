@@ -1,5 +1,6 @@
 #include <random>
 
+#include "solver/kernels/block_kernels.hpp"
 #include "solver/kernels/update_particles.hpp"
 #include "solver/stencils/sweep.hpp"
 #include "tests/solver/each_basis.hpp"
@@ -202,7 +203,7 @@ void expect_exact_gradient(const AnyBasis& basis) {
   slabs.sort(particles, grid, pool);
   const double dt = 0.01;
   sweep<D>(Adds::nothing, basis, particles, grid, slabs, pool,
-           {UpdatePositionAndDeformation<D>{particles, grid, dt, DeformationStep<D>{dt}}});
+           {UpdatePosition<D>{particles, grid, dt}, UpdateDeformation<D>{particles, DeformationStep{dt}}});
   for (std::size_t p = 0; p < x.size(); ++p) {
     EXPECT_LT((particles.F[p] - Mat<D>::Identity() - dt * G).norm(), 1e-14);
     const Vec<D>& X = x[particles.id[p]];

@@ -97,7 +97,7 @@ void expect_to_move(const AnyBasis& basis, Deformation rule, const auto& fields_
   const VelocityFields<D> fields = fields_of(body.grid);
   ASSERT_TRUE(!is_flip || are_flip(fields, body.grid));
   const double dt = 0.004;
-  const DeformationStep<D> deform{0.01, rule};
+  const DeformationStep deform{0.01, rule};
   Expected<D> expected(body.particles);
   for (std::size_t p = 0; p < body.particles.size(); ++p) {
     const Vec<D> V = expected.v[p];
@@ -106,22 +106,21 @@ void expect_to_move(const AnyBasis& basis, Deformation rule, const auto& fields_
     if (fields.acceleration) V_new = V + dt * body.value(p, *fields.acceleration);
     expected.x[p] += dt * (fields.before * V + fields.after * V_new);
     if (fields.drift) expected.x[p] += dt * body.value(p, *fields.drift);
-    PaddedMat<D> L = PaddedMat<D>::Zero();
-    L.template topRows<D>() = body.gradient(p, body.grid.v);
-    expected.F[p] = deform(expected.F[p], L);
+    expected.F[p] = deform(expected.F[p], Mat<D>(body.gradient(p, body.grid.v)));
   }
-  body.visit({UpdateParticle<D, is_flip>{body.particles, body.grid, fields, dt, deform}});
+  body.visit({UpdateParticle<D, is_flip>{body.particles, body.grid, fields, dt},
+              UpdateDeformation<D>{body.particles, deform}});
   expected.compare(body.particles);
 
-  MovedBody<D> by_two(basis);  // F by a kernel of its own, velocity and position by another
+  MovedBody<D> by_two(basis);  // the gradient by a kernel of its own, velocity and position by another
   const VelocityFields<D> same = fields_of(by_two.grid);
-  by_two.visit({UpdateDeformation<D>{by_two.particles, by_two.grid, deform},
+  by_two.visit({EvaluateVelocityGradient<D>{by_two.grid}, UpdateDeformation<D>{by_two.particles, deform},
                 UpdateVelocityAndPosition<D, is_flip>{by_two.particles, by_two.grid, same, dt}});
   expected.compare(by_two.particles);
 
   MovedBody<D> by_rate(basis);  // the position by the rate that is kept
   by_rate.particles.rate.resize(by_rate.particles.size());
-  by_rate.visit({UpdateDeformation<D>{by_rate.particles, by_rate.grid, deform},
+  by_rate.visit({EvaluateVelocityGradient<D>{by_rate.grid}, UpdateDeformation<D>{by_rate.particles, deform},
                  UpdateVelocityAndRate<D>{by_rate.particles, by_rate.grid, fields_of(by_rate.grid), dt},
                  MoveByRate<D>{by_rate.particles, dt}});
   expected.compare(by_rate.particles);
@@ -148,14 +147,14 @@ template <int D>
 void expect_to_move_velocity_first(const AnyBasis& basis) {
   MovedBody<D> body(basis);
   Expected<D> expected(body.particles);
-  const DeformationStep<D> deform{0.01, Deformation::linear};
+  const DeformationStep deform{0.01, Deformation::linear};
   for (std::size_t p = 0; p < body.particles.size(); ++p) {
     expected.v[p] += 0.1 * body.value(p, body.grid.a);
     expected.x[p] += 0.1 * body.value(p, body.grid.v);
     expected.F[p] += 0.01 * body.gradient(p, body.grid.v) * expected.F[p];
   }
-  body.visit({UpdateVelocity<D>{body.particles, body.grid, 0.1},
-              UpdatePositionAndDeformation<D>{body.particles, body.grid, 0.1, deform}});
+  body.visit({UpdateVelocity<D>{body.particles, body.grid, 0.1}, UpdatePosition<D>{body.particles, body.grid, 0.1},
+              UpdateDeformation<D>{body.particles, deform}});
   expected.compare(body.particles);
 }
 
