@@ -2,9 +2,9 @@
 # (tests/Sanitized.cmake) and the batches of tests follow from that.
 
 # How a target's sources compile:
-#   COMPUTES  what a run calls, and where several files hold a function of a header, of which the linker takes the first,
-#             what the solver calls: as the preset says
-#   ALGEBRA   dense algebra, and the matching of particles: takes twice the time to run at -Og, and a tenth more at -O1
+#   COMPUTES  what a run calls: as the preset says. The program links it first: of a function of a header that several
+#             rooms hold the linker takes the first.
+#   ALGEBRA   dense algebra: takes twice the time to run at -Og, and a tenth more at -O1
 #   OTHER     all else: compiles at -Og in two thirds of the time
 # With the sanitizers everything compiles faster when it is left as it is.
 function(mpmvv_optimize target kind)

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "studies/problems/setup.hpp"
 #include "studies/support/error.hpp"
@@ -123,7 +122,7 @@ class PointTable {
   void add(std::string& text, std::size_t row) const {
     const Point X = reference_point(row);
     const double t = t_ ? t_->values[row] : *query_.time;
-    fmt::format_to(std::back_inserter(text), "{:.17g}", X[0]);
+    text += fmt::format("{:.17g}", X[0]);
     for (int d = 1; d < D; ++d) add(text, X[d], row);
     add(text, t, row);
     for (const std::string& field : fields_)
@@ -154,7 +153,7 @@ class PointTable {
   void add(std::string& text, double value, std::size_t row) const {
     if (!std::isfinite(value))
       throw UsageError(fmt::format("the solution is not finite in {} (a time nearer to 0)", place(row)));
-    fmt::format_to(std::back_inserter(text), ",{:.17g}", value);
+    text += fmt::format(",{:.17g}", value);
   }
 
   const PointQuery& query_;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <iterator>
 #include <string_view>
 
 #include "studies/runs/vtu_text.hpp"
@@ -26,10 +25,9 @@ std::vector<std::string> start_columns(int dimension) {
 std::string csv_text(const StartState& state) {
   const auto d = static_cast<std::size_t>(state.dimension);
   std::string text = fmt::format("{}\n", fmt::join(start_columns(state.dimension), ","));
-  const auto end = std::back_inserter(text);
-  const auto add = [&](double value) { fmt::format_to(end, ",{:.17g}", value); };
+  const auto add = [&](double value) { text += fmt::format(",{:.17g}", value); };
   for (std::size_t p = 0; p < state.size(); ++p) {
-    fmt::format_to(end, "{}", state.id[p]);
+    text += fmt::format("{}", state.id[p]);
     for (const auto* vector : {&state.X[p], &state.x[p], &state.v[p]})
       for (std::size_t k = 0; k < d; ++k) add((*vector)[k]);
     add(state.m[p]);

@@ -2,28 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 namespace mpmvv::runs {
 
 namespace {
 
 void add_array(std::string& text, const char* name, int components, std::size_t particles,
                const VtuText::Component& component) {
-  const auto end = std::back_inserter(text);
-  fmt::format_to(end, "<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", name,
-                 components);
+  text += fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", name,
+                      components);
   for (std::size_t p = 0; p < particles; ++p)
     for (int k = 0; k < components; ++k)
-      fmt::format_to(end, "{:.17g}{}", component(p, k), k + 1 < components ? ' ' : '\n');
+      text += fmt::format("{:.17g}{}", component(p, k), k + 1 < components ? ' ' : '\n');
   text += "</DataArray>\n";
 }
 
 void add_integer_array(std::string& text, const char* type, const char* name, std::size_t particles,
                        const std::function<std::int64_t(std::size_t)>& value) {
-  const auto end = std::back_inserter(text);
-  fmt::format_to(end, "<DataArray type=\"{}\" Name=\"{}\" format=\"ascii\">\n", type, name);
-  for (std::size_t p = 0; p < particles; ++p) fmt::format_to(end, "{}\n", value(p));
+  text += fmt::format("<DataArray type=\"{}\" Name=\"{}\" format=\"ascii\">\n", type, name);
+  for (std::size_t p = 0; p < particles; ++p) text += fmt::format("{}\n", value(p));
   text += "</DataArray>\n";
 }
 
