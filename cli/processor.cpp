@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <cstring>
 #include <string_view>
 
 #include "mpmvv_build_info.hpp"
@@ -16,7 +17,7 @@ constexpr std::string_view refusal =
 constexpr int usage_error = 2;
 
 [[gnu::constructor(101)]] void require_processor() {
-  if (std::string_view(build_info::flags).find("-march=x86-64-v3") == std::string_view::npos) return;
+  if (std::strstr(build_info::flags, "-march=x86-64-v3") == nullptr) return;
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return;
   [[maybe_unused]] const auto written = write(STDERR_FILENO, refusal.data(), refusal.size());

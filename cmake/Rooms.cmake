@@ -2,11 +2,12 @@
 # (tests/Sanitized.cmake) and the batches of tests follow from that.
 
 # How a target's sources compile:
-#   COMPUTES  what a run calls: as the preset says. The program links it first: of a function of a header that several
-#             rooms hold the linker takes the first.
-#   ALGEBRA   dense algebra: takes twice the time to run at -Og, and a tenth more at -O1
+#   COMPUTES  what a run calls: as the preset says. Programs link it first (mpmvv_computing): of a function of a header
+#             that several rooms hold the linker takes the first.
+#   ALGEBRA   dense algebra, and the matching of particles: takes twice the time to run at -Og, and a tenth more at -O1
 #   OTHER     all else: compiles at -Og in two thirds of the time
 # With the sanitizers everything compiles faster when it is left as it is.
+set(mpmvv_computing $<TARGET_OBJECTS:mpmvv_solver> $<TARGET_OBJECTS:mpmvv_mms> $<TARGET_OBJECTS:mpmvv_runs>)
 function(mpmvv_optimize target kind)
   set(COMPUTES "")
   set(ALGEBRA $<$<CONFIG:Release>:-O1>)

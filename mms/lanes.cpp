@@ -4,7 +4,7 @@
 
 namespace mpmvv::mms {
 
-#if defined(__AVX2__) && defined(__GLIBC__)
+#if defined(__x86_64__) && defined(__AVX2__) && defined(__GLIBC__) && !defined(__UCLIBC__)
 
 /// glibc's vector library, whose header declares these for -ffast-math alone: four units in the last place at most.
 namespace libmvec {

@@ -10,7 +10,7 @@ namespace mpmvv::mms {
 /// A number of each of eight points. Two vector registers of four: the logarithms of one alone take a third longer.
 using Lanes = Eigen::Array<double, 8, 1>;
 
-/// A function of a number, of each.
+/// Of each of the eight, to four units in the last place.
 Lanes sin(const Lanes& angles);
 Lanes cos(const Lanes& angles);
 

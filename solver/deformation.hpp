@@ -51,12 +51,7 @@ struct DeformationStep {
   double dt;
   Deformation rule = Deformation::linear;
 
-  /// F'
-  template <class Matrix>
-  Matrix operator()(const Matrix& F, const Matrix& L) const {
-    return rule == Deformation::linear ? by<Deformation::linear>(F, L) : by<Deformation::exponential>(F, L);
-  }
-  /// F' where `rule` is this one.
+  /// F', where `rule` is this one.
   template <Deformation that, class Matrix>
   [[gnu::always_inline]] Matrix by(const Matrix& F, const Matrix& L) const {
     Matrix increment = dt * L;

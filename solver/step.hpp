@@ -81,7 +81,8 @@ class Step {
   /// One visit to all particles by these kernels.
   void sweep(std::initializer_list<AnyKernel<D>> kernels, Adds adds = Adds::to_nodes);
 
-  /// The last one of a step: by these, of which one has checked F, then what must be ready for the next step.
+  /// The last one of a step: by these, then what must be ready for the next step. What sets F in a step checks it, too:
+  /// UpdateDeformation, or CheckDeformation beside a kernel of a page's own.
   template <class... Kernels>
   void sweep_and_settle(const Kernels&... kernels) {
     sweep({kernels..., UpdateWidth<D>{particles_}, SettlePosition<D>{particles_, periodic_, slabs_, must_sort_}},

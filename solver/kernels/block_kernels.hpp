@@ -16,7 +16,7 @@
 #include "solver/stencils/extent.hpp"
 #include "solver/stencils/particle_pack.hpp"
 
-/// Block kernels (stencils/kernel.hpp): stress, body force, and what follows a move.
+/// Block kernels (stencils/kernel.hpp): stress, body force, the update of F, and what follows a move.
 namespace mpmvv::solver {
 
 /// τ_p = τ(F_p)                                                S (3), W (12); with a history, of Δt since the last time
@@ -91,7 +91,7 @@ struct CheckDeformation {
   }
 };
 
-/// F_p follows L_p; inverted particles are found                S (7), (8), W (10), (11)
+/// F_p follows L_p; inverted particles are found                S (8), W (11)
 template <int D>
 struct UpdateDeformation {
   Particles<D>& particles;

@@ -53,12 +53,12 @@ struct EvaluateVelocityGradient {
   static constexpr bool uses_gradients = true;
   const Grid<D>& grid;
 
-  [[gnu::always_inline]] void operator()(const auto& p, const auto& nodes, auto& block) const {
+  [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, auto& block) const {
     write(nodes.gather_with_gradient(grid.v).gradient, block.L, p - block.begin);
   }
 };
 
-/// Velocity and position, and L_p: tasks 4 and 5 of N table 1, S (7), (9), (10).
+/// Velocity and position, task 4 of N table 1, and L_p for task 5: S (7), (9), (10).
 template <int D, bool is_flip>
 struct UpdateParticle {
   static constexpr bool takes_packs = is_flip;

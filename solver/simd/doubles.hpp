@@ -12,6 +12,7 @@ namespace mpmvv::solver {
 /// to them just before.
 template <int n>
 struct Doubles {
+  static_assert(n > 0 && n % 2 == 0);
   using Front = std::conditional_t<(n >= 4), Double4, Double2>;
   static constexpr int in_front = sizeof(Front) / sizeof(double);
   using Rest = Doubles<n - in_front>;

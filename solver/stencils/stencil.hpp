@@ -95,14 +95,15 @@ struct Weights {
       return sum;
     }
   }
-  /// N_i value for the nodes of a line. Added node by node: the corners of a particle's domain often lie a node apart,
-  /// and what is read from two nodes at once, of which one has just been written, has to wait until it is in the cache.
+  /// N_i value for the nodes of a line
   template <int C>
   using Line = std::array<Doubles<C>, K>;
   template <int C, std::size_t... i>
   [[gnu::always_inline]] Line<C> each_node_of_line(const Doubles<C>& value, std::index_sequence<i...>) const {
     return {N[0][i] * value...};
   }
+  /// Node by node: the corners of a particle's domain often lie a node apart, and what is read from two nodes at once,
+  /// of which one has just been written, has to wait until it is in the cache.
   template <int axis, class V>
   [[gnu::always_inline]] void add_line(const Line<components<V>>& value, V* nodes) const {
     for (int i = 0; i < K; ++i) {

@@ -78,7 +78,6 @@ CheckResult check_elongation() {
   const Setting deeper{"wall_depth", "1.5", ""}, eliminated{"wall_method", "elimination", ""};
   PulledBar({cpdi, fmpm, two}).add_to(result, "cpdi", "FMPM(2), CPDI");
   PulledBar({splines, fmpm, two, deeper}).add_to(result, "b2cpdi", "FMPM(2), B2CPDI");
-  PulledBar({cpdi}).add_to(result, "flip", "FLIP, CPDI");
   PulledBar({cpdi, fmpm, four, eliminated}).add_to(result, "eliminated", "FMPM(4), CPDI, elimination");
   return result;
 }

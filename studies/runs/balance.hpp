@@ -22,13 +22,13 @@ struct Momenta {
         x = next_image(images, x), v = next_image(images, v);
       }
     }
-    angular -= angular.transpose().eval();
   }
 
  private:
   void add(double m, const solver::Vec<D>& x, const solver::Vec<D>& v) {
     linear += m * v;
-    angular += m * x * v.transpose();
+    const solver::Mat<D> moment = m * x * v.transpose();
+    angular += moment - moment.transpose();
     speed += m * v.norm();
     swing += m * x.norm() * v.norm();
   }

@@ -33,6 +33,16 @@ TEST(Lanes, WhatIsNoAngleHasNoSine) {
     for (Eigen::Index k = 0; k < angles.size(); ++k) EXPECT_EQ(std::isnan(values[k]), k % 4 != 3) << k;
 }
 
+/// Bit for bit, though large angles go another way.
+TEST(Lanes, NoLaneSeesTheOthers) {
+  const Lanes mixed{0.3, 1e9, std::nan(""), -1.2, 0.7, infinite, 1e-300, 2.};
+  for (const Eigen::Index k : {0, 3, 4, 6, 7}) {
+    const Lanes alone = Lanes::Constant(mixed[k]);
+    EXPECT_EQ(sin(mixed)[k], sin(alone)[0]) << k;
+    EXPECT_EQ(cos(mixed)[k], cos(alone)[7]) << k;
+  }
+}
+
 TEST(Lanes, EveryPointIsTakenOnce) {
   for (std::size_t count = 0; count <= 17; ++count) {
     std::vector<Vec<2>> values(count + 1, Vec<2>::Constant(-1));

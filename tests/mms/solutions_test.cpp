@@ -168,7 +168,7 @@ TEST_P(Solution, PointwiseEqualsDirect) {
       points->body_force(t, ids, places_of(ids, X), b.data());
       for (std::size_t k = 0; k < count; ++k) {
         const Vec<D> expected = m.closed->b(X[ids[k]], t);
-        EXPECT_LT((u[k] - m.closed->u(X[ids[k]], t)).norm(), 1e-15 * m.reach());
+        EXPECT_LT((u[k] - m.closed->u(X[ids[k]], t)).norm(), 4e-15 * m.reach());  // sines of lanes: 4 units each
         EXPECT_LT((b[k] - expected).norm(), 1e-13 * (expected.norm() + m.reach() * m.rate() * m.rate()));
       }
       EXPECT_EQ(u[count], Vec<D>::Constant(-7));
@@ -178,18 +178,21 @@ TEST_P(Solution, PointwiseEqualsDirect) {
 }
 
 /// Bit for bit, whichever points are asked for with it: results do not depend on how particles are cut into blocks.
-TEST_P(Solution, PointwiseBodyForceDependsOnThePointAlone) {
+TEST_P(Solution, PointwiseDependsOnThePointAlone) {
   each([]<int D>(const Motion<D>& m) {
     const double t = 0.3 * m.period;
     const std::vector<Vec<D>>& X = m.points;
     const auto points = m.closed->at_points(X);
     const auto ids = first_ids(X.size());
-    std::vector<Vec<D>> b(X.size());
+    std::vector<Vec<D>> b(X.size()), u(X.size());
     points->body_force(t, ids, X, b.data());
+    points->displacement(t, ids, u.data());
     for (const std::uint32_t id : ids) {
       Vec<D> alone;
       points->body_force(t, {&id, 1}, {&X[id], 1}, &alone);
       EXPECT_EQ(alone, b[id]) << X[id].transpose();
+      points->displacement(t, {&id, 1}, &alone);
+      EXPECT_EQ(alone, u[id]) << X[id].transpose();
     }
   });
 }

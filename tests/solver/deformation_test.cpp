@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 #include <unsupported/Eigen/MatrixFunctions>
+#include <vector>
 
 #include "solver/kernels/block_kernels.hpp"
 
@@ -14,7 +15,8 @@ constexpr double round_off = 12 * 3e-16;  // of twelve terms
 
 template <class Matrix>
 Matrix stepped(const Matrix& F, const Matrix& L, double dt, Deformation rule) {
-  return DeformationStep{dt, rule}(F, L);
+  const DeformationStep step{dt, rule};
+  return rule == Deformation::linear ? step.by<Deformation::linear>(F, L) : step.by<Deformation::exponential>(F, L);
 }
 
 template <class Dimension>
@@ -74,30 +76,35 @@ TEST(Exponential, KeepsTheVolumeWithoutATrace) {
   EXPECT_NEAR(stepped<Mat<2>>(Mat<2>::Identity(), L, 0.5, Deformation::exponential).determinant(), 1, 1e-15);
 }
 
-/// Of a block's six particles, two packs, one with this deformation gradient and velocity gradient.
-Fault fault_of(std::size_t p, const Mat<2>& F, const Mat<2>& L) {
+/// Of a block's six particles, two packs, that stand behind three others, one with this F and this velocity gradient.
+Fault fault_of(int k, const Mat<2>& F, const Mat<2>& L, Deformation rule) {
   Particles<2> particles;
-  particles.F.assign(6, Mat<2>::Identity());
-  particles.F[p] = F;
+  particles.F.assign(9, Mat<2>::Identity());
   Block<2> block(0);
-  block.begin = 0, block.count = 6;
+  block.begin = 3, block.count = 6;
   std::fill_n(block.L, 6, Mat<2>::Zero());
-  block.L[p] = L;
+  const auto p = block.begin + static_cast<std::size_t>(k);
+  particles.F[p] = F, block.L[k] = L;
   const Grid<2> grid({0, 0}, 1, {1, 1}, 0, 0);
-  const Fault found = UpdateDeformation<2>{particles, DeformationStep{1}}(block, grid);
+  const Fault found = UpdateDeformation<2>{particles, DeformationStep{1, rule}}(block, grid);
   EXPECT_EQ((CheckDeformation<2>{particles}(block, grid)), found);
-  for (std::size_t other = 0; other < 6; ++other)
-    if (other != p) EXPECT_EQ(particles.F[other], (Mat<2>::Identity())) << other;
+  if (F.allFinite() && L.allFinite()) EXPECT_LT((particles.F[p] - stepped<Mat<2>>(F, L, 1, rule)).norm(), 1e-15);
+  particles.F[p].setIdentity();
+  EXPECT_EQ(particles.F, std::vector<Mat<2>>(9, Mat<2>::Identity())) << "others have moved";
   return found;
 }
 
 TEST(Inverted, ParticlesAreFoundWhereverTheyAreInTheirBlock) {
-  const Mat<2> identity = Mat<2>::Identity(), flat = Vec<2>(-1, 0).asDiagonal(), turned_over = 2 * flat;
-  for (std::size_t p = 0; p < 6; ++p) {
-    EXPECT_EQ(fault_of(p, identity, -0.9 * identity), Fault::none) << p;
-    EXPECT_EQ(fault_of(p, identity, flat), Fault::inverted) << p;
-    EXPECT_EQ(fault_of(p, identity, turned_over), Fault::inverted) << p;
-    EXPECT_EQ(fault_of(p, std::nan("") * identity, identity), Fault::inverted) << p;
+  const Mat<2> identity = Mat<2>::Identity(), rest = Mat<2>::Zero(), mirrored = Vec<2>(-1, 1).asDiagonal();
+  const Mat<2> to_flat = Vec<2>(-1, 0).asDiagonal(), beyond = 2 * to_flat, no_number = std::nan("") * identity;
+  for (int k = 0; k < 6; ++k) {
+    EXPECT_EQ(fault_of(k, identity, -0.9 * identity, Deformation::linear), Fault::none) << k;
+    EXPECT_EQ(fault_of(k, identity, to_flat, Deformation::linear), Fault::inverted) << k;
+    EXPECT_EQ(fault_of(k, identity, beyond, Deformation::linear), Fault::inverted) << k;
+    EXPECT_EQ(fault_of(k, no_number, rest, Deformation::linear), Fault::inverted) << k;
+    EXPECT_EQ(fault_of(k, identity, 0.3 * to_flat, Deformation::exponential), Fault::none) << k;
+    EXPECT_EQ(fault_of(k, mirrored, rest, Deformation::exponential), Fault::inverted) << k;
+    EXPECT_EQ(fault_of(k, identity, no_number, Deformation::exponential), Fault::inverted) << k;
   }
 }
 

@@ -106,7 +106,9 @@ void expect_to_move(const AnyBasis& basis, Deformation rule, const auto& fields_
     if (fields.acceleration) V_new = V + dt * body.value(p, *fields.acceleration);
     expected.x[p] += dt * (fields.before * V + fields.after * V_new);
     if (fields.drift) expected.x[p] += dt * body.value(p, *fields.drift);
-    expected.F[p] = deform(expected.F[p], Mat<D>(body.gradient(p, body.grid.v)));
+    const Mat<D> F = expected.F[p], L = body.gradient(p, body.grid.v);
+    expected.F[p] =
+        rule == Deformation::linear ? deform.by<Deformation::linear>(F, L) : deform.by<Deformation::exponential>(F, L);
   }
   body.visit({UpdateParticle<D, is_flip>{body.particles, body.grid, fields, dt},
               UpdateDeformation<D>{body.particles, deform}});

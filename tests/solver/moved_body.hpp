@@ -45,7 +45,8 @@ struct MovedBody {
     for (block.begin = 0; block.begin < particles.size(); block.begin += most) {
       block.count = static_cast<int>(std::min(most, particles.size() - block.begin));
       ASSERT_EQ(evaluate(scene.basis, particles, grid, true, any), Fault::none);
-      std::fill_n(block.tau, most, PaddedMat<D>::Constant(std::nan("")));
+      for (auto* handed_over : {block.L, block.tau})
+        std::fill_n(handed_over, most, PaddedMat<D>::Constant(std::nan("")));
       for (const auto& kernel : kernels) kernel(any, grid);
     }
   }
