@@ -1,4 +1,6 @@
 #pragma once
+#include <utility>
+
 #include "solver/grid.hpp"
 #include "solver/particles.hpp"
 #include "solver/stencils/particle_pack.hpp"

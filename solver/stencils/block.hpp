@@ -16,7 +16,7 @@ struct Block {
   int slab;
   std::size_t begin;                ///< the first particle
   int count;                        ///< of particles
-  PaddedMat<D> L[block_size<D>];    ///< velocity gradient, per s, by the node kernels that say so
+  PaddedMat<D> L[block_size<D>];    ///< velocity gradient, per s, by kernels/update_particles.hpp
   PaddedMat<D> tau[block_size<D>];  ///< Kirchhoff stress, by EvaluateStress
   Vec<D> b[block_size<D>];          ///< body acceleration, by EvaluateBodyForce
 };

@@ -7,9 +7,10 @@
 ///
 /// A *block kernel* is called once a block, kernel(block, grid), and returns nothing or the faults that it found.
 ///
-/// A *node kernel* is called for each particle with its nodes: kernel(p, nodes, block). It may say `uses_gradients`,
-/// and `takes_packs` where `p` may be four particles of a bar at once (stencils/particle_pack.hpp). One that maps to
-/// nodes returns what the particle adds to those of its `field()`.
+/// A *node kernel* is called for each particle with its nodes: kernel(p, nodes, block), and may leave in its block what
+/// block kernels after it take up (L). It may say `uses_gradients`, and `takes_packs` where `p` may be four particles
+/// of a bar at once (stencils/particle_pack.hpp). One that maps to nodes returns what the particle adds to those of its
+/// `field()`.
 namespace mpmvv::solver {
 
 template <class Kernel>
