@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "solver/array.hpp"
 #include "solver/consistent_mass_settings.hpp"
 #include "solver/mass_product.hpp"
 
@@ -27,7 +28,7 @@ namespace mpmvv::solver {
 template <int D>
 class ConsistentMass {
  public:
-  using Field = std::vector<Padded<D>>;
+  using Field = Array<Padded<D>>;
 
   ConsistentMass(Step<D>& s, const ConsistentMassSettings& settings, double cell_mass);
 
@@ -39,7 +40,7 @@ class ConsistentMass {
 
   /// Solves Cᵀ M̂ u = Cᵀ b, u = C u, starting from the u given. Nodes up to `least_mass` keep theirs.
   template <class V>
-  void solve(Step<D>& s, const std::vector<V>& b, double least_mass, Field& u) {
+  void solve(Step<D>& s, const Array<V>& b, double least_mass, Field& u) {
     for (std::size_t n = 0; n < b.size(); ++n) residual_[n] = b[n].template head<padded_size<D>>();
     solve(s, least_mass, u);
   }
@@ -55,13 +56,13 @@ class ConsistentMass {
   ConsistentMassSettings settings_;
   int most_iterations_;
   MassProduct<D> product_;
-  std::vector<double> share_;             ///< one over the number of nodes that the boundaries make one
-  std::vector<double> covered_mass_;      ///< θ m_full
-  std::vector<Padded<D + 1>> coverage_;   ///< in component D, where boundaries expect a mass: c
-  std::vector<Padded<D + 1>> couplings_;  ///< in component D: M c
-  Field inverse_;                         ///< of Cᵀ diag(m) C, zero where nothing is to be solved
-  Field residual_, direction_, image_;    ///< of the iteration
-  Field covered_;                         ///< c u, for the product
+  std::vector<double> share_;           ///< one over the number of nodes that the boundaries make one
+  std::vector<double> covered_mass_;    ///< θ m_full
+  Array<Padded<D + 1>> coverage_;       ///< in component D, where boundaries expect a mass: c
+  Array<Padded<D + 1>> couplings_;      ///< in component D: M c
+  Field inverse_;                       ///< of Cᵀ diag(m) C, zero where nothing is to be solved
+  Field residual_, direction_, image_;  ///< of the iteration
+  Field covered_;                       ///< c u, for the product
 };
 
 extern template class ConsistentMass<1>;

@@ -1,8 +1,8 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/simd/padded.hpp"
 
 namespace mpmvv::solver {
@@ -64,10 +64,10 @@ class Grid {
 
   double m(std::size_t n) const { return p[n][D]; }  ///< mass
 
-  std::vector<Padded<D + 1>> p;  ///< momentum, and in component D the mass: they are mapped together
-  std::vector<Padded<D>> f;      ///< force
-  std::vector<Padded<D>> v;      ///< velocity
-  std::vector<Padded<D>> a;      ///< acceleration
+  Array<Padded<D + 1>> p;  ///< momentum, and in component D the mass: they are mapped together
+  Array<Padded<D>> f;      ///< force
+  Array<Padded<D>> v;      ///< velocity
+  Array<Padded<D>> a;      ///< acceleration
 
  private:
   Vec<D> lower_;

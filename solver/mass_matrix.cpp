@@ -72,7 +72,7 @@ void MassMatrix<D>::complete(std::size_t n) {
 
 template <int D>
 template <class Shape>
-void MassMatrix<D>::add_block(const Shape& block, const Grid<D>& grid, const std::vector<double>& m) {
+void MassMatrix<D>::add_block(const Shape& block, const Grid<D>& grid, const Array<double>& m) {
   constexpr int W = box_width<Shape>;
   NodeBoxes<D, W> boxes;
   if (!find_boxes(block, grid, boxes)) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "solver/array.hpp"
 #include "solver/grid.hpp"
 #include "solver/simd/padded.hpp"
 
@@ -20,7 +21,7 @@ class Step;
 template <int D>
 class MassMatrix {
  public:
-  using Field = std::vector<Padded<D>>;
+  using Field = Array<Padded<D>>;
 
   explicit MassMatrix(const Step<D>& s);
 
@@ -32,7 +33,7 @@ class MassMatrix {
 
   /// Adds the couplings by a block's particles, of these masses.
   template <class Shape>
-  void add_block(const Shape& block, const Grid<D>& grid, const std::vector<double>& m);
+  void add_block(const Shape& block, const Grid<D>& grid, const Array<double>& m);
 
  private:
   static constexpr std::size_t at_once = 8;  ///< nodes in a product
@@ -42,13 +43,13 @@ class MassMatrix {
   void complete(std::size_t n);
   void add_run(std::size_t first, std::size_t end, Field& field) const;
 
-  std::vector<std::ptrdiff_t> offsets_;   ///< along storage, of all displacements
-  std::size_t earlier_;                   ///< how many of them lead to earlier lines: none for D = 1
-  std::size_t row_size_;                  ///< one more than couplings: what is added to a line may reach past the last
-  std::size_t margin_;                    ///< nodes before and after those of the grid
-  std::vector<double> rows_;              ///< with the margin
-  std::vector<double> couplings_;         ///< of eight nodes for each displacement, and so on
-  std::array<std::vector<double>, D> u_;  ///< by component, with the margin, zero where there is no mass
+  std::vector<std::ptrdiff_t> offsets_;  ///< along storage, of all displacements
+  std::size_t earlier_;                  ///< how many of them lead to earlier lines: none for D = 1
+  std::size_t row_size_;                 ///< one more than couplings: what is added to a line may reach past the last
+  std::size_t margin_;                   ///< nodes before and after those of the grid
+  std::vector<double> rows_;             ///< with the margin
+  Array<double> couplings_;              ///< of eight nodes for each displacement, and so on
+  std::array<Array<double>, D> u_;       ///< by component, with the margin, zero where there is no mass
   std::atomic<bool> fits_{true};
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/mass_matrix.hpp"
 
 namespace mpmvv::solver {
@@ -15,7 +15,7 @@ class Step;
 template <int D>
 class MassProduct {
  public:
-  using Field = std::vector<Padded<D>>;
+  using Field = Array<Padded<D>>;
 
   /// For at most so many by the same positions.
   MassProduct(const Step<D>& s, int most);

@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/material/thermal_state.hpp"
 #include "solver/parallel/thread_pool.hpp"
 #include "solver/types.hpp"
@@ -13,31 +13,31 @@ namespace mpmvv::solver {
 /// What a step advances.
 template <int D>
 struct Motion {
-  std::vector<Vec<D>> x, v;
-  std::vector<Mat<D>> F;
+  Array<Vec<D>> x, v;
+  Array<Mat<D>> F;
 };
 
 /// The material points, one array per field. Fields that the scheme does not need stay empty.
 template <int D>
 struct Particles {
-  std::vector<std::uint32_t> id;  ///< position in the order of creation; survives sorting
-  std::vector<Vec<D>> x;          ///< position
-  std::vector<Vec<D>> v;          ///< velocity
-  std::vector<Mat<D>> F;          ///< deformation gradient
-  std::vector<double> m;          ///< mass
-  std::vector<double> V0;         ///< reference volume
-  std::vector<Vec<D>> l;          ///< width in units of h, for bases that take one
-  std::vector<Vec<D>> l0;         ///< reference width in units of h, where the width follows the deformation
-  std::vector<Mat<D>> R;          ///< edges of the domain as columns, in units of h, for bases that take a domain
-  std::vector<Mat<D>> R0;         ///< reference edges in units of h, likewise
+  Array<std::uint32_t> id;  ///< position in the order of creation; survives sorting
+  Array<Vec<D>> x;          ///< position
+  Array<Vec<D>> v;          ///< velocity
+  Array<Mat<D>> F;          ///< deformation gradient
+  Array<double> m;          ///< mass
+  Array<double> V0;         ///< reference volume
+  Array<Vec<D>> l;          ///< width in units of h, for bases that take one
+  Array<Vec<D>> l0;         ///< reference width in units of h, where the width follows the deformation
+  Array<Mat<D>> R;          ///< edges of the domain as columns, in units of h, for bases that take a domain
+  Array<Mat<D>> R0;         ///< reference edges in units of h, likewise
 
-  std::vector<Vec<D>> X;  ///< reference position, for body forces that read it
+  Array<Vec<D>> X;  ///< reference position, for body forces that read it
 
-  std::vector<Mat<D>> C;  ///< gradient of the affine velocity field, 1/s, for `apic`
+  Array<Mat<D>> C;  ///< gradient of the affine velocity field, 1/s, for `apic`
 
-  std::vector<ThermalState> thermal;  ///< for materials with a history
+  Array<ThermalState> thermal;  ///< for materials with a history
 
-  std::vector<Vec<D>> rate;  ///< of position within a step, for those that end with a velocity mapped anew
+  Array<Vec<D>> rate;  ///< of position within a step, for those that end with a velocity mapped anew
 
   struct {
     Motion<D> start;  ///< at the start of the step
@@ -66,7 +66,7 @@ struct Particles {
   }
 
   /// Reorders every field that is in use: new k = old order[k].
-  void permute(const std::vector<std::uint32_t>& order, ThreadPool& pool) {
+  void permute(const Array<std::uint32_t>& order, ThreadPool& pool) {
     const auto reorder = [&](auto& sorted, auto&... fields) { (permute(fields, order, pool, sorted), ...); };
     auto& [start, sum] = stages;
     reorder(spare_.ids, id);
@@ -78,8 +78,7 @@ struct Particles {
 
  private:
   template <class T>
-  static void permute(std::vector<T>& field, const std::vector<std::uint32_t>& order, ThreadPool& pool,
-                      std::vector<T>& sorted) {
+  static void permute(Array<T>& field, const Array<std::uint32_t>& order, ThreadPool& pool, Array<T>& sorted) {
     if (field.empty()) return;
     sorted.resize(field.size());
     for_chunks(pool, field.size(), [&](std::size_t begin, std::size_t end) {
@@ -89,11 +88,11 @@ struct Particles {
   }
 
   struct {
-    std::vector<std::uint32_t> ids;
-    std::vector<double> numbers;
-    std::vector<Vec<D>> vectors;
-    std::vector<Mat<D>> matrices;
-    std::vector<ThermalState> states;
+    Array<std::uint32_t> ids;
+    Array<double> numbers;
+    Array<Vec<D>> vectors;
+    Array<Mat<D>> matrices;
+    Array<ThermalState> states;
   } spare_;  ///< what fields are sorted into, kept: new memory takes the system longer than the sort
 };
 

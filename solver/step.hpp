@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "solver/array.hpp"
 #include "solver/fault.hpp"
 #include "solver/kernels/block_kernels.hpp"
 #include "solver/parallel/active_nodes.hpp"
@@ -33,7 +34,7 @@ struct Integrator;
 template <int D>
 class Step {
  public:
-  using Field = std::vector<Padded<D>>;
+  using Field = Array<Padded<D>>;
 
   explicit Step(Scene<D> scene);  ///< throws as `Mpm` does
   ~Step();
@@ -104,10 +105,10 @@ class Step {
   }
 
   template <class V>
-  void clear(std::vector<V>& field);  ///< to zero, before particles are mapped to it
+  void clear(Array<V>& field);  ///< to zero, before particles are mapped to it
   /// Adds up what images and boundaries identify, after particles have been mapped.
   template <class V>
-  void sum_images(std::vector<V>& field);
+  void sum_images(Array<V>& field);
   void sum_momentum_images();    ///< that of momenta and masses; the masses decide what `for_nodes` visits from then on
   void constrain(Field& field);  ///< v = C v, where walls stand still
   void constrain_transposed(Field& field);  ///< f = Cᵀ f
@@ -153,7 +154,7 @@ class Step {
   std::atomic<bool> must_sort_{false};
   Fault fault_ = Fault::none;
   std::vector<std::uint32_t> place_;  ///< of the particle with each id, for the surface load
-  std::vector<Vec<D>> load_;          ///< its forces
+  Array<Vec<D>> load_;                ///< its forces
 };
 
 template <int D>
@@ -170,14 +171,14 @@ void Step<D>::for_faces(const Visit& visit) {
 
 template <int D>
 template <class V>
-void Step<D>::clear(std::vector<V>& field) {
+void Step<D>::clear(Array<V>& field) {
   for_chunks(pool_, field.size(),
              [&field](std::size_t begin, std::size_t end) { std::fill(&field[begin], &field[0] + end, V::Zero()); });
 }
 
 template <int D>
 template <class V>
-void Step<D>::sum_images(std::vector<V>& field) {
+void Step<D>::sum_images(Array<V>& field) {
   sum_over(scene_.images, grid_, field);
   for_faces([&](const auto& boundary, Face face) { boundary.sum_images(grid_, face, field); });
 }

@@ -32,8 +32,8 @@ struct FaceNodes {
 /// and one that holds velocities
 ///   constrain_transposed takes the part of a field of forces that drives what it leaves free
 template <class B>
-concept Boundary = requires(const B boundary, Grid<2>& grid, Face face, std::vector<Padded<3>>& momentum,
-                            std::vector<Padded<2>>& vectors) {
+concept Boundary = requires(const B boundary, Grid<2>& grid, Face face, Array<Padded<3>>& momentum,
+                            Array<Padded<2>>& vectors) {
   { B::word } -> std::convertible_to<std::string_view>;
   { B::holds } -> std::convertible_to<bool>;
   boundary.sum_images(grid, face, momentum);

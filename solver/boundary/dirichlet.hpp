@@ -9,17 +9,17 @@ struct Dirichlet {
   static constexpr bool holds = true;
 
   template <int D, class T>
-  void sum_images(Grid<D>&, Face, std::vector<T>&) const {}
+  void sum_images(Grid<D>&, Face, Array<T>&) const {}
 
   template <int D>
-  void constrain(Grid<D>& grid, Face face, std::vector<Padded<D>>& field) const {
+  void constrain(Grid<D>& grid, Face face, Array<Padded<D>>& field) const {
     const FaceNodes<D> nodes{grid, face};
     for (int layer = 0; layer <= nodes.layers(); ++layer)
       grid.for_plane(face.axis, nodes.ghost(layer), nodes.ghost(layer), [&](int n, int) { field[n].setZero(); });
   }
 
   template <int D>
-  void constrain_transposed(Grid<D>& grid, Face face, std::vector<Padded<D>>& field) const {
+  void constrain_transposed(Grid<D>& grid, Face face, Array<Padded<D>>& field) const {
     constrain(grid, face, field);
   }
 };

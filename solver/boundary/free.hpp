@@ -9,9 +9,9 @@ struct Free {
   static constexpr bool holds = false;
 
   template <int D, class T>
-  void sum_images(Grid<D>&, Face, std::vector<T>&) const {}
+  void sum_images(Grid<D>&, Face, Array<T>&) const {}
   template <int D>
-  void constrain(Grid<D>&, Face, std::vector<Padded<D>>&) const {}
+  void constrain(Grid<D>&, Face, Array<Padded<D>>&) const {}
 };
 
 }  // namespace mpmvv::solver

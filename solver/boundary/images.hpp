@@ -1,8 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <utility>
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/grid.hpp"
 
 namespace mpmvv::solver {
@@ -56,7 +56,7 @@ void sum_orbit(Images images, T* const (&orbit)[4]) {
 
 /// Adds up a field over the mirror images at the middle of the second axis.
 template <int D, class T>
-void sum_over_middle(const Grid<D>& grid, std::vector<T>& field) {
+void sum_over_middle(const Grid<D>& grid, Array<T>& field) {
   const int last = grid.inside(1) - 1;
   for (int j = -grid.ghost(); j <= last - j; ++j)
     grid.for_plane(1, j, last - j, [&](int n, int image) {
@@ -67,7 +67,7 @@ void sum_over_middle(const Grid<D>& grid, std::vector<T>& field) {
 
 /// Adds up a field mapped from particles over their images.
 template <int D, class T>
-void sum_over(Images images, const Grid<D>& grid, std::vector<T>& field) {
+void sum_over(Images images, const Grid<D>& grid, Array<T>& field) {
   if (images == Images::none) return;
   if constexpr (D > 1) {
     if (images == Images::middle) return sum_over_middle(grid, field);

@@ -11,7 +11,7 @@ struct Mirror {
   static constexpr bool holds = false;
 
   template <int D, class T>
-  void sum_images(Grid<D>& grid, Face face, std::vector<T>& field) const {
+  void sum_images(Grid<D>& grid, Face face, Array<T>& field) const {
     const FaceNodes<D> nodes{grid, face};
     const T reversed = reversed_along<T>(face.axis);
     for (int layer = 1; layer <= nodes.layers(); ++layer)
@@ -26,7 +26,7 @@ struct Mirror {
 
   /// Nothing to do: a field made from sums over images is mirrored already.
   template <int D>
-  void constrain(Grid<D>&, Face, std::vector<Padded<D>>&) const {}
+  void constrain(Grid<D>&, Face, Array<Padded<D>>&) const {}
 
  private:
   /// What a field's components are multiplied with: all at once, where a change of one of them in place had every node

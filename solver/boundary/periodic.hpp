@@ -10,7 +10,7 @@ struct Periodic {
   static constexpr bool holds = false;
 
   template <int D, class T>
-  void sum_images(Grid<D>& grid, Face face, std::vector<T>& field) const {
+  void sum_images(Grid<D>& grid, Face face, Array<T>& field) const {
     if (face.upper) return;
     const int period = grid.cells()[face.axis];
     for_images(grid, face.axis, period, [&field](int image, int node) { field[node] += field[image]; });
@@ -19,7 +19,7 @@ struct Periodic {
 
   /// Nothing to do: a field made from sums over images is periodic already.
   template <int D>
-  void constrain(Grid<D>&, Face, std::vector<Padded<D>>&) const {}
+  void constrain(Grid<D>&, Face, Array<Padded<D>>&) const {}
 
  private:
   template <int D, class Visit>

@@ -10,10 +10,10 @@ struct Symmetry {
   static constexpr bool holds = true;
 
   template <int D, class T>
-  void sum_images(Grid<D>&, Face, std::vector<T>&) const {}
+  void sum_images(Grid<D>&, Face, Array<T>&) const {}
 
   template <int D>
-  void constrain(Grid<D>& grid, Face face, std::vector<Padded<D>>& field) const {
+  void constrain(Grid<D>& grid, Face face, Array<Padded<D>>& field) const {
     const FaceNodes<D> nodes{grid, face};
     const int normal = face.axis;
     grid.for_plane(normal, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][normal] = 0; });
@@ -24,7 +24,7 @@ struct Symmetry {
 
   /// A normal force on a ghost node is one the other way on its image.
   template <int D>
-  void constrain_transposed(Grid<D>& grid, Face face, std::vector<Padded<D>>& field) const {
+  void constrain_transposed(Grid<D>& grid, Face face, Array<Padded<D>>& field) const {
     const FaceNodes<D> nodes{grid, face};
     const int normal = face.axis;
     grid.for_plane(normal, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][normal] = 0; });

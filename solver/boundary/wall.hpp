@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/array.hpp"
 #include "solver/boundary/boundary.hpp"
 #include "solver/boundary/wall_motion.hpp"
 
@@ -26,9 +27,9 @@ struct Wall {
   WallGradient gradient = WallGradient::given;
 
   template <int D, class T>
-  void sum_images(Grid<D>&, Face, std::vector<T>&) const {}
+  void sum_images(Grid<D>&, Face, Array<T>&) const {}
   template <int D>
-  void constrain(Grid<D>&, Face, std::vector<Padded<D>>&) const {}
+  void constrain(Grid<D>&, Face, Array<Padded<D>>&) const {}
 };
 
 /// A wall in motion. In the direction of its normal alone it holds the nodes that lie at most d cells inside it, and
@@ -40,7 +41,7 @@ struct Wall {
 template <int D>
 class MovingWall {
  public:
-  using Field = std::vector<Padded<D>>;
+  using Field = Array<Padded<D>>;
 
   /// `places` are the coordinates of the grid's planes of nodes across the wall's axis, ghosts included, m.
   MovingWall(const Wall& wall, Face face, const Grid<D>& grid, std::vector<double> places)

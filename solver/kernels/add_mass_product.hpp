@@ -1,6 +1,6 @@
 #pragma once
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/particles.hpp"
 #include "solver/simd/padded.hpp"
 
@@ -10,8 +10,8 @@ namespace mpmvv::solver {
 template <int D, class V = Padded<D>>
 struct AddMassProduct {
   const Particles<D>& particles;
-  const std::vector<V>& u;
-  std::vector<V>& product;
+  const Array<V>& u;
+  Array<V>& product;
 
   auto& field() const { return product; }
   [[gnu::always_inline]] V operator()(std::size_t p, const auto& nodes, const auto&) const {

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/grid.hpp"
 #include "solver/particles.hpp"
 
@@ -27,8 +27,7 @@ struct AdvanceStage {
 
  private:
   template <class T>
-  void advance(std::size_t p, std::vector<T>& now, const std::vector<T>& start, std::vector<T>& sum,
-               const auto& rate_of) const {
+  void advance(std::size_t p, Array<T>& now, const Array<T>& start, Array<T>& sum, const auto& rate_of) const {
     const T rate = rate_of;
     sum[p] += weight * rate;
     now[p] = next ? T(start[p] + *next * rate) : sum[p];

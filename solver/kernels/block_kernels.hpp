@@ -71,7 +71,7 @@ struct EvaluateBodyForce {
 
  private:
   template <class T>
-  static std::span<const T> of_block(const std::vector<T>& field, const Block<D>& block) {
+  static std::span<const T> of_block(const Array<T>& field, const Block<D>& block) {
     if (field.empty()) return {};
     return {&field[block.begin], static_cast<std::size_t>(block.count)};
   }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/array.hpp"
 #include "solver/basis/basis.hpp"
 #include "solver/grid.hpp"
 #include "solver/parallel/thread_pool.hpp"
@@ -121,9 +122,9 @@ class Slabs {
   std::vector<std::size_t> bounds_;  ///< layer of bins where each slab begins, and the end
   std::vector<std::size_t> first_;   ///< first particle of each slab, and the end
 
-  std::vector<std::uint32_t> bin_;    ///< of each particle, before the last sort
+  Array<std::uint32_t> bin_;          ///< of each particle, before the last sort
   std::vector<std::uint32_t> place_;  ///< where the next particle of each bin goes
-  std::vector<std::uint32_t> order_;  ///< of the particles, old ones in their new places
+  Array<std::uint32_t> order_;        ///< of the particles, old ones in their new places
 };
 
 /// Visits all slabs. Where that adds to nodes, those of one colour, which share none, run at once: the order of

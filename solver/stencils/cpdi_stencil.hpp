@@ -22,14 +22,14 @@ struct CpdiStencil {
 
   /// Σ_i N_ip φ_i
   template <class V>
-  V gather(const std::vector<V>& field) const {
+  V gather(const Array<V>& field) const {
     V sum = at[0].gather(field);
     for (int c = 1; c < corners; ++c) sum += at[c].gather(field);
     return share * sum;
   }
 
   /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
-  ValueAndGradient<D> gather_with_gradient(const std::vector<Padded<D>>& field) const {
+  ValueAndGradient<D> gather_with_gradient(const Array<Padded<D>>& field) const {
     Padded<D> sum = Padded<D>::Zero();
     PaddedMat<D> differences = PaddedMat<D>::Zero();  // Σ_c φ(x_c) ⊗ s_c
     for (int c = 0; c < corners; ++c) {
@@ -45,13 +45,13 @@ struct CpdiStencil {
 
   /// φ_i += N_ip value
   template <class V>
-  void scatter(const V& value, std::vector<V>& field) const {
+  void scatter(const V& value, Array<V>& field) const {
     const V part = share * value;
     for (const auto& corner : at) corner.scatter(part, field);
   }
 
   /// φ_i += N_ip value + gradient ∇N_ip
-  void scatter(const ValueAndGradient<D>& source, std::vector<Padded<D>>& field) const {
+  void scatter(const ValueAndGradient<D>& source, Array<Padded<D>>& field) const {
     PaddedMat<D> differences = PaddedMat<D>::Zero();  // gradient slope
     for (int e = 0; e < D; ++e)
       for (int d = 0; d < D; ++d) differences.col(e) += slope(d, e) * source.gradient.col(d);

@@ -1,8 +1,8 @@
 #pragma once
 #include <algorithm>
 #include <limits>
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/stencils/particle_pack.hpp"
 
 namespace mpmvv::solver {
@@ -12,7 +12,7 @@ template <int D>
 struct Extent {
   Vec<D> least, most;
 
-  [[gnu::noinline, gnu::flatten]] Extent(const Block<D>& block, const std::vector<Vec<D>>& x) {
+  [[gnu::noinline, gnu::flatten]] Extent(const Block<D>& block, const Array<Vec<D>>& x) {
     PackVec<D> low = PackVec<D>::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for_packs(block, [&](const ParticlePack& pack, int) {
       const PackVec<D> x_four = pack.of(x);

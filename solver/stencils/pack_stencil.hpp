@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/simd/pack.hpp"
 #include "solver/stencils/point_block.hpp"
 #include "solver/stencils/stencil.hpp"
@@ -30,24 +30,22 @@ struct PackStencil {
         dN(on_nodes(block.dN[0], k, starts, std::make_integer_sequence<int, nodes>{})) {}
 
   /// Σ_i N_ip φ_i
-  [[gnu::always_inline]] PackVec<1> gather(const std::vector<Padded<1>>& field) const {
-    return PackVec<1>(sum(N, field));
-  }
+  [[gnu::always_inline]] PackVec<1> gather(const Array<Padded<1>>& field) const { return PackVec<1>(sum(N, field)); }
   /// Σ_i N_ip φ_i and Σ_i φ_i ∇N_ip
-  [[gnu::always_inline]] ValueAndGradient<1, Pack> gather_with_gradient(const std::vector<Padded<1>>& field) const {
+  [[gnu::always_inline]] ValueAndGradient<1, Pack> gather_with_gradient(const Array<Padded<1>>& field) const {
     return {PackVec<1>(sum(N, field)), PackVec<1>(sum(dN, field))};
   }
 
   /// φ_i += Σ_p N_ip value_p
   template <int C>
-  [[gnu::always_inline]] void scatter(const PackVec<C>& value, std::vector<Eigen::Matrix<double, C, 1>>& field) const {
+  [[gnu::always_inline]] void scatter(const PackVec<C>& value, Array<Eigen::Matrix<double, C, 1>>& field) const {
     Pack parts[nodes * C];
     for (std::size_t i = 0; i < nodes; ++i)
       for (std::size_t c = 0; c < C; ++c) parts[i * C + c] = N[i] * value.data()[c];
     add_sums(parts, field[first].data());
   }
   /// φ_i += Σ_p (N_ip value_p + gradient_p ∇N_ip)
-  [[gnu::always_inline]] void scatter(const ValueAndGradient<1, Pack>& source, std::vector<Padded<1>>& field) const {
+  [[gnu::always_inline]] void scatter(const ValueAndGradient<1, Pack>& source, Array<Padded<1>>& field) const {
     Pack parts[nodes];
     for (std::size_t i = 0; i < nodes; ++i) parts[i] = N[i] * source.value[0] + dN[i] * source.gradient(0, 0);
     add_sums(parts, field[first].data());
@@ -70,7 +68,7 @@ struct PackStencil {
       weight = starts[static_cast<std::size_t>(s)] ? load4(&weights[i - s][k]) : weight;
     return Pack(weight);
   }
-  [[gnu::always_inline]] Pack sum(const std::array<Pack, nodes>& weights, const std::vector<Padded<1>>& field) const {
+  [[gnu::always_inline]] Pack sum(const std::array<Pack, nodes>& weights, const Array<Padded<1>>& field) const {
     const double* const values = field[first].data();
     Pack total = weights[0] * Pack(values[0]);
     for (std::size_t i = 1; i < nodes; ++i) total += weights[i] * Pack(values[i]);

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/simd/pack.hpp"
 #include "solver/simd/padded.hpp"
 #include "solver/stencils/block.hpp"
@@ -27,7 +27,7 @@ struct ParticlePack {
     return packs;
   }
   template <int R, int C>
-  [[gnu::always_inline]] auto of(const std::vector<Eigen::Matrix<double, R, C>>& field) const {
+  [[gnu::always_inline]] auto of(const Array<Eigen::Matrix<double, R, C>>& field) const {
     return of(field.data());
   }
   template <int R, int C>
@@ -70,7 +70,7 @@ template <class T>
   return PackVec<1>(read(field->data(), p));
 }
 template <class T>
-[[gnu::always_inline]] inline decltype(auto) read(const std::vector<T>& field, const auto& p) {
+[[gnu::always_inline]] inline decltype(auto) read(const Array<T>& field, const auto& p) {
   return read(field.data(), p);
 }
 
@@ -86,11 +86,11 @@ template <class T>
 
 /// field_p += value
 template <class T>
-[[gnu::always_inline]] inline void add(const auto& value, std::vector<T>& field, std::size_t p) {
+[[gnu::always_inline]] inline void add(const auto& value, Array<T>& field, std::size_t p) {
   field[p] += value;
 }
 template <class T>
-[[gnu::always_inline]] inline void add(const auto& value, std::vector<T>& field, const ParticlePack& p) {
+[[gnu::always_inline]] inline void add(const auto& value, Array<T>& field, const ParticlePack& p) {
   write(PackVec<1>(read(field, p) + value), field.data(), p);
 }
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/simd/doubles.hpp"
 #include "solver/simd/padded.hpp"
 
@@ -62,7 +62,7 @@ struct Weights {
 
   /// Σ_i N_i φ_i
   template <class V>
-  [[gnu::always_inline]] V gather(const std::vector<V>& field) const {
+  [[gnu::always_inline]] V gather(const Array<V>& field) const {
     const V* const nodes = field.data() + first;
     if constexpr (D == 1) {
       V sum = N[0][0] * nodes[0];
@@ -75,7 +75,7 @@ struct Weights {
 
   /// φ_i += N_i value
   template <class V>
-  [[gnu::always_inline]] void scatter(const V& value, std::vector<V>& field) const {
+  [[gnu::always_inline]] void scatter(const V& value, Array<V>& field) const {
     V* const nodes = start_of_line(field.data() + first);
     if constexpr (D == 1)
       for (int i = 0; i < K; ++i) nodes[i] += N[0][i] * value;
@@ -129,7 +129,7 @@ struct Stencil : Weights<D, K> {
   double dN[D][K];
 
   /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
-  [[gnu::always_inline]] ValueAndGradient<D> gather_with_gradient(const std::vector<Padded<D>>& field) const {
+  [[gnu::always_inline]] ValueAndGradient<D> gather_with_gradient(const Array<Padded<D>>& field) const {
     const Padded<D>* const nodes = field.data() + first;
     ValueAndGradient<D> sum;
     if constexpr (D == 1) {
@@ -145,7 +145,7 @@ struct Stencil : Weights<D, K> {
   }
 
   /// φ_i += N_ip value + gradient ∇N_ip
-  [[gnu::always_inline]] void scatter(const ValueAndGradient<D>& source, std::vector<Padded<D>>& field) const {
+  [[gnu::always_inline]] void scatter(const ValueAndGradient<D>& source, Array<Padded<D>>& field) const {
     Padded<D>* const nodes = field.data() + first;
     if constexpr (D == 1) {
       Padded<D>* const line = start_of_line(nodes);

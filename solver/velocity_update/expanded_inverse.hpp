@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/mass_product.hpp"
 #include "solver/step.hpp"
 
@@ -15,7 +15,7 @@ namespace mpmvv::solver {
 template <int D>
 class ExpandedInverse {
  public:
-  using Field = std::vector<Padded<D>>;
+  using Field = Array<Padded<D>>;
 
   /// Of so many terms.
   ExpandedInverse(const Step<D>& s, int order)

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
-#include <vector>
 
+#include "solver/array.hpp"
 #include "solver/simd/padded.hpp"
 
 namespace mpmvv::solver {
@@ -15,7 +15,7 @@ class Step;
 /// and the velocity gradient of task 5 is that of v. The fields are the grid's own.
 template <int D>
 struct VelocityFields {
-  using Field = std::vector<Padded<D>>;
+  using Field = Array<Padded<D>>;
   const Field* acceleration = nullptr;  ///< m/s²
   const Field* velocity = nullptr;      ///< m/s
   const Field* drift = nullptr;         ///< m/s

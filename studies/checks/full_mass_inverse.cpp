@@ -158,7 +158,7 @@ struct Step {
   Vector effective_velocity() const { return rate - (V_new - V) / 2; }
 
  private:
-  static Vector field(const std::vector<solver::Vec<1>>& values) {
+  static Vector field(const solver::Array<solver::Vec<1>>& values) {
     return Eigen::Map<const Vector>(values.front().data(), static_cast<Eigen::Index>(values.size()));
   }
 };

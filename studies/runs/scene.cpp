@@ -111,7 +111,7 @@ template <int D>
 void shuffle(solver::Particles<D>& particles, int seed) {
   if (seed == 0) return;
   std::mt19937_64 random(static_cast<std::uint64_t>(seed));
-  std::vector<std::uint32_t> order(particles.size());
+  solver::Array<std::uint32_t> order(particles.size());
   std::iota(order.begin(), order.end(), 0U);
   for (std::size_t left = order.size(); left > 1; --left) std::swap(order[left - 1], order[random() % left]);
   solver::ThreadPool alone(1);
@@ -167,7 +167,7 @@ PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, in
     scene.body_force = prepared.body_force.get();
     scene.body_force_on = for_solver(c.scheme.body_force);
     if (prepared.points->reads_places() && scene.body_force_on == solver::BodyForceOn::particles)
-      scene.particles.X = prepared.X;
+      scene.particles.X.assign(prepared.X.begin(), prepared.X.end());
     if (problem.is_loaded && problem.is_loaded(c.problem.parameters)) {
       prepared.traction = std::make_unique<SolutionTraction<D>>(
           *prepared.setup.solution, run.patches(surface<D>(prepared.setup.body, {scene.h, c.resolution.ppc})),

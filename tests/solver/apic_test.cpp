@@ -20,7 +20,7 @@ Scene<2> block_in_motion(const Vec<2>& w, const Mat<2>& A, double stiffness) {
   scene.boundary.fill(Free{});
   scene.material = NeoHookeanLog{0, stiffness};
   scene.velocity_update = Apic{};
-  std::vector<Vec<2>> places;
+  Array<Vec<2>> places;
   for (int i = 0; i < 8; ++i)
     for (int j = 0; j < 6; ++j)
       places.push_back(

@@ -13,7 +13,7 @@ namespace mpmvv::solver::blocks_test {
 TEST(Extents, AreOfAllParticlesOfABlockAndNoOthers) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> some(-1, 1);
-  std::vector<Vec<2>> x(20);
+  Array<Vec<2>> x(20);
   for (auto& at : x) at = Vec<2>::NullaryExpr([&] { return some(random); });
   for (int count = 1; count < 12; ++count) {
     Block<2> block(0);

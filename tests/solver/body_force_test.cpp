@@ -8,7 +8,7 @@ namespace mpmvv::solver::body_force_test {
 
 /// Counts the particles asked for, and those whose reference position is not that of their id.
 struct Watching final : BodyForce<2> {
-  explicit Watching(std::vector<Vec<2>> X) : places(std::move(X)) {}
+  explicit Watching(Array<Vec<2>> X) : places(std::move(X)) {}
 
   void on_particles(double, std::span<const std::uint32_t> ids, std::span<const Vec<2>> X, Vec<2>* b) const override {
     for (std::size_t k = 0; k < ids.size(); ++k) {
@@ -19,7 +19,7 @@ struct Watching final : BodyForce<2> {
   }
   Vec<2> at_position(const Vec<2>&, double) const override { return Vec<2>::Zero(); }
 
-  std::vector<Vec<2>> places;
+  Array<Vec<2>> places;
   mutable std::atomic<std::size_t> asked{0}, wrong{0};
 };
 

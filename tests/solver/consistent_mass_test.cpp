@@ -50,7 +50,7 @@ struct Mapped {
   Matrix matrix() {
     const std::size_t nodes = step.grid().size();
     Matrix M(nodes, nodes);
-    std::vector<Padded<D>> u(nodes), q(nodes);
+    Array<Padded<D>> u(nodes), q(nodes);
     for (std::size_t j = 0; j < nodes; ++j) {
       std::fill(u.begin(), u.end(), Padded<D>::Zero());
       u[j].setOnes();
@@ -181,7 +181,7 @@ void expect_solved(const AnyBasis& basis, const AnyBoundary& boundary) {
   const auto step = mapped_velocities(scene, settings);
   ConsistentMass<D> mass(*step, settings, std::pow(scene.h, D));
   mass.set_couplings(*step);
-  std::vector<Padded<D>> p(step->grid().size()), q(step->grid().size()), v = step->grid().v;
+  Array<Padded<D>> p(step->grid().size()), q(step->grid().size()), v = step->grid().v;
   for (std::size_t n = 0; n < p.size(); ++n) p[n] = step->grid().p[n].template head<padded_size<D>>();
   step->constrain(v);
   step->constrain_transposed(p);

@@ -77,9 +77,9 @@ void expect_means() {
     const RandomParticle<D> p(random, grid);
     const Mat<D> edges = cell_width * p.particles.R[0];
     if (std::abs(p.particles.R[0].determinant()) < 0.02) continue;
-    std::vector<Vec<2>> N(grid.size(), Vec<2>::Zero());
+    Array<Vec<2>> N(grid.size(), Vec<2>::Zero());
     p.nodes.scatter(Vec<2>(1, 0), N);
-    std::array<std::vector<Padded<D>>, D> dN;
+    std::array<Array<Padded<D>>, D> dN;
     for (std::size_t d = 0; d < D; ++d) {
       dN[d].assign(grid.size(), Padded<D>::Zero());
       ValueAndGradient<D> unit{Padded<D>::Zero(), PaddedMat<D>::Zero()};

@@ -90,7 +90,7 @@ Fault fault_of(int k, const Mat<2>& F, const Mat<2>& L, Deformation rule) {
   EXPECT_EQ((CheckDeformation<2>{particles}(block, grid)), found);
   if (F.allFinite() && L.allFinite()) EXPECT_LT((particles.F[p] - stepped<Mat<2>>(F, L, 1, rule)).norm(), 1e-15);
   particles.F[p].setIdentity();
-  EXPECT_EQ(particles.F, std::vector<Mat<2>>(9, Mat<2>::Identity())) << "others have moved";
+  EXPECT_EQ(particles.F, Array<Mat<2>>(9, Mat<2>::Identity())) << "others have moved";
   return found;
 }
 

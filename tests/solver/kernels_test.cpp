@@ -22,17 +22,17 @@ struct SomeForce final : BodyForce<D> {
 /// The first `rows` of each.
 template <int rows>
 auto heads(const auto& field) {
-  std::vector<Vec<rows>> all;
+  Array<Vec<rows>> all;
   for (const auto& value : field) all.push_back(value.template head<rows>());
   return all;
 }
 
 /// m_i, p_i and f_i of these stresses and body forces.
 template <int D>
-void expect_mapped(const MovedBody<D>& body, const std::vector<Mat<D>>& tau, const std::vector<Vec<D>>& b) {
+void expect_mapped(const MovedBody<D>& body, const Array<Mat<D>>& tau, const Array<Vec<D>>& b) {
   const auto& particles = body.particles;
-  std::vector<Vec<D + 1>> momentum(body.grid.size(), Vec<D + 1>::Zero());
-  std::vector<Vec<D>> force(body.grid.size(), Vec<D>::Zero());
+  Array<Vec<D + 1>> momentum(body.grid.size(), Vec<D + 1>::Zero());
+  Array<Vec<D>> force(body.grid.size(), Vec<D>::Zero());
   for (std::size_t p = 0; p < particles.size(); ++p)
     for (const auto& [n, N, dN] : body.weights[p]) {
       momentum[n].template head<D>() += N * particles.m[p] * particles.v[p];
@@ -47,8 +47,8 @@ template <int D>
 void expect_to_map(const AnyBasis& basis, const AnyMaterial& material, const BodyForce<D>* force) {
   MovedBody<D> body(basis);
   auto& particles = body.particles;
-  std::vector<Mat<D>> tau;
-  std::vector<Vec<D>> b;
+  Array<Mat<D>> tau;
+  Array<Vec<D>> b;
   std::visit(
       [&]<class M>(const M& m) {
         if constexpr (has_history<M>) particles.thermal.assign(particles.size(), m.state_at_rest());
@@ -78,8 +78,8 @@ void expect_to_map_either_way(const AnyBasis& basis) {
 /// x, v and F of a body and what they should be.
 template <int D>
 struct Expected {
-  std::vector<Vec<D>> x, v;
-  std::vector<Mat<D>> F;
+  Array<Vec<D>> x, v;
+  Array<Mat<D>> F;
 
   explicit Expected(const Particles<D>& particles) : x(particles.x), v(particles.v), F(particles.F) {}
 
@@ -163,7 +163,7 @@ void expect_to_move_velocity_first(const AnyBasis& basis) {
 template <int D>
 void expect_mass_products(const AnyBasis& basis) {
   MovedBody<D> body(basis);
-  std::vector<Vec<D>> product(body.grid.size(), Vec<D>::Zero());
+  Array<Vec<D>> product(body.grid.size(), Vec<D>::Zero());
   for (std::size_t p = 0; p < body.particles.size(); ++p)
     for (const auto& [n, N, dN] : body.weights[p]) product[n] += N * body.particles.m[p] * body.value(p, body.grid.v);
   body.visit({AddMassProduct<D>{body.particles, body.grid.v, body.grid.f}});
@@ -174,9 +174,9 @@ void expect_mass_products(const AnyBasis& basis) {
 template <int D>
 void expect_scalar_mass_products(const AnyBasis& basis) {
   MovedBody<D> body(basis);
-  std::vector<Padded<D + 1>> u(body.grid.size());
+  Array<Padded<D + 1>> u(body.grid.size());
   for (std::size_t n = 0; n < u.size(); ++n) u[n] = padded_alone<D>(std::sin(static_cast<double>(n)));
-  std::vector<Vec<D + 1>> product(u.size(), Vec<D + 1>::Zero());
+  Array<Vec<D + 1>> product(u.size(), Vec<D + 1>::Zero());
   for (std::size_t p = 0; p < body.particles.size(); ++p) {
     double sum = 0;
     for (const auto& w : body.weights[p]) sum += w.N * u[w.n][D];

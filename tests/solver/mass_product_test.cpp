@@ -26,11 +26,11 @@ class TurnedBody {
   }
 
   /// SᵀM S u, as one of so many.
-  std::vector<Padded<D>> product(int most) {
+  Array<Padded<D>> product(int most) {
     MassProduct<D> product(step_, most);
     product.prepare(step_);
     is_assembled_ = product.is_assembled();
-    std::vector<Padded<D>> image(u_.size(), Padded<D>::Zero());
+    Array<Padded<D>> image(u_.size(), Padded<D>::Zero());
     product.add(step_, u_, image);
     step_.sum_images(image);
     return image;
@@ -54,7 +54,7 @@ class TurnedBody {
 
   static inline std::uniform_real_distribution<double> some_{-1, 1};
   Step<D> step_;
-  std::vector<Padded<D>> u_;
+  Array<Padded<D>> u_;
   bool is_assembled_ = false;
 };
 
@@ -64,7 +64,7 @@ bool fits(const AnyBasis& basis, double extent) {
 }
 
 template <int D>
-void expect_the_same(const std::vector<Padded<D>>& a, const std::vector<Padded<D>>& b, double cell_mass) {
+void expect_the_same(const Array<Padded<D>>& a, const Array<Padded<D>>& b, double cell_mass) {
   for (std::size_t n = 0; n < a.size(); ++n)
     EXPECT_LT((a[n] - b[n]).template head<D>().norm(), 1e-14 * cell_mass) << D << "D, node " << n;
 }
@@ -102,12 +102,12 @@ TEST_P(MassProducts, ForgetTheNodesThatABodyHasLeft) {
   Step<2> step(scene);
   step.particles().rate.assign(step.particles().size(), Vec<2>(0.2, 0.13));
   MassProduct<2> once(step, 1), often(step, 100);
-  const std::vector<Padded<2>> u(step.grid().size(), Padded<2>(1, -2));
+  const Array<Padded<2>> u(step.grid().size(), Padded<2>(1, -2));
   for (int k = 0; k < 3; ++k) {
     step.map_momentum();
     often.prepare(step);
     ASSERT_TRUE(often.is_assembled());
-    std::vector<Padded<2>> swept(u.size(), Padded<2>::Zero()), multiplied = swept;
+    Array<Padded<2>> swept(u.size(), Padded<2>::Zero()), multiplied = swept;
     once.add(step, u, swept);
     often.add(step, u, multiplied);
     expect_the_same<2>(swept, multiplied, scene.h * scene.h);

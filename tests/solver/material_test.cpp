@@ -11,10 +11,10 @@ namespace mpmvv::solver::material_test {
 
 /// Some deformation gradients with positive determinant, far from the identity.
 template <int D>
-std::vector<Mat<D>> deformations() {
+Array<Mat<D>> deformations() {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> entry(-0.35, 0.35);
-  std::vector<Mat<D>> all;
+  Array<Mat<D>> all;
   while (all.size() < 20) {
     Mat<D> F = Mat<D>::Identity();
     for (int k = 0; k < D * D; ++k) F.data()[k] += entry(random);

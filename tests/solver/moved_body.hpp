@@ -52,13 +52,13 @@ struct MovedBody {
   }
 
   /// Σ_i N_ip φ_i
-  Vec<D> value(std::size_t p, const std::vector<Padded<D>>& field) const {
+  Vec<D> value(std::size_t p, const Array<Padded<D>>& field) const {
     Vec<D> sum = Vec<D>::Zero();
     for (const auto& w : weights[p]) sum += w.N * field[w.n].template head<D>();
     return sum;
   }
   /// Σ_i φ_i ⊗ ∇N_ip
-  Mat<D> gradient(std::size_t p, const std::vector<Padded<D>>& field) const {
+  Mat<D> gradient(std::size_t p, const Array<Padded<D>>& field) const {
     Mat<D> sum = Mat<D>::Zero();
     for (const auto& w : weights[p]) sum += field[w.n].template head<D>() * w.dN.transpose();
     return sum;

@@ -40,8 +40,8 @@ struct Four {
 
 /// Values on nodes, and NaN where none of the four reaches them.
 template <int K>
-std::vector<Padded<1>> some_field(Four<K>& four) {
-  std::vector<Padded<1>> field(four.grid.size());
+Array<Padded<1>> some_field(Four<K>& four) {
+  Array<Padded<1>> field(four.grid.size());
   for (std::size_t n = 0; n < field.size(); ++n) field[n][0] = four.one_reaches(n) ? four.any() : std::nan("");
   return field;
 }
@@ -85,8 +85,8 @@ void expect_sums_over_particles(Four<K> four) {
     for (int c = 0; c < 2; ++c) momenta[c].of[lane] = momentum[lane][c];
     forces.value[0].of[lane] = force[lane].value[0], forces.gradient[0].of[lane] = force[lane].gradient[0];
   }
-  std::vector<Padded<2>> p(four.grid.size(), Padded<2>::Constant(-0.)), p_alone = p;
-  std::vector<Padded<1>> f(four.grid.size(), Padded<1>(-0.)), f_alone = f;
+  Array<Padded<2>> p(four.grid.size(), Padded<2>::Constant(-0.)), p_alone = p;
+  Array<Padded<1>> f(four.grid.size(), Padded<1>(-0.)), f_alone = f;
   for (int lane = 0; lane < 4; ++lane) {
     four.stencil(lane).scatter(momentum[static_cast<std::size_t>(lane)], p_alone);
     four.stencil(lane).scatter(force[static_cast<std::size_t>(lane)], f_alone);

@@ -11,7 +11,7 @@ namespace mpmvv::solver::repeatability_test {
 /// The particles in the order of their creation.
 template <int D>
 Particles<D> in_order(Particles<D> particles) {
-  std::vector<std::uint32_t> order(particles.size());
+  Array<std::uint32_t> order(particles.size());
   for (std::size_t p = 0; p < order.size(); ++p) order[particles.id[p]] = static_cast<std::uint32_t>(p);
   ThreadPool alone(1);
   particles.permute(order, alone);
@@ -92,7 +92,7 @@ TEST_P(Repeatability, OrderOfCreationDoesNotMatter) {
   Scene<2> scene = full_scene<2>(basis, 18, 2, has_open_knots ? AnyBoundary{Dirichlet{}} : Periodic{});
   set_wave(scene, 5);
   const auto ordered = run(scene, 40);
-  std::vector<std::uint32_t> shuffle(scene.particles.size());
+  Array<std::uint32_t> shuffle(scene.particles.size());
   std::iota(shuffle.begin(), shuffle.end(), 0U);
   std::shuffle(shuffle.begin(), shuffle.end(), std::mt19937(9));
   ThreadPool alone(1);

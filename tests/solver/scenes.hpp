@@ -18,10 +18,10 @@ inline AnyBasis basis_named(std::string_view word) {
 
 /// Particles with these positions, each of the given volume, of unit density, at rest and undeformed.
 template <int D>
-Particles<D> particles_at(const std::vector<Vec<D>>& x, double volume) {
+Particles<D> particles_at(const Array<Vec<D>>& x, double volume) {
   Particles<D> particles;
   particles.resize(x.size());
-  particles.x = x;
+  particles.x.assign(x.begin(), x.end());
   particles.v.assign(x.size(), Vec<D>::Zero());
   particles.F.assign(x.size(), Mat<D>::Identity());
   particles.m.assign(x.size(), volume);
@@ -31,10 +31,10 @@ Particles<D> particles_at(const std::vector<Vec<D>>& x, double volume) {
 
 /// Centres of the boxes of side `spacing` that fill `count` of them along each axis from `lower` on.
 template <int D>
-std::vector<Vec<D>> lattice(const Vec<D>& lower, double spacing, const Index<D>& count) {
+Array<Vec<D>> lattice(const Vec<D>& lower, double spacing, const Index<D>& count) {
   std::size_t total = 1;
   for (const int n : count) total *= static_cast<std::size_t>(n);
-  std::vector<Vec<D>> x(total);
+  Array<Vec<D>> x(total);
   for (std::size_t k = 0; k < total; ++k) {
     int rest = static_cast<int>(k);
     for (int d = 0; d < D; ++d) {

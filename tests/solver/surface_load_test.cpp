@@ -25,7 +25,7 @@ class GivenLoad final : public SurfaceLoad<2> {
 
  private:
   std::vector<Part> parts_;
-  std::vector<Vec<2>> forces_;
+  Array<Vec<2>> forces_;
 };
 
 /// The middle of the unit square with a load that grows in time on two of its particles, which are turned: that gives

@@ -48,7 +48,7 @@ class Textbook {
       for (std::size_t i = 0; i < nodes_.size(); ++i) s_.v[p] += dt * weight_[p][i] * a[i];
     const auto v = mapped_velocity();
     s_.F = deformed(v, dt);
-    move(v, std::vector<Vec<D>>(v.size(), Vec<D>::Zero()), dt);
+    move(v, Array<Vec<D>>(v.size(), Vec<D>::Zero()), dt);
   }
 
   void usavg(double dt) {
@@ -131,7 +131,7 @@ class Textbook {
 
   void evaluate() {
     weight_.assign(s_.size(), std::vector<double>(nodes_.size(), 1));
-    gradient_.assign(s_.size(), std::vector<Vec<D>>(nodes_.size(), Vec<D>::Ones()));
+    gradient_.assign(s_.size(), Array<Vec<D>>(nodes_.size(), Vec<D>::Ones()));
     for (std::size_t p = 0; p < s_.size(); ++p)
       for (std::size_t i = 0; i < nodes_.size(); ++i)
         for (int d = 0; d < D; ++d) {
@@ -145,15 +145,15 @@ class Textbook {
       for (std::size_t i = 0; i < nodes_.size(); ++i) mass_[i] += weight_[p][i] * s_.m[p];
   }
 
-  std::vector<Vec<D>> mapped_velocity() const {
-    std::vector<Vec<D>> v(nodes_.size(), Vec<D>::Zero());
+  Array<Vec<D>> mapped_velocity() const {
+    Array<Vec<D>> v(nodes_.size(), Vec<D>::Zero());
     for (std::size_t p = 0; p < s_.size(); ++p)
       for (std::size_t i = 0; i < nodes_.size(); ++i) v[i] += weight_[p][i] * s_.m[p] * s_.v[p] / mass_[i];
     return v;
   }
 
-  std::vector<Vec<D>> acceleration() const {
-    std::vector<Vec<D>> a(nodes_.size(), Vec<D>::Zero());
+  Array<Vec<D>> acceleration() const {
+    Array<Vec<D>> a(nodes_.size(), Vec<D>::Zero());
     for (std::size_t p = 0; p < s_.size(); ++p) {
       const double J = s_.F[p].determinant();  // S (46)
       const Mat<D> sigma = lambda_ * std::log(J) / J * Mat<D>::Identity() +
@@ -163,7 +163,7 @@ class Textbook {
     return a;
   }
 
-  std::vector<Mat<D>> deformed(const std::vector<Vec<D>>& v, double dt) const {
+  Array<Mat<D>> deformed(const Array<Vec<D>>& v, double dt) const {
     auto F = s_.F;
     for (std::size_t p = 0; p < s_.size(); ++p) {
       Mat<D> L = Mat<D>::Zero();
@@ -173,7 +173,7 @@ class Textbook {
     return F;
   }
 
-  void move(const std::vector<Vec<D>>& v, const std::vector<Vec<D>>& a, double dt) {
+  void move(const Array<Vec<D>>& v, const Array<Vec<D>>& a, double dt) {
     for (std::size_t p = 0; p < s_.size(); ++p)
       for (std::size_t i = 0; i < nodes_.size(); ++i) {
         s_.x[p] += dt * weight_[p][i] * v[i];
@@ -185,10 +185,10 @@ class Textbook {
   int n_;
   double lambda_, mu_;
   Particles<D> s_;
-  std::vector<Vec<D>> nodes_;
+  Array<Vec<D>> nodes_;
   std::vector<double> mass_;
   std::vector<std::vector<double>> weight_;
-  std::vector<std::vector<Vec<D>>> gradient_;
+  std::vector<Array<Vec<D>>> gradient_;
 };
 
 constexpr int cells_of(int D) {

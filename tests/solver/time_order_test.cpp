@@ -7,7 +7,7 @@ namespace mpmvv::solver::time_order_test {
 /// A force that changes within a step.
 class Swing final : public BodyForce<1> {
  public:
-  explicit Swing(const std::vector<Vec<1>>& X) : X_(X) {}
+  explicit Swing(const Array<Vec<1>>& X) : X_(X) {}
   void on_particles(double t, std::span<const std::uint32_t> ids, std::span<const Vec<1>>, Vec<1>* b) const override {
     for (const auto id : ids) *b++ = at_position(X_[id], t);
   }
@@ -16,7 +16,7 @@ class Swing final : public BodyForce<1> {
   }
 
  private:
-  std::vector<Vec<1>> X_;
+  Array<Vec<1>> X_;
 };
 
 constexpr double end_time = 0.004;  // s, two fifths of the wave's period

@@ -238,7 +238,7 @@ Scene<3> continued(const Scene<2>& plane, const AnyBoundary& face) {
   scene.velocity_update = plane.velocity_update;
   scene.wall_method = plane.wall_method;
   scene.consistent_mass = plane.consistent_mass;
-  std::vector<Vec<3>> x;
+  Array<Vec<3>> x;
   for (int layer = 0; layer < 2 * cells; ++layer)
     for (const Vec<2>& of_plane : plane.particles.x)
       x.emplace_back(of_plane[0], of_plane[1], plane.h / 2 * (layer + 0.5));

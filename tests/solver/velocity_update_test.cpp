@@ -116,7 +116,7 @@ Scene<1> free_line(const AnyVelocityUpdate& update, std::string_view integrator 
   scene.basis = BSpline2{};
   scene.boundary.fill(Free{});
   scene.material = NeoHookeanLog{300, 400};
-  std::vector<Vec<1>> places;
+  Array<Vec<1>> places;
   for (int k = 0; k < 20; ++k) places.push_back(Vec<1>(0.33 + 0.035 * k + 0.008 * std::sin(2.0 * k)));
   scene.particles = particles_at<1>(places, 0.035);
   for (auto& v : scene.particles.v) v[0] = 2 + 3 * std::sin(9 * (&v - scene.particles.v.data()));

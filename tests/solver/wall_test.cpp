@@ -38,7 +38,7 @@ std::vector<int> held(const Ride& ride, double depth, bool upper, int first, int
   MovingWall<1> wall({&ride, depth, WallGradient::zero}, {0, upper}, grid, places(grid, 0));
   wall.move(0, 0.1, grid.h());
   wall.meet(grid);
-  std::vector<Padded<1>> field(grid.size(), Padded<1>(1));
+  Array<Padded<1>> field(grid.size(), Padded<1>(1));
   wall.clear(grid, field);
   std::vector<int> indices;
   for (std::size_t n = 0; n < grid.size(); ++n)
@@ -75,7 +75,7 @@ TEST(Wall, HoldsALinearVelocityAlongItsNormal) {
   const double t = 0.1, dt = 0.02;
   wall.move(t, dt, grid.h());
   wall.meet(grid);
-  std::vector<Padded<2>> v(grid.size(), Padded<2>(100, 200));
+  Array<Padded<2>> v(grid.size(), Padded<2>(100, 200));
   wall.hold(grid, v);
   for (std::size_t n = 0; n < grid.size(); ++n) {
     const double x = grid.lower()[0] + grid.h() * grid.index(n)[0], distance = x - ride.position(t);
@@ -99,7 +99,7 @@ TEST(Wall, EstimatesTheGradientOfALinearVelocity) {
       MovingWall<2> wall({&ride, depth, WallGradient::estimated}, {0, upper}, grid, places(grid, 0));
       wall.move(0, 0.1, grid.h());
       wall.meet(grid);
-      std::vector<Padded<2>> v(grid.size(), Padded<2>(1e9, 1e9));
+      Array<Padded<2>> v(grid.size(), Padded<2>(1e9, 1e9));
       wall.hold(grid, v);
       int count = 0;
       for (std::size_t n = 0; n < grid.size(); ++n)
@@ -180,7 +180,7 @@ void disturb(Particles<1>& particles) {
   for (std::size_t p = 0; p < particles.size(); ++p) particles.v[p][0] += 0.3 * std::sin(9.0 * static_cast<double>(p));
 }
 
-std::vector<Vec<1>> velocities(const AnyVelocityUpdate& update, WallMethod method, double depth = 1.5) {
+Array<Vec<1>> velocities(const AnyVelocityUpdate& update, WallMethod method, double depth = 1.5) {
   StretchedBar<1> bar(Cpdi{}, update, depth);
   disturb(bar.scene.particles);
   bar.scene.wall_method = method;
@@ -189,7 +189,7 @@ std::vector<Vec<1>> velocities(const AnyVelocityUpdate& update, WallMethod metho
   return mpm.particles().v;
 }
 
-double distance(const std::vector<Vec<1>>& a, const std::vector<Vec<1>>& b) {
+double distance(const Array<Vec<1>>& a, const Array<Vec<1>>& b) {
   double largest = 0;
   for (std::size_t p = 0; p < a.size(); ++p) largest = std::max(largest, (a[p] - b[p]).norm());
   return largest;
