@@ -51,10 +51,11 @@ if(MPMVV_SANITIZE STREQUAL "thread")
     set_target_properties(mpmvv_${room} PROPERTIES EXCLUDE_FROM_ALL TRUE)
   endforeach()
   mpmvv_filter(sanitized_threads.txt)
-  add_executable(test_solver solver/fault_test.cpp solver/repeatability_test.cpp solver/stencils.cpp
-    solver/surface_load_test.cpp solver/thread_pool_test.cpp solver/wall_test.cpp)
+  # The longest first.
   file(GLOB plan CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/studies/plan/*.cpp)
   add_executable(test_studies ${plan} studies/plan/admission_test.cpp studies/plan/study_runner_test.cpp)
+  add_executable(test_solver solver/fault_test.cpp solver/repeatability_test.cpp solver/stencils.cpp
+    solver/surface_load_test.cpp solver/thread_pool_test.cpp solver/wall_test.cpp)
   list(REMOVE_ITEM run_rooms plan)
   list(TRANSFORM read_rooms REPLACE "(.+)" "${MPMVV_PLAIN}/studies/libmpmvv_\\1.a" OUTPUT_VARIABLE read)
   list(TRANSFORM run_rooms REPLACE "(.+)" "${MPMVV_PLAIN}/studies/libmpmvv_\\1.a" OUTPUT_VARIABLE plain)
