@@ -143,7 +143,9 @@ TEST_F(SealedStore, EveryColumnIsUnderSealAndNoKindOfValueIsABug) {
       std::filesystem::copy_file(file_, damaged, std::filesystem::copy_options::overwrite_existing);
       {
         Database database(damaged, Database::Access::write);
-        database.execute("PRAGMA synchronous = OFF; PRAGMA foreign_keys = OFF; PRAGMA writable_schema = ON");
+        database.execute(
+            "PRAGMA synchronous = OFF; PRAGMA journal_mode = MEMORY; PRAGMA foreign_keys = OFF; "
+            "PRAGMA writable_schema = ON");
         const auto changed = [&] {
           return database.change(
               fmt::format("UPDATE OR IGNORE {0} SET {1} = {2} WHERE {1} IS NOT {2}", table, column, value), {});
