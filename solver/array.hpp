@@ -2,14 +2,15 @@
 #include <sys/mman.h>
 
 #include <cstddef>
-#include <cstdlib>
+#include <memory>
 #include <new>
 #include <vector>
 
 namespace mpmvv::solver {
 
-/// Memory of an array. What fills whole huge pages (2 MiB) is asked for in such pages: a sweep over large arrays spends
-/// less time on finding where its pages lie. Where the system has none to give, the memory is as any other.
+/// Memory of an array. Where it fills huge pages (2 MiB) they are asked for: a sweep over large arrays then misses the
+/// TLB, where the processor keeps the translation of addresses, less often. The system gives them if
+/// /sys/kernel/mm/transparent_hugepage/enabled says `madvise` or `always`.
 template <class T>
 struct HugePages {
   using value_type = T;
@@ -22,25 +23,25 @@ struct HugePages {
 
   T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    if (bytes < page) return static_cast<T*>(::operator new(bytes, alignment));
+    if (bytes < page) return std::allocator<T>().allocate(count);
     void* const memory = ::operator new (bytes, std::align_val_t{page});
     madvise(memory, bytes / page * page, MADV_HUGEPAGE);
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t count) {
-    ::operator delete (memory, count * sizeof(T) < page ? alignment : std::align_val_t{page});
+    if (count * sizeof(T) < page)
+      std::allocator<T>().deallocate(memory, count);
+    else
+      ::operator delete (memory, std::align_val_t{page});
   }
 
   template <class U>
   bool operator==(const HugePages<U>&) const {
     return true;
   }
-
- private:
-  static constexpr std::align_val_t alignment{alignof(T)};
 };
 
-/// One value for each particle or node.
+/// A std::vector in such memory: a field's value for each particle or node.
 template <class T>
 using Array = std::vector<T, HugePages<T>>;
 

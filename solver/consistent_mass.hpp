@@ -56,8 +56,8 @@ class ConsistentMass {
   ConsistentMassSettings settings_;
   int most_iterations_;
   MassProduct<D> product_;
-  std::vector<double> share_;           ///< one over the number of nodes that the boundaries make one
-  std::vector<double> covered_mass_;    ///< θ m_full
+  Array<double> share_;                 ///< one over the number of nodes that the boundaries make one
+  Array<double> covered_mass_;          ///< θ m_full
   Array<Padded<D + 1>> coverage_;       ///< in component D, where boundaries expect a mass: c
   Array<Padded<D + 1>> couplings_;      ///< in component D: M c
   Field inverse_;                       ///< of Cᵀ diag(m) C, zero where nothing is to be solved

@@ -47,7 +47,7 @@ class MassMatrix {
   std::size_t earlier_;                  ///< how many of them lead to earlier lines: none for D = 1
   std::size_t row_size_;                 ///< one more than couplings: what is added to a line may reach past the last
   std::size_t margin_;                   ///< nodes before and after those of the grid
-  std::vector<double> rows_;             ///< with the margin
+  Array<double> rows_;                   ///< with the margin
   Array<double> couplings_;              ///< of eight nodes for each displacement, and so on
   std::array<Array<double>, D> u_;       ///< by component, with the margin, zero where there is no mass
   std::atomic<bool> fits_{true};

@@ -153,8 +153,8 @@ class Step {
   bool has_expanded_velocity_ = false;
   std::atomic<bool> must_sort_{false};
   Fault fault_ = Fault::none;
-  std::vector<std::uint32_t> place_;  ///< of the particle with each id, for the surface load
-  Array<Vec<D>> load_;                ///< its forces
+  Array<std::uint32_t> place_;  ///< of the particle with each id, for the surface load
+  std::vector<Vec<D>> load_;    ///< its forces
 };
 
 template <int D>

@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "solver/array.hpp"
 #include "solver/boundary/boundary.hpp"
 #include "solver/boundary/wall_motion.hpp"
 

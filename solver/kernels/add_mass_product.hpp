@@ -1,5 +1,4 @@
 #pragma once
-
 #include "solver/array.hpp"
 #include "solver/particles.hpp"
 #include "solver/simd/padded.hpp"

@@ -12,7 +12,7 @@ namespace mpmvv::solver {
 /// the particle gives mass, where weights of the middle itself would load nodes beyond the body.
 template <int D>
 Fault map_surface_load(const AnyBasis& basis, const SurfaceLoad<D>& load, const Vec<D>* force,
-                       const std::vector<std::uint32_t>& place, const Particles<D>& particles, Grid<D>& grid) {
+                       const Array<std::uint32_t>& place, const Particles<D>& particles, Grid<D>& grid) {
   AnyBlock<D> block = make_block<D>(basis, 0);
   common<D>(block).count = 1;
   Fault found = Fault::none;

@@ -1,5 +1,4 @@
-#include <vector>
-
+#include "solver/array.hpp"
 #include "tests/benchmark/measure.hpp"
 
 namespace mpmvv {
@@ -34,7 +33,7 @@ void multiply_add_peak(benchmark::State& state) {
 /// a = b + s c over arrays far larger than the caches (McCalpin's triad); the store's own read is counted.
 void triad(benchmark::State& state) {
   constexpr std::size_t n = std::size_t{1} << 24;
-  std::vector<double> a(n, 0), b(n, 1), c(n, 2);
+  solver::Array<double> a(n, 0), b(n, 1), c(n, 2);
   for (auto _ : state) {
     for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + 3 * c[i];
     benchmark::ClobberMemory();

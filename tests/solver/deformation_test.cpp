@@ -5,7 +5,6 @@
 #include <cmath>
 #include <random>
 #include <unsupported/Eigen/MatrixFunctions>
-#include <vector>
 
 #include "solver/kernels/block_kernels.hpp"
 

@@ -21,7 +21,7 @@ template <int D>
 Particles<D> particles_at(const Array<Vec<D>>& x, double volume) {
   Particles<D> particles;
   particles.resize(x.size());
-  particles.x.assign(x.begin(), x.end());
+  particles.x = x;
   particles.v.assign(x.size(), Vec<D>::Zero());
   particles.F.assign(x.size(), Mat<D>::Identity());
   particles.m.assign(x.size(), volume);

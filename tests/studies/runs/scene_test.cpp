@@ -1,8 +1,7 @@
 #include "studies/runs/scene.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 #include "solver/words.hpp"
 #include "studies/settings/settings.hpp"
@@ -29,7 +28,7 @@ bool has_places(const std::string& problem, const Settings& more = {}) {
   settings.insert(settings.end(), more.begin(), more.end());
   const auto prepared = prepare_case<D>(settings::make_case(settings), problems::find_problem(problem, ""), 1);
   if (prepared.scene.particles.X.empty()) return false;
-  EXPECT_TRUE(std::ranges::equal(prepared.scene.particles.X, prepared.X));
+  EXPECT_THAT(prepared.scene.particles.X, testing::ElementsAreArray(prepared.X));
   return true;
 }
 
