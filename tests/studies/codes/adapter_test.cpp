@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
 
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -25,7 +29,7 @@ class AdapterFile : public testing::Test {
       if (const std::string line = page.substr(at, page.find('\n', at) + 1 - at); line.size() > 4)
         text_ += line.substr(4);
   }
-  ~AdapterFile() override { std::filesystem::remove_all(folder_); }
+  ~AdapterFile() override { std::filesystem::remove_all(top_); }
 
   Adapter read(const std::string& text) const {
     support::write_if_changed(folder_ / "adapter.toml", text);
@@ -43,7 +47,8 @@ class AdapterFile : public testing::Test {
     return "";
   }
 
-  const std::filesystem::path top_ = std::filesystem::path(testing::TempDir()) / "adapter_test",
+  const std::filesystem::path top_ = std::filesystem::temp_directory_path() /
+                                     ("mpmvv-adapter-" + std::to_string(getpid())),
                               folder_ = top_ / "small-mpm";
   std::string text_;
 };

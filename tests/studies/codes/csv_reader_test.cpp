@@ -2,22 +2,27 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "studies/codes/readers.hpp"
 #include "studies/support/error.hpp"
+#include "tests/studies/codes/written_run.hpp"
 
 namespace mpmvv {
 namespace csv_reader_test {
 
 using namespace codes;
 
+struct WrittenFile {
+  std::filesystem::path path;
+
+  ~WrittenFile() { std::filesystem::remove(path); }
+};
+
 Snapshot read(const std::string& text, const std::string& names = "") {
-  const auto file = std::filesystem::path(testing::TempDir()) / "csv_reader_test.csv";
-  std::ofstream(file) << text;
+  const WrittenFile file{written_run::write("csv_reader_test.csv", text)};
   Columns columns;
   if (!names.empty()) columns.names = parse_columns(names, "--columns");
-  return read_snapshot(file, columns);
+  return read_snapshot(file.path, columns);
 }
 
 std::string message_of(const std::string& text, const std::string& names = "") {
