@@ -74,7 +74,8 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
 std::string refusal(const CLI::App& app, const CLI::ParseError& e) {
   const CLI::App& command = app.remaining().empty() ? called(app) : app;
   const auto beyond = command.remaining();
-  const std::string first = beyond.empty() ? "" : beyond.front(), what = e.what();
+  const std::string first = beyond.empty() ? "" : beyond.front();
+  std::string what = e.what();
   if (dynamic_cast<const CLI::ValidationError*>(&e)) return what;
   if (first.starts_with('-')) return unknown_option(command, first);
   if (!command.get_subcommands({}).empty()) return unknown_command(command, first);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <unordered_map>
+#include <utility>
 
 namespace mpmvv::mms {
 
@@ -106,7 +107,7 @@ expression::Formulas AxisAligned<D>::formulas() const {
 template <int D>
 class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
  public:
-  AtPoints(const AxisAligned& solution, const std::vector<Vec<D>>& X) : solution_(solution), places_(X.size()) {
+  AtPoints(AxisAligned solution, const std::vector<Vec<D>>& X) : solution_(std::move(solution)), places_(X.size()) {
     for (std::size_t d = 0; d < D; ++d) {
       std::unordered_map<double, std::uint32_t> known;
       for (std::size_t p = 0; p < X.size(); ++p) {

@@ -1,5 +1,7 @@
 #include "mms/radial.hpp"
 
+#include <utility>
+
 #include "mms/lanes.hpp"
 
 namespace mpmvv::mms {
@@ -106,7 +108,7 @@ Vec<D> Radial<D>::reference_point(const Vec<D>& x, double t) const {
 template <int D>
 class Radial<D>::AtPoints final : public PointwiseSolution<D> {
  public:
-  AtPoints(const Radial& solution, const std::vector<Vec<D>>& X) : solution_(solution), X_(X) {}
+  AtPoints(Radial solution, std::vector<Vec<D>> X) : solution_(std::move(solution)), X_(std::move(X)) {}
 
   void displacement(double t, std::span<const std::uint32_t> ids, Vec<D>* u) const override {
     const double T = solution_.T(t);

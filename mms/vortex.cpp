@@ -1,6 +1,7 @@
 #include "mms/vortex.hpp"
 
 #include <Eigen/Geometry>
+#include <utility>
 
 #include "mms/lanes.hpp"
 
@@ -120,7 +121,7 @@ Vec<2> Vortex::reference_point(const Vec<2>& x, double t) const {
 /// Points that share nothing but the time, in lanes.
 class Vortex::AtPoints final : public PointwiseSolution<2> {
  public:
-  AtPoints(const Vortex& vortex, const std::vector<Vec<2>>& X) : vortex_(vortex), X_(X) {}
+  AtPoints(Vortex vortex, std::vector<Vec<2>> X) : vortex_(std::move(vortex)), X_(std::move(X)) {}
 
   void displacement(double t, std::span<const std::uint32_t> ids, Vec<2>* u) const override {
     in_lanes<2>(

@@ -52,7 +52,7 @@ Variable entry(std::size_t i, std::size_t J) {
 Tensor entries(std::size_t n) {
   Tensor F(n);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t J = 0; J < n; ++J) F[i].push_back(entry(i, J));
+    for (std::size_t J = 0; J < n; ++J) F[i].emplace_back(entry(i, J));
   return F;
 }
 

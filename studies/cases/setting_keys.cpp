@@ -71,8 +71,8 @@ Member flag(bool Part::*member) {
 template <class Part, support::HasWords Enum>
 Member word(Enum Part::*member) {
   std::vector<std::string> words;
-  for (const std::string each : words_of(Enum{}))
-    if (each != "none" || std::is_same_v<Enum, ForceForm>) words.push_back(each);
+  for (const std::string_view each : words_of(Enum{}))
+    if (each != "none" || std::is_same_v<Enum, ForceForm>) words.emplace_back(each);
   Member result = read_by(
       [words](const Setting& setting) {
         require_word(setting, words);

@@ -93,7 +93,7 @@ Case read_case(const std::filesystem::path& file) {
   const json object = json::parse(support::require_file(file, "a case, as `mpmvv case` writes it"), nullptr, false);
   if (object.is_discarded()) fail_case(name, "no JSON");
   require_case_fields(object, name);
-  const Case c = case_of(object, name);
+  Case c = case_of(object, name);
   if (object["case"].get<std::string>() != cases::canonical_text(c))
     fail_case(name, "settings that make another case than its text");
   require_same_fields(object, json::parse(case_text(c)), name);

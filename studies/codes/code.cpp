@@ -40,7 +40,7 @@ fs::path program_of(const Adapter& adapter) {
   const std::string& variable = adapter.program.variable;
   if (const char* named = std::getenv(variable.c_str()); named && *named != '\0') {
     const std::string text = named;
-    const fs::path file = text.find('/') == std::string::npos ? on_path(text) : fs::absolute(text);
+    fs::path file = text.find('/') == std::string::npos ? on_path(text) : fs::absolute(text);
     if (!is_program(file))
       throw UsageError(fmt::format("{}='{}' in the environment (a program that can be run: code '{}')", variable, text,
                                    adapter.name));

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
+#include <ranges>
 
 #include "studies/codes/readers.hpp"
 #include "studies/codes/text_column.hpp"
@@ -72,8 +73,8 @@ std::vector<Frame> read_frames(TextLines& lines) {
 
 /// The frame of a step, the last one where it stands there several times; without a step the last of all.
 const Frame& frame_of(const std::vector<Frame>& frames, const Source& source) {
-  for (auto frame = frames.rbegin(); frame != frames.rend(); ++frame)
-    if (!source.step || frame->step == *source.step) return *frame;
+  for (const Frame& frame : std::views::reverse(frames))
+    if (!source.step || frame.step == *source.step) return frame;
   std::vector<std::int64_t> steps;
   for (const Frame& frame : frames) steps.push_back(frame.step);
   throw UsageError(fmt::format("no step {} in {} (known: {})", *source.step, source.file, fmt::join(steps, ", ")));

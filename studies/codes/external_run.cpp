@@ -10,6 +10,7 @@
 #include "studies/codes/run_command.hpp"
 #include "studies/codes/run_folder.hpp"
 #include "studies/codes/score.hpp"
+#include "studies/problems/problem.hpp"
 #include "studies/runs/rounds.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"

@@ -148,7 +148,7 @@ Lines by_order(const CaseParticles<D>& particles, const Snapshot& end, const Lin
     fail_output("{} has displacements alone, which do not say which particle is which (write id, X or x)", end.file);
   const std::size_t others = strayed(particles, end, order);
   if (others == 0) return order;
-  if (const Lines nearest = by_nearest_start(particles, end); !nearest.empty()) return nearest;
+  if (Lines nearest = by_nearest_start(particles, end); !nearest.empty()) return nearest;
   fail_output(
       "the order of {} cannot be verified: in that of {}, {} of {} particles are half a particle spacing or more from "
       "the exact solution (write id or X)",

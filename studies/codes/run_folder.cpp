@@ -86,7 +86,7 @@ RunFolder::~RunFolder() {
 fs::path RunFolder::keep() {
   if (!is_temporary_) return path_;
   const std::lock_guard lock(temporary().mutex);
-  const fs::path place = free_path("failed");
+  fs::path place = free_path("failed");
   support::move_file(path_, place);
   temporary().folders.erase(path_);
   path_ = place;
@@ -96,7 +96,7 @@ fs::path RunFolder::keep() {
 
 fs::path place_of_runs() {
   std::error_code failed;
-  const fs::path place = fs::temp_directory_path(failed);
+  fs::path place = fs::temp_directory_path(failed);
   if (!failed) return place;
   const char* named = std::getenv("TMPDIR");
   throw support::UsageError(

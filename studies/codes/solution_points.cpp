@@ -105,7 +105,7 @@ class PointTable {
 
   Point reference_point(std::size_t row) const {
     constexpr double round_off = 1e-12;  // m; for points on the surface
-    const Point X = vector(X_, row);
+    Point X = vector(X_, row);
     if (std::visit([&X](const auto& body) { return problems::contains(body, X, round_off); }, setup_.body)) return X;
     throw UsageError(
         fmt::format("X = {} in {} is outside the body ({})", fmt::join(X.begin(), X.end(), ","), place(row),

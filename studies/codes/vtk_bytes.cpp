@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <cstdint>
+#include <vector>
 
 #include "studies/codes/binary_number.hpp"
 #include "studies/support/error.hpp"

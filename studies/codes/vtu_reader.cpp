@@ -86,7 +86,7 @@ class VtkFile {
     constexpr std::string_view blanks = " \t\r\n";
     std::vector<TableColumn> columns(components);
     for (std::size_t k = 0; k < components; ++k) columns[k].name = name_of(k);
-    for (std::size_t k = 0; (text = text.substr(std::min(text.find_first_not_of(blanks), text.size()))) != "";
+    for (std::size_t k = 0; !(text = text.substr(std::min(text.find_first_not_of(blanks), text.size()))).empty();
          k = (k + 1) % components) {
       const std::string_view number = text.substr(0, text.find_first_of(blanks));
       if (!add_text(columns[k], number)) fail(fmt::format("'{}' for '{}'", number.substr(0, 40), name));

@@ -93,7 +93,7 @@ ErrorModel named(ErrorModel model, const char* form) {
 /// The model that the procedure takes, and the order that the free fit found.
 ErrorModel choose(const Grids& samples) {
   const auto better = [](const ErrorModel& a, const ErrorModel& b) { return a.deviation < b.deviation; };
-  const ErrorModel free = std::min(fit_power(samples, Weights::equal), fit_power(samples, Weights::finer_more), better);
+  ErrorModel free = std::min(fit_power(samples, Weights::equal), fit_power(samples, Weights::finer_more), better);
   if (free.order >= least_order && free.order <= formal_order) return free;
   std::vector<ErrorModel> fixed;
   for (const Weights weights : {Weights::equal, Weights::finer_more}) {

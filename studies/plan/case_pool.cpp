@@ -156,7 +156,7 @@ Record CasePool::record_of(const Case& c, double seconds_of_all) {
   const double memory = memory_estimate(c);
   const int threads = threads_for(memory, about, seconds_of_all);
   const Admission::Place place(admission_, threads, memory);
-  const Record record = runs::run_case(c, threads);
+  Record record = runs::run_case(c, threads);
   finish(c, threads * record.wall_seconds);
   return record;
 }
@@ -164,7 +164,7 @@ Record CasePool::record_of(const Case& c, double seconds_of_all) {
 /// Another code takes one thread.
 Record CasePool::external_record_of(const Case& c) {
   const Admission::Place place(admission_, 1, memory_estimate(c));
-  const Record record = codes::run_external(c, options_.codes.at(c.scheme.code));
+  Record record = codes::run_external(c, options_.codes.at(c.scheme.code));
   finish(c, record.wall_seconds);
   return record;
 }

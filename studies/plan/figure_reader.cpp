@@ -19,7 +19,7 @@ using support::UsageError;
 namespace {
 
 std::string read_name(const TomlTable& table, const StudyPlan& plan) {
-  const std::string name = table.text("name", plan.name);
+  std::string name = table.text("name", plan.name);
   if (!support::is_file_stem(name))
     throw UsageError(fmt::format("figure name '{}' in {} ({})", name, table.where("name"), support::file_stem_rule));
   for (const Figure& other : plan.figures)

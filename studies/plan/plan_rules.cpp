@@ -78,7 +78,7 @@ void require_word(const std::string& what, const std::string& word, const std::v
 }
 
 std::string norm_of(const support::TomlTable& table, const char* key) {
-  const std::string norm = table.text(key);
+  std::string norm = table.text(key);
   std::vector<std::string> known = records::norm_words();
   known.insert(known.end(), {"ns_per_particle_step", "y"});
   require_word(key, norm, known, table.where(key));
@@ -86,7 +86,7 @@ std::string norm_of(const support::TomlTable& table, const char* key) {
 }
 
 std::vector<std::string> series_names(const support::TomlTable& table, const char* key, const StudyPlan& plan) {
-  const auto names = table.texts(key);
+  std::vector<std::string> names = table.texts(key);
   std::vector<std::string> known;
   for (const SeriesPlan& series : plan.series) known.push_back(series.name);
   if (plan.check.empty())

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "studies/plan/estimates.hpp"
 #include "studies/support/parallel.hpp"
 #include "studies/support/reason.hpp"
 

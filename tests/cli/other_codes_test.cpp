@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 #include "tests/walk.hpp"
 

@@ -1,7 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <nlohmann/json.hpp>
+
 #include "studies/store/store.hpp"
+#include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 #include "tests/walk.hpp"
 
