@@ -2,12 +2,13 @@
 # (tests/Sanitized.cmake) and the batches of tests follow from that.
 
 # How a target's sources compile:
-#   COMPUTES  what a run calls: as the preset says. Programs link it first (mpmvv_computing): of a function of a header
-#             that several rooms hold the linker takes the first.
+#   COMPUTES  what a run calls: as the preset says. Programs link it first (mpmvv_computing, mpmvv_linked_objects): of a
+#             function of a header that several rooms hold the linker takes the first.
 #   ALGEBRA   dense algebra, and the matching of particles: takes twice the time to run at -Og, and a tenth more at -O1
 #   OTHER     all else: compiles at -Og in two thirds of the time
 # With the sanitizers everything compiles faster when it is left as it is.
-set(mpmvv_computing $<TARGET_OBJECTS:mpmvv_solver> $<TARGET_OBJECTS:mpmvv_mms> $<TARGET_OBJECTS:mpmvv_runs>)
+set(mpmvv_computing_rooms mpmvv_solver mpmvv_mms mpmvv_runs)
+list(TRANSFORM mpmvv_computing_rooms REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE mpmvv_computing)
 function(mpmvv_optimize target kind)
   set(COMPUTES "")
   set(ALGEBRA $<$<CONFIG:Release>:-O1>)
@@ -43,11 +44,10 @@ endfunction()
 # of which the linker takes what several hold.
 function(mpmvv_linked_objects target result)
   mpmvv_linked(${target} linked)
-  set(first mpmvv_solver mpmvv_mms mpmvv_runs)
   set(rest ${linked})
-  list(REMOVE_ITEM rest ${first})
+  list(REMOVE_ITEM rest ${mpmvv_computing_rooms})
   set(objects "")
-  foreach(library IN LISTS first rest)
+  foreach(library IN LISTS mpmvv_computing_rooms rest)
     if(library IN_LIST linked)
       get_target_property(type ${library} TYPE)
       if(type STREQUAL "STATIC_LIBRARY")
