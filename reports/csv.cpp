@@ -39,7 +39,7 @@ Csv points_csv(const StudyResult& study) {
       for (const auto& [name, value] : point.y) quantities.insert(name);
   std::vector<std::string> head{"series", "x", "status"};
   head.insert(head.end(), quantities.begin(), quantities.end());
-  head.push_back("reason");
+  head.emplace_back("reason");
   Csv csv(head);
   for (const auto& series : study.series)
     for (const auto& point : series.points) {

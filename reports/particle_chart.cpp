@@ -26,7 +26,7 @@ Chart particle_chart(const records::StudyResult& study, const records::Figure& f
   }
   Chart chart = panel_chart(figure, panels, axes_width);
   if (!chart.boxes.empty())
-    chart.notes.push_back("Boxes: the particles' voxels, drawn slightly smaller than they are.");
+    chart.notes.emplace_back("Boxes: the particles' voxels, drawn slightly smaller than they are.");
   return chart;
 }
 

@@ -132,11 +132,11 @@ void add_notes(Chart& chart, const records::StudyResult& study, const std::vecto
   chart.notes.push_back(which.empty() ? "No run has errors of particles."
                                       : fmt::format("At the end: {}.", fmt::join(which, "; ")));
   if (chart.shades)
-    chart.notes.push_back(
+    chart.notes.emplace_back(
         "Blue is a large error, yellow a small one. Where particles are many, a square stands for neighbours, "
         "with their RMS error.");
   if (has_parts)
-    chart.notes.push_back(
+    chart.notes.emplace_back(
         "A part of the body was run: images of it make the rest, of which mirror images in planes across the axes are "
         "not "
         "drawn.");

@@ -116,12 +116,12 @@ class PointsTable {
 
   Table make() const {
     Table table{"Results at each point", {study_.sweep}, {}};
-    if (!all_ok_) table.columns.push_back("status");
+    if (!all_ok_) table.columns.emplace_back("status");
     for (const Column& column : columns_) {
       table.columns.push_back(with_unit(column.quantity));
-      if (fitted_.contains(column.quantity)) table.columns.push_back("order");
+      if (fitted_.contains(column.quantity)) table.columns.emplace_back("order");
     }
-    if (has_reasons_) table.columns.push_back("reason");
+    if (has_reasons_) table.columns.emplace_back("reason");
     for (const Series* series : series_)
       if (!series->points.empty()) table.groups.push_back({series->name, rows_of(*series)});
     if (!same_.empty()) table.note = fmt::format("At every point: {}.", fmt::join(same_, ", "));

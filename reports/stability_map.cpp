@@ -72,7 +72,7 @@ Chart stability_map(const records::StudyResult& study, const records::Figure& fi
     chart.right_margin = std::max(chart.right_margin, text.size() + 2);
   }
   chart.curves = {std::move(stable), std::move(unstable)};
-  chart.notes.push_back(
+  chart.notes.emplace_back(
       "Every probe of the search, framed its final bracket, from where all are stable to where none is; the limit, on "
       "the right, is its middle.");
   return chart;

@@ -23,7 +23,7 @@ bool is_formula(const std::string& text) {
 }  // namespace
 
 std::string csv_field(const std::string& text) {
-  const std::string harmless = is_formula(text) ? "'" + text : text;
+  std::string harmless = is_formula(text) ? "'" + text : text;
   if (harmless.find_first_of(",\"\r\n") == std::string::npos) return harmless;
   std::string quoted = "\"";
   for (const char c : harmless) quoted += c == '"' ? "\"\"" : std::string(1, c);
