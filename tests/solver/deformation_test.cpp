@@ -87,7 +87,9 @@ Fault fault_of(int k, const Mat<2>& F, const Mat<2>& L, Deformation rule) {
   const Grid<2> grid({0, 0}, 1, {1, 1}, 0, 0);
   const Fault found = UpdateDeformation<2>{particles, DeformationStep{1, rule}}(block, grid);
   EXPECT_EQ((CheckDeformation<2>{particles}(block, grid)), found);
-  if (F.allFinite() && L.allFinite()) EXPECT_LT((particles.F[p] - stepped<Mat<2>>(F, L, 1, rule)).norm(), 1e-15);
+  if (F.allFinite() && L.allFinite()) {
+    EXPECT_LT((particles.F[p] - stepped<Mat<2>>(F, L, 1, rule)).norm(), 1e-15);
+  }
   particles.F[p].setIdentity();
   EXPECT_EQ(particles.F, Array<Mat<2>>(9, Mat<2>::Identity())) << "others have moved";
   return found;

@@ -69,7 +69,9 @@ void expect_same_fields(const Four<K>& four, const auto& together, const auto& o
   for (std::size_t n = 0; n < together.size(); ++n)
     for (int c = 0; c < C; ++c) {
       EXPECT_NEAR(together[n][c], one_by_one[n][c], 1e-15) << n;
-      if (!four.one_reaches(n)) EXPECT_TRUE(std::signbit(together[n][c])) << n;
+      if (!four.one_reaches(n)) {
+        EXPECT_TRUE(std::signbit(together[n][c])) << n;
+      }
     }
 }
 
