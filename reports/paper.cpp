@@ -129,7 +129,7 @@ class Document {
   }
 
   const std::vector<StudyResult>& studies_;
-  Sheet column_;
+  const Sheet& column_;
   std::vector<std::vector<Chart>> charts_;
   std::map<std::string, const Chart*> by_name_;
   std::set<std::string> taken_;

@@ -129,7 +129,8 @@ bool Layout::has_room() const {
 KeyPlace Layout::key_place(int row) const {
   const double font = page.font;
   const double block = key_columns * key_column - key_gap * font;
-  const double start = std::max(0.4 * font, (page.width - block) / 2) + row / key_rows * key_column;
+  const int column = row / key_rows;
+  const double start = std::max(0.4 * font, (page.width - block) / 2) + column * key_column;
   const double y = (row_height * (key_rows - row % key_rows - 0.5) + 0.2) * font;
   return {start / page.width, (start + sample_width * font) / page.width,
           (start + (sample_width + sample_gap) * font) / page.width, y / height()};

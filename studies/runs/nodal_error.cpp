@@ -24,11 +24,12 @@ std::optional<mms::Vec<D>> reference_point(const mms::ManufacturedSolution<D>& s
                                            const mms::Vec<D>& x, double t) {
   constexpr double round_off = 1e-12;  // m; for nodes on a face
   try {
-    const auto X = solution.reference_point(x, t);
+    auto X = solution.reference_point(x, t);
     if (std::visit([&X](const auto& shape) { return problems::contains(shape, X, round_off); }, body)) return X;
+    return std::nullopt;
   } catch (const std::domain_error&) {
+    return std::nullopt;
   }
-  return std::nullopt;
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ WithoutImages<D> fill(PreparedCase<D>& prepared, const Case& c) {
   auto& scene = prepared.scene;
   const auto width = width_of(scene.basis);
   const auto about = static_cast<std::size_t>(
-      problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, D) / count(scene.images) + 0.5);
+      std::lround(problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, D) / count(scene.images)));
   prepared.X.reserve(about);
   scene.particles.V0.reserve(about);
   WithoutImages<D> run(scene.images, scene.h);
