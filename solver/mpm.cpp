@@ -18,8 +18,13 @@ Mpm<D>::Mpm(Mpm&&) noexcept = default;
 
 template <int D>
 bool Mpm<D>::step(double dt) {
-  step_->advance(dt);
+  advance(dt, 1);
   return step_->fault() == Fault::none;
+}
+
+template <int D>
+std::int64_t Mpm<D>::advance(double dt, std::int64_t steps) {
+  return step_->advance(dt, steps);
 }
 
 template <int D>

@@ -25,6 +25,9 @@ class Mpm {
 
   /// Advances by dt. False when the run has blown up: `fault` then says why and the state is of no use.
   bool step(double dt);
+  /// Advances by so many steps, or until the run blows up; returns how many it took, that one included. Faster than one
+  /// by one, to the same results: the end of a step and the start of the next go over the particles together.
+  std::int64_t advance(double dt, std::int64_t steps);
   std::string fault() const;
 
   const Particles<D>& particles() const;        ///< in the order of their places; ids are in that of creation

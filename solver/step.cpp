@@ -126,14 +126,22 @@ void Step<D>::add_walls() {
 }
 
 template <int D>
-void Step<D>::advance(double dt) {
+std::int64_t Step<D>::advance(double dt, std::int64_t steps) {
+  const std::int64_t before = steps_;
+  for (std::int64_t k = 0; k < steps && fault_ == Fault::none; ++k) step(dt);
+  settle();
+  return steps_ - before;
+}
+
+template <int D>
+void Step<D>::step(double dt) {
   const double end = time_ + dt;
   dt_ = dt;
   for (auto& wall : walls_) wall.move(time_, dt, grid_.h());
   integrator_.page<D>()(*this, dt);
+  if (is_late_) return;
   ++steps_;
   time_ = end;
-  sort_strays();
 }
 
 template <int D>
@@ -142,11 +150,6 @@ void Step<D>::sort() {
   ++moves_;
   if (!scene_.surface_load) return;
   for (std::uint32_t p = 0; p < particles_.size(); ++p) place_[particles_.id[p]] = p;
-}
-
-template <int D>
-void Step<D>::sort_strays() {
-  if (must_sort_.exchange(false)) sort();
 }
 
 template <int D>

@@ -16,6 +16,7 @@
 #include "solver/parallel/thread_pool.hpp"
 #include "solver/scene.hpp"
 #include "solver/stencils/kernel.hpp"
+#include "solver/stencils/waiting_sweep.hpp"
 #include "solver/velocity_update/velocity_fields.hpp"
 
 namespace mpmvv::solver {
@@ -29,8 +30,8 @@ struct Integrator;
 /// What the page of an integrator is written in: sweeps over the particles and operations on the grid, each an equation
 /// or a few. Users of the solver take `Mpm` (mpm.hpp).
 ///
-/// Positions and F may change once in a step: what follows in it is mapped by the weights of its start, unless the page
-/// calls `sort_strays`.
+/// Positions and F may change once in a step or a stage of it, last: what is mapped before has the weights of its
+/// start.
 template <int D>
 class Step {
  public:
@@ -39,9 +40,10 @@ class Step {
   explicit Step(Scene<D> scene);  ///< throws as `Mpm` does
   ~Step();
 
-  void advance(double dt);  ///< one step, by the integrator's page
+  /// Makes so many steps, by the integrator's page, or until one finds a fault; returns how many, that one included.
+  std::int64_t advance(double dt, std::int64_t steps = 1);
 
-  Particles<D>& particles() { return particles_; }
+  Particles<D>& particles() { return settle(), particles_; }
   const Particles<D>& particles() const { return particles_; }
   Grid<D>& grid() { return grid_; }
   const Grid<D>& grid() const { return grid_; }
@@ -51,8 +53,8 @@ class Step {
   void set_time(double t) { time_ = t; }         ///< of the body force, for stages within a step
   std::int64_t steps() const { return steps_; }  ///< finished ones
   std::int64_t moves() const { return moves_; }  ///< how often particles have moved or been sorted
-  Fault fault() const { return fault_; }
-  Vec<D> node_position(std::size_t n) const;  ///< of the node at a storage index
+  Fault fault() const { return fault_; }         ///< the first one found
+  Vec<D> node_position(std::size_t n) const;     ///< of the node at a storage index
   bool is_accelerated(std::size_t n) const { return grid_.m(n) > least_mass_; }
 
   // From particles to the grid; images are summed, those that the boundaries identify among them.
@@ -82,15 +84,15 @@ class Step {
   /// One visit to all particles by these kernels.
   void sweep(std::initializer_list<AnyKernel<D>> kernels, Adds adds = Adds::to_nodes);
 
-  /// The last one of a step: by these, then what must be ready for the next step. What sets F in a step checks it, too:
-  /// UpdateDeformation, or CheckDeformation beside a kernel of a page's own.
+  /// The last one of a step or of a stage: by these, then what must be ready for the next. What sets F in a step checks
+  /// it, too: UpdateDeformation, or CheckDeformation beside a kernel of a page's own. It waits until particles are next
+  /// asked for, and so must what its kernels read: where they are mapped to p and f then, both are one visit to them.
   template <class... Kernels>
   void sweep_and_settle(const Kernels&... kernels) {
-    sweep({kernels..., UpdateWidth<D>{particles_}, SettlePosition<D>{particles_, periodic_, slabs_, must_sort_}},
-          Adds::nothing);
-    ++moves_;
+    settle();
+    waiting_.set(kernels..., UpdateWidth<D>{particles_}, SettlePosition<D>{particles_, periodic_, slabs_, must_sort_});
+    waiting_since_ = steps_;
   }
-  void sort_strays();  ///< to be called when positions have changed and the step goes on
 
   /// Calls visit(n) for every node with mass. Those without have no velocity and acceleration but what boundaries hold.
   template <class Visit>
@@ -121,7 +123,12 @@ class Step {
  private:
   void make_room();
   void add_walls();
+  void step(double dt);
+  void settle();
   void sort();
+  void note(Fault found);
+  void note_of_waiting(Fault found);
+  void map(std::initializer_list<AnyKernel<D>> kernels);
   void map_forces(const auto& with, const auto&... before);
   void add_surface_load();
   void add_grid_body_force();
@@ -151,8 +158,11 @@ class Step {
   std::int64_t steps_ = 0;
   std::int64_t moves_ = 0;
   bool has_expanded_velocity_ = false;
+  WaitingSweep<D> waiting_;
+  std::int64_t waiting_since_ = 0;  ///< finished steps when it was asked for
   std::atomic<bool> must_sort_{false};
   Fault fault_ = Fault::none;
+  bool is_late_ = false;        ///< the fault is of the last step, found in this one
   Array<std::uint32_t> place_;  ///< of the particle with each id, for the surface load
   std::vector<Vec<D>> load_;    ///< its forces
 };

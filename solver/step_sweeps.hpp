@@ -14,14 +14,51 @@ namespace mpmvv::solver {
 
 template <int D>
 void Step<D>::sweep(std::initializer_list<AnyKernel<D>> kernels, Adds adds) {
-  const Fault found = solver::sweep(adds, scene_.basis, particles_, grid_, slabs_, pool_, kernels);
+  settle();
+  note(solver::sweep<D>(adds, scene_.basis, particles_, grid_, slabs_, pool_, kernels));
+}
+
+template <int D>
+void Step<D>::settle() {
+  if (waiting_.empty()) return;
+  note_of_waiting(solver::sweep<D>(Adds::nothing, scene_.basis, particles_, grid_, slabs_, pool_, waiting_.kernels()));
+  if (must_sort_.exchange(false)) sort();
+}
+
+/// To p and f, which are clear: in one visit with the sweep that waits. Where that finds that particles must be sorted
+/// they are, and mapped anew, which a material with a history would take for another step.
+template <int D>
+void Step<D>::map(std::initializer_list<AnyKernel<D>> kernels) {
+  const bool may_map_anew = particles_.thermal.empty();
+  if (!waiting_.empty() && may_map_anew) {
+    const auto [in_waiting, in_kernels] =
+        sweep_twice<D>(scene_.basis, particles_, grid_, slabs_, pool_, waiting_.kernels(), must_sort_, kernels);
+    note_of_waiting(in_waiting);
+    note(in_kernels);
+    if (!must_sort_.exchange(false)) return;
+    sort();
+    clear_grid();
+  }
+  sweep(kernels);
+}
+
+template <int D>
+void Step<D>::note(Fault found) {
   if (fault_ == Fault::none) fault_ = found;
+}
+
+template <int D>
+void Step<D>::note_of_waiting(Fault found) {
+  waiting_.clear();
+  ++moves_;
+  if (fault_ == Fault::none && found != Fault::none) is_late_ = waiting_since_ < steps_;
+  note(found);
 }
 
 template <int D>
 void Step<D>::map_momentum() {
   clear_grid();
-  sweep({MapAffineMomentum<D>{particles_, grid_}, MapMomentum<D>{particles_, grid_}});
+  map({MapAffineMomentum<D>{particles_, grid_}, MapMomentum<D>{particles_, grid_}});
   sum_momentum_images();
 }
 
@@ -47,7 +84,7 @@ void Step<D>::map_forces(const auto& with, const auto&... before) {
   BodyForce<D>* const force = scene_.body_force_on == BodyForceOn::particles ? scene_.body_force : nullptr;
   if (force) force->prepare(time_);
   const EvaluateStress<D> stress{particles_, scene_.material, dt_};
-  sweep({before..., stress, EvaluateBodyForce<D>{particles_, force, time_}, with(MapForces<D>{particles_, grid_})});
+  map({before..., stress, EvaluateBodyForce<D>{particles_, force, time_}, with(MapForces<D>{particles_, grid_})});
   if (scene_.surface_load) add_surface_load();
   sum_images(grid_.f);
 }
@@ -55,8 +92,7 @@ void Step<D>::map_forces(const auto& with, const auto&... before) {
 template <int D>
 void Step<D>::add_surface_load() {
   scene_.surface_load->forces(time_, load_.data());
-  const Fault found = map_surface_load(scene_.basis, *scene_.surface_load, load_.data(), place_, particles_, grid_);
-  if (fault_ == Fault::none) fault_ = found;
+  note(map_surface_load(scene_.basis, *scene_.surface_load, load_.data(), place_, particles_, grid_));
 }
 
 template <int D>
@@ -76,6 +112,7 @@ void Step<D>::update_particles(double dt) {
     sweep_and_settle(affine, UpdateVelocityAndPosition<D, true>{particles_, grid_, fields, dt});
   else
     sweep_and_settle(affine, UpdateVelocityAndPosition<D, false>{particles_, grid_, fields, dt});
+  if (fields.include(grid_.f)) settle();
 }
 
 template <int D>
@@ -87,6 +124,7 @@ void Step<D>::update_particles(double dt, const DeformationStep& deform) {
     sweep_and_settle(affine, UpdateParticle<D, true>{particles_, grid_, fields, dt}, deformation);
   else
     sweep_and_settle(affine, UpdateParticle<D, false>{particles_, grid_, fields, dt}, deformation);
+  if (fields.include(grid_.f)) settle();
 }
 
 template <int D>

@@ -39,7 +39,6 @@ void rk4(Step<D>& s, double dt) {
     s.set_acceleration();         // a_i
     s.sweep_and_settle(AdvanceStage<D>{s.particles(), s.grid(), stage.weight, stage.next},
                        CheckDeformation<D>{s.particles()});
-    s.sort_strays();
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
-#include <initializer_list>
+#include <atomic>
+#include <span>
+#include <utility>
 
 #include "solver/parallel/slabs.hpp"
 #include "solver/stencils/kernel.hpp"
@@ -21,6 +23,14 @@ Fault evaluate(const AnyBasis& basis, const Particles<D>& particles, const Grid<
 /// what another one of the sweep changes, nor a later block's particles.
 template <int D>
 Fault sweep(Adds adds, const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid, const Slabs<D>& slabs,
-            ThreadPool& pool, std::initializer_list<AnyKernel<D>> kernels);
+            ThreadPool& pool, std::span<const AnyKernel<D>> kernels);
+
+/// Two sweeps in one visit, some blocks at a time, so that what particles are comes from memory once: the first moves
+/// them, the second takes the stencils that they have then and adds to nodes, none of which the first may read. What
+/// follows a fault of the first, or its setting `must_sort`, the second leaves out. Returns the faults of each.
+template <int D>
+std::pair<Fault, Fault> sweep_twice(const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid,
+                                    const Slabs<D>& slabs, ThreadPool& pool, std::span<const AnyKernel<D>> first,
+                                    const std::atomic<bool>& must_sort, std::span<const AnyKernel<D>> second);
 
 }  // namespace mpmvv::solver

@@ -20,6 +20,8 @@ struct VelocityFields {
   const Field* velocity = nullptr;      ///< m/s
   const Field* drift = nullptr;         ///< m/s
   double before = 0, after = 0;
+
+  bool include(const Field& field) const { return acceleration == &field || velocity == &field || drift == &field; }
 };
 
 /// What a velocity update is beside its `word`, its name in study files and on the command line, and its

@@ -64,14 +64,13 @@ double advance(solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Case&
   const auto clock = c.measure.repeat > 0 ? &processor_seconds : &wall_seconds;
   double step_seconds = 0;
   while (record.steps < c.resolution.steps) {
-    const std::int64_t pause = std::min(record.steps + stride, c.resolution.steps);
-    bool sound = true;
+    const std::int64_t left = c.resolution.steps - record.steps;
     const double start = clock();
-    for (; sound && record.steps < pause; ++record.steps) sound = mpm.step(c.resolution.dt);
+    record.steps += mpm.advance(c.resolution.dt, std::min(stride, left));
     step_seconds += clock() - start;
-    if (!sound) record.reason = mpm.fault();
+    record.reason = mpm.fault();
     const bool due = record.steps % watch_interval == 0 || record.steps == c.resolution.steps;
-    if (sound && due) record.reason = judge(blow_up, mpm, prepared);
+    if (record.reason.empty() && due) record.reason = judge(blow_up, mpm, prepared);
     if (!record.reason.empty()) {
       record.status = Status::unstable;
       record.reason += fmt::format(" at step {} of {}", record.steps, c.resolution.steps);
@@ -148,7 +147,7 @@ double cost_of_steps(const Case& c, const problems::Problem& problem) {
   PreparedCase<D> prepared = prepare_case<D>(c, problem, 1);
   solver::Mpm<D> mpm(std::move(prepared.scene));
   const double start = processor_seconds();
-  for (std::int64_t k = 0; k < c.resolution.steps; ++k) mpm.step(c.resolution.dt);
+  mpm.advance(c.resolution.dt, c.resolution.steps);
   const double seconds = processor_seconds() - start;
   return 1e9 * seconds / (static_cast<double>(mpm.particles().size()) * static_cast<double>(c.resolution.steps));
 }

@@ -202,8 +202,10 @@ void expect_exact_gradient(const AnyBasis& basis) {
   ThreadPool pool(1);
   slabs.sort(particles, grid, pool);
   const double dt = 0.01;
+  const UpdatePosition<D> position_kernel{particles, grid, dt};
+  const UpdateDeformation<D> deformation_kernel{particles, DeformationStep{dt}};
   sweep<D>(Adds::nothing, basis, particles, grid, slabs, pool,
-           {UpdatePosition<D>{particles, grid, dt}, UpdateDeformation<D>{particles, DeformationStep{dt}}});
+           std::array<AnyKernel<D>, 2>{position_kernel, deformation_kernel});
   for (std::size_t p = 0; p < x.size(); ++p) {
     EXPECT_LT((particles.F[p] - Mat<D>::Identity() - dt * G).norm(), 1e-14);
     const Vec<D>& X = x[particles.id[p]];

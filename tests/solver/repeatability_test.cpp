@@ -19,18 +19,25 @@ Particles<D> in_order(Particles<D> particles) {
 }
 
 template <int D>
-Particles<D> run(const Scene<D>& scene, int steps, bool* sorted = nullptr) {
-  Mpm<D> mpm(scene);
-  for (int k = 0; k < steps; ++k) EXPECT_TRUE(mpm.step(0.2 * scene.h / 120)) << mpm.fault();
-  if (sorted) *sorted = !std::is_sorted(mpm.particles().id.begin(), mpm.particles().id.end());
-  return in_order(mpm.particles());
-}
-
-template <int D>
 void expect_identical(const Particles<D>& a, const Particles<D>& b) {
   EXPECT_TRUE(a.x == b.x);
   EXPECT_TRUE(a.v == b.v);
   EXPECT_TRUE(a.F == b.F);
+}
+
+/// Steps one by one, and all at one go, which must be the same.
+template <int D>
+Particles<D> run(const Scene<D>& scene, int steps, bool* sorted = nullptr) {
+  const double dt = 0.2 * scene.h / 120;
+  Mpm<D> mpm(scene), at_one_go(scene);
+  for (int k = 0; k < steps; ++k) EXPECT_TRUE(mpm.step(dt)) << mpm.fault();
+  EXPECT_EQ(at_one_go.advance(dt, steps), steps) << at_one_go.fault();
+  EXPECT_EQ(at_one_go.steps(), steps);
+  EXPECT_EQ(at_one_go.time(), mpm.time());
+  EXPECT_TRUE(at_one_go.particles().id == mpm.particles().id);
+  expect_identical(at_one_go.particles(), mpm.particles());
+  if (sorted) *sorted = !std::is_sorted(mpm.particles().id.begin(), mpm.particles().id.end());
+  return in_order(mpm.particles());
 }
 
 /// A wave that drifts through the slabs.
@@ -71,6 +78,22 @@ TEST_P(Repeatability, NumberOfThreadsDoesNotMatter) {
       expect_the_same_for_any_threads(drifting<2>(basis, {4, 40}), integrator, 60);
   }
   expect_the_same_for_any_threads(with_consistent_mass(drifting<2>(basis, {4, 40})), "usl", 60);
+}
+
+TEST(Repeatable, NumberOfThreadsDoesNotMatterWithAnyVelocityUpdate) {
+  Scene<2> scene = drifting<2>(BSpline2{}, {4, 40});
+  for (const AnyVelocityUpdate& update : std::vector<AnyVelocityUpdate>{
+           Flip(FlipPosition::second_order), Flip(FlipPosition::particle), Pic{}, Apic{}, Xpic(3), Fmpm(3), Fmpm(2, 4)})
+    for (const std::string_view integrator : {"usl", "usf", "usl+"}) {
+      scene.velocity_update = update;
+      expect_the_same_for_any_threads(scene, integrator, 40);
+    }
+}
+
+TEST(Repeatable, NumberOfThreadsDoesNotMatterWithAHistory) {
+  Scene<2> scene = drifting<2>(BSpline2{}, {4, 40});
+  scene.material = MieGruneisen{1, 9000, 1.44, 2, 440, 300, 0.4, 4};
+  for (const std::string_view integrator : {"usl", "usf"}) expect_the_same_for_any_threads(scene, integrator, 60);
 }
 
 TEST_P(Repeatability, NumberOfThreadsDoesNotMatterBetweenWalls) {
