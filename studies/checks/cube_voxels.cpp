@@ -32,8 +32,8 @@ Voxels voxels_of(const solver::Mpm<3>& mpm, int cells) {
 Voxels exact_voxels_of(const profiles::MovingBody<3>& motion, int cells) {
   Voxels voxels{static_cast<std::size_t>(cells * per_cell), {}, {}};
   for (const Vec& X : motion.X()) {
-    voxels.centre.push_back(X + motion.solution().u(X, motion.mpm().time()));
-    voxels.width.push_back(motion.solution().F(X, motion.mpm().time()).diagonal() / (cells * per_cell));
+    voxels.centre.emplace_back(X + motion.solution().u(X, motion.mpm().time()));
+    voxels.width.emplace_back(motion.solution().F(X, motion.mpm().time()).diagonal() / (cells * per_cell));
   }
   return voxels;
 }

@@ -131,7 +131,7 @@ class Picture {
   /// Nodal functions at one point inside each element.
   Eigen::SparseMatrix<double> weights_in_elements() const {
     Points<2> points;
-    for (int e = 0; e < cells * cells; ++e) points.push_back(element_corner(e) + Corner(0.37, 0.41));
+    for (int e = 0; e < cells * cells; ++e) points.emplace_back(element_corner(e) + Corner(0.37, 0.41));
     return body_.field().weights(points);
   }
 

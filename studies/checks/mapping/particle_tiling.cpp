@@ -115,7 +115,7 @@ ParticleTiling<1> tiling_of_widths(double lower, const std::vector<double>& widt
   ParticleTiling<1> tiling;
   tiling.lower = tiling.upper = solver::Vec<1>(lower);
   for (const double width : widths) {
-    tiling.x.push_back(tiling.upper + solver::Vec<1>(width / 2));
+    tiling.x.emplace_back(tiling.upper + solver::Vec<1>(width / 2));
     tiling.width.emplace_back(width);
     tiling.upper += solver::Vec<1>(width);
   }
