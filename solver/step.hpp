@@ -71,7 +71,8 @@ class Step {
   void set_acceleration();           ///< a_i = f_i / m_i, constrained if zero                     S (5), W (15)
   void advance_velocity(double dt);  ///< v_i += a_i Δt, constrained                               S (6), W (16), S (30)
 
-  // From the grid to particles: the last sweep of a step, after which all is ready for the next.
+  // From the grid to particles: the last sweep of a step, after which all is ready for the next. A page changes nothing
+  // on the grid after it (see `sweep_and_settle`).
   void update_particles(double dt);                                          ///< v_p, x_p by the velocity update
   void update_particles(double dt, const DeformationStep& deform);           ///< and F_p by the grid's v
   void move_particles_and_deform(double dt, const DeformationStep& deform);  ///< x_p at its rate, F_p by v

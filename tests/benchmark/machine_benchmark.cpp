@@ -23,7 +23,7 @@ void multiply_add_peak(benchmark::State& state) {
   for (auto _ : state) {
     for (int k = 0; k < rounds; ++k)
 #pragma GCC unroll 12
-      for (int c = 0; c < chains; ++c) x[c] = x[c] * factor + summand;
+      for (auto& chain : x) chain = chain * factor + summand;
     for (auto& chain : x) benchmark::DoNotOptimize(chain);
   }
   state.counters["multiply_adds"] = benchmark::Counter(

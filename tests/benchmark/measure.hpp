@@ -52,7 +52,7 @@ inline std::string filling_text(int D, int ppc) {
 
 /// Names a benchmark at run time, for rows that a loop makes.
 template <class Run>
-benchmark::internal::Benchmark* add_benchmark(const std::string& name, Run run) {
+benchmark::internal::Benchmark* add_benchmark(const std::string& name, const Run& run) {
   return benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
 }
 

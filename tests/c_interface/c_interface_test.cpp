@@ -110,7 +110,7 @@ TEST(CInterface, TakesParametersByName) {
 }
 
 void expect_refusal(const char* name, const char* parameter, double value, mpmvv_status status, const char* message) {
-  mpmvv_solution* made = reinterpret_cast<mpmvv_solution*>(&status);
+  auto* made = reinterpret_cast<mpmvv_solution*>(&status);
   EXPECT_EQ(mpmvv_create(name, parameter ? 1 : 0, &parameter, &value, &made), status);
   EXPECT_EQ(made, nullptr);
   EXPECT_NE(std::string(mpmvv_message()).find(message), std::string::npos) << mpmvv_message();

@@ -12,8 +12,7 @@
 #include "tests/studies/codes/mover.hpp"
 
 /// Studies whose code goes wrong, or is stopped.
-namespace mpmvv::cli {
-namespace broken_codes_test {
+namespace mpmvv::cli::broken_codes_test {
 
 namespace fs = std::filesystem;
 using codes::Mover;
@@ -109,5 +108,4 @@ TEST_F(StudyOfABrokenCode, ARunThatIsStoppedSaysSoAndLeavesNoFolder) {
   EXPECT_EQ(read_text(mover_.top() / "messages"), "stopped: mover was ended before it had finished\n");
 }
 
-}  // namespace broken_codes_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::broken_codes_test

@@ -7,8 +7,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace claims_test {
+namespace mpmvv::cli::claims_test {
 
 using testing::AllOf;
 using testing::ContainsRegex;
@@ -110,5 +109,4 @@ TEST_F(Claims, HaveColoursOnATerminalThatWantsSome) {
   EXPECT_THAT(claims().out, Not(HasSubstr("\033")));
 }
 
-}  // namespace claims_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::claims_test

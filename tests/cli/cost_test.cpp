@@ -7,8 +7,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace mpmvv::cli {
-namespace cost_command_test {
+namespace mpmvv::cli::cost_command_test {
 
 using testing::HasSubstr;
 
@@ -83,5 +82,4 @@ TEST_F(CostCommand, EveryCaseOfTheTreeIsOne) {
                                             "cpgimp", "cpdi", "b2gimp", "b2cpdi"}));
 }
 
-}  // namespace cost_command_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::cost_command_test

@@ -3,8 +3,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace mpmvv::cli {
-namespace expression_test {
+namespace mpmvv::cli::expression_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -60,5 +59,4 @@ TEST(ExpressionCommand, RefusesInOneLine) {
   }
 }
 
-}  // namespace expression_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::expression_test

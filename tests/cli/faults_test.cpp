@@ -4,8 +4,7 @@
 #include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
 
-namespace mpmvv::cli {
-namespace faults_test {
+namespace mpmvv::cli::faults_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -286,5 +285,4 @@ TEST_F(Faults, AFlagTakesTrueAndFalseAlone) {
   }
 }
 
-}  // namespace faults_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::faults_test

@@ -6,8 +6,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace figure_test {
+namespace mpmvv::cli::figure_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -105,5 +104,4 @@ TEST_F(Figure, TheStoreIsNoPlaceForIt) {
   EXPECT_THAT(answer.err, HasSubstr("would overwrite 'r.pdf'"));
 }
 
-}  // namespace figure_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::figure_test

@@ -6,8 +6,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace gate_text_test {
+namespace mpmvv::cli::gate_text_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -59,5 +58,4 @@ TEST_F(GateText, VerboseNamesEachGolden) {
                                 Not(HasSubstr("nothing in the store"))));
 }
 
-}  // namespace gate_text_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::gate_text_test

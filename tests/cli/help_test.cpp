@@ -12,8 +12,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace help_test {
+namespace mpmvv::cli::help_test {
 
 using testing::AllOf;
 using testing::AnyOf;
@@ -72,8 +71,9 @@ class Help : public testing::Test {
   /// Particles in mm, with names of their own.
   static std::string dump_of_the_square() {
     std::string text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1024\nITEM: ATOMS tag px py\n";
-    for (int k = 0; k < 1024; ++k)
-      text += fmt::format("{} {} {}\n", k + 1, 31.25 * (k % 32 + 0.5), 31.25 * (k / 32 + 0.5));
+    for (int row = 0; row < 32; ++row)
+      for (int k = 0; k < 32; ++k)
+        text += fmt::format("{} {} {}\n", 32 * row + k + 1, 31.25 * (k + 0.5), 31.25 * (row + 0.5));
     return text;
   }
 
@@ -136,5 +136,4 @@ TEST_F(Help, ShowsValuesAndDefaults) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
 }
 
-}  // namespace help_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::help_test

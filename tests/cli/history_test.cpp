@@ -7,8 +7,7 @@
 #include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
 
-namespace mpmvv::cli {
-namespace history_test {
+namespace mpmvv::cli::history_test {
 
 using testing::AllOf;
 using testing::ContainsRegex;
@@ -152,5 +151,4 @@ TEST(Workflow, RunsWordsThatThereAre) {
   }
 }
 
-}  // namespace history_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::history_test

@@ -5,8 +5,7 @@
 #include "tests/walk.hpp"
 
 /// The pages that say how to extend the program, carried out in a copy of the tree.
-namespace mpmvv::cli {
-namespace how_to_nightly_test {
+namespace mpmvv::cli::how_to_nightly_test {
 
 using testing::HasSubstr;
 
@@ -105,5 +104,4 @@ TEST_F(HowToNightly, ASolutionIsADisplacementField) {
       << "second order";
 }
 
-}  // namespace how_to_nightly_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::how_to_nightly_test

@@ -7,8 +7,7 @@
 #include "tests/walk.hpp"
 
 /// The pages that say how to use the program, carried out.
-namespace mpmvv::cli {
-namespace how_to_test {
+namespace mpmvv::cli::how_to_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -86,5 +85,4 @@ TEST_F(HowTo, AStudySaysHowSureANumberIs) {
               AllOf(HasSubstr("30 runs that scatter by"), HasSubstr("energy_loss")));
 }
 
-}  // namespace how_to_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::how_to_test

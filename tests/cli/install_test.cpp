@@ -6,8 +6,7 @@
 #include "tests/walk.hpp"
 
 /// What `cmake --install` and the Debian package put on a system.
-namespace mpmvv::cli {
-namespace install_test {
+namespace mpmvv::cli::install_test {
 
 using testing::ContainsRegex;
 using testing::HasSubstr;
@@ -99,5 +98,4 @@ TEST_F(PackageNightly, TakesAFirstStudyToAGateThatPassesOnABareDebian) {
   EXPECT_FALSE(std::filesystem::exists(bare + "/usr/share/mpmvv"));
 }
 
-}  // namespace install_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::install_test

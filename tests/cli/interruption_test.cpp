@@ -1,14 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 
+#include <csignal>
 #include <thread>
 
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace interruption_test {
+namespace mpmvv::cli::interruption_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -58,5 +57,4 @@ TEST_P(Interrupted, AStudyKeepsWhatHasFinishedAndSaysHowToGoOn) {
 
 INSTANTIATE_TEST_SUITE_P(, Interrupted, testing::Values(SIGINT, SIGTERM));
 
-}  // namespace interruption_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::interruption_test

@@ -7,8 +7,7 @@
 #include "cli/lines.hpp"
 #include "tests/cli/program.hpp"
 
-namespace mpmvv::cli {
-namespace list_test {
+namespace mpmvv::cli::list_test {
 
 using testing::AllOf;
 using testing::AnyOf;
@@ -75,5 +74,4 @@ TEST(ListCommand, ExplainsTheStudyFileWithoutMarkdownOnATerminal) {
   EXPECT_THAT(reference, Not(AnyOf(HasSubstr("|"), HasSubstr("`"), HasSubstr("**"))));
 }
 
-}  // namespace list_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::list_test

@@ -7,8 +7,7 @@
 #include "tests/cli/program.hpp"
 
 /// The man page and the completions of shells, which the program makes of its own command line.
-namespace mpmvv::cli {
-namespace manual_test {
+namespace mpmvv::cli::manual_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -142,5 +141,4 @@ zpty -d shell
     EXPECT_THAT(zsh.out, HasSubstr(completed));
 }
 
-}  // namespace manual_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::manual_test

@@ -11,8 +11,7 @@
 #include <regex>
 #include <string>
 
-namespace mpmvv::cli {
-namespace markdown_test {
+namespace mpmvv::cli::markdown_test {
 
 /// What a terminal shows of it, without the blanks at the ends of lines.
 std::string on_a_terminal(const std::string& markdown) {
@@ -51,5 +50,4 @@ TEST(Markdown, OfATableWithOneColumnIsThatColumn) {
   EXPECT_EQ(on_a_terminal("| key |\n|---|\n| a |\n"), "key\na\n");
 }
 
-}  // namespace markdown_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::markdown_test

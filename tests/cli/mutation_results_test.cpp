@@ -5,8 +5,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace mutation_results_test {
+namespace mpmvv::cli::mutation_results_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -127,5 +126,4 @@ TEST(Program, KnowsNothingOfMutants) {
   EXPECT_THAT(answer.err, HasSubstr("unknown command 'mutants' (known: run, "));
 }
 
-}  // namespace mutation_results_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::mutation_results_test

@@ -8,8 +8,7 @@
 #include "tests/walk.hpp"
 
 /// Codes of other people, by their adapters.
-namespace mpmvv::cli {
-namespace other_codes_test {
+namespace mpmvv::cli::other_codes_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -113,5 +112,4 @@ TEST_F(OtherCodesNightly, TheSmallCodeHoldsItsGoldens) {
   EXPECT_EQ(gate.code, 0) << gate.out;
 }
 
-}  // namespace other_codes_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::other_codes_test

@@ -5,8 +5,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace outputs_test {
+namespace mpmvv::cli::outputs_test {
 
 using testing::HasSubstr;
 
@@ -18,7 +17,7 @@ class Outputs : public testing::Test {
     std::filesystem::create_directories(folder / "goldens");
     folder.write("goldens/g.toml", "[[order]]\n");
     folder.write("tests/mutation/summary.json", "{}\n");
-    store::Store(folder / "v.db", store::Store::Mode::create_or_write);
+    const store::Store made(folder / "v.db", store::Store::Mode::create_or_write);
     std::filesystem::create_hard_link(folder / "v.db", folder / "hard");
     std::filesystem::create_symlink("v.db", folder / "soft");
     std::filesystem::create_symlink("goldens", folder / "same-goldens");
@@ -66,5 +65,4 @@ TEST_F(Outputs, OfAnotherPlaceAreWritten) {
   EXPECT_TRUE(std::filesystem::exists(folder / "v.csv"));
 }
 
-}  // namespace outputs_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::outputs_test

@@ -10,8 +10,7 @@
 #include "tests/walk.hpp"
 
 /// Studies and goldens in a folder outside the tree, and those that come with the program.
-namespace mpmvv::cli {
-namespace own_studies_test {
+namespace mpmvv::cli::own_studies_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -70,7 +69,7 @@ TEST_F(OwnStudies, AFolderOfThemIsRunAndGatedAlone) {
 TEST_F(OwnStudies, NameAClaimOfAPaper) {
   folder_.write("one.toml", small_study);
   ASSERT_EQ(in_folder("mpmvv study one.toml --db results.db").code, 0);
-  const nlohmann::json answer = in_folder("mpmvv claims --json --db results.db").json(), claims = answer["claims"];
+  const nlohmann::json answer = in_folder("mpmvv claims --json --db results.db").json(), &claims = answer["claims"];
   ASSERT_EQ(claims.size(), 1U);
   EXPECT_EQ(claims[0]["source"], "Steffen et al. 2008");
   EXPECT_THAT(claims[0]["statement"].get<std::string>(), HasSubstr("quadratic B-splines are O(h²)"));
@@ -142,7 +141,7 @@ TEST_F(OwnStudies, AreCostedBeforeTheCasesOfTheProgram) {
 
 TEST_F(OwnStudies, AreListedWithTheirTitlesAndClaims) {
   folder_.write("one.toml", small_study);
-  const nlohmann::json own = in_folder("mpmvv list studies --studies . --json").json(), studies = own["studies"];
+  const nlohmann::json own = in_folder("mpmvv list studies --studies . --json").json(), &studies = own["studies"];
   ASSERT_EQ(studies.size(), 1U);
   EXPECT_EQ(studies[0], (nlohmann::json{{"name", "one"}, {"title", "Small"}, {"claims", {"S-fig10"}}}));
   EXPECT_THAT(in_folder("mpmvv list studies").out, HasSubstr("Bar: convergence with linear and quadratic basis"));
@@ -157,5 +156,4 @@ TEST_F(OwnStudies, AreToBeNamedAndThere) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "results.db"));
 }
 
-}  // namespace own_studies_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::own_studies_test

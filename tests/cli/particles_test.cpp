@@ -3,8 +3,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace mpmvv::cli {
-namespace particles_test {
+namespace mpmvv::cli::particles_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -46,5 +45,4 @@ TEST(ParticlesCommand, RefusesWhatIsNoCase) {
   EXPECT_EQ(call(folder, square + " --csv " + (folder / "no/such/p.csv")).code, 2);
 }
 
-}  // namespace particles_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::particles_test

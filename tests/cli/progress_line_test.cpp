@@ -4,8 +4,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace progress_line_test {
+namespace mpmvv::cli::progress_line_test {
 
 using testing::ContainsRegex;
 using testing::HasSubstr;
@@ -20,5 +19,4 @@ TEST(ProgressLine, SaysOnATerminalHowLongTheRestTakes) {
   EXPECT_THAT(shown, HasSubstr("\r\033[Ksmall: Small\r\n")) << "gone before the results";
 }
 
-}  // namespace progress_line_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::progress_line_test

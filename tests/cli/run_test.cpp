@@ -3,8 +3,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace mpmvv::cli {
-namespace run_test {
+namespace mpmvv::cli::run_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -203,5 +202,4 @@ TEST(RunCommand, AVtuSeriesTakesThePlaceOfTheEarlierOne) {
                                                    "particles-000x.vtu", "notes"));
 }
 
-}  // namespace run_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::run_test

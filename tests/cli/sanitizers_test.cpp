@@ -9,8 +9,7 @@
 
 #include "program.hpp"
 
-namespace mpmvv::cli {
-namespace sanitizers_test {
+namespace mpmvv::cli::sanitizers_test {
 
 using ::testing::IsEmpty;
 
@@ -62,5 +61,4 @@ TEST(Sanitizers, RunAndLeaveOutCasesThatAreThere) {
   EXPECT_THAT(without_a_case("sanitized_threads.txt", cases), IsEmpty());
 }
 
-}  // namespace sanitizers_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::sanitizers_test

@@ -4,8 +4,7 @@
 #include "tests/studies/codes/mover.hpp"
 
 /// What a code has written somewhere else, put into the store of a study.
-namespace mpmvv::cli {
-namespace score_store_test {
+namespace mpmvv::cli::score_store_test {
 
 using codes::Mover;
 using testing::HasSubstr;
@@ -62,5 +61,4 @@ TEST_F(ScoredIntoAStore, ACaseOfOurOwnSolverIsRefused) {
   EXPECT_EQ(scored.out, "");
 }
 
-}  // namespace score_store_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::score_store_test

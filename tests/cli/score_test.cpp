@@ -3,8 +3,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace mpmvv::cli {
-namespace score_test {
+namespace mpmvv::cli::score_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -86,5 +85,4 @@ TEST_F(Score, ACaseThatWasEditedIsRefused) {
   EXPECT_THAT(answer.err, HasSubstr("settings that make another case than its text"));
 }
 
-}  // namespace score_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::score_test

@@ -7,8 +7,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace mpmvv::cli {
-namespace slurm_test {
+namespace mpmvv::cli::slurm_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -102,5 +101,4 @@ TEST_F(SlurmNightly, AKilledShardIsNamedAndSubmittedAgainAndTheResultIsThatOfOne
   EXPECT_EQ(study_from("r.db"), study_from("whole.db"));
 }
 
-}  // namespace slurm_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::slurm_test

@@ -11,8 +11,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace store_commands_test {
+namespace mpmvv::cli::store_commands_test {
 
 using testing::HasSubstr;
 using testing::MatchesRegex;
@@ -184,5 +183,4 @@ TEST(Program, NamesItsVersionWhenAsked) {
   EXPECT_THAT(call(folder, "--version").out, MatchesRegex("mpmvv .*\ndigest [0-9a-f]+\n.*\n"));
 }
 
-}  // namespace store_commands_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::store_commands_test

@@ -4,8 +4,7 @@
 #include "tests/cli/program.hpp"
 
 /// Errors that are the problem's and not the method's.
-namespace mpmvv::cli {
-namespace study_floor_test {
+namespace mpmvv::cli::study_floor_test {
 
 using testing::HasSubstr;
 
@@ -39,5 +38,4 @@ TEST(StudyCommand, GivesNoOrderNearTheErrorOfTheSolution) {
                                     "solution,"));
 }
 
-}  // namespace study_floor_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::study_floor_test

@@ -7,8 +7,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace study_refusal_test {
+namespace mpmvv::cli::study_refusal_test {
 
 using testing::HasSubstr;
 
@@ -129,5 +128,4 @@ TEST(BadStudyName, IsRefusedAtTheEntry) {
   EXPECT_FALSE(std::filesystem::exists(db));
 }
 
-}  // namespace study_refusal_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::study_refusal_test

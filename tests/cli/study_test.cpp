@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 
+#include <csignal>
 #include <filesystem>
 #include <sstream>
 #include <thread>
@@ -9,8 +9,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace study_test {
+namespace mpmvv::cli::study_test {
 
 using testing::AllOf;
 using testing::ContainsRegex;
@@ -29,11 +28,10 @@ std::string physical(const std::string& csv) {
   while (std::getline(lines, line)) {
     std::istringstream fields(line);
     std::string row;
-    for (std::size_t k = 0; k < names.size(); ++k) {
+    for (const std::string& name : names) {
       std::string field;
       std::getline(fields, field, ',');
-      if (names[k] == "l1" || names[k] == "l2" || names[k] == "linf" || names[k] == "status" || names[k] == "case_text")
-        row += field + ",";
+      if (name == "l1" || name == "l2" || name == "linf" || name == "status" || name == "case_text") row += field + ",";
     }
     rows.push_back(row);
   }
@@ -276,5 +274,4 @@ TEST(StudyCommand, AFitOfAllSeriesLeavesOutThoseThatDoWithoutItsNorm) {
   EXPECT_THAT(named.err, HasSubstr("without every_step = true in series 'linear'"));
 }
 
-}  // namespace study_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::study_test

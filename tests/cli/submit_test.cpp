@@ -8,8 +8,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace submit_test {
+namespace mpmvv::cli::submit_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -127,5 +126,4 @@ TEST_F(Submit, RefusesWhatNoClusterTakes) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "r.shards"));
 }
 
-}  // namespace submit_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::submit_test

@@ -4,8 +4,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
-namespace mpmvv::cli {
-namespace suggestion_test {
+namespace mpmvv::cli::suggestion_test {
 
 using testing::HasSubstr;
 
@@ -51,5 +50,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Misspelt{.word = "criterio", .meant = "criterion", .in_study = "criterion"},
                     Misspelt{.word = "perodic", .meant = "periodic", .in_study = "periodic"}));
 
-}  // namespace suggestion_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::suggestion_test

@@ -6,8 +6,7 @@
 
 #include "cli/numbers.hpp"
 
-namespace mpmvv::cli {
-namespace table_test {
+namespace mpmvv::cli::table_test {
 
 using Kind = Table::Kind;
 
@@ -95,5 +94,4 @@ TEST(Table, ShowsNoControlSequenceOfACell) {
   EXPECT_EQ(table.text(80, false), "  name\n  a\\x1b[31m\\nb\n");
 }
 
-}  // namespace table_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::table_test

@@ -2,8 +2,7 @@
 
 #include "tests/cli/program.hpp"
 
-namespace mpmvv::cli {
-namespace vtu_test {
+namespace mpmvv::cli::vtu_test {
 
 /// The reader of VTK, Debian's python3-vtk9.
 TEST(VtuNightly, VtkReadsTheSeriesAndTheErrorIsThatOfTheRecord) {
@@ -26,5 +25,4 @@ TEST(VtuNightly, VtkReadsTheSeriesAndTheErrorIsThatOfTheRecord) {
   EXPECT_NEAR(found["l2"].get<double>(), record["error"]["l2"].get<double>(), 1e-12);
 }
 
-}  // namespace vtu_test
-}  // namespace mpmvv::cli
+}  // namespace mpmvv::cli::vtu_test

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace mpmvv::goldens {
-namespace comparison_test {
+namespace mpmvv::goldens::comparison_test {
 
 using claims::Finding;
 
@@ -149,5 +148,4 @@ TEST(Compare, ListsWhatOnlyOneHas) {
   EXPECT_THAT(compare({claim}, {}).only_before, ElementsAre("claim S-fig10"));
 }
 
-}  // namespace comparison_test
-}  // namespace mpmvv::goldens
+}  // namespace mpmvv::goldens::comparison_test

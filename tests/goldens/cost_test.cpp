@@ -5,8 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace mpmvv::goldens {
-namespace cost_test {
+namespace mpmvv::goldens::cost_test {
 
 /// Pairs whose noise has a median of one.
 class Noisy {
@@ -72,5 +71,4 @@ TEST(Cost, TheIntervalHoldsTheTrueRatio) {
   EXPECT_GE(held, 1975);
 }
 
-}  // namespace cost_test
-}  // namespace mpmvv::goldens
+}  // namespace mpmvv::goldens::cost_test

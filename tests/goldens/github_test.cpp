@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace mpmvv::goldens {
-namespace github_test {
+namespace mpmvv::goldens::github_test {
 
 TEST(Github, MarksTheLinesOfGoldensThatDoNotPass) {
   const GateReport report{{{"s", "order of 'a' in l2", Verdict::pass, "2", "2.01", "", "goldens/s.toml:3"},
@@ -32,5 +31,4 @@ TEST(Github, NoNameBeginsACommandOfItsOwn) {
   EXPECT_EQ(lines.find("\xE2\x80\xA8"), std::string::npos);
 }
 
-}  // namespace github_test
-}  // namespace mpmvv::goldens
+}  // namespace mpmvv::goldens::github_test

@@ -8,8 +8,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv::goldens {
-namespace golden_test {
+namespace mpmvv::goldens::golden_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -241,5 +240,4 @@ TEST_F(GoldenDirectory, NothingToReadIsAnError) {
   EXPECT_TRUE(has_goldens(directory));
 }
 
-}  // namespace golden_test
-}  // namespace mpmvv::goldens
+}  // namespace mpmvv::goldens::golden_test

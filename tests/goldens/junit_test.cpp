@@ -7,8 +7,7 @@
 #include <sstream>
 #include <string>
 
-namespace mpmvv::goldens {
-namespace junit_test {
+namespace mpmvv::goldens::junit_test {
 
 using boost::property_tree::ptree;
 
@@ -68,5 +67,4 @@ TEST(Junit, HoldsNoCharacterThatXmlForbids) {
   EXPECT_EQ(xml.find(']' + std::string("]>")), std::string::npos);
 }
 
-}  // namespace junit_test
-}  // namespace mpmvv::goldens
+}  // namespace mpmvv::goldens::junit_test

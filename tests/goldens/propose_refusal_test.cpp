@@ -6,8 +6,7 @@
 #include "tests/goldens/propose_samples.hpp"
 
 /// What is not proposed, and what stands in for it.
-namespace mpmvv::goldens {
-namespace propose_refusal_test {
+namespace mpmvv::goldens::propose_refusal_test {
 
 using namespace propose_samples;
 
@@ -71,5 +70,4 @@ TEST(Propose, NothingToProposeIsAnError) {
   EXPECT_THROW(propose_goldens(study_with({}), clean), UsageError);
 }
 
-}  // namespace propose_refusal_test
-}  // namespace mpmvv::goldens
+}  // namespace mpmvv::goldens::propose_refusal_test

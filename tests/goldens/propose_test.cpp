@@ -12,8 +12,7 @@
 #include "studies/support/error.hpp"
 #include "tests/goldens/propose_samples.hpp"
 
-namespace mpmvv::goldens {
-namespace propose_test {
+namespace mpmvv::goldens::propose_test {
 
 using namespace propose_samples;
 
@@ -205,5 +204,4 @@ TEST(Propose, WhatWasMeasuredPassesItsOwnProposal) {
   }
 }
 
-}  // namespace propose_test
-}  // namespace mpmvv::goldens
+}  // namespace mpmvv::goldens::propose_test

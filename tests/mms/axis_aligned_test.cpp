@@ -2,8 +2,7 @@
 
 #include "tests/mms/samples.hpp"
 
-namespace mpmvv::mms {
-namespace axis_aligned_test {
+namespace mpmvv::mms::axis_aligned_test {
 
 /// Normal displacement and shear vanish on the faces of square and cube, which so are symmetry planes and smooth walls.
 template <class S>
@@ -42,5 +41,4 @@ TEST(CubeSolution, IsPeriodic) {
   }
 }
 
-}  // namespace axis_aligned_test
-}  // namespace mpmvv::mms
+}  // namespace mpmvv::mms::axis_aligned_test

@@ -5,8 +5,7 @@
 #include "tests/mms/balance.hpp"
 #include "tests/mms/differences.hpp"
 
-namespace mpmvv::mms {
-namespace derived_test {
+namespace mpmvv::mms::derived_test {
 
 /// The derivation itself, on a field whose derivatives are known: simple shear that grows as t².
 TEST(Derived, PlaneShearByHand) {
@@ -87,5 +86,4 @@ TEST_F(UserDefined, BalancesForces) {
   }
 }
 
-}  // namespace derived_test
-}  // namespace mpmvv::mms
+}  // namespace mpmvv::mms::derived_test

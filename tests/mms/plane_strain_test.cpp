@@ -4,8 +4,7 @@
 
 #include "tests/mms/samples.hpp"
 
-namespace mpmvv::mms {
-namespace plane_strain_test {
+namespace mpmvv::mms::plane_strain_test {
 
 /// A plane motion in three dimensions.
 template <class Displacement>
@@ -43,5 +42,4 @@ TYPED_TEST(PlaneSolution, IsPlaneStrain) {
   }
 }
 
-}  // namespace plane_strain_test
-}  // namespace mpmvv::mms
+}  // namespace mpmvv::mms::plane_strain_test

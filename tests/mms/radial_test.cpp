@@ -2,8 +2,7 @@
 
 #include "tests/mms/samples.hpp"
 
-namespace mpmvv::mms {
-namespace radial_test {
+namespace mpmvv::mms::radial_test {
 
 constexpr double radii_of_rings[][2] = {{0.5, 1}, {0.2, 1.1}, {1, 2.9}, {1, 3.1}, {0.01, 0.7}};
 
@@ -103,5 +102,4 @@ TYPED_TEST(RadialSolution, MovesAlongTheRadius) {
     }
 }
 
-}  // namespace radial_test
-}  // namespace mpmvv::mms
+}  // namespace mpmvv::mms::radial_test

@@ -10,8 +10,7 @@
 #include "tests/mms/differences.hpp"
 #include "tests/mms/samples.hpp"
 
-namespace mpmvv::mms {
-namespace solutions_test {
+namespace mpmvv::mms::solutions_test {
 
 /// A sample whose type is forgotten: what the tests ask of it is compiled once in each dimension.
 template <int D>
@@ -251,5 +250,4 @@ TEST_P(Solution, PointwiseServesThreadsAtDifferentTimes) {
   });
 }
 
-}  // namespace solutions_test
-}  // namespace mpmvv::mms
+}  // namespace mpmvv::mms::solutions_test

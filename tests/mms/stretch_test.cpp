@@ -4,8 +4,7 @@
 
 #include "mms/derived.hpp"
 
-namespace mpmvv::mms {
-namespace stretch_test {
+namespace mpmvv::mms::stretch_test {
 
 template <int D>
 void expect_as_derived(const Elasticity& material) {
@@ -56,5 +55,4 @@ TEST(Stretch, HasFreeSidesWithoutPoissonsRatio) {
   EXPECT_EQ(P(1, 1), 0);
 }
 
-}  // namespace stretch_test
-}  // namespace mpmvv::mms
+}  // namespace mpmvv::mms::stretch_test

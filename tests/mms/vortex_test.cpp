@@ -6,8 +6,7 @@
 
 #include "tests/mms/samples.hpp"
 
-namespace mpmvv::mms {
-namespace vortex_test {
+namespace mpmvv::mms::vortex_test {
 
 template <class Check>
 void everywhere_in_the_vortex(const Check& check) {
@@ -62,5 +61,4 @@ TEST(Vortex, IsTheSameForEveryLambda) {
   });
 }
 
-}  // namespace vortex_test
-}  // namespace mpmvv::mms
+}  // namespace mpmvv::mms::vortex_test

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -126,11 +127,11 @@ std::string sources_of(const std::string& gate) {
 
 std::optional<Mutant> known_result(const std::vector<Mutant>& kept, const Mutant& wanted) {
   if (const Mutant* same = find_mutant(kept, wanted)) return *same;
-  for (auto earlier = kept.rbegin(); earlier != kept.rend(); ++earlier) {
-    Mutant moved = *earlier;
+  for (const Mutant& earlier : kept | std::views::reverse) {
+    Mutant moved = earlier;
     moved.gate = wanted.gate;
-    if (sources_of(earlier->gate) != sources_of(wanted.gate) || !find_mutant({moved}, wanted)) continue;
-    moved.gate = earlier->gate;
+    if (sources_of(earlier.gate) != sources_of(wanted.gate) || !find_mutant({moved}, wanted)) continue;
+    moved.gate = earlier.gate;
     std::erase_if(moved.trials, [](const Trial& trial) { return !trial.caught; });
     return moved;
   }

@@ -22,7 +22,7 @@ constexpr std::array computing{"mms/",          "solver/",           "studies/ca
 /// Collects the mutations of one text.
 class MutationFinder {
  public:
-  MutationFinder(const std::string& file, const std::string& text) : file_(file), tokens_(tokens_of(text)) {}
+  MutationFinder(std::string file, const std::string& text) : file_(std::move(file)), tokens_(tokens_of(text)) {}
 
   std::vector<Edit> all() {
     for (k_ = 0; k_ < tokens_.size(); ++k_) {

@@ -7,8 +7,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv::reports {
-namespace alarm_log_test {
+namespace mpmvv::reports::alarm_log_test {
 
 using testing::HasSubstr;
 
@@ -41,5 +40,4 @@ TEST_F(MutantFiles, RunsWithoutAMistakeAreRead) {
   }
 }
 
-}  // namespace alarm_log_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::alarm_log_test

@@ -6,8 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace mpmvv::reports {
-namespace axis_test {
+namespace mpmvv::reports::axis_test {
 
 std::vector<std::string> texts(const Axis& axis) {
   std::vector<std::string> result;
@@ -84,5 +83,4 @@ TEST(Axis, RangesThatTicsCannotStepThroughAreWidened) {
       }
 }
 
-}  // namespace axis_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::axis_test

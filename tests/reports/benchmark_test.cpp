@@ -10,8 +10,7 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv::reports {
-namespace benchmark_test {
+namespace mpmvv::reports::benchmark_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -122,5 +121,4 @@ TEST(Benchmark, StandsInTheReport) {
   EXPECT_THAT(content(folder / "out" / "index.html"), testing::Not(HasSubstr("benchmark.html")));
 }
 
-}  // namespace benchmark_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::benchmark_test

@@ -10,8 +10,7 @@
 #include "tests/reports/rules.hpp"
 #include "tests/reports/synthetic.hpp"
 
-namespace mpmvv::reports {
-namespace chart_test {
+namespace mpmvv::reports::chart_test {
 
 using records::Series;
 using records::Status;
@@ -197,5 +196,4 @@ TEST(ErrorChart, UnknownSeriesIsNamed) {
   }
 }
 
-}  // namespace chart_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::chart_test

@@ -5,8 +5,7 @@
 #include "studies/fits/work_precision.hpp"
 #include "tests/reports/synthetic.hpp"
 
-namespace mpmvv::reports {
-namespace cheapest_table_test {
+namespace mpmvv::reports::cheapest_table_test {
 
 records::StudyResult measured(const std::vector<double>& errors) {
   records::StudyResult study = synthetic::convergence();
@@ -27,5 +26,4 @@ TEST(CheapestTable, AnInfiniteErrorHasNoDecades) {
   EXPECT_TRUE(cheapest_table(measured({INFINITY})).empty());
 }
 
-}  // namespace cheapest_table_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::cheapest_table_test

@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace mpmvv::reports {
-namespace code_table_test {
+namespace mpmvv::reports::code_table_test {
 
 using testing::HasSubstr;
 
@@ -81,5 +80,4 @@ TEST(CodeTable, IsEmptyWithoutOne) {
   EXPECT_TRUE(code_table(ReportInput{}).empty());
 }
 
-}  // namespace code_table_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::code_table_test

@@ -6,8 +6,7 @@
 #include "studies/support/error.hpp"
 #include "tests/reports/distinct.hpp"
 
-namespace mpmvv::reports {
-namespace figure_choice_test {
+namespace mpmvv::reports::figure_choice_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -87,5 +86,4 @@ TEST(FigureChoice, LettersOfAPaperAreTakenForLarger) {
   EXPECT_EQ(choose_figures(studies(), "one").chosen[0].letter, paper_letter);
 }
 
-}  // namespace figure_choice_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::figure_choice_test

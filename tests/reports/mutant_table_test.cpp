@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace mpmvv::reports {
-namespace mutant_table_test {
+namespace mpmvv::reports::mutant_table_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -81,5 +80,4 @@ TEST(MutantTables, RunsWithoutAMistakeAreCountedByBuild) {
               ElementsAre(ElementsAre("clang++", "3", "14", "2"), ElementsAre("g++", "1", "7", "0")));
 }
 
-}  // namespace mutant_table_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::mutant_table_test

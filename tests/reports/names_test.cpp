@@ -15,8 +15,7 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv::reports {
-namespace names_test {
+namespace mpmvv::reports::names_test {
 
 using records::StudyResult;
 
@@ -219,5 +218,4 @@ TEST(Names, NeverShareAFileOrAnId) {
                 HasSubstr("Title of " + latex_text(study.name)));
 }
 
-}  // namespace names_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::names_test

@@ -7,8 +7,7 @@
 #include "reports/plot.hpp"
 #include "reports/plot_style.hpp"
 
-namespace mpmvv::reports {
-namespace original_look_test {
+namespace mpmvv::reports::original_look_test {
 
 records::StudyResult study_with(const std::string& figure, const std::string& quantity,
                                 const std::vector<std::string>& series) {
@@ -93,5 +92,4 @@ TEST(OriginalLook, NoSampleOfTheKeyTakesTheDashOfTheOneBefore) {
   EXPECT_NE(looks[0].substr(0, looks[0].find(" dt")), looks[1].substr(0, looks[1].find(" dt")));
 }
 
-}  // namespace original_look_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::original_look_test

@@ -7,8 +7,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv::reports {
-namespace other_codes_test {
+namespace mpmvv::reports::other_codes_test {
 
 using testing::ElementsAre;
 using testing::MatchesRegex;
@@ -80,5 +79,4 @@ TEST(OtherCodes, StandBesideACaseOfTheSameKind) {
   EXPECT_TRUE(others_table(benchmark, codes).empty());
 }
 
-}  // namespace other_codes_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::other_codes_test

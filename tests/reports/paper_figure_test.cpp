@@ -15,8 +15,7 @@
 #include "tests/reports/temp_folder.hpp"
 
 /// Figures as they are drawn for a paper.
-namespace mpmvv::reports {
-namespace paper_figure_test {
+namespace mpmvv::reports::paper_figure_test {
 
 using read_back::Drawing;
 using read_back::expect_near;
@@ -177,5 +176,4 @@ TEST(PaperFigureNightly, NoTextTouchesAnotherOrTheEdge) {
     }
 }
 
-}  // namespace paper_figure_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::paper_figure_test

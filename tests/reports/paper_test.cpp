@@ -11,8 +11,7 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv::reports {
-namespace paper_test {
+namespace mpmvv::reports::paper_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -132,5 +131,4 @@ TEST(PaperNightly, CompilesByOneCommand) {
     EXPECT_EQ(said_about(complaint, content(folder / "main.log")), "");
 }
 
-}  // namespace paper_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::paper_test

@@ -9,8 +9,7 @@
 #include "studies/support/error.hpp"
 #include "studies/support/toml_file.hpp"
 
-namespace mpmvv::reports {
-namespace papers_test {
+namespace mpmvv::reports::papers_test {
 
 std::string message(const std::string& text) {
   try {
@@ -72,5 +71,4 @@ TEST(Papers, AFigureHasPanelsOrAReason) {
   EXPECT_EQ(read_papers(paper + "panels = [\"a\", \"b\"]\nwide = true\n", "p.toml")[0].figures[0].wide, true);
 }
 
-}  // namespace papers_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::papers_test

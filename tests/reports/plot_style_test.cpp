@@ -10,8 +10,7 @@
 
 #include "reports/chart.hpp"
 
-namespace mpmvv::reports {
-namespace plot_style_test {
+namespace mpmvv::reports::plot_style_test {
 
 constexpr int colours = 7;
 
@@ -54,5 +53,4 @@ TEST(PlotStyle, NoTwoOfManySeriesLookAlike) {
   EXPECT_EQ(dash_of(plain_style), dash_of(0)) << "solid";
 }
 
-}  // namespace plot_style_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::plot_style_test

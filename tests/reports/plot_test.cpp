@@ -13,8 +13,7 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv::reports {
-namespace plot_test {
+namespace mpmvv::reports::plot_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -222,5 +221,4 @@ TEST(Plot, StudyWithoutAnyValueIsStillDrawn) {
   EXPECT_EQ(draw(plots(study), folder.path()), 1);
 }
 
-}  // namespace plot_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::plot_test

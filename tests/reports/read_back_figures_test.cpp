@@ -10,8 +10,7 @@
 #include "tests/reports/read_back_drawing.hpp"
 
 /// What stands where in the figures of a report: their values as the tics say them, their series as the key does.
-namespace mpmvv::reports {
-namespace read_back_figures_test {
+namespace mpmvv::reports::read_back_figures_test {
 
 using records::Series;
 using records::StudyResult;
@@ -233,5 +232,4 @@ TEST(ReadBackFigures, ErrorsStandAboveTheirCosts) {
   for (std::size_t i = 0; i < front.size(); ++i) expect_near(rings[i], front[i]);
 }
 
-}  // namespace read_back_figures_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::read_back_figures_test

@@ -10,8 +10,7 @@
 #include "tests/reports/written_report.hpp"
 
 /// What stands where on a report's pages beside its studies: the benchmark, mutants.
-namespace mpmvv::reports {
-namespace read_back_page_test {
+namespace mpmvv::reports::read_back_page_test {
 
 using read_back::ExpectedTable;
 using read_back::WrittenReport;
@@ -182,5 +181,4 @@ TEST(ReadBackPage, MutantsHaveEveryStageUnderItsName) {
   for (const ExpectedTable* table : {&score, &mistakes, &random_ones, &alarms}) report.expect_html_and_latex(*table);
 }
 
-}  // namespace read_back_page_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::read_back_page_test

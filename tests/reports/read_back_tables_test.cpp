@@ -5,8 +5,7 @@
 #include "tests/reports/written_report.hpp"
 
 /// What stands where in the tables of a report, for people and for programs.
-namespace mpmvv::reports {
-namespace read_back_tables_test {
+namespace mpmvv::reports::read_back_tables_test {
 
 using records::Series;
 
@@ -202,5 +201,4 @@ TEST(ReadBackTables, CheapestSeriesStandsBesideItsCost) {
   WrittenReport(read_back::input_of(distinct::costs())).expect_html_and_latex(cheapest);
 }
 
-}  // namespace read_back_tables_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::read_back_tables_test

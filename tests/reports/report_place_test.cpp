@@ -12,8 +12,7 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv::reports {
-namespace report_place_test {
+namespace mpmvv::reports::report_place_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -143,5 +142,4 @@ TEST(ReportPlace, OfTwoReportsAtOnceTheLastOneStandsWhole) {
   EXPECT_THAT(files_of(folder / "out"), testing::AnyOf(alone["one"], alone["two"]));
 }
 
-}  // namespace report_place_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::report_place_test

@@ -10,8 +10,7 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv::reports {
-namespace report_test {
+namespace mpmvv::reports::report_test {
 
 using claims::Finding;
 
@@ -204,5 +203,4 @@ TEST(Report, FileInPlaceOfTheFolderIsReported) {
   EXPECT_THAT(refusal(input(), folder / "out"), HasSubstr("cannot make the folder"));
 }
 
-}  // namespace report_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::report_test

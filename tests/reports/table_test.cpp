@@ -11,8 +11,7 @@
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
-namespace mpmvv::reports {
-namespace table_test {
+namespace mpmvv::reports::table_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -148,5 +147,4 @@ TEST(LatexNightly, TablesCompile) {
   }
 }
 
-}  // namespace table_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::table_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace mpmvv::reports {
-namespace text_test {
+namespace mpmvv::reports::text_test {
 
 TEST(Text, ExactNumbersReadBackAsThemselves) {
   for (const double v : {0.1, 1.0 / 3, 6.02214076e23, 5e-324, -2.2250738585072014e-308})
@@ -49,5 +48,4 @@ TEST(Text, LatexSpecialCharactersAreEscaped) {
   EXPECT_EQ(latex_text("a\nb"), "a b");
 }
 
-}  // namespace text_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::text_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mpmvv::reports {
-namespace trend_chart_test {
+namespace mpmvv::reports::trend_chart_test {
 
 using claims::Finding;
 
@@ -28,5 +27,4 @@ TEST(TrendChart, KeysSayAllWhereTheRestDiffers) {
   EXPECT_EQ(chart.caption, "Study bars: observed order in each version.");
 }
 
-}  // namespace trend_chart_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::trend_chart_test

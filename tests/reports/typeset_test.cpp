@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace mpmvv::reports {
-namespace typeset_test {
+namespace mpmvv::reports::typeset_test {
 
 TEST(Typeset, PlainTextStays) {
   EXPECT_EQ(typeset("l = h/2, 4e-6 s", Notation::plain), "l = h/2, 4e-6 s");
@@ -55,5 +54,4 @@ TEST(Typeset, LatexsOwnSignsAreEscaped) {
   EXPECT_EQ(typeset("50 % of $1 & #2_long", Notation::latex), "50 \\% of \\$1 \\& \\#2\\_long");
 }
 
-}  // namespace typeset_test
-}  // namespace mpmvv::reports
+}  // namespace mpmvv::reports::typeset_test

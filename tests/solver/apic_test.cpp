@@ -23,8 +23,7 @@ Scene<2> block_in_motion(const Vec<2>& w, const Mat<2>& A, double stiffness) {
   Array<Vec<2>> places;
   for (int i = 0; i < 8; ++i)
     for (int j = 0; j < 6; ++j)
-      places.push_back(
-          Vec<2>(0.41 + 0.05 * i + 0.004 * std::sin(3.0 * j), 0.44 + 0.05 * j + 0.003 * std::cos(5.0 * i)));
+      places.emplace_back(0.41 + 0.05 * i + 0.004 * std::sin(3.0 * j), 0.44 + 0.05 * j + 0.003 * std::cos(5.0 * i));
   scene.particles = particles_at<2>(places, 0.05);
   set_widths(scene, 0.5);
   for (std::size_t p = 0; p < scene.particles.size(); ++p) {

@@ -85,7 +85,7 @@ TEST_P(Faults, InversionIsReported) {
 }
 
 TEST_P(Faults, TooLongAStepIsReported) {
-  everywhere([](auto scene) {
+  everywhere([](const auto& scene) {
     for (const double cfl : {10.0, 100.0, 3000.0}) EXPECT_NE(fault_of(scene, cfl * scene.h / 120, 400), "") << cfl;
   });
 }

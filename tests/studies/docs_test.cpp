@@ -16,8 +16,7 @@
 #include "tests/walk.hpp"
 
 /// The pages in docs/ against the code: they name all that there is, and nothing points to what there is not.
-namespace mpmvv {
-namespace docs_test {
+namespace mpmvv::docs_test {
 
 namespace fs = std::filesystem;
 
@@ -195,5 +194,4 @@ TEST(Docs, AreCarriedOut) {
   EXPECT_GT(found, 20);
 }
 
-}  // namespace docs_test
-}  // namespace mpmvv
+}  // namespace mpmvv::docs_test

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv {
-namespace layers_test {
+namespace mpmvv::layers_test {
 
 namespace fs = std::filesystem;
 
@@ -166,5 +165,4 @@ TEST(Layers, EachLibraryIsNamedInOnePlace) {
   EXPECT_EQ(places["toml++"].size(), 1U);
 }
 
-}  // namespace layers_test
-}  // namespace mpmvv
+}  // namespace mpmvv::layers_test

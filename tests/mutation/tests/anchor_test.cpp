@@ -5,8 +5,7 @@
 #include "studies/support/error.hpp"
 #include "tests/mutation/mistake.hpp"
 
-namespace mpmvv::mutation {
-namespace anchor_test {
+namespace mpmvv::mutation::anchor_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -112,5 +111,4 @@ TEST(Anchors, AFileThatIsNoneOrTwoIsNamed) {
   EXPECT_THAT(refusal("gate.cpp"), HasSubstr("is cli/gate.cpp and goldens/gate.cpp in planted.toml:7"));
 }
 
-}  // namespace anchor_test
-}  // namespace mpmvv::mutation
+}  // namespace mpmvv::mutation::anchor_test

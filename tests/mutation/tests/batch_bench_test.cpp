@@ -10,8 +10,7 @@
 #include "studies/support/error.hpp"
 #include "tests/mutation/gate_output.hpp"
 
-namespace mpmvv::mutation {
-namespace batch_bench_test {
+namespace mpmvv::mutation::batch_bench_test {
 
 using support::UsageError;
 
@@ -143,5 +142,4 @@ TEST(CompilersComplaints, NameTheChoicesWhoseLinesTheyName) {
   EXPECT_THAT(choices_named("fluid_solver/grid.hpp:20:1 other/solver/grid.cpp:20:1:", places), IsEmpty());
 }
 
-}  // namespace batch_bench_test
-}  // namespace mpmvv::mutation
+}  // namespace mpmvv::mutation::batch_bench_test

@@ -4,8 +4,7 @@
 #include "tests/mutation/code_tokens.hpp"
 #include "tests/mutation/operators.hpp"
 
-namespace mpmvv::mutation {
-namespace code_test {
+namespace mpmvv::mutation::code_test {
 
 TEST(Edits, LinesAreWholeWithoutTheirIndentation) {
   const std::string text = "first\n  second line\n  third\n";
@@ -82,5 +81,4 @@ TEST(Mutations, TheSeedAloneDecidesTheDraw) {
   EXPECT_NE(places, other);
 }
 
-}  // namespace code_test
-}  // namespace mpmvv::mutation
+}  // namespace mpmvv::mutation::code_test

@@ -8,8 +8,7 @@
 #include "tests/cli/program.hpp"
 #include "tests/mutation/results.hpp"
 
-namespace mpmvv::mutation {
-namespace mutants_test {
+namespace mpmvv::mutation::mutants_test {
 
 namespace fs = std::filesystem;
 using cli::Answer;
@@ -194,5 +193,4 @@ TEST_F(KnownMutants, PublishedOnesCountWithoutAStore) {
   }
 }
 
-}  // namespace mutants_test
-}  // namespace mpmvv::mutation
+}  // namespace mpmvv::mutation::mutants_test

@@ -7,8 +7,7 @@
 
 #include "tests/mutation/program_gate.hpp"
 
-namespace mpmvv::mutation {
-namespace gate_output_test {
+namespace mpmvv::mutation::gate_output_test {
 
 using testing::IsSupersetOf;
 
@@ -58,5 +57,4 @@ TEST(GateOutput, AnEditReachesTheTestsThatLinkIt) {
   EXPECT_THAT(test_programs("studies/runs/norms.hpp"), IsSupersetOf({"test_studies", "test_goldens", "test_reports"}));
 }
 
-}  // namespace gate_output_test
-}  // namespace mpmvv::mutation
+}  // namespace mpmvv::mutation::gate_output_test

@@ -15,8 +15,7 @@
 #include "tests/mutation/unmatched.hpp"
 #include "tests/walk.hpp"
 
-namespace mpmvv::mutation {
-namespace mutant_edit_test {
+namespace mpmvv::mutation::mutant_edit_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -141,7 +140,7 @@ TEST(PlantedMistakes, EveryOneApplies) {
   if (HasFailure()) return;
   std::set<std::string> folders;
   for (const Mistake& mistake : mistakes) {
-    const std::string file = file_of(mistake, samples::sources()), text = sources.at(file);
+    const std::string file = file_of(mistake, samples::sources()), &text = sources.at(file);
     EXPECT_NE(edited(edit_of(mistake, file, text), text), text) << mistake.name;
     folders.insert(file.substr(0, file.find('/')));
   }
@@ -159,5 +158,4 @@ TEST(PlantedMistakes, RandomOnesLieInCode) {
   }
 }
 
-}  // namespace mutant_edit_test
-}  // namespace mpmvv::mutation
+}  // namespace mpmvv::mutation::mutant_edit_test

@@ -9,8 +9,7 @@
 #include "tests/mutation/operators.hpp"
 #include "tests/mutation/tests/samples.hpp"
 
-namespace mpmvv::mutation {
-namespace mutant_schemata_test {
+namespace mpmvv::mutation::mutant_schemata_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -162,5 +161,4 @@ TEST(PlantedMistakes, StandSideBySideAsTheyAre) {
   EXPECT_GT(placed, all / 2);
 }
 
-}  // namespace mutant_schemata_test
-}  // namespace mpmvv::mutation
+}  // namespace mpmvv::mutation::mutant_schemata_test

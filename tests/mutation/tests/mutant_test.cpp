@@ -12,8 +12,7 @@
 #include "tests/mutation/tests/samples.hpp"
 #include "tests/mutation/texts.hpp"
 
-namespace mpmvv::mutation {
-namespace mutant_test {
+namespace mpmvv::mutation::mutant_test {
 
 using namespace samples;
 using testing::HasSubstr;
@@ -88,5 +87,4 @@ TEST(MutantScores, AreToldInAHundredColumns) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
 }
 
-}  // namespace mutant_test
-}  // namespace mpmvv::mutation
+}  // namespace mpmvv::mutation::mutant_test

@@ -12,8 +12,7 @@
 #include "studies/support/error.hpp"
 #include "tests/mutation/tests/samples.hpp"
 
-namespace mpmvv::mutation {
-namespace results_test {
+namespace mpmvv::mutation::results_test {
 
 using namespace samples;
 using testing::ElementsAre;
@@ -196,5 +195,4 @@ TEST(Summaries, AreOfTheWholeFileToo) {
   EXPECT_EQ(results->survivors[1].name, "hole");
 }
 
-}  // namespace results_test
-}  // namespace mpmvv::mutation
+}  // namespace mpmvv::mutation::results_test

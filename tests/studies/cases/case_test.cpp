@@ -14,8 +14,7 @@
 #include "studies/support/error.hpp"
 #include "tests/studies/count_members.hpp"
 
-namespace mpmvv::cases {
-namespace case_test {
+namespace mpmvv::cases::case_test {
 
 using records::PartVerdict;
 using records::Status;
@@ -162,5 +161,4 @@ TEST(Words, StatusAndVerdictReadBack) {
   EXPECT_EQ(to_string(Position::second_order), "second-order");
 }
 
-}  // namespace case_test
-}  // namespace mpmvv::cases
+}  // namespace mpmvv::cases::case_test

@@ -7,8 +7,7 @@
 #include "studies/checks/mapping/cases.hpp"
 #include "studies/checks/mapping/shape_properties.hpp"
 
-namespace mpmvv::checks {
-namespace particle_basis_test {
+namespace mpmvv::checks::particle_basis_test {
 
 using namespace mapping;
 
@@ -135,5 +134,4 @@ TEST(Valley, IsARiseAfterAFall) {
   EXPECT_EQ(valley_of({1, 1.5, 1}), 0);
 }
 
-}  // namespace particle_basis_test
-}  // namespace mpmvv::checks
+}  // namespace mpmvv::checks::particle_basis_test

@@ -7,8 +7,7 @@
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv::checks {
-namespace particle_panel_test {
+namespace mpmvv::checks::particle_panel_test {
 
 /// The largest displacement error over all particles and steps of the run that the pictures are taken from.
 double largest_error() {
@@ -51,5 +50,4 @@ TEST(ParticlePanel, TheSquaresParticlesFollowItsSolutionAndTheirVoxelsFillIt) {
   }
 }
 
-}  // namespace particle_panel_test
-}  // namespace mpmvv::checks
+}  // namespace mpmvv::checks::particle_panel_test

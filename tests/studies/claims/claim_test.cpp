@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace mpmvv::claims {
-namespace claim_test {
+namespace mpmvv::claims::claim_test {
 
 using records::StudyResult;
 using testing::ElementsAre;
@@ -85,5 +84,4 @@ TEST(Claims, HoldTheirPartsAndWhereTheyStand) {
   EXPECT_EQ(claim.verdict, "partly");
 }
 
-}  // namespace claim_test
-}  // namespace mpmvv::claims
+}  // namespace mpmvv::claims::claim_test

@@ -3,8 +3,7 @@
 
 #include "studies/plan/study.hpp"
 
-namespace mpmvv::claims {
-namespace criterion_test {
+namespace mpmvv::claims::criterion_test {
 
 using records::PartVerdict;
 using records::Point;
@@ -283,5 +282,4 @@ TEST(Criterion, AnUnknownSeriesIsInconclusive) {
   EXPECT_EQ(judge(criterion(Kind::order, "ugly", 1, 2), two_series()).verdict, PartVerdict::inconclusive);
 }
 
-}  // namespace criterion_test
-}  // namespace mpmvv::claims
+}  // namespace mpmvv::claims::criterion_test

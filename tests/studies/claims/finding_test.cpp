@@ -8,8 +8,7 @@
 
 #include "studies/claims/trend.hpp"
 
-namespace mpmvv::claims {
-namespace finding_test {
+namespace mpmvv::claims::finding_test {
 
 using records::StudyResult;
 
@@ -106,5 +105,4 @@ TEST(Trends, HaveANumberPerVersion) {
   EXPECT_THAT(trends.back().numbers, ElementsAre(NanSensitiveDoubleEq(NAN), NanSensitiveDoubleEq(NAN), 1));
 }
 
-}  // namespace finding_test
-}  // namespace mpmvv::claims
+}  // namespace mpmvv::claims::finding_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mpmvv {
-namespace samples_test {
+namespace mpmvv::samples_test {
 
 /// Second order until the digits of the output show.
 records::Series with_floor() {
@@ -40,5 +39,4 @@ TEST(Samples, OtherErrorsHaveNoFloor) {
   EXPECT_TRUE(claims::left_out(with_floor(), "stress_error").empty());
 }
 
-}  // namespace samples_test
-}  // namespace mpmvv
+}  // namespace mpmvv::samples_test

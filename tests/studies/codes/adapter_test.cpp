@@ -10,8 +10,7 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
-namespace mpmvv::codes {
-namespace adapter_test {
+namespace mpmvv::codes::adapter_test {
 
 using support::UsageError;
 using testing::ElementsAre;
@@ -89,5 +88,4 @@ TEST_F(AdapterFile, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(complaint_without("\"misplaced\"", "\"moved\""), HasSubstr("unknown force_forms 'moved'"));
 }
 
-}  // namespace adapter_test
-}  // namespace mpmvv::codes
+}  // namespace mpmvv::codes::adapter_test

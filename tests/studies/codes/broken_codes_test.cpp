@@ -12,8 +12,7 @@
 #include "tests/studies/codes/mover.hpp"
 
 /// Codes that go wrong in all the ways that programs do.
-namespace mpmvv::codes {
-namespace broken_codes_test {
+namespace mpmvv::codes::broken_codes_test {
 
 namespace fs = std::filesystem;
 using records::Failure;
@@ -193,5 +192,4 @@ TEST_F(BrokenCode, DoesNotDisturbOthersThatRunBesideIt) {
   EXPECT_EQ(ok, 40);
 }
 
-}  // namespace broken_codes_test
-}  // namespace mpmvv::codes
+}  // namespace mpmvv::codes::broken_codes_test

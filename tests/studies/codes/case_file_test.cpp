@@ -12,8 +12,7 @@
 #include "studies/support/suggestion.hpp"
 #include "tests/studies/codes/written_run.hpp"
 
-namespace mpmvv::codes {
-namespace case_file_test {
+namespace mpmvv::codes::case_file_test {
 
 using nlohmann::json;
 using testing::HasSubstr;
@@ -110,5 +109,4 @@ TEST_F(CaseFile, NamesInItAreChecked) {
   EXPECT_THAT(complaint(json::array()), HasSubstr("no object in"));
 }
 
-}  // namespace case_file_test
-}  // namespace mpmvv::codes
+}  // namespace mpmvv::codes::case_file_test

@@ -6,8 +6,7 @@
 
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv::codes {
-namespace conditions_test {
+namespace mpmvv::codes::conditions_test {
 
 using testing::DoubleNear;
 using testing::ElementsAre;
@@ -55,5 +54,4 @@ TEST(Conditions, HaveNoYoungsModulusWhereTheLawHasNone) {
   EXPECT_FALSE(conditions_of({{"problem", "shock", ""}}).elasticity);
 }
 
-}  // namespace conditions_test
-}  // namespace mpmvv::codes
+}  // namespace mpmvv::codes::conditions_test

@@ -7,8 +7,7 @@
 #include "studies/support/error.hpp"
 #include "tests/studies/codes/written_run.hpp"
 
-namespace mpmvv {
-namespace csv_reader_test {
+namespace mpmvv::csv_reader_test {
 
 using namespace codes;
 
@@ -72,5 +71,4 @@ TEST(CsvReader, SeesTheDigitsOfTexts) {
   EXPECT_EQ(read("x,y,m\n0.125,0.375,1\n0.125,0.625,0.33333333333333331\n").digits, 17);
 }
 
-}  // namespace csv_reader_test
-}  // namespace mpmvv
+}  // namespace mpmvv::csv_reader_test

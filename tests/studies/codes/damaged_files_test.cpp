@@ -6,8 +6,7 @@
 #include "studies/support/error.hpp"
 #include "tests/studies/codes/written_run.hpp"
 
-namespace mpmvv {
-namespace damaged_files_test {
+namespace mpmvv::damaged_files_test {
 
 using namespace written_run;
 
@@ -96,5 +95,4 @@ TEST(DamagedFiles, OtherFilesAltogether) {
       EXPECT_FALSE(is_read(format.word, content)) << format.word;
 }
 
-}  // namespace damaged_files_test
-}  // namespace mpmvv
+}  // namespace mpmvv::damaged_files_test

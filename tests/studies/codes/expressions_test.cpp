@@ -7,8 +7,7 @@
 #include "studies/support/error.hpp"
 #include "tests/mms/expression/evaluator.hpp"
 
-namespace mpmvv::codes {
-namespace expressions_test {
+namespace mpmvv::codes::expressions_test {
 
 using cases::ForceForm;
 using testing::ElementsAre;
@@ -101,5 +100,4 @@ TEST(Expressions, GiveEachParticleItsForce) {
   }
 }
 
-}  // namespace expressions_test
-}  // namespace mpmvv::codes
+}  // namespace mpmvv::codes::expressions_test

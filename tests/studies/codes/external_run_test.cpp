@@ -7,8 +7,7 @@
 #include "studies/support/error.hpp"
 #include "tests/studies/codes/mover.hpp"
 
-namespace mpmvv::codes {
-namespace external_run_test {
+namespace mpmvv::codes::external_run_test {
 
 using records::Record;
 using records::Status;
@@ -192,5 +191,4 @@ TEST_F(ExternalRun, TheVersionIsThatOfTheProgramOrItsFile) {
   EXPECT_THROW(mover_.code(), UsageError);
 }
 
-}  // namespace external_run_test
-}  // namespace mpmvv::codes
+}  // namespace mpmvv::codes::external_run_test

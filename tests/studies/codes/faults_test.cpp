@@ -7,8 +7,7 @@
 #include "studies/codes/score.hpp"
 #include "tests/studies/codes/written_run.hpp"
 
-namespace mpmvv {
-namespace output_faults_test {
+namespace mpmvv::output_faults_test {
 
 using codes::Output;
 using codes::Snapshot;
@@ -162,5 +161,4 @@ TEST_F(OutputFaults, AnotherCase) {
   expect_failed(s, "amplitude = 0.07 in end.csv, the case has");
 }
 
-}  // namespace output_faults_test
-}  // namespace mpmvv
+}  // namespace mpmvv::output_faults_test

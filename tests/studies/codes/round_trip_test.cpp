@@ -7,8 +7,7 @@
 #include "studies/runs/run_case.hpp"
 #include "tests/studies/codes/written_run.hpp"
 
-namespace mpmvv {
-namespace round_trip_test {
+namespace mpmvv::round_trip_test {
 
 using namespace written_run;
 using codes::score;
@@ -152,5 +151,4 @@ TEST_F(RoundTrip, ADumpOfASeries) {
   expect_same(score(the_case, {.end = read("both.dump", both, columns)}), the_run, "step 20");
 }
 
-}  // namespace round_trip_test
-}  // namespace mpmvv
+}  // namespace mpmvv::round_trip_test

@@ -12,8 +12,7 @@
 #include <thread>
 #include <tuple>
 
-namespace mpmvv::codes {
-namespace run_folder_test {
+namespace mpmvv::codes::run_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -110,5 +109,4 @@ TEST_F(RunFolders, AreRemovedThoughSomebodyStillWrites) {
   EXPECT_FALSE(fs::exists(folder.path()));
 }
 
-}  // namespace run_folder_test
-}  // namespace mpmvv::codes
+}  // namespace mpmvv::codes::run_folder_test

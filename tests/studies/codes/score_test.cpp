@@ -5,8 +5,7 @@
 #include "studies/codes/case_particles.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv {
-namespace score_test {
+namespace mpmvv::score_test {
 
 using namespace codes;
 
@@ -60,5 +59,4 @@ TEST(Score, ADoubledIdIsAReason) {
   EXPECT_EQ(r.reason, "particle 21 stands twice in end.csv");
 }
 
-}  // namespace score_test
-}  // namespace mpmvv
+}  // namespace mpmvv::score_test

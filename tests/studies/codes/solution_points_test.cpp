@@ -9,8 +9,7 @@
 #include "studies/support/error.hpp"
 #include "tests/studies/codes/csv_parts.hpp"
 
-namespace mpmvv::codes {
-namespace solution_points_test {
+namespace mpmvv::codes::solution_points_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -88,5 +87,4 @@ TEST(SolutionAtPoints, SaysWhatIsMissingOrTooMuch) {
   EXPECT_THAT(refusal("X,Y,t\n0.1,0,0\n", timed), HasSubstr("one of them"));
 }
 
-}  // namespace solution_points_test
-}  // namespace mpmvv::codes
+}  // namespace mpmvv::codes::solution_points_test

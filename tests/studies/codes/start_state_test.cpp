@@ -8,8 +8,7 @@
 
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv::codes {
-namespace start_state_test {
+namespace mpmvv::codes::start_state_test {
 
 using testing::DoubleNear;
 using testing::ElementsAre;
@@ -79,5 +78,4 @@ TEST(StartState, NumbersParticlesAsTheyFillTheBodyHoweverTheyAreShuffled) {
   }
 }
 
-}  // namespace start_state_test
-}  // namespace mpmvv::codes
+}  // namespace mpmvv::codes::start_state_test

@@ -6,8 +6,7 @@
 
 #include "tests/studies/codes/csv_parts.hpp"
 
-namespace mpmvv::codes {
-namespace start_text_test {
+namespace mpmvv::codes::start_text_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -55,5 +54,4 @@ TEST(StartText, GivesParaViewNumberedParticlesWithTheirFields) {
   EXPECT_THAT(text, HasSubstr("1.3999999999999999 1.5 3.1415926535897931\n"));
 }
 
-}  // namespace start_text_test
-}  // namespace mpmvv::codes
+}  // namespace mpmvv::codes::start_text_test

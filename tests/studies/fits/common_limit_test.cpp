@@ -8,8 +8,7 @@
 #include "studies/fits/stability_limit.hpp"
 
 /// The limit of several replicates, and what is said where there is none.
-namespace mpmvv::fits {
-namespace common_limit_test {
+namespace mpmvv::fits::common_limit_test {
 
 using ::testing::StartsWith;
 
@@ -80,5 +79,4 @@ TEST(TextWithoutLimit, SaysWhatIsKnown) {
   EXPECT_EQ(text_without_limit({}), "nothing tried");
 }
 
-}  // namespace common_limit_test
-}  // namespace mpmvv::fits
+}  // namespace mpmvv::fits::common_limit_test

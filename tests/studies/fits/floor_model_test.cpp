@@ -9,8 +9,7 @@
 
 #include "studies/fits/observed_order.hpp"
 
-namespace mpmvv::fits {
-namespace floor_model_test {
+namespace mpmvv::fits::floor_model_test {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -166,5 +165,4 @@ TEST(FloorFit, IsTheMinimumOfTheRelativeMisfit) {
   }
 }
 
-}  // namespace floor_model_test
-}  // namespace mpmvv::fits
+}  // namespace mpmvv::fits::floor_model_test

@@ -10,8 +10,7 @@
 #include "studies/support/error.hpp"
 #include "tests/numbers.hpp"
 
-namespace mpmvv::fits {
-namespace observed_order_test {
+namespace mpmvv::fits::observed_order_test {
 
 std::vector<ErrorSample> sweep(const std::function<double(double)>& error, int levels) {
   std::vector<ErrorSample> samples;
@@ -182,5 +181,4 @@ TEST(ObservedOrder, EmptyWindowIsAnError) {
   EXPECT_THROW(fit_floor(samples, 8, nan), support::UsageError);
 }
 
-}  // namespace observed_order_test
-}  // namespace mpmvv::fits
+}  // namespace mpmvv::fits::observed_order_test

@@ -12,8 +12,7 @@
 #include "studies/support/error.hpp"
 #include "tests/numbers.hpp"
 
-namespace mpmvv::fits {
-namespace stability_limit_test {
+namespace mpmvv::fits::stability_limit_test {
 
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -237,5 +236,4 @@ TEST(StabilityLimit, AMissingVerdictIsABugOfTheCaller) {
   EXPECT_THROW(find_limit(cfl_search(), forgetful), std::logic_error);
 }
 
-}  // namespace stability_limit_test
-}  // namespace mpmvv::fits
+}  // namespace mpmvv::fits::stability_limit_test

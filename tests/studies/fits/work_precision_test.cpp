@@ -7,8 +7,7 @@
 
 #include "studies/claims/samples.hpp"
 
-namespace mpmvv::fits {
-namespace work_precision_test {
+namespace mpmvv::fits::work_precision_test {
 
 using records::Status;
 
@@ -56,5 +55,4 @@ TEST(WorkPrecision, Decades) {
   EXPECT_THAT(decades(0.02, 0.09), IsEmpty());
 }
 
-}  // namespace work_precision_test
-}  // namespace mpmvv::fits
+}  // namespace mpmvv::fits::work_precision_test

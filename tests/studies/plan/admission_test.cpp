@@ -7,8 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace mpmvv::plan {
-namespace admission_test {
+namespace mpmvv::plan::admission_test {
 
 constexpr int threads = 4;
 constexpr double memory = 10;
@@ -54,5 +53,4 @@ TEST(Admission, MoreMemoryThanThereIsStartsWhenAllIsFree) {
   EXPECT_TRUE(started);
 }
 
-}  // namespace admission_test
-}  // namespace mpmvv::plan
+}  // namespace mpmvv::plan::admission_test

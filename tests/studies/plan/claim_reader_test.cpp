@@ -6,8 +6,7 @@
 #include "studies/support/error.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv::plan {
-namespace claim_reader_test {
+namespace mpmvv::plan::claim_reader_test {
 
 using store::store_samples::complaint;
 using testing::AllOf;
@@ -110,5 +109,4 @@ TEST_F(ClaimFiles, AnotherStudyOfTheStoreSaysNothingElse) {
               AllOf(HasSubstr("one.toml:4"), HasSubstr("study 'other' of r.db")));
 }
 
-}  // namespace claim_reader_test
-}  // namespace mpmvv::plan
+}  // namespace mpmvv::plan::claim_reader_test

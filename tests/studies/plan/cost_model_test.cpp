@@ -5,8 +5,7 @@
 #include "studies/settings/settings.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv::plan {
-namespace cost_model_test {
+namespace mpmvv::plan::cost_model_test {
 
 using CostModels = store::store_samples::StoreTest;
 using store::Store;
@@ -51,5 +50,4 @@ TEST(CostModel, GuessesTheCostOfThePartThatIsRun) {
   }
 }
 
-}  // namespace cost_model_test
-}  // namespace mpmvv::plan
+}  // namespace mpmvv::plan::cost_model_test

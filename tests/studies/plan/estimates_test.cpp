@@ -5,8 +5,7 @@
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv::plan {
-namespace estimates_test {
+namespace mpmvv::plan::estimates_test {
 
 double memory(const std::vector<settings::Setting>& more) {
   std::vector<settings::Setting> settings{
@@ -31,5 +30,4 @@ TEST(MemoryEstimate, CountsTheNodesKeptOfDomains) {
   EXPECT_NEAR(of("3") - of("2"), box * particles, 1);
 }
 
-}  // namespace estimates_test
-}  // namespace mpmvv::plan
+}  // namespace mpmvv::plan::estimates_test

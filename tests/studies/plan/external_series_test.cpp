@@ -6,8 +6,7 @@
 #include "studies/support/error.hpp"
 #include "tests/studies/codes/mover.hpp"
 
-namespace mpmvv::plan {
-namespace external_series_test {
+namespace mpmvv::plan::external_series_test {
 
 using support::UsageError;
 using testing::HasSubstr;
@@ -155,5 +154,4 @@ TEST_F(ExternalSeries, MistakesAreNamed) {
   EXPECT_THAT(complaint(other), HasSubstr("there are: "));
 }
 
-}  // namespace external_series_test
-}  // namespace mpmvv::plan
+}  // namespace mpmvv::plan::external_series_test

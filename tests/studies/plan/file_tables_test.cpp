@@ -12,8 +12,7 @@
 #include "studies/support/error.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv::plan {
-namespace file_tables_test {
+namespace mpmvv::plan::file_tables_test {
 
 using store::store_samples::complaint;
 using testing::HasSubstr;
@@ -170,5 +169,4 @@ TEST_F(FileTables, SayWhatCountsWithoutASetting) {
   }
 }
 
-}  // namespace file_tables_test
-}  // namespace mpmvv::plan
+}  // namespace mpmvv::plan::file_tables_test

@@ -6,8 +6,7 @@
 #include "studies/plan/study_runner.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv::plan {
-namespace forecast_test {
+namespace mpmvv::plan::forecast_test {
 
 using store::Store;
 using testing::HasSubstr;
@@ -73,5 +72,4 @@ TEST_F(Forecasts, LetTheLongestStartFirstAndTimedOnesWait) {
   EXPECT_GE(two.seconds - two.timed_seconds, beside / 2);
 }
 
-}  // namespace forecast_test
-}  // namespace mpmvv::plan
+}  // namespace mpmvv::plan::forecast_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mpmvv::plan {
-namespace progress_test {
+namespace mpmvv::plan::progress_test {
 
 cases::Case sized(int cells) {
   cases::Case c;
@@ -53,5 +52,4 @@ TEST(Remaining, ExpectsWhatIsNotKnownByItsCasesYet) {
   EXPECT_DOUBLE_EQ(remaining.seconds(1), 3);
 }
 
-}  // namespace progress_test
-}  // namespace mpmvv::plan
+}  // namespace mpmvv::plan::progress_test

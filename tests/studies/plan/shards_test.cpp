@@ -10,8 +10,7 @@
 #include "studies/plan/study_runner.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv::plan {
-namespace shards_test {
+namespace mpmvv::plan::shards_test {
 
 using cases::Case;
 using store::Store;
@@ -145,5 +144,4 @@ TEST_F(ShardRuns, GiveTogetherWhatOneMachineGivesAndLeaveNothingToRun) {
   for (std::size_t k = 0; k < plans.size(); ++k) EXPECT_EQ(findings(here[k].result), findings(there[k].result));
 }
 
-}  // namespace shards_test
-}  // namespace mpmvv::plan
+}  // namespace mpmvv::plan::shards_test

@@ -9,8 +9,7 @@
 
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv::plan {
-namespace study_runner_test {
+namespace mpmvv::plan::study_runner_test {
 
 using records::Failure;
 using records::StudyResult;
@@ -266,5 +265,4 @@ TEST_F(StudyRunner, ACheckRunsAgainWhenItsStudyHasChangedAndOnlyThen) {
   }
 }
 
-}  // namespace study_runner_test
-}  // namespace mpmvv::plan
+}  // namespace mpmvv::plan::study_runner_test

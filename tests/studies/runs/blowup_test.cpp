@@ -3,8 +3,7 @@
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv::runs {
-namespace blowup_test {
+namespace mpmvv::runs::blowup_test {
 
 using records::Status;
 
@@ -37,5 +36,4 @@ TEST(BlowUp, IsOneAlsoWhenTheRunComesBack) {
   EXPECT_EQ(record.steps, 64);
 }
 
-}  // namespace blowup_test
-}  // namespace mpmvv::runs
+}  // namespace mpmvv::runs::blowup_test

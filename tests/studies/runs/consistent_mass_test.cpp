@@ -3,8 +3,7 @@
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv::runs {
-namespace consistent_mass_test {
+namespace mpmvv::runs::consistent_mass_test {
 
 using solver::ConsistentMassSettings;
 using Positions = std::vector<solver::Vec<2>>;
@@ -57,5 +56,4 @@ TEST(ConsistentMass, ItsRegularisationDoesNotDecideTheSquare) {
   }
 }
 
-}  // namespace consistent_mass_test
-}  // namespace mpmvv::runs
+}  // namespace mpmvv::runs::consistent_mass_test

@@ -5,8 +5,7 @@
 #include <Eigen/LU>
 #include <numbers>
 
-namespace mpmvv::runs {
-namespace fill_test {
+namespace mpmvv::runs::fill_test {
 
 using problems::Annulus;
 
@@ -129,5 +128,4 @@ TEST(Domain, HoldsTheMotionAndPutsNodesOnTheBoxAndTheOrigin) {
   EXPECT_EQ(margin.lower, solver::Vec<2>(-0.25, -0.25));
 }
 
-}  // namespace fill_test
-}  // namespace mpmvv::runs
+}  // namespace mpmvv::runs::fill_test

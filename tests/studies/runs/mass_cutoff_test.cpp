@@ -3,8 +3,7 @@
 #include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv::runs {
-namespace mass_cutoff_test {
+namespace mpmvv::runs::mass_cutoff_test {
 
 /// Positions at the end of a run of the square by particle id, and the largest displacement error.
 struct Outcome {
@@ -53,5 +52,4 @@ TEST(MassCutoff, DoesNotDecideTheSquare) {
     }
 }
 
-}  // namespace mass_cutoff_test
-}  // namespace mpmvv::runs
+}  // namespace mpmvv::runs::mass_cutoff_test

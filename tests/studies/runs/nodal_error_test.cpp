@@ -8,8 +8,7 @@
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv::runs {
-namespace nodal_error_test {
+namespace mpmvv::runs::nodal_error_test {
 
 using settings::make_case;
 using support::UsageError;
@@ -117,5 +116,4 @@ TEST(Integrators, OnlyStaggeredOnesHaveAStart) {
   }
 }
 
-}  // namespace nodal_error_test
-}  // namespace mpmvv::runs
+}  // namespace mpmvv::runs::nodal_error_test

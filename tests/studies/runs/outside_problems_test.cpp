@@ -6,8 +6,7 @@
 #include "studies/settings/settings.hpp"
 
 /// The problems that any code can run, by the solver.
-namespace mpmvv::runs {
-namespace outside_problems_test {
+namespace mpmvv::runs::outside_problems_test {
 
 records::Record run(const std::string& problem, const std::string& basis, int cells,
                     const std::vector<settings::Setting>& more = {}) {
@@ -57,5 +56,4 @@ TEST(OutsideProblems, TheWaveOfAFiniteLawHasAFloor) {
   EXPECT_TRUE(std::isnan(run("wave", "cpgimp", 16).solution_floor));
 }
 
-}  // namespace outside_problems_test
-}  // namespace mpmvv::runs
+}  // namespace mpmvv::runs::outside_problems_test

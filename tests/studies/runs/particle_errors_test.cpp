@@ -8,8 +8,7 @@
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv::runs {
-namespace particle_errors_test {
+namespace mpmvv::runs::particle_errors_test {
 
 using records::ParticleError;
 
@@ -74,5 +73,4 @@ TEST(ParticleErrors, OfARunHaveItsRootMeanSquare) {
   EXPECT_EQ(std::ranges::max(r.particle_errors, {}, &ParticleError::error).error, r.error.linf);
 }
 
-}  // namespace particle_errors_test
-}  // namespace mpmvv::runs
+}  // namespace mpmvv::runs::particle_errors_test

@@ -6,8 +6,7 @@
 #include "solver/words.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv::runs {
-namespace scene_test {
+namespace mpmvv::runs::scene_test {
 
 using Settings = std::vector<settings::Setting>;
 
@@ -83,5 +82,4 @@ TEST(Scene, PeriodicFmpmTakesTheNearestNumberOfSteps) {
         << cfl_x;
 }
 
-}  // namespace scene_test
-}  // namespace mpmvv::runs
+}  // namespace mpmvv::runs::scene_test

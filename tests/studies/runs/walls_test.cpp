@@ -8,8 +8,7 @@
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv::runs {
-namespace walls_test {
+namespace mpmvv::runs::walls_test {
 
 using records::Record;
 using settings::make_case;
@@ -137,5 +136,4 @@ TEST(Walls, WhatTheyDoNotGoWith) {
   EXPECT_NO_THROW(make_case(stretch("stretch", {{"velocity_update", "fmpm"}, {"mass", "consistent"}})));
 }
 
-}  // namespace walls_test
-}  // namespace mpmvv::runs
+}  // namespace mpmvv::runs::walls_test

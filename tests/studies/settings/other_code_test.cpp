@@ -5,8 +5,7 @@
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv::settings {
-namespace other_code_test {
+namespace mpmvv::settings::other_code_test {
 
 using support::UsageError;
 using testing::HasSubstr;
@@ -79,5 +78,4 @@ TEST(OtherCode, IsNamedByAWord) {
   EXPECT_THAT(complaint({{"problem", "square"}, {"code", "a b"}}), HasSubstr("code = 'a b' in a.toml:9"));
 }
 
-}  // namespace other_code_test
-}  // namespace mpmvv::settings
+}  // namespace mpmvv::settings::other_code_test

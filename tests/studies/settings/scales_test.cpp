@@ -8,8 +8,7 @@
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv::settings {
-namespace scales_test {
+namespace mpmvv::settings::scales_test {
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
@@ -82,5 +81,4 @@ TEST(Scales, WhatFollowsIsNamedWithTheNumberItComesFrom) {
   EXPECT_THAT(complaint("bar", {{"dt", "1e149"}, {"end_time", "1e149"}}), HasSubstr("the CFL number of problem 'bar'"));
 }
 
-}  // namespace scales_test
-}  // namespace mpmvv::settings
+}  // namespace mpmvv::settings::scales_test

@@ -7,8 +7,7 @@
 #include "studies/settings/boundaries.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv::settings {
-namespace settings_test {
+namespace mpmvv::settings::settings_test {
 
 using support::UsageError;
 
@@ -123,5 +122,4 @@ TEST(Settings, BoundariesPerFace) {
   EXPECT_THROW(boundary_faces("xmin=open,xmax=free", 1, ""), UsageError);
 }
 
-}  // namespace settings_test
-}  // namespace mpmvv::settings
+}  // namespace mpmvv::settings::settings_test

@@ -6,8 +6,7 @@
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
-namespace mpmvv::settings {
-namespace validate_test {
+namespace mpmvv::settings::validate_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -53,5 +52,4 @@ TEST(Validate, NamesTheFaceWithoutAWall) {
                                                  "wall there"));
 }
 
-}  // namespace validate_test
-}  // namespace mpmvv::settings
+}  // namespace mpmvv::settings::validate_test

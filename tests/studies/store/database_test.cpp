@@ -5,8 +5,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv::store {
-namespace database_test {
+namespace mpmvv::store::database_test {
 
 /// Statements are prepared once and kept.
 class KeptStatements : public testing::Test {
@@ -46,5 +45,4 @@ TEST_F(KeptStatements, RunAfterOneOfThemHasFailed) {
   database_.execute("DROP TABLE t");  // nothing reads it any more
 }
 
-}  // namespace database_test
-}  // namespace mpmvv::store
+}  // namespace mpmvv::store::database_test

@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace mpmvv::store {
-namespace provenance_test {
+namespace mpmvv::store::provenance_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -182,5 +181,4 @@ TEST(CurrentProvenance, TellsBuildMachineAndTime) {
   EXPECT_THAT(p.time, MatchesRegex("20[0-9]{2}-[01][0-9]-[0-3][0-9]T[0-2][0-9]:[0-5][0-9]:[0-6][0-9]Z"));
 }
 
-}  // namespace provenance_test
-}  // namespace mpmvv::store
+}  // namespace mpmvv::store::provenance_test

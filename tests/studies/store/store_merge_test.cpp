@@ -9,8 +9,7 @@
 #include "studies/store/schema.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv::store {
-namespace store_merge_test {
+namespace mpmvv::store::store_merge_test {
 
 using namespace store_samples;
 using Mode = Store::Mode;
@@ -123,5 +122,4 @@ TEST_F(StoreMerge, KilledHalfWayChangesNothing) {
   EXPECT_THAT(Store(file_, Mode::read).info(), Contains(Pair("records", "1011")));
 }
 
-}  // namespace store_merge_test
-}  // namespace mpmvv::store
+}  // namespace mpmvv::store::store_merge_test

@@ -6,8 +6,7 @@
 #include "tests/studies/store/store_samples.hpp"
 #include "tests/walk.hpp"
 
-namespace mpmvv::store {
-namespace store_open_test {
+namespace mpmvv::store::store_open_test {
 
 using namespace store_samples;
 using Mode = Store::Mode;
@@ -208,5 +207,4 @@ TEST_F(StoreOpen, ACreationThatFailsLeavesNoFile) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
-}  // namespace store_open_test
-}  // namespace mpmvv::store
+}  // namespace mpmvv::store::store_open_test

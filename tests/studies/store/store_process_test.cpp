@@ -11,8 +11,7 @@
 #include "studies/store/run_rows.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv::store {
-namespace store_process_test {
+namespace mpmvv::store::store_process_test {
 
 using namespace store_samples;
 using Mode = Store::Mode;
@@ -218,5 +217,4 @@ TEST_F(StoreProcesses, AQuotaLosesNothing) {
   EXPECT_EQ(status, 0);
 }
 
-}  // namespace store_process_test
-}  // namespace mpmvv::store
+}  // namespace mpmvv::store::store_process_test

@@ -8,8 +8,7 @@
 #include "studies/store/schema.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv::store {
-namespace store_seal_test {
+namespace mpmvv::store::store_seal_test {
 
 using records::StudyResult;
 
@@ -177,5 +176,4 @@ TEST_F(SealedStore, NoFlippedBitChangesWhatIsReadUnseen) {
   EXPECT_GT(seen, 0);
 }
 
-}  // namespace store_seal_test
-}  // namespace mpmvv::store
+}  // namespace mpmvv::store::store_seal_test

@@ -7,8 +7,7 @@
 #include "tests/studies/store/store_samples.hpp"
 #include "tests/studies/store/study_text.hpp"
 
-namespace mpmvv::store {
-namespace store_study_test {
+namespace mpmvv::store::store_study_test {
 
 using fits::FloorFit;
 using fits::ObservedOrder;
@@ -257,5 +256,4 @@ TEST_F(StoredStudyTest, AStudyWhoseRunIsMissingIsRefusedWhole) {
   EXPECT_EQ(store_->studies("d1").at(0).title, "old");
 }
 
-}  // namespace store_study_test
-}  // namespace mpmvv::store
+}  // namespace mpmvv::store::store_study_test

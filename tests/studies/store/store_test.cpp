@@ -9,8 +9,7 @@
 #include "tests/studies/count_members.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv::store {
-namespace store_test {
+namespace mpmvv::store::store_test {
 
 using records::Failure;
 using records::Record;
@@ -265,5 +264,4 @@ TEST_F(StoreTest, MergeOfSomethingElseChangesNothing) {
   EXPECT_EQ(bytes_of(file_), before);
 }
 
-}  // namespace store_test
-}  // namespace mpmvv::store
+}  // namespace mpmvv::store::store_test

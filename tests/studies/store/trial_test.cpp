@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mpmvv::store {
-namespace trial_test {
+namespace mpmvv::store::trial_test {
 
 TEST(Trial, IsReadFromTheTextThatSaysIt) {
   for (const char* file : {"", "\n", "title = \"A\"", "title = \"A\"\n", "# Run with care\ntitle = \"A\"\n"}) {
@@ -17,5 +16,4 @@ TEST(Trial, IsReadFromTheTextThatSaysIt) {
   EXPECT_EQ(trial_of(with_trial("a = 1\n", "name = x\ny")), "name = x\\ny") << "no value ends the line";
 }
 
-}  // namespace trial_test
-}  // namespace mpmvv::store
+}  // namespace mpmvv::store::trial_test

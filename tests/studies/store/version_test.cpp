@@ -2,8 +2,7 @@
 
 #include "tests/studies/store/store_samples.hpp"
 
-namespace mpmvv::store {
-namespace version_test {
+namespace mpmvv::store::version_test {
 
 using namespace store_samples;
 using testing::ElementsAre;
@@ -60,5 +59,4 @@ TEST(FindVersion, SaysWhichThereAre) {
   EXPECT_THAT(complaint([] { find_version({}, "dead"); }), HasSubstr("none"));
 }
 
-}  // namespace version_test
-}  // namespace mpmvv::store
+}  // namespace mpmvv::store::version_test

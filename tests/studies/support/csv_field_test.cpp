@@ -4,8 +4,7 @@
 
 #include "studies/support/csv.hpp"
 
-namespace mpmvv::support {
-namespace csv_field_test {
+namespace mpmvv::support::csv_field_test {
 
 TEST(CsvField, IsQuotedWhereItHasToBe) {
   EXPECT_EQ(csv_field("bspline2"), "bspline2");
@@ -26,5 +25,4 @@ TEST(CsvField, NumbersStay) {
     EXPECT_EQ(csv_field(number), number);
 }
 
-}  // namespace csv_field_test
-}  // namespace mpmvv::support
+}  // namespace mpmvv::support::csv_field_test

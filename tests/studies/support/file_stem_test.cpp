@@ -2,8 +2,7 @@
 
 #include "studies/support/file.hpp"
 
-namespace mpmvv::support {
-namespace file_stem_test {
+namespace mpmvv::support::file_stem_test {
 
 TEST(FileStem, StaysInItsFolder) {
   for (const std::string& good : {std::string("s-fig10"), std::string("usl+_2.a"), std::string(100, 'a')})
@@ -12,5 +11,4 @@ TEST(FileStem, StaysInItsFolder) {
   EXPECT_FALSE(is_file_stem(std::string(101, 'a')));
 }
 
-}  // namespace file_stem_test
-}  // namespace mpmvv::support
+}  // namespace mpmvv::support::file_stem_test

@@ -7,8 +7,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv::support {
-namespace file_test {
+namespace mpmvv::support::file_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -64,5 +63,4 @@ TEST_F(File, DoesNotTakeThePlaceOfADevice) {
   EXPECT_TRUE(fs::is_character_file(folder / "null"));
 }
 
-}  // namespace file_test
-}  // namespace mpmvv::support
+}  // namespace mpmvv::support::file_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mpmvv::support {
-namespace kept_output_test {
+namespace mpmvv::support::kept_output_test {
 
 TEST(KeptOutput, IsAllOfALittle) {
   KeptOutput output(10);
@@ -18,5 +17,4 @@ TEST(KeptOutput, IsBothEndsOfALot) {
   EXPECT_EQ(output.text(), "0123\n[9992 bytes left out]\n6789");
 }
 
-}  // namespace kept_output_test
-}  // namespace mpmvv::support
+}  // namespace mpmvv::support::kept_output_test

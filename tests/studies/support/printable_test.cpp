@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mpmvv::support {
-namespace printable_test {
+namespace mpmvv::support::printable_test {
 
 TEST(Printable, TextStaysAsItIs) {
   for (const char* text : {"", "a b", "order ± 0.1", "Größe", "面", "\xf0\x9f\x98\x80", "C:\\x", "::error::"})
@@ -31,5 +30,4 @@ TEST(Printable, WhatATerminalObeysIsShown) {
   for (const auto& [text, line] : shown) EXPECT_EQ(printable(text), line);
 }
 
-}  // namespace printable_test
-}  // namespace mpmvv::support
+}  // namespace mpmvv::support::printable_test

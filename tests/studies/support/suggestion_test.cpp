@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mpmvv::support {
-namespace suggestion_test {
+namespace mpmvv::support::suggestion_test {
 
 TEST(EditDistance, CountsLettersAddedRemovedReplacedAndSwapped) {
   EXPECT_EQ(edit_distance("bspline2", "bspline2"), 0U);
@@ -37,5 +36,4 @@ TEST(WithSuggestion, LeavesOtherMessages) {
     EXPECT_EQ(with_suggestion(message), message);
 }
 
-}  // namespace suggestion_test
-}  // namespace mpmvv::support
+}  // namespace mpmvv::support::suggestion_test

@@ -8,8 +8,7 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv::support {
-namespace toml_file_test {
+namespace mpmvv::support::toml_file_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -176,5 +175,4 @@ TEST_F(TomlFileOnDisk, AnEmptyFileIsAnEmptyTable) {
   EXPECT_THAT(TomlTable::read(directory / "empty.toml").keys(), IsEmpty());
 }
 
-}  // namespace toml_file_test
-}  // namespace mpmvv::support
+}  // namespace mpmvv::support::toml_file_test
