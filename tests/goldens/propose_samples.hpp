@@ -5,10 +5,8 @@
 #include "goldens/golden.hpp"
 #include "goldens/propose.hpp"
 
-namespace mpmvv::goldens {
-
 /// Studies of which goldens are proposed.
-namespace propose_samples {
+namespace mpmvv::goldens::propose_samples {
 
 using records::Series;
 using records::Status;
@@ -65,5 +63,4 @@ inline std::vector<Golden> reviewed(const StudyResult& study) {
   return parse_goldens("reviewed = \"now\"\n" + propose_goldens(study, clean), "new.toml");
 }
 
-}  // namespace propose_samples
-}  // namespace mpmvv::goldens
+}  // namespace mpmvv::goldens::propose_samples
