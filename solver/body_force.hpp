@@ -6,8 +6,8 @@
 
 namespace mpmvv::solver {
 
-/// The acceleration b due to body forces, as the caller of the solver supplies it. Called once per block of particles,
-/// possibly from several threads at once.
+/// The acceleration b due to body forces, as the caller of the solver supplies it. Called for blocks of particles, for
+/// some of them more than once, possibly from several threads at once.
 template <int D>
 class BodyForce {
  public:

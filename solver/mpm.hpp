@@ -23,10 +23,11 @@ class Mpm {
   ~Mpm();
   Mpm(Mpm&&) noexcept;
 
-  /// Advances by dt. False when the run has blown up: `fault` then says why and the state is of no use.
+  /// Advances by dt. False when the run has blown up: `fault` then says why, the state is of no use, and further steps
+  /// do nothing.
   bool step(double dt);
-  /// Advances by so many steps, or until the run blows up; returns how many it took, that one included. Faster than one
-  /// by one, to the same results: the end of a step and the start of the next go over the particles together.
+  /// Advances by so many steps, or until the run blows up; returns how many it took, that one included. As a rule
+  /// faster than one by one, to the same results: the end of a step and the start of the next visit particles together.
   std::int64_t advance(double dt, std::int64_t steps);
   std::string fault() const;
 

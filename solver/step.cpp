@@ -135,13 +135,12 @@ std::int64_t Step<D>::advance(double dt, std::int64_t steps) {
 
 template <int D>
 void Step<D>::step(double dt) {
-  const double end = time_ + dt;
+  const double start = time_;
   dt_ = dt;
-  for (auto& wall : walls_) wall.move(time_, dt, grid_.h());
+  for (auto& wall : walls_) wall.move(start, dt, grid_.h());
   integrator_.page<D>()(*this, dt);
-  if (is_late_) return;
-  ++steps_;
-  time_ = end;
+  time_ = is_late_ ? start : start + dt;
+  if (!is_late_) ++steps_;
 }
 
 template <int D>

@@ -30,7 +30,7 @@ struct Integrator;
 /// What the page of an integrator is written in: sweeps over the particles and operations on the grid, each an equation
 /// or a few. Users of the solver take `Mpm` (mpm.hpp).
 ///
-/// Positions and F may change once in a step or a stage of it, last: what is mapped before has the weights of its
+/// Positions and widths change once in a step or a stage of it, last: what is mapped before has the weights of its
 /// start.
 template <int D>
 class Step {
@@ -43,8 +43,10 @@ class Step {
   /// Makes so many steps, by the integrator's page, or until one finds a fault; returns how many, that one included.
   std::int64_t advance(double dt, std::int64_t steps = 1);
 
-  Particles<D>& particles() { return settle(), particles_; }
-  const Particles<D>& particles() const { return particles_; }
+  Particles<D>& particles() {
+    settle();
+    return particles_;
+  }
   Grid<D>& grid() { return grid_; }
   const Grid<D>& grid() const { return grid_; }
   const Scene<D>& scene() const { return scene_; }  ///< but for its particles
@@ -87,7 +89,8 @@ class Step {
 
   /// The last one of a step or of a stage: by these, then what must be ready for the next. What sets F in a step checks
   /// it, too: UpdateDeformation, or CheckDeformation beside a kernel of a page's own. It waits until particles are next
-  /// asked for, and so must what its kernels read: where they are mapped to p and f then, both are one visit to them.
+  /// asked for: where they are mapped to p and f then, both are one visit to them. Of the grid its kernels may read v
+  /// and a, which stay until then. p and f are cleared before.
   template <class... Kernels>
   void sweep_and_settle(const Kernels&... kernels) {
     settle();

@@ -25,8 +25,9 @@ void Step<D>::settle() {
   if (must_sort_.exchange(false)) sort();
 }
 
-/// To p and f, which are clear: in one visit with the sweep that waits. Where that finds that particles must be sorted
-/// they are, and mapped anew, which a material with a history would take for another step.
+/// To p and f, which are clear, by kernels that leave particles as they are: in one visit with the sweep that waits.
+/// Where that finds that particles must be sorted they are, and mapped anew. A material with a history would take that
+/// for another step.
 template <int D>
 void Step<D>::map(std::initializer_list<AnyKernel<D>> kernels) {
   const bool may_map_anew = particles_.thermal.empty();
@@ -34,8 +35,7 @@ void Step<D>::map(std::initializer_list<AnyKernel<D>> kernels) {
     const auto [in_waiting, in_kernels] =
         sweep_twice<D>(scene_.basis, particles_, grid_, slabs_, pool_, waiting_.kernels(), must_sort_, kernels);
     note_of_waiting(in_waiting);
-    note(in_kernels);
-    if (!must_sort_.exchange(false)) return;
+    if (!must_sort_.exchange(false)) return note(in_kernels);
     sort();
     clear_grid();
   }
@@ -75,6 +75,7 @@ void Step<D>::map_momentum_and_forces() {
 
 template <int D>
 void Step<D>::deform_and_map_forces(const DeformationStep& deform) {
+  settle();  // F must not be updated anew
   map_forces(std::identity{}, EvaluateVelocityGradient<D>{grid_}, UpdateDeformation<D>{particles_, deform});
 }
 
@@ -112,7 +113,7 @@ void Step<D>::update_particles(double dt) {
     sweep_and_settle(affine, UpdateVelocityAndPosition<D, true>{particles_, grid_, fields, dt});
   else
     sweep_and_settle(affine, UpdateVelocityAndPosition<D, false>{particles_, grid_, fields, dt});
-  if (fields.include(grid_.f)) settle();
+  if (fields.include(grid_.f)) settle();  // the next mapping clears it first
 }
 
 template <int D>
@@ -124,7 +125,7 @@ void Step<D>::update_particles(double dt, const DeformationStep& deform) {
     sweep_and_settle(affine, UpdateParticle<D, true>{particles_, grid_, fields, dt}, deformation);
   else
     sweep_and_settle(affine, UpdateParticle<D, false>{particles_, grid_, fields, dt}, deformation);
-  if (fields.include(grid_.f)) settle();
+  if (fields.include(grid_.f)) settle();  // the next mapping clears it first
 }
 
 template <int D>

@@ -11,12 +11,11 @@ namespace {
 /// updated particle velocities.
 template <int D>
 void uvf(Step<D>& s, double dt) {
-  auto& particles = s.particles();
-  auto& grid = s.grid();
-
   s.map_momentum_and_forces();  // m_i; τ_p = τ(F_p), f_i                   W (8), (12), (14)
   s.set_acceleration();         // a_i = f_i / m_i                          W (15)
 
+  auto& particles = s.particles();
+  auto& grid = s.grid();
   s.clear(grid.p);
   s.sweep({UpdateVelocity<D>{particles, grid, dt},  // v_p                  W (18)
            MapMomentum<D>{particles, grid}});       // m_i, p_i             W (51)

@@ -64,7 +64,9 @@ class SlabVisit {
 /// Particles that two sweeps visit in turn: few enough that a cache near the core still has them for the second, enough
 /// that the processor does not always change from the code of one to that of the other.
 constexpr std::size_t at_a_time = 512;
-static_assert(at_a_time % block_size<1> == 0 && at_a_time % block_size<2> == 0 && at_a_time % block_size<3> == 0);
+template <int... D>
+constexpr bool are_whole_blocks = ((at_a_time % block_size<D> == 0 && at_a_time % cpdi_block_size<D> == 0) && ...);
+static_assert(are_whole_blocks<1, 2, 3>);
 
 }  // namespace
 

@@ -25,9 +25,9 @@ template <int D>
 Fault sweep(Adds adds, const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid, const Slabs<D>& slabs,
             ThreadPool& pool, std::span<const AnyKernel<D>> kernels);
 
-/// Two sweeps in one visit, some blocks at a time, so that what particles are comes from memory once: the first moves
-/// them, the second takes the stencils that they have then and adds to nodes, none of which the first may read. What
-/// follows a fault of the first, or its setting `must_sort`, the second leaves out. Returns the faults of each.
+/// Two sweeps in one visit, some blocks at a time, so that particles come from memory once: the first moves them, the
+/// second takes the stencils that they have then and adds to nodes, none of which the first may read. What follows a
+/// fault of the first, or its setting `must_sort`, the second leaves out. Returns the faults of each.
 template <int D>
 std::pair<Fault, Fault> sweep_twice(const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid,
                                     const Slabs<D>& slabs, ThreadPool& pool, std::span<const AnyKernel<D>> first,

@@ -47,7 +47,7 @@ void expect_no_allocation(Scene<D> scene) {
   for (scene.threads = 1; scene.threads <= 2; ++scene.threads) {
     Mpm<D> mpm(scene);
     const std::size_t before = allocations;
-    for (int k = 0; k < 4; ++k) mpm.step(0.01 * scene.h / 120);
+    mpm.advance(0.01 * scene.h / 120, 4);
     EXPECT_EQ(allocations - before, 0U) << scene.integrator;
   }
 }
