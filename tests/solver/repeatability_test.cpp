@@ -81,19 +81,19 @@ TEST_P(Repeatability, NumberOfThreadsDoesNotMatter) {
 }
 
 TEST(Repeatable, NumberOfThreadsDoesNotMatterWithAnyVelocityUpdate) {
-  Scene<2> scene = drifting<2>(BSpline2{}, {4, 40});
+  Scene<1> scene = drifting<1>(BSpline2{}, {50});
   for (const AnyVelocityUpdate& update : std::vector<AnyVelocityUpdate>{
            Flip(FlipPosition::second_order), Flip(FlipPosition::particle), Pic{}, Apic{}, Xpic(3), Fmpm(3), Fmpm(2, 4)})
     for (const std::string_view integrator : {"usl", "usf", "usl+"}) {
       scene.velocity_update = update;
-      expect_the_same_for_any_threads(scene, integrator, 40);
+      expect_the_same_for_any_threads(scene, integrator, 100);
     }
 }
 
 TEST(Repeatable, NumberOfThreadsDoesNotMatterWithAHistory) {
-  Scene<2> scene = drifting<2>(BSpline2{}, {4, 40});
+  Scene<1> scene = drifting<1>(BSpline2{}, {50});
   scene.material = MieGruneisen{1, 9000, 1.44, 2, 440, 300, 0.4, 4};
-  for (const std::string_view integrator : {"usl", "usf"}) expect_the_same_for_any_threads(scene, integrator, 60);
+  for (const std::string_view integrator : {"usl", "usf"}) expect_the_same_for_any_threads(scene, integrator, 100);
 }
 
 TEST_P(Repeatability, NumberOfThreadsDoesNotMatterBetweenWalls) {
