@@ -131,7 +131,7 @@ class Step {
   void settle();
   void sort();
   void note(Fault found);
-  void note_of_waiting(Fault found);
+  void end_waiting(Fault found);
   void map(std::initializer_list<AnyKernel<D>> kernels);
   void map_forces(const auto& with, const auto&... before);
   void add_surface_load();

@@ -21,7 +21,7 @@ void Step<D>::sweep(std::initializer_list<AnyKernel<D>> kernels, Adds adds) {
 template <int D>
 void Step<D>::settle() {
   if (waiting_.empty()) return;
-  note_of_waiting(solver::sweep<D>(Adds::nothing, scene_.basis, particles_, grid_, slabs_, pool_, waiting_.kernels()));
+  end_waiting(solver::sweep<D>(Adds::nothing, scene_.basis, particles_, grid_, slabs_, pool_, waiting_.kernels()));
   if (must_sort_.exchange(false)) sort();
 }
 
@@ -34,7 +34,7 @@ void Step<D>::map(std::initializer_list<AnyKernel<D>> kernels) {
   if (!waiting_.empty() && may_map_anew) {
     const auto [in_waiting, in_kernels] =
         sweep_twice<D>(scene_.basis, particles_, grid_, slabs_, pool_, waiting_.kernels(), must_sort_, kernels);
-    note_of_waiting(in_waiting);
+    end_waiting(in_waiting);
     if (!must_sort_.exchange(false)) return note(in_kernels);
     sort();
     clear_grid();
@@ -48,7 +48,7 @@ void Step<D>::note(Fault found) {
 }
 
 template <int D>
-void Step<D>::note_of_waiting(Fault found) {
+void Step<D>::end_waiting(Fault found) {
   waiting_.clear();
   ++moves_;
   if (fault_ == Fault::none && found != Fault::none) is_late_ = waiting_since_ < steps_;
