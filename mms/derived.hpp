@@ -1,7 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <boost/math/differentiation/autodiff.hpp>
 #include <concepts>
+#include <utility>
 
 #include "mms/elasticity.hpp"
 #include "mms/energy.hpp"
@@ -24,7 +26,7 @@ template <int D, DisplacementField<D> Displacement, class Energy>
 class Derived final : public ManufacturedSolution<D> {
  public:
   Derived(Displacement displacement, Energy energy, double density, double scale)
-      : displacement_(displacement), energy_(energy), density_(density), scale_(scale) {}
+      : displacement_(std::move(displacement)), energy_(std::move(energy)), density_(density), scale_(scale) {}
 
   Vec<D> u(const Vec<D>& X, double t) const override {
     std::array<double, D> place;

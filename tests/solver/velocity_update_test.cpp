@@ -117,7 +117,7 @@ Scene<1> free_line(const AnyVelocityUpdate& update, std::string_view integrator 
   scene.boundary.fill(Free{});
   scene.material = NeoHookeanLog{300, 400};
   Array<Vec<1>> places;
-  for (int k = 0; k < 20; ++k) places.push_back(Vec<1>(0.33 + 0.035 * k + 0.008 * std::sin(2.0 * k)));
+  for (int k = 0; k < 20; ++k) places.emplace_back(0.33 + 0.035 * k + 0.008 * std::sin(2.0 * k));
   scene.particles = particles_at<1>(places, 0.035);
   for (auto& v : scene.particles.v) v[0] = 2 + 3 * std::sin(9 * (&v - scene.particles.v.data()));
   scene.velocity_update = update;

@@ -160,7 +160,7 @@ TEST(Wall, KeepsUniformStretchExactly) {
     for (const auto& update : updates)
       for (const auto method : {WallMethod::velocity, WallMethod::combined, WallMethod::elimination}) {
         StretchedBar<2> bar(Cpdi{}, update, 100);
-        bar.left.gradient0 = bar.right.gradient0 = bar.rate;
+        bar.left.gradient0 = bar.right.gradient0 = StretchedBar<2>::rate;
         bar.scene.integrator = integrator;
         bar.scene.wall_method = method;
         Mpm<2> mpm(bar.scene);

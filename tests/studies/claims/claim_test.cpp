@@ -16,7 +16,7 @@ StudyResult naming(const std::string& name, const std::vector<std::string>& clai
   return study;
 }
 
-std::string verdict(std::vector<records::PartVerdict> verdicts) {
+std::string verdict(const std::vector<records::PartVerdict>& verdicts) {
   StudyResult study = naming("a-study", {"S-fig10"});
   for (const records::PartVerdict v : verdicts) study.parts.push_back({"S-fig10", "statement", v, "evidence", ""});
   for (const Claim& claim : judge_claims({study}))

@@ -25,7 +25,8 @@ TEST(StartState, HoldsTheSquareAsItsPaperStartsIt) {
   ASSERT_EQ(state.dimension, 2);
   ASSERT_EQ(state.size(), 64U);
   for (std::size_t p = 0; p < state.size(); ++p) {
-    const double X = (static_cast<double>(p % 8) + 0.5) / 8, Y = (static_cast<double>(p / 8) + 0.5) / 8;
+    const std::size_t column = p % 8, row = p / 8;
+    const double X = (static_cast<double>(column) + 0.5) / 8, Y = (static_cast<double>(row) + 0.5) / 8;
     EXPECT_EQ(state.id[p], static_cast<std::int64_t>(p + 1));
     EXPECT_THAT(state.X[p], ElementsAre(DoubleNear(X, 1e-15), DoubleNear(Y, 1e-15), 0));
     EXPECT_THAT(state.x[p], ElementsAre(DoubleNear(X + A * std::sin(pi * X), 1e-15), DoubleNear(Y, 1e-15), 0));

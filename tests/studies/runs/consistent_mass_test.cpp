@@ -23,7 +23,7 @@ Positions run_square(const std::string& basis, const std::optional<ConsistentMas
   Positions x(particles.size());
   for (std::size_t p = 0; p < x.size(); ++p) x[particles.id[p]] = particles.x[p];
   if (exact)
-    for (const auto& X : prepared.X) exact->push_back(X + prepared.setup.solution->u(X, mpm.time()));
+    for (const auto& X : prepared.X) exact->emplace_back(X + prepared.setup.solution->u(X, mpm.time()));
   return x;
 }
 

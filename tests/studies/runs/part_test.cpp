@@ -145,7 +145,7 @@ TEST(Part, OfARingAndAShellHasTheNumbersOfTheWhole) {
 
 TEST(Part, OfAVortexHasTheNumbersOfTheWhole) {
   std::vector<std::string> all = bases();
-  for (const char* open : {"basis=bspline2-open", "basis=bspline3-open cells=11"}) all.push_back(open);
+  for (const char* open : {"basis=bspline2-open", "basis=bspline3-open cells=11"}) all.emplace_back(open);
   for (const std::string& basis : all)
     for (const char* fill : {"lattice", "conforming"})
       expect_part_for_whole(

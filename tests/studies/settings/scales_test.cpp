@@ -41,8 +41,8 @@ TEST(Scales, NoExtremeNumberOfAnyProblemRunsIntoNonsense) {
     for (const std::string& key : keys)
       for (const char* value : {"5e-324", "1e-308", "1e-300", "1e-149", "1e-75", "1e75", "1e149", "1e300", "1e308"}) {
         Pairs settings{{key, value}};
-        if (key != "cfl" && key != "dt") settings.push_back({"cfl", "0.2"});
-        if (key == "dt") settings.push_back({"end_time", value});
+        if (key != "cfl" && key != "dt") settings.emplace_back("cfl", "0.2");
+        if (key == "dt") settings.emplace_back("end_time", value);
         const std::string what = problem.name + " with " + key + " = " + value;
         try {
           expect_sizes(case_of(problem.name, settings), what);

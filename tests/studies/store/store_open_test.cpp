@@ -29,6 +29,7 @@ class StoreOpen : public StoreTest {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "something was left behind";
   }
 
+  void create() const { const Store store(file_, Mode::create_or_write); }
   void execute(const std::string& statements) const { Database(file_, Database::Access::create).execute(statements); }
 };
 
@@ -47,7 +48,7 @@ TEST_F(StoreOpen, AnAbsentFolderIsNotMade) {
 }
 
 TEST_F(StoreOpen, TheStoreSaysWhoseItIs) {
-  Store(file_, Mode::create_or_write);
+  create();
   EXPECT_EQ(bytes_of(file_).substr(68, 4), "MPMV");
 }
 
@@ -80,13 +81,13 @@ TEST_F(StoreOpen, AnotherApplicationsWriteAheadLogIsLeftAlone) {
 }
 
 TEST_F(StoreOpen, ANewerSchemaIsRefused) {
-  Store(file_, Mode::create_or_write);
+  create();
   execute("PRAGMA user_version = 99");
   expect_refused("schema 99");
 }
 
 TEST_F(StoreOpen, ASchemaThatItsTablesDoNotHaveIsRefused) {
-  Store(file_, Mode::create_or_write);
+  create();
   for (const int schema : {-1, -2'147'483'647, 0, 1, static_cast<int>(migrations().size()) - 1}) {
     execute(fmt::format("PRAGMA user_version = {}", schema));
     expect_refused("is damaged");
@@ -97,14 +98,14 @@ TEST_F(StoreOpen, AStoreThatLacksTablesOrColumnsIsRefused) {
   for (const char* loss : {"DROP TABLE check_values", "ALTER TABLE runs DROP COLUMN wall_seconds",
                            "ALTER TABLE probes RENAME TO probe", "ALTER TABLE points RENAME COLUMN x TO y"}) {
     std::filesystem::remove(file_);
-    Store(file_, Mode::create_or_write);
+    create();
     execute(loss);
     expect_refused("is damaged: table");
   }
 }
 
 TEST_F(StoreOpen, WhatOthersPutBesideTheTablesIsTheirs) {
-  Store(file_, Mode::create_or_write);
+  create();
   execute("CREATE VIEW fine AS SELECT * FROM runs; CREATE TABLE notes (a); CREATE INDEX fast ON runs (l2)");
   EXPECT_EQ(complaint_of_opening(Mode::create_or_write), "");
   EXPECT_THAT(Store(file_, Mode::read).check(), testing::IsEmpty());
@@ -127,13 +128,13 @@ TEST_F(StoreOpen, NamesThatSQLiteTreatsSpeciallyAreFiles) {
 TEST_F(StoreOpen, OpeningForWritingChangesNothing) {
   Store(file_, Mode::create_or_write).keep(record(8), provenance());
   const std::string before = bytes_of(file_);
-  Store(file_, Mode::create_or_write);
-  Store(file_, Mode::write);
+  create();
+  const Store for_writing(file_, Mode::write);
   EXPECT_EQ(bytes_of(file_), before);
 }
 
 TEST_F(StoreOpen, AStoreOpenForReadingKeepsNothing) {
-  Store(file_, Mode::create_or_write);
+  create();
   Store store(file_, Mode::read);
   EXPECT_THAT(complaint([&] { store.keep(record(8), provenance()); }), HasSubstr("read-only"));
   EXPECT_FALSE(store.find(bar(8), "d1"));

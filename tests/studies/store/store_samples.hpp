@@ -33,7 +33,7 @@ inline std::string bytes_of(const std::filesystem::path& file) {
 
 /// What the UsageError says that this throws; empty when it throws none.
 template <class Action>
-std::string complaint(Action action) {
+std::string complaint(const Action& action) {
   try {
     action();
   } catch (const support::UsageError& e) {

@@ -171,7 +171,7 @@ TEST_F(TomlFileOnDisk, AbsentFilesAndDirectoriesAreErrors) {
 }
 
 TEST_F(TomlFileOnDisk, AnEmptyFileIsAnEmptyTable) {
-  std::ofstream(directory / "empty.toml");
+  const std::ofstream empty(directory / "empty.toml");
   EXPECT_THAT(TomlTable::read(directory / "empty.toml").keys(), IsEmpty());
 }
 
