@@ -65,10 +65,10 @@ std::vector<std::string> studies_with_goldens(const std::vector<std::string>& fi
 }
 
 std::vector<std::string> test_programs(const std::string& file) {
-  if (file.starts_with("mms/")) return {"test_cli", "test_mms", "test_studies", "test_solver"};
-  if (file.starts_with("solver/")) return {"test_cli", "test_studies", "test_solver"};
+  if (file.starts_with("mms/")) return {"test_mms", "test_solver", "test_studies", "test_cli"};
+  if (file.starts_with("solver/")) return {"test_solver", "test_studies", "test_cli"};
   if (file.starts_with("reports/")) return {"test_reports", "test_cli"};
-  return {"test_cli", "test_goldens", "test_reports", "test_mms", "test_studies", "test_solver"};
+  return {"test_studies", "test_goldens", "test_reports", "test_cli", "test_mms", "test_solver"};
 }
 
 }  // namespace mpmvv::mutation

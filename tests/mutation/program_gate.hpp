@@ -19,7 +19,8 @@ std::vector<std::string> listed_studies(const std::string& text);
 /// The studies that have goldens, by the goldens' files.
 std::vector<std::string> studies_with_goldens(const std::vector<std::string>& files);
 
-/// The test programs that a change of this file reaches, what is least to build first; all for an empty name.
+/// The test programs that a change of this file reaches; all for an empty name. Those of its own folder come first:
+/// most mistakes are caught there.
 std::vector<std::string> test_programs(const std::string& file);
 
 }  // namespace mpmvv::mutation

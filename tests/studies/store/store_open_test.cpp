@@ -53,7 +53,7 @@ TEST_F(StoreOpen, TheStoreSaysWhoseItIs) {
 }
 
 TEST_F(StoreOpen, AnEmptyFileBecomesAStoreOnlyWhereThatIsAsked) {
-  std::ofstream{file_};
+  const std::ofstream empty(file_);
   EXPECT_THAT(complaint_of_opening(Mode::read), HasSubstr("is empty"));
   EXPECT_THAT(complaint_of_opening(Mode::write), HasSubstr("is empty"));
   EXPECT_EQ(bytes_of(file_), "");
