@@ -29,7 +29,8 @@ class StoreOpen : public StoreTest {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "something was left behind";
   }
 
-  void create() const { const Store store(file_, Mode::create_or_write); }
+  void open_and_close(Mode mode) const { const Store store(file_, mode); }
+  void create() const { open_and_close(Mode::create_or_write); }
   void execute(const std::string& statements) const { Database(file_, Database::Access::create).execute(statements); }
 };
 
@@ -128,8 +129,7 @@ TEST_F(StoreOpen, NamesThatSQLiteTreatsSpeciallyAreFiles) {
 TEST_F(StoreOpen, OpeningForWritingChangesNothing) {
   Store(file_, Mode::create_or_write).keep(record(8), provenance());
   const std::string before = bytes_of(file_);
-  create();
-  const Store for_writing(file_, Mode::write);
+  for (const Mode mode : {Mode::create_or_write, Mode::write}) open_and_close(mode);
   EXPECT_EQ(bytes_of(file_), before);
 }
 
