@@ -1,7 +1,10 @@
 #pragma once
 #include <atomic>
 #include <cstdint>
+#include <exception>
+#include <mutex>
 #include <thread>
+#include <utility>
 
 namespace mpmvv::solver {
 
@@ -17,17 +20,17 @@ class Task {
   void (*call_)(const void* visit, int k);
 };
 
-/// The numbered tasks of one run after another, each for the first thread that asks. Who waits, waits for tasks and not
-/// for threads: one that the system does not let run holds up nobody. With a barrier for all threads, a run on two of
-/// them beside three busy programs took 15 times as long.
+/// One batch of numbered tasks after another, each task for the first thread that asks. Who waits, waits for tasks and
+/// not for threads: one that the system does not let run holds up nobody. With a barrier for all threads, a case on two
+/// of them beside three busy programs took 15 times as long.
 class TaskQueue {
  public:
   /// Hands out task(0) to task(count - 1), until `wait` has returned. All earlier ones are done.
   void open(int count, const Task& task) {
     task_.store(&task, std::memory_order_relaxed);
     done_.store(0, std::memory_order_relaxed);
-    const std::uint64_t next_run = (state_.load(std::memory_order_relaxed) >> 2 * bits) + 1;
-    state_.store(next_run << 2 * bits | static_cast<std::uint64_t>(count) << bits, std::memory_order_release);
+    const std::uint64_t next_batch = (state_.load(std::memory_order_relaxed) >> 2 * bits) + 1;
+    state_.store(next_batch << 2 * bits | static_cast<std::uint64_t>(count) << bits, std::memory_order_release);
     tell();
   }
   void open(int count, Task&& gone_too_early) = delete;
@@ -41,23 +44,24 @@ class TaskQueue {
   void take() {
     std::uint64_t state = state_.load(std::memory_order_acquire);
     while (next_of(state) < count_of(state)) {
-      // Of this run, if the exchange finds the state as it was: the run ends after its last task.
+      // Of this batch, if the exchange finds the state as it was: a batch ends after its last task.
       const Task* const task = task_.load(std::memory_order_relaxed);
       if (!state_.compare_exchange_weak(state, state + 1, std::memory_order_acq_rel)) continue;
-      (*task)(next_of(state));
+      carry_out(*task, next_of(state));
       if (done_.fetch_add(1, std::memory_order_acq_rel) + 1 == count_of(state)) done_.notify_one();
       state = state_.load(std::memory_order_acquire);
     }
   }
-  /// Returns when all are done.
+  /// Returns when all are done, or throws then what the first of them by number has thrown.
   void wait() {
     const int count = count_of(state_.load(std::memory_order_relaxed));
     for (int done; (done = done_.load(std::memory_order_acquire)) < count;) wait_while(done_, done);
+    if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
   }
   /// Returns when there are others than those `seen`, with true, or when no more will come.
   bool wait_for_more(unsigned& seen) {
-    wait_while(runs_, seen);
-    seen = runs_.load(std::memory_order_acquire);
+    wait_while(batches_, seen);
+    seen = batches_.load(std::memory_order_acquire);
     return !is_closed_;
   }
 
@@ -68,9 +72,18 @@ class TaskQueue {
   static int next_of(std::uint64_t state) { return part(state); }
   static int count_of(std::uint64_t state) { return part(state >> bits); }
 
+  void carry_out(const Task& task, int k) {
+    try {
+      task(k);
+    } catch (...) {
+      const std::lock_guard lock(throwing_);
+      if (!thrown_ || k < thrower_) thrown_ = std::current_exception(), thrower_ = k;
+    }
+  }
+
   void tell() {
-    runs_.fetch_add(1, std::memory_order_release);
-    runs_.notify_all();
+    batches_.fetch_add(1, std::memory_order_release);
+    batches_.notify_all();
   }
   /// Looks for a while before it sleeps: a phase of a step often takes less time than to be woken.
   template <class T>
@@ -83,11 +96,15 @@ class TaskQueue {
     number.wait(old, std::memory_order_acquire);
   }
 
-  std::atomic<std::uint64_t> state_{0};  ///< number of the run, count of its tasks, the next one
+  std::atomic<std::uint64_t> state_{0};  ///< number of the batch, count of its tasks, the next one
   std::atomic<const Task*> task_{nullptr};
   std::atomic<int> done_{0};
-  std::atomic<unsigned> runs_{0};  ///< so far
+  std::atomic<unsigned> batches_{0};  ///< so far
   std::atomic<bool> is_closed_{false};
+
+  std::mutex throwing_;
+  std::exception_ptr thrown_;
+  int thrower_ = 0;  ///< the task that has thrown it
 };
 
 }  // namespace mpmvv::solver

@@ -28,7 +28,8 @@ class ThreadPool {
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  /// Calls task(k) for every k in [0, count); returns when all are done. `task` must not throw.
+  /// Calls task(k) for every k in [0, count); returns when all are done. What a task throws comes out
+  /// of it, of several the one of the least k.
   void run(int count, const Task& task) {
     if (threads_.empty() || count < 2) {
       for (int k = 0; k < count; ++k) task(k);

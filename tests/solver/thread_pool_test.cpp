@@ -5,6 +5,8 @@
 #include <chrono>
 #include <numeric>
 #include <random>
+#include <stdexcept>
+#include <string>
 
 #include "solver/parallel/slabs.hpp"
 #include "tests/solver/scenes.hpp"
@@ -34,6 +36,21 @@ TEST_P(ThreadPoolOf, SeesWhatItWroteInTheRunBefore) {
     });
     for (int task = 0; task < 64; ++task) ASSERT_EQ(neighbours[static_cast<std::size_t>(task)], k * ((task + 1) % 64));
   }
+}
+
+TEST_P(ThreadPoolOf, ThrowsWhatTheFirstTaskThrewAndGoesOn) {
+  const auto odd_throws = [](int task) {
+    if (task % 2 == 1) throw std::runtime_error(std::to_string(task));
+  };
+  for (int k = 0; k < 50; ++k) try {
+      pool.run(64, odd_throws);
+      FAIL() << "nothing came out";
+    } catch (const std::runtime_error& e) {
+      EXPECT_STREQ(e.what(), "1");
+    }
+  std::atomic<int> done{0};
+  pool.run(64, [&](int) { ++done; });
+  EXPECT_EQ(done, 64);
 }
 
 TEST(TaskQueues, AreEmptiedByWhoeverComes) {
