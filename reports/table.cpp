@@ -83,8 +83,8 @@ Table fits_table(const StudyResult& study) {
 /// The orders again, with what replicates say of them.
 Table replicates_table(const StudyResult& study) {
   const Table table{
-      "Orders by replicates: their interval is that of the scatter alone; a small p of the lack of fit says that "
-      "no one power law fits the means",
+      "Orders by replicates: their interval is that of the scatter; where the lack of fit has p below 0.05 no one "
+      "power law fits the means, and the interval is that of their distances from the line",
       {"norm", "window", "runs", "order", "scatter", "lack of fit p"},
       {}};
   return with_series(table, study, [](const Series& series) {

@@ -28,7 +28,7 @@ struct FloorFit {
 struct ReplicateFit {
   int observations = 0;
   double scatter = not_measured;      ///< of log e within a level, standard deviation
-  double half_width = not_measured;   ///< 95 % of the order, from that scatter
+  double half_width = not_measured;   ///< 95 % of the order, from that scatter, or from the lack of fit
   double lack_of_fit = not_measured;  ///< probability; small: the power law is no law of the means
 };
 

@@ -9,6 +9,12 @@
 
 namespace mpmvv::fits {
 
+namespace {
+
+constexpr double least_probable = 0.05;  ///< a less probable lack of fit is taken for one
+
+}  // namespace
+
 ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, double to) {
   std::map<double, std::vector<double>> levels;  // log e by log h
   for (const ErrorSample& s : usable_samples(samples, from, to)) levels[std::log(s.h)].push_back(std::log(s.e));
@@ -35,9 +41,10 @@ ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, d
   fit.observations = static_cast<int>(n);
   if (free_within < 1 || m < 2) return fit;
   fit.scatter = std::sqrt(within / free_within);
-  fit.half_width = student_t_95(free_within) * fit.scatter / std::sqrt(xx);
   if (free_about >= 1 && within > 0)
     fit.lack_of_fit = fisher_f_above(about / free_about / (within / free_within), free_about, free_within);
+  fit.half_width = fit.lack_of_fit < least_probable ? student_t_95(free_about) * std::sqrt(about / free_about / xx)
+                                                    : student_t_95(free_within) * fit.scatter / std::sqrt(xx);
   return fit;
 }
 

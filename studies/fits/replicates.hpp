@@ -8,10 +8,12 @@ namespace mpmvv::fits {
 /// What true replicates say of the line log e = log C + p log h: several samples at each h, from runs that differ in
 /// what should not matter (where the body lies on the grid, say). Over the usable samples of the window:
 ///   scatter       standard deviation s of log e within the levels, with n - m degrees of freedom (n samples, m levels)
-///   half_width    of p, 95 %, from that scatter alone: t(n - m) s / sqrt(Σ (log h - mean)²)
 ///   lack_of_fit   probability that levels whose scatter is s lie as far from the line as these do, or farther, by
 ///                 Fisher's F of their mean square about the line (m - 2) over s²: small means that the line is no law
 ///                 of the means (two orders mixed, an asymptotic range not reached), however small its residuals are
+///   half_width    of p, 95 %, from that scatter: t(n - m) s / sqrt(Σ (log h - mean)²); where the lack of fit is under
+///                 5 % from the levels' mean square about the line instead, with t(m - 2): the scatter alone would then
+///                 give a slope that is none many digits
 /// NaN where degrees of freedom are missing. Levels with the same number of samples each have the same slope as their
 /// geometric means.
 ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, double to);

@@ -49,6 +49,16 @@ TEST(Replicates, LackOfFitIsUniformUnderALawAndSmallWithoutOne) {
   EXPECT_LT(fit_replicates(sampled(mixed, 4, 0.05, 1), 8, 128).lack_of_fit, 1e-3);
 }
 
+/// With hardly any scatter a bent line would have an order of many digits.
+TEST(Replicates, IntervalIsThatOfTheLineWhereTheFitIsRejected) {
+  const auto mixed = [](double h) { return h * h + 0.02 * h; };
+  const auto samples = sampled(mixed, 4, 1e-5, 1);
+  const ReplicateFit fit = fit_replicates(samples, 8, 128);
+  EXPECT_LT(fit.lack_of_fit, 1e-12);
+  EXPECT_NEAR(fit.half_width, fit_order(sampled(mixed, 1, 0, 1), 8, 128).half_width, 1e-3);
+  EXPECT_GT(fit.half_width, 0.1);
+}
+
 TEST(Replicates, SaysNothingWithoutThem) {
   const ReplicateFit fit = fit_replicates(sampled(quadratic, 1, 0.1, 1), 8, 128);
   EXPECT_TRUE(std::isnan(fit.half_width));
