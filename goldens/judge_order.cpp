@@ -86,10 +86,10 @@ Judgement judge(const OrderGolden& golden, const Series& series) {
   const ObservedOrder* fit = find_order(golden, series);
   if (!fit) return missing(fmt::format("no order of '{}' in {} over that window", golden.series, golden.norm));
   const std::string measured = order_text(*fit, series);
-  if (std::isnan(fit->order)) return inconclusive(measured, "no order could be fitted");
-  if (fit->points < 3) return inconclusive(measured, "fewer than 3 usable points in the window");
   const int wanted = golden.points > 0 ? golden.points : static_cast<int>(window_of(*fit, series).size());
   if (fit->points < wanted) return fail(measured, fmt::format("fewer usable points than {}", wanted));
+  if (std::isnan(fit->order)) return inconclusive(measured, "no order could be fitted");
+  if (fit->points < 3) return inconclusive(measured, "fewer than 3 usable points in the window");
   const double width = fits::half_width(*fit);
   if (fit->order + width < golden.lower) return fail(measured, "order below the golden's band");
   if (fit->order > golden.upper + absurd) return fail(measured, "order absurdly high");

@@ -8,6 +8,7 @@
 
 #include "goldens/gate.hpp"
 #include "goldens/judgement.hpp"
+#include "studies/claims/samples.hpp"
 #include "studies/fits/observed_order.hpp"
 #include "studies/fits/window.hpp"
 #include "studies/store/trial.hpp"
@@ -60,10 +61,6 @@ class Draft {
   int tables_ = 0;
 };
 
-bool finer(const std::string& sweep, double a, double b) {
-  return sweep == "cells" || sweep == "ppc" ? a > b : a < b;
-}
-
 /// The stable point with the finest grid among the swept values of a window; nullptr when there is none.
 const Point* finest_stable(const std::string& sweep, const Series& series, const std::string& norm,
                            const fits::Window& window = {-INFINITY, INFINITY}) {
@@ -72,7 +69,7 @@ const Point* finest_stable(const std::string& sweep, const Series& series, const
     const auto error = point.y.find(norm);
     if (!window.holds(point.x) || point.status != records::Status::ok || error == point.y.end()) continue;
     if (!(error->second > 0 && error->second <= largest_number)) continue;
-    if (!finest || finer(sweep, point.x, finest->x)) finest = &point;
+    if (!finest || claims::step_size(point.x, sweep) < claims::step_size(finest->x, sweep)) finest = &point;
   }
   return finest;
 }

@@ -56,6 +56,14 @@ std::string at_point(const StudyResult& result, double x) {
   return fmt::format("at {} = {}", result.sweep, x);
 }
 
+/// Where in the window points have this status.
+std::vector<double> values_with(Status status, const Criterion& c, const Series& series) {
+  std::vector<double> values;
+  for (const Point& point : series.points)
+    if (c.window.holds(point.x) && point.status == status) values.push_back(point.x);
+  return values;
+}
+
 /// The order over the points in the window that are stable; `missing` when one failed or has not been measured.
 ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
                            Measured& out) {
@@ -83,12 +91,12 @@ void add_order(const std::string& label, const ObservedOrder& fit, const std::st
 /// it.
 void measure_order(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
   const ObservedOrder fit = stable_order(c, result, series, c.norm, out);
-  std::vector<double> unstable;
-  for (const Point& point : series.points)
-    if (c.window.holds(point.x) && point.status == Status::unstable) unstable.push_back(point.x);
+  const std::vector<double> unstable = values_with(Status::unstable, c, series);
+  const bool is_decided = !unstable.empty() && c.at_least;  // whatever order the others have, and if they have none
   const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
-  add_order(fmt::format("order of '{}' in {} {}", series.name, c.norm, over_window(c, result)), fit, without, out);
-  if (!unstable.empty() && c.at_least)
+  if (!is_decided || !std::isnan(fit.order))
+    add_order(fmt::format("order of '{}' in {} {}", series.name, c.norm, over_window(c, result)), fit, without, out);
+  if (is_decided)
     out.add(fmt::format("order of '{}' {}", series.name, at_point(result, unstable[0])),
             -std::numeric_limits<double>::infinity());
 }
@@ -106,7 +114,8 @@ Series quotient(const Series& series, const std::string& norm, const std::string
   return quotient;
 }
 
-/// The difference of two orders is the order of the quotient, whose interval knows that both are of the same runs.
+/// The difference of two orders is the order of the quotient, whose interval knows that both are of the same runs. An
+/// unstable point has neither order.
 void measure_order_difference(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
   const double own = stable_order(c, result, series, c.norm, out).order;
   const double other = stable_order(c, result, series, c.over_norm, out).order;
@@ -114,6 +123,8 @@ void measure_order_difference(const Criterion& c, const StudyResult& result, con
   add_order(fmt::format("order of '{}' in {} ({:.2f}) less that in {} ({:.2f}) {}", series.name, c.norm, own,
                         c.over_norm, other, over_window(c, result)),
             fit, "", out);
+  if (const auto unstable = values_with(Status::unstable, c, series); !unstable.empty())
+    out.missing = fmt::format("'{}' is unstable at {}", series.name, fmt::join(unstable, ", "));
 }
 
 void measure_errors(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
@@ -145,11 +156,13 @@ void measure_spread(const Criterion& c, const StudyResult& result, const Series&
           largest / least);
 }
 
-/// Slope of the least-squares line through the points in the window; NaN when one is unstable or not measured.
+/// Slope of the least-squares line through the points in the window; NaN when there are no two, or when one is unstable
+/// or not measured.
 double slope_of(const Criterion& c, const Series& series) {
   std::vector<double> x, y;
   for (const Point& point : series.points)
     if (c.window.holds(point.x)) x.push_back(point.x), y.push_back(error_at(point, c.norm));
+  if (x.size() < 2) return support::not_measured;
   return boost::math::statistics::simple_ordinary_least_squares(x, y).second;
 }
 
@@ -171,6 +184,8 @@ void measure_status(const Criterion& c, const StudyResult& result, const Series&
   double ok = 0, all = 0;
   for (const Point& point : series.points)
     if (c.window.holds(point.x)) ok += point.status == Status::ok ? 1 : 0, ++all;
+  if (const auto failed = values_with(Status::failed, c, series); !failed.empty())
+    out.missing = fmt::format("'{}' could not be run at {}", series.name, fmt::join(failed, ", "));
   out.add(fmt::format("stable share of '{}' {}", series.name, over_window(c, result)), ok / all);
 }
 
@@ -210,7 +225,8 @@ std::string never_there(const Series& series, double cost, const Series& over, d
   return std::isinf(other_cost) ? fmt::format("'{}' never reaches it", over.name) : "";
 }
 
-/// A series that never gets down to an error costs without end there, whatever the other one does.
+/// A series that never gets down to an error costs without end there, whatever the other one does; but where neither
+/// does it says not how much more.
 void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
   const auto own = fits::pareto_front(work_points(series, c.norm)),
              other = fits::pareto_front(work_points(over, c.norm));
@@ -219,6 +235,8 @@ void measure_cost_ratios(const Criterion& c, const Series& series, const Series&
     const double cost = fits::cost_to_reach(error, own), other_cost = fits::cost_to_reach(error, other);
     out.add(fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error),
             std::isinf(cost) ? cost : cost / other_cost, never_there(series, cost, over, other_cost));
+    if (std::isinf(cost) && std::isinf(other_cost) && c.at_least)
+      out.missing = fmt::format("neither '{}' nor '{}' reaches {} {:.0e}", series.name, over.name, c.norm, error);
   }
 }
 
@@ -226,6 +244,23 @@ void measure_value(const Criterion& c, const StudyResult& result, Measured& out)
   for (const records::Value& value : result.values)
     if (value.name == c.name) return out.add(value.meaning, value.value);
   out.missing = fmt::format("the check has no value '{}'", c.name);
+}
+
+/// Whether the criterion's window is one of points.
+bool reads_points(Criterion::Kind kind) {
+  switch (kind) {
+    case Criterion::Kind::order:
+    case Criterion::Kind::order_difference:
+    case Criterion::Kind::error:
+    case Criterion::Kind::error_ratio:
+    case Criterion::Kind::spread:
+    case Criterion::Kind::slope_ratio:
+    case Criterion::Kind::slope_share:
+    case Criterion::Kind::status:
+      return true;
+    default:
+      return false;
+  }
 }
 
 /// `over` is there where the measure divides by it.
@@ -275,7 +310,11 @@ Measured measure(const Criterion& c, const StudyResult& result) {
       out.missing = fmt::format("there is no series '{}'", series ? c.over : name);
       return out;
     }
-    measure_series(c, result, *series, over, out);
+    if (reads_points(c.kind) &&
+        std::ranges::none_of(series->points, [&](const Point& p) { return c.window.holds(p.x); }))
+      out.missing = fmt::format("'{}' has no point {}", name, over_window(c, result));
+    else
+      measure_series(c, result, *series, over, out);
   }
   return out;
 }

@@ -12,7 +12,7 @@ namespace mpmvv::claims {
 using fits::ErrorSample;
 
 double step_size(double x, const std::string& sweep) {
-  return sweep == "cells" ? 1 / x : x;
+  return sweep == "cells" || sweep == "ppc" ? 1 / x : x;
 }
 
 namespace {

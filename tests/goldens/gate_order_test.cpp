@@ -135,6 +135,13 @@ TEST(Gate, WhatIsMissingOrUnstableAtANamedLevelNeverPasses) {
   EXPECT_EQ(judge_levels(golden({16, 64}, 3, {64, 1e-4}), unstable(3)).reason, "no error at 64: the run is not ok");
 }
 
+/// Where so many are lost that no order is left it must not be milder.
+TEST(Gate, FailsHoweverManyPointsAreLost) {
+  EXPECT_EQ(judge_order(2, 2).verdict, Verdict::fail);
+  EXPECT_EQ(judge_order(not_measured, 1).verdict, Verdict::fail);
+  EXPECT_EQ(judge_order(not_measured, 0).verdict, Verdict::fail);
+}
+
 TEST(Gate, AnOrderThatIsBetterForALackOfLevelsIsNone) {
   const GateResult result = judge(Golden{"s", "", OrderGolden{"a", "l2", 1, 0.85, 1.15, {16, 64}}},
                                   [](StudyResult& s) { s.series[0].points.pop_back(); });
@@ -232,8 +239,14 @@ TEST(Gate, TheBetterSideIsNamed) {
 
 TEST(Gate, OrdersWithoutEvidenceAreInconclusive) {
   EXPECT_EQ(judge_order(not_measured).verdict, Verdict::inconclusive);
-  EXPECT_EQ(judge_order(2, 2).verdict, Verdict::inconclusive);
-  EXPECT_EQ(judge_order(9, 2).verdict, Verdict::inconclusive);
+  for (const double order : {2.0, 9.0}) {
+    const GateResult of_two_points = judge(order_two, [order](StudyResult& s) {
+      s.series[0].points.erase(s.series[0].points.begin() + 1);
+      s.series[0].orders[0].points = 2;
+      s.series[0].orders[0].order = order;
+    });
+    EXPECT_EQ(of_two_points.verdict, Verdict::inconclusive);
+  }
 }
 
 TEST(Gate, PointsLostFromTheWindowAreShown) {

@@ -120,14 +120,15 @@ TEST(Criterion, OneThatFailsOutweighsOneWhoseIntervalReachesAcross) {
 }
 
 TEST(Criterion, AnOrderOfReplicatesHasTheirInterval) {
-  StudyResult result = scattered(1);  // whose means are a line no more; each level's replicates agree to 1 %
-  for (Point& point : result.series[0].points)
-    for (const double factor : {0.99, 1.01}) point.replicates["l2"].push_back(factor * point.y["l2"]);
-  EXPECT_EQ(verdict_of_order(result, 1.9, {}), PartVerdict::holds);
-  result = scattered(0);  // and the other way round
-  for (Point& point : result.series[0].points)
-    for (const double factor : {0.5, 2.0}) point.replicates["l2"].push_back(factor * point.y["l2"]);
-  EXPECT_EQ(verdict_of_order(result, 1.9, {}), PartVerdict::inconclusive);
+  const auto with_replicates = [](StudyResult result, double factor) {
+    for (Point& point : result.series[0].points)
+      for (const double other : {1 / factor, factor}) point.replicates["l2"].push_back(other * point.y["l2"]);
+    return result;
+  };
+  EXPECT_EQ(verdict_of_order(with_replicates(scattered(0), 1.01), 1.9, {}), PartVerdict::holds);
+  EXPECT_EQ(verdict_of_order(with_replicates(scattered(0), 2), 1.9, {}), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict_of_order(with_replicates(scattered(1), 1.01), 1.9, {}), PartVerdict::inconclusive)
+      << "replicates agree, but their means are no line";
 }
 
 TEST(Criterion, TheScatterThatTwoNormsShareIsNoneOfTheirDifference) {
@@ -137,8 +138,9 @@ TEST(Criterion, TheScatterThatTwoNormsShareIsNoneOfTheirDifference) {
   EXPECT_EQ(judge(c, result).verdict, PartVerdict::holds) << judge(c, result).evidence;
   for (Point& point : result.series[0].points) point.y["linf"] = std::pow(point.x, -3);
   EXPECT_EQ(judge(c, result).verdict, PartVerdict::inconclusive);
+  result = scattered(0);
   for (Point& point : result.series[0].points)
-    for (const double factor : {0.99, 1.01}) {
+    for (const double factor : {0.5, 2.0}) {
       point.replicates["l2"].push_back(factor * point.y["l2"]);
       point.replicates["linf"].push_back(factor * point.y["linf"]);
     }
@@ -188,6 +190,47 @@ TEST(Criterion, AFailedRunLeavesItOpen) {
   result.series[0].points[1] = {16, Status::failed, "no memory", {}};
   EXPECT_EQ(judge(criterion(Kind::order, "good", 1.9, 2.1), result).verdict, PartVerdict::inconclusive);
   EXPECT_EQ(judge(criterion(Kind::error, "good", {}, 1), result).verdict, PartVerdict::inconclusive);
+}
+
+TEST(Criterion, ARunThatFailedIsNeitherStableNorUnstable) {
+  StudyResult result = two_series();
+  result.series[0].points[1].status = Status::failed;
+  for (const double bound : {0.0, 0.7, 1.0}) {
+    EXPECT_EQ(judge(criterion(Kind::status, "good", bound, {}), result).verdict, PartVerdict::inconclusive) << bound;
+    EXPECT_EQ(judge(criterion(Kind::status, "good", {}, bound), result).verdict, PartVerdict::inconclusive) << bound;
+  }
+}
+
+/// Fewer points that are left must not make a verdict milder.
+TEST(Criterion, AnOrderFailsHoweverManyPointsAreUnstable) {
+  for (std::size_t unstable = 1; unstable <= 4; ++unstable) {
+    StudyResult result = two_series();
+    for (std::size_t k = 4 - unstable; k < 4; ++k) result.series[0].points[k] = {8.0, Status::unstable, "blown up", {}};
+    EXPECT_EQ(judge(criterion(Kind::order, "good", 1.5, {}), result).verdict, PartVerdict::fails) << unstable;
+  }
+}
+
+TEST(Criterion, UnstablePointsHaveNoDifferenceOfOrders) {
+  Criterion difference = criterion(Kind::order_difference, "bad", -0.1, 0.1);
+  difference.over_norm = "l2";
+  const records::ClaimPart part = judge(difference, two_series());
+  EXPECT_EQ(part.verdict, PartVerdict::inconclusive);
+  EXPECT_THAT(part.evidence, HasSubstr("'bad' is unstable at 64"));
+}
+
+TEST(Criterion, AWindowWithoutPointsIsInconclusive) {
+  for (const Kind kind : {Kind::order, Kind::order_difference, Kind::error, Kind::error_ratio, Kind::spread,
+                          Kind::slope_ratio, Kind::slope_share, Kind::status})
+    for (const std::vector<std::string>& names : {std::vector<std::string>{"good"}, {"good", "short"}}) {
+      StudyResult result = two_series();
+      result.series.push_back({"short", {{4, Status::ok, "", {{"l2", 1}}}}, {}, {}});
+      Criterion c = criterion(kind, "good", {}, 1e9);
+      c.series = names, c.over = "good", c.over_norm = "l2";
+      if (names.size() == 1) c.window = {100, 200};
+      const records::ClaimPart part = judge(c, result);
+      EXPECT_EQ(part.verdict, PartVerdict::inconclusive) << support::to_string(kind);
+      EXPECT_THAT(part.evidence, HasSubstr("has no point over cells")) << support::to_string(kind);
+    }
 }
 
 TEST(Criterion, AnUnstableErrorIsInfinite) {
@@ -270,6 +313,8 @@ TEST(Criterion, CostRatioAtEachPowerOfTen) {
   ratio.over = "poor";
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::fails) << "and so it does beside another that does not either";
   EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02: neither ever reaches it"));
+  ratio.at_least = 10, ratio.at_most = {};
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive) << "but not so many times as much";
   result.series[2].points.clear();
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive);
 }
