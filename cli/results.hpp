@@ -1,4 +1,6 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -13,12 +15,26 @@
 #include "studies/claims/trend.hpp"
 #include "studies/store/provenance.hpp"
 #include "studies/store/store.hpp"
+#include "studies/store/trial.hpp"
 
 namespace mpmvv::cli {
 
+/// What a study made with `study --set` says of its claims: nothing, as it says nothing of its goldens to the gate.
+inline void withhold_verdicts(records::StudyResult& trial) {
+  const std::string settings = store::trial_of(trial.text);
+  if (settings.empty()) return;
+  for (records::ClaimPart& part : trial.parts)
+    if (part.verdict != records::PartVerdict::shown) {
+      part.verdict = records::PartVerdict::inconclusive;
+      part.reason = fmt::format("made with --set: {}", settings);
+    }
+}
+
 /// What the store holds of the running program's own digest.
 inline std::vector<records::StudyResult> own_results(const std::string& db) {
-  return store::Store(db, store::Store::Mode::read).studies(store::current_provenance().digest);
+  auto studies = store::Store(db, store::Store::Mode::read).studies(store::current_provenance().digest);
+  std::ranges::for_each(studies, withhold_verdicts);
+  return studies;
 }
 
 /// Where the mutation campaign and `./run alarms` publish their results, from the top of the tree.
@@ -60,10 +76,14 @@ inline std::vector<claims::Claim> judged_claims(std::vector<records::StudyResult
   return claims::judge_claims(studies);
 }
 
-/// The trends over these versions of a store.
+/// The trends over these versions of a store, without studies made with `study --set`.
 inline std::vector<claims::Trend> trends_in(const store::Store& store, const std::vector<store::Version>& versions) {
   std::vector<std::vector<claims::Finding>> findings;
-  for (const store::Version& version : versions) findings.push_back(claims::findings_of(store.studies(version.digest)));
+  for (const store::Version& version : versions) {
+    auto studies = store.studies(version.digest);
+    std::erase_if(studies, [](const auto& study) { return !store::trial_of(study.text).empty(); });
+    findings.push_back(claims::findings_of(studies));
+  }
   return claims::trends_of(findings);
 }
 

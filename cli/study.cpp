@@ -21,6 +21,7 @@
 #include "studies/plan/external_series.hpp"
 #include "studies/plan/shards.hpp"
 #include "studies/plan/study_runner.hpp"
+#include "studies/store/trial.hpp"
 
 namespace mpmvv::cli {
 
@@ -96,6 +97,17 @@ int run_studies(const StudyOptions& options, const std::vector<plan::StudyPlan>&
   return failed == 0 && lost == 0 ? 0 : 1;
 }
 
+/// Says which studies of the store these, made with --set, take the place of.
+void note_replaced(const std::vector<plan::StudyPlan>& trials, const store::Store& store, const std::string& db) {
+  for (const records::StudyResult& held : store.studies(store::current_provenance().digest))
+    for (const plan::StudyPlan& trial : trials)
+      if (trial.name == held.name && store::trial_of(held.text).empty())
+        note(
+            "{}: takes the place of the study in {} (without --set it comes back; keep trials in a store of their "
+            "own)\n",
+            trial.name, db);
+}
+
 int study(const StudyOptions& options) {
   plan::CodeFinder finder(shipped("adapters"));
   const bool is_asked_for = !options.choice.names.empty() && !options.plan;
@@ -108,6 +120,7 @@ int study(const StudyOptions& options) {
   }
   store::Store store(options.db, store::Store::Mode::create_or_write);
   plan::require_one_voice(plans, store.statements(store::current_provenance().digest), options.db);
+  if (!options.choice.settings.empty() || !options.choice.where_taken.empty()) note_replaced(plans, store, options.db);
   return options.shard.empty() ? run_studies(options, plans, finder.codes(), store)
                                : run_shard(options, plans, work, finder.codes(), store);
 }

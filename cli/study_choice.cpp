@@ -26,8 +26,17 @@ settings::Setting setting_from(const std::string& text, const char* option) {
 
 std::vector<Overriding> overriding_settings(const StudyChoice& choice) {
   std::vector<Overriding> all;
-  for (const std::string& text : choice.settings) all.push_back({setting_from(text, "--set")});
-  for (const std::string& text : choice.where_taken) all.push_back({setting_from(text, "--set-where-taken"), true});
+  const auto add = [&all](const std::string& text, const char* option, bool where_taken) {
+    const settings::Setting setting = setting_from(text, option);
+    for (const Overriding& other : all)
+      if (other.setting.key == setting.key)
+        throw support::UsageError(fmt::format("{} = {} in {} beside {} = {} in {} (one value)", setting.key,
+                                              setting.value, option, setting.key, other.setting.value,
+                                              other.setting.where));
+    all.push_back({setting, where_taken});
+  };
+  for (const std::string& text : choice.settings) add(text, "--set", false);
+  for (const std::string& text : choice.where_taken) add(text, "--set-where-taken", true);
   return all;
 }
 

@@ -79,7 +79,8 @@ bool CasePool::known(const Case& c) {
   const auto stored = store_.find(c, provenance_.digest);
   if (!stored || records::is_worth_another_try(*stored)) return false;
   records_.emplace(c, *stored);
-  ++counts_.reused;
+  taken_.insert(c);
+  counts_.reused = taken_.size();
   return true;
 }
 
@@ -197,6 +198,8 @@ void CasePool::keep(const Record& record) {
     lock.lock();
     for (const Record& kept : batch) {
       records_.emplace(kept.the_case, kept);
+      taken_.erase(kept.the_case);  // which another program has kept while it ran here
+      counts_.reused = taken_.size();
       ++counts_.ran;
       ++progress_.done;
       progress_.label = label(kept.the_case);

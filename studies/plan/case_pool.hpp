@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <set>
 #include <stop_token>
 #include <vector>
 
@@ -72,6 +73,7 @@ class CasePool {
   Progress progress_;
   Remaining remaining_;
   std::map<cases::Case, records::Record> records_;
+  std::set<cases::Case> taken_;            ///< those of them that come from the store and were not run
   std::vector<records::Record> finished_;  ///< not kept yet
   bool keeping_ = false;                   ///< a thread is at the store, outside the mutex
   std::exception_ptr not_kept_;            ///< why the store did not take what has finished

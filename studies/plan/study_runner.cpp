@@ -53,6 +53,10 @@ Point point_of(double x, std::span<const Record> records) {
   for (const Record& r : records)
     for (const auto& [quantity, value] : point_of(x, r).y) point.replicates[quantity].push_back(value);
   for (const auto& [quantity, values] : point.replicates) point.y[quantity] = mean(values);
+  // Some replicates may be run by a part of the body, and others not: that has no mean.
+  const std::vector<double>& images = point.replicates.at("images");
+  if (std::ranges::count(images, images.front()) < std::ssize(images))
+    point.y.erase("images"), point.replicates.erase("images");
   return point;
 }
 

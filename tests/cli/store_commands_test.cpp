@@ -154,6 +154,19 @@ TEST(GateCommand, ATrialPassesOnlyWhereItIsAskedFor) {
   EXPECT_EQ(call(folder, gate).code, 0) << "the study as it stands";
 }
 
+TEST(ClaimsCommand, ATrialSaysNothingOfItsClaims) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
+  const std::string study = "study " + file + " --db " + db, claim = "claims S-fig10 --db " + db;
+  ASSERT_EQ(call(folder, study).code, 0);
+  EXPECT_THAT(call(folder, claim).out, HasSubstr("S-fig10: confirmed"));
+  EXPECT_THAT(call(folder, study + " --set shuffle=3").err, HasSubstr("small: takes the place of the study in "));
+  EXPECT_THAT(call(folder, claim).out, HasSubstr("S-fig10: open"));
+  EXPECT_THAT(call(folder, claim + " --json").out, HasSubstr("made with --set: shuffle = 3 in 2 of 2 series"));
+  EXPECT_EQ(call(folder, study).err, "");
+  EXPECT_THAT(call(folder, claim).out, HasSubstr("S-fig10: confirmed"));
+}
+
 TEST(ProposeCommand, MakesTheFolderOfItsFileAndNeedsNoGoldens) {
   const Folder folder;
   const std::string db = folder / "r.db", file = folder / "new/goldens/s.toml";

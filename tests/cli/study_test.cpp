@@ -176,6 +176,9 @@ TEST(StudyCommand, SetOverridesEverySeriesAndSaysSoInTheStore) {
   EXPECT_THAT(call(folder, "db export --db " + db).out, HasSubstr("ppc=2 grid_offset=0 shuffle=3"));
   for (const char* wrong : {"cells=8", "pcp=4", "ppc", "=4"})
     EXPECT_EQ(call(folder, "study " + file + " --set " + wrong + " --db " + (folder / "other.db")).code, 2) << wrong;
+  const Answer twice = call(folder, "study --set ppc=2 --set ppc=3 " + file + " --db " + (folder / "other.db"));
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_THAT(twice.err, HasSubstr("ppc = 3 in --set beside ppc = 2 in --set (one value)"));
   EXPECT_FALSE(std::filesystem::exists(folder / "other.db"));
 }
 
