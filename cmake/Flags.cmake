@@ -20,13 +20,13 @@ endif()
 add_library(mpmvv_flags INTERFACE)
 target_include_directories(mpmvv_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_features(mpmvv_flags INTERFACE cxx_std_20)
-# Matrices of `Four` numbers are as aligned as these, where vector registers are shorter, too.
+# Matrices of packs (solver/simd/pack.hpp) are aligned like registers of four numbers, where registers are shorter, too.
 target_compile_definitions(mpmvv_flags INTERFACE EIGEN_MAX_STATIC_ALIGN_BYTES=32)
 # NaN and infinity keep their meaning: neither of these two flags assumes that they do not occur.
 target_compile_options(mpmvv_flags INTERFACE
   ${mpmvv_arch_flag} -ffp-contract=fast -fno-math-errno -fno-trapping-math
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
-  -Wno-psabi)  # how registers of four numbers are handed over, where there are none, matters to inlined functions only
+  -Wno-psabi)  # how four numbers are handed over where no register holds them: the functions that do are inlined
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(mpmvv_flags INTERFACE
     -Wno-restrict  # g++ 12 sees an overlap in "text" + std::string() that is not there (GCC bug 105651)

@@ -8,18 +8,18 @@ namespace mpmvv::mms {
 
 /// glibc's vector library, whose header declares these for -ffast-math alone: four units in the last place at most.
 namespace libmvec {
-using Four [[gnu::vector_size(32)]] = double;
-Four sin(Four angles) asm("_ZGVdN4v_sin");
-Four cos(Four angles) asm("_ZGVdN4v_cos");
+using Double4 [[gnu::vector_size(32)]] = double;
+Double4 sin(Double4 angles) asm("_ZGVdN4v_sin");
+Double4 cos(Double4 angles) asm("_ZGVdN4v_cos");
 }  // namespace libmvec
 
 namespace {
 
-Lanes by_four(libmvec::Four (*function)(libmvec::Four), const Lanes& angles) {
-  libmvec::Four fours[2];
+Lanes by_four(libmvec::Double4 (*function)(libmvec::Double4), const Lanes& angles) {
+  libmvec::Double4 fours[2];
   static_assert(sizeof(fours) == sizeof(Lanes));
   std::memcpy(fours, angles.data(), sizeof(fours));
-  for (libmvec::Four& four : fours) four = function(four);
+  for (libmvec::Double4& four : fours) four = function(four);
   return Lanes(reinterpret_cast<const double*>(fours));
 }
 

@@ -9,6 +9,4 @@ class Ring final : public Radial<2> {
   using Radial::Radial;
 };
 
-using RingDisplacement = RadialDisplacement<2>;
-
 }  // namespace mpmvv::mms

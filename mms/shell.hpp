@@ -9,6 +9,4 @@ class Shell final : public Radial<3> {
   using Radial::Radial;
 };
 
-using ShellDisplacement = RadialDisplacement<3>;
-
 }  // namespace mpmvv::mms

@@ -50,17 +50,17 @@ class Vortex final : public ManufacturedSolution<2> {
   /// H and its derivatives; N, here and below, is any scalar type.
   template <class N>
   Profile<N> profile(const N& R) const;
-  /// Of the point at radius R where G(t) is G and its derivative dG: b = Q (along R e_R + across R e_θ).
+  /// At radius R where G(t) is G and its derivative dG: b = Q (along R e_R + across R e_θ).
   template <class N>
   struct Parts {
     N along, across, alpha;
   };
   template <class N, class S>
   Parts<N> parts(const N& R, const S& G, const S& dG) const;
-  /// b there.
+  /// b at X where G(t) is G and its derivative dG.
   template <class N>
   std::array<N, 2> b_at(const std::array<N, 2>& X, double G, double dG) const;
-  /// u there.
+  /// u at X where G(t) is G.
   template <class N>
   std::array<N, 2> displacement(const std::array<N, 2>& X, double G) const;
 

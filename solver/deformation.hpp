@@ -51,7 +51,7 @@ struct DeformationStep {
   double dt;
   Deformation rule = Deformation::linear;
 
-  /// F', where `rule` is this one.
+  /// F' by the rule `that`, which the caller has found `rule` to be: known to the compiler, it costs no branch.
   template <Deformation that, class Matrix>
   [[gnu::always_inline]] Matrix by(const Matrix& F, const Matrix& L) const {
     Matrix increment = dt * L;

@@ -112,11 +112,11 @@ void MassMatrix<D>::add(Step<D>& s, const Field& u, Field& field) {
   s.for_nodes([this, &u](std::size_t n) {
     for (std::size_t d = 0; d < D; ++d) u_[d][margin_ + n] = u[n][static_cast<int>(d)];
   });
-  s.for_runs_of_nodes([this, &field](std::size_t first, std::size_t end) { add_run(first, end, field); });
+  s.for_spans_of_nodes([this, &field](std::size_t first, std::size_t end) { add_span(first, end, field); });
 }
 
 template <int D>
-void MassMatrix<D>::add_run(std::size_t first, std::size_t end, Field& field) const {
+void MassMatrix<D>::add_span(std::size_t first, std::size_t end, Field& field) const {
   using Nodes = Doubles<at_once>;
   for (std::size_t group = first / at_once * at_once; group < end; group += at_once) {
     const double* M = &couplings_[group * offsets_.size()];

@@ -41,7 +41,7 @@ class MassMatrix {
   template <int W>
   void add_particle(const double* N, double m, std::size_t first, const Grid<D>& grid);
   void complete(std::size_t n);
-  void add_run(std::size_t first, std::size_t end, Field& field) const;
+  void add_span(std::size_t first, std::size_t end, Field& field) const;
 
   std::vector<std::ptrdiff_t> offsets_;  ///< along storage, of all displacements
   std::size_t earlier_;                  ///< how many of them lead to earlier lines: none for D = 1

@@ -17,10 +17,11 @@ class MassProduct {
  public:
   using Field = Array<Padded<D>>;
 
-  /// For at most so many by the same positions.
+  /// `most` is how many products there are at most while particles stay where they are: it decides whether assembling
+  /// is worth it.
   MassProduct(const Step<D>& s, int most);
 
-  /// To be called before some calls of `add` by the same positions.
+  /// To be called before the first call of `add` after particles have moved.
   void prepare(Step<D>& s);
 
   /// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j
@@ -35,7 +36,7 @@ class MassProduct {
 
   std::optional<MassMatrix<D>> matrix_;
   bool is_assembled_ = false;
-  std::int64_t assembled_after_ = -1;  ///< as many moves
+  std::int64_t assembled_after_ = -1;  ///< `Step::moves` when the matrix was assembled
 };
 
 extern template class MassProduct<1>;

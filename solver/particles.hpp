@@ -29,7 +29,7 @@ struct Particles {
   Array<Vec<D>> l;          ///< width in units of h, for bases that take one
   Array<Vec<D>> l0;         ///< reference width in units of h, where the width follows the deformation
   Array<Mat<D>> R;          ///< edges of the domain as columns, in units of h, for bases that take a domain
-  Array<Mat<D>> R0;         ///< reference edges in units of h, likewise
+  Array<Mat<D>> R0;         ///< reference edges in units of h, where the domain follows the deformation
 
   Array<Vec<D>> X;  ///< reference position, for body forces that read it
 

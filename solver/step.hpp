@@ -70,7 +70,7 @@ class Step {
   void set_velocity();               ///< v_i = p_i / m_i, constrained                             S (2), W (9)
   void set_stress_velocity();        ///< v_i as the stress updates take it: expanded for `fmpm`   N §2.2
   void restore_velocity();           ///< v_i = p_i / m_i again, if it has been expanded since
-  void set_acceleration();           ///< a_i = f_i / m_i, constrained if zero                     S (5), W (15)
+  void set_acceleration();           ///< a_i = f_i / m_i, constrained but where S (30) follows    S (5), W (15), W §4
   void advance_velocity(double dt);  ///< v_i += a_i Δt, constrained                               S (6), W (16), S (30)
 
   // From the grid to particles: the last sweep of a step, after which all is ready for the next. A page changes nothing
@@ -85,7 +85,7 @@ class Step {
   // What the above is made from, for a page with a sweep of its own.
 
   /// One visit to all particles by these kernels.
-  void sweep(std::initializer_list<AnyKernel<D>> kernels, Adds adds = Adds::to_nodes);
+  void sweep(std::initializer_list<AnyKernel<D>> kernels);
 
   /// The last one of a step or of a stage: by these, then what must be ready for the next. What sets F in a step checks
   /// it, too: UpdateDeformation, or CheckDeformation beside a kernel of a page's own. It waits until particles are next
@@ -104,10 +104,10 @@ class Step {
     active_nodes_.visit(pool_, visit);
   }
 
-  /// Calls visit(first, end) for each run of such nodes along the storage.
+  /// Calls visit(first, end) for each span of such nodes along the storage.
   template <class Visit>
-  void for_runs_of_nodes(const Visit& visit) {
-    active_nodes_.visit_runs(pool_, visit);
+  void for_spans_of_nodes(const Visit& visit) {
+    active_nodes_.visit_spans(pool_, visit);
   }
 
   template <class V>
@@ -138,7 +138,7 @@ class Step {
   void add_grid_body_force();
   void clear_grid();
   void divide_by_mass(const auto& field, double least_mass, Field& quotient);
-  void set_wall_acceleration(double dt);
+  void set_difference_acceleration(double dt);
   bool holds_lumped() const;
   void hold(Field& velocity);
   VelocityFields<D> velocity_fields(double dt);

@@ -68,7 +68,7 @@ void Step<D>::set_acceleration() {
   divide_by_mass(grid_.f, least_mass_, grid_.a);
   if (!scene_.difference_acceleration && holds_lumped()) constrain(grid_.a);
   if (consistent_mass_) consistent_mass_->solve(*this, grid_.f, least_mass_, grid_.a);
-  if (scene_.half_start && steps_ == 0)
+  if (scene_.half_start && steps_ == 0)  // W §4
     for (auto& a : grid_.a) a *= 0.5;
 }
 
@@ -85,7 +85,7 @@ void Step<D>::advance_velocity(double dt) {
   for_nodes([&](std::size_t n) { grid_.v[n] += dt * grid_.a[n]; });
   if (!holds_lumped()) return;
   hold(grid_.v);
-  if (scene_.difference_acceleration) set_wall_acceleration(dt);
+  if (scene_.difference_acceleration) set_difference_acceleration(dt);
   for (const auto& wall : walls_) wall.set_acceleration(grid_, dt);
 }
 
@@ -130,8 +130,9 @@ VelocityFields<D> Step<D>::velocity_fields(double dt) {
   return std::visit([&](const auto& update) { return update.fields(*this, dt); }, scene_.velocity_update);
 }
 
+/// Of nodes that boundaries hold. Moving walls set theirs in any case: MovingWall.
 template <int D>
-void Step<D>::set_wall_acceleration(double dt) {
+void Step<D>::set_difference_acceleration(double dt) {
   const auto difference = [&](int n, int) {  // a_i = (v_i^{k+1} - v_i^k)/Δt, v^k as mapped                     S (30)
     const auto i = static_cast<std::size_t>(n);
     if (is_accelerated(i)) grid_.a[i] = (grid_.v[i] - grid_.p[i].template head<padded_size<D>>() / grid_.m(i)) / dt;

@@ -13,9 +13,9 @@
 namespace mpmvv::solver {
 
 template <int D>
-void Step<D>::sweep(std::initializer_list<AnyKernel<D>> kernels, Adds adds) {
+void Step<D>::sweep(std::initializer_list<AnyKernel<D>> kernels) {
   settle();
-  note(solver::sweep<D>(adds, scene_.basis, particles_, grid_, slabs_, pool_, kernels));
+  note(solver::sweep<D>(Adds::to_nodes, scene_.basis, particles_, grid_, slabs_, pool_, kernels));
 }
 
 template <int D>

@@ -50,7 +50,8 @@ concept Basis = requires(const B basis, AxisPoint point, double* N, double* dN) 
 };
 
 /// Whether the nodes that a point reaches change half-way between nodes, and not on nodes: so it is where an odd number
-/// of functions, centred on nodes, overlap. Particles are sorted by that: to be wrong costs time alone.
+/// of functions, centred on nodes, overlap. Particles are sorted by that; a basis for which it is wrong is slower, and
+/// its results are the same.
 template <class B>
 inline constexpr bool changes_between_nodes = B::ghost > 0 && B::support % 2 == 1;
 

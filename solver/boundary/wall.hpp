@@ -16,7 +16,9 @@ enum class WallGradient {
   estimated  ///< from the particles, N (4)
 };
 
-/// A face from which a wall moves through the grid, N §2.5. What it holds changes with time: see MovingWall.
+/// A face from which a wall moves through the grid, N §2.5. What it holds changes with time, and so a MovingWall does
+/// it: the face itself holds nothing. How velocities that are expanded obey faces and walls is the scene's
+/// `wall_method`; `lumped` and the others stand in step_grid.hpp.
 struct Wall {
   static constexpr std::string_view word = "wall";
   static constexpr bool holds = false;

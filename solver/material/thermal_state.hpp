@@ -13,7 +13,7 @@ struct ThermalState {
   double total_pressure() const { return pressure + viscous; }
 };
 
-/// What its rates are made from.
+/// Over which time and length a stress with a history takes rates.
 struct StressStep {
   double dt;  ///< s, since the last evaluation
   double h;   ///< m, the cell width

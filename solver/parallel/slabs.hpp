@@ -15,7 +15,7 @@
 
 namespace mpmvv::solver {
 
-/// Whether the stages of a sweep add to nodes: slabs that share some then have to take turns.
+/// Whether the kernels of a sweep add to nodes: slabs that share some then have to take turns.
 enum class Adds { nothing, to_nodes };
 
 /// The domain cut into slabs across its last axis with about as many particles each, and the particles sorted so that

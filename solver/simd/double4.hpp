@@ -20,8 +20,8 @@ using StoredDouble4 [[gnu::vector_size(32), gnu::aligned(8)]] = double;
 [[gnu::always_inline]] inline void store4(const Double4& four, double* to) {
   *reinterpret_cast<StoredDouble4*>(to) = four;
 }
-[[gnu::always_inline]] inline Double2 half(const Double4& q, int which) {
-  return which == 0 ? __builtin_shufflevector(q, q, 0, 1) : __builtin_shufflevector(q, q, 2, 3);
+[[gnu::always_inline]] inline Double2 half(const Double4& a, int which) {
+  return which == 0 ? __builtin_shufflevector(a, a, 0, 1) : __builtin_shufflevector(a, a, 2, 3);
 }
 /// The sum of the four numbers of each.
 [[gnu::always_inline]] inline Double4 sums(const Double4& a, const Double4& b, const Double4& c, const Double4& d) {

@@ -30,7 +30,7 @@ struct Doubles {
     rest.store(to + in_front);
   }
 
-  /// Number k is of(k).
+  /// The numbers of(first), of(first + 1), ...
   template <int first = 0, class Of>
   [[gnu::always_inline]] static Doubles each(const Of& of) {
     const auto front_of = [&of]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {

@@ -66,7 +66,7 @@ inline bool any(const Mask4& mask) {
   return result;
 }
 
-/// Most often of determinants of F that are near one.
+/// ln x of four. Determinants of F are most often near one, where the polynomial serves.
 [[gnu::always_inline]] inline Pack log(const Pack& four) {
   if (all((four.of >= 0.5) & (four.of <= 2.))) return Pack(log_near_one(four.of));
   return log_of_any(four);
@@ -88,7 +88,7 @@ template <int n>
   }
   for (; k < n; ++k) packs[k].of = Double4{from[0][k], from[1][k], from[2][k], from[3][k]};
 }
-/// The reverse.
+/// Stores entry by entry what `load_packs` loads.
 template <int n>
 [[gnu::always_inline]] inline void store_packs(const Pack* packs, const std::array<double*, 4>& to) {
   int k = 0;

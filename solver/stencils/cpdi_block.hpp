@@ -7,7 +7,8 @@
 
 namespace mpmvv::solver {
 
-/// Fewer particles than other blocks have: with their corners all of a block stays near.
+/// Fewer particles than other blocks have: each has the nodes of 2^D corners, and all of a block should fit in the
+/// nearest cache.
 template <int D>
 inline constexpr int cpdi_block_size = std::min(256 >> D, block_size<D>);
 
@@ -16,6 +17,7 @@ template <int D, int K>
 struct CpdiBlock : Block<D> {
   static constexpr int corners = CpdiStencil<D, K>::corners;
   static constexpr int most = cpdi_block_size<D>;  ///< particles
+  static_assert(has_room_for_packs(most));
 
   using Block<D>::Block;
 

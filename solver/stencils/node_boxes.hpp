@@ -17,9 +17,8 @@ struct NodeBoxes {
   int first[block_size<D>];  ///< storage index of the first node
   double N[block_size<D>][line * power(W, D - 1)] = {};
 
-  double& weight(std::size_t particle, int i) {
-    return N[particle][i / W * line + i % W];
-  }  ///< of the i-th node of the box
+  /// Of the i-th node of the box.
+  double& weight(std::size_t particle, int i) { return N[particle][i / W * line + i % W]; }
 };
 
 /// How many nodes wide the boxes of a block are. Those of particles with domains are one wider than the nodes of a

@@ -219,7 +219,7 @@ struct Stencil : Weights<D, K> {
     return sum;
   }
 
-  /// The reverse.
+  /// Adds to nodes along the axes from `axis` down: the transpose of `sum_lines`.
   template <int axis, int n>
   [[gnu::always_inline]] void add_lines(const LineSums<n>& source, Padded<D>* nodes) const {
     for (int i = 0; i < K; ++i) {

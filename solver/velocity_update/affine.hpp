@@ -59,7 +59,7 @@ struct MapAffineMomentum {
   }
 };
 
-/// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹, likewise.
+/// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹, where the velocity update keeps C.
 template <int D>
 struct UpdateAffineField {
   Particles<D>& particles;

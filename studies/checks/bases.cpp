@@ -5,6 +5,7 @@
 
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 
 namespace mpmvv::checks {
 
@@ -30,7 +31,7 @@ template <class F, class G>
 double convolution_misfit(const F& f, const G& g, double l) {
   double worst = 0;
   for (const double x : linspace(-2.5, 2.5, 997))
-    worst = std::max(worst, std::abs(integral(f, x - l / 2, x + l / 2) / l - g(x)));
+    keep_larger(worst, std::abs(integral(f, x - l / 2, x + l / 2) / l - g(x)));
   return worst;
 }
 
@@ -41,7 +42,7 @@ double box(double x) {
 template <class A, class B>
 double largest_difference(const A& a, const B& b) {
   double worst = 0;
-  for (const double x : linspace(-2.5, 2.5, 5000)) worst = std::max(worst, std::abs(a(x) - b(x)));
+  for (const double x : linspace(-2.5, 2.5, 5000)) keep_larger(worst, std::abs(a(x) - b(x)));
   return worst;
 }
 
@@ -66,7 +67,7 @@ CheckResult check_bases() {
              "largest misfit of bspline2*box and bspline3");
   double worst = 0;
   for (const double l : {0.01, 0.1, 0.25, 0.5, 0.75, 1.0})
-    worst = std::max(worst, convolution_misfit(linear, weight_of(UGimp{l}), l));
+    keep_larger(worst, convolution_misfit(linear, weight_of(UGimp{l}), l));
   result.add("gimp_convolution", worst, "largest misfit of linear*box(l) and ugimp, l from h/100 to h");
 
   const BasisFunction<UGimp> widest(UGimp{1});
@@ -78,8 +79,7 @@ CheckResult check_bases() {
       largest_difference([&](double x) { return widest.gradient(x); }, [&](double x) { return spline.gradient(x); }),
       "largest difference of their gradients");
   worst = 0;
-  for (double l = 0.1; l > 1e-9; l /= 10)
-    worst = std::max(worst, largest_difference(weight_of(UGimp{l}), linear) / (l / 4));
+  for (double l = 0.1; l > 1e-9; l /= 10) keep_larger(worst, largest_difference(weight_of(UGimp{l}), linear) / (l / 4));
   result.add("narrowest_weight", worst,
              "difference of the weights of ugimp and of the linear basis over l/4, l from h/10 to 1e-9 h");
   return result;

@@ -1,6 +1,6 @@
-#include <algorithm>
 #include <cmath>
 
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/profiles/particle_panel.hpp"
 
 namespace mpmvv::checks {
@@ -48,7 +48,7 @@ struct Tiling {
 Tiling tiling_of(const Voxels& voxels) {
   Tiling tiling;
   double volume = 0;
-  const auto note_gap = [&](double gap) { tiling.gap = std::max(tiling.gap, std::abs(gap)); };
+  const auto note_gap = [&](double gap) { keep_larger(tiling.gap, std::abs(gap)); };
   for (std::size_t p = 0; p < voxels.centre.size(); ++p) {
     volume += voxels.width[p].prod();
     std::size_t stride = 1;
@@ -64,7 +64,7 @@ Tiling tiling_of(const Voxels& voxels) {
       note_gap(voxels.centre[q][d] - voxels.width[q][d] / 2 - upper);
       Vec across = voxels.centre[q] - voxels.centre[p];
       across[d] = 0;
-      tiling.offset = std::max(tiling.offset, across.cwiseAbs().maxCoeff());
+      keep_larger(tiling.offset, across.cwiseAbs().maxCoeff());
     }
   }
   tiling.volume_error = std::abs(volume - 1);

@@ -5,6 +5,7 @@
 #include "solver/basis/bases.hpp"
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 
 namespace mpmvv::checks {
 
@@ -64,7 +65,7 @@ void add_extents(CheckResult& result, const B& basis, const std::string& name, d
   for (const double begin : linspace(0, 0.999, 333)) {
     const Density<B> density(basis, begin, 64);
     nodes = std::max(nodes, density.node_extent());
-    field = std::max(field, density.field_extent());
+    keep_larger(field, density.field_extent());
   }
   result.add(name + "_nodes", nodes / reach,
              fmt::format("{}: farthest node with mass beyond the body over the printed {} h", name, reach));

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <functional>
 
 #include "mms/bar.hpp"
@@ -9,6 +8,7 @@
 #include "mms/vortex.hpp"
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 
 namespace mpmvv::checks {
 
@@ -21,8 +21,8 @@ struct Field {
 
   template <class T>
   void add(const T& closed, const T& derived) {
-    difference = std::max(difference, (closed - derived).norm());
-    scale = std::max(scale, derived.norm());
+    keep_larger(difference, (closed - derived).norm());
+    keep_larger(scale, derived.norm());
   }
 };
 

@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 #include "studies/runs/norms.hpp"
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/settings/settings.hpp"
 
 namespace mpmvv::checks {
@@ -57,7 +57,7 @@ class PulledBar {
   double largest_spacing(const solver::Particles<1>& particles) {
     for (std::size_t p = 0; p < x_.size(); ++p) x_[particles.id[p]] = particles.x[p][0];
     double largest = 0;
-    for (std::size_t p = 1; p < x_.size(); ++p) largest = std::max(largest, x_[p] - x_[p - 1]);
+    for (std::size_t p = 1; p < x_.size(); ++p) keep_larger(largest, x_[p] - x_[p - 1]);
     return largest;
   }
 

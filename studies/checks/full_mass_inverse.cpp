@@ -2,11 +2,12 @@
 #include <vector>
 
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/matrix_product.hpp"
 #include "studies/checks/mapping/nodal_basis.hpp"
 #include "studies/checks/mapping/particle_basis.hpp"
 #include "studies/checks/mapping/particle_tiling.hpp"
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/settings/settings.hpp"
 
 namespace mpmvv::checks {
@@ -88,9 +89,9 @@ double difference(const Vector& a, const Vector& b) {
 void add_inverse(const MassMatrices& s, CheckResult& result) {
   double binomial = 0, horner = 0, printed = 0;
   for (int k = 2; k <= 16; ++k) {
-    binomial = std::max(binomial, difference(s.binomial(k), s.by_powers(k)));
-    horner = std::max(horner, difference(s.horner(k), s.by_powers(k)));
-    printed = std::max(printed, difference(s.alternating(k, 1) * k, s.by_powers(k)));
+    keep_larger(binomial, difference(s.binomial(k), s.by_powers(k)));
+    keep_larger(horner, difference(s.horner(k), s.by_powers(k)));
+    keep_larger(printed, difference(s.alternating(k, 1) * k, s.by_powers(k)));
   }
   result.add("recursion", binomial, "recursion for v*_l from k m⁻¹p against (1), k to 16, relative");
   result.add("horner", horner, "Horner form against (1), k to 16, relative");
@@ -111,7 +112,7 @@ void add_limit(const MassMatrices& s, const char* name, CheckResult& result) {
   for (int k = 1; k <= 512; k *= 2) {
     orders.push_back(k);
     distances.push_back(distance(s.horner(k)));
-    if (k > 1) largest_growth = std::max(largest_growth, distances.back() / distances[distances.size() - 2]);
+    if (k > 1) keep_larger(largest_growth, distances.back() / distances[distances.size() - 2]);
   }
   result.add_curve(name, orders, distances);
   result.add(std::string("growth_") + name, largest_growth,
@@ -128,7 +129,7 @@ void add_projection(const MassMatrices& s, CheckResult& result) {
       const Vector momentum = s.S.transpose() * s.M.cwiseProduct(rest);
       rest -= s.S * momentum.cwiseQuotient(s.m);
     }
-    largest = std::max(largest, difference(s.V - rest, s.S * s.horner(k)));
+    keep_larger(largest, difference(s.V - rest, s.S * s.horner(k)));
   }
   result.add("projection", largest, "P_X V against S m̃_k⁻¹SᵀM V, k to 16, relative");
 }

@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <stdexcept>
 
 #include "studies/checks/check.hpp"
-#include "studies/runs/scene.hpp"
+#include "studies/checks/extremes.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/settings/settings.hpp"
 
 namespace mpmvv::checks {
@@ -29,7 +29,7 @@ double ghost_mass(const solver::Grid<D>& grid) {
     const solver::Index<D> i = grid.index(n);
     bool inside = true;
     for (int d = 0; d < D; ++d) inside = inside && i[d] >= 0 && i[d] < grid.inside(d);
-    if (!inside) worst = std::max(worst, grid.m(n));
+    if (!inside) keep_larger(worst, grid.m(n));
   }
   return worst / std::pow(grid.h(), D);
 }
@@ -54,10 +54,10 @@ GhostMass measure(const WalledBody& body, const std::string& basis) {
       if (!mpm.step(c.resolution.dt)) throw std::runtime_error("ghost-mass: " + mpm.fault());
       const double mass = ghost_mass(mpm.grid());
       if (c.problem.parameters.at("amplitude") == 0) {
-        result.at_rest = std::max(result.at_rest, mass);
+        keep_larger(result.at_rest, mass);
       } else {
         if (k == 0) result.deformed = mass;
-        result.in_motion = std::max(result.in_motion, mass);
+        keep_larger(result.in_motion, mass);
       }
     }
   }

@@ -3,6 +3,7 @@
 #include "solver/basis/bases.hpp"
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 
 namespace mpmvv::checks {
 
@@ -54,14 +55,14 @@ CheckResult check_jump_errors() {
     const double delta = random.uniform(0, l);
     const double spanning_both = 2 * std::max(delta, l - delta) * random.uniform(1, 1.5);
     const ThreePieces f{random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3), l};
-    worst_39 = std::max(worst_39, std::abs(direct(f, delta, spanning_both) - equation_39(f, delta, spanning_both)));
+    keep_larger(worst_39, std::abs(direct(f, delta, spanning_both) - equation_39(f, delta, spanning_both)));
 
     const double equation_40 = -(spanning_both - l + 2 * (1 - spanning_both / l) * delta);
-    worst_40 = std::max(worst_40, std::abs(direct_gimp(l, delta, spanning_both) - equation_40));
+    keep_larger(worst_40, std::abs(direct_gimp(l, delta, spanning_both) - equation_40));
 
     const double dx = random.uniform(0, l), near = random.uniform(0, std::min(dx / 2, l - dx / 2));
     const double equation_41 = -(near * near - near * dx + dx * dx / 4) / l;
-    worst_41 = std::max(worst_41, std::abs(direct_gimp(l, near, dx) - equation_41));
+    keep_larger(worst_41, std::abs(direct_gimp(l, near, dx) - equation_41));
   }
   CheckResult result;
   result.add("equation_39", worst_39, "largest difference of S (39) and the direct error, 10000 random pieces");

@@ -3,7 +3,8 @@
 #include <stdexcept>
 
 #include "studies/checks/check.hpp"
-#include "studies/runs/scene.hpp"
+#include "studies/checks/extremes.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/settings/settings.hpp"
 
 namespace mpmvv::checks {
@@ -65,10 +66,11 @@ Comparison compare(const std::string& integrator,
     if (wrong.F < 10) wrong = advance(wrong, printed, c.resolution.dt);
     const auto& p = mpm.particles();
     const double scale_v = std::abs(c.problem.parameters.at("velocity"));
-    result.difference = std::max({result.difference, std::abs(p.x[0][0] - recursion.x),
-                                  std::abs(p.v[0][0] - recursion.v) / scale_v, std::abs(p.F[0](0, 0) - recursion.F)});
-    result.largest_stretch = std::max(result.largest_stretch, recursion.F);
-    result.printed_stretch = std::max(result.printed_stretch, wrong.F);
+    keep_larger(result.difference, std::abs(p.x[0][0] - recursion.x));
+    keep_larger(result.difference, std::abs(p.v[0][0] - recursion.v) / scale_v);
+    keep_larger(result.difference, std::abs(p.F[0](0, 0) - recursion.F));
+    keep_larger(result.largest_stretch, recursion.F);
+    keep_larger(result.printed_stretch, wrong.F);
     result.steps.push_back(static_cast<double>(k + 1));
     result.solver_F.push_back(p.F[0](0, 0));
     result.recursion_F.push_back(recursion.F);

@@ -5,6 +5,7 @@
 #include "solver/basis/open_bspline.hpp"
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 
 namespace mpmvv::checks {
 
@@ -34,12 +35,13 @@ struct Violations {
         field += greville(first + k) * N[k];
         slope_of_field += greville(first + k) * dN[k];
       }
-      unity = std::max(unity, std::abs(sum - 1));
-      gradient_sum = std::max(gradient_sum, std::abs(dsum));
-      slope = std::max({slope, std::abs(field - x), std::abs(slope_of_field - 1)});
+      keep_larger(unity, std::abs(sum - 1));
+      keep_larger(gradient_sum, std::abs(dsum));
+      keep_larger(slope, std::abs(field - x));
+      keep_larger(slope, std::abs(slope_of_field - 1));
       functions = std::max(functions, first + B::support);
-      if (x == 0) boundary = std::max(boundary, std::abs(N[0] - 1)), others_at_boundary = std::abs(N[1]);
-      if (x == cells) boundary = std::max(boundary, std::abs(N[degree] - 1));
+      if (x == 0) keep_larger(boundary, std::abs(N[0] - 1)), others_at_boundary = std::abs(N[1]);
+      if (x == cells) keep_larger(boundary, std::abs(N[degree] - 1));
     }
   }
 };

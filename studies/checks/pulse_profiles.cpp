@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/profiles/profile.hpp"
 
 namespace mpmvv::checks {
@@ -27,7 +28,7 @@ struct Peak {
 double ringing_behind(const profiles::Profile& profile, double from, double to) {
   double largest = 0;
   for (std::size_t k = 0; k < profile.x.size(); ++k)
-    if (profile.x[k] >= from && profile.x[k] <= to) largest = std::max(largest, std::abs(profile.y[k]));
+    if (profile.x[k] >= from && profile.x[k] <= to) keep_larger(largest, std::abs(profile.y[k]));
   return largest;
 }
 

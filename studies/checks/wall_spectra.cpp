@@ -4,6 +4,7 @@
 
 #include "solver/mpm.hpp"
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/spectrum.hpp"
 
 namespace mpmvv::checks {
@@ -67,7 +68,7 @@ class ForceFreeBar {
 double largest_radius(const solver::AnyBasis& basis, double depth, WallMethod method, int order) {
   double largest = 0;
   for (const double offset : {0.0, 0.2, 0.4, 0.6, 0.8})
-    largest = std::max(largest, mapping::spectral_radius(ForceFreeBar(basis, offset, depth).map(method, order)));
+    keep_larger(largest, mapping::spectral_radius(ForceFreeBar(basis, offset, depth).map(method, order)));
   return largest;
 }
 

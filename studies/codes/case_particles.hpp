@@ -4,7 +4,7 @@
 
 #include "studies/codes/snapshot.hpp"
 #include "studies/runs/balance.hpp"
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 
 namespace mpmvv::codes {
 

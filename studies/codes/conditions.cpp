@@ -1,6 +1,6 @@
 #include "studies/codes/conditions.hpp"
 
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/settings/boundaries.hpp"
 
 namespace mpmvv::codes {

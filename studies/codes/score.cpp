@@ -114,7 +114,7 @@ template <int D>
 void measure(const CaseParticles<D>& particles, const Output& output, Record& record) {
   const cases::Case& c = record.the_case;
   record.particles = static_cast<std::int64_t>(particles.size());
-  record.energy.initial_total = particles.energy;
+  record.energy.initial_total = runs::start_energy(particles.setup, particles.energy);
   const MatchedEnd<D> end = matched(particles, output);
   require_displacement_units(end);
   require_inside(end);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 
 namespace mpmvv::codes {
 

@@ -10,7 +10,7 @@ namespace mpmvv::runs {
 /// Mean, root mean square and maximum of the particles' displacement errors δ_p, W (64). One NaN makes all three NaN.
 class ErrorNorms {
  public:
-  /// That of so many particles.
+  /// The error δ of a particle, which counts for as many as it stands for with its mirror images.
   void add(double delta, int particles = 1) {
     sum_ += particles * delta;
     sum_of_squares_ += particles * delta * delta;

@@ -12,9 +12,9 @@
 #include "studies/runs/balance.hpp"
 #include "studies/runs/blow_up.hpp"
 #include "studies/runs/nodal_error.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/runs/rounds.hpp"
 #include "studies/runs/run_errors.hpp"
-#include "studies/runs/scene.hpp"
 #include "studies/runs/vtu.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/reason.hpp"
@@ -115,7 +115,7 @@ void run(const Case& c, const problems::Problem& problem, Manner manner, VtuSeri
   PreparedCase<D> prepared = prepare_case<D>(c, problem, manner.threads, manner.images);
   solver::Mpm<D> mpm(std::move(prepared.scene));
   for (const std::uint32_t id : mpm.particles().id) record.particles += prepared.count_of(id);
-  record.energy.initial_total = mpm.kinetic_energy() + mpm.strain_energy();
+  record.energy.initial_total = start_energy(prepared.setup, mpm.kinetic_energy() + mpm.strain_energy());
   const Momenta<D> start_momenta(mpm.particles(), prepared.images);
 
   const bool every_step = c.measure.every_step && prepared.points;

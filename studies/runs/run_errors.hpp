@@ -6,7 +6,7 @@
 #include "solver/mpm.hpp"
 #include "studies/runs/norms.hpp"
 #include "studies/runs/particle_errors.hpp"
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 
 /// Errors of a run's particles against the exact solution.
 namespace mpmvv::runs {

@@ -7,13 +7,13 @@
 
 namespace mpmvv::runs {
 
-/// Of a body's fill, the voxels that are run where the rest is images of them.
+/// Of a body's fill, the voxels that are kept: the rest is images of them.
 template <int D>
 class WithoutImages {
  public:
   WithoutImages(solver::Images images, double h) : images_(images), round_off_(1e-9 * h) {}
 
-  /// Takes the next voxel of the fill. Particles that it and its images are; none where another of them is run. No
+  /// Takes the next voxel of the fill. Particles that it and its images are; none where another of them is kept. No
   /// particle lies on an axis about which a body turns.
   int take(const Voxel<D>& voxel) {
     const int found = count_of(voxel.X);
@@ -21,16 +21,16 @@ class WithoutImages {
     return found;
   }
 
-  /// Of the volume or the surface of so many particles, that of the one that is run: one that is its own image is
+  /// Of the volume or the surface of so many particles, that of the one that is kept: one that is its own image is
   /// summed with it.
   double share(int particles) const { return static_cast<double>(particles) / count(images_); }
 
-  /// The patches of the voxels that are run, by their places among these.
+  /// The patches of the voxels that are kept, by their places among these.
   std::vector<SurfacePatch<D>> patches(const std::vector<SurfacePatch<D>>& all) const {
     if (images_ == solver::Images::none) return all;
     std::vector<std::uint32_t> places;
-    std::uint32_t run = 0;
-    for (const std::uint8_t found : counts_) places.push_back(found > 0 ? run++ : run);
+    std::uint32_t kept = 0;
+    for (const std::uint8_t found : counts_) places.push_back(found > 0 ? kept++ : kept);
     std::vector<SurfacePatch<D>> left;
     for (const SurfacePatch<D>& patch : all)
       if (const int found = counts_[patch.voxel]; found > 0)

@@ -16,7 +16,7 @@ std::string boundary_of(const std::string& given, const problems::Problem& probl
   return canonical_boundary(given, problem.dimension(), "its part");
 }
 
-/// Whether it is among what the test compares, whatever its boundary.
+/// Whether tests/studies/runs have shown that such a scheme gives the same errors by its part, whatever the boundary.
 bool is_shown(const Scheme& scheme) {
   return scheme.body_force == cases::BodyForce::particles && scheme.mass == cases::Mass::lumped &&
          scheme.wall_acceleration == cases::WallAcceleration::zero;

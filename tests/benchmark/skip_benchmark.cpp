@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "studies/problems/problem.hpp"
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/store/store.hpp"
 #include "tests/benchmark/studied_case.hpp"
 

@@ -36,7 +36,7 @@ class ScratchTree {
   std::string digest(const std::function<bool(const std::string& file)>& is_wanted) const;
 
   void apply(const Edit& edit);  ///< in the place of the change before
-  /// Likewise other texts of some files, by their names; a file that the tree has not is new.
+  /// Other texts of some files, by their names, in the place of the change before; a file that the tree has not is new.
   void apply(const std::map<std::string, std::string>& texts);
   void undo();
 

@@ -76,7 +76,7 @@ void for_nodes(const PointBlock<D, K>& block, const Particles<D>&, const Grid<D>
   }
 }
 
-/// Likewise; a node comes once for each corner that reaches it, with that corner's part.
+/// The same for CPDI, where a node comes once for each corner that reaches it, with that corner's part.
 template <int D, int K, class Visit>
 void for_nodes(const CpdiBlock<D, K>& block, const Particles<D>& particles, const Grid<D>& grid, const Visit& visit) {
   for (int c = 0; c < 1 << D; ++c) {

@@ -98,10 +98,11 @@ void follow(const std::string& file, std::set<std::string>& seen) {
     for (const std::string& target : found->second) follow(target, seen);
 }
 
-Rooms rooms_seen_from(const std::string& room) {
+/// `folder` is a room or a folder in one.
+Rooms rooms_seen_from(const std::string& folder) {
   std::set<std::string> seen;
   for (const auto& [file, targets] : includes())
-    if (room_of(file) == room) follow(file, seen);
+    if (file.starts_with(folder + '/')) follow(file, seen);
   Rooms rooms;
   for (const std::string& file : seen) rooms.insert(room_of(file));
   return rooms;
@@ -134,6 +135,14 @@ TEST(Layers, RecordsAreFreeOfSolverAndSolutions) {
   EXPECT_FALSE(rooms_seen_from("solver").contains("mms"));
   for (const char* room : {"studies/records", "studies/claims", "studies/store", "goldens", "reports"})
     for (const char* tied : {"mms", "solver"}) EXPECT_FALSE(rooms_seen_from(room).contains(tied)) << room;
+}
+
+/// What B says of a mapping is tried on the solver's bases alone, without a problem or a run.
+TEST(Layers, MappingSeesOfWhatIsRunTheBasesAlone) {
+  const Rooms rooms = rooms_seen_from("studies/checks/mapping");
+  EXPECT_TRUE(rooms.contains("solver"));
+  for (const char* room : {"mms", "studies/problems", "studies/settings", "studies/runs"})
+    EXPECT_FALSE(rooms.contains(room)) << room;
 }
 
 TEST(Layers, FitsKnowNothingOfMpm) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "studies/checks/basis_function.hpp"
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/subject.hpp"
 
 /// Properties of the particle basis as a field, each as a number that measures by how much a subject departs from it.
@@ -51,7 +52,7 @@ double piecewise_gradient(const Subject<D>& s) {
     };
     const auto gradients = s.body().field().gradients(axis, points_inside_pieces(s.body().grid(), axis, 0));
     const Eigen::MatrixXd exact = s.body().grid().h[axis] * s.basis().at(gradients);
-    worst = std::max(worst, ((field_at(step) - field_at(-step)) / (2 * step) - exact).cwiseAbs().maxCoeff());
+    keep_larger(worst, ((field_at(step) - field_at(-step)) / (2 * step) - exact).cwiseAbs().maxCoeff());
   }
   return worst / s.largest();
 }

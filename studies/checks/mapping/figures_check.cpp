@@ -4,6 +4,7 @@
 
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/cases.hpp"
 
 namespace mpmvv::checks::mapping {
@@ -49,8 +50,8 @@ void add_shapes(CheckResult& result) {
     const auto shape = ShiftedLine(Placement::uniform, sixths / 6).shape(middle_particle, offsets);
     result.add_curve(fmt::format("moved by {}/6 cells", sixths), offsets, shape);
     for (std::size_t k = 0; k < shape.size(); ++k) {
-      change = std::max(change, std::abs(shape[k] - unshifted[k]));
-      peak = std::max(peak, unshifted[k]);
+      keep_larger(change, std::abs(shape[k] - unshifted[k]));
+      keep_larger(peak, unshifted[k]);
     }
   }
   std::vector<double> hat;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/matrix_product.hpp"
 #include "studies/checks/mapping/particle_tiling.hpp"
 #include "studies/checks/mapping/spectrum.hpp"
@@ -41,7 +42,7 @@ class LinearBar {
     const Matrix symmetric = root.asDiagonal() * round_trip_ * root.cwiseInverse().asDiagonal();
     double largest = 0;
     for (const double s : symmetric_eigenvalues(symmetric))
-      largest = std::max(largest, s > 1e-14 ? -std::expm1(order * std::log1p(-std::min(s, 1.0))) / s : order);
+      keep_larger(largest, s > 1e-14 ? -std::expm1(order * std::log1p(-std::min(s, 1.0))) / s : order);
     return largest;
   }
 
@@ -98,8 +99,8 @@ void add_limits(const std::string& name, const std::vector<LinearBar>& bars, Che
   double radius = 0;
   for (int k = 1; k <= most_terms; k *= 2) {
     double least = 4, gain = 0;
-    for (const LinearBar& bar : bars) least = std::min(least, bar.limit(k)), gain = std::max(gain, bar.gain(k));
-    for (const LinearBar& bar : bars) radius = std::max(radius, bar.spectral_radius(k, least / 2));
+    for (const LinearBar& bar : bars) keep_smaller(least, bar.limit(k)), keep_larger(gain, bar.gain(k));
+    for (const LinearBar& bar : bars) keep_larger(radius, bar.spectral_radius(k, least / 2));
     orders.push_back(k), limits.push_back(least), gains.push_back(gain);
   }
   result.add_curve("limit, " + name, orders, limits);

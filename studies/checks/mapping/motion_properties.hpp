@@ -1,6 +1,6 @@
 #pragma once
-#include <algorithm>
 
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/subject.hpp"
 
 /// Motion of particles and grid, each as a number that measures by how much a subject departs from a property of B.
@@ -44,7 +44,7 @@ double change_on_grid(const Subject<D>& s) {
   const auto offsets = symmetric_offsets(grid);
   double worst = 0;
   for (const std::size_t p : s.interior())
-    worst = std::max(worst, (moved.around(p, offsets) - s.around(p, offsets)).cwiseAbs().maxCoeff() / s.peak(p));
+    keep_larger(worst, (moved.around(p, offsets) - s.around(p, offsets)).cwiseAbs().maxCoeff() / s.peak(p));
   return worst;
 }
 
@@ -61,7 +61,7 @@ double largest_variation(const Subject<D>& s, const std::vector<std::size_t>& ch
   double worst = 0;
   for (const std::size_t p : chosen) {
     const auto i = static_cast<Eigen::Index>(p);
-    worst = std::max(worst, (largest[i] - least[i]) / scale[i]);
+    keep_larger(worst, (largest[i] - least[i]) / scale[i]);
   }
   return worst;
 }
@@ -124,7 +124,7 @@ double change_stretched_on_grid(const Subject<D>& s) {
   const auto change = change_at(s, s.body().moved(s.body().grid(), tiling.stretched(factor, middle)), place);
   double worst = 0;
   for (const std::size_t p : s.interior())
-    worst = std::max(worst, change.row(static_cast<Eigen::Index>(p))(s.in_body()).cwiseAbs().maxCoeff() / s.peak(p));
+    keep_larger(worst, change.row(static_cast<Eigen::Index>(p))(s.in_body()).cwiseAbs().maxCoeff() / s.peak(p));
   return worst;
 }
 
@@ -150,7 +150,7 @@ double rate_misfit(const MappedBody<D>& body) {
         average.col(points.particle[q]) +=
             points.dV[q] / V[points.particle[q]] * gradients.col(static_cast<Eigen::Index>(q));
     }
-    worst = std::max(worst, body.grid().h[axis] * (rate - average).cwiseAbs().maxCoeff());
+    keep_larger(worst, body.grid().h[axis] * (rate - average).cwiseAbs().maxCoeff());
   }
   return worst;
 }

@@ -42,7 +42,7 @@ class NodalBasis {
   /// N_i at points, or v_ip of particles with widths, B (16.16). Throws std::out_of_range.
   Matrix weights(const Points<D>& x, const Points<D>& widths = {}) const { return evaluate(x, widths, -1); }
 
-  /// ∂N_i/∂x_axis likewise.
+  /// ∂N_i/∂x_axis at the same points or of the same particles.
   Matrix gradients(int axis, const Points<D>& x, const Points<D>& widths = {}) const {
     return evaluate(x, widths, axis);
   }
@@ -86,7 +86,7 @@ class NodalBasis {
         node += (first[d] + rest % K) * stride;
         stride *= grid_.cells[d] + 1;
       }
-      if (std::abs(product) > least_weight) entries.emplace_back(node, point, product);
+      if (!(std::abs(product) <= least_weight)) entries.emplace_back(node, point, product);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/cases.hpp"
 #include "studies/checks/mapping/counterexamples.hpp"
 #include "studies/checks/mapping/field_properties.hpp"
@@ -170,7 +171,8 @@ void add_rates(CheckResult& result) {
     for (const Placement placement : {Placement::translated, Placement::random}) {
       const MappedBody<1> line(BlockOfParticles<1>::grid(), off_nodes<1>(placement), weighting);
       const MappedBody<2> plane(BlockOfParticles<2>::grid(), off_nodes<2>(placement), weighting);
-      worst = std::max({worst, rate_misfit(line), rate_misfit(plane)});
+      keep_larger(worst, rate_misfit(line));
+      keep_larger(worst, rate_misfit(plane));
     }
     result.add(fmt::format("xi_rate_{}", weighting.name), worst,
                fmt::format("largest h |dv_ip/dt - G_i . dx_p/dt|, {} weights, unit velocity", weighting.name));

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <Eigen/IterativeLinearSolvers>
-#include <algorithm>
 #include <cmath>
 
 #include "studies/checks/check.hpp"
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/cases.hpp"
 
 namespace mpmvv::checks::mapping {
@@ -106,11 +106,11 @@ struct Excesses {
       const MappedBody<D> body(BlockOfParticles<D>::grid(), BlockOfParticles<D>::tiling(placement), weighting,
                                weighted_by);
       const MappedField<D> field(body);
-      integrals = std::max(integrals, field.excess_of_integrals());
+      keep_larger(integrals, field.excess_of_integrals());
       for (std::size_t k = 0; k < mass_matrices.size(); ++k) {
         const auto now = field.excesses(mass_matrices[k]);
         for (std::size_t r = 0; r < now.size(); ++r)
-          of[k][r] = mass_matrices[k] == MassMatrix::lumped ? std::min(of[k][r], now[r]) : std::max(of[k][r], now[r]);
+          (mass_matrices[k] == MassMatrix::lumped ? keep_smaller : keep_larger)(of[k][r], now[r]);
       }
     }
   }
@@ -120,7 +120,7 @@ void add_residuals(CheckResult& result, WeightedBy weighted_by, const std::strin
   double integrals = 0;
   for (const Weighting& weighting : weightings) {
     const Excesses excesses(weighting, weighted_by);
-    integrals = std::max(integrals, excesses.integrals);
+    keep_larger(integrals, excesses.integrals);
     for (std::size_t r = 0; r < residual_names.size(); ++r)
       for (std::size_t k = 0; k < mass_matrices.size(); ++k) {
         const std::string mass = name_of(mass_matrices[k]);

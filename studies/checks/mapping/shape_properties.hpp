@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/subject.hpp"
 
 /// Shapes, each as a number that measures by how much a subject departs from a property of B.
@@ -17,7 +18,7 @@ double asymmetry_of(const Subject<D>& s, std::size_t p) {
 template <int D>
 double asymmetry(const Subject<D>& s) {
   double worst = 0;
-  for (const std::size_t p : s.interior()) worst = std::max(worst, asymmetry_of(s, p));
+  for (const std::size_t p : s.interior()) keep_larger(worst, asymmetry_of(s, p));
   return worst;
 }
 
@@ -25,7 +26,7 @@ double asymmetry(const Subject<D>& s) {
 template <int D>
 double least_asymmetry(const Subject<D>& s) {
   double least = asymmetry(s);
-  for (const std::size_t p : s.interior()) least = std::min(least, asymmetry_of(s, p));
+  for (const std::size_t p : s.interior()) keep_smaller(least, asymmetry_of(s, p));
   return least;
 }
 
@@ -42,7 +43,7 @@ double largest_shape_difference(const Subject<D>& s, bool whole_cells_apart) {
       const solver::Vec<D> cells = (x[q] - x[p]).cwiseQuotient(s.body().grid().h);
       const bool whole = ((cells - cells.array().round().matrix()).array().abs() < 1e-9).all();
       if (q > p && whole == whole_cells_apart)
-        worst = std::max(worst, (s.around(p, offsets) - s.around(q, offsets)).cwiseAbs().maxCoeff() / s.peak(p));
+        keep_larger(worst, (s.around(p, offsets) - s.around(q, offsets)).cwiseAbs().maxCoeff() / s.peak(p));
     }
   return worst;
 }
@@ -123,8 +124,8 @@ double influence_beyond_support(const Subject<D>& s) {
 inline double valley_of(const std::vector<double>& values) {
   double low = values.front(), valley = 0;
   for (const double value : values) {
-    low = std::min(low, value);
-    valley = std::max(valley, std::min(values.front(), value) - low);
+    keep_smaller(low, value);
+    keep_larger(valley, std::min(values.front(), value) - low);
   }
   return valley;
 }
@@ -146,7 +147,7 @@ double valley(const Subject<D>& s) {
           values.push_back(s.phi()(p, s.lattice().number(i)));
           for (std::size_t d = 0; d < D; ++d) i[d] += sign * direction[d];
         }
-        worst = std::max(worst, valley_of(values) / values.front());
+        keep_larger(worst, valley_of(values) / values.front());
       }
   }
   return worst;

@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "studies/checks/mapping/mapped_body.hpp"
@@ -21,6 +22,8 @@ class Subject {
         lattice_(body.grid()),
         N_(body.field().weights(lattice_.points())),
         phi_(basis_.at(N_)) {
+    // A property is left out where its measure is NaN (no_meaning): a broken basis must not look like that.
+    if (!phi_.allFinite()) throw std::runtime_error("mapping: the particle basis is no number somewhere");
     for (std::size_t k = 0; k < lattice_.points().size(); ++k)
       if (body.tiling().contains(lattice_.points()[k])) in_body_.push_back(static_cast<Eigen::Index>(k));
     peaks_ = phi_(Eigen::all, in_body_).cwiseAbs().rowwise().maxCoeff();

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/subject.hpp"
 
 /// Sums over particles and bounds, each as a number that measures by how much a subject departs from a property of B.
@@ -24,7 +25,7 @@ double largest_in_body(const Subject<D>& s, const Eigen::RowVectorXd& values, bo
   for (const Eigen::Index k : s.in_body())
     if (s.body().tiling().contains(s.lattice().points()[static_cast<std::size_t>(k)], margin) &&
         (!covered || cover[k] > 1 - 1e-9))
-      worst = std::max(worst, values[k]);
+      keep_larger(worst, values[k]);
   return worst;
 }
 

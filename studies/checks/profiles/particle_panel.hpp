@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "studies/checks/check.hpp"
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/settings/settings.hpp"
 
 namespace mpmvv::checks::profiles {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mms/hugoniot.hpp"
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/profiles/profile.hpp"
 
 namespace mpmvv::checks::profiles {
@@ -64,8 +65,7 @@ struct PlateauRange {
   PlateauRange(const Profile& profile, double from, double to) {
     double count = 0;
     for (std::size_t k = 0; k < profile.x.size(); ++k)
-      if (profile.x[k] >= from && profile.x[k] <= to)
-        mean += profile.y[k], ++count, largest = std::max(largest, profile.y[k]);
+      if (profile.x[k] >= from && profile.x[k] <= to) mean += profile.y[k], ++count, keep_larger(largest, profile.y[k]);
     mean /= count;
   }
 };

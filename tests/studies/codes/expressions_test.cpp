@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 #include "tests/mms/expression/evaluator.hpp"

@@ -16,7 +16,7 @@
 
 #include "solver/mpm.hpp"
 #include "studies/codes/snapshot.hpp"
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/settings/settings.hpp"
 
 /// A run of ours, written as other codes write theirs.

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/settings/settings.hpp"
 
 namespace mpmvv::runs::mass_cutoff_test {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "mms/bar.hpp"
+#include "studies/runs/prepared_case.hpp"
 #include "studies/runs/run_case.hpp"
-#include "studies/runs/scene.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 

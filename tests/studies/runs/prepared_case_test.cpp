@@ -1,4 +1,4 @@
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include "solver/words.hpp"
 #include "studies/settings/settings.hpp"
 
-namespace mpmvv::runs::scene_test {
+namespace mpmvv::runs::prepared_case_test {
 
 using Settings = std::vector<settings::Setting>;
 
@@ -82,4 +82,4 @@ TEST(Scene, PeriodicFmpmTakesTheNearestNumberOfSteps) {
         << cfl_x;
 }
 
-}  // namespace mpmvv::runs::scene_test
+}  // namespace mpmvv::runs::prepared_case_test

@@ -1,4 +1,4 @@
-#include "studies/runs/scene.hpp"
+#include "studies/runs/prepared_case.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -21,7 +21,7 @@ namespace {
 using solver::Vec;
 
 /// Fills the body: reference positions, volumes, and the widths that the basis takes. Returns which of its voxels are
-/// run.
+/// kept.
 template <int D>
 WithoutImages<D> fill(PreparedCase<D>& prepared, const Case& c) {
   auto& scene = prepared.scene;
@@ -30,13 +30,13 @@ WithoutImages<D> fill(PreparedCase<D>& prepared, const Case& c) {
       std::lround(problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, D) / count(scene.images)));
   prepared.X.reserve(about);
   scene.particles.V0.reserve(about);
-  WithoutImages<D> run(scene.images, scene.h);
+  WithoutImages<D> kept(scene.images, scene.h);
   const PlaceVoxel<D> place = [&](const Voxel<D>& voxel) {
-    const int particles = run.take(voxel);
+    const int particles = kept.take(voxel);
     if (particles == 0) return;
     if (scene.images != solver::Images::none) prepared.with_images.push_back(static_cast<std::uint8_t>(particles));
     prepared.X.push_back(voxel.X);
-    scene.particles.V0.push_back(run.share(particles) * voxel.V);
+    scene.particles.V0.push_back(kept.share(particles) * voxel.V);
     if (width == solver::ParticleWidth::domain)
       scene.particles.R.push_back(voxel.edges / scene.h);
     else if (width != solver::ParticleWidth::none)
@@ -50,7 +50,7 @@ WithoutImages<D> fill(PreparedCase<D>& prepared, const Case& c) {
     case cases::Fill::conforming:
       if constexpr (D > 1) fill_conforming<D>(std::get<problems::Annulus<D>>(prepared.setup.body), density, place);
   }
-  return run;
+  return kept;
 }
 
 /// Position, velocity and deformation gradient at t = 0; with start `exact` the velocity of -Δt/2, W §4.
@@ -158,7 +158,7 @@ PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, in
 
   scene.basis = settings::named<solver::AnyBasis>(c.scheme.basis);
   if (auto* ugimp = std::get_if<solver::UGimp>(&scene.basis)) ugimp->smoothing_length = c.scheme.smoothing_length;
-  const WithoutImages<D> run = fill(prepared, c);
+  const WithoutImages<D> kept = fill(prepared, c);
   set_initial_state(prepared, c);
   set_current_widths(scene.particles, scene.basis);
   if (prepared.setup.solution) {
@@ -170,7 +170,7 @@ PreparedCase<D> prepare_case(const Case& c, const problems::Problem& problem, in
       scene.particles.X.assign(prepared.X.begin(), prepared.X.end());
     if (problem.is_loaded && problem.is_loaded(c.problem.parameters)) {
       prepared.traction = std::make_unique<SolutionTraction<D>>(
-          *prepared.setup.solution, run.patches(surface<D>(prepared.setup.body, {scene.h, c.resolution.ppc})),
+          *prepared.setup.solution, kept.patches(surface<D>(prepared.setup.body, {scene.h, c.resolution.ppc})),
           prepared.X);
       scene.surface_load = prepared.traction.get();
     }
