@@ -59,10 +59,9 @@ Judgement judge(const LimitGolden& golden, const Series& series) {
 
   const auto [low, high] = std::minmax(limit.stable, limit.unstable);
   const std::string measured = fmt::format("{:.6g} in [{:.6g}, {:.6g}]", limit.value(), low, high);
-  if (high < band.lower)
-    return {Verdict::fail, measured, "limit below the golden's band", limit.key == "smoothing_length"};
-  if (low > band.upper)
-    return {Verdict::fail, measured, "limit above the golden's band", limit.key != "smoothing_length"};
+  const bool stable_below = limit.stable < limit.unstable;
+  if (high < band.lower) return {Verdict::fail, measured, "limit below the golden's band", !stable_below};
+  if (low > band.upper) return {Verdict::fail, measured, "limit above the golden's band", stable_below};
   if (!limit.monotone) return inconclusive(measured, "stability is not monotone");
   if (!band.contains(limit.value())) return inconclusive(measured, "the bracket straddles the edge of the band");
   if (high - low > band.upper - band.lower) return inconclusive(measured, "the bracket is wider than the band");

@@ -235,6 +235,8 @@ TEST(Gate, TheBetterSideIsNamed) {
   EXPECT_FALSE(limit("cfl", 0.7, 0.705));
   EXPECT_TRUE(limit("smoothing_length", 0.705, 0.7)) << "stable with less smoothing";
   EXPECT_FALSE(limit("smoothing_length", 0.905, 0.9));
+  EXPECT_TRUE(limit("smoothing_length", 0.9, 0.905)) << "stable below, as its study file has it";
+  EXPECT_FALSE(limit("cfl", 0.905, 0.9)) << "stable above";
 }
 
 TEST(Gate, OrdersWithoutEvidenceAreInconclusive) {
