@@ -2,31 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <tuple>
 
 namespace mpmvv::mutation {
-
-namespace {
-
-constexpr std::array stage_words{"unit tests", "quick", "nightly"};
-constexpr std::array mutant_kind_words{"baseline", "planted", "random"};
-
-}  // namespace
-
-std::string to_string(GateStage stage) {
-  return stage_words[static_cast<std::size_t>(stage)];
-}
-
-std::string to_string(Mutant::Kind kind) {
-  return mutant_kind_words[static_cast<std::size_t>(kind)];
-}
-
-Mutant::Kind mutant_kind_from(const std::string& word) {
-  const auto found = std::ranges::find(mutant_kind_words, word);
-  if (found == mutant_kind_words.end()) throw std::invalid_argument("unknown word '" + word + "'");
-  return static_cast<Mutant::Kind>(found - mutant_kind_words.begin());
-}
 
 const Trial* Mutant::trial(GateStage stage) const {
   const auto found = std::ranges::find(trials, stage, &Trial::stage);

@@ -1,15 +1,21 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "studies/support/words.hpp"
+
 namespace mpmvv::mutation {
+
+using support::to_string;
 
 /// A part of the gate: the fast tests; the studies of `studies/quick.txt` against their goldens; the other studies with
 /// goldens.
 enum class GateStage { unit_tests, quick, nightly };
-
-std::string to_string(GateStage stage);
+constexpr std::array<const char*, 3> words_of(GateStage) {
+  return {"unit tests", "quick", "nightly"};
+}
 
 /// How one stage took a mutant.
 struct Trial {
@@ -45,8 +51,9 @@ struct Mutant {
   bool caught_by(GateStage stage) const;
 };
 
-std::string to_string(Mutant::Kind kind);
-Mutant::Kind mutant_kind_from(const std::string& word);
+constexpr std::array<const char*, 3> words_of(Mutant::Kind) {
+  return {"baseline", "planted", "random"};
+}
 
 /// The one with the same name, gate and edit; null when there is none.
 const Mutant* find_mutant(const std::vector<Mutant>& mutants, const Mutant& wanted);

@@ -7,7 +7,6 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "studies/support/error.hpp"
@@ -38,9 +37,9 @@ json mutant_json(const Mutant& mutant) {
   return all;
 }
 
-Mutant mutant_from(const json& all) {
+Mutant mutant_from(const json& all, const std::string& where) {
   Mutant mutant{.name = all.at("name"),
-                .kind = mutant_kind_from(all.at("kind")),
+                .kind = support::from_word<Mutant::Kind>(all.at("kind"), "kind of mutant", where),
                 .what = all.at("what"),
                 .file = all.at("file"),
                 .line = all.at("line"),
@@ -119,13 +118,11 @@ std::optional<Results> read_results(const fs::path& file) {
   try {
     const json all = json::parse(text);
     Results results{all.at("digest"), all.at("commit"), {}};
-    for (const json& mutant : all.at("mutants")) results.mutants.push_back(mutant_from(mutant));
+    for (const json& mutant : all.at("mutants")) results.mutants.push_back(mutant_from(mutant, file.string()));
     if (!support::is_file_stem(results.digest)) refuse("a digest that cannot name a file");
     return results;
   } catch (const json::exception&) {
     refuse("not of this form");
-  } catch (const std::invalid_argument& e) {
-    refuse(e.what());
   }
   return std::nullopt;
 }

@@ -119,7 +119,7 @@ TEST_F(TriedFile, AnythingElseIsRefused) {
     EXPECT_THAT(complaint(text), HasSubstr(file_.string())) << text;
   auto unknown = to_json({"d", "c", {sign}});
   unknown["mutants"][0]["kind"] = "rare";
-  EXPECT_THAT(complaint(unknown.dump()), HasSubstr("unknown word 'rare'"));
+  EXPECT_THAT(complaint(unknown.dump()), HasSubstr("unknown kind of mutant 'rare' in " + file_.string()));
   EXPECT_THAT(complaint(summary_of({"d", "c", {sign}}).dump()), HasSubstr("not of this form"));
 }
 
