@@ -55,7 +55,7 @@ SeriesCommand command_of(const plan::StudyPlan& plan, const plan::SeriesPlan& se
 }  // namespace
 
 std::vector<SeriesCommand> case_commands(const records::StudyResult& study) {
-  if (study.kind == "check" || !store::trial_of(study.text).empty()) return {};
+  if (study.kind == records::StudyKind::check || !store::trial_of(study.text).empty()) return {};
   std::vector<SeriesCommand> commands;
   try {
     const plan::StudyPlan plan = plan::parse_study(study.text, study.name + ".toml");

@@ -48,8 +48,14 @@ nlohmann::json part_json(const claims::JudgedPart& judged) {
 nlohmann::json claim_json(const Claim& c) {
   nlohmann::json parts = nlohmann::json::array();
   for (const claims::JudgedPart& part : c.parts) parts.push_back(part_json(part));
-  return {{"id", c.id},           {"statement", c.statement}, {"source", c.source},   {"where", c.where},
-          {"verdict", c.verdict}, {"evidence", c.evidence},   {"studies", c.studies}, {"criteria", parts}};
+  return {{"id", c.id},
+          {"statement", c.statement},
+          {"source", c.source},
+          {"where", c.where},
+          {"verdict", to_string(c.verdict)},
+          {"evidence", c.evidence},
+          {"studies", c.studies},
+          {"criteria", parts}};
 }
 
 /// "5 of 6 hold".
@@ -64,7 +70,7 @@ std::string holding(const Claim& c) {
 
 void print_list(const std::vector<Claim>& all) {
   Table table({{"claim"}, {"verdict", Kind::verdict}, {"hold"}, {"statement", Kind::line}}, 0);
-  for (const Claim& c : all) table.add({c.id, c.verdict, holding(c), c.statement});
+  for (const Claim& c : all) table.add({c.id, to_string(c.verdict), holding(c), c.statement});
   table.print();
 }
 
@@ -82,7 +88,7 @@ std::string called(const Claim& c, const std::vector<records::StudyResult>& resu
 }
 
 void print_page(const Claim& c, const std::vector<records::StudyResult>& results, const ClaimsOptions& options) {
-  print("{}: {}\n", c.id, c.verdict);
+  print("{}: {}\n", c.id, to_string(c.verdict));
   for (const std::string& text : {c.statement, source_text(c)})
     if (!text.empty()) print_indented(text);
   std::vector<LabelledPart> parts;

@@ -18,12 +18,12 @@ const store::Version* version_before(const std::vector<store::Version>& versions
   return now == versions.begin() || now == versions.end() ? nullptr : &*(now - 1);
 }
 
-std::map<std::string, int> gate_counts(const std::vector<goldens::Golden>& goldens,
-                                       const std::vector<records::StudyResult>& then) {
-  std::map<std::string, int> counts;
+std::map<records::Verdict, int> gate_counts(const std::vector<goldens::Golden>& goldens,
+                                            const std::vector<records::StudyResult>& then) {
+  std::map<records::Verdict, int> counts;
   if (goldens.empty()) return counts;
   for (const goldens::GateResult& r : goldens::run_gate(goldens, then).results)
-    if (std::ranges::find(then, r.study, &records::StudyResult::name) != then.end()) ++counts[to_string(r.verdict)];
+    if (std::ranges::find(then, r.study, &records::StudyResult::name) != then.end()) ++counts[r.verdict];
   return counts;
 }
 

@@ -58,7 +58,7 @@ bool has_goldens(const std::filesystem::path& folder) {
 void add_gate_lines(reports::ReportInput& input, const std::vector<goldens::Golden>& goldens) {
   if (goldens.empty()) return;
   for (const goldens::GateResult& r : goldens::run_gate(goldens, input.studies).results)
-    input.gate.push_back({r.study, r.name, to_string(r.verdict), r.expected, r.measured, r.reason});
+    input.gate.push_back({r.study, r.name, r.verdict, r.expected, r.measured, r.reason});
 }
 
 /// The time of the newest of these studies.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "goldens/golden.hpp"
+#include "studies/claims/claim.hpp"
 
 namespace mpmvv::goldens {
 
@@ -67,7 +68,8 @@ void compare_levels(Change& change) {
 constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
 
 bool is_improvement(const Finding& after) {
-  return after.word == "ok" || after.word == "confirmed" || after.word.empty();
+  return after.word.empty() || after.word == to_string(records::Status::ok) ||
+         after.word == to_string(claims::Claim::Verdict::confirmed);
 }
 
 Change change_between(const Finding& before, const Finding& after) {

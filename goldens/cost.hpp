@@ -2,9 +2,11 @@
 #include <functional>
 #include <vector>
 
-#include "goldens/verdict.hpp"
+#include "studies/records/verdict.hpp"
 
 namespace mpmvv::goldens {
+
+using records::Verdict;
 
 /// The most that a case may cost beside a baseline before the gate fails it.
 inline constexpr double cost_band = 1.1;

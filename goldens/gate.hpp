@@ -3,10 +3,12 @@
 #include <vector>
 
 #include "goldens/golden.hpp"
-#include "goldens/verdict.hpp"
 #include "studies/records/result.hpp"
+#include "studies/records/verdict.hpp"
 
 namespace mpmvv::goldens {
+
+using records::Verdict;
 
 /// One golden, judged.
 struct GateResult {

@@ -4,10 +4,12 @@
 #include <string>
 
 #include "goldens/golden.hpp"
-#include "goldens/verdict.hpp"
 #include "studies/records/result.hpp"
+#include "studies/records/verdict.hpp"
 
 namespace mpmvv::goldens {
+
+using records::Verdict;
 
 /// What a gate finds of one golden.
 struct Judgement {

@@ -173,7 +173,7 @@ std::set<std::string> drawn_norms(const records::StudyResult& study, const Serie
     const auto has_it = [&](const Point& point) { return point.y.contains(figure.quantity); };
     const bool draws_series =
         figure.series.empty() || std::ranges::find(figure.series, series.name) != figure.series.end();
-    if (figure.kind == "curves" && draws_series && std::ranges::any_of(series.points, has_it))
+    if (figure.kind == records::Figure::Kind::curves && draws_series && std::ranges::any_of(series.points, has_it))
       norms.insert(figure.quantity);
   }
   return norms;
@@ -187,7 +187,8 @@ void propose_series(Draft& draft, const records::StudyResult& study, const Serie
     propose_order(draft, study.sweep, series, fit);
     norms.insert(fit.norm);
   }
-  if (study.kind != "check" && series.orders.empty() && !series.limit) norms = drawn_norms(study, series);
+  if (study.kind != records::StudyKind::check && series.orders.empty() && !series.limit)
+    norms = drawn_norms(study, series);
   for (const std::string& norm : norms) propose_error(draft, study.sweep, series, norm);
   if (series.limit) propose_limit(draft, series, *series.limit);
 }

@@ -11,6 +11,7 @@ namespace mpmvv::reports {
 
 using records::Figure;
 using records::Series;
+using records::StudyKind;
 
 std::vector<const Series*> figure_series(const records::StudyResult& study, const Figure& figure) {
   std::vector<const Series*> chosen;
@@ -32,8 +33,22 @@ std::vector<const Series*> figure_series(const records::StudyResult& study, cons
 
 namespace {
 
-Chart any_particle_chart(const records::StudyResult& study, const Figure& figure) {
-  return study.kind == "check" ? particle_chart(study, figure) : particle_error_chart(study, figure);
+Chart curves_chart(const records::StudyResult& study, const Figure& figure, double letter) {
+  Chart chart = error_chart(study, figure, letter);
+  give_original_look(chart, figure);
+  return chart;
+}
+
+Chart chart_of(const records::StudyResult& study, const Figure& figure, double letter) {
+  switch (figure.kind) {
+    case Figure::Kind::curves:
+      return curves_chart(study, figure, letter);
+    case Figure::Kind::work_precision:
+      return work_chart(study, figure);
+    case Figure::Kind::particles:
+      return study.kind == StudyKind::check ? particle_chart(study, figure) : particle_error_chart(study, figure);
+  }
+  return {};
 }
 
 }  // namespace
@@ -44,16 +59,12 @@ std::vector<Chart> charts_of(const records::StudyResult& study, double letter) {
       return std::ranges::any_of(s.points, [&](const records::Point& p) { return p.y.contains(f.quantity); });
     });
   };
-  const bool limits = study.kind == "limit";
+  const bool limits = study.kind == StudyKind::limit;
   bool mapped = false;
   std::vector<Chart> charts;
   for (const auto& figure : study.figures) {
     const bool map = limits && !has_value(figure);
-    charts.push_back(map                               ? stability_map(study, figure)
-                     : figure.kind == "work-precision" ? work_chart(study, figure)
-                     : figure.kind == "particles"      ? any_particle_chart(study, figure)
-                                                       : error_chart(study, figure, letter));
-    if (!map && figure.kind == "curves") give_original_look(charts.back(), figure);
+    charts.push_back(map ? stability_map(study, figure) : chart_of(study, figure, letter));
     mapped |= map;
   }
   const bool probed = std::ranges::any_of(study.series, [](const Series& s) { return s.limit.has_value(); });

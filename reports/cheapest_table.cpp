@@ -46,7 +46,7 @@ Table cheapest_table(const records::StudyResult& study) {
               {"error", "cheapest", "s", "next", "s", "times as much", "do not reach it"},
               {}};
   for (const records::Figure& figure : study.figures) {
-    if (figure.kind != "work-precision") continue;
+    if (figure.kind != records::Figure::Kind::work_precision) continue;
     const std::size_t all = figure_series(study, figure).size();
     Table::Group group{fmt::format("{}: {}", figure.name, figure.quantity), {}};
     for (const double error : error_decades(study, figure)) {

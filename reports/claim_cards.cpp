@@ -47,7 +47,7 @@ data card(const claims::Claim& claim, const std::vector<Section>& sections) {
                  {"where", claim.where},
                  {"has_where", !claim.where.empty()},
                  {"has_deciding", !deciding_text(claim).empty()},
-                 {"verdict", claim.verdict},
+                 {"verdict", to_string(claim.verdict)},
                  {"deciding", deciding_text(claim)},
                  {"count", count_text(claim)},
                  {"has_no_picture", picture == nullptr && !claim.parts.empty()},

@@ -27,14 +27,15 @@ Page claim_page(const ReportInput& input, const claims::Claim& claim, const std:
     for (const Picture& picture : section.pictures) pictures << picture_data(picture);
     files += " " + study_file(input, section.study->name);
   }
-  return framed_page("claims/" + anchor(claim.id) + ".html", claim.id + ": " + claim.verdict, claim_template, input,
+  return framed_page("claims/" + anchor(claim.id) + ".html", claim.id + ": " + to_string(claim.verdict), claim_template,
+                     input,
                      object({{"id", claim.id},
                              {"statement", claim.statement},
                              {"source", claim.source},
                              {"where", claim.where},
                              {"has_source", !claim.source.empty()},
                              {"has_where", !claim.where.empty()},
-                             {"verdict", claim.verdict},
+                             {"verdict", to_string(claim.verdict)},
                              {"deciding", deciding_text(claim)},
                              {"has_deciding", !deciding_text(claim).empty()},
                              {"count", count_text(claim)},

@@ -66,7 +66,7 @@ std::string findings_of(const ReportInput& input, const StudyResult& study, cons
   for (const claims::Claim& claim : input.claims)
     if (std::ranges::any_of(study.parts,
                             [&](const ClaimPart& part) { return part.claim == claim.id && is_about(part, series); }))
-      findings.push_back(fmt::format("{} ({})", claim.statement, claim.verdict));
+      findings.push_back(fmt::format("{} ({})", claim.statement, to_string(claim.verdict)));
   return findings.empty() ? "–" : fmt::format("{}", fmt::join(findings, "; "));
 }
 

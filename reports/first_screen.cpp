@@ -13,6 +13,7 @@
 namespace mpmvv::reports {
 
 using namespace template_data;
+using records::Verdict;
 
 namespace {
 
@@ -34,20 +35,20 @@ data tile_data(const Tile& tile) {
                  {"is_time", tile.is_time}});
 }
 
-int number_of(const std::vector<GateLine>& lines, const char* verdict) {
+int number_of(const std::vector<GateLine>& lines, Verdict verdict) {
   return static_cast<int>(std::ranges::count(lines, verdict, &GateLine::verdict));
 }
 
 Tile gate_tile(const ReportInput& input) {
   const auto lines = gate_split(input).judged;
-  Tile tile{"Gate", "gate.html", gate_verdict(lines), gate_verdict(lines), "", ""};
+  Tile tile{"Gate", "gate.html", gate_word(lines), gate_word(lines), "", ""};
   tile.detail = lines.empty() ? "no golden of these studies" : fmt::format("goldens: {}", gate_counts(lines));
   if (!input.earlier) return tile;
   std::vector<std::string> changes;
-  for (const char* verdict : {"fail", "inconclusive", "pass"}) {
+  for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass}) {
     const auto then = input.earlier->gate.find(verdict);
     const int step = number_of(lines, verdict) - (then == input.earlier->gate.end() ? 0 : then->second);
-    if (step != 0) changes.push_back(fmt::format("{:+} {}", step, verdict));
+    if (step != 0) changes.push_back(fmt::format("{:+} {}", step, to_string(verdict)));
   }
   tile.change = changes.empty() ? "as before" : fmt::format("{}", fmt::join(changes, ", "));
   return tile;
@@ -55,7 +56,7 @@ Tile gate_tile(const ReportInput& input) {
 
 Tile claims_tile(const ReportInput& input) {
   const auto claims = claim_split(input).judged;
-  const auto confirmed = std::ranges::count(claims, "confirmed", &claims::Claim::verdict);
+  const auto confirmed = std::ranges::count(claims, claims::Claim::Verdict::confirmed, &claims::Claim::verdict);
   Tile tile{"Claims",
             claims.empty() ? "#studies" : "#claims",
             claims.empty() ? "none" : fmt::format("{} of {}", confirmed, claims.size()),
@@ -68,7 +69,7 @@ Tile claims_tile(const ReportInput& input) {
   for (const claims::Claim& claim : claims) {
     const auto then = input.earlier->claims.find(claim.id);
     if (then != input.earlier->claims.end() && then->second != claim.verdict)
-      changes.push_back(fmt::format("{}: {}, was {}", claim.id, claim.verdict, then->second));
+      changes.push_back(fmt::format("{}: {}, was {}", claim.id, to_string(claim.verdict), to_string(then->second)));
   }
   tile.change = changes.empty() ? "as before" : fmt::format("{}", fmt::join(changes, "; "));
   return tile;

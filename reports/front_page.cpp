@@ -13,6 +13,7 @@
 namespace mpmvv::reports {
 
 using namespace template_data;
+using records::Verdict;
 
 namespace {
 
@@ -29,10 +30,10 @@ data study_row(const ReportInput& input, const records::StudyResult& study) {
   const auto claim = [&](const std::string& id) { return object({{"id", id}}); };
   return object({{"study", study.name},
                  {"title", study.title},
-                 {"kind", study.kind},
+                 {"kind", to_string(study.kind)},
                  {"points_count", fmt::format("{}", points_in(study))},
                  {"goldens", lines.empty() ? "none" : gate_counts(lines)},
-                 {"verdict", gate_verdict(lines)},
+                 {"verdict", gate_word(lines)},
                  {"claims", list_of(study.claims, claim)}});
 }
 
@@ -40,16 +41,16 @@ data claim_entry(const claims::Claim& claim) {
   return object({{"id", claim.id},
                  {"claim_file", anchor(claim.id)},
                  {"statement", claim.statement},
-                 {"verdict", claim.verdict},
+                 {"verdict", to_string(claim.verdict)},
                  {"count", count_text(claim)}});
 }
 
 /// Claims that are refuted or open; those of which only a part holds, which are many, folded.
 data unsettled_claims(const std::vector<claims::Claim>& claims) {
   data lists{data::type::list};
-  const auto add = [&](const char* heading, bool is_open, std::initializer_list<const char*> verdicts) {
+  const auto add = [&](const char* heading, bool is_open, std::initializer_list<claims::Claim::Verdict> verdicts) {
     std::vector<claims::Claim> own;
-    for (const char* verdict : verdicts)
+    for (const claims::Claim::Verdict verdict : verdicts)
       std::ranges::copy_if(claims, std::back_inserter(own),
                            [&](const claims::Claim& c) { return c.verdict == verdict; });
     if (!own.empty())
@@ -58,8 +59,9 @@ data unsettled_claims(const std::vector<claims::Claim>& claims) {
                        {"is_open", is_open},
                        {"claims", list_of(own, claim_entry)}});
   };
-  add("Claims refuted or open", true, {"refuted", "open"});
-  add("Claims that hold in part", false, {"partly"});
+  using enum claims::Claim::Verdict;
+  add("Claims refuted or open", true, {refuted, open});
+  add("Claims that hold in part", false, {partly});
   return lists;
 }
 
@@ -84,25 +86,24 @@ Page front_page(const ReportInput& input, const std::vector<Section>& sections) 
   const GateSplit gate = gate_split(input);
   const ClaimSplit claims = claim_split(input);
   const auto row = [&](const records::StudyResult& study) { return study_row(input, study); };
-  return framed_page(
-      "index.html", "mpmvv: " + gate_verdict(gate.judged), front_template, input,
-      object({{"tiles", first_screen(input)},
-              {"groups", failing_goldens(gate.judged)},
-              {"has_failing", gate_verdict(gate.judged) == "fail" || gate_verdict(gate.judged) == "inconclusive"},
-              {"has_gate", !gate.judged.empty()},
-              {"missing", missing_goldens_text(gate.without_study)},
-              {"has_missing", !gate.without_study.empty()},
-              {"unsettled", unsettled_claims(claims.judged)},
-              {"changes", changes_data(input)},
-              {"has_changes", input.earlier && !input.earlier->changes.empty()},
-              {"earlier", input.earlier ? input.earlier->label : ""},
-              {"papers", claim_cards(claims.judged, sections)},
-              {"has_papers", !claims.judged.empty()},
-              {"unjudged", fmt::format("{}", claims.without_study.size())},
-              {"has_unjudged", !claims.without_study.empty()},
-              {"studies", list_of(input.studies, row)},
-              {"study_cards", study_cards(sections)},
-              {"provenance", provenance_data(input.provenance)}}));
+  return framed_page("index.html", "mpmvv: " + gate_word(gate.judged), front_template, input,
+                     object({{"tiles", first_screen(input)},
+                             {"groups", failing_goldens(gate.judged)},
+                             {"has_failing", gate_verdict(gate.judged).value_or(Verdict::pass) != Verdict::pass},
+                             {"has_gate", !gate.judged.empty()},
+                             {"missing", missing_goldens_text(gate.without_study)},
+                             {"has_missing", !gate.without_study.empty()},
+                             {"unsettled", unsettled_claims(claims.judged)},
+                             {"changes", changes_data(input)},
+                             {"has_changes", input.earlier && !input.earlier->changes.empty()},
+                             {"earlier", input.earlier ? input.earlier->label : ""},
+                             {"papers", claim_cards(claims.judged, sections)},
+                             {"has_papers", !claims.judged.empty()},
+                             {"unjudged", fmt::format("{}", claims.without_study.size())},
+                             {"has_unjudged", !claims.without_study.empty()},
+                             {"studies", list_of(input.studies, row)},
+                             {"study_cards", study_cards(sections)},
+                             {"provenance", provenance_data(input.provenance)}}));
 }
 
 }  // namespace mpmvv::reports

@@ -8,28 +8,28 @@
 namespace mpmvv::reports {
 
 using namespace template_data;
+using records::Verdict;
 
 data gate_group_data(const GateGroup& group) {
   const auto line = [](const GateLine& g) {
     return object({{"name", g.name},
-                   {"verdict", g.verdict},
+                   {"verdict", to_string(g.verdict)},
                    {"expected", g.expected},
                    {"measured", g.measured},
                    {"reason", g.reason}});
   };
-  const std::string verdict = gate_verdict(group.lines);
   return object({{"study", group.study},
                  {"study_anchor", anchor(group.study)},
-                 {"verdict", verdict},
+                 {"verdict", gate_word(group.lines)},
                  {"counts", gate_counts(group.lines)},
-                 {"is_open", verdict != "pass"},
+                 {"is_open", gate_verdict(group.lines) != Verdict::pass},
                  {"has_reasons", std::ranges::any_of(group.lines, [](const GateLine& g) { return !g.reason.empty(); })},
                  {"lines", list_of(group.lines, line)}});
 }
 
 data failing_goldens(const std::vector<GateLine>& judged) {
   std::vector<GateLine> lines;
-  std::ranges::copy_if(judged, std::back_inserter(lines), [](const GateLine& g) { return g.verdict != "pass"; });
+  std::ranges::copy_if(judged, std::back_inserter(lines), [](const GateLine& g) { return g.verdict != Verdict::pass; });
   return list_of(gate_groups(lines), gate_group_data);
 }
 

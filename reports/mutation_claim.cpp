@@ -47,7 +47,7 @@ records::StudyResult mutation_study(const std::optional<MutationResults>& mutati
   records::StudyResult study;
   study.name = "mutants";
   study.title = "Planted mistakes";
-  study.kind = "check";
+  study.kind = records::StudyKind::check;
   study.claims = {"X-mutants"};
   if (!mutation || mutation->planted.should_show == 0) return study;
   const auto add = [&study](const std::string& statement, records::PartVerdict verdict, const std::string& evidence) {

@@ -12,6 +12,7 @@
 #include "studies/claims/claim.hpp"
 #include "studies/claims/trend.hpp"
 #include "studies/records/result.hpp"
+#include "studies/records/verdict.hpp"
 #include "studies/store/code_series.hpp"
 #include "studies/store/provenance.hpp"
 #include "studies/store/version.hpp"
@@ -22,7 +23,7 @@ namespace mpmvv::reports {
 struct GateLine {
   std::string study;
   std::string name;
-  std::string verdict;  ///< `pass`, `fail`, `inconclusive`
+  records::Verdict verdict = records::Verdict::inconclusive;
   std::string expected;
   std::string measured;
   std::string reason;  ///< may be empty
@@ -30,12 +31,12 @@ struct GateLine {
 
 /// What the store's version before this one says.
 struct Earlier {
-  std::string label;                          ///< of the version
-  std::map<std::string, int> gate;            ///< goldens by verdict
-  std::map<std::string, std::string> claims;  ///< verdicts by id
-  std::size_t compared = 0, changed = 0;      ///< results that both versions have, and those of them that differ
-  std::vector<std::string> changes;           ///< these, worst first
-  double cost_ratio = support::not_measured;  ///< now over then, median
+  std::string label;                                     ///< of the version
+  std::map<records::Verdict, int> gate;                  ///< goldens by verdict
+  std::map<std::string, claims::Claim::Verdict> claims;  ///< verdicts by id
+  std::size_t compared = 0, changed = 0;                 ///< results of both versions, and those of them that differ
+  std::vector<std::string> changes;                      ///< these, worst first
+  double cost_ratio = support::not_measured;             ///< now over then, median
 };
 
 /// How to repeat the runs of a series.

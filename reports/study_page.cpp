@@ -76,7 +76,7 @@ Page study_page(const ReportInput& input, const Section& section) {
   return framed_page("studies/" + study.name + ".html", study.name + ": " + study.title, study_template, input,
                      object({{"study", study.name},
                              {"title", study.title},
-                             {"kind", study.kind},
+                             {"kind", to_string(study.kind)},
                              {"study_claims", claim_links(input, study)},
                              {"has_claims", !study.claims.empty()},
                              {"parts", criteria_list(input, study)},

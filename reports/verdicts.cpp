@@ -1,37 +1,46 @@
 #include "reports/verdicts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
+#include <initializer_list>
 
 namespace mpmvv::reports {
 
-std::string counts(const std::vector<std::string>& words, std::initializer_list<std::string> order) {
-  std::map<std::string, int> count;
-  for (const auto& w : words) ++count[w];
-  std::string text;
-  const auto add = [&](const std::string& w) {
-    if (const int n = count.contains(w) ? count.at(w) : 0; n > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, w);
-    count.erase(w);
-  };
-  for (const auto& w : order) add(w);
-  while (!count.empty()) add(std::string(count.begin()->first));
-  return text.empty() ? "none" : text;
+using records::Verdict;
+
+namespace {
+
+template <class Line, class Word>
+std::string counts(const std::vector<Line>& lines, std::initializer_list<Word> order) {
+  std::vector<std::string> texts;
+  for (const Word verdict : order)
+    if (const auto count = std::ranges::count(lines, verdict, &Line::verdict); count > 0)
+      texts.push_back(fmt::format("{} {}", count, to_string(verdict)));
+  return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
+}  // namespace
+
 std::string gate_counts(const std::vector<GateLine>& lines) {
-  return counts(verdicts(lines), {"fail", "inconclusive", "pass"});
+  return counts(lines, {Verdict::fail, Verdict::inconclusive, Verdict::pass});
 }
 
 std::string claim_counts(const std::vector<claims::Claim>& claims) {
-  return counts(verdicts(claims), {"confirmed", "partly", "refuted", "shown", "open"});
+  using enum claims::Claim::Verdict;
+  return counts(claims, {confirmed, partly, refuted, shown, open});
 }
 
-std::string gate_verdict(const std::vector<GateLine>& lines) {
-  const auto has = [&](const char* word) { return std::ranges::find(lines, word, &GateLine::verdict) != lines.end(); };
-  return lines.empty() ? "not judged" : has("fail") ? "fail" : has("inconclusive") ? "inconclusive" : "pass";
+std::optional<Verdict> gate_verdict(const std::vector<GateLine>& lines) {
+  for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
+    if (std::ranges::count(lines, verdict, &GateLine::verdict) > 0) return verdict;
+  return std::nullopt;
+}
+
+std::string gate_word(const std::vector<GateLine>& lines) {
+  const auto verdict = gate_verdict(lines);
+  return verdict ? to_string(*verdict) : "not judged";
 }
 
 std::vector<GateGroup> gate_groups(const std::vector<GateLine>& lines) {
@@ -41,7 +50,7 @@ std::vector<GateGroup> gate_groups(const std::vector<GateLine>& lines) {
     if (group == groups.end()) group = groups.insert(groups.end(), {line.study, {}});
     group->lines.push_back(line);
   }
-  std::ranges::stable_partition(groups, [](const GateGroup& g) { return gate_verdict(g.lines) != "pass"; });
+  std::ranges::stable_partition(groups, [](const GateGroup& g) { return gate_verdict(g.lines) != Verdict::pass; });
   return groups;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,22 +7,13 @@
 
 namespace mpmvv::reports {
 
-template <typename Lines>
-std::vector<std::string> verdicts(const Lines& lines) {
-  std::vector<std::string> words;
-  for (const auto& line : lines) words.push_back(line.verdict);
-  return words;
-}
-
-/// "2 pass, 1 fail": the words in this order, unknown ones after them; "none" where there are none.
-std::string counts(const std::vector<std::string>& words, std::initializer_list<std::string> order);
-
-/// The same of goldens and of claims, in the order in which people look at them.
+/// "1 fail, 2 pass": verdicts in the order in which people look at them; "none" where there are none.
 std::string gate_counts(const std::vector<GateLine>& lines);
 std::string claim_counts(const std::vector<claims::Claim>& claims);
 
-/// `fail`, `inconclusive`, `pass`, or "not judged" where there is no golden.
-std::string gate_verdict(const std::vector<GateLine>& lines);
+/// The verdict on all of them; none where there is no golden.
+std::optional<records::Verdict> gate_verdict(const std::vector<GateLine>& lines);
+std::string gate_word(const std::vector<GateLine>& lines);  ///< that verdict, or "not judged"
 
 /// The goldens of one study.
 struct GateGroup {

@@ -15,15 +15,16 @@ using records::StudyResult;
 
 namespace {
 
-std::string verdict_of(const std::vector<JudgedPart>& parts) {
+Claim::Verdict verdict_of(const std::vector<JudgedPart>& parts) {
   const auto count = [&parts](PartVerdict v) {
     return std::ranges::count_if(parts, [v](const JudgedPart& judged) { return judged.part.verdict == v; });
   };
   const auto holds = count(PartVerdict::holds), fails = count(PartVerdict::fails);
   const auto unknown = count(PartVerdict::inconclusive);
-  if (holds == 0 && fails == 0) return unknown == 0 && !parts.empty() ? "shown" : "open";
-  if (fails == 0 && unknown == 0) return "confirmed";
-  return holds == 0 ? "refuted" : "partly";
+  using enum Claim::Verdict;
+  if (holds == 0 && fails == 0) return unknown == 0 && !parts.empty() ? shown : open;
+  if (fails == 0 && unknown == 0) return confirmed;
+  return holds == 0 ? refuted : partly;
 }
 
 std::string evidence_of(const std::vector<JudgedPart>& parts) {
@@ -67,7 +68,7 @@ std::vector<ClaimText> claim_texts(const std::vector<StudyResult>& studies) {
 std::vector<Claim> judge_claims(const std::vector<StudyResult>& studies) {
   std::vector<Claim> claims;
   for (const ClaimText& text : claim_texts(studies)) {
-    Claim claim{text.id, text.statement, text.source, text.where, "", "", {}, {}};
+    Claim claim{text.id, text.statement, text.source, text.where, verdict_of({}), "", {}, {}};
     for (const StudyResult& study : studies)
       for (const records::ClaimPart& part : study.parts) {
         if (part.claim != claim.id) continue;

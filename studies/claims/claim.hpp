@@ -1,10 +1,13 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
 #include "studies/records/result.hpp"
 
 namespace mpmvv::claims {
+
+using support::to_string;
 
 /// A criterion of a claim as one study judged it.
 struct JudgedPart {
@@ -14,15 +17,21 @@ struct JudgedPart {
 
 /// The verdict on one claim.
 struct Claim {
+  enum class Verdict { confirmed, partly, refuted, shown, open };
+
   std::string id;
-  std::string statement;             ///< empty where the store is older than the statements it keeps
-  std::string source;                ///< the paper, "Steffen et al. 2008"
-  std::string where;                 ///< the place in it, "Fig. 10"
-  std::string verdict;               ///< `confirmed`, `refuted`, `partly`, `shown`, `open`
+  std::string statement;  ///< empty where the store is older than the statements it keeps
+  std::string source;     ///< the paper, "Steffen et al. 2008"
+  std::string where;      ///< the place in it, "Fig. 10"
+  Verdict verdict = Verdict::open;
   std::string evidence;              ///< per part: what was asked and measured
   std::vector<JudgedPart> parts;     ///< in the order of the studies
   std::vector<std::string> studies;  ///< where the evidence stands
 };
+
+constexpr std::array<const char*, 5> words_of(Claim::Verdict) {
+  return {"confirmed", "partly", "refuted", "shown", "open"};
+}
 
 /// The claims that the studies name, in the order of the studies that state them (s-fig4 before s-fig10), judged from
 /// the parts that the studies hold: `confirmed` when all parts hold, `refuted` when none does, `partly` in between,

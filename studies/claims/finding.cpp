@@ -30,7 +30,8 @@ std::set<std::string> followed(const StudyResult& study, const Series& series) {
   std::set<std::string> quantities;
   for (const fits::ObservedOrder& order : series.orders) quantities.insert(order.norm);
   for (const records::Figure& figure : study.figures)
-    if (figure.kind != "particles" && is_error(figure.quantity)) quantities.insert(figure.quantity);
+    if (figure.kind != records::Figure::Kind::particles && is_error(figure.quantity))
+      quantities.insert(figure.quantity);
   return quantities;
 }
 
@@ -70,7 +71,7 @@ void add_errors(std::vector<Finding>& findings, const StudyResult& study, const 
   for (const std::string& quantity : followed(study, series)) {
     const auto levels = levels_of(series, quantity);
     if (levels.empty()) continue;
-    if (study.kind == "check") {
+    if (study.kind == records::StudyKind::check) {
       findings.push_back({study.name, Finding::Kind::error, fmt::format("curve '{}' of {}", series.name, quantity),
                           not_measured, "curve", 0, levels});
       continue;
@@ -151,7 +152,7 @@ std::vector<Finding> findings_of(const StudyResult& study) {
     for (const fits::Extrapolation& e : series.extrapolations)
       findings.push_back(extrapolated_finding(study, series, e));
     if (series.limit) findings.push_back(limit_finding(study, series, *series.limit));
-    if (study.kind != "check") add_statuses(findings, study, series);
+    if (study.kind != records::StudyKind::check) add_statuses(findings, study, series);
     add_cost(findings, study, series);
   }
   for (const records::Value& value : study.values)
@@ -165,7 +166,8 @@ std::vector<Finding> findings_of(const std::vector<StudyResult>& studies) {
   for (const StudyResult& study : studies) std::ranges::move(findings_of(study), std::back_inserter(findings));
   for (const Claim& claim : judge_claims(studies))
     if (!claim.studies.empty())
-      findings.push_back({"", Finding::Kind::verdict, "claim " + claim.id, not_measured, claim.verdict, 0, {}});
+      findings.push_back(
+          {"", Finding::Kind::verdict, "claim " + claim.id, not_measured, to_string(claim.verdict), 0, {}});
   return findings;
 }
 

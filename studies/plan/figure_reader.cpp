@@ -44,11 +44,11 @@ void read_range(const TomlTable& table, const char* key, std::optional<double>& 
 
 /// What the figure's kind asks of the study.
 void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTable& table) {
-  if (figure.kind == "work-precision") require_cost(plan, table.where("kind"));
+  if (figure.kind == Figure::Kind::work_precision) require_cost(plan, table.where("kind"));
   for (const char* key : {"marks", "slopes"})
-    if (figure.kind != "curves" && table.has(key))
-      throw UsageError(
-          fmt::format("'{}' in {} has no meaning in a figure of kind '{}'", key, table.where(key), figure.kind));
+    if (figure.kind != Figure::Kind::curves && table.has(key))
+      throw UsageError(fmt::format("'{}' in {} has no meaning in a figure of kind '{}'", key, table.where(key),
+                                   to_string(figure.kind)));
 }
 
 }  // namespace
@@ -56,8 +56,7 @@ void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTab
 Figure read_figure(const TomlTable& table, const StudyPlan& plan) {
   require_known_keys(table, "figure");
   Figure figure;
-  figure.kind = table.text("kind", "curves");
-  require_word("figure kind", figure.kind, {"curves", "work-precision", "particles"}, table.where("kind"));
+  figure.kind = support::from_word<Figure::Kind>(table.text("kind", "curves"), "figure kind", table.where("kind"));
   figure.name = read_name(table, plan);
   figure.caption = table.text("caption");
   figure.xlabel = table.text("xlabel");
@@ -66,7 +65,7 @@ Figure read_figure(const TomlTable& table, const StudyPlan& plan) {
   figure.log_y = is_logarithmic(table, "yscale");
   figure.quantity = table.has("quantity") ? norm_of(table, "quantity") : plan.check.empty() ? "l2" : "y";
   figure.series =
-      figure.kind == "particles" && plan.check.empty()
+      figure.kind == Figure::Kind::particles && plan.check.empty()
           ? series_with_particles(plan, series_names(table, "series", plan), table.where("kind"))
           : measured_series(plan, figure.quantity, series_names(table, "series", plan), table.where("quantity"));
   figure.marks = series_names(table, "marks", plan);

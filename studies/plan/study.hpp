@@ -93,7 +93,10 @@ struct StudyPlan {
   std::vector<claims::Criterion> criteria;
   std::vector<Overridden> overridden;  ///< as the settings were given
 
-  std::string kind() const { return !check.empty() ? "check" : limit ? "limit" : "convergence"; }
+  records::StudyKind kind() const {
+    using records::StudyKind;
+    return !check.empty() ? StudyKind::check : limit ? StudyKind::limit : StudyKind::convergence;
+  }
   bool has_series(const std::string& name) const;
   bool searches(const SeriesPlan& series) const;  ///< its limit
 };

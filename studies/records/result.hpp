@@ -51,6 +51,8 @@ struct Value {
 /// each series: of a check, whose points are particles at (x, `y`) with voxels of widths `width_x`, `width_y` where
 /// they have any; of runs, the particles of the last sound one, coloured by their errors.
 struct Figure {
+  enum class Kind { curves, work_precision, particles };
+
   std::string name;  ///< file name without ending, `s-fig10`
   std::string caption;
   std::string xlabel, ylabel;
@@ -60,8 +62,11 @@ struct Figure {
   std::vector<std::string> marks;   ///< series drawn as separate points, without a line
   std::vector<double> slopes;       ///< reference slopes to draw, in powers of h
   std::optional<double> x_min, x_max, y_min, y_max;
-  std::string kind = "curves";
+  Kind kind = Kind::curves;
 };
+constexpr std::array<const char*, 3> words_of(Figure::Kind) {
+  return {"curves", "work-precision", "particles"};
+}
 
 enum class PartVerdict { holds, fails, shown, inconclusive };
 constexpr std::array<const char*, 4> words_of(PartVerdict) {
@@ -95,11 +100,16 @@ struct ClaimPart {
   std::vector<Found> found = {};  ///< in the order of the evidence
 };
 
+enum class StudyKind { convergence, limit, check };
+constexpr std::array<const char*, 3> words_of(StudyKind) {
+  return {"convergence", "limit", "check"};
+}
+
 /// Everything the store keeps of one study, ready to be judged and drawn.
 struct StudyResult {
   std::string name;  ///< stem of the study file
   std::string title;
-  std::string kind;   ///< `convergence`, `limit`, `check`
+  StudyKind kind = StudyKind::convergence;
   std::string sweep;  ///< swept key: `cells` (then h = 1/x), `cfl`, ...; for checks the name of the abscissa
   std::string text;   ///< the study file, whole
   std::vector<std::string> claims;  ///< ids of those that it judges

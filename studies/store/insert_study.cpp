@@ -135,7 +135,7 @@ void insert_figure(Database& database, std::int64_t study, std::size_t ordinal, 
                                        {"x_max", figure.x_max},
                                        {"y_min", figure.y_min},
                                        {"y_max", figure.y_max},
-                                       {"kind", figure.kind}});
+                                       {"kind", to_string(figure.kind)}});
   insert_items(database, "figure_series", {"figure", id}, figure.series, [](const std::string& name) {
     return Columns{{"name", name}};
   });
@@ -184,7 +184,7 @@ void insert_study(Database& database, const StoredStudy& study) {
                               {"provenance", provenance_id(database, p)},
                               {"kept_at", p.time},
                               {"title", s.title},
-                              {"kind", s.kind},
+                              {"kind", to_string(s.kind)},
                               {"sweep", s.sweep},
                               {"text", s.text}});
   const std::int64_t id = database.last_row_id();

@@ -141,7 +141,7 @@ records::Figure load_figure(const Database& database, const Row& row) {
       .x_max = row["x_max"].optional_real(),
       .y_min = row["y_min"].optional_real(),
       .y_max = row["y_max"].optional_real(),
-      .kind = row["kind"].text()};
+      .kind = support::from_word<records::Figure::Kind>(row["kind"].text(), "figure kind")};
 }
 
 records::Value load_value(const Row& row) {
@@ -188,7 +188,7 @@ StoredStudy load_study(const Database& database, const Row& row) {
   require_intact(database, Sealed::study, id);
   StoredStudy study{.result = {.name = row["name"].text(),
                                .title = row["title"].text(),
-                               .kind = row["kind"].text(),
+                               .kind = support::from_word<records::StudyKind>(row["kind"].text(), "kind of a study"),
                                .sweep = row["sweep"].text(),
                                .text = row["text"].text(),
                                .claims = {},

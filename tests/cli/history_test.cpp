@@ -18,7 +18,7 @@ using testing::StartsWith;
 records::StudyResult bar_study(double order, double finest) {
   records::StudyResult study;
   study.name = "bar";
-  study.kind = "convergence";
+  study.kind = records::StudyKind::convergence;
   study.sweep = "cells";
   records::Series series{"linear", {}, {}, {}};
   series.points = {{8, records::Status::ok, "", {{"l2", 1e-2}}}, {16, records::Status::ok, "", {{"l2", finest}}}};

@@ -18,7 +18,7 @@ class MutationResultsOnDisk : public testing::Test {
     std::filesystem::create_directories(folder_ / "results");
     store::Store store(folder_ / "results/r.db", store::Store::Mode::create_or_write);
     records::StudyResult breadth;
-    breadth.name = "x-breadth", breadth.kind = "check", breadth.claims = {"X-mutants"};
+    breadth.name = "x-breadth", breadth.kind = records::StudyKind::check, breadth.claims = {"X-mutants"};
     store::Provenance own = store::current_provenance();
     own.digest = own_digest();
     store.keep_study(breadth, {}, own);

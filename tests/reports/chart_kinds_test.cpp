@@ -28,7 +28,8 @@ StudyResult work_study() {
   }
   study.series[0].points[3] = {8, Status::unstable, "blown up", {}};
   records::Figure figure;
-  figure.name = "x-cost", figure.kind = "work-precision", figure.xlabel = "s", figure.ylabel = "error";
+  figure.name = "x-cost", figure.kind = records::Figure::Kind::work_precision, figure.xlabel = "s",
+  figure.ylabel = "error";
   study.figures = {figure};
   return study;
 }
@@ -57,13 +58,13 @@ TEST(WorkChart, WithoutAnyCostIsStillDrawn) {
 StudyResult particle_study() {
   StudyResult study;
   study.name = "particles";
-  study.kind = "check";
+  study.kind = records::StudyKind::check;
   study.series = {Series{"t = 0", {}, {}, {}}, Series{"t = 1", {}, {}, {}}};
   for (auto& series : study.series)
     for (const double y : {0.5, 1.5})
       series.points.push_back({0.5, Status::ok, "", {{"y", y}, {"width_x", 1}, {"width_y", 1}}});
   records::Figure figure;
-  figure.name = "particles", figure.kind = "particles", figure.xlabel = "x", figure.ylabel = "y";
+  figure.name = "particles", figure.kind = records::Figure::Kind::particles, figure.xlabel = "x", figure.ylabel = "y";
   study.figures = {figure};
   return study;
 }

@@ -9,7 +9,7 @@ namespace mpmvv::reports::cheapest_table_test {
 
 records::StudyResult measured(const std::vector<double>& errors) {
   records::StudyResult study = synthetic::convergence();
-  study.figures[0].kind = "work-precision";
+  study.figures[0].kind = records::Figure::Kind::work_precision;
   study.series = {{"s", {}, {}, std::nullopt}};
   for (const double error : errors)
     study.series[0].points.push_back({1, records::Status::ok, "", {{"l2", error}, {"step_seconds", 1 / error}}});

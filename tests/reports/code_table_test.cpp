@@ -21,7 +21,8 @@ ReportInput input_with_codes() {
   study.parts = {part};
   input.studies = {study};
   claims::Claim claim;
-  claim.id = "second", claim.statement = "the total form is second order", claim.verdict = "confirmed";
+  claim.id = "second", claim.statement = "the total form is second order",
+  claim.verdict = claims::Claim::Verdict::confirmed;
   input.claims = {claim};
   input.codes = {{"theirs", "tlmpm", {"karamelo", "2.0", "tlmpm-linear", "reference"}, "2026-11-25T10:00:00Z"}};
   return input;

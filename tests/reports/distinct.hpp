@@ -46,7 +46,7 @@ inline records::StudyResult everything() {
   records::StudyResult study;
   study.name = "all-numbers";
   study.title = "All numbers";
-  study.kind = "convergence";
+  study.kind = records::StudyKind::convergence;
   study.sweep = "cells";
   study.claims = {"X-one", "X-two"};
   for (const char* name : {"first", "second", "third, last"}) {
@@ -70,7 +70,7 @@ inline records::StudyResult everything() {
   return study;
 }
 
-inline records::Figure figure(const std::string& name, const std::string& kind) {
+inline records::Figure figure(const std::string& name, records::Figure::Kind kind) {
   records::Figure f;
   f.name = name, f.caption = "Caption of " + name, f.kind = kind;
   f.xlabel = "abscissa of " + name, f.ylabel = "ordinate of " + name;
@@ -101,7 +101,7 @@ inline records::StudyResult laws() {
   study.series[0].orders.push_back(other);
   study.series[1].orders[0].floor = fits::FloorFit{4.4, 2.2, 0.0017, 0.002, true, ""};
   study.series[2].points[1] = {cells[1], records::Status::unstable, "energy", {}};
-  study.figures = {figure("laws", "curves")};
+  study.figures = {figure("laws", records::Figure::Kind::curves)};
   study.figures[0].slopes = {2};
   return study;
 }
@@ -119,7 +119,7 @@ inline records::StudyResult brackets() {
     study.series.push_back(s);
   }
   study.series[1].limit = fits::StabilityLimit{"cfl", 0.43, 0.37, true, true, {}};
-  study.figures = {figure("brackets", "curves")};
+  study.figures = {figure("brackets", records::Figure::Kind::curves)};
   study.figures[0].log_x = study.figures[0].log_y = false;
   return study;
 }
@@ -128,7 +128,7 @@ inline records::StudyResult brackets() {
 inline records::StudyResult curves() {
   records::StudyResult study;
   study.name = "curves";
-  study.kind = "check";
+  study.kind = records::StudyKind::check;
   study.sweep = "x";
   for (const char* name : {"rising", "falling"}) {
     records::Series s{name, {}, {}, std::nullopt};
@@ -139,7 +139,7 @@ inline records::StudyResult curves() {
     }
     study.series.push_back(s);
   }
-  study.figures = {figure("curves", "curves")};
+  study.figures = {figure("curves", records::Figure::Kind::curves)};
   study.figures[0].log_x = study.figures[0].log_y = false;
   study.figures[0].quantity = "slope";
   return study;
@@ -149,7 +149,7 @@ inline records::StudyResult curves() {
 inline records::StudyResult limits() {
   records::StudyResult study;
   study.name = "limits";
-  study.kind = "limit";
+  study.kind = records::StudyKind::limit;
   study.sweep = "cfl";
   double v = 0.2;
   for (const char* name : {"upper", "middle", "lower"}) {
@@ -161,7 +161,7 @@ inline records::StudyResult limits() {
     s.limit->monotone = study.series.size() != 2;
     study.series.push_back(s);
   }
-  study.figures = {figure("limits", "curves")};
+  study.figures = {figure("limits", records::Figure::Kind::curves)};
   return study;
 }
 
@@ -176,7 +176,7 @@ inline records::StudyResult costs() {
   };
   add(0, 8, 1.3, 0.37), add(0, 16, 14, 0.23), add(0, 32, 170, 0.087);
   add(1, 9, 2.1, 0.53), add(1, 18, 11, 0.29), add(1, 36, 97, 0.071);
-  study.figures = {figure("costs", "work-precision")};
+  study.figures = {figure("costs", records::Figure::Kind::work_precision)};
   study.figures[0].log_y = false;
   return study;
 }
@@ -185,13 +185,13 @@ inline records::StudyResult costs() {
 inline records::StudyResult particles() {
   records::StudyResult study;
   study.name = "particles";
-  study.kind = "check";
+  study.kind = records::StudyKind::check;
   const auto particle = [](double x, double y, double width, double height) {
     return records::Point{x, records::Status::ok, "", {{"y", y}, {"width_x", width}, {"width_y", height}}};
   };
   study.series = {{"at first", {particle(0.31, 1.7, 0.25, 0.6), particle(1.13, 0.45, 0.4, 0.7)}, {}, {}},
                   {"at last", {particle(0.62, 1.2, 0.3, 0.5), particle(1.46, 2.1, 0.35, 0.8)}, {}, {}}};
-  study.figures = {figure("particles", "particles")};
+  study.figures = {figure("particles", records::Figure::Kind::particles)};
   return study;
 }
 

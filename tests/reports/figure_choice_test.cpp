@@ -16,7 +16,7 @@ records::StudyResult study(const std::string& name, const std::string& claim, co
   result.name = name;
   result.claims = {claim};
   result.figures.clear();
-  for (const auto& figure : figures) result.figures.push_back(distinct::figure(figure, "curves"));
+  for (const auto& figure : figures) result.figures.push_back(distinct::figure(figure, records::Figure::Kind::curves));
   return result;
 }
 

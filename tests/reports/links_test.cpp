@@ -27,16 +27,17 @@ std::vector<std::string> matches(const std::string& text, const std::string& pat
 std::map<std::string, std::string> pages_of_everything(const fs::path& out) {
   ReportInput in;
   in.studies = {synthetic::convergence(), synthetic::limits(), synthetic::check()};
-  in.gate = {{"bar-bases", "order", "fail", "1", "2", "why"}, {"elsewhere", "order", "inconclusive", "1", "", "no"}};
+  in.gate = {{"bar-bases", "order", records::Verdict::fail, "1", "2", "why"},
+             {"elsewhere", "order", records::Verdict::inconclusive, "1", "", "no"}};
   in.claims = {{"S-fig10",
                 "a claim",
                 "A paper",
                 "Fig. 10",
-                "confirmed",
+                claims::Claim::Verdict::confirmed,
                 "",
                 {{"bar-bases", in.studies[0].parts[0]}},
                 {"bar-bases"}},
-               {"S-fig 9", "another", "", "", "open", "", {}, {}}};
+               {"S-fig 9", "another", "", "", claims::Claim::Verdict::open, "", {}, {}}};
   in.benchmark = Benchmark{"", "", {{"skip/x/paid", "", {}}}};
   in.mutation.emplace();
   in.versions = {{"00ff", {"8be1f2c0"}, "2026-01-01"}, {"11aa", {"9cd"}, "2026-01-02"}};

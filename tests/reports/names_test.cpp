@@ -108,7 +108,7 @@ std::vector<StudyResult> studies_of(std::span<const Name> names) {
   }
   panels.name = "panels";
   panels.figures[0].name = "panels";
-  panels.figures[0].kind = "particles";
+  panels.figures[0].kind = records::Figure::Kind::particles;
   return {curves, limits, panels};
 }
 

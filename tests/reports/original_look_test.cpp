@@ -12,7 +12,7 @@ namespace mpmvv::reports::original_look_test {
 records::StudyResult study_with(const std::string& figure, const std::string& quantity,
                                 const std::vector<std::string>& series) {
   records::StudyResult study;
-  study.name = figure, study.sweep = "cells", study.kind = "convergence";
+  study.name = figure, study.sweep = "cells", study.kind = records::StudyKind::convergence;
   for (const auto& name : series) {
     records::Series s{name, {}, {}, {}};
     for (const double x : {4.0, 8.0, 16.0})

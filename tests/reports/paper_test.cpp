@@ -40,7 +40,8 @@ PaperSummary write(const std::vector<records::StudyResult>& studies, const fs::p
 records::StudyResult of_s() {
   records::StudyResult study = distinct::laws();
   study.name = "s-fig9";
-  study.figures = {distinct::figure("s-fig9a", "curves"), distinct::figure("s-fig9b", "curves")};
+  study.figures = {distinct::figure("s-fig9a", records::Figure::Kind::curves),
+                   distinct::figure("s-fig9b", records::Figure::Kind::curves)};
   study.figures[0].caption = "Error for l = h/2 & more";
   return study;
 }

@@ -27,7 +27,7 @@ std::vector<ParticleError> square() {
 StudyResult runs_study() {
   StudyResult study;
   study.name = "runs";
-  study.kind = "convergence";
+  study.kind = records::StudyKind::convergence;
   study.sweep = "cells";
   study.series = {Series{"theirs", {}, {}, {}}, Series{"ours", {}, {}, {}}};
   for (Series& series : study.series) {
@@ -37,7 +37,7 @@ StudyResult runs_study() {
     series.points[1].particle_errors = square();
   }
   records::Figure figure;
-  figure.name = "runs", figure.kind = "particles", figure.xlabel = "x", figure.ylabel = "y";
+  figure.name = "runs", figure.kind = records::Figure::Kind::particles, figure.xlabel = "x", figure.ylabel = "y";
   study.figures = {figure};
   return study;
 }

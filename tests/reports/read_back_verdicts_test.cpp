@@ -38,8 +38,8 @@ records::ClaimPart part(records::PartVerdict verdict, std::optional<double> at_l
 
 TEST(ReadBackPage, VerdictsStandBesideWhatTheyAreOf) {
   ReportInput input = read_back::input_of(distinct::everything());
-  input.gate = {{"all-numbers", "golden one", "pass", "1.1 to 1.2", "1.15", "why pass"},
-                {"all-numbers", "golden two", "pass", "2.1 to 2.2", "2.15", "why too"}};
+  input.gate = {{"all-numbers", "golden one", records::Verdict::pass, "1.1 to 1.2", "1.15", "why pass"},
+                {"all-numbers", "golden two", records::Verdict::pass, "2.1 to 2.2", "2.15", "why too"}};
   input.provenance = {"d1935", "c0331", true, "GNU 12", "-O9", "Fast", "a processor", "2026-01-02"};
   ExpectedTable provenance;
   const auto& p = input.provenance;
@@ -54,7 +54,7 @@ TEST(ReadBackPage, VerdictsStandBesideWhatTheyAreOf) {
   ExpectedTable gate;
   for (const GateLine& g : input.gate)
     gate.add("", {{"golden", g.name},
-                  {"verdict", g.verdict},
+                  {"verdict", to_string(g.verdict)},
                   {"expected", g.expected},
                   {"measured", g.measured},
                   {"reason", g.reason}});
@@ -63,8 +63,8 @@ TEST(ReadBackPage, VerdictsStandBesideWhatTheyAreOf) {
 
 TEST(ReadBackPage, GoldensThatDoNotPassStandOnEveryPageOfTheirStudy) {
   ReportInput input = read_back::input_of(distinct::everything());
-  input.gate = {{"all-numbers", "golden one", "pass", "1.1 to 1.2", "1.15", ""},
-                {"all-numbers", "golden two", "fail", "2.1 to 2.2", "2.35", "why fail"}};
+  input.gate = {{"all-numbers", "golden one", records::Verdict::pass, "1.1 to 1.2", "1.15", ""},
+                {"all-numbers", "golden two", records::Verdict::fail, "2.1 to 2.2", "2.35", "why fail"}};
   ExpectedTable failing;
   failing.add("", {{"golden", "golden two"},
                    {"verdict", "fail"},
@@ -77,7 +77,7 @@ TEST(ReadBackPage, GoldensThatDoNotPassStandOnEveryPageOfTheirStudy) {
 
 TEST(ReadBackPage, GoldensWithoutReasonsHaveNoColumnForThem) {
   ReportInput input = read_back::input_of(distinct::everything());
-  input.gate = {{"all-numbers", "golden one", "pass", "1.1 to 1.2", "1.15", ""}};
+  input.gate = {{"all-numbers", "golden one", records::Verdict::pass, "1.1 to 1.2", "1.15", ""}};
   const std::string page = WrittenReport(input).page("gate.html");
   EXPECT_THAT(page, testing::HasSubstr(">measured</th>"));
   EXPECT_THAT(page, testing::Not(testing::HasSubstr(">reason</th>")));
@@ -86,7 +86,7 @@ TEST(ReadBackPage, GoldensWithoutReasonsHaveNoColumnForThem) {
 TEST(ReadBackPage, GoldensStandBelowTheTitleOfTheirStudy) {
   ReportInput input = read_back::input_of(distinct::everything());
   input.studies[0].title = "What bars do";
-  input.gate = {{"all-numbers", "golden one", "pass", "1.1 to 1.2", "1.15", ""}};
+  input.gate = {{"all-numbers", "golden one", records::Verdict::pass, "1.1 to 1.2", "1.15", ""}};
   EXPECT_THAT(WrittenReport(input).page("gate.html"), testing::HasSubstr("1 pass · What bars do"));
 }
 
@@ -96,7 +96,7 @@ TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
   records::ClaimPart asked = part(inconclusive, 1.8, std::nullopt, {{"order of 'a'", 1.97}, {"order of 'b'", 2.5}});
   asked.evidence =
       "order of 'a' (±0.28) = 1.97; order of 'b' (±0.1) = 2.5 (asked: at least 1.8, but an interval reaches across)";
-  input.claims = {{"X-one", "a sentence", "", "", "open", "", {}, {"all-numbers"}}};
+  input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::open, "", {}, {"all-numbers"}}};
   input.claims[0].parts = {{"all-numbers", asked}};
   const std::string page = WrittenReport(input).page("claims/X-one.html");
   EXPECT_THAT(page, testing::AllOf(testing::HasSubstr(">1.97 ± 0.28<"), testing::HasSubstr(">2.5 ± 0.1<"),
@@ -107,7 +107,7 @@ TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
 TEST(ReadBackPage, RowsOfACriterionSayOnceWhatTheyCompare) {
   using enum records::PartVerdict;
   ReportInput input = read_back::input_of(distinct::everything());
-  input.claims = {{"X-one", "a sentence", "", "", "confirmed", "", {}, {}}};
+  input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::confirmed, "", {}, {}}};
   input.claims[0].parts = {{"all-numbers", part(holds, 1, 3,
                                                 {{"l2 of 'a' at cells = 8", 1.5},
                                                  {"l2 of 'a' at cells = 16", 1.6},
@@ -122,7 +122,7 @@ TEST(ReadBackPage, RowsOfACriterionSayOnceWhatTheyCompare) {
 TEST(ReadBackPage, AClaimWithoutAFigureShowsItsCriteria) {
   using enum records::PartVerdict;
   ReportInput input = read_back::input_of(distinct::everything());
-  input.claims = {{"X-one", "a sentence", "", "", "partly", "", {}, {}}};
+  input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::partly, "", {}, {}}};
   input.claims[0].parts = {{"elsewhere", part(holds, 1, 2, {{"first", 1.5}})},
                            {"elsewhere", part(fails, 1, 2, {{"second", 2.5}})}};
   const std::string page = WrittenReport(input).page("index.html");
@@ -138,7 +138,8 @@ TEST(ReadBackPage, CriteriaHaveWhatWasAskedBesideWhatWasFound) {
                             part(fails, std::nullopt, 0.8, {{"third", 0.91}, {"fourth", 1.33}}),
                             part(inconclusive, 3, std::nullopt, {{"fifth", 2.7}})};
   input.studies[0].parts[1].reason = "why it fails";
-  claims::Claim claim{"X-one", "a sentence", "A paper", "Fig. 7", "partly", "", {}, {"all-numbers"}};
+  claims::Claim claim{"X-one", "a sentence", "A paper",      "Fig. 7", claims::Claim::Verdict::partly,
+                      "",      {},           {"all-numbers"}};
   for (const auto& each : input.studies[0].parts) claim.parts.push_back({"all-numbers", each});
   input.claims = {claim};
   const WrittenReport report(input);

@@ -24,17 +24,17 @@ void silent(const std::string&) {}
 ReportInput input() {
   ReportInput in;
   in.studies = {synthetic::convergence(), synthetic::limits(), synthetic::check()};
-  in.gate = {{"bar-bases", "order", "pass", "1.85 to 2.15", "2.01", ""},
-             {"bar-cfl", "limit", "inconclusive", "1.1 to 1.3", "–", "not <found>"}};
+  in.gate = {{"bar-bases", "order", records::Verdict::pass, "1.85 to 2.15", "2.01", ""},
+             {"bar-cfl", "limit", records::Verdict::inconclusive, "1.1 to 1.3", "–", "not <found>"}};
   in.claims = {{"S-fig10",
                 "order 2.01 & <script>alert(1)</script>",
                 "A paper",
                 "Fig. 10",
-                "confirmed",
+                claims::Claim::Verdict::confirmed,
                 "",
                 {{"bar-bases", in.studies[0].parts[0]}},
                 {"bar-bases"}},
-               {"S-fig9", "a limit", "A paper", "", "open", "", {}, {}}};
+               {"S-fig9", "a limit", "A paper", "", claims::Claim::Verdict::open, "", {}, {}}};
   in.provenance = {"00ff", "8be1f2c", true, "GNU 12.2.0", "-O3 \"-march\"", "Release", "CPU", "2026-01-01T00:00:00Z"};
   return in;
 }
@@ -120,7 +120,7 @@ TEST(Report, VerdictAndProvenanceStandOnTheFirstPage) {
                     HasSubstr("1 confirmed, 1 open"), HasSubstr("8be1f2c")));
   EXPECT_THAT(page, HasSubstr("dirty: built from"));
   in.provenance.dirty = false;
-  in.gate[0].verdict = "fail";
+  in.gate[0].verdict = records::Verdict::fail;
   page = page_of(in, folder);
   EXPECT_THAT(page, AllOf(HasSubstr("<title>mpmvv: fail</title>"), Not(HasSubstr("dirty: built from"))));
 }

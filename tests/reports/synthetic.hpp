@@ -47,7 +47,7 @@ inline records::StudyResult convergence() {
   records::StudyResult study;
   study.name = "bar-bases";
   study.title = "Bar: order of the bases <S & W>";
-  study.kind = "convergence";
+  study.kind = records::StudyKind::convergence;
   study.sweep = "cells";
   study.text = "problem = \"bar\"\ncells = [8, 512] # a < b\n";
   study.claims = {"S-fig10", "S-fig11"};
@@ -79,7 +79,7 @@ inline records::StudyResult limits() {
   records::StudyResult study;
   study.name = "bar-cfl";
   study.title = "Bar: stability limit in CFL";
-  study.kind = "limit";
+  study.kind = records::StudyKind::limit;
   study.sweep = "cfl";
   study.claims = {"S-fig9"};
   for (int k = 1; k <= 8; ++k) {
@@ -100,7 +100,7 @@ inline records::StudyResult check() {
   records::StudyResult study;
   study.name = "weights";
   study.title = "Weights and their gradients";
-  study.kind = "check";
+  study.kind = records::StudyKind::check;
   study.sweep = "ξ";
   study.claims = {"S-fig4"};
   for (const char* name : {"N", "dN/dx"}) {

@@ -100,7 +100,7 @@ TEST(Table, CheapestSeriesOfEachPowerOfTen) {
   }
   EXPECT_TRUE(cheapest_table(study).empty()) << "no figure asks for it";
   records::Figure figure;
-  figure.name = "x-cost", figure.kind = "work-precision";
+  figure.name = "x-cost", figure.kind = records::Figure::Kind::work_precision;
   study.figures = {figure};
   const auto table = cheapest_table(study);
   ASSERT_EQ(table.groups.size(), 1u);

@@ -46,7 +46,7 @@ std::string verdict_on(const std::vector<Mutant>& mutants, const std::vector<rep
   std::ofstream(folder / "mutants.json") << to_json({"d1", "c0ffee", mutants});
   const auto results = reports::read_mutation_results(folder / "mutants.json");
   for (const claims::Claim& claim : claims::judge_claims({reports::mutation_study(results, runs)}))
-    if (claim.id == "X-mutants") return claim.verdict;
+    if (claim.id == "X-mutants") return to_string(claim.verdict);
   return "";
 }
 

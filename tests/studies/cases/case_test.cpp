@@ -149,11 +149,15 @@ TEST(Fingerprint, IsFnv1a) {
   EXPECT_EQ(fingerprint("foobar"), "85944171f73967e8");
 }
 
-TEST(Words, StatusAndVerdictReadBack) {
+TEST(Words, OfAStoreReadBack) {
   for (const Status s : {Status::ok, Status::unstable, Status::failed})
     EXPECT_EQ(from_word<Status>(to_string(s), "status"), s);
   for (const PartVerdict v : {PartVerdict::holds, PartVerdict::fails, PartVerdict::shown, PartVerdict::inconclusive})
     EXPECT_EQ(from_word<PartVerdict>(to_string(v), "verdict"), v);
+  for (const char* word : {"convergence", "limit", "check"})
+    EXPECT_EQ(to_string(from_word<records::StudyKind>(word, "kind of a study")), word);
+  for (const char* word : {"curves", "work-precision", "particles"})
+    EXPECT_EQ(to_string(from_word<records::Figure::Kind>(word, "figure kind")), word);
   EXPECT_EQ(to_string(Status::unstable), "unstable");
   EXPECT_EQ(to_string(PartVerdict::inconclusive), "inconclusive");
   EXPECT_THROW(from_word<Status>("fine", "status"), support::UsageError);

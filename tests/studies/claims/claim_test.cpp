@@ -20,7 +20,7 @@ std::string verdict(const std::vector<records::PartVerdict>& verdicts) {
   StudyResult study = naming("a-study", {"S-fig10"});
   for (const records::PartVerdict v : verdicts) study.parts.push_back({"S-fig10", "statement", v, "evidence", ""});
   for (const Claim& claim : judge_claims({study}))
-    if (claim.id == "S-fig10") return claim.verdict;
+    if (claim.id == "S-fig10") return to_string(claim.verdict);
   return "";
 }
 
@@ -47,7 +47,7 @@ TEST(Claims, AreThoseThatStudiesName) {
   EXPECT_THAT(judge_claims({naming("no-claims", {})}), testing::IsEmpty());
   const auto claims = judge_claims({naming("mine", {"M-flat", "M-steep"}), naming("other", {"M-flat"})});
   EXPECT_THAT(ids_of(claims), ElementsAre("M-flat", "M-steep"));
-  EXPECT_EQ(claims[0].verdict, "open");
+  EXPECT_EQ(claims[0].verdict, Claim::Verdict::open);
 }
 
 /// Studies come from a store in the order of their letters.
@@ -81,7 +81,7 @@ TEST(Claims, HoldTheirPartsAndWhereTheyStand) {
   EXPECT_EQ(claim.parts[1].study, "two");
   EXPECT_EQ(claim.parts[1].part.reason, "why");
   EXPECT_THAT(claim.studies, ElementsAre("one", "two"));
-  EXPECT_EQ(claim.verdict, "partly");
+  EXPECT_EQ(claim.verdict, Claim::Verdict::partly);
 }
 
 }  // namespace mpmvv::claims::claim_test

@@ -67,7 +67,7 @@ TEST(Findings, CostOnlyWhereItIsEvidence) {
 
 TEST(Findings, ACheckHasCurvesInsteadOfErrors) {
   StudyResult study = sample();
-  study.kind = "check";
+  study.kind = records::StudyKind::check;
   study.figures.resize(1);
   study.figures[0].quantity = "linf";
   EXPECT_EQ(text(found(study, "curve 'a' of linf")), "curve");

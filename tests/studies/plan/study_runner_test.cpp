@@ -249,7 +249,7 @@ TEST_F(StudyRunner, SearchesALimitOfTheWhole) {
 TEST_F(StudyRunner, ACheckRunsAgainWhenItsStudyHasChangedAndOnlyThen) {
   const std::string study = "title = \"Jump\"\nclaims = []\ncheck = \"jump-errors\"\n";
   StudyResult kept = store::store_samples::study("check", "Jump");
-  kept.kind = "check", kept.text = study;
+  kept.kind = records::StudyKind::check, kept.text = study;
   kept.values = {{"forged", 7, "seven"}};
   kept.series = {store::store_samples::series("curve", {store::store_samples::point(1, {{"y", 2}})})};
   kept.series[0].orders.resize(1);

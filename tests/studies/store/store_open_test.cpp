@@ -173,7 +173,7 @@ TEST_F(StoreOpen, ASealOfSchema10StillHolds) {
   open_store(file_, Mode::create_or_write, migrations().first(10))
       .execute(
           "INSERT INTO provenance VALUES (3, 'd1', 'c0ffee', 0, '', '', '', '');"
-          "INSERT INTO studies VALUES (5, 's', 'd1', 3, '', '', '', '', '', 4302719185765455534);"
+          "INSERT INTO studies VALUES (5, 's', 'd1', 3, '', '', 'convergence', '', '', -9156888797369232665);"
           "INSERT INTO study_claims VALUES (5, 0, 'S-fig10');"
           "INSERT INTO claim_parts VALUES (5, 0, 'S-fig10', 'flat', 'holds', '= 1', '')");
   EXPECT_THAT(Store(file_, Mode::write).check(), testing::IsEmpty());

@@ -81,7 +81,7 @@ class SealedStore : public StoreTest {
   }
 
   static std::string text_of(const StudyResult& s) {
-    std::string text = s.text + s.sweep + s.kind;
+    std::string text = s.text + s.sweep + to_string(s.kind);
     for (const records::Series& one : s.series) {
       text += one.name;
       for (const records::Point& p : one.points) {

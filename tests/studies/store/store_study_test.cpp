@@ -133,13 +133,13 @@ records::Figure full_figure() {
           .x_max = std::nullopt,
           .y_min = std::nullopt,
           .y_max = 0,
-          .kind = "particles"};
+          .kind = records::Figure::Kind::particles};
 }
 
 StudyResult everything() {
   return {.name = "everything",
           .title = "All of it — é",
-          .kind = "convergence",
+          .kind = records::StudyKind::convergence,
           .sweep = "cells",
           .text = "title = \"All\"\n# 'quoted'; DROP TABLE runs\n",
           .claims = {"S-fig10", "S-fig11"},

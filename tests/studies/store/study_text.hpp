@@ -98,7 +98,8 @@ struct Text {
     const auto& [name, caption, xlabel, ylabel, log_x, log_y, quantity, series, marks, slopes, x0, x1, y0, y1, kind] =
         f;
     return fmt::format("figure {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", name, caption, xlabel, ylabel, log_x,
-                       log_y, quantity, of(series), of(marks), of(slopes), of(x0), of(x1), of(y0), of(y1), kind);
+                       log_y, quantity, of(series), of(marks), of(slopes), of(x0), of(x1), of(y0), of(y1),
+                       to_string(kind));
   }
 
   static std::string of(const records::ClaimPart& p) {
@@ -119,8 +120,8 @@ struct Text {
 
   static std::string of(const StudyResult& s) {
     const auto& [name, title, kind, sweep, text, claims, series, values, figures, parts, statements] = s;
-    return fmt::format("{}|{}|{}|{}|{}\n{}{}{}{}{}{}", name, title, kind, sweep, text, of(claims), of(series),
-                       of(values), of(figures), of(parts), of(statements));
+    return fmt::format("{}|{}|{}|{}|{}\n{}{}{}{}{}{}", name, title, to_string(kind), sweep, text, of(claims),
+                       of(series), of(values), of(figures), of(parts), of(statements));
   }
 };
 

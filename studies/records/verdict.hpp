@@ -3,14 +3,15 @@
 
 #include "studies/support/words.hpp"
 
-namespace mpmvv::goldens {
+namespace mpmvv::records {
 
 using support::to_string;
 
-/// What a gate says of one golden. `inconclusive`: the store has no result that could pass or fail it.
+/// What a gate says of one golden, and reports show. `inconclusive`: the store has no result that could pass or fail
+/// it.
 enum class Verdict { pass, fail, inconclusive };
 constexpr std::array<const char*, 3> words_of(Verdict) {
   return {"pass", "fail", "inconclusive"};
 }
 
-}  // namespace mpmvv::goldens
+}  // namespace mpmvv::records
