@@ -16,21 +16,10 @@ using support::UsageError;
 
 namespace {
 
-/// What stands where a key is not given; empty where the case then has nothing of the kind.
+/// What counts where a key is not given; empty where the case then has nothing of the kind.
 std::string default_of(const settings::SettingKey& key) {
-  static const std::map<std::string, std::string> by_rule{{"problem", "required"},
-                                                          {"cells", "required"},
-                                                          {"ppc", "required"},
-                                                          {"cfl", "this or --dt is required"},
-                                                          {"dt", "this or --cfl is required"},
-                                                          {"order", "required by these"},
-                                                          {"smoothing_length", "required by it"},
-                                                          {"wall_method", "default: combined"},
-                                                          {"boundary", "default: the problem's"},
-                                                          {"material", "default: the problem's"},
-                                                          {"end_time", "default: the problem's"}};
-  if (const auto rule = by_rule.find(key.key); rule != by_rule.end()) return rule->second;
-  const std::string value = key.member ? cases::text_of(key.member->value(cases::Case{})) : "";
+  if (key.absent) return key.absent->help;
+  const std::string value = cases::text_of(key.member->value(cases::Case{}));
   return value.empty() || value == "0" || value == "none" || value == "false" ? "" : fmt::format("default: {}", value);
 }
 

@@ -30,12 +30,19 @@ struct Member {
 /// Of which solver's cases a key is.
 enum class KeyOf { own, every, other };
 
+/// What is said where a key may be left out, or must not be.
+struct Absent {
+  std::string help;       ///< of the option; empty: nothing
+  std::string reference;  ///< of study files, what then counts; empty: it is required
+};
+
 /// A key that settings may have.
 struct SettingKey {
   std::string key;
   std::string meaning;                ///< for help
   std::optional<Member> member = {};  ///< none where others follow from it
   KeyOf of = KeyOf::own;
+  std::optional<Absent> absent = {};  ///< none: the member's value in `Case{}` counts
 
   /// Whether a case of the named code has it; empty: of our own solver.
   bool is_of(const std::string& code) const { return of == KeyOf::every || (of == KeyOf::other) == !code.empty(); }

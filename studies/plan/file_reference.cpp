@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 #include "studies/claims/criterion.hpp"
@@ -121,28 +120,7 @@ std::string settings_section() {
 }  // namespace
 
 std::string without(const SettingKey& key) {
-  static const std::map<std::string, std::string> said{{"problem", ""},
-                                                       {"cells", ""},
-                                                       {"ppc", ""},
-                                                       {"boundary", "the problem's"},
-                                                       {"material", "the problem's"},
-                                                       {"end_time", "the problem's"},
-                                                       {"cfl", "`dt` counts"},
-                                                       {"dt", "`cfl` counts"},
-                                                       {"steps", "all"},
-                                                       {"order", "required where it counts"},
-                                                       {"cfl_x", "every step"},
-                                                       {"smoothing_length", "required where it counts"},
-                                                       {"wall_method", "`combined`"},
-                                                       {"wall_depth", "1"},
-                                                       {"wall_gradient", "`given`"},
-                                                       {"repeat", "not measured"},
-                                                       {"code", "our own solver"},
-                                                       {"variant", "the only one of the code"},
-                                                       {"force_form", "`reference`, of a code"},
-                                                       {"code_version", "that of the program"},
-                                                       {"adapter", "that of its files"}};
-  if (const auto found = said.find(key.key); found != said.end()) return found->second;
+  if (key.absent) return key.absent->reference;
   const std::string value = cases::text_of(key.member->value({}));
   return settings::words_of_key(key.key).empty() ? value : "`" + value + "`";
 }
