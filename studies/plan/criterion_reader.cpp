@@ -40,6 +40,39 @@ void read_bounds(const support::TomlTable& table, Criterion& c) {
                                  *c.at_least, *c.at_most));
 }
 
+void require_searched(const StudyPlan& plan, const std::vector<std::string>& series, const std::string& where) {
+  for (const std::string& name : series)
+    if (std::ranges::none_of(plan.series, [&](const auto& s) { return s.name == name && plan.searches(s); }))
+      throw UsageError(
+          fmt::format("criterion in {} on the limit of series '{}', which the study does not search", where, name));
+}
+
+/// A window of errors, in which costs are compared at powers of ten.
+void require_decades(const fits::Window& window, const std::string& where) {
+  if (!(window.from > 0) || fits::decades(window.from, window.to).empty())
+    throw UsageError(fmt::format("window in {} holds no power of ten (two errors, the smaller first)", where));
+}
+
+/// Norm and window of what is compared there.
+void read_norm_and_window(const support::TomlTable& table, const StudyPlan& plan,
+                          const std::vector<std::string>& compared, Criterion& c) {
+  if (c.kind != Criterion::Kind::status) {
+    c.norm = norm_of(table, "norm");
+    require_measured(plan, c.norm, compared, table.where("norm"));
+  }
+  if (c.kind == Criterion::Kind::order_difference) {
+    c.over_norm = norm_of(table, "over_norm");
+    require_measured(plan, c.over_norm, c.series, table.where("over_norm"));
+  }
+  c.window = read_window(table, "window");
+  if (c.kind == Criterion::Kind::cost_ratio) {
+    require_cost(plan, table.where("measure"));
+    require_decades(c.window, table.where("window"));
+  } else {
+    require_points(plan, c.window, is_fit(c.kind) ? 3 : 1, table.where("window"));
+  }
+}
+
 }  // namespace
 
 Criterion read_criterion(const support::TomlTable& table, const StudyPlan& plan) {
@@ -58,39 +91,17 @@ Criterion read_criterion(const support::TomlTable& table, const StudyPlan& plan)
   }
   c.series = series_names(table, "series", plan);
   if (c.series.empty()) throw UsageError(fmt::format("criterion in {} names no series", table.where()));
+  std::vector<std::string> compared = c.series;
   if (is_ratio(c.kind)) {
     c.over = table.text("over");
     if (plan.check.empty() && !plan.has_series(c.over))
       throw UsageError(fmt::format("unknown series '{}' in {}", c.over, table.where("over")));
+    compared.push_back(c.over);
   }
-  if (c.kind == Criterion::Kind::limit || c.kind == Criterion::Kind::limit_ratio) {
-    std::vector<std::string> searched = c.series;
-    if (is_ratio(c.kind)) searched.push_back(c.over);
-    for (const std::string& name : searched)
-      if (std::ranges::none_of(plan.series, [&](const auto& s) { return s.name == name && plan.searches(s); }))
-        throw UsageError(fmt::format("criterion in {} on the limit of series '{}', which the study does not search",
-                                     table.where(), name));
-    return c;
-  }
-  if (c.kind != Criterion::Kind::status) {
-    c.norm = norm_of(table, "norm");
-    std::vector<std::string> measured = c.series;
-    if (is_ratio(c.kind)) measured.push_back(c.over);
-    require_measured(plan, c.norm, measured, table.where("norm"));
-  }
-  if (c.kind == Criterion::Kind::order_difference) {
-    c.over_norm = norm_of(table, "over_norm");
-    require_measured(plan, c.over_norm, c.series, table.where("over_norm"));
-  }
-  c.window = read_window(table, "window");
-  if (c.kind == Criterion::Kind::cost_ratio) {
-    require_cost(plan, table.where("measure"));
-    if (!(c.window.from > 0) || fits::decades(c.window.from, c.window.to).empty())
-      throw UsageError(
-          fmt::format("window in {} holds no power of ten (two errors, the smaller first)", table.where("window")));
-    return c;
-  }
-  require_points(plan, c.window, is_fit(c.kind) ? 3 : 1, table.where("window"));
+  if (c.kind == Criterion::Kind::limit || c.kind == Criterion::Kind::limit_ratio)
+    require_searched(plan, compared, table.where());
+  else
+    read_norm_and_window(table, plan, compared, c);
   return c;
 }
 
