@@ -7,6 +7,7 @@
 #include "cli/console.hpp"
 #include "cli/numbers.hpp"
 #include "cli/table.hpp"
+#include "solver/boundary/boundaries.hpp"
 #include "studies/problems/problem.hpp"
 
 namespace mpmvv::cli {
@@ -18,9 +19,10 @@ namespace {
 
 /// What the default boundary leaves of second order, as studies found (docs/problems.md); empty where none has looked.
 std::string boundary_cost(const Problem& p, const problems::Parameters& defaults) {
-  if (p.boundary == "periodic") return "none";
-  if (p.boundary == "symmetry") return "splines: order about 1.2, mirror: 2";
-  if (p.boundary == "free" && p.is_curved(defaults)) return "stairs of a lattice: order about 1, fill conforming: 2";
+  if (p.boundary == solver::Periodic::word) return "none";
+  if (p.boundary == solver::Symmetry::word) return "splines: order about 1.2, mirror: 2";
+  if (p.boundary == solver::Free::word && p.is_curved(defaults))
+    return "stairs of a lattice: order about 1, fill conforming: 2";
   return "";
 }
 

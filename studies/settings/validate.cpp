@@ -27,6 +27,11 @@ bool is_affine(const solver::AnyBasis& basis) {
   return std::visit([]<class B>(const B&) { return solver::has_affine_fields<B>; }, basis);
 }
 
+/// Takes velocities of the consistent mass matrix where others add accelerations.
+bool takes_consistent_velocity(const solver::AnyVelocityUpdate& update) {
+  return takes_consistent_mass(update) && !adds_accelerations(update);
+}
+
 /// A case as the rules ask for it.
 struct Asked {
   const Case& c;
@@ -46,7 +51,10 @@ struct Asked {
   bool is_loaded = problem.is_loaded && problem.is_loaded(parameters);
   bool has_solution = problem.has_solution(parameters);
 
-  bool has(std::string_view face) const { return std::ranges::find(faces, face) != faces.end(); }
+  template <class Boundary>
+  bool has() const {
+    return std::ranges::find(faces, Boundary::word) != faces.end();
+  }
 
   bool is_periodic_on_one_face() const {
     for (std::size_t k = 0; k < faces.size(); k += 2)
@@ -90,13 +98,13 @@ struct Rule {
 };
 
 constexpr Rule rules[]{
-    {[](const Asked& a) { return a.ghosts == 0 && (a.has("periodic") || a.has("mirror")); },
+    {[](const Asked& a) { return a.ghosts == 0 && (a.has<solver::Periodic>() || a.has<solver::Mirror>()); },
      "basis '{basis}' has no ghost nodes, so boundary '{boundary}' has nothing to act on (use dirichlet, symmetry or "
      "free, or a basis without '-open')"},
     {[](const Asked& a) { return a.is_periodic_on_one_face(); },
      "boundary '{boundary}' is periodic on one face only (both faces of an axis, or neither)"},
 
-    {[](const Asked& a) { return a.takes_difference && !a.has("dirichlet") && !a.has("symmetry"); },
+    {[](const Asked& a) { return a.takes_difference && !a.has<solver::Dirichlet>() && !a.has<solver::Symmetry>(); },
      "wall_acceleration 'difference' with boundary '{boundary}' that holds no node (use it with dirichlet or "
      "symmetry)"},
     {[](const Asked& a) { return a.takes_difference && a.integrator.is_accelerated_first; },
@@ -111,27 +119,27 @@ constexpr Rule rules[]{
      "there is none of theirs to take a difference from (use zero)"},
     {[](const Asked& a) { return a.is_consistent && a.s.body_force == cases::BodyForce::grid; },
      "body_force 'grid' with mass 'consistent', which m_i b(x_i) lumps again (use particles)"},
-    {[](const Asked& a) { return a.is_consistent && a.has("mirror") && a.cells_across() <= 2 * a.ghosts; },
+    {[](const Asked& a) { return a.is_consistent && a.has<solver::Mirror>() && a.cells_across() <= 2 * a.ghosts; },
      "{cells_across} cells are too few for mass 'consistent' between mirrors (more than {twice_ghosts}: no node may be "
-     "the "
-     "image of two ghosts)"},
+     "the image of two ghosts)"},
     {[](const Asked& a) { return a.is_consistent && a.c.resolution.ppc < 2; },
      "mass 'consistent' with ppc = 1 (at least 2: it is singular with one particle per cell)"},
 
     {[](const Asked& a) { return !a.has_whole_steps && a.s.position != cases::Position::first_order; },
-     "velocity_update '{velocity_update}' with integrator '{integrator}' (flip with position 'first-order', or an "
-     "integrator whose steps have positions and velocities at their ends: {whole_integrators})"},
+     "velocity_update '{velocity_update}' with integrator '{integrator}' ({placed_updates} with position "
+     "'first-order', or an integrator whose steps have positions and velocities at their ends: {whole_integrators})"},
     {[](const Asked& a) { return has_affine_field(a.update) && !is_affine(a.basis); },
      "velocity_update '{velocity_update}' with basis '{basis}' ({affine_bases}: nodes a cell apart, whose weights "
      "spread wherever the particle is)"},
     {[](const Asked& a) { return a.is_consistent && !takes_consistent_mass(a.update); },
-     "mass 'consistent' with velocity_update '{velocity_update}', which lumped masses define (use flip or fmpm)"},
+     "mass 'consistent' with velocity_update '{velocity_update}', which lumped masses define (use "
+     "{consistent_updates})"},
     {[](const Asked& a) {
        return a.is_consistent && (a.s.order > 0 || a.s.cfl_x > 0 || a.s.wall_method != cases::WallMethod::none);
      },
      "order, cfl_x or wall_method with mass 'consistent', the limit in which nothing is expanded (leave it out)"},
     {[](const Asked& a) { return a.takes_difference && !adds_accelerations(a.update); },
-     "wall_acceleration 'difference' with a velocity_update other than 'flip' (use zero)"},
+     "wall_acceleration 'difference' with a velocity_update other than {adding_updates} (use zero)"},
 
     {[](const Asked& a) { return a.integrator.is_staged && a.s.deformation == cases::Deformation::exponential; },
      "deformation 'exponential' with integrator '{integrator}', whose stages are linear (use linear)"},
@@ -141,14 +149,14 @@ constexpr Rule rules[]{
 
     {[](const Asked& a) { return !a.wall_at_rest().empty(); },
      "boundary 'wall' on face {wall_at_rest} of problem '{problem}', which has no moving wall there"},
-    {[](const Asked& a) { return a.has("wall") && !a.has_whole_steps; },
+    {[](const Asked& a) { return a.has<solver::Wall>() && !a.has_whole_steps; },
      "boundary 'wall' with integrator '{integrator}' (one whose steps have positions and velocities at their ends: "
      "{whole_integrators})"},
-    {[](const Asked& a) { return a.has("wall") && a.takes_difference; },
+    {[](const Asked& a) { return a.has<solver::Wall>() && a.takes_difference; },
      "wall_acceleration 'difference' with boundary 'wall', whose nodes have it anyway (leave it out)"},
-    {[](const Asked& a) { return a.has("wall") && a.is_consistent && adds_accelerations(a.update); },
-     "boundary 'wall' with mass 'consistent' and velocity_update '{velocity_update}' (use fmpm: it takes velocities, "
-     "where accelerations at walls are a difference of lumped ones)"},
+    {[](const Asked& a) { return a.has<solver::Wall>() && a.is_consistent && adds_accelerations(a.update); },
+     "boundary 'wall' with mass 'consistent' and velocity_update '{velocity_update}' (use {wall_updates}: it takes "
+     "velocities, where accelerations at walls are a difference of lumped ones)"},
 
     {[](const Asked& a) {
        return a.c.resolution.grid_offset > 0 && std::ranges::none_of(movable_axes(a.faces), std::identity{});
@@ -157,7 +165,9 @@ constexpr Rule rules[]{
      "faces of an axis)"},
     {[](const Asked& a) { return a.has_plane_between_nodes(); },
      "quarter of problem '{problem}' on {cells} cells, whose planes of symmetry lie between nodes (an even number)"},
-    {[](const Asked& a) { return (a.has("symmetry") || a.has("mirror")) && a.cells_across() < a.least_cells(); },
+    {[](const Asked& a) {
+       return (a.has<solver::Symmetry>() || a.has<solver::Mirror>()) && a.cells_across() < a.least_cells();
+     },
      "{cells_across} cells are too few for boundary '{boundary}' (at least {least_cells}: ghosts and their images must "
      "differ)"},
     {[](const Asked& a) { return a.has_width_of_a_particle() && a.c.resolution.ppc < 2; },
@@ -185,23 +195,31 @@ constexpr Rule rules[]{
        return (a.c.measure.nodal_error || a.c.measure.stress_error) && a.s.material != a.problem.material;
      },
      "nodal_error or stress_error with material '{material}', of which the solution of problem '{problem}' is not "
-     "exact "
-     "(leave it out)"},
+     "exact (leave it out)"},
     {[](const Asked& a) { return a.c.measure.nodal_error && a.takes_difference; },
      "nodal_error with wall_acceleration 'difference', which belongs to a step and not to the end time (use zero)"},
     {[](const Asked& a) { return !(a.c.measure.blowup_error > 0) || !(a.c.measure.blowup_energy > 0); },
      "blowup_error and blowup_energy must be > 0"},
 };
 
+/// "flip or fmpm": the velocity updates that have a property.
+template <class Property>
+std::string updates(const Property& property) {
+  return fmt::format("{}", fmt::join(words_with<solver::AnyVelocityUpdate>(property), " or "));
+}
+
 std::string text_of(const Rule& rule, const Asked& a) {
   using fmt::arg;
-  return fmt::format(fmt::runtime(rule.message), arg("basis", a.s.basis), arg("integrator", a.s.integrator),
-                     arg("velocity_update", a.s.velocity_update), arg("boundary", a.s.boundary),
-                     arg("material", a.s.material), arg("problem", a.problem.name), arg("cells", a.c.resolution.cells),
-                     arg("cells_across", a.cells_across()), arg("least_cells", a.least_cells()),
-                     arg("twice_ghosts", 2 * a.ghosts), arg("wall_at_rest", a.wall_at_rest()),
-                     arg("affine_bases", fmt::join(words_with<solver::AnyBasis>(is_affine), ", ")),
-                     arg("whole_integrators", fmt::join(integrators_with(settings::has_whole_steps), ", ")));
+  return fmt::format(
+      fmt::runtime(rule.message), arg("basis", a.s.basis), arg("integrator", a.s.integrator),
+      arg("velocity_update", a.s.velocity_update), arg("boundary", a.s.boundary), arg("material", a.s.material),
+      arg("problem", a.problem.name), arg("cells", a.c.resolution.cells), arg("cells_across", a.cells_across()),
+      arg("least_cells", a.least_cells()), arg("twice_ghosts", 2 * a.ghosts), arg("wall_at_rest", a.wall_at_rest()),
+      arg("placed_updates", updates(takes_position)), arg("consistent_updates", updates(solver::takes_consistent_mass)),
+      arg("adding_updates", updates(solver::adds_accelerations)),
+      arg("wall_updates", updates(takes_consistent_velocity)),
+      arg("affine_bases", fmt::join(words_with<solver::AnyBasis>(is_affine), ", ")),
+      arg("whole_integrators", fmt::join(integrators_with(settings::has_whole_steps), ", ")));
 }
 
 }  // namespace
