@@ -20,13 +20,13 @@ inline MappedBody<1> line_of(double lower, const std::vector<double>& widths, co
 /// (i) Largest |Φ_p(x_q) - δ_pq| of one particle on each node, lumped: then v_ip = δ_ip and Φ_p = N_p.
 inline double interpolation_of_particles_on_nodes() {
   const auto body = line_of(3.5, std::vector<double>(12, 1.0), dirac);
-  return interpolation(Subject<1>(body, MassMatrix::lumped));
+  return interpolation(Subject<1>(body, MassKind::lumped));
 }
 
 /// (i) The same of two particles in one cell, the mass matrix being their quadrature: v is square, ψ = v⁻ᵀ.
 inline double interpolation_of_two_particles() {
   const auto body = line_of(5, {0.5, 0.5}, dirac);
-  return interpolation(Subject<1>(body, MassMatrix::quadrature));
+  return interpolation(Subject<1>(body, MassKind::quadrature));
 }
 
 /// (vi) Shape difference of two particles of one size, each in the middle of its cell, with other neighbours: boxes of
@@ -36,7 +36,7 @@ inline double shape_difference_by_neighbours(const Weighting& weighting) {
   for (int k = 0; k < 5; ++k)
     for (const double sixths : {2, 2, 3, 1, 2, 2}) widths.push_back(sixths / 6);
   const auto body = line_of(5, widths, weighting);
-  const Subject<1> s(body, MassMatrix::lumped);
+  const Subject<1> s(body, MassKind::lumped);
   constexpr std::size_t p = 13, q = 16;
   const auto offsets = symmetric_offsets(body.grid());
   return (s.around(p, offsets) - s.around(q, offsets)).cwiseAbs().maxCoeff() / s.peak(p);

@@ -18,7 +18,7 @@ class ShiftedLine {
   ShiftedLine(Placement placement, double shift)
       : body_(BlockOfParticles<1>::grid(), BlockOfParticles<1>::tiling(placement).translated(solver::Vec<1>(shift)),
               dirac),
-        basis_(body_.basis(MassMatrix::lumped)) {}
+        basis_(body_.basis(MassKind::lumped)) {}
 
   double x(std::size_t p) const { return body_.tiling().x[p][0]; }
   double width(std::size_t p) const { return body_.tiling().width[p][0]; }
@@ -99,7 +99,7 @@ class Picture {
  public:
   explicit Picture(const Weighting& weighting)
       : body_({{0, 0}, {1, 1}, {cells, cells}}, random_tiling<2>({4, 4}, {4, 4}, {8, 8}, 162), weighting),
-        phi_(body_.basis(MassMatrix::lumped).at(weights_in_elements())) {}
+        phi_(body_.basis(MassKind::lumped).at(weights_in_elements())) {}
 
   const Points<2>& particles() const { return body_.tiling().x; }
 

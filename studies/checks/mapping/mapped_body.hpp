@@ -5,8 +5,11 @@
 #include "studies/checks/mapping/domain_quadrature.hpp"
 #include "studies/checks/mapping/matrix_product.hpp"
 #include "studies/checks/mapping/particle_basis.hpp"
+#include "studies/support/words.hpp"
 
 namespace mpmvv::checks::mapping {
+
+using support::to_string;
 
 /// Where a mapping's nodal functions are weighed over a particle: N_j(x_p) itself, a Dirac formulation, or their
 /// average over its box, B (16.16).
@@ -25,14 +28,12 @@ inline const Weighting gimp{"gimp", solver::Linear{}, solver::Gimp{}};
 ///   exact       ∫ N_i N_j ρ dV with the material's density, B (16.7)
 ///   piecewise   the same with ρ = M_p/V_p on each box, B (16.19) and (16.20) under the assumption of (16.15)
 ///   quadrature  Σ_p M_p v_ip v_jp, by the points of B (16.14); the mass matrix of MPM codes, SᵀMS in N §2.1
-enum class MassMatrix { lumped, exact, piecewise, quadrature };
+enum class MassKind { lumped, exact, piecewise, quadrature };
 
-inline constexpr std::array mass_matrices{MassMatrix::lumped, MassMatrix::exact, MassMatrix::piecewise,
-                                          MassMatrix::quadrature};
+inline constexpr std::array mass_kinds{MassKind::lumped, MassKind::exact, MassKind::piecewise, MassKind::quadrature};
 
-inline std::string name_of(MassMatrix kind) {
-  constexpr std::array names{"lumped", "exact", "piecewise", "quadrature"};
-  return names[static_cast<std::size_t>(kind)];
+constexpr std::array<const char*, 4> words_of(MassKind) {
+  return {"lumped", "exact", "piecewise", "quadrature"};
 }
 
 enum class WeightedBy { mass, volume };
@@ -63,14 +64,14 @@ class MappedBody {
   const Eigen::VectorXd& M() const { return M_; }
   const Eigen::MatrixXd& v() const { return v_; }
 
-  Eigen::MatrixXd mass_matrix(MassMatrix kind) const;
-  ParticleBasis basis(MassMatrix kind) const {
-    return kind == MassMatrix::lumped ? ParticleBasis::lumped(v_, M_)
-                                      : ParticleBasis::consistent(mass_matrix(kind), v_, M_);
+  Eigen::MatrixXd mass_matrix(MassKind kind) const;
+  ParticleBasis basis(MassKind kind) const {
+    return kind == MassKind::lumped ? ParticleBasis::lumped(v_, M_)
+                                    : ParticleBasis::consistent(mass_matrix(kind), v_, M_);
   }
 
   /// Weights ρ dV of the quadrature's points, ρ being the material's density or each particle's own.
-  Eigen::VectorXd weights_of(const DomainQuadrature<D>& points, MassMatrix density) const;
+  Eigen::VectorXd weights_of(const DomainQuadrature<D>& points, MassKind density) const;
 
  private:
   OverlayGrid<D> grid_;
@@ -83,9 +84,9 @@ class MappedBody {
 };
 
 template <int D>
-Eigen::MatrixXd MappedBody<D>::mass_matrix(MassMatrix kind) const {
-  if (kind == MassMatrix::lumped) return Eigen::VectorXd(v_ * M_).asDiagonal();
-  if (kind == MassMatrix::quadrature) return matrix_product(v_ * M_.asDiagonal(), v_.transpose());
+Eigen::MatrixXd MappedBody<D>::mass_matrix(MassKind kind) const {
+  if (kind == MassKind::lumped) return Eigen::VectorXd(v_ * M_).asDiagonal();
+  if (kind == MassKind::quadrature) return matrix_product(v_ * M_.asDiagonal(), v_.transpose());
   const DomainQuadrature<D> points(tiling_, grid_);
   const auto N = field_.weights(points.x);
   const Eigen::SparseMatrix<double> weighted = N * weights_of(points, kind).asDiagonal();
@@ -93,12 +94,12 @@ Eigen::MatrixXd MappedBody<D>::mass_matrix(MassMatrix kind) const {
 }
 
 template <int D>
-Eigen::VectorXd MappedBody<D>::weights_of(const DomainQuadrature<D>& points, MassMatrix density) const {
+Eigen::VectorXd MappedBody<D>::weights_of(const DomainQuadrature<D>& points, MassKind density) const {
   const Eigen::VectorXd V = tiling_.volumes();
   Eigen::VectorXd weights(static_cast<Eigen::Index>(points.x.size()));
   for (std::size_t q = 0; q < points.x.size(); ++q) {
     const Eigen::Index p = points.particle[q];
-    const bool varies = density == MassMatrix::exact && weighted_by_ == WeightedBy::mass;
+    const bool varies = density == MassKind::exact && weighted_by_ == WeightedBy::mass;
     weights[static_cast<Eigen::Index>(q)] = points.dV[q] * (varies ? tiling_.density(points.x[q]) : M_[p] / V[p]);
   }
   return weights;

@@ -89,7 +89,7 @@ class PropertyTable {
   /// A body with one mass matrix. Of groups with a name only the measures of the table are kept.
   template <int D>
   void measure(const Subject<D>& subject, const std::string& group, const std::string& body) {
-    const std::string mass = name_of(subject.mass());
+    const std::string mass = to_string(subject.mass());
     for (const PropertyMeasure& m : property_measures()) {
       if (m.property == aside && !group.empty()) continue;
       const double value = m(subject);
@@ -135,10 +135,10 @@ void measure_blocks(PropertyTable& table) {
       const bool linear = std::holds_alternative<solver::Linear>(weighting.field);
       const std::string name = Block::name(placement, weighting);
       const MappedBody<D> body(Block::grid(), Block::tiling(placement), weighting);
-      for (const MassMatrix mass : mass_matrices) table.measure(Subject<D>(body, mass), linear ? "" : "spline_", name);
+      for (const MassKind mass : mass_kinds) table.measure(Subject<D>(body, mass), linear ? "" : "spline_", name);
       if (placement != Placement::random || !linear) continue;
       const MappedBody<D> by_volume(body.grid(), body.tiling(), weighting, WeightedBy::volume);
-      for (const MassMatrix mass : {MassMatrix::lumped, MassMatrix::exact, MassMatrix::quadrature})
+      for (const MassKind mass : {MassKind::lumped, MassKind::exact, MassKind::quadrature})
         table.measure(Subject<D>(by_volume, mass), "volume_", "by volume: " + name);
     }
 }

@@ -62,18 +62,18 @@ class MappedField {
         N_(body.field().weights(points_.x)),
         f_(values_at<D>(points_.x)),
         f_p_(values_at<D>(body.tiling().x)),
-        residuals_{Residual(N_, body.weights_of(points_, MassMatrix::exact), f_),
-                   Residual(N_, body.weights_of(points_, MassMatrix::piecewise), f_p_(points_.particle)),
+        residuals_{Residual(N_, body.weights_of(points_, MassKind::exact), f_),
+                   Residual(N_, body.weights_of(points_, MassKind::piecewise), f_p_(points_.particle)),
                    Residual(body.v().sparseView(), body.M(), f_p_)} {}
 
   /// By how much the field that is mapped with both sides integrated, B (16.6) to (16.8), exceeds the least residual.
   double excess_of_integrals() const {
-    const Eigen::VectorXd weights = body_.weights_of(points_, MassMatrix::exact);
-    return residuals_[0].excess(nodal_values(body_.mass_matrix(MassMatrix::exact), N_, weights, f_));
+    const Eigen::VectorXd weights = body_.weights_of(points_, MassKind::exact);
+    return residuals_[0].excess(nodal_values(body_.mass_matrix(MassKind::exact), N_, weights, f_));
   }
 
   /// The same of the particles' data, B (16.17) or (16.23), for each of the residuals.
-  std::array<double, 3> excesses(MassMatrix mass) const {
+  std::array<double, 3> excesses(MassKind mass) const {
     const Eigen::VectorXd F = body_.basis(mass).psi() * f_p_;
     return {residuals_[0].excess(F), residuals_[1].excess(F), residuals_[2].excess(F)};
   }
@@ -91,7 +91,7 @@ constexpr std::array residual_names{"field", "data", "sum"};
 /// Excesses over all bodies with one weighting: the largest, but for the lumped mass the least.
 struct Excesses {
   double integrals = 0;
-  std::array<std::array<double, 3>, mass_matrices.size()> of{};
+  std::array<std::array<double, 3>, mass_kinds.size()> of{};
 
   Excesses(const Weighting& weighting, WeightedBy weighted_by) {
     of[0].fill(std::numeric_limits<double>::infinity());
@@ -107,10 +107,10 @@ struct Excesses {
                                weighted_by);
       const MappedField<D> field(body);
       keep_larger(integrals, field.excess_of_integrals());
-      for (std::size_t k = 0; k < mass_matrices.size(); ++k) {
-        const auto now = field.excesses(mass_matrices[k]);
+      for (std::size_t k = 0; k < mass_kinds.size(); ++k) {
+        const auto now = field.excesses(mass_kinds[k]);
         for (std::size_t r = 0; r < now.size(); ++r)
-          (mass_matrices[k] == MassMatrix::lumped ? keep_smaller : keep_larger)(of[k][r], now[r]);
+          (mass_kinds[k] == MassKind::lumped ? keep_smaller : keep_larger)(of[k][r], now[r]);
       }
     }
   }
@@ -122,8 +122,8 @@ void add_residuals(CheckResult& result, WeightedBy weighted_by, const std::strin
     const Excesses excesses(weighting, weighted_by);
     keep_larger(integrals, excesses.integrals);
     for (std::size_t r = 0; r < residual_names.size(); ++r)
-      for (std::size_t k = 0; k < mass_matrices.size(); ++k) {
-        const std::string mass = name_of(mass_matrices[k]);
+      for (std::size_t k = 0; k < mass_kinds.size(); ++k) {
+        const std::string mass = to_string(mass_kinds[k]);
         result.add(fmt::format("{}{}_{}_{}", prefix, residual_names[r], mass, weighting.name), excesses.of[k][r],
                    fmt::format("{} mass, {} weights: {} excess over the least residual '{}'", mass, weighting.name,
                                k == 0 ? "least" : "largest", residual_names[r]));

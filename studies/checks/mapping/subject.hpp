@@ -15,7 +15,7 @@ inline constexpr double no_meaning = std::numeric_limits<double>::quiet_NaN();
 template <int D>
 class Subject {
  public:
-  Subject(const MappedBody<D>& body, MassMatrix mass)
+  Subject(const MappedBody<D>& body, MassKind mass)
       : body_(body),
         mass_(mass),
         basis_(body.basis(mass)),
@@ -33,7 +33,7 @@ class Subject {
   }
 
   const MappedBody<D>& body() const { return body_; }
-  MassMatrix mass() const { return mass_; }
+  MassKind mass() const { return mass_; }
   const ParticleBasis& basis() const { return basis_; }
   const SampleLattice<D>& lattice() const { return lattice_; }
   const typename NodalBasis<D>::Matrix& N() const { return N_; }  ///< nodal functions on the lattice
@@ -72,7 +72,7 @@ class Subject {
 
  private:
   const MappedBody<D>& body_;
-  MassMatrix mass_;
+  MassKind mass_;
   ParticleBasis basis_;
   SampleLattice<D> lattice_;
   typename NodalBasis<D>::Matrix N_;

@@ -35,13 +35,13 @@ TEST(ParticleBasis, QuadratureOfTwoParticlesByHand) {
 /// m = (1/3, 1/6; 1/6, 1/3), B (16.11), so m⁻¹ = (4, -2; -2, 4), times v M = (3/8, 1/8; 1/8, 3/8).
 TEST(ParticleBasis, ExactMassOfTwoParticlesByHand) {
   const MappedBody<1> body({solver::Vec<1>(0), solver::Vec<1>(1), {10}}, tiling_of_widths(5, {0.5, 0.5}), dirac);
-  const Eigen::MatrixXd m = body.mass_matrix(MassMatrix::exact);
+  const Eigen::MatrixXd m = body.mass_matrix(MassKind::exact);
   EXPECT_NEAR(m(5, 5), 1.0 / 3, round_off);
   EXPECT_NEAR(m(5, 6), 1.0 / 6, round_off);
-  EXPECT_LT((m - body.mass_matrix(MassMatrix::piecewise)).norm(), round_off);
-  const Eigen::MatrixXd psi = body.basis(MassMatrix::exact).psi().middleRows(5, 2);
+  EXPECT_LT((m - body.mass_matrix(MassKind::piecewise)).norm(), round_off);
+  const Eigen::MatrixXd psi = body.basis(MassKind::exact).psi().middleRows(5, 2);
   EXPECT_LT((psi - Eigen::Matrix2d{{1.25, -0.25}, {-0.25, 1.25}}).norm(), round_off);
-  EXPECT_LT((body.basis(MassMatrix::lumped).psi().middleRows(5, 2) - weights_of_two()).norm(), round_off);
+  EXPECT_LT((body.basis(MassKind::lumped).psi().middleRows(5, 2) - weights_of_two()).norm(), round_off);
 }
 
 /// One particle cannot tell the two nodes of its cell apart, but is interpolated: Φ(x_p) = 1.
@@ -71,10 +71,10 @@ void expect_masses(const Weighting& weighting, Placement placement) {
   const double mass = tiling.masses().sum();
   const double middle = tiling.density((tiling.lower + tiling.upper) / 2);
   EXPECT_NEAR(mass, middle * std::pow(BlockOfParticles<D>::cells, D), 1e-10) << "of a linear density";
-  for (const MassMatrix kind : mass_matrices) EXPECT_NEAR(body.mass_matrix(kind).sum(), mass, 1e-10);
-  const Eigen::VectorXd lumped = body.mass_matrix(MassMatrix::lumped).diagonal();
-  EXPECT_LT((body.mass_matrix(MassMatrix::quadrature).rowwise().sum() - lumped).norm(), 1e-12);
-  const ParticleBasis basis = body.basis(MassMatrix::lumped);
+  for (const MassKind kind : mass_kinds) EXPECT_NEAR(body.mass_matrix(kind).sum(), mass, 1e-10);
+  const Eigen::VectorXd lumped = body.mass_matrix(MassKind::lumped).diagonal();
+  EXPECT_LT((body.mass_matrix(MassKind::quadrature).rowwise().sum() - lumped).norm(), 1e-12);
+  const ParticleBasis basis = body.basis(MassKind::lumped);
   for (Eigen::Index i = 0; i < lumped.size(); ++i)
     EXPECT_NEAR(basis.psi().row(i).sum(), basis.reaches(i) ? 1 : 0, round_off);
 }
@@ -102,7 +102,7 @@ TEST(MappedBody, GimpWeightsAreAveragesOverBoxes) {
 TEST(MappedBody, NodalValuesSolveTheMapping) {
   const MappedBody<1> body(BlockOfParticles<1>::grid(), BlockOfParticles<1>::tiling(Placement::random), gimp);
   const Eigen::VectorXd f = body.M().array().sin();
-  const Eigen::MatrixXd m = body.mass_matrix(MassMatrix::piecewise);
+  const Eigen::MatrixXd m = body.mass_matrix(MassKind::piecewise);
   const Eigen::VectorXd F = nodal_values(m, body.v(), body.M(), f);
   EXPECT_LT((m * F - body.v() * body.M().cwiseProduct(f)).norm(), 1e-13);
   const Eigen::VectorXd ones = nodal_values(m, body.v(), body.M(), Eigen::VectorXd::Ones(f.size()));
