@@ -28,7 +28,7 @@ double positive(const support::TomlTable& table, const char* key) {
   return value;
 }
 
-OtherCode code_from(const support::TomlTable& table) {
+PublishedCost code_from(const support::TomlTable& table) {
   table.allow_only({"on", "name", "what", "precision", "hardware", "published", "seconds", "steps", "particles",
                     "beside", "source", "date"});
   return {.on = table.text("on"),
@@ -54,24 +54,24 @@ const BenchmarkRow* case_beside(const Benchmark& benchmark, const std::string& b
 
 }  // namespace
 
-std::vector<OtherCode> read_other_codes(const std::string& text, const std::string& name) {
-  std::vector<OtherCode> codes;
+std::vector<PublishedCost> read_other_codes(const std::string& text, const std::string& name) {
+  std::vector<PublishedCost> codes;
   for (const auto& table : support::TomlTable::parse(text, name).tables("code")) codes.push_back(code_from(table));
   return codes;
 }
 
-const std::vector<OtherCode>& other_codes() {
+const std::vector<PublishedCost>& other_codes() {
   static const auto codes = read_other_codes(std::string(other_codes_text), "reports/other_codes.toml");
   return codes;
 }
 
-Table others_table(const Benchmark& benchmark, const std::vector<OtherCode>& codes) {
+Table others_table(const Benchmark& benchmark, const std::vector<PublishedCost>& codes) {
   Table table{
       "Time of others: ns per particle and step as published or measured, beside this program's on one core of this "
       "machine in a case of the same dimension, particles per cell and kind of basis",
       {"code", "what", "precision", "hardware", "as published", "ns", "ours, ns", "times ours", "source", "date"},
       {}};
-  for (const OtherCode& code : codes) {
+  for (const PublishedCost& code : codes) {
     const BenchmarkRow* own = case_beside(benchmark, code.beside);
     if (!own) continue;
     auto group = std::ranges::find(table.groups, code.on, &Table::Group::title);

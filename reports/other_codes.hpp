@@ -8,7 +8,7 @@
 namespace mpmvv::reports {
 
 /// What a step costs in another code, as someone published or measured it.
-struct OtherCode {
+struct PublishedCost {
   std::string on;  ///< one thread, all cores, ...
   std::string name, what, precision, hardware;
   std::string published;  ///< the figure as it stands there
@@ -20,13 +20,13 @@ struct OtherCode {
 };
 
 /// Those of reports/other_codes.toml.
-const std::vector<OtherCode>& other_codes();
+const std::vector<PublishedCost>& other_codes();
 
 /// The same from text; `name` stands for the file in messages. Throws UsageError where a field is missing, unknown or
 /// of another type.
-std::vector<OtherCode> read_other_codes(const std::string& text, const std::string& name);
+std::vector<PublishedCost> read_other_codes(const std::string& text, const std::string& name);
 
 /// Their times beside those of this program's cases; empty without such a case.
-Table others_table(const Benchmark& benchmark, const std::vector<OtherCode>& codes);
+Table others_table(const Benchmark& benchmark, const std::vector<PublishedCost>& codes);
 
 }  // namespace mpmvv::reports

@@ -15,7 +15,7 @@ using testing::MatchesRegex;
 TEST(OtherCodes, EachFigureHasAllThatAReaderNeeds) {
   ASSERT_GE(other_codes().size(), 4u);
   std::set<std::string> seen;
-  for (const OtherCode& code : other_codes()) {
+  for (const PublishedCost& code : other_codes()) {
     SCOPED_TRACE(code.name + ", " + code.hardware);
     for (const auto& text : {code.on, code.name, code.what, code.precision, code.hardware, code.published})
       EXPECT_FALSE(text.empty());
