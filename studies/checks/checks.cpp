@@ -1,8 +1,5 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "studies/checks/check.hpp"
-#include "studies/support/error.hpp"
+#include "studies/support/words.hpp"
 
 namespace mpmvv::checks {
 
@@ -38,12 +35,7 @@ const std::vector<Check>& checks() {
 }
 
 const Check& find_check(const std::string& name, const std::string& where) {
-  std::vector<std::string> known;
-  for (const Check& check : checks()) {
-    if (check.name == name) return check;
-    known.push_back(check.name);
-  }
-  throw support::UsageError(fmt::format("unknown check '{}' in {} (known: {})", name, where, fmt::join(known, ", ")));
+  return support::find_named(checks(), name, "check", where);
 }
 
 void CheckResult::add_curve(const std::string& name, const std::vector<double>& x, const std::vector<double>& y) {

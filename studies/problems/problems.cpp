@@ -6,7 +6,7 @@
 #include "solver/boundary/mirror.hpp"
 #include "solver/boundary/periodic.hpp"
 #include "studies/problems/setup.hpp"
-#include "studies/support/error.hpp"
+#include "studies/support/words.hpp"
 
 namespace mpmvv::problems {
 
@@ -37,12 +37,7 @@ const std::vector<Problem>& problems() {
 }
 
 const Problem& find_problem(const std::string& name, const std::string& where) {
-  std::vector<std::string> known;
-  for (const Problem& problem : problems()) {
-    if (problem.name == name) return problem;
-    known.push_back(problem.name);
-  }
-  throw support::UsageError(fmt::format("unknown problem '{}' in {} (known: {})", name, where, fmt::join(known, ", ")));
+  return support::find_named(problems(), name, "problem", where);
 }
 
 Parameters complete_parameters(const Problem& problem, const Parameters& given) {

@@ -1,10 +1,12 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 /// Words of enums. Beside an enum stands its one table, `words_of(Enum)`: a word for each enumerator, in their order.
 /// With `using support::to_string;` its namespace lets `to_string(enumerator)` find this.
@@ -34,6 +36,17 @@ Enum from_word(const std::string& word, const char* what, const std::string& whe
   const std::size_t place = place_of(word, words);
   if (place == words.size()) fail_unknown(word, words, what, where);
   return static_cast<Enum>(place);
+}
+
+/// The one of this name; a UsageError speaks of an unknown `what` and the place.
+template <class Named>
+const Named& find_named(const std::vector<Named>& all, const std::string& name, const char* what,
+                        const std::string& where) {
+  const auto found = std::ranges::find(all, name, &Named::name);
+  if (found != all.end()) return *found;
+  std::vector<const char*> known;
+  for (const Named& each : all) known.push_back(each.name.c_str());
+  fail_unknown(name, known, what, where);
 }
 
 }  // namespace mpmvv::support
