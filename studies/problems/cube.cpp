@@ -5,18 +5,9 @@ namespace mpmvv::problems {
 namespace {
 
 Problem cube_in_motion(const char* name, const std::string& source, SetupFunction<3> setup) {
-  return {.name = name,
-          .source = source,
-          .length_formula = "1",
-          .length = unit_length,
-          .parameters = mms::entry_named(name).parameters,
-          .wave_speed_formula = "C = sqrt(E/rho)",
-          .wave_speed = bar_wave_speed,
-          .end_time_formula = "1/C",
-          .end_time = [](const Parameters& p) { return 1 / bar_wave_speed(p); },
-          .boundary = "periodic",
-          .symmetry_planes = SymmetryPlanes::at_upper_faces,
-          .setup = setup};
+  Problem cube = periodic_body(name, source, setup);
+  cube.symmetry_planes = SymmetryPlanes::at_upper_faces;
+  return cube;
 }
 
 }  // namespace

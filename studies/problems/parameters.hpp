@@ -33,6 +33,22 @@ Material material_of(const Parameters& p) {
           youngs_modulus / (2 * (1 + poissons_ratio))};
 }
 
+/// A periodic body of length 1 that moves for half a period, as those of S do.
+template <int D>
+Problem periodic_body(const char* name, const std::string& source, SetupFunction<D> setup) {
+  return {.name = name,
+          .source = source,
+          .length_formula = "1",
+          .length = unit_length,
+          .parameters = mms::entry_named(name).parameters,
+          .wave_speed_formula = "C = sqrt(E/rho)",
+          .wave_speed = bar_wave_speed,
+          .end_time_formula = "1/C",
+          .end_time = [](const Parameters& p) { return 1 / bar_wave_speed(p); },
+          .boundary = "periodic",
+          .setup = setup};
+}
+
 /// What solution and parameters say of a setup: the rest is the body's.
 template <int D>
 Setup<D> setup_of(const char* solution, const Parameters& p) {
