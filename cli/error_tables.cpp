@@ -26,11 +26,6 @@ std::string number_or_status(const Point& point, const std::string& quantity) {
   return y == point.y.end() ? "-" : error_text(y->second);
 }
 
-std::string with_unit(const std::string& quantity) {
-  const std::string unit = records::unit_of(quantity);
-  return unit.empty() ? quantity : fmt::format("{} ({})", quantity, unit);
-}
-
 /// Quantities to print: those that are fitted or drawn, and cost where it was measured.
 std::vector<std::string> quantities_of(const StudyResult& study) {
   std::vector<std::string> quantities;
@@ -79,7 +74,7 @@ Table table_of(const StudyResult& study, std::span<const Series> shown, const st
 
 /// A column for each series, as many tables below each other as the terminal's width asks for.
 void print_by_quantity(const StudyResult& study, const std::string& quantity) {
-  print("\n  {} by {}\n", with_unit(quantity), study.sweep);
+  print("\n  {} by {}\n", records::with_unit(quantity), study.sweep);
   const std::span<const Series> all(study.series);
   for (std::size_t begin = 0, count = 0; begin < all.size(); begin += count) {
     count = 1;
@@ -95,7 +90,7 @@ void print_by_quantity(const StudyResult& study, const std::string& quantity) {
 void print_by_series(const StudyResult& study, const Series& series, const std::vector<std::string>& quantities) {
   print("\n  {}\n", series.name);
   std::vector<Table::Column> columns{{study.sweep, Kind::number}};
-  for (const std::string& quantity : quantities) columns.push_back({with_unit(quantity), Kind::number});
+  for (const std::string& quantity : quantities) columns.push_back({records::with_unit(quantity), Kind::number});
   Table table(columns);
   for (const Point& point : series.points) {
     std::vector<std::string> cells{fmt::format("{:.6g}", point.x)};

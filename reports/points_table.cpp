@@ -55,11 +55,6 @@ std::string text_of(const std::string& quantity, double v) {
   return is_count(quantity) && !std::isnan(v) ? fmt::format("{:.0f}", v) : aligned(v);
 }
 
-std::string with_unit(const std::string& quantity) {
-  const std::string unit = records::unit_of(quantity);
-  return unit.empty() ? quantity : fmt::format("{} ({})", quantity, unit);
-}
-
 /// A quantity in all rows of the table: the numbers that were measured.
 struct Column {
   std::string quantity;
@@ -118,7 +113,7 @@ class PointsTable {
     Table table{"Results at each point", {study_.sweep}, {}};
     if (!all_ok_) table.columns.emplace_back("status");
     for (const Column& column : columns_) {
-      table.columns.push_back(with_unit(column.quantity));
+      table.columns.push_back(records::with_unit(column.quantity));
       if (fitted_.contains(column.quantity)) table.columns.emplace_back("order");
     }
     if (has_reasons_) table.columns.emplace_back("reason");

@@ -77,6 +77,11 @@ std::string unit_of(const std::string& quantity) {
   return "";
 }
 
+std::string with_unit(const std::string& quantity) {
+  const std::string unit = unit_of(quantity);
+  return unit.empty() ? quantity : quantity + " (" + unit + ")";
+}
+
 Failure failure_of(const std::exception& e) {
   const bool of_machine = dynamic_cast<const std::bad_alloc*>(&e) != nullptr ||
                           dynamic_cast<const std::system_error*>(&e) != nullptr ||

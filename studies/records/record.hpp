@@ -117,6 +117,7 @@ const std::vector<RunNumber>& run_by_products();
 
 /// The unit of a number of a run; empty for ratios and whatever else there is.
 std::string unit_of(const std::string& quantity);
+std::string with_unit(const std::string& quantity);  ///< "dt (s)", for the head of a column
 
 /// What fits, criteria and goldens may ask of a run: its errors and balances, and the energy loss.
 const std::vector<std::string>& norm_words();
