@@ -63,11 +63,18 @@ TEST_F(MutantFiles, AMistakeIsRead) {
   EXPECT_THAT(mistakes[0].where, HasSubstr("list.toml:2"));
 }
 
+/// As it is planted, in code that the sources have once.
 TEST_F(MutantFiles, ThePageOfThemShowsOne) {
-  const auto mistakes = read_mistakes(write(walk("mistake")));
-  ASSERT_EQ(mistakes.size(), 1U);
-  const auto planted = read_mistakes(std::string(MPMVV_SOURCE_DIR) + "/tests/mutation/planted.toml");
-  EXPECT_EQ(std::ranges::count(planted, mistakes[0].name, &Mistake::name), 1);
+  const std::string top = MPMVV_SOURCE_DIR;
+  const auto shown = read_mistakes(write(walk("mistake")));
+  ASSERT_EQ(shown.size(), 1U);
+  for (const Unmatched& entry : unmatched(shown, {}, read_sources(top)))
+    ADD_FAILURE() << entry.complaint << "\n" << entry.nearest;
+  const auto planted = read_mistakes(top + "/tests/mutation/planted.toml");
+  const auto same = std::ranges::find(planted, shown[0].name, &Mistake::name);
+  ASSERT_NE(same, planted.end());
+  EXPECT_EQ(same->find, shown[0].find);
+  EXPECT_EQ(same->replace, shown[0].replace);
 }
 
 TEST_F(MutantFiles, MistakesInTheListAreNamedWithTheirLine) {
