@@ -3,6 +3,7 @@
 
 #include "solver/parallel/slabs.hpp"
 #include "tests/solver/each_basis.hpp"
+#include "tests/solver/each_update.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
@@ -82,9 +83,9 @@ TEST_P(Repeatability, NumberOfThreadsDoesNotMatter) {
 
 TEST(Repeatable, NumberOfThreadsDoesNotMatterWithAnyVelocityUpdate) {
   Scene<1> scene = drifting<1>(BSpline2{}, {50});
-  for (const AnyVelocityUpdate& update : std::vector<AnyVelocityUpdate>{
-           Flip(FlipPosition::second_order), Flip(FlipPosition::particle), Pic{}, Apic{}, Xpic(3), Fmpm(3), Fmpm(2, 4)})
+  for (const AnyVelocityUpdate& update : every_velocity_update())
     for (const std::string_view integrator : {"usl", "usf", "usl+"}) {
+      SCOPED_TRACE(name_of(update));
       scene.velocity_update = update;
       expect_the_same_for_any_threads(scene, integrator, 100);
     }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tests/numbers.hpp"
+#include "tests/solver/each_update.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
@@ -125,21 +126,23 @@ Scene<1> free_line(const AnyVelocityUpdate& update, std::string_view integrator 
   return scene;
 }
 
-const std::vector<AnyVelocityUpdate> updates{Flip{FlipPosition::first_order},
-                                             Flip{FlipPosition::second_order},
-                                             Flip{FlipPosition::particle},
-                                             Pic{},
-                                             Xpic{1},
-                                             Xpic{2},
-                                             Xpic{5},
-                                             Fmpm{1},
-                                             Fmpm{2},
-                                             Fmpm{4},
-                                             Fmpm{8}};
+/// What N table 1 has, and `Dense`.
+const std::vector<AnyVelocityUpdate> table_one{Flip{FlipPosition::first_order},
+                                               Flip{FlipPosition::second_order},
+                                               Flip{FlipPosition::particle},
+                                               Pic{},
+                                               Xpic{1},
+                                               Xpic{2},
+                                               Xpic{5},
+                                               Fmpm{1},
+                                               Fmpm{2},
+                                               Fmpm{4},
+                                               Fmpm{8}};
 
 TEST(VelocityUpdate, IsTableOne) {
   for (const auto integrator : {"usl", "usf", "usavg", "usl+", "usavg+"})
-    for (const auto& update : updates) {
+    for (const auto& update : table_one) {
+      SCOPED_TRACE(testing::Message() << integrator << " " << name_of(update));
       const Scene<1> scene = free_line(update, integrator);
       Mpm<1> mpm(scene);
       Dense dense(scene);
@@ -149,9 +152,9 @@ TEST(VelocityUpdate, IsTableOne) {
       }
       for (std::size_t p = 0; p < scene.particles.size(); ++p) {
         const auto id = static_cast<int>(mpm.particles().id[p]);
-        EXPECT_NEAR(mpm.particles().x[p][0], dense.X[id], 1e-13) << integrator << update.index();
-        EXPECT_NEAR(mpm.particles().v[p][0], dense.V[id], 1e-10) << integrator << update.index();
-        EXPECT_NEAR(mpm.particles().F[p](0, 0), dense.F[id], 1e-12) << integrator << update.index();
+        EXPECT_NEAR(mpm.particles().x[p][0], dense.X[id], 1e-13);
+        EXPECT_NEAR(mpm.particles().v[p][0], dense.V[id], 1e-10);
+        EXPECT_NEAR(mpm.particles().F[p](0, 0), dense.F[id], 1e-12);
       }
     }
 }
@@ -182,8 +185,9 @@ TEST(VelocityUpdate, ThreeOfPicShareTheAcceleration) {
 
 /// Every update, with every integrator that takes one: momentum, mass and rigid motion.
 TEST(VelocityUpdate, KeepsMomentumAndRigidMotion) {
-  for (const auto integrator : {"usl", "usf", "usavg", "usl+", "usavg+"})
-    for (const auto& update : updates) {
+  for (const auto integrator : integrators_of_whole_steps())
+    for (const auto& update : every_velocity_update()) {
+      SCOPED_TRACE(testing::Message() << integrator << " " << name_of(update));
       Scene<1> scene = free_line(update, integrator);
       const auto momentum = [](const Particles<1>& particles) {
         double sum = 0;
