@@ -36,46 +36,63 @@ BenchmarkRow moving(const std::string& name, std::vector<double> nanoseconds, do
   return row;
 }
 
-TEST(ReadBackPage, BenchmarkHasEveryTimeUnderItsName) {
-  ReportInput input = read_back::input_of(distinct::everything());
-  input.benchmark = Benchmark{"d1935",
-                              "2026-03-04",
-                              {timed("skip/log/paid", {30, 21, 20}),
-                               timed("skip/log/skipped", {10, 11, 16}),
-                               moving("case/2D/linear/square", {95, 99, 108}, 110, 240, 64, 12),
-                               moving("case/2D/cubic/ring", {121, 125, 134}, 330, 490, 81, 13),
-                               step("block/2D/linear", {50, 53, 55}, 100, 230),
-                               step("block/2D/cubic", {60, 67, 70}, 310, 480),
-                               step("block/3D/linear", {80, 84, 92}, 520, 750),
-                               timed("threads/square/one", {31, 35, 34}),
-                               timed("threads/square/two", {17, 20, 18}),
-                               {"machine/multiply-adds", "", {{"multiply_adds", {2e10}}}},
-                               {"machine/multiply-adds/real_time/threads:2", "", {{"multiply_adds", {3.1e10}}}},
-                               {"machine/triad", "", {{"bytes", {1.3e10}}}}}};
-  const auto percent = [](double fraction) { return fmt::format("{:.1f}", 100 * fraction); };
-  ExpectedTable skip, cases, blocks, threads, machine;
-  skip.add("", {{"skipped", "label of skip/log/paid"},
-                {"paid", "21.0"},
-                {"range %", percent(10.0 / 21)},
-                {"skipped", "11.0"},
-                {"range %", percent(6.0 / 11)},
-                {"saved", "10.0"},
-                {"saved %", percent(10.0 / 21)}});
-  const auto roofline = [&](read_back::Row row, int ns, int work, int bytes) {
-    row.insert(row.end(), {{"least multiply-adds", std::to_string(work)},
-                           {"% of peak", percent(work / (20.0 * ns))},
-                           {"least bytes", std::to_string(bytes)},
-                           {"% of bandwidth", percent(bytes / (13.0 * ns))}});
-    return row;
+Benchmark measured() {
+  return {"d1935",
+          "2026-03-04",
+          {timed("skip/log/paid", {30, 21, 20}),
+           timed("skip/log/skipped", {10, 11, 16}),
+           moving("case/2D/linear/square", {95, 99, 108}, 110, 240, 64, 12),
+           moving("case/2D/cubic/ring", {121, 125, 134}, 330, 490, 81, 13),
+           step("block/2D/linear", {50, 53, 55}, 100, 230),
+           step("block/2D/cubic", {60, 67, 70}, 310, 480),
+           step("block/3D/linear", {80, 84, 92}, 520, 750),
+           timed("threads/square/one", {31, 35, 34}),
+           timed("threads/square/two", {17, 20, 18}),
+           {"machine/multiply-adds", "", {{"multiply_adds", {2e10}}}},
+           {"machine/multiply-adds/real_time/threads:2", "", {{"multiply_adds", {3.1e10}}}},
+           {"machine/triad", "", {{"bytes", {1.3e10}}}}}};
+}
+
+std::string percent(double fraction) {
+  return fmt::format("{:.1f}", 100 * fraction);
+}
+
+ExpectedTable what_is_skipped() {
+  ExpectedTable table;
+  table.add("", {{"skipped", "label of skip/log/paid"},
+                 {"paid", "21.0"},
+                 {"range %", percent(10.0 / 21)},
+                 {"skipped", "11.0"},
+                 {"range %", percent(6.0 / 11)},
+                 {"saved", "10.0"},
+                 {"saved %", percent(10.0 / 21)}});
+  return table;
+}
+
+/// A row with its multiply-adds and bytes as shares of the machine's.
+read_back::Row roofline(read_back::Row row, int ns, int work, int bytes) {
+  row.insert(row.end(), {{"least multiply-adds", std::to_string(work)},
+                         {"% of peak", percent(work / (20.0 * ns))},
+                         {"least bytes", std::to_string(bytes)},
+                         {"% of bandwidth", percent(bytes / (13.0 * ns))}});
+  return row;
+}
+
+ExpectedTable blocks() {
+  ExpectedTable table;
+  const auto add = [&table](const char* group, const char* basis, int ns, double spread, int work, int bytes) {
+    table.add(group,
+              roofline({{"basis", basis}, {"ns", fmt::format("{:.1f}", 1.0 * ns)}, {"range %", percent(spread / ns)}},
+                       ns, work, bytes));
   };
-  const auto add_block = [&](const char* group, const char* basis, int ns, double spread, int work, int bytes) {
-    blocks.add(group,
-               roofline({{"basis", basis}, {"ns", fmt::format("{:.1f}", 1.0 * ns)}, {"range %", percent(spread / ns)}},
-                        ns, work, bytes));
-  };
-  add_block("2D", "linear", 53, 5, 100, 230), add_block("2D", "cubic", 67, 10, 310, 480);
-  add_block("3D", "linear", 84, 12, 520, 750);
-  cases.add("2D", roofline({{"case", "square"},
+  add("2D", "linear", 53, 5, 100, 230), add("2D", "cubic", 67, 10, 310, 480);
+  add("3D", "linear", 84, 12, 520, 750);
+  return table;
+}
+
+ExpectedTable cases() {
+  ExpectedTable table;
+  table.add("2D", roofline({{"case", "square"},
                             {"basis", "linear"},
                             {"particles", "64"},
                             {"steps", "12"},
@@ -83,7 +100,7 @@ TEST(ReadBackPage, BenchmarkHasEveryTimeUnderItsName) {
                             {"range %", percent(13.0 / 99)},
                             {"of the block's", fmt::format("{:.2f}", 99.0 / 53)}},
                            99, 110, 240));
-  cases.add("2D", roofline({{"case", "ring"},
+  table.add("2D", roofline({{"case", "ring"},
                             {"basis", "cubic"},
                             {"particles", "81"},
                             {"steps", "13"},
@@ -91,18 +108,34 @@ TEST(ReadBackPage, BenchmarkHasEveryTimeUnderItsName) {
                             {"range %", percent(13.0 / 125)},
                             {"of the block's", fmt::format("{:.2f}", 125.0 / 67)}},
                            125, 330, 490));
-  threads.add("", {{"case", "square"},
-                   {"one thread", "34.0"},
-                   {"range %", percent(4.0 / 34)},
-                   {"two threads", "18.0"},
-                   {"range %", percent(3.0 / 18)},
-                   {"times as fast", fmt::format("{:.2f}", 34.0 / 18)}});
-  machine.add("", {{"", "multiply-adds in double precision, 1e9/s"}, {"measured", "20"}});
-  machine.add("", {{"", "the same on two threads, together"}, {"measured", "31"}});
-  machine.add("", {{"", "memory bandwidth (triad), 1e9 bytes/s"}, {"measured", "13"}});
-  machine.add("", {{"", "date"}, {"measured", "2026-03-04"}});
+  return table;
+}
+
+ExpectedTable threads() {
+  ExpectedTable table;
+  table.add("", {{"case", "square"},
+                 {"one thread", "34.0"},
+                 {"range %", percent(4.0 / 34)},
+                 {"two threads", "18.0"},
+                 {"range %", percent(3.0 / 18)},
+                 {"times as fast", fmt::format("{:.2f}", 34.0 / 18)}});
+  return table;
+}
+
+ExpectedTable machine() {
+  ExpectedTable table;
+  table.add("", {{"", "multiply-adds in double precision, 1e9/s"}, {"measured", "20"}});
+  table.add("", {{"", "the same on two threads, together"}, {"measured", "31"}});
+  table.add("", {{"", "memory bandwidth (triad), 1e9 bytes/s"}, {"measured", "13"}});
+  table.add("", {{"", "date"}, {"measured", "2026-03-04"}});
+  return table;
+}
+
+TEST(ReadBackPage, BenchmarkHasEveryTimeUnderItsName) {
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.benchmark = measured();
   const WrittenReport report(input);
-  for (const ExpectedTable* table : {&skip, &cases, &blocks, &threads, &machine}) report.expect_html_and_latex(*table);
+  for (const auto table : {what_is_skipped, cases, blocks, threads, machine}) report.expect_html_and_latex(table());
 }
 
 /// What the stages say of a mutant: c(aught), p(asses), or nothing more.
@@ -125,60 +158,95 @@ std::string stage_text(const MutantResult& m, const std::optional<StageResult>& 
   return !stage ? "–" : stage->caught ? stage->by[0] : "passes";
 }
 
-TEST(ReadBackPage, MutantsHaveEveryStageUnderItsName) {
-  ReportInput input = read_back::input_of(distinct::everything());
-  const std::vector<MutantResult> shown{mutant("a", "cc"),  mutant("b", "cc"),  mutant("c", "cp"), mutant("d", "cp"),
-                                        mutant("e", "ppc"), mutant("f", "ppp"), mutant("g", ""),   mutant("h", "")};
-  const std::vector<MutantResult> silent{mutant("s", "pp", "only slower")};
-  const std::vector<MutantResult> survivors{mutant("r4", "ppp"), mutant("r5", "pp", "equivalent")};
-  MutationResults& mutation = input.mutation.emplace();
-  mutation.planted = {
-      .should_show = 8, .equivalent = 1, .unit_tests = 4, .quick = 2, .nightly = 1, .caught = 5, .untried = 2};
-  mutation.random = {.tried = 5, .caught = 3, .explained = 1};
-  mutation.mistakes = shown;
-  mutation.mistakes.insert(mutation.mistakes.end(), silent.begin(), silent.end());
-  mutation.survivors = survivors;
-  input.alarms = {
-      {.build = "clang++", .pass = 11, .fail = 2}, {.build = "clang++", .pass = 12}, {.build = "g++", .pass = 7}};
-  ExpectedTable score, mistakes, random_ones, alarms;
-  const auto add_score = [&](const std::vector<std::string>& cells) {
-    score.add("", {{"mistakes", cells[0]},
+/// What is planted, of which some should show and one cannot, and what of the random ones survived.
+struct Mutants {
+  std::vector<MutantResult> shown{mutant("a", "cc"),  mutant("b", "cc"),  mutant("c", "cp"), mutant("d", "cp"),
+                                  mutant("e", "ppc"), mutant("f", "ppp"), mutant("g", ""),   mutant("h", "")};
+  std::vector<MutantResult> silent{mutant("s", "pp", "only slower")};
+  std::vector<MutantResult> survivors{mutant("r4", "ppp"), mutant("r5", "pp", "equivalent")};
+
+  MutationResults results() const {
+    MutationResults all;
+    all.planted = {
+        .should_show = 8, .equivalent = 1, .unit_tests = 4, .quick = 2, .nightly = 1, .caught = 5, .untried = 2};
+    all.random = {.tried = 5, .caught = 3, .explained = 1};
+    all.mistakes = shown;
+    all.mistakes.insert(all.mistakes.end(), silent.begin(), silent.end());
+    all.survivors = survivors;
+    return all;
+  }
+};
+
+ExpectedTable score() {
+  ExpectedTable table;
+  const auto add = [&table](const std::vector<std::string>& cells) {
+    table.add("", {{"mistakes", cells[0]},
                    {"unit tests", cells[1]},
                    {"quick gate", cells[2]},
                    {"nightly gate, of what these miss", cells[3]},
                    {"any of them", cells[4]},
                    {"explained", cells[5]}});
   };
-  add_score({"planted, should show", "4 of 6 (67 %)", "2 of 6 (33 %)", "1", "5 of 6 (83 %)", ""});
-  add_score({"planted, not tried yet: 2", "", "", "", "", ""});
-  add_score({"planted, efficiency or robustness only: 1", "", "", "", "", ""});
-  add_score({"random", "", "", "", "3 of 5 (60 %)", "1 of 2 (50 %)"});
-  const auto place = [](const MutantResult& m) { return fmt::format("{}:{}", m.file, m.line); };
-  const auto add_mistakes = [&](const std::string& group, const std::vector<MutantResult>& mutants) {
-    for (const MutantResult& m : mutants)
-      mistakes.add(group, {{"mistake", m.name},
-                           {"what", m.what},
-                           {"where", place(m)},
-                           {"unit tests", stage_text(m, m.unit_tests)},
-                           {"quick gate", stage_text(m, m.quick)},
-                           {"nightly gate", stage_text(m, m.nightly)},
-                           {"reason", m.reason}});
+  add({"planted, should show", "4 of 6 (67 %)", "2 of 6 (33 %)", "1", "5 of 6 (83 %)", ""});
+  add({"planted, not tried yet: 2", "", "", "", "", ""});
+  add({"planted, efficiency or robustness only: 1", "", "", "", "", ""});
+  add({"random", "", "", "", "3 of 5 (60 %)", "1 of 2 (50 %)"});
+  return table;
+}
+
+std::string place(const MutantResult& m) {
+  return fmt::format("{}:{}", m.file, m.line);
+}
+
+ExpectedTable mistakes(const Mutants& mutants) {
+  ExpectedTable table;
+  const auto add = [&table](const std::string& group, const std::vector<MutantResult>& of_it) {
+    for (const MutantResult& m : of_it)
+      table.add(group, {{"mistake", m.name},
+                        {"what", m.what},
+                        {"where", place(m)},
+                        {"unit tests", stage_text(m, m.unit_tests)},
+                        {"quick gate", stage_text(m, m.quick)},
+                        {"nightly gate", stage_text(m, m.nightly)},
+                        {"reason", m.reason}});
   };
-  add_mistakes("that an order, an error, a limit or a report can show", shown);
-  add_mistakes("that change efficiency or robustness only", silent);
-  for (const MutantResult& m : survivors)
-    random_ones.add(m.reason.empty() ? "not explained" : "explained", {{"mutation", m.name},
-                                                                       {"where", place(m)},
-                                                                       {"line", m.before},
-                                                                       {"with the mutation", m.after},
-                                                                       {"reason", m.reason}});
+  add("that an order, an error, a limit or a report can show", mutants.shown);
+  add("that change efficiency or robustness only", mutants.silent);
+  return table;
+}
+
+ExpectedTable random_ones(const Mutants& mutants) {
+  ExpectedTable table;
+  for (const MutantResult& m : mutants.survivors)
+    table.add(m.reason.empty() ? "not explained" : "explained", {{"mutation", m.name},
+                                                                 {"where", place(m)},
+                                                                 {"line", m.before},
+                                                                 {"with the mutation", m.after},
+                                                                 {"reason", m.reason}});
+  return table;
+}
+
+TEST(ReadBackPage, MutantsHaveEveryStageUnderItsName) {
+  const Mutants mutants;
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.mutation = mutants.results();
+  const WrittenReport report(input);
+  for (const ExpectedTable& table : {score(), mistakes(mutants), random_ones(mutants)})
+    report.expect_html_and_latex(table);
+}
+
+TEST(ReadBackPage, FalseAlarmsStandByBuild) {
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.mutation = Mutants().results();
+  input.alarms = {
+      {.build = "clang++", .pass = 11, .fail = 2}, {.build = "clang++", .pass = 12}, {.build = "g++", .pass = 7}};
+  ExpectedTable alarms;
   for (const auto& [build, runs, judged, alarm] : {std::tuple("clang++", 2, 25, 1), std::tuple("g++", 1, 7, 0)})
     alarms.add("", {{"build", build},
                     {"runs", std::to_string(runs)},
                     {"goldens judged", std::to_string(judged)},
                     {"false alarms", std::to_string(alarm)}});
-  const WrittenReport report(input);
-  for (const ExpectedTable* table : {&score, &mistakes, &random_ones, &alarms}) report.expect_html_and_latex(*table);
+  WrittenReport(input).expect_html_and_latex(alarms);
 }
 
 }  // namespace mpmvv::reports::read_back_page_test

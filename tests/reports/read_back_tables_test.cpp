@@ -38,149 +38,228 @@ void for_each(const records::StudyResult& study, Range Series::*range, const Add
     for (const auto& item : series.*range) add(series, item);
 }
 
-TEST(ReadBackTables, FilesForProgramsHaveEveryNumberUnderItsName) {
-  const records::StudyResult study = distinct::everything();
-  ExpectedTable points, fits, replicates, extrapolations, limits, probes, values;
+/// Files for programs have numbers as they are.
+namespace csv {
+
+ExpectedTable points(const records::StudyResult& study) {
+  ExpectedTable table;
   for_each(study, &Series::points, [&](const Series& s, const records::Point& p) {
-    points.add("", {{"series", s.name},
-                    {"x", exact(p.x)},
-                    {"status", p.status == records::Status::ok ? "ok" : "unstable"},
-                    {"l1", exact(p.y.at("l1"))},
-                    {"l2", exact(p.y.at("l2"))},
-                    {"linf", exact(p.y.at("linf"))},
-                    {"reason", p.reason}});
+    table.add("", {{"series", s.name},
+                   {"x", exact(p.x)},
+                   {"status", p.status == records::Status::ok ? "ok" : "unstable"},
+                   {"l1", exact(p.y.at("l1"))},
+                   {"l2", exact(p.y.at("l2"))},
+                   {"linf", exact(p.y.at("linf"))},
+                   {"reason", p.reason}});
+  });
+  return table;
+}
+
+ExpectedTable replicates(const records::StudyResult& study) {
+  ExpectedTable table;
+  for_each(study, &Series::points, [&](const Series& s, const records::Point& p) {
     for (const auto& [quantity, runs] : p.replicates)
       for (std::size_t k = 0; k < runs.size(); ++k)
-        replicates.add("", {{"series", s.name},
-                            {"x", exact(p.x)},
-                            {"quantity", quantity},
-                            {"replicate", std::to_string(k + 1)},
-                            {"value", exact(runs[k])}});
+        table.add("", {{"series", s.name},
+                       {"x", exact(p.x)},
+                       {"quantity", quantity},
+                       {"replicate", std::to_string(k + 1)},
+                       {"value", exact(runs[k])}});
   });
-  for_each(study, &Series::orders, [&](const Series& s, const fits::ObservedOrder& o) {
-    fits.add("", {{"series", s.name},
-                  {"norm", o.norm},
-                  {"from", exact(o.from)},
-                  {"to", exact(o.to)},
-                  {"points", std::to_string(o.points)},
-                  {"order", exact(o.order)},
-                  {"half_width", exact(o.half_width)},
-                  {"constant", exact(o.constant)},
-                  {"r_squared", exact(o.r_squared)},
-                  {"asymptotic", word(o.asymptotic)},
-                  {"asymptotic_from", exact(o.asymptotic_from)},
-                  {"asymptotic_to", exact(o.asymptotic_to)},
-                  {"floor_accepted", word(o.floor->accepted)},
-                  {"floor", exact(o.floor->floor)},
-                  {"floor_order", exact(o.floor->order)},
-                  {"floor_constant", exact(o.floor->constant)},
-                  {"floor_residual", exact(o.floor->residual)},
-                  {"floor_reason", o.floor->reason},
-                  {"replicate_observations", std::to_string(o.replicates->observations)},
-                  {"replicate_scatter", exact(o.replicates->scatter)},
-                  {"replicate_half_width", exact(o.replicates->half_width)},
-                  {"lack_of_fit", exact(o.replicates->lack_of_fit)}});
-  });
-  for_each(study, &Series::extrapolations, [&](const Series& s, const fits::Extrapolation& e) {
-    extrapolations.add("", {{"series", s.name},
-                            {"quantity", e.norm},
-                            {"from", exact(e.from)},
-                            {"to", exact(e.to)},
-                            {"points", std::to_string(e.points)},
-                            {"model", e.model},
-                            {"order", exact(e.order)},
-                            {"limit", exact(e.limit)},
-                            {"deviation", exact(e.deviation)},
-                            {"finest", exact(e.finest)},
-                            {"uncertainty", exact(e.uncertainty)},
-                            {"convergence_index", exact(e.convergence_index)},
-                            {"remark", e.remark}});
-  });
-  for (const Series& s : study.series) {
-    limits.add("", {{"series", s.name},
-                    {"key", s.limit->key},
-                    {"stable", exact(s.limit->stable)},
-                    {"unstable", exact(s.limit->unstable)},
-                    {"found", word(s.limit->found)},
-                    {"monotone", word(s.limit->monotone)}});
-    for (const fits::Probe& p : s.limit->probes)
-      probes.add("", {{"series", s.name},
-                      {"key", s.limit->key},
-                      {"value", exact(p.value)},
-                      {"stable", word(p.stable)},
-                      {"reason", p.reason}});
-  }
-  for (const records::Value& v : study.values)
-    values.add("", {{"name", v.name}, {"value", exact(v.value)}, {"meaning", v.meaning}});
-  const WrittenReport report(read_back::input_of(study));
-  for (const ExpectedTable* table : {&points, &fits, &replicates, &extrapolations, &limits, &probes, &values})
-    report.expect_csv(*table);
+  return table;
 }
+
+ExpectedTable orders(const records::StudyResult& study) {
+  ExpectedTable table;
+  for_each(study, &Series::orders, [&](const Series& s, const fits::ObservedOrder& o) {
+    table.add("", {{"series", s.name},
+                   {"norm", o.norm},
+                   {"from", exact(o.from)},
+                   {"to", exact(o.to)},
+                   {"points", std::to_string(o.points)},
+                   {"order", exact(o.order)},
+                   {"half_width", exact(o.half_width)},
+                   {"constant", exact(o.constant)},
+                   {"r_squared", exact(o.r_squared)},
+                   {"asymptotic", word(o.asymptotic)},
+                   {"asymptotic_from", exact(o.asymptotic_from)},
+                   {"asymptotic_to", exact(o.asymptotic_to)},
+                   {"floor_accepted", word(o.floor->accepted)},
+                   {"floor", exact(o.floor->floor)},
+                   {"floor_order", exact(o.floor->order)},
+                   {"floor_constant", exact(o.floor->constant)},
+                   {"floor_residual", exact(o.floor->residual)},
+                   {"floor_reason", o.floor->reason},
+                   {"replicate_observations", std::to_string(o.replicates->observations)},
+                   {"replicate_scatter", exact(o.replicates->scatter)},
+                   {"replicate_half_width", exact(o.replicates->half_width)},
+                   {"lack_of_fit", exact(o.replicates->lack_of_fit)}});
+  });
+  return table;
+}
+
+ExpectedTable extrapolations(const records::StudyResult& study) {
+  ExpectedTable table;
+  for_each(study, &Series::extrapolations, [&](const Series& s, const fits::Extrapolation& e) {
+    table.add("", {{"series", s.name},
+                   {"quantity", e.norm},
+                   {"from", exact(e.from)},
+                   {"to", exact(e.to)},
+                   {"points", std::to_string(e.points)},
+                   {"model", e.model},
+                   {"order", exact(e.order)},
+                   {"limit", exact(e.limit)},
+                   {"deviation", exact(e.deviation)},
+                   {"finest", exact(e.finest)},
+                   {"uncertainty", exact(e.uncertainty)},
+                   {"convergence_index", exact(e.convergence_index)},
+                   {"remark", e.remark}});
+  });
+  return table;
+}
+
+ExpectedTable limits(const records::StudyResult& study) {
+  ExpectedTable table;
+  for (const Series& s : study.series)
+    table.add("", {{"series", s.name},
+                   {"key", s.limit->key},
+                   {"stable", exact(s.limit->stable)},
+                   {"unstable", exact(s.limit->unstable)},
+                   {"found", word(s.limit->found)},
+                   {"monotone", word(s.limit->monotone)}});
+  return table;
+}
+
+ExpectedTable probes(const records::StudyResult& study) {
+  ExpectedTable table;
+  for (const Series& s : study.series)
+    for (const fits::Probe& p : s.limit->probes)
+      table.add("", {{"series", s.name},
+                     {"key", s.limit->key},
+                     {"value", exact(p.value)},
+                     {"stable", word(p.stable)},
+                     {"reason", p.reason}});
+  return table;
+}
+
+ExpectedTable values(const records::StudyResult& study) {
+  ExpectedTable table;
+  for (const records::Value& v : study.values)
+    table.add("", {{"name", v.name}, {"value", exact(v.value)}, {"meaning", v.meaning}});
+  return table;
+}
+
+}  // namespace csv
+
+TEST(ReadBackTables, FilesForProgramsHaveEveryNumberUnderItsName) {
+  const records::StudyResult study = distinct::everything();
+  const WrittenReport report(read_back::input_of(study));
+  for (const auto table :
+       {csv::points, csv::orders, csv::replicates, csv::extrapolations, csv::limits, csv::probes, csv::values})
+    report.expect_csv(table(study));
+}
+
+/// Tables for people round them, and have their units.
+namespace shown {
 
 /// The order of the segment that ends at the i-th point.
 std::string segment(const fits::ObservedOrder& o, std::size_t i) {
   return i == 0 ? "–" : fmt::format("{:.2f}", o.segments[i - 1].order);
 }
 
-TEST(ReadBackTables, TablesForPeopleHaveEveryNumberUnderItsName) {
-  const records::StudyResult study = distinct::everything();
-  ExpectedTable points, fits, replicates, extrapolations, limits, values;
+ExpectedTable points(const records::StudyResult& study) {
+  ExpectedTable table;
   for (const Series& s : study.series)
     for (std::size_t i = 0; i < s.points.size(); ++i) {
       const records::Point& p = s.points[i];
-      points.add(s.name, {{"cells", brief(p.x)},
-                          {"status", p.status == records::Status::ok ? "ok" : "unstable"},
-                          {"l1 (m)", fmt::format("{:.3e}", p.y.at("l1"))},
-                          {"order", segment(s.orders[0], i)},
-                          {"linf (m)", fmt::format("{:.3e}", p.y.at("linf"))},
-                          {"order", segment(s.orders[1], i)},
-                          {"l2 (m)", fmt::format("{:.3e}", p.y.at("l2"))},
-                          {"reason", p.reason}});
+      table.add(s.name, {{"cells", brief(p.x)},
+                         {"status", p.status == records::Status::ok ? "ok" : "unstable"},
+                         {"l1 (m)", fmt::format("{:.3e}", p.y.at("l1"))},
+                         {"order", segment(s.orders[0], i)},
+                         {"linf (m)", fmt::format("{:.3e}", p.y.at("linf"))},
+                         {"order", segment(s.orders[1], i)},
+                         {"l2 (m)", fmt::format("{:.3e}", p.y.at("l2"))},
+                         {"reason", p.reason}});
     }
+  return table;
+}
+
+ExpectedTable orders(const records::StudyResult& study) {
+  ExpectedTable table;
   for_each(study, &Series::orders, [&](const Series& s, const fits::ObservedOrder& o) {
     const std::string floor =
         fmt::format("E0 = {:.4g}, order {:.2f}: {}", o.floor->floor, o.floor->order, o.floor->reason);
-    fits.add(s.name, {{"norm", o.norm},
-                      {"window", range(o.from, o.to)},
-                      {"points", std::to_string(o.points)},
-                      {"order", with_interval(o.order, o.half_width)},
-                      {"C", brief(o.constant)},
-                      {"R²", fmt::format("{:.5f}", o.r_squared)},
-                      {"asymptotic", yes(o.asymptotic)},
-                      {"asymptotic range found", range(o.asymptotic_from, o.asymptotic_to)},
-                      {"floor", o.floor->accepted ? floor : o.floor->reason}});
-    replicates.add(s.name, {{"norm", o.norm},
-                            {"window", range(o.from, o.to)},
-                            {"runs", std::to_string(o.replicates->observations)},
-                            {"order", with_interval(o.order, o.replicates->half_width)},
-                            {"scatter", brief(o.replicates->scatter)},
-                            {"lack of fit p", brief(o.replicates->lack_of_fit)}});
+    table.add(s.name, {{"norm", o.norm},
+                       {"window", range(o.from, o.to)},
+                       {"points", std::to_string(o.points)},
+                       {"order", with_interval(o.order, o.half_width)},
+                       {"C", brief(o.constant)},
+                       {"R²", fmt::format("{:.5f}", o.r_squared)},
+                       {"asymptotic", yes(o.asymptotic)},
+                       {"asymptotic range found", range(o.asymptotic_from, o.asymptotic_to)},
+                       {"floor", o.floor->accepted ? floor : o.floor->reason}});
   });
+  return table;
+}
+
+ExpectedTable replicates(const records::StudyResult& study) {
+  ExpectedTable table;
+  for_each(study, &Series::orders, [&](const Series& s, const fits::ObservedOrder& o) {
+    table.add(s.name, {{"norm", o.norm},
+                       {"window", range(o.from, o.to)},
+                       {"runs", std::to_string(o.replicates->observations)},
+                       {"order", with_interval(o.order, o.replicates->half_width)},
+                       {"scatter", brief(o.replicates->scatter)},
+                       {"lack of fit p", brief(o.replicates->lack_of_fit)}});
+  });
+  return table;
+}
+
+ExpectedTable extrapolations(const records::StudyResult& study) {
+  ExpectedTable table;
   for_each(study, &Series::extrapolations, [&](const Series& s, const fits::Extrapolation& e) {
-    extrapolations.add(s.name, {{"quantity", e.norm},
-                                {"window", range(e.from, e.to)},
-                                {"grids", std::to_string(e.points)},
-                                {"model", e.model},
-                                {"free order", fmt::format("{:.2f}", e.order)},
-                                {"limit", brief(e.limit)},
-                                {"finest grid", brief(e.finest)},
-                                {"uncertainty", brief(e.uncertainty)},
-                                {"GCI", brief(e.convergence_index)},
-                                {"remark", e.remark}});
+    table.add(s.name, {{"quantity", e.norm},
+                       {"window", range(e.from, e.to)},
+                       {"grids", std::to_string(e.points)},
+                       {"model", e.model},
+                       {"free order", fmt::format("{:.2f}", e.order)},
+                       {"limit", brief(e.limit)},
+                       {"finest grid", brief(e.finest)},
+                       {"uncertainty", brief(e.uncertainty)},
+                       {"GCI", brief(e.convergence_index)},
+                       {"remark", e.remark}});
   });
+  return table;
+}
+
+ExpectedTable limits(const records::StudyResult& study) {
+  ExpectedTable table;
   for (const Series& s : study.series)
-    limits.add("", {{"series", s.name},
-                    {"key", s.limit->key},
-                    {"limit", s.limit->found ? brief((s.limit->stable + s.limit->unstable) / 2) : "not found"},
-                    {"stable at", brief(s.limit->stable)},
-                    {"unstable at", brief(s.limit->unstable)},
-                    {"monotone", yes(s.limit->monotone)},
-                    {"probes", std::to_string(s.limit->probes.size())}});
+    table.add("", {{"series", s.name},
+                   {"key", s.limit->key},
+                   {"limit", s.limit->found ? brief((s.limit->stable + s.limit->unstable) / 2) : "not found"},
+                   {"stable at", brief(s.limit->stable)},
+                   {"unstable at", brief(s.limit->unstable)},
+                   {"monotone", yes(s.limit->monotone)},
+                   {"probes", std::to_string(s.limit->probes.size())}});
+  return table;
+}
+
+ExpectedTable values(const records::StudyResult& study) {
+  ExpectedTable table;
   for (const records::Value& v : study.values)
-    values.add("", {{"name", v.name}, {"value", brief(v.value)}, {"meaning", v.meaning}});
+    table.add("", {{"name", v.name}, {"value", brief(v.value)}, {"meaning", v.meaning}});
+  return table;
+}
+
+}  // namespace shown
+
+TEST(ReadBackTables, TablesForPeopleHaveEveryNumberUnderItsName) {
+  const records::StudyResult study = distinct::everything();
   const WrittenReport report(read_back::input_of(study));
-  for (const ExpectedTable* table : {&points, &fits, &replicates, &extrapolations, &limits, &values})
-    report.expect_html_and_latex(*table);
+  for (const auto table :
+       {shown::points, shown::orders, shown::replicates, shown::extrapolations, shown::limits, shown::values})
+    report.expect_html_and_latex(table(study));
 }
 
 /// What it costs to come down to an error between two runs.
