@@ -6,6 +6,7 @@
 #include <set>
 
 #include "reports/report.hpp"
+#include "tests/reports/matches.hpp"
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
@@ -16,28 +17,13 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
-  const std::regex regex(pattern);
-  std::vector<std::string> result;
-  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) result.push_back((*it)[1]);
-  return result;
-}
-
 /// A report with every kind of page.
 std::map<std::string, std::string> pages_of_everything(const fs::path& out) {
   ReportInput in;
   in.studies = {synthetic::convergence(), synthetic::limits(), synthetic::check()};
   in.gate = {{"bar-bases", "order", records::Verdict::fail, "1", "2", "why"},
              {"elsewhere", "order", records::Verdict::inconclusive, "1", "", "no"}};
-  in.claims = {{"S-fig10",
-                "a claim",
-                "A paper",
-                "Fig. 10",
-                claims::Claim::Verdict::confirmed,
-                "",
-                {{"bar-bases", in.studies[0].parts[0]}},
-                {"bar-bases"}},
-               {"S-fig 9", "another", "", "", claims::Claim::Verdict::open, "", {}, {}}};
+  in.claims = {synthetic::claim("a claim"), {"S-fig 9", "another", "", "", claims::Claim::Verdict::open, "", {}, {}}};
   in.benchmark = Benchmark{"", "", {{"skip/x/paid", "", {}}}};
   in.mutation.emplace();
   in.versions = {{"00ff", {"8be1f2c0"}, "2026-01-01"}, {"11aa", {"9cd"}, "2026-01-02"}};

@@ -12,6 +12,7 @@
 #include "reports/report.hpp"
 #include "reports/table.hpp"
 #include "reports/text.hpp"
+#include "tests/reports/matches.hpp"
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
@@ -177,13 +178,6 @@ StudyResult named(StudyResult study, const std::string& name) {
   study.title = "Title of " + name;
   study.series.resize(1);
   return study;
-}
-
-std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
-  const std::regex regex(pattern);
-  std::vector<std::string> result;
-  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) result.push_back((*it)[1]);
-  return result;
 }
 
 TEST(Names, NeverShareAFileOrAnId) {

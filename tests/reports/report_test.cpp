@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <regex>
 
 #include "studies/support/error.hpp"
+#include "tests/reports/matches.hpp"
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
@@ -26,14 +26,7 @@ ReportInput input() {
   in.studies = {synthetic::convergence(), synthetic::limits(), synthetic::check()};
   in.gate = {{"bar-bases", "order", records::Verdict::pass, "1.85 to 2.15", "2.01", ""},
              {"bar-cfl", "limit", records::Verdict::inconclusive, "1.1 to 1.3", "–", "not <found>"}};
-  in.claims = {{"S-fig10",
-                "order 2.01 & <script>alert(1)</script>",
-                "A paper",
-                "Fig. 10",
-                claims::Claim::Verdict::confirmed,
-                "",
-                {{"bar-bases", in.studies[0].parts[0]}},
-                {"bar-bases"}},
+  in.claims = {synthetic::claim("order 2.01 & <script>alert(1)</script>"),
                {"S-fig9", "a limit", "A paper", "", claims::Claim::Verdict::open, "", {}, {}}};
   in.provenance = {"00ff", "8be1f2c", true, "GNU 12.2.0", "-O3 \"-march\"", "Release", "CPU", "2026-01-01T00:00:00Z"};
   return in;
@@ -42,13 +35,6 @@ ReportInput input() {
 std::string page_of(const ReportInput& in, const TempFolder& folder) {
   write_report(in, folder / "out", silent);
   return content(folder / "out" / "index.html");
-}
-
-std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
-  const std::regex regex(pattern);
-  std::vector<std::string> result;
-  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) result.push_back((*it)[1]);
-  return result;
 }
 
 /// A page of a report, by its file.

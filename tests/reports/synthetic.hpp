@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/claims/claim.hpp"
 #include "studies/records/result.hpp"
 
 namespace mpmvv::reports::synthetic {
@@ -73,6 +74,19 @@ inline records::StudyResult convergence() {
                  {"S-fig11", "ghost-node order is 1 & no more", records::PartVerdict::fails, "1.98",
                   "the paper's <mirror> differs"}};
   return study;
+}
+
+/// One that the first part of the study above bears out.
+inline claims::Claim claim(const std::string& statement) {
+  const records::StudyResult study = convergence();
+  return {"S-fig10",
+          statement,
+          "A paper",
+          "Fig. 10",
+          claims::Claim::Verdict::confirmed,
+          "",
+          {{study.name, study.parts[0]}},
+          {study.name}};
 }
 
 inline records::StudyResult limits() {
