@@ -20,7 +20,7 @@ void add_choices(std::vector<AnyVelocityUpdate>& all) {
   if constexpr (requires { update.position; })
     add(update.position, std::array{FlipPosition::first_order, FlipPosition::second_order, FlipPosition::particle});
   else if constexpr (requires { update.order; })
-    add(update.order, std::array{1, 2, 4, 8});
+    add(update.order, std::array{1, 2, 8});
   else
     all.emplace_back(update);
   if constexpr (requires { update.interval; }) add(update.interval, std::array{3});
