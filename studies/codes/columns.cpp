@@ -29,24 +29,26 @@ class Lookup {
     if (const auto given = columns_.names.find(quantity.word); given != columns_.names.end())
       if (const TableColumn* column = named(given->second, quantity)) return column;
     if (const auto given = columns_.names.find(quantity.array); given != columns_.names.end()) {
-      const TableColumn* column = table_.find(fmt::format("{}:{}", given->second, quantity.component));
+      const TableColumn* column = column_of(fmt::format("{}:{}", given->second, quantity.component));
       if (!column && quantity.component == 0) fail(given->second, quantity.array);
       return column;
     }
     for (const std::string& name : quantity.usual)
-      if (const TableColumn* column = table_.find(name)) return column;
+      if (const TableColumn* column = column_of(name)) return column;
     return nullptr;
   }
 
  private:
+  const TableColumn* column_of(const std::string& name) const { return only_column(table_, name, file_); }
+
   /// By name or number; null for a name that stands for an array.
   const TableColumn* named(const std::string& name, const Quantity& quantity) const {
-    if (const TableColumn* column = table_.find(name)) return column;
+    if (const TableColumn* column = column_of(name)) return column;
     std::size_t number = 0;
     const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), number);
     if (stop == name.data() + name.size() && number >= 1 && number <= table_.columns.size())
       return &table_.columns[number - 1];
-    if (quantity.word == quantity.array && table_.find(name + ":0")) return nullptr;
+    if (quantity.word == quantity.array && column_of(name + ":0")) return nullptr;
     fail(name, quantity.word);
   }
 
@@ -129,6 +131,12 @@ std::map<std::string, std::string> parse_columns(const std::string& text, const 
   return names;
 }
 
+const TableColumn* only_column(const ParticleTable& table, const std::string& name, const std::string& file) {
+  const auto count = std::ranges::count(table.columns, name, &TableColumn::name);
+  if (count > 1) throw UsageError(fmt::format("{} columns '{}' in {} (one)", count, name, file));
+  return table.find(name);
+}
+
 Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const std::string& file) {
   const Lookup lookup(table, columns, file);
   const double length = columns.length, speed = columns.length / columns.time;
@@ -152,6 +160,12 @@ Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const s
     throw UsageError(fmt::format("no positions in {} (columns x, y, z, or --columns x=...; it has {})", file,
                                  fmt::join(known, ", ")));
   }
+  const auto is_number = [](const Point& X) {
+    return std::ranges::all_of(X, [](double d) { return std::isfinite(d); });
+  };
+  if (const auto odd = std::ranges::find_if_not(s.X, is_number); odd != s.X.end())
+    throw UsageError(fmt::format("the reference position of row {} in {} is no number (where the particle is at rest)",
+                                 odd - s.X.begin() + 1, file));
   std::vector<const TableColumn*> places;
   for (const Quantity& quantity : quantities_of(s.u.empty() ? "x" : "u"))
     if (const TableColumn* column = lookup.find(quantity)) places.push_back(column);

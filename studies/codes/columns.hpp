@@ -22,6 +22,9 @@ struct Columns {
 /// "id=tag,x=px" as pairs; UsageError, with `where`, of what is none or names no quantity.
 std::map<std::string, std::string> parse_columns(const std::string& text, const std::string& where);
 
+/// The column of this name; null where there is none, UsageError where there are two.
+const TableColumn* only_column(const ParticleTable& table, const std::string& name, const std::string& file);
+
 /// The table's columns by their quantities. UsageError when a column that was named is not there, or when there is
 /// neither position nor displacement.
 Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const std::string& file);

@@ -39,7 +39,7 @@ const std::vector<Format>& formats() {
       {"csv", {".csv", ".txt", ".dat", ".tsv"}, &read_csv},
       {"vtu", {".vtu", ".vtp"}, &read_vtu},
       {"ply", {".ply"}, &read_ply},
-      {"dump", {".dump", ".lammpstrj", ".custom"}, &read_dump},
+      {"dump", {".dump", ".lammpstrj", ".custom"}, &read_dump, true},
       {"nairn", {}, &read_nairn},
       {"nairn-legacy", {}, &read_nairn_legacy},
   };
@@ -48,6 +48,9 @@ const std::vector<Format>& formats() {
 
 Snapshot read_snapshot(const std::filesystem::path& file, const Columns& columns, const std::string& format) {
   const Format& known = format_of(file, format);
+  if (columns.step && !known.has_steps)
+    throw UsageError(fmt::format("--step {} of {}, which holds one state (it is for a dump, which may hold several)",
+                                 *columns.step, file.string()));
   const std::string content = support::require_file(file, "what a code wrote of its particles");
   const ParticleTable table = known.read({content, file.string(), columns.step});
   return snapshot_of(table, columns, file.string());

@@ -21,6 +21,7 @@ struct Format {
   std::string word;
   std::vector<std::string> endings;  ///< of names, by which it is known: ".csv"
   ParticleTable (*read)(const Source&);
+  bool has_steps = false;  ///< whether a file may hold several
 };
 
 /// All formats: a reader's file and a line here for each.

@@ -9,6 +9,11 @@ namespace mpmvv::codes {
 
 using support::UsageError;
 
+TextLines::TextLines(const Source& source) : left_(source.content), file_(source.file) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (left_.starts_with(byte_order_mark)) left_.remove_prefix(byte_order_mark.size());
+}
+
 std::optional<std::string_view> TextLines::next() {
   if (left_.empty()) return std::nullopt;
   const auto end = left_.find('\n');

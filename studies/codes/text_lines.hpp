@@ -11,7 +11,7 @@ namespace mpmvv::codes {
 /// The lines of a source, one after the other.
 class TextLines {
  public:
-  explicit TextLines(const Source& source) : left_(source.content), file_(source.file) {}
+  explicit TextLines(const Source& source);  ///< a byte-order mark before the first is skipped
 
   std::optional<std::string_view> next();  ///< without its end; none behind the last one
   std::string_view left() const { return left_; }

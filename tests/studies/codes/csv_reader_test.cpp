@@ -55,7 +55,14 @@ TEST(CsvReader, CommentsSayTimeAndNames) {
   EXPECT_EQ(s.x.front()[0], 1.25);
 }
 
+/// As spreadsheets write it.
+TEST(CsvReader, SkipsAByteOrderMark) {
+  EXPECT_EQ(read("\xEF\xBB\xBFx,y\n0.5,0.25\n").x, (std::vector<Point>{{0.5, 0.25, 0}}));
+}
+
 TEST(CsvReader, SaysWhatItCannotRead) {
+  EXPECT_THAT(message_of("X,x\n0.5,0.5\nnan,0.25\n"), testing::HasSubstr("the reference position of row 2 in"));
+  EXPECT_THAT(message_of("x,y,x\n1,2,3\n"), testing::HasSubstr("2 columns 'x' in"));
   EXPECT_THAT(message_of("x,y\n1\n"), testing::HasSubstr("1 numbers in"));
   EXPECT_THAT(message_of("x,y\n1,b\n"), testing::HasSubstr("'b' for 'y' in"));
   EXPECT_THAT(message_of("x,y\n"), testing::HasSubstr("no lines of numbers"));
