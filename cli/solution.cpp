@@ -88,9 +88,12 @@ std::string content_of(const std::string& points) {
 std::vector<std::string> fields_of(const std::string& text) {
   const auto known = codes::solution_fields();
   std::vector<std::string> fields = parts_of(text);
-  for (const std::string& field : fields)
+  for (const std::string& field : fields) {
     if (std::ranges::find(known, field) == known.end())
       throw UsageError(fmt::format("unknown field '{}' in --fields (known: {})", field, fmt::join(known, ", ")));
+    if (std::ranges::count(fields, field) > 1)
+      throw UsageError(fmt::format("field '{}' stands twice in --fields (each once)", field));
+  }
   return fields;
 }
 

@@ -54,8 +54,10 @@ class PointTable {
   }
 
  private:
+  const TableColumn* find(const std::string& name) const { return only_column(table_, name, query_.points.file); }
+
   const TableColumn& column(const std::string& name) const {
-    if (const TableColumn* found = table_.find(name)) return *found;
+    if (const TableColumn* found = find(name)) return *found;
     std::vector<std::string> names;
     for (const TableColumn& each : table_.columns) names.push_back(each.name);
     throw UsageError(
@@ -63,7 +65,7 @@ class PointTable {
   }
 
   void choose_time() {
-    t_ = table_.find("t");
+    t_ = find("t");
     if (t_ && query_.time)
       throw UsageError(fmt::format("--time beside a column t of {} (one of them)", query_.points.file));
     if (!t_ && !query_.time)
@@ -71,7 +73,7 @@ class PointTable {
   }
 
   void choose_normal() {
-    const bool has_columns = table_.find("NX") != nullptr, is_given = query_.normal.has_value();
+    const bool has_columns = find("NX") != nullptr, is_given = query_.normal.has_value();
     if (has_columns && is_given)
       throw UsageError(fmt::format("--normal beside columns NX, ... of {} (one of them)", query_.points.file));
     if (has_columns)
@@ -171,7 +173,7 @@ void solution_at(const cases::ProblemChoice& choice, const PointQuery& query,
   const problems::Problem& problem = problems::find_problem(choice.name, "the query");
   const auto of_setup = [&]<int D>(problems::SetupFunction<D>) {
     const auto setup = problems::make_setup<D>(problem, choice, 0);
-    if (!setup.solution) throw UsageError(fmt::format("problem '{}' has no exact solution", problem.name));
+    if (!setup.solution) problems::refuse_without_solution(problem);
     PointTable<D>(query, setup).write(write);
   };
   std::visit(of_setup, problem.setup);

@@ -25,7 +25,7 @@ Fields fields_at(const Problem& problem, const cases::ProblemChoice& choice, con
                  const std::string& where) {
   const auto evaluate = [&]<int D>(SetupFunction<D>) {
     const Setup<D> setup = make_setup<D>(problem, choice, 0);
-    if (!setup.solution) throw support::UsageError(fmt::format("problem '{}' has no exact solution", problem.name));
+    if (!setup.solution) refuse_without_solution(problem);
     const mms::ManufacturedSolution<D>& solution = *setup.solution;
     const mms::Vec<D> at = Eigen::Map<const mms::Vec<D>>(X.data());
     if (!std::visit([&at](const auto& body) { return contains(body, at, round_off); }, setup.body))

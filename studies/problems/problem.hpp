@@ -68,6 +68,9 @@ const std::vector<Problem>& problems();
 /// The problem with this name; UsageError with the known names otherwise. `where` goes into the message.
 const Problem& find_problem(const std::string& name, const std::string& where);
 
+/// UsageError of a problem without an exact solution, with the names of those that have one.
+[[noreturn]] void refuse_without_solution(const Problem& problem);
+
 /// Defaults overwritten by the given ones.
 Parameters complete_parameters(const Problem& problem, const Parameters& given);
 

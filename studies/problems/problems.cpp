@@ -40,6 +40,14 @@ const Problem& find_problem(const std::string& name, const std::string& where) {
   return support::find_named(problems(), name, "problem", where);
 }
 
+void refuse_without_solution(const Problem& problem) {
+  std::vector<std::string> others;
+  for (const Problem& other : problems())
+    if (other.has_solution(complete_parameters(other, {}))) others.push_back(other.name);
+  throw support::UsageError(fmt::format("problem '{}' has no exact solution (problems that have one: {})", problem.name,
+                                        fmt::join(others, ", ")));
+}
+
 Parameters complete_parameters(const Problem& problem, const Parameters& given) {
   Parameters all = given;
   for (const Parameter& parameter : problem.parameters) all.emplace(parameter.name, parameter.value);

@@ -63,6 +63,7 @@ TEST(SolutionCommand, SaysWhereItsPointsAreWrong) {
        {std::pair<std::string, std::string>{"--points " + points, "points.csv:3 is outside the body"},
         {"--points - < " + points, "standard input:3 is outside the body"},
         {"--points " + points + " --fields w", "unknown field 'w' in --fields"},
+        {"--points " + points + " --fields u,P,u", "field 'u' stands twice in --fields"},
         {"--points " + points + " --at 0,0", "--at excludes --points"},
         {"--points " + (folder / "none.csv"), "none.csv"},
         {"--at 0,0 --fields u", "--fields requires --points"},

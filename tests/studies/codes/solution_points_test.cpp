@@ -80,6 +80,8 @@ TEST(SolutionAtPoints, SaysWhichLineIsBad) {
 
 TEST(SolutionAtPoints, SaysWhatIsMissingOrTooMuch) {
   EXPECT_THAT(refusal("X,t\n0.1,0\n"), HasSubstr("no column 'Y' in points.csv (it has: X, t)"));
+  EXPECT_THAT(refusal("X,Y,X,t\n0.1,0,0.2,0\n"), HasSubstr("2 columns 'X' in points.csv (one)"));
+  EXPECT_EQ(refusal("X,Y,note,note,t\n0.1,0,1,2,0\n"), "");
   EXPECT_THAT(refusal("X,Y\n0.1,0\n"), HasSubstr("no time"));
   EXPECT_THAT(refusal("X,Y,t\n0.1,0,0\n", with_fields({"traction"})), HasSubstr("traction without a normal"));
   PointQuery timed = with_fields({});
