@@ -38,20 +38,27 @@ bool depends_on_place(const expression::Vector& b) {
   return std::ranges::any_of(b, has_place);
 }
 
-/// Problems whose body force is an expression of the current position.
-std::vector<std::string> inverse_problems() {
+/// Whether the body force is an expression of what the form says; b = 0 is one of anything.
+bool has_form(const expression::Formulas& formulas, ForceForm form) {
+  const auto& [reference, inverse] = formulas;
+  const bool is_of_time = reference && !depends_on_place(reference->b);
+  if (form == ForceForm::current) return is_of_time;
+  if (form == ForceForm::inverse) return is_of_time || inverse;
+  return form == ForceForm::none ? reference || inverse : reference.has_value();
+}
+
+std::string problems_with(ForceForm form) {
   std::vector<std::string> names;
   for (const problems::Problem& problem : problems::problems()) {
     const ProblemChoice choice{.name = problem.name, .parameters = problems::complete_parameters(problem, {})};
-    const auto inverse = formulas_of(problem, choice).inverse;
-    if (inverse && depends_on_place(inverse->b)) names.push_back(problem.name);
+    if (has_form(formulas_of(problem, choice), form)) names.push_back(problem.name);
   }
-  return names;
+  return fmt::format("problems with form '{}': {}", to_string(form), fmt::join(names, ", "));
 }
 
 [[noreturn]] void refuse_current(const std::string& problem, ForceForm form, const std::string& why) {
-  throw UsageError(fmt::format("form '{}' of problem '{}': {} (problems with form 'inverse': {})", to_string(form),
-                               problem, why, fmt::join(inverse_problems(), ", ")));
+  throw UsageError(
+      fmt::format("form '{}' of problem '{}': {} ({})", to_string(form), problem, why, problems_with(form)));
 }
 
 /// X by the letter x.
@@ -80,15 +87,16 @@ expression::Vector force(const expression::Formulas& formulas, const std::string
       break;
   }
   if (!reference)
-    throw UsageError(fmt::format("form '{}' of problem '{}': x(X, t) has no closed form (form 'inverse')",
-                                 to_string(form), problem));
+    throw UsageError(fmt::format("form '{}' of problem '{}': x(X, t) has no closed form (form 'inverse'; {})",
+                                 to_string(form), problem, problems_with(form)));
   return form == ForceForm::misplaced ? misplaced(reference->b) : reference->b;
 }
 
 expression::Formulas known_formulas(const ProblemChoice& choice) {
   expression::Formulas formulas = formulas_of(problems::find_problem(choice.name, "the case"), choice);
   if (formulas.reference || formulas.inverse) return formulas;
-  throw UsageError(fmt::format("problem '{}' has no solution in formulas", choice.name));
+  throw UsageError(
+      fmt::format("problem '{}' has no solution in formulas ({})", choice.name, problems_with(ForceForm::reference)));
 }
 
 expression::Vector at_start(expression::Vector of_time) {

@@ -56,12 +56,14 @@ TEST(Expressions, AreOfTheCurrentPositionInTheInverseForm) {
 
 TEST(Expressions, AreRefusedInFormsThatTheProblemHasNot) {
   EXPECT_EQ(refusal("square", ForceForm::current),
-            "form 'current' of problem 'square': its body force depends on the position (problems with form 'inverse': "
-            "vortex, square-inverse)");
-  EXPECT_THAT(refusal("square", ForceForm::inverse), HasSubstr("X(x, t) has no closed form"));
+            "form 'current' of problem 'square': its body force depends on the position (problems with form 'current': "
+            "stretch, stretch-1d, stretch-3d, wave, translation)");
+  EXPECT_THAT(refusal("square", ForceForm::inverse),
+              HasSubstr("X(x, t) has no closed form (problems with form 'inverse': vortex, stretch, "));
   EXPECT_THAT(refusal("square-inverse", ForceForm::reference),
-              HasSubstr("x(X, t) has no closed form (form 'inverse')"));
-  EXPECT_THAT(refusal("impact", ForceForm::reference), HasSubstr("problem 'impact' has no solution in formulas"));
+              HasSubstr("x(X, t) has no closed form (form 'inverse'; problems with form 'reference': bar, "));
+  EXPECT_THAT(refusal("impact", ForceForm::reference),
+              HasSubstr("'impact' has no solution in formulas (problems with form 'reference': bar, "));
   EXPECT_THAT(refusal("square", ForceForm::reference, "nairn"), HasSubstr("nairn has no 'X'"));
   EXPECT_TRUE(of("square", ForceForm::per_particle, "nairn").b.empty());
   EXPECT_THROW(dialect_named("cobol", "--dialect"), support::UsageError);
