@@ -11,6 +11,10 @@
 
 namespace mpmvv::cases {
 
+bool has_size(double value) {
+  return std::abs(value) >= least_size && std::abs(value) <= largest_size;
+}
+
 namespace {
 
 [[noreturn]] void refuse(const Setting& setting, const std::string& allowed) {
@@ -25,24 +29,29 @@ bool reads(const std::string& text, Number& value) {
   return error == std::errc{} && stop == end;
 }
 
-}  // namespace
-
-bool has_size(double value) {
-  return std::abs(value) >= least_size && std::abs(value) <= largest_size;
-}
-
-double parse_number(const Setting& setting) {
+/// `beside` what has a size: whether a message offers 0.
+double number(const Setting& setting, const char* beside) {
   double value = 0;
   if (!reads(setting.value, value) || !std::isfinite(value))
     throw support::UsageError(
         fmt::format("{} = '{}' in {} (a finite number)", setting.key, setting.value, setting.where));
   if (value != 0 && !has_size(value))
-    refuse(setting, fmt::format("0, or a number from {} to {} in size", least_size, largest_size));
+    refuse(setting, fmt::format("{}a number from {} to {} in size", beside, least_size, largest_size));
   return value;
 }
 
+}  // namespace
+
+double parse_number(const Setting& setting) {
+  return number(setting, "0, or ");
+}
+
+double parse_number_in_size(const Setting& setting) {
+  return number(setting, "");
+}
+
 double positive(const Setting& setting) {
-  const double value = parse_number(setting);
+  const double value = parse_number_in_size(setting);
   if (!(value > 0)) refuse(setting, "a number > 0");
   return value;
 }

@@ -19,6 +19,7 @@ bool has_size(double value);
 
 /// A number, wholly and finite.
 double parse_number(const Setting& setting);
+double parse_number_in_size(const Setting& setting);  ///< where 0 is refused later: no message offers it
 double positive(const Setting& setting);
 double not_negative(const Setting& setting);
 

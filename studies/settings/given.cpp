@@ -13,7 +13,7 @@ using support::UsageError;
 
 const Setting& required(const Settings& settings, const std::string& key) {
   const auto it = settings.find(key);
-  if (it == settings.end()) throw UsageError(fmt::format("no {} given (it is required)", key));
+  if (it == settings.end()) throw UsageError(fmt::format("no {0} given (--{0}, or {0} in a study file)", key));
   return it->second;
 }
 

@@ -53,7 +53,11 @@ void set_velocity_update(const Settings& settings, Scheme& scheme) {
   if (!takes_position(update)) scheme.position = cases::Position::none;
   for (const char* key : {"order", "wall_method"}) require_taken(settings, key, scheme, solver::expands_inverse);
   if (solver::expands_inverse(update) && (scheme.mass == cases::Mass::lumped || settings.contains("order"))) {
-    scheme.order = static_cast<int>(whole(required(settings, "order"), 1, 10'000));
+    const auto order = settings.find("order");
+    if (order == settings.end())
+      throw UsageError(fmt::format("velocity_update '{}' without order (its k, from 1 on: --order 2, or order = 2)",
+                                   scheme.velocity_update));
+    scheme.order = static_cast<int>(whole(order->second, 1, 10'000));
     if (!settings.contains("wall_method")) scheme.wall_method = cases::WallMethod::combined;
   }
   require_taken(settings, "cfl_x", scheme, takes_interval);

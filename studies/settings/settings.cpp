@@ -42,7 +42,7 @@ problems::Parameters given_parameters(const Settings& settings, const Problem& p
     if (!known)
       throw UsageError(fmt::format("unknown parameter '{}' of problem '{}' in {} (known: {})", name, problem.name,
                                    setting.where, fmt::join(names, ", ")));
-    given[name] = parse_number(setting);
+    given[name] = known->allowed(0) ? parse_number(setting) : cases::parse_number_in_size(setting);
     if (!known->allowed(given[name]))
       throw UsageError(fmt::format("{} = {} in {} (allowed: {})", name, setting.value, setting.where, known->range));
   }

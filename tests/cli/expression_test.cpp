@@ -47,11 +47,10 @@ TEST(ExpressionCommand, GivesEachParticleItsLine) {
 TEST(ExpressionCommand, RefusesInOneLine) {
   const Folder folder;
   for (const auto& [arguments, why] :
-       {std::pair{"--problem square --form current --dialect c",
-                  "problems with form 'inverse': vortex, square-inverse"},
+       {std::pair{"--problem square --form current --dialect c", "problems with form 'current': stretch, "},
         {"--problem square --dialect cobol", "known: c, fortran, python, muparser, nairn, karamelo"},
         {"--problem square --form sideways --dialect c", "known: reference, current, inverse"},
-        {"--problem square --form per-particle --dialect c", "cells"}}) {
+        {"--problem square --form per-particle --dialect c", "no cells given (--cells, or "}}) {
     const Answer answer = call(folder, std::string("expression ") + arguments);
     EXPECT_EQ(answer.code, 2) << arguments;
     EXPECT_THAT(answer.err, HasSubstr(why));
