@@ -63,7 +63,8 @@ std::vector<InputFile> read_input_files(const TomlTable& root, const std::filesy
     if (file.is_absolute() || file.has_parent_path() || !file.has_filename())
       throw UsageError(
           fmt::format("input file '{}' in {} (a name in the run's folder)", file.string(), table.where("file")));
-    inputs.push_back({file, support::require_file(folder / table.text("template"), "a template of an adapter")});
+    const std::filesystem::path source = folder / table.text("template");
+    inputs.push_back({file, support::require_file(source, "a template of an adapter"), source});
   }
   return inputs;
 }

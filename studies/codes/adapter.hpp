@@ -9,9 +9,10 @@
 
 namespace mpmvv::codes {
 
-/// A file of the code's input: a mustache template and the name under which it is written into a run's folder.
+/// A file of the code's input: the name under which it is written into a run's folder, and its mustache template.
 struct InputFile {
   std::string file, text;
+  std::filesystem::path source;  ///< of the template
 };
 
 /// A value that an adapter gives to its templates.

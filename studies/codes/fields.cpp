@@ -163,7 +163,7 @@ std::string filled_word(const std::string& word, const TemplateFields& fields, c
 }
 
 std::string filled_input(const InputFile& input, const TemplateFields& fields) {
-  return filled(input.text, fields, fmt::format("the template of {}", input.file));
+  return filled(input.text, fields, input.source.string());
 }
 
 void require_sound_templates(const Case& c, const Code& code) {

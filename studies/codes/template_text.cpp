@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "studies/support/error.hpp"
 
 namespace mpmvv::codes {
@@ -27,6 +29,19 @@ class StrictContext : public mustache::context<std::string> {
   mutable std::string missing_;
 };
 
+/// `where`, with the line of the first tag of this name in a text of several.
+std::string place_of(const std::string& name, const std::string& text, const std::string& where) {
+  if (text.find('\n') == std::string::npos) return where;
+  for (auto tag = text.find("{{"); tag != std::string::npos; tag = text.find("{{", tag + 2)) {
+    const auto begin = std::min(text.find_first_not_of("{#^& ", tag), text.size());
+    const auto end = text.find_first_of(" }", begin);
+    if (text.substr(begin, end - begin) == name)
+      return fmt::format("{}:{}", where,
+                         std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(tag), '\n') + 1);
+  }
+  return where;
+}
+
 }  // namespace
 
 std::string filled(const std::string& text, const TemplateFields& fields, const std::string& where) {
@@ -41,7 +56,7 @@ std::string filled(const std::string& text, const TemplateFields& fields, const 
     throw support::UsageError(
         fmt::format("unknown field '{}' in {} (docs/adapters.md lists them, beside those of the "
                     "adapter's [fields] and [variants])",
-                    context.missing(), where));
+                    context.missing(), place_of(context.missing(), text, where)));
   return result;
 }
 

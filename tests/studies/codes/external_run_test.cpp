@@ -133,8 +133,9 @@ TEST_F(ExternalRun, ABoxAboutAParticleHasThatOneInIt) {
 }
 
 TEST_F(ExternalRun, UnknownFieldsAreNamed) {
-  mover_.write("input.mustache", "{{cels}}");
-  EXPECT_THAT(run().reason, HasSubstr("unknown field 'cels' in the template of input.txt"));
+  mover_.write("input.mustache", "{{cells}}\n{{#is_plane}}\n{{celsius}}{{/is_plane}}{{ cels }}\n{{cels}}");
+  EXPECT_THAT(run().reason, HasSubstr("unknown field 'celsius' in "));
+  EXPECT_THAT(run().reason, HasSubstr("/input.mustache:3 (docs/adapters.md"));
 }
 
 TEST_F(ExternalRun, TrueAndFalseOfAVariantAreConditions) {
