@@ -18,6 +18,7 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
+#include "studies/support/program.hpp"
 
 namespace mpmvv::cli {
 
@@ -79,7 +80,9 @@ double required_cost(const std::string& program, const std::string& options) {
   if (const auto cost = cost_of(end)) return *cost;
   const std::string how = end.start_error != 0 ? std::strerror(end.start_error)
                           : end.timed_out      ? "not at its end after five minutes"
-                                               : end.output.substr(0, 300);
+                          : end.output.empty()
+                              ? fmt::format("it prints nothing, and its exit code is {}", end.exit_code)
+                              : end.output.substr(0, 300);
   throw support::UsageError(
       fmt::format("{} does not carry out the case '{}' (a program like this one, and a run that ends ok): {}", program,
                   options, how));
@@ -140,6 +143,8 @@ std::size_t count(const std::vector<CostedCase>& cases, Verdict verdict) {
 int cost(const CostOptions& options) {
   const std::string own = std::filesystem::read_symlink("/proc/self/exe"),
                     baseline = std::filesystem::absolute(options.baseline);
+  if (!support::is_program(baseline))
+    throw support::UsageError(fmt::format("baseline '{}' is no program (another build of this one)", options.baseline));
   const auto columns = note_columns();
   std::vector<CostedCase> costed;
   std::vector<std::string> left_out;
@@ -172,10 +177,7 @@ int cost(const CostOptions& options) {
 void add_cost(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CostOptions>();
   CLI::App* command = app.add_subcommand("cost", "Time cases beside another build of this program, run by run");
-  command->add_option("baseline", options->baseline, "that program")
-      ->required()
-      ->check(CLI::ExistingFile)
-      ->type_name("PROGRAM");
+  command->add_option("baseline", options->baseline, "that program")->required()->type_name("PROGRAM");
   command
       ->add_option("--cases", options->cases,
                    "file with a run's options on each line (default: studies/cost.txt here, else that of the program)")

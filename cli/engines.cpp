@@ -5,7 +5,7 @@
 namespace mpmvv::cli {
 
 std::span<const Engine> engines() {
-  static constexpr std::array all{Engine{"slurm", slurm_scripts}};
+  static constexpr std::array all{Engine{"slurm", "sbatch", slurm_scripts}};
   return all;
 }
 

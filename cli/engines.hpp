@@ -26,6 +26,7 @@ struct Script {
 /// What hands work to machines.
 struct Engine {
   const char* name;
+  const char* command;                                ///< the program that submit.sh calls
   std::vector<Script> (*scripts)(const Submission&);  ///< submit.sh starts it; given shards ("2,5-7"), only those
 };
 

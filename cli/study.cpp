@@ -6,6 +6,7 @@
 #include <optional>
 #include <thread>
 
+#include "cli/checks.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/forecast.hpp"
@@ -141,7 +142,7 @@ void add_study(CLI::App& app, int& exit_code) {
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
   command->add_option("--jobs", options->jobs, "cases at once, 1 to 1024 (default: all cores)")
-      ->check(CLI::Range(1, 1024))
+      ->check(from_to(1, 1024))
       ->type_name("NUMBER");
   CLI::Option* shard =
       command

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -7,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "cli/checks.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/engines.hpp"
@@ -20,6 +22,7 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
+#include "studies/support/program.hpp"
 
 namespace mpmvv::cli {
 
@@ -111,13 +114,19 @@ void start(const Submission& submission) {
   const auto end =
       support::run_process({submission.folder / "submit.sh"}, submission.place, {}, std::chrono::minutes(5));
   if (!end.good())
-    throw support::UsageError(fmt::format(
-        "'{}' ended with {}: {} (Slurm's sbatch submits it; --dry-run only writes it)",
-        (submission.folder / "submit.sh").string(), end.exit_code, end.output.substr(0, end.output.find('\n'))));
+    throw support::UsageError(fmt::format("'{}' ended with {}: {} (--dry-run only writes it)",
+                                          (submission.folder / "submit.sh").string(), end.exit_code,
+                                          end.output.substr(0, end.output.find('\n'))));
   print_text(end.output);
 }
 
 int submit(const SubmitOptions& options) {
+  const auto engine = std::ranges::find(engines(), options.engine, &Engine::name);
+  if (!options.dry_run && support::program_on_path(engine->command).empty())
+    throw support::UsageError(
+        fmt::format("no {} on PATH, which {} submits with (a machine of the cluster that has it, "
+                    "or --dry-run, which only writes the scripts)",
+                    engine->command, options.engine));
   plan::CodeFinder codes(shipped("adapters"));
   const std::vector<plan::StudyPlan> plans = read_plans(options.choice, options.db, codes, AbsentCode::refused);
   store::require_place(options.db);
@@ -128,7 +137,6 @@ int submit(const SubmitOptions& options) {
   find_goldens(submission, plans, options.goldens);
   support::make_folder(submission.folder);
   freeze_costs(submission, options.costs);
-  const auto engine = std::ranges::find(engines(), options.engine, &Engine::name);
   for (const Script& script : engine->scripts(submission)) {
     const fs::path file = submission.folder / script.name;
     support::write_if_changed(file, script.text);
@@ -143,7 +151,7 @@ int submit(const SubmitOptions& options) {
 
 void add_demands(CLI::App& command, SubmitOptions& options) {
   command.add_option("--jobs", options.jobs, "cases at once on a machine, processors to ask for (default: 1)")
-      ->check(CLI::Range(1, 1024))
+      ->check(from_to(1, 1024))
       ->type_name("NUMBER");
   command
       .add_option("--costs", options.costs,
@@ -166,13 +174,14 @@ void add_submit(CLI::App& app, int& exit_code) {
   add_study_choice(*command, options->choice);
   std::vector<std::string> names;
   for (const Engine& engine : engines()) names.emplace_back(engine.name);
-  command->add_option("--engine", options->engine, "what hands jobs to machines")
+  command
+      ->add_option("--engine", options->engine, fmt::format("what hands jobs to machines: {}", fmt::join(names, ", ")))
       ->required()
-      ->check(CLI::IsMember(names))
+      ->check(one_of(names))
       ->type_name("WORD");
   command->add_option("--shards", options->shards, "how many jobs share the cases, 1 to 10000")
       ->required()
-      ->check(CLI::Range(1, 10'000))
+      ->check(from_to(1, 10'000))
       ->type_name("NUMBER");
   command->add_option("--db", options->db, "store that takes all results in the end")->required()->type_name("FILE");
   command

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,6 +13,7 @@
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
+#include "studies/support/program.hpp"
 
 namespace mpmvv::codes {
 
@@ -22,35 +22,21 @@ using support::UsageError;
 
 namespace {
 
-bool is_program(const fs::path& file) {
-  std::error_code unknown;
-  return fs::is_regular_file(file, unknown) && access(file.c_str(), X_OK) == 0;
-}
-
-/// The program of that name on PATH; empty where there is none.
-fs::path on_path(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path ? path : "");
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (const fs::path file = fs::path(folder) / name; is_program(file)) return fs::absolute(file);
-  return {};
-}
-
 fs::path program_of(const Adapter& adapter) {
   const std::string& variable = adapter.program.variable;
   if (const char* named = std::getenv(variable.c_str()); named && *named != '\0') {
     const std::string text = named;
-    fs::path file = text.find('/') == std::string::npos ? on_path(text) : fs::absolute(text);
-    if (!is_program(file))
+    fs::path file = text.find('/') == std::string::npos ? support::program_on_path(text) : fs::absolute(text);
+    if (!support::is_program(file))
       throw UsageError(fmt::format("{}='{}' in the environment (a program that can be run: code '{}')", variable, text,
                                    adapter.name));
     return file;
   }
   const std::string& command = adapter.program.command;
   if (command.empty()) return {};
-  if (command.find('/') == std::string::npos) return on_path(command);
+  if (command.find('/') == std::string::npos) return support::program_on_path(command);
   const fs::path file = fs::absolute(adapter.folder / command).lexically_normal();
-  return is_program(file) ? file : fs::path();
+  return support::is_program(file) ? file : fs::path();
 }
 
 /// As a word of a case's text.

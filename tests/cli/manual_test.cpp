@@ -65,7 +65,7 @@ TEST_F(Manual, IsHiddenFromHelpAndFromTheKnownCommands) {
   EXPECT_THAT(unknown.err, Not(HasSubstr("completion,")));
   const Answer shell = call(folder_, "completion tcsh");
   EXPECT_EQ(shell.code, 2);
-  EXPECT_THAT(shell.err, HasSubstr("tcsh not in {bash,zsh,fish}"));
+  EXPECT_THAT(shell.err, HasSubstr("shell: unknown word 'tcsh' (known: bash, zsh, fish)"));
 }
 
 TEST_F(Manual, IsSoundShell) {

@@ -96,7 +96,9 @@ TEST_F(Submit, SaysWhereThereIsNoSlurm) {
   const Answer answer =
       call(folder_, "submit --engine slurm splines.toml --db r.db --shards 2", in_folder_ + "PATH=/nowhere ");
   EXPECT_EQ(answer.code, 2);
-  EXPECT_THAT(answer.err, AllOf(HasSubstr("submit.sh' ended with"), HasSubstr("--dry-run only writes it")));
+  EXPECT_THAT(answer.err, HasSubstr("no sbatch on PATH, which slurm submits with"));
+  EXPECT_EQ(answer.out, "");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "r.shards"));
 }
 
 TEST_F(Submit, TheLastJobNamesMissingShardsAndMergesWhenAllAreThere) {
@@ -122,7 +124,8 @@ TEST_F(Submit, RefusesWhatNoClusterTakes) {
   EXPECT_THAT(submit("--shards 0 --dry-run").err, HasSubstr("--shards"));
   EXPECT_THAT(submit("--shards 2 --folder 'a%b' --dry-run").err, HasSubstr("per cent signs"));
   EXPECT_THAT(call(folder_, "submit --engine pbs splines.toml --db r.db --shards 2", in_folder_).err,
-              HasSubstr("slurm"));
+              HasSubstr("--engine: unknown word 'pbs' (known: slurm)"));
+  EXPECT_THAT(call(folder_, "submit --help").out, HasSubstr("what hands jobs to machines: slurm"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "r.shards"));
 }
 
