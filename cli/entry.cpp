@@ -83,6 +83,8 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& e) {
     return fmt::format("'{}' behind `{}` is too much (--help says what it takes)", first, full_name(command));
   if (dynamic_cast<const CLI::RequiredError*>(&e))
     return fmt::format("{} by `{}` (--help says what it is)", what, full_name(command));
+  if (const auto name = what.find(": At Most"); name != std::string::npos)
+    return fmt::format("{} stands there several times (once)", what.substr(0, name));
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&e))
     return fmt::format("{} without its value (--help says what it takes)", what.substr(0, what.find(':')));
   return what;
@@ -106,6 +108,12 @@ void check_values(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({})) check_values(*command);
 }
 
+/// Whether the words end where a command has to follow.
+bool lacks_command(const CLI::App& app, const CLI::ParseError& e) {
+  return dynamic_cast<const CLI::RequiredError*>(&e) && app.remaining(true).empty() &&
+         !called(app).get_subcommands({}).empty();
+}
+
 int run(CLI::App& app, int argc, char** argv, const int& exit_code) {
   try {
     app.parse(argc, argv);
@@ -114,6 +122,10 @@ int run(CLI::App& app, int argc, char** argv, const int& exit_code) {
     app.exit(wanted, help, help);
     print_text(help.str());
   } catch (const CLI::ParseError& e) {
+    if (lacks_command(app, e)) {
+      note_text(app.help());
+      return usage_error;
+    }
     return complain(app.get_name(), refusal(app, e));
   }
   return exit_code;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/case_options.hpp"
+#include "cli/checks.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
@@ -90,7 +91,7 @@ void add_run(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "Run one case and print its record");
   options->of_case.add_to(*command);
   command->add_option("--threads", options->threads, "threads of the step, 1 to 256 (default: 1)")
-      ->check(CLI::Range(1, 256))
+      ->check(from_to(1, 256))
       ->type_name("NUMBER");
   command->add_option("--vtu", options->vtu, "write eleven particle states for ParaView to this folder")
       ->type_name("FOLDER");
@@ -100,7 +101,7 @@ void add_run(CLI::App& app, int& exit_code) {
   add_examples(*command,
                {"mpmvv run --problem bar --basis bspline2 --integrator cd --cells 64 --ppc 4 --cfl 0.2",
                 "mpmvv run --problem square --basis cpgimp --boundary mirror --cells 32 --ppc 2 --cfl 0.4 --json",
-                "mpmvv run --problem ring --cells 16 --ppc 2 --cfl 0.4 --param amplitude=0.05 --vtu frames"});
+                "mpmvv run --problem ring --basis cpdi --cells 16 --ppc 2 --cfl 0.4 --vtu frames"});
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

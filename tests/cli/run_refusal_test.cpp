@@ -27,6 +27,16 @@ TEST_P(BadRun, OneLineAndExitTwo) {
   EXPECT_THAT(answer.err, HasSubstr(GetParam().message));
 }
 
+TEST(NoCommand, IsAnsweredByTheHelpOnStandardError) {
+  const Folder folder;
+  for (const std::string command : {"", "db"}) {
+    const Answer answer = call(folder, command);
+    EXPECT_EQ(answer.code, 2);
+    EXPECT_EQ(answer.out, "");
+    EXPECT_EQ(answer.err, call(folder, command + " --help").out);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     , BadRun,
     testing::Values(
@@ -39,6 +49,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl nan", "cfl = 'nan' in --cfl (a finite number)"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl -0.1", "cfl = -0.1 in --cfl (a number > 0)"},
         BadInput{"run --problem bar --cells 8 --ppc 2", "neither cfl nor dt"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 1e308", "cfl = 1e308 in --cfl (a number from 1e-150 to"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.2 --cfl 0.3", "--cfl stands there several times (once)"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl", "--cfl without its value"},
+        BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.2 --threads 0", "--threads: 0 (a whole number from 1 to"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --repeat 2", "repeat = 2 in --repeat (a whole number"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --repeat 3 --threads 2", "--threads beside --repeat"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.1 --repeat 3 --vtu frames", "--vtu beside --repeat"},
@@ -59,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"run --problem bar --basis ugimp --cells 8 --ppc 2 --cfl 0.1", "without smoothing_length"},
         BadInput{"run --problem bar --integrator usl --start half --cells 8 --ppc 2 --cfl 0.1",
                  "no meaning for integrator 'usl'"},
-        BadInput{"run --problem bar --colour red", "--colour"}, BadInput{"", "unknown command"},
+        BadInput{"run --problem bar --colour red", "--colour"},
         BadInput{"frobnicate", "unknown command 'frobnicate' (known: run"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl ''", "--cfl: an empty text"},
         BadInput{"run --problem bar --boundary '' --cells 8 --ppc 2 --cfl 0.1", "--boundary: an empty text"},
@@ -84,7 +98,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"solution --problem ring --at 0.6,0.1 --time 0 --param outer_radius=1.5", "three times"},
         BadInput{"solution --problem ring --at 0.6,0.1 --time 0 --param amplitude=0.9", "det F"},
         BadInput{"solution --problem vortex --at 0.8,0.1 --time 0 --param inner_radius=2", "not below"},
-        BadInput{"run --problem bar --velocity-update fmpm --cells 8 --ppc 2 --cfl 0.1", "no order given"},
+        BadInput{"run --problem bar --velocity-update fmpm --cells 8 --ppc 2 --cfl 0.1",
+                 "velocity_update 'fmpm' without order (its k, from 1 on: --order 2"},
         BadInput{"run --problem bar --velocity-update pic --order 2 --cells 8 --ppc 2 --cfl 0.1", "no meaning"},
         BadInput{"run --problem bar --velocity-update pic --position particle --cells 8 --ppc 2 --cfl 0.1",
                  "only flip takes it"},
@@ -107,7 +122,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"run --problem square --cells 8 --ppc 2 --cfl 0.1 --param amplitude=0.32", "between -1/pi and 1/pi"},
         BadInput{"run --problem cube --cells 8 --ppc 2 --cfl 0.1 --param poissons_ratio=0.5",
                  "allowed: > -1 and < 0.5"},
-        BadInput{"solution --problem one-particle --at 0.5 --time 0", "no exact solution"},
+        BadInput{"solution --problem one-particle --at 0.5 --time 0",
+                 "no exact solution (problems that have one: bar, square, "},
         BadInput{"list colours", "unknown list 'colours'"},
         BadInput{"claims --db /nowhere/at/all.db", "/nowhere/at/all.db"},
         BadInput{"study /nowhere.toml --db /tmp/never.db", "/nowhere.toml"}));
