@@ -37,4 +37,13 @@ void require_apart(const std::string& option, const fs::path& output, const std:
                                               option, output.string(), file.string()));
 }
 
+void require_apart(const std::string& option, const fs::path& output, const std::string& other_option,
+                   const fs::path& other_output) {
+  std::error_code absent;
+  if (fs::weakly_canonical(output, absent) == fs::weakly_canonical(other_output, absent) ||
+      fs::equivalent(output, other_output, absent))
+    throw support::UsageError(
+        fmt::format("{} and {} both write '{}' (a file each)", option, other_option, other_output.string()));
+}
+
 }  // namespace mpmvv::cli

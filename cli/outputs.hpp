@@ -10,4 +10,8 @@ namespace mpmvv::cli {
 void require_apart(const std::string& option, const std::filesystem::path& output,
                    const std::vector<std::filesystem::path>& inputs);
 
+/// UsageError where two options name the same file to write.
+void require_apart(const std::string& option, const std::filesystem::path& output, const std::string& other_option,
+                   const std::filesystem::path& other_output);
+
 }  // namespace mpmvv::cli

@@ -6,6 +6,7 @@
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
+#include "cli/outputs.hpp"
 #include "studies/codes/conditions.hpp"
 #include "studies/codes/start_text.hpp"
 #include "studies/support/file.hpp"
@@ -60,6 +61,7 @@ nlohmann::json conditions_json(const cases::Case& c, const codes::StartState& st
 }
 
 int particles(const ParticlesOptions& options) {
+  if (!options.csv.empty() && !options.vtu.empty()) require_apart("--csv", options.csv, "--vtu", options.vtu);
   const cases::Case c = options.of_case.the_case();
   const codes::StartState state = codes::start_state(c);
   if (!options.csv.empty()) support::write_if_changed(options.csv, codes::csv_text(state));

@@ -43,6 +43,10 @@ TEST(ParticlesCommand, RefusesWhatIsNoCase) {
   EXPECT_EQ(answer.code, 2);
   EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1);
   EXPECT_EQ(call(folder, square + " --csv " + (folder / "no/such/p.csv")).code, 2);
+  const std::string csv = " --csv " + (folder / "a"), other_name = (folder / "b/../a");
+  std::filesystem::create_directories(folder / "b");
+  EXPECT_THAT(call(folder, square + csv + " --vtu " + other_name).err, HasSubstr("--csv and --vtu both write '"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a"));
 }
 
 }  // namespace mpmvv::cli::particles_test
