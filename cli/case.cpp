@@ -28,7 +28,7 @@ void add_case(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("case", "Print a case as JSON: what another code's input and its score are made from");
   options->add_to(*command);
-  add_examples(*command, {"mpmvv case --problem square-rest --cells 16 --ppc 2 --cfl 0.2 > case.json",
+  add_examples(*command, {"mpmvv case --problem square-rest --cells 16 --ppc 2 --cfl 0.2 --end-time 0.008 > case.json",
                           "mpmvv case --code small-mpm --variant linear --problem bar --cells 4 --ppc 2 --cfl 0.2"});
   command->callback([options, &exit_code] {
     print_text(codes::case_text(case_of(*options)));

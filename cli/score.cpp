@@ -74,11 +74,16 @@ int score(const ScoreOptions& options) {
   if (!options.start.empty()) output.start = codes::read_snapshot(paths(options.start), columns, options.format);
   const records::Record record = codes::score(c, output);
   const bool is_failed = record.status == records::Status::failed;
+  const std::string caution = record.status == records::Status::ok ? codes::caution(c) : "";
   if (!options.db.empty() && !is_failed) keep(record, options.db);
-  if (options.json)
-    print_json(record_json(record));
-  else
+  if (options.json) {
+    nlohmann::json json = record_json(record);
+    if (!caution.empty()) json["caution"] = caution;
+    print_json(json);
+  } else {
     print_score(record, fmt::format("{}", fmt::join(options.outputs, ", ")), output.end.digits);
+  }
+  if (!caution.empty()) note("mpmvv: {}\n", caution);
   if (!options.db.empty()) note("{} in {}\n", is_failed ? "the run failed: not kept" : "kept", options.db);
   return is_failed ? 1 : 0;
 }

@@ -5,7 +5,9 @@
 #include <numeric>
 
 #include "studies/cases/setting_keys.hpp"
+#include "studies/codes/excursion.hpp"
 #include "studies/codes/output_fault.hpp"
+#include "studies/codes/rounding.hpp"
 #include "studies/codes/text_column.hpp"
 #include "studies/codes/units.hpp"
 
@@ -41,12 +43,15 @@ std::string name_of(const Snapshot& s, std::ptrdiff_t place) {
 }
 
 template <std::size_t N>
-void require_finite(const std::vector<std::array<double, N>>& all, const char* what, const Snapshot& s) {
+void require_finite(const std::vector<std::array<double, N>>& all, const char* what, const Snapshot& s,
+                    std::size_t particles) {
   const auto is_finite = [](const auto& each) {
     return std::all_of(each.begin(), each.end(), [](double value) { return std::isfinite(value); });
   };
   const auto first = std::find_if_not(all.begin(), all.end(), is_finite);
   if (first == all.end()) return;
+  if (all.size() < particles)
+    fail_output("{} of {} particles are missing in {}", particles - all.size(), particles, s.file);
   const auto count = all.end() - first - std::count_if(first, all.end(), is_finite);
   throw OutputFault(Status::unstable,
                     fmt::format("{} of {} particles with a {} that is no number in {} (the first: {})", count,
@@ -76,11 +81,10 @@ void require_end_time(const cases::Case& c, const Snapshot& s) {
     fail_output("time {:.9g} s in {}, the case ends at {:.9g} s", *s.time, s.file, T);
 }
 
-void require_finite(const Snapshot& s) {
-  require_finite(s.x, "position", s);
-  require_finite(s.X, "reference position", s);
-  require_finite(s.u, "displacement", s);
-  require_finite(s.v, "velocity", s);
+void require_finite(const Snapshot& s, std::size_t particles) {
+  require_finite(s.x, "position", s, particles);
+  require_finite(s.u, "displacement", s, particles);
+  require_finite(s.v, "velocity", s, particles);
 }
 
 template <int D>
@@ -132,6 +136,18 @@ void require_time(const MatchedEnd<D>& end) {
 }
 
 template <int D>
+void require_motion(const MatchedEnd<D>& end) {
+  const double least = 1e-9 * end.particles.setup.solution->displacement_scale() +
+                       2 * rounding_error(end.snapshot.rounding);  // numbers on a lattice may all be off by half a unit
+  const Excursion exact = excursion(end.particles);
+  if (error_at(end, 0, 1) > least || exact.farthest <= 10 * least) return;
+  fail_output(
+      "no particle in {} has moved since time zero (the state at the end of a run; where that is the start again, a "
+      "case with another --end-time, such as {:.3g})",
+      end.snapshot.file, exact.time);
+}
+
+template <int D>
 void require_mass(const MatchedEnd<D>& end) {
   const Snapshot& s = end.snapshot;
   if (s.mass.empty()) return;
@@ -156,6 +172,9 @@ template void require_inside(const MatchedEnd<3>&);
 template void require_time(const MatchedEnd<1>&);
 template void require_time(const MatchedEnd<2>&);
 template void require_time(const MatchedEnd<3>&);
+template void require_motion(const MatchedEnd<1>&);
+template void require_motion(const MatchedEnd<2>&);
+template void require_motion(const MatchedEnd<3>&);
 template void require_mass(const MatchedEnd<1>&);
 template void require_mass(const MatchedEnd<2>&);
 template void require_mass(const MatchedEnd<3>&);

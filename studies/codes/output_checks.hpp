@@ -13,8 +13,8 @@ void require_same_case(const cases::Case& c, const Snapshot& s);
 /// The file says no other time than the case's end time.
 void require_end_time(const cases::Case& c, const Snapshot& s);
 
-/// All numbers are finite; `unstable` otherwise.
-void require_finite(const Snapshot& s);
+/// All numbers are finite; `unstable` otherwise, where none of so many particles is missing.
+void require_finite(const Snapshot& s, std::size_t particles);
 
 /// An end as far as it is known which particle each line is.
 template <int D>
@@ -47,6 +47,10 @@ void require_inside(const MatchedEnd<D>& end);
 /// better, where the error is more than a fiftieth of the displacements.
 template <int D>
 void require_time(const MatchedEnd<D>& end);
+
+/// Particles have moved since time zero, beyond the file's digits, where those of the exact solution do.
+template <int D>
+void require_motion(const MatchedEnd<D>& end);
 
 /// The mass is that of the case's particles, within two per cent.
 template <int D>

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "studies/codes/excursion.hpp"
 #include "studies/codes/matching.hpp"
 #include "studies/codes/output_checks.hpp"
 #include "studies/codes/output_fault.hpp"
@@ -115,11 +116,15 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   const cases::Case& c = record.the_case;
   record.particles = static_cast<std::int64_t>(particles.size());
   record.energy.initial_total = runs::start_energy(particles.setup, particles.energy);
+  for (const Snapshot* s : {output.start ? &*output.start : nullptr, &output.end})
+    if (s) require_finite(*s, particles.size());
   const MatchedEnd<D> end = matched(particles, output);
   require_displacement_units(end);
   require_inside(end);
   const bool says_when = output.end.time || output.end.step == c.resolution.steps;
   if (!says_when) require_time(end);
+  const bool may_rest = c.scheme.force_form == cases::ForceForm::none;  // a planted mistake
+  if (!may_rest) require_motion(end);
   require_mass(end);
   const runs::BlowUp<D> blow_up(c, particles.setup, particles.is_driven, particles.energy);
   const auto norms =
@@ -141,10 +146,7 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
 void measure(const problems::Problem& problem, const Output& output, Record& record) {
   const cases::Case& c = record.the_case;
   for (const Snapshot* s : {output.start ? &*output.start : nullptr, &output.end})
-    if (s) {
-      require_same_case(c, *s);
-      require_finite(*s);
-    }
+    if (s) require_same_case(c, *s);
   require_end_time(c, output.end);
   std::visit([&]<int D>(problems::SetupFunction<D>) { measure(case_particles<D>(c), output, record); }, problem.setup);
 }
@@ -170,6 +172,17 @@ Record score(const cases::Case& c, const Output& output) {
     record.energy.kinetic = records::not_measured;
   }
   return record;
+}
+
+std::string caution(const cases::Case& c) {
+  const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
+  const Excursion exact =
+      std::visit([&]<int D>(problems::SetupFunction<D>) { return excursion(case_particles<D>(c)); }, problem.setup);
+  if (exact.at_end > 1e-6 * exact.farthest) return "";
+  return fmt::format(
+      "at the end of the case, {:.4g} s, the exact solution is where it started: a code that does nothing has no error "
+      "(a case with another --end-time, such as {:.3g})",
+      c.problem.end_time, exact.time);
 }
 
 }  // namespace mpmvv::codes

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 
 #include "studies/codes/snapshot.hpp"
 #include "studies/records/record.hpp"
@@ -16,5 +17,8 @@ struct Output {
 /// is wrong with the output is a record too, with status `unstable` or `failed` and the reason. Its costs are the
 /// caller's to fill in.
 records::Record score(const cases::Case& c, const Output& output);
+
+/// What to know of any score of the case: that its exact end is its start. Empty where there is nothing to.
+std::string caution(const cases::Case& c);
 
 }  // namespace mpmvv::codes

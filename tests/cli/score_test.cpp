@@ -57,6 +57,19 @@ TEST_F(Score, AnOutputOfAnotherTimeHasFailed) {
   EXPECT_THAT(answer.out, HasSubstr("status failed (another time in "));
 }
 
+TEST_F(Score, SaysWhereTheEndOfACaseIsItsStart) {
+  const std::string rest = " --problem square-rest --basis bspline2 --cells 8 --ppc 2 --cfl 0.2";
+  ASSERT_EQ(call(folder_, "case" + rest + " > '" + file_ + "'").code, 0);
+  ASSERT_EQ(call(folder_, "run" + rest + " --vtu '" + (folder_ / "frames") + "'").code, 0);
+  const Answer answer = score(end_ + " --json");
+  EXPECT_EQ(answer.code, 0) << answer.out;
+  EXPECT_THAT(answer.json()["caution"], HasSubstr("a code that does nothing has no error"));
+  EXPECT_THAT(answer.err, AllOf(HasSubstr("mpmvv: at the end of the case, 0.02 s"), HasSubstr("such as 0.01)")));
+  const Answer at_rest = score(start_);
+  EXPECT_EQ(at_rest.code, 1);
+  EXPECT_THAT(at_rest.out, HasSubstr("status failed (no particle in "));
+}
+
 TEST_F(Score, RefusesWhatItCannotRead) {
   const auto refusal = [&](const std::string& rest) {
     const Answer answer = score(rest);
@@ -68,6 +81,7 @@ TEST_F(Score, RefusesWhatItCannotRead) {
   EXPECT_THAT(refusal(end_ + " --format ppm"), HasSubstr("unknown format 'ppm' in --format (known: csv, vtu, ply"));
   EXPECT_THAT(refusal(folder_.write("end.xyz", "1 2\n")), HasSubstr("does not say its format (--format csv|vtu|"));
   EXPECT_THAT(refusal("absent.csv"), HasSubstr("absent.csv"));
+  EXPECT_THAT(refusal(end_ + " --step 3"), HasSubstr("--step 3 of "));
   EXPECT_THAT(refusal(folder_.write("end.csv", "x,y\n1,one\n")), HasSubstr("'one' for 'y' in"));
   EXPECT_THAT(refusal(end_ + " --length-unit 0"), HasSubstr("--length-unit"));
   folder_.write("case.json", "{}");

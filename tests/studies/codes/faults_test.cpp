@@ -60,6 +60,8 @@ TEST_F(OutputFaults, MissingParticles) {
   expect_failed(s, "1 of 256 particles are missing in end.csv (of the case 5)");
   s.id.clear();
   expect_failed(s, "1 of 256 particles are missing in end.csv");
+  s.x[7][0] = std::numeric_limits<double>::quiet_NaN();
+  expect_failed(s, "1 of 256 particles are missing in end.csv");
 }
 
 TEST_F(OutputFaults, DoubledParticles) {
@@ -129,6 +131,44 @@ TEST_F(OutputFaults, ALittleLateIsNoOtherTime) {
   const Record r = codes::score(c, {.end = exact(0.98 * particles.end_time)});
   EXPECT_EQ(r.status, Status::ok) << r.reason;
   EXPECT_GT(r.error.l2, 0);
+}
+
+/// Also where the file says that its time is the right one.
+TEST_F(OutputFaults, ParticlesThatHaveNotMoved) {
+  Snapshot s = exact(0);
+  s.time = particles.end_time;
+  expect_failed(s, "no particle in end.csv has moved since time zero");
+  s.rounding = 1e-6;
+  for (std::size_t p = 0; p < s.size(); ++p) s.x[p][0] += p % 2 == 0 ? 5e-7 : -5e-7;
+  expect_failed(s, "no particle in end.csv has moved since time zero");
+}
+
+/// As one that does nothing would, and still one that moves.
+TEST(Motion, IsNotAskedOfASolutionThatReturns) {
+  const cases::Case c =
+      written_run::make_case({{"problem", "square-rest"}, {"cells", "8"}, {"ppc", "2"}, {"cfl", "0.2"}});
+  const auto particles = codes::case_particles<2>(c);
+  Snapshot s{.file = "end.csv"};
+  for (const auto& X : particles.X) s.X.push_back(written_run::point<2>(X));
+  s.x = s.X;
+  const Record at_rest = codes::score(c, {.end = s});
+  EXPECT_EQ(at_rest.status, Status::failed);
+  EXPECT_THAT(at_rest.reason, HasSubstr("a case with another --end-time, such as 0.01)"));
+  for (auto& x : s.x) x[0] += 1e-6;
+  EXPECT_EQ(codes::score(c, {.end = s}).status, Status::ok);
+  EXPECT_THAT(codes::caution(c), HasSubstr("at the end of the case, 0.02 s, the exact solution is where it started"));
+  EXPECT_EQ(codes::caution(written_run::square()), "");
+}
+
+/// Nothing says that a code should have moved.
+TEST(Motion, IsNotAskedWhereTheSolutionRests) {
+  const cases::Case c = written_run::make_case(
+      {{"problem", "square-rest"}, {"param.amplitude", "0"}, {"cells", "8"}, {"ppc", "2"}, {"cfl", "0.2"}});
+  const auto particles = codes::case_particles<2>(c);
+  Snapshot s{.file = "end.csv"};
+  for (const auto& X : particles.X) s.X.push_back(written_run::point<2>(X));
+  s.x = s.X;
+  EXPECT_EQ(codes::score(c, {.end = s}).status, Status::ok);
 }
 
 TEST_F(OutputFaults, AnOrderThatCannotBeVerified) {
