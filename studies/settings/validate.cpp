@@ -65,8 +65,18 @@ struct Asked {
   /// A face with a wall of which the problem has no motion; empty when there is none.
   std::string wall_at_rest() const {
     for (std::size_t k = 0; k < faces.size(); ++k)
-      if (faces[k] == solver::Wall::word && !problem.has_wall(parameters, k))
-        return fmt::format("{}{}", "xyz"[k / 2], k % 2 == 0 ? "min" : "max");
+      if (faces[k] == solver::Wall::word && !problem.has_wall(parameters, k)) return face_name(k);
+    return "";
+  }
+
+  static std::string face_name(std::size_t k) { return fmt::format("{}{}", "xyz"[k / 2], k % 2 == 0 ? "min" : "max"); }
+
+  /// A face where a quarter was cut and whose boundary does not stand for the rest; empty without one.
+  std::string open_cut() const {
+    const std::size_t side = problem.symmetry_planes == problems::SymmetryPlanes::at_lower_faces ? 0 : 1;
+    for (std::size_t k = side; c.problem.quarter && k < faces.size(); k += 2)
+      for (const auto& word : {solver::Free::word, solver::Periodic::word, solver::Wall::word})
+        if (faces[k] == word) return face_name(k);
     return "";
   }
 
@@ -104,6 +114,8 @@ constexpr Rule rules[]{
     {[](const Asked& a) { return a.is_periodic_on_one_face(); },
      "boundary '{boundary}' is periodic on one face only (both faces of an axis, or neither)"},
 
+    {[](const Asked& a) { return a.has<solver::Wall>() && a.takes_difference; },
+     "wall_acceleration 'difference' with boundary 'wall', whose nodes have it anyway (leave it out)"},
     {[](const Asked& a) { return a.takes_difference && !a.has<solver::Dirichlet>() && !a.has<solver::Symmetry>(); },
      "wall_acceleration 'difference' with boundary '{boundary}' that holds no node (use it with dirichlet or "
      "symmetry)"},
@@ -149,11 +161,11 @@ constexpr Rule rules[]{
 
     {[](const Asked& a) { return !a.wall_at_rest().empty(); },
      "boundary 'wall' on face {wall_at_rest} of problem '{problem}', which has no moving wall there"},
+    {[](const Asked& a) { return a.has<solver::Wall>() && 2 * a.s.wall_depth >= a.cells_across(); },
+     "wall_depth {wall_depth} on {cells_across} cells (less than half of them: walls must leave nodes to the method)"},
     {[](const Asked& a) { return a.has<solver::Wall>() && !a.has_whole_steps; },
      "boundary 'wall' with integrator '{integrator}' (one whose steps have positions and velocities at their ends: "
      "{whole_integrators})"},
-    {[](const Asked& a) { return a.has<solver::Wall>() && a.takes_difference; },
-     "wall_acceleration 'difference' with boundary 'wall', whose nodes have it anyway (leave it out)"},
     {[](const Asked& a) { return a.has<solver::Wall>() && a.is_consistent && adds_accelerations(a.update); },
      "boundary 'wall' with mass 'consistent' and velocity_update '{velocity_update}' (use {wall_updates}: it takes "
      "velocities, where accelerations at walls are a difference of lumped ones)"},
@@ -163,6 +175,9 @@ constexpr Rule rules[]{
      },
      "grid_offset with boundary '{boundary}', whose faces have their place among the nodes (periodic or free on both "
      "faces of an axis)"},
+    {[](const Asked& a) { return !a.open_cut().empty(); },
+     "boundary '{boundary}' of a quarter of problem '{problem}', whose face {open_cut} was cut (symmetry, mirror or "
+     "dirichlet there)"},
     {[](const Asked& a) { return a.has_plane_between_nodes(); },
      "quarter of problem '{problem}' on {cells} cells, whose planes of symmetry lie between nodes (an even number)"},
     {[](const Asked& a) {
@@ -183,6 +198,8 @@ constexpr Rule rules[]{
     {[](const Asked& a) { return a.s.start == cases::Start::exact && !a.has_solution; },
      "problem '{problem}' has no exact velocity for start 'exact' (use start 'half')"},
 
+    {[](const Asked& a) { return a.c.measure.every_step && !a.has_solution; },
+     "problem '{problem}' has no exact displacement for every_step (leave it out)"},
     {[](const Asked& a) { return a.c.measure.nodal_error && !a.has_solution; },
      "problem '{problem}' has no exact acceleration for nodal_error (leave it out)"},
     {[](const Asked& a) { return a.c.measure.velocity_error && !a.problem.has_speed(a.parameters); },
@@ -215,7 +232,8 @@ std::string text_of(const Rule& rule, const Asked& a) {
       arg("velocity_update", a.s.velocity_update), arg("boundary", a.s.boundary), arg("material", a.s.material),
       arg("problem", a.problem.name), arg("cells", a.c.resolution.cells), arg("cells_across", a.cells_across()),
       arg("least_cells", a.least_cells()), arg("twice_ghosts", 2 * a.ghosts), arg("wall_at_rest", a.wall_at_rest()),
-      arg("placed_updates", updates(takes_position)), arg("consistent_updates", updates(solver::takes_consistent_mass)),
+      arg("wall_depth", a.s.wall_depth), arg("open_cut", a.open_cut()), arg("placed_updates", updates(takes_position)),
+      arg("consistent_updates", updates(solver::takes_consistent_mass)),
       arg("adding_updates", updates(solver::adds_accelerations)),
       arg("wall_updates", updates(takes_consistent_velocity)),
       arg("affine_bases", fmt::join(words_with<solver::AnyBasis>(is_affine), ", ")),

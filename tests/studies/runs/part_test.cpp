@@ -273,7 +273,7 @@ TEST(Part, IsNotRunWhereTheRestIsNoImageOfIt) {
         "problem=square",
         "problem=stretch-1d integrator=usl",
         "problem=pulse boundary=symmetry",
-        "problem=ring quarter=true boundary=free",
+        "problem=ring quarter=true boundary=dirichlet",
         "problem=vortex cfl=0.3",
         "problem=vortex basis=cpdi cfl=0.2",
         "problem=vortex grid_offset=0.25 cfl=0.2",

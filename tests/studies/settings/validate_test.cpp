@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
 
@@ -50,6 +54,39 @@ TEST(Validate, NamesTheFaceWithoutAWall) {
   EXPECT_THAT([&] { check(c); },
               ThrowsMessage<support::UsageError>("boundary 'wall' on face xmax of problem 'bar', which has no moving "
                                                  "wall there"));
+}
+
+cases::Case case_of(std::vector<Setting> settings) {
+  for (const auto& [key, value] : std::map<std::string, std::string>{{"cells", "16"}, {"ppc", "2"}, {"cfl", "0.1"}})
+    settings.push_back({key, value, ""});
+  return make_case(settings);
+}
+
+TEST(Validate, WallsLeaveNodesToTheMethod) {
+  EXPECT_NO_THROW(case_of({{"problem", "stretch", ""}, {"wall_depth", "7.5", ""}}));
+  EXPECT_THAT(
+      [] {
+        case_of({{"problem", "stretch", ""}, {"wall_depth", "8", ""}});
+      },
+      ThrowsMessage<support::UsageError>(HasSubstr("wall_depth 8 on 16 cells (less than half of them")));
+}
+
+TEST(Validate, AQuarterIsContinuedWhereItWasCut) {
+  const auto quarter = [](const char* problem, const char* boundary) {
+    return [=] { case_of({{"problem", problem, ""}, {"quarter", "true", ""}, {"boundary", boundary, ""}}); };
+  };
+  EXPECT_NO_THROW(quarter("ring", "xmin=symmetry,xmax=free,ymin=mirror,ymax=free")());
+  EXPECT_THAT(quarter("ring", "xmin=symmetry,xmax=free,ymin=free,ymax=free"),
+              ThrowsMessage<support::UsageError>(HasSubstr("whose face ymin was cut (symmetry, mirror or dirichlet")));
+  EXPECT_THAT(quarter("cube", "free"), ThrowsMessage<support::UsageError>(HasSubstr("whose face xmax was cut")));
+}
+
+TEST(Validate, ErrorsAtEveryStepNeedASolution) {
+  EXPECT_THAT(
+      [] {
+        case_of({{"problem", "impact", ""}, {"every_step", "true", ""}});
+      },
+      ThrowsMessage<support::UsageError>(HasSubstr("no exact displacement for every_step")));
 }
 
 }  // namespace mpmvv::settings::validate_test
