@@ -182,9 +182,7 @@ Value Database::scalar(const std::string& query, const Values& values) const {
 
 void Database::fail_damaged(const std::string& what) const {
   throw UsageError(
-      fmt::format("results store '{}' is damaged: {} (`mpmvv db check` lists what is; restore a copy, or "
-                  "start a new store)",
-                  file_.string(), what));
+      fmt::format("results store '{}' is damaged: {} (restore a copy, or start a new store)", file_.string(), what));
 }
 
 void Database::require(int code) const {
@@ -200,7 +198,7 @@ void Database::fail(int code) const {
     case SQLITE_NOTADB:
       throw UsageError(fmt::format("'{}' is not a results store: no SQLite file (name another file)", file_.string()));
     case SQLITE_CORRUPT:
-      fail_damaged("its pages do not fit together");
+      fail_damaged("its pages do not fit together, as where it was cut off");
     case SQLITE_FULL:
       throw UsageError(fmt::format("no space left to write {} (free some; what it held before is intact)", name));
     case SQLITE_BUSY:

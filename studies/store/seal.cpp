@@ -149,7 +149,7 @@ void seal_all(Database& database) {
 
 void require_intact(const Database& database, Sealed kind, const Value& id) {
   if (const Noun& noun = noun_of(kind); !is_intact(database, noun, id))
-    database.fail_damaged(complaint(database, noun, id));
+    database.fail_damaged(complaint(database, noun, id) + "; `mpmvv db check` lists all that is not");
 }
 
 std::vector<std::string> broken_seals(const Database& database) {

@@ -102,8 +102,27 @@ TEST(GateCommand, DoesNotPassWhatIsNotAsItWasWritten) {
   ASSERT_NE(norm, std::string::npos);
   bytes[norm] = 'L';
   folder.write("r.db", bytes);
-  EXPECT_EQ(call(folder, gate).code, 2);
+  const Answer gated = call(folder, gate);
+  EXPECT_EQ(gated.code, 2);
+  EXPECT_THAT(gated.err, HasSubstr("`mpmvv db check` lists all that is not (restore a copy, or start a new store)"));
   EXPECT_EQ(call(folder, "db check --db " + db).code, 1);
+}
+
+TEST(StoreCommands, CheckSaysOfAStoreThatCannotBeOpenedWhatIsWrongAndNotToCheckIt) {
+  const Folder folder;
+  const std::string db = folder / "r.db", check = "db check --db " + db;
+  ASSERT_EQ(call(folder, "study " + folder.write("small.toml", small_study) + " --db " + db).code, 0);
+  std::string bytes = read_text(db);
+  for (std::size_t at; (at = bytes.find("claim_found")) != std::string::npos;) bytes[at] = 'C';
+  folder.write("r.db", bytes);
+  EXPECT_EQ(call(folder, check).err, "mpmvv: results store '" + db +
+                                         "' is damaged: table 'claim_found' is missing (restore a copy, or start a new "
+                                         "store)\n");
+  std::filesystem::resize_file(db, 8192);
+  EXPECT_EQ(call(folder, check).err,
+            "mpmvv: results store '" + db +
+                "' is damaged: its pages do not fit together, as where it was cut off (restore "
+                "a copy, or start a new store)\n");
 }
 
 TEST(GateCommand, ExitCodesOfTheContract) {
