@@ -1,6 +1,7 @@
 #include "cli/criteria_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "cli/lines.hpp"
 #include "cli/numbers.hpp"
 #include "cli/table.hpp"
+#include "reports/criteria.hpp"
 
 namespace mpmvv::cli {
 
@@ -26,11 +28,14 @@ std::string asked_text(const ClaimPart& part) {
 
 std::string found_text(const ClaimPart& part) {
   std::vector<double> known;
-  for (const Found& found : part.found)
-    if (!std::isnan(found.value)) known.push_back(found.value);
+  std::vector<std::string> texts;
+  for (const Found& found : part.found) {
+    if (std::isnan(found.value)) continue;
+    known.push_back(found.value);
+    texts.push_back(number_text(found.value) + reports::interval_text(part, found));
+  }
   if (known.empty()) return "-";
-  if (known.size() == 1) return number_text(known.front());
-  if (known.size() == 2) return fmt::format("{}, {}", number_text(known[0]), number_text(known[1]));
+  if (known.size() <= 2) return fmt::format("{}", fmt::join(texts, ", "));
   const auto [least, most] = std::ranges::minmax(known);
   return fmt::format("{} to {}", number_text(least), number_text(most));
 }
@@ -54,13 +59,25 @@ void print_grounds(const std::vector<LabelledPart>& parts) {
   }
 }
 
+namespace {
+
+void print_reason(const std::string& head, const ClaimPart& part, const std::string& reason) {
+  print("\n");
+  print_indented(fmt::format("{}: {}", head, part.statement), 2);
+  print_indented(reason);
+}
+
+}  // namespace
+
+void print_undecided(const std::vector<LabelledPart>& parts) {
+  for (const auto& [label, part] : parts)
+    if (part.verdict == records::PartVerdict::inconclusive)
+      print_reason("why it is inconclusive", part, reports::undecided_text(part));
+}
+
 void print_reasons(const std::vector<LabelledPart>& parts) {
   for (const auto& [label, part] : parts)
-    if (!part.reason.empty()) {
-      print("\n");
-      print_indented("why it fails: " + part.statement, 2);
-      print_indented(part.reason);
-    }
+    if (!part.reason.empty()) print_reason("why it fails", part, part.reason);
 }
 
 }  // namespace mpmvv::cli

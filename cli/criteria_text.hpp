@@ -13,13 +13,16 @@ struct LabelledPart {
 };
 
 std::string asked_text(const records::ClaimPart& part);  ///< "1.75 to 2.25"
-std::string found_text(const records::ClaimPart& part);  ///< "1.97", "1.97, 2.004", of more numbers their range
+std::string found_text(const records::ClaimPart& part);  ///< "1.97 ± 0.2", "1.97, 2.004", of more numbers their range
 
 /// Prints a line for each criterion: label, verdict, what was asked and found, statement.
 void print_criteria(const std::string& head, const std::vector<LabelledPart>& parts);
 
 /// Prints the evidence of each criterion: every number that it compared, with its interval, on a line of its own.
 void print_grounds(const std::vector<LabelledPart>& parts);
+
+/// Prints why criteria are inconclusive.
+void print_undecided(const std::vector<LabelledPart>& parts);
 
 /// Prints why criteria fail, as far as the studies say.
 void print_reasons(const std::vector<LabelledPart>& parts);

@@ -69,7 +69,7 @@ void print_extrapolations(const records::StudyResult& study) {
                {"of"},
                {"over"},
                {"model"},
-               {"order", Kind::number},
+               {"free\norder", Kind::number},
                {"limit", Kind::number},
                {"finest\ngrid", Kind::number},
                {"95 %", Kind::number},
@@ -113,8 +113,9 @@ void print_criteria(const records::StudyResult& study, bool verbose) {
   if (parts.empty()) return;
   print("\n");
   print_criteria("claim", parts);
+  if (verbose) print_grounds(parts);
+  print_undecided(parts);
   if (!verbose) return;
-  print_grounds(parts);
   print_reasons(parts);
 }
 

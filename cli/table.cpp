@@ -99,12 +99,11 @@ std::string Table::text(std::size_t width, bool coloured) const {
   return text;
 }
 
-/// Where no terminal breaks lines, programs may read them: prose is not wrapped.
+/// Where no terminal breaks lines, programs may read them: prose is not wrapped and no line cut.
 void Table::print() const {
   constexpr std::size_t endless = 1'000'000;
   if (rows_.empty()) return;
-  const std::size_t width = columns_.back().kind == Kind::prose ? output_columns().value_or(endless) : text_width();
-  print_text(text(width, has_colours()));
+  print_text(text(output_columns().value_or(endless), has_colours()));
 }
 
 void Table::print_apart() const {

@@ -20,14 +20,26 @@ namespace {
 
 using namespace template_data;
 
-/// How far inside its bounds a number lies, in their size; negative beyond them.
-double margin(const ClaimPart& part, double value) {
+/// Half of the interval of what was found, "0.74", where the evidence has it.
+std::string half_width_of(const ClaimPart& part, const Found& found) {
+  const std::string start = found.what + " (±";
+  const auto at = part.evidence.find(start);
+  if (at == std::string::npos) return "";
+  const auto from = at + start.size();
+  return part.evidence.substr(from, part.evidence.find(')', from) - from);
+}
+
+/// How far inside its bounds a number lies, in their size; negative beyond them. Where an interval leaves it open, the
+/// interval's end that lies nearest to a bound or farthest beyond.
+double margin(const ClaimPart& part, const Found& found) {
+  const std::string half = half_width_of(part, found);
+  const double reach = part.verdict == PartVerdict::inconclusive && !half.empty() ? std::stod(half) : 0;
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](std::optional<double> bound, double inside) {
     if (bound) least = std::min(least, inside / std::max(std::abs(*bound), 1e-12));
   };
-  consider(part.at_least, value - part.at_least.value_or(0));
-  consider(part.at_most, part.at_most.value_or(0) - value);
+  consider(part.at_least, found.value - reach - part.at_least.value_or(0));
+  consider(part.at_most, part.at_most.value_or(0) - found.value - reach);
   return least;
 }
 
@@ -36,19 +48,9 @@ std::string found_text(double value) {
   return brief(value);
 }
 
-/// " ± 0.74", where the evidence says so of what was found.
-std::string half_width_text(const ClaimPart& part, const Found& found) {
-  const std::string start = found.what + " (±";
-  const auto at = part.evidence.find(start);
-  if (at == std::string::npos) return "";
-  const auto from = at + start.size();
-  return " ± " + part.evidence.substr(from, part.evidence.find(')', from) - from);
-}
-
-/// Why no verdict was given although there are numbers.
-std::string undecided_text(const ClaimPart& part) {
-  const bool is_across = part.evidence.find("an interval reaches across") != std::string::npos;
-  return is_across ? "An interval reaches across a bound: other points might lie on its other side." : part.evidence;
+/// The one nearest to a bound or farthest beyond; there is one.
+const Found& deciding_number(const ClaimPart& part) {
+  return *std::ranges::min_element(part.found, {}, [&](const Found& found) { return margin(part, found); });
 }
 
 /// What was compared without what the row above says as well: "at cfl = 0.2" below "l2 of 'a' at cfl = 0.1".
@@ -61,7 +63,7 @@ std::string beyond(const std::string& above, const std::string& what) {
 data found_data(const ClaimPart& part, const Found& found, const std::string& above) {
   return object({{"what", beyond(above, found.what)},
                  {"asked", asked_text(part)},
-                 {"value", found_text(found.value) + half_width_text(part, found)},
+                 {"value", found_text(found.value) + interval_text(part, found)},
                  {"bar", criterion_bar(part, found.value)}});
 }
 
@@ -96,19 +98,30 @@ std::string asked_text(const ClaimPart& part) {
   return part.at_most ? "at most " + brief(*part.at_most) : "";
 }
 
+std::string interval_text(const ClaimPart& part, const Found& found) {
+  const std::string half = half_width_of(part, found);
+  return half.empty() ? "" : " ± " + half;
+}
+
+std::string undecided_text(const ClaimPart& part) {
+  if (part.found.empty() || part.evidence.find("an interval reaches across") == std::string::npos) return part.evidence;
+  const Found& found = deciding_number(part);
+  return fmt::format("An interval reaches across a bound: {} = {}{}. Other points might lie on its other side.",
+                     found.what, found_text(found.value), interval_text(part, found));
+}
+
 std::string deciding_text(const claims::Claim& claim) {
   using enum PartVerdict;
   const PartVerdict decisive = count(claim, fails) > 0 ? fails : count(claim, inconclusive) > 0 ? inconclusive : holds;
-  const ClaimPart* part = nullptr;
-  const Found* deciding = nullptr;
-  for (const auto& line : claim.parts)
-    for (const Found& found : line.part.found) {
-      if (line.part.verdict != decisive) continue;
-      if (deciding == nullptr || margin(line.part, found.value) < margin(*part, deciding->value))
-        part = &line.part, deciding = &found;
-    }
+  const ClaimPart* deciding = nullptr;
+  const auto margin_of = [](const ClaimPart& part) { return margin(part, deciding_number(part)); };
+  for (const auto& [study, part] : claim.parts)
+    if (part.verdict == decisive && !part.found.empty())
+      if (deciding == nullptr || margin_of(part) < margin_of(*deciding)) deciding = &part;
   if (deciding == nullptr) return "";
-  return fmt::format("{}: {} (asked: {})", deciding->what, found_text(deciding->value), asked_text(*part));
+  const Found& found = deciding_number(*deciding);
+  return fmt::format("{}: {}{} (asked: {}{})", found.what, found_text(found.value), interval_text(*deciding, found),
+                     asked_text(*deciding), decisive == inconclusive ? "; inconclusive" : "");
 }
 
 std::string count_text(const claims::Claim& claim) {

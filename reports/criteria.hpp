@@ -10,9 +10,15 @@ namespace mpmvv::reports {
 /// "1.75 to 2.25", "at least 0.8", "at most 3", "4" for a bound on both sides; empty where nothing is asked.
 std::string asked_text(const records::ClaimPart& part);
 
-/// The number on which a claim's verdict hangs, "order of 'linear': 0.43 (asked: at most 0.5)": of the criteria that
-/// decide it, the one that lies farthest beyond its bound or, where none fails, nearest to it. Empty where no number
-/// was compared.
+/// " ± 0.74" of what was found, empty where it has no interval.
+std::string interval_text(const records::ClaimPart& part, const records::Found& found);
+
+/// Why a criterion is inconclusive.
+std::string undecided_text(const records::ClaimPart& part);
+
+/// The number on which a claim's verdict hangs, "order of 'linear': 0.43 ± 0.02 (asked: at most 0.5)": of the criteria
+/// that decide it, the one that lies farthest beyond its bound or, where none fails, nearest to it; where an interval
+/// leaves one open, by the interval. Empty where no number was compared.
 std::string deciding_text(const claims::Claim& claim);
 
 /// "7 of 8 criteria hold", "shown in figures", "not judged yet".

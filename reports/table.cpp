@@ -21,6 +21,10 @@ std::string yes(bool b) {
   return b ? "yes" : "no";
 }
 
+std::string five_decimals(double v) {
+  return std::isnan(v) ? brief(v) : fmt::format("{:.5f}", v);
+}
+
 std::string floor_text(const fits::FloorFit& floor) {
   if (!floor.accepted) return floor.reason;
   return fmt::format("E0 = {}, order {}: {}", brief(floor.floor), order_text(floor.order, not_measured), floor.reason);
@@ -72,7 +76,7 @@ Table fits_table(const StudyResult& study) {
     for (const auto& o : series.orders) {
       const bool found = std::isfinite(o.asymptotic_from);
       rows.push_back({o.norm, window_text(o), fmt::format("{}", o.points), order_text(o.order, o.half_width),
-                      brief(o.constant), fmt::format("{:.5f}", o.r_squared), yes(o.asymptotic),
+                      brief(o.constant), five_decimals(o.r_squared), yes(o.asymptotic),
                       found ? fmt::format("{} to {}", brief(o.asymptotic_from), brief(o.asymptotic_to)) : "none",
                       o.floor ? floor_text(*o.floor) : "–"});
     }
@@ -103,7 +107,10 @@ Table extrapolations_table(const StudyResult& study) {
       "Extrapolated to h = 0, with the uncertainty of the finest grid's value (Eça and Hoekstra) and its grid "
       "convergence index",
       {"quantity", "window", "grids", "model", "free order", "limit", "finest grid", "uncertainty", "GCI", "remark"},
-      {}};
+      {},
+      "The free order is that of φ0 + α h^p. Where it lies outside of 0.5 to 2 it decides nothing: a model of fixed "
+      "powers "
+      "is taken."};
   return with_series(table, study, [](const Series& series) {
     Table::Rows rows;
     for (const auto& e : series.extrapolations)

@@ -48,10 +48,12 @@ class Claims : public testing::Test {
 TEST_F(Claims, HaveALineEach) {
   const Answer answer = claims();
   EXPECT_THAT(answer.out, MatchesRegex("claim +verdict +hold +statement\n"
-                                       "second +confirmed +1 of 1 +quadratic B-splines are of [^\n]*…\n"
+                                       "second +confirmed +1 of 1 +quadratic B-splines are of [^\n]*of a line\n"
                                        "linear +refuted +0 of 1 +the linear basis is exact\n"));
-  std::istringstream lines(answer.out);
-  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100 + sizeof("…") - 2) << line;
+  const std::string shown = on_terminal(folder_, 100, "claims --db " + db_);
+  EXPECT_THAT(shown, HasSubstr("…\n"));
+  std::istringstream lines(shown);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(columns_of(line), 100U) << line;
 }
 
 TEST_F(Claims, HaveAPageEach) {
@@ -65,6 +67,19 @@ TEST_F(Claims, HaveAPageEach) {
   const Answer both = claims("linear second");
   EXPECT_LT(both.out.find("linear: refuted"), both.out.find("second: confirmed"));
   EXPECT_THAT(both.out, HasSubstr("    Someone 2020, Fig. 1\n"));
+}
+
+TEST_F(Claims, SayWhyTheyAreInconclusive) {
+  std::string text = stated_study();
+  text.replace(text.find("at_least = 1.5"), 14, "at_least = 1.9");
+  const std::string db = folder_ / "open.db";
+  const Answer study = call(folder_, "study " + folder_.write("open.toml", text) + " --db " + db);
+  const Answer page = call(folder_, "claims second --db " + db);
+  for (const std::string& out : {study.out, page.out})
+    EXPECT_THAT(out,
+                AllOf(ContainsRegex("inconclusive +at least 1.9 +1.969 ± 0.12 +second order\n"),
+                      HasSubstr("  why it is inconclusive: second order\n    An interval reaches across a bound: order "
+                                "of 'bspline2' in l2 over cells 8 to 64 =")));
 }
 
 TEST_F(Claims, AndGroundsFitATerminalOf80Columns) {

@@ -100,7 +100,10 @@ TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
   input.claims[0].parts = {{"all-numbers", asked}};
   const std::string page = WrittenReport(input).page("claims/X-one.html");
   EXPECT_THAT(page, testing::AllOf(testing::HasSubstr(">1.97 ± 0.28<"), testing::HasSubstr(">2.5 ± 0.1<"),
-                                   testing::HasSubstr("An interval reaches across a bound"),
+                                   testing::HasSubstr("An interval reaches across a bound: order of &apos;a&apos; = "
+                                                      "1.97 ± 0.28. Other points"),
+                                   testing::HasSubstr("order of &apos;a&apos;: 1.97 ± 0.28 (asked: at least 1.8; "
+                                                      "inconclusive)"),
                                    testing::Not(testing::HasSubstr(asked.evidence))));
 }
 

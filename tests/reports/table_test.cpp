@@ -147,4 +147,11 @@ TEST(LatexNightly, TablesCompile) {
   }
 }
 
+TEST(Table, AFitWithoutPointsHasDashesAndNoNan) {
+  records::StudyResult study;
+  study.series = {{"a", {}, {fits::ObservedOrder{}}, {}}};
+  const std::string text = latex_tables("", {fits_table(study)});
+  EXPECT_THAT(text, AllOf(HasSubstr("-- & --"), testing::Not(HasSubstr("nan"))));
+}
+
 }  // namespace mpmvv::reports::table_test
