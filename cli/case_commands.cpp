@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 
+#include "cli/shipped.hpp"
 #include "studies/plan/study.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
+#include "studies/support/file.hpp"
 
 namespace mpmvv::cli {
 
@@ -52,7 +55,27 @@ SeriesCommand command_of(const plan::StudyPlan& plan, const plan::SeriesPlan& se
   return command;
 }
 
+/// The options of a trial: "shuffle = 3 in 2 of 2 series" was set, what fewer series took was set where it is taken.
+std::string trial_options(const std::string& trial) {
+  static const std::regex one(R"((\S+) = (.*?) in (\d+) of (\d+) series(; |$))");
+  std::string options;
+  for (std::sregex_iterator it(trial.begin(), trial.end(), one), end; it != end; ++it) {
+    const std::smatch& part = *it;
+    options += fmt::format(" {} {}={}", part[3] == part[4] ? "--set" : "--set-where-taken", part[1].str(),
+                           shell_word(part[2]));
+  }
+  return options;
+}
+
 }  // namespace
+
+reports::StudyCall study_call(const records::StudyResult& study) {
+  const std::string options = trial_options(store::trial_of(study.text));
+  if (is_shipped(study)) return {study.name, options};
+  const std::string file = study.name + ".toml", in_folder = "studies/" + file;
+  const bool is_there = support::read_file(in_folder) == store::without_trial(study.text);
+  return {is_there ? in_folder : file, options};
+}
 
 std::vector<SeriesCommand> case_commands(const records::StudyResult& study) {
   if (study.kind == records::StudyKind::check || !store::trial_of(study.text).empty()) return {};

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/case_commands.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/criteria_text.hpp"
 #include "cli/help.hpp"
 #include "cli/lines.hpp"
 #include "cli/results.hpp"
-#include "cli/shipped.hpp"
 #include "cli/table.hpp"
 #include "studies/claims/claim.hpp"
 #include "studies/support/error.hpp"
@@ -78,13 +78,13 @@ std::string source_text(const Claim& c) {
   return c.where.empty() || c.source.empty() ? c.source + c.where : fmt::format("{}, {}", c.source, c.where);
 }
 
-/// The studies of a claim as they are called: by name where they come with the program, else by their files.
-std::string called(const Claim& c, const std::vector<records::StudyResult>& results) {
-  std::string words;
+/// The command that finds the numbers of a claim once more; empty where no study judges it.
+std::string repeated_by(const Claim& c, const std::vector<records::StudyResult>& results, const std::string& db) {
+  if (c.id == reports::mutants_claim) return reports::mutants_command;
+  std::vector<reports::StudyCall> calls;
   for (const records::StudyResult& study : results)
-    if (std::ranges::find(c.studies, study.name) != c.studies.end())
-      words += " " + study.name + (is_shipped(study) ? "" : ".toml");
-  return words;
+    if (std::ranges::find(c.studies, study.name) != c.studies.end()) calls.push_back(study_call(study));
+  return reports::study_command(calls, db, db);
 }
 
 void print_page(const Claim& c, const std::vector<records::StudyResult>& results, const ClaimsOptions& options) {
@@ -98,11 +98,11 @@ void print_page(const Claim& c, const std::vector<records::StudyResult>& results
   if (options.verbose) print_grounds(parts);
   print_undecided(parts);
   print_reasons(parts);
-  const std::string studies = called(c, results);
-  if (studies.empty())
+  const std::string command = repeated_by(c, results, options.db);
+  if (command.empty())
     print("  no study in the store judges it\n\n");
   else
-    print("\n  repeat: mpmvv study{} --db {}\n\n", studies, options.db);
+    print("\n  repeat: {}\n\n", command);
 }
 
 const Claim& find_claim(const std::vector<Claim>& all, const std::string& id, const std::string& db) {

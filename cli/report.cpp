@@ -12,6 +12,7 @@
 #include "cli/console.hpp"
 #include "cli/earlier.hpp"
 #include "cli/help.hpp"
+#include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "cli/shipped.hpp"
@@ -93,8 +94,7 @@ reports::ReportInput report_input(const ReportOptions& options) {
   input.newest_result = newest_result(store, input);
   for (const records::StudyResult& study : input.studies) {
     if (auto commands = case_commands(study); !commands.empty()) input.commands[study.name] = std::move(commands);
-    const std::string file = "studies/" + study.name + ".toml";
-    if (support::read_file(file) == study.text) input.files[study.name] = file;
+    input.calls[study.name] = study_call(study);
   }
   input.benchmark = own_benchmark(options.db, input.provenance.digest);
   return input;
@@ -106,8 +106,9 @@ int report(const ReportOptions& options) {
   const reports::ReportSummary summary = reports::write_report(input, options.out, [terminal](const std::string& what) {
     if (terminal) note("{}\n", what);
   });
-  print("{}/index.html: {} figures ({} drawn), {} tables ({} written)\n", options.out, summary.figures,
-        summary.figures_drawn, summary.tables, summary.tables_written);
+  print("{}/index.html: {} ({} drawn), {} ({} written)\n", options.out,
+        count_text(static_cast<std::size_t>(summary.figures), "figure"), summary.figures_drawn,
+        count_text(static_cast<std::size_t>(summary.tables), "table"), summary.tables_written);
   return 0;
 }
 

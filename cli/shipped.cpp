@@ -7,6 +7,7 @@
 #include <bit>
 #include <system_error>
 
+#include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/suggestion.hpp"
@@ -20,7 +21,9 @@ using support::UsageError;
 namespace {
 
 [[noreturn]] void refuse_name(const std::string& name, const std::vector<std::string>& known) {
-  const auto meant = support::nearest_word(name, known);
+  std::error_code absent;
+  const std::string file = name + ".toml";
+  const auto meant = fs::exists(file, absent) ? file : support::nearest_word(name, known);
   throw UsageError(fmt::format("no study '{}' ({}a study file, or a name of `mpmvv list studies`)", name,
                                meant ? fmt::format("did you mean '{}'? ", *meant) : ""));
 }
@@ -38,7 +41,7 @@ fs::path shipped(const std::string& folder) {
 
 bool is_shipped(const StudyResult& study) {
   const fs::path folder = shipped("studies");
-  return !folder.empty() && support::read_file(folder / (study.name + ".toml")) == study.text;
+  return !folder.empty() && support::read_file(folder / (study.name + ".toml")) == store::without_trial(study.text);
 }
 
 fs::path goldens_for(const std::vector<StudyResult>& results, const std::string& named) {

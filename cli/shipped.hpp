@@ -11,7 +11,7 @@ namespace mpmvv::cli {
 /// else that of the tree in which it was built. Empty where neither is there.
 std::filesystem::path shipped(const std::string& folder);
 
-/// Whether these are the results of a study that comes with the program, word for word.
+/// Whether these are the results of a study that comes with the program, word for word, as it is or as a trial.
 bool is_shipped(const records::StudyResult& study);
 
 /// Where the goldens are that results are held against: in the folder named; without a name in `goldens` here, or,

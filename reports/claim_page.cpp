@@ -2,6 +2,7 @@
 
 #include "page_template.hpp"
 #include "reports/criteria.hpp"
+#include "reports/mutation_claim.hpp"
 #include "reports/page_frame.hpp"
 
 namespace mpmvv::reports {
@@ -20,12 +21,12 @@ bool is_study_of(const Section& section, const claims::Claim& claim) {
 
 Page claim_page(const ReportInput& input, const claims::Claim& claim, const std::vector<Section>& sections) {
   data studies{data::type::list}, pictures{data::type::list};
-  std::string files;
+  std::vector<std::string> names;
   for (const Section& section : sections) {
     if (!is_study_of(section, claim)) continue;
     studies << object({{"study", section.study->name}, {"title", section.study->title}});
     for (const Picture& picture : section.pictures) pictures << picture_data(picture);
-    files += " " + study_file(input, section.study->name);
+    names.push_back(section.study->name);
   }
   return framed_page("claims/" + anchor(claim.id) + ".html", claim.id + ": " + to_string(claim.verdict), claim_template,
                      input,
@@ -43,8 +44,8 @@ Page claim_page(const ReportInput& input, const claims::Claim& claim, const std:
                              {"parts", criteria_data(claim.parts)},
                              {"pictures", pictures},
                              {"studies", studies},
-                             {"has_studies", !files.empty()},
-                             {"command", "mpmvv study" + files + " --db results.db"}}));
+                             {"has_studies", !names.empty()},
+                             {"command", claim.id == mutants_claim ? mutants_command : command_of(input, names)}}));
 }
 
 }  // namespace mpmvv::reports

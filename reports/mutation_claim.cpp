@@ -48,10 +48,10 @@ records::StudyResult mutation_study(const std::optional<MutationResults>& mutati
   study.name = "mutants";
   study.title = "Planted mistakes";
   study.kind = records::StudyKind::check;
-  study.claims = {"X-mutants"};
+  study.claims = {mutants_claim};
   if (!mutation || mutation->planted.should_show == 0) return study;
   const auto add = [&study](const std::string& statement, records::PartVerdict verdict, const std::string& evidence) {
-    study.parts.push_back({"X-mutants", statement, verdict, evidence, ""});
+    study.parts.push_back({mutants_claim, statement, verdict, evidence, ""});
   };
   add("tests and goldens catch every planted mistake that an order, an error, a limit or a report can show",
       catch_verdict(mutation->planted), catch_evidence(mutation->planted));

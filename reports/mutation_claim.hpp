@@ -8,7 +8,11 @@
 
 namespace mpmvv::reports {
 
-/// What planted mistakes and runs without a mistake say on claim X-mutants, as the parts of a study; without parts when
+/// The claim that planted mistakes and runs without a mistake judge, and the command that makes them, at the top of the
+/// tree.
+inline constexpr const char *mutants_claim = "X-mutants", *mutants_command = "./run mutants && ./run alarms";
+
+/// What they say, as the parts of a study; without parts when
 /// no mistake is known.
 records::StudyResult mutation_study(const std::optional<MutationResults>& mutation, const std::vector<AlarmRun>& runs);
 

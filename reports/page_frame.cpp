@@ -28,9 +28,13 @@ Page framed_page(const std::string& file, const std::string& title, std::string_
   return {file, marked_up_text(page.render(content))};
 }
 
-std::string study_file(const ReportInput& input, const std::string& study) {
-  const auto found = input.files.find(study);
-  return found == input.files.end() ? study + ".toml" : found->second;
+std::string command_of(const ReportInput& input, const std::vector<std::string>& studies) {
+  std::vector<StudyCall> calls;
+  for (const std::string& study : studies) {
+    const auto known = input.calls.find(study);
+    calls.push_back(known == input.calls.end() ? StudyCall{study + ".toml"} : known->second);
+  }
+  return study_command(calls, "results.db", "trial.db");
 }
 
 std::vector<Page> points_pages(const Section& section) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "reports/page.hpp"
 #include "reports/template_data.hpp"
@@ -12,7 +13,7 @@ namespace mpmvv::reports {
 Page framed_page(const std::string& file, const std::string& title, std::string_view text, const ReportInput& input,
                  template_data::data content);
 
-/// As a command names it.
-std::string study_file(const ReportInput& input, const std::string& study);
+/// The command that runs these studies once more.
+std::string command_of(const ReportInput& input, const std::vector<std::string>& studies);
 
 }  // namespace mpmvv::reports

@@ -9,6 +9,7 @@
 #include "reports/alarm_log.hpp"
 #include "reports/benchmark.hpp"
 #include "reports/mutation_results.hpp"
+#include "reports/study_call.hpp"
 #include "studies/claims/claim.hpp"
 #include "studies/claims/trend.hpp"
 #include "studies/records/result.hpp"
@@ -59,7 +60,7 @@ struct ReportInput {
   std::optional<Earlier> earlier = {};
   std::vector<store::CodeSeries> codes = {};                        ///< series that other codes ran
   std::map<std::string, std::vector<SeriesCommand>> commands = {};  ///< by study
-  std::map<std::string, std::string> files = {};                    ///< of studies that do not lie here as STUDY.toml
+  std::map<std::string, StudyCall> calls = {};                      ///< by study, but for files STUDY.toml
   std::string newest_result = {};                                   ///< its time, ISO 8601, UTC; may be empty
 };
 

@@ -91,7 +91,7 @@ Page study_page(const ReportInput& input, const Section& section) {
                              {"groups", failing_goldens(goldens)},
                              {"commands", command_list(input, study)},
                              {"has_commands", input.commands.contains(study.name)},
-                             {"command", fmt::format("mpmvv study {} --db results.db", study_file(input, study.name))},
+                             {"command", command_of(input, {study.name})},
                              {"study_file", study.text}}));
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "studies/support/printable.hpp"
 
 namespace mpmvv::store {
@@ -10,6 +12,18 @@ namespace {
 
 constexpr std::string_view mark = "# Run with ";
 
+/// Where the lines at the end begin that have the mark.
+std::size_t begin_of_trial(const std::string& text) {
+  std::size_t begin = text.size();
+  while (begin > 0) {
+    const std::size_t newline = begin < 2 ? std::string::npos : text.rfind('\n', begin - 2);
+    const std::size_t line = newline == std::string::npos ? 0 : newline + 1;
+    if (text.compare(line, mark.size(), mark) != 0) break;
+    begin = line;
+  }
+  return begin;
+}
+
 }  // namespace
 
 std::string with_trial(std::string text, const std::string& what) {
@@ -17,16 +31,16 @@ std::string with_trial(std::string text, const std::string& what) {
   return text + fmt::format("{}{}\n", mark, support::printable(what));
 }
 
-/// The lines at the end that have the mark.
+std::string without_trial(const std::string& text) {
+  return text.substr(0, begin_of_trial(text));
+}
+
 std::string trial_of(const std::string& text) {
   std::string trial;
-  for (std::size_t end = text.size(); end > 0;) {
-    const std::size_t newline = end < 2 ? std::string::npos : text.rfind('\n', end - 2);
-    const std::size_t begin = newline == std::string::npos ? 0 : newline + 1;
-    const std::string line = text.substr(begin, end - 1 - begin);
-    if (!line.starts_with(mark)) break;
-    trial = line.substr(mark.size()) + (trial.empty() ? "" : "; " + trial);
-    end = begin;
+  for (std::size_t begin = begin_of_trial(text); begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    trial += (trial.empty() ? "" : "; ") + text.substr(begin + mark.size(), end - begin - mark.size());
+    begin = end + 1;
   }
   return trial;
 }

@@ -6,6 +6,9 @@ namespace mpmvv::store {
 /// The text of a study with a line that says what `study --set` has put on top of it: the store keeps it so.
 std::string with_trial(std::string text, const std::string& what);
 
+/// The text without such lines.
+std::string without_trial(const std::string& text);
+
 /// What `study --set` has put on top of the study that has this text in the store, "shuffle = 3 in 2 of 2 series";
 /// empty for a study as its file has it.
 std::string trial_of(const std::string& text);

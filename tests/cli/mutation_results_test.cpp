@@ -92,6 +92,16 @@ TEST_F(MutationResultsOnDisk, OfTheStoresFolderCountWhereTheyKnowMore) {
   EXPECT_THAT(claim()["evidence"].get<std::string>(), HasSubstr("6 of 7, not sign"));
 }
 
+TEST_F(MutationResultsOnDisk, AreMadeAnewByTheTree) {
+  const auto page = [&] { return in_folder("claims X-mutants --db results/r.db").out; };
+  EXPECT_THAT(page(), HasSubstr("repeat: ./run mutants && ./run alarms\n"));
+  folder_.write("tests/mutation/summary.json", summary(own_digest(), 5, {}));
+  EXPECT_THAT(page(), testing::AllOf(HasSubstr("repeat: ./run mutants && ./run alarms\n"), Not(HasSubstr("no study"))));
+  ASSERT_EQ(in_folder("report --db results/r.db --out report").code, 0);
+  EXPECT_THAT(read_text(folder_ / "report/claims/X-mutants.html"),
+              HasSubstr("<code>./run mutants &amp;&amp; ./run alarms</code>"));
+}
+
 TEST_F(MutationResultsOnDisk, AnythingElseIsRefused) {
   for (const char* file : {"tests/mutation/summary.json", "results/mutants.json"}) {
     folder_.write(file, "{\"digest\": 5}");

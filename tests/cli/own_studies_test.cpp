@@ -125,6 +125,8 @@ TEST_F(OwnStudies, ThoseOfTheProgramAreThereByName) {
   EXPECT_EQ(gate.code, 0) << gate.out << gate.err;
   EXPECT_THAT(in_folder("mpmvv study s-jumpe --db results.db").err,
               HasSubstr("no study 's-jumpe' (did you mean 's-jump'? a study file, or a name of `mpmvv list studies`)"));
+  folder_.write("s-jumpe.toml", small_study);
+  EXPECT_THAT(in_folder("mpmvv study s-jumpe --db results.db").err, HasSubstr("(did you mean 's-jumpe.toml'? "));
   EXPECT_THAT(in_folder("mpmvv study s-jump.tom --db results.db").err, HasSubstr("no study 's-jump.tom'"));
 }
 

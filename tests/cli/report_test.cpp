@@ -104,6 +104,24 @@ TEST_F(ReportCommand, OfOwnStudiesIsAboutThese) {
   EXPECT_THAT(page("gate.html"), Not(HasSubstr("<tr><th scope=\"row\">order of")));
 }
 
+/// The commands of page and claim bring the same study once more, a trial with what it was tried with.
+TEST_F(ReportCommand, RepeatsAStudyOfTheProgramByItsNameAndATrialAsOne) {
+  const std::string file = folder_.write("small.toml", small_study);
+  ASSERT_EQ(call(folder_, "study s-jump --db " + db_).code, 0);
+  ASSERT_EQ(call(folder_, "study " + file + " --set shuffle=3 --set ppc=2 --db " + db_).code, 0);
+  ASSERT_EQ(report(none_).code, 0);
+  for (const char* on : {"studies/s-jump.html", "claims/S-jump.html"})
+    EXPECT_THAT(page(on), HasSubstr("<code>mpmvv study s-jump --db results.db</code>")) << on;
+  for (const char* on : {"studies/small.html", "claims/S-fig10.html"})
+    EXPECT_THAT(page(on), HasSubstr("<code>mpmvv study small.toml --set shuffle=3 --set ppc=2 --db trial.db</code>"))
+        << on;
+  EXPECT_THAT(call(folder_, "claims S-jump --db " + db_).out, HasSubstr("repeat: mpmvv study s-jump --db " + db_));
+  const Answer trial = call(folder_, "claims S-fig10 --db " + db_);
+  const std::string command = between(trial.out, "repeat: mpmvv ", "\n");
+  EXPECT_EQ(command, "study small.toml --set shuffle=3 --set ppc=2 --db " + db_);
+  EXPECT_THAT(call(folder_, command, "cd '" + (folder_ / "") + "' && ").out, HasSubstr("0 cases run, 8 taken from"));
+}
+
 TEST_F(ReportCommand, SaysWhatChangedSinceTheVersionBefore) {
   ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
   {

@@ -9,6 +9,9 @@ TEST(Trial, IsReadFromTheTextThatSaysIt) {
     EXPECT_EQ(trial_of(file), "") << file;
     const std::string once = with_trial(file, "shuffle = 3 in 2 of 2 series");
     EXPECT_TRUE(once.starts_with(file));
+    EXPECT_EQ(without_trial(file), file);
+    EXPECT_EQ(without_trial(with_trial(once, "ppc = 2 in 1 of 2 series")),
+              once.substr(0, once.find("# Run with shuffle")));
     EXPECT_EQ(trial_of(once), "shuffle = 3 in 2 of 2 series") << file;
     EXPECT_EQ(trial_of(with_trial(once, "ppc = 2 in 1 of 2 series")),
               "shuffle = 3 in 2 of 2 series; ppc = 2 in 1 of 2 series");
