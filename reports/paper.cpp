@@ -16,6 +16,7 @@
 #include "reports/template_data.hpp"
 #include "reports/text.hpp"
 #include "reports/typeset.hpp"
+#include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
 namespace mpmvv::reports {
@@ -219,10 +220,19 @@ std::string main_text(const std::vector<Part>& parts, const store::Provenance& p
                              {"parts", list_of(parts, [&](const Part& part) { return part_data(part, column); })}}));
 }
 
+constexpr std::string_view first_line = "% Figures and tables of mpmvv ";
+
+void require_own_document(const fs::path& main) {
+  if (const auto text = support::read_file(main); text && text->find(first_line) == std::string::npos)
+    throw support::UsageError(
+        fmt::format("{} is none of ours and would be overwritten (another folder, or move it away)", main.string()));
+}
+
 }  // namespace
 
 PaperSummary write_paper(const std::vector<StudyResult>& studies, const store::Provenance& provenance,
                          const fs::path& out_dir, const Sheet& column) {
+  require_own_document(out_dir / "main.tex");
   const Document document(studies, column);
   const auto plots = plots_of(document.parts(), column);
   PaperSummary summary;

@@ -7,12 +7,11 @@
 #include "reports/csv.hpp"
 #include "reports/mutant_table.hpp"
 #include "reports/page.hpp"
-#include "reports/plot.hpp"
+#include "reports/report_files.hpp"
 #include "reports/report_place.hpp"
 #include "reports/table.hpp"
 #include "reports/text.hpp"
 #include "reports/trend_page.hpp"
-#include "studies/support/file.hpp"
 
 namespace mpmvv::reports {
 
@@ -22,10 +21,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void write_table(const fs::path& file, const std::string& text, ReportSummary& summary) {
-  support::make_folder(file.parent_path());
+void write_table(const fs::path& folder, const std::string& name, const std::string& text, ReportSummary& summary) {
   ++summary.tables;
-  summary.tables_written += support::write_if_changed(file, text) ? 1 : 0;
+  summary.tables_written += write_file(folder, fs::path("tables") / name, text, summary) ? 1 : 0;
 }
 
 std::vector<std::string> write_tables(const StudyResult& study, const fs::path& folder, ReportSummary& summary) {
@@ -34,7 +32,7 @@ std::vector<std::string> write_tables(const StudyResult& study, const fs::path& 
   std::vector<std::string> names;
   for (const auto& [name, content] : files) {
     names.push_back(name);
-    write_table(folder / name, content, summary);
+    write_table(folder, name, content, summary);
   }
   return names;
 }
@@ -44,21 +42,18 @@ std::vector<SeriesCommand> commands_of(const ReportInput& input, std::size_t stu
   return found == input.commands.end() ? std::vector<SeriesCommand>{} : found->second;
 }
 
-void write_page(const Page& page, const fs::path& folder) {
-  support::make_folder((folder / page.file).parent_path());
-  support::write_if_changed(folder / page.file, page.text);
-}
-
-void write_pages(const ReportInput& input, const std::vector<Section>& sections, const fs::path& folder) {
-  for (const Page& aid : page_aids()) write_page(aid, folder);
+void write_pages(const ReportInput& input, const std::vector<Section>& sections, const fs::path& folder,
+                 ReportSummary& summary) {
+  const auto write_page = [&](const Page& page) { write_file(folder, page.file, page.text, summary); };
+  for (const Page& aid : page_aids()) write_page(aid);
   for (const Section& section : sections) {
-    write_page(study_page(input, section), folder);
-    for (const Page& points : points_pages(section)) write_page(points, folder);
+    write_page(study_page(input, section));
+    for (const Page& points : points_pages(section)) write_page(points);
   }
-  for (const claims::Claim& claim : input.claims) write_page(claim_page(input, claim, sections), folder);
-  for (const Page& page : program_pages(input)) write_page(page, folder);
-  write_page(gate_page(input), folder);
-  write_page(front_page(input, sections), folder);
+  for (const claims::Claim& claim : input.claims) write_page(claim_page(input, claim, sections));
+  for (const Page& page : program_pages(input)) write_page(page);
+  write_page(gate_page(input));
+  write_page(front_page(input, sections));
 }
 
 }  // namespace
@@ -70,32 +65,28 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
   for (const auto& of_study : charts)
     for (const auto& chart : of_study) plots.push_back(plot_of(chart));
   const ReportPlace place(out_dir, progress);
-  const fs::path figures = place.draft() / "figures", tables = place.draft() / "tables";
-  support::make_folder(figures);
-
   ReportSummary summary;
-  summary.figures = static_cast<int>(plots.size());
-  summary.figures_drawn = draw(plots, figures);
+  draw_files(place.draft(), "figures", plots, summary);
   progress(fmt::format("figures: {} of {} redrawn", summary.figures_drawn, summary.figures));
 
   std::vector<Section> sections;
   for (std::size_t i = 0; i < input.studies.size(); ++i)
     sections.push_back({&input.studies[i],
                         pictures_of(charts[i], place.draft(), "figures", input.studies[i], commands_of(input, i)),
-                        write_tables(input.studies[i], tables, summary)});
+                        write_tables(input.studies[i], place.draft(), summary)});
   if (input.benchmark)
-    write_table(tables / "program/benchmark.tex", latex_tables("Benchmark", benchmark_tables(*input.benchmark)),
+    write_table(place.draft(), "program/benchmark.tex", latex_tables("Benchmark", benchmark_tables(*input.benchmark)),
                 summary);
   if (!input.codes.empty())
-    write_table(tables / "program/codes.tex", latex_tables("Other codes", {code_table(input)}), summary);
+    write_table(place.draft(), "program/codes.tex", latex_tables("Other codes", {code_table(input)}), summary);
   if (input.mutation)
-    write_table(tables / "program/mutants.tex",
+    write_table(place.draft(), "program/mutants.tex",
                 latex_tables("Planted mistakes", mutant_tables(*input.mutation, input.alarms)), summary);
   progress(fmt::format("tables: {} of {} written", summary.tables_written, summary.tables));
 
   if (has_trends(input)) write_trends(input, place.draft(), summary);
-  write_pages(input, sections, place.draft());
-  place.take_place();
+  write_pages(input, sections, place.draft(), summary);
+  place.take_place(summary.files);
   progress(fmt::format("report: {}", (out_dir / "index.html").string()));
   return summary;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -73,14 +74,16 @@ inline bool has_trends(const ReportInput& input) {
 struct ReportSummary {
   int figures = 0, figures_drawn = 0;
   int tables = 0, tables_written = 0;
+  std::set<std::filesystem::path> files = {};  ///< that make the report, relative to its folder
 };
 
 /// Writes OUT/index.html and what it leads to: gate.html, a page for each study in OUT/studies/ and for each claim in
 /// OUT/claims/, and where there is something to show benchmark.html, codes.html, mutants.html and trend.html;
 /// OUT/figures/ NAME.{gp,dat,svg,pdf} (STUDY~NAME where studies share the name), OUT/trends/NAME.*,
 /// OUT/tables/STUDY.csv, STUDY.tex and, where there are any, WHAT/STUDY.csv, program/benchmark.tex, program/codes.tex
-/// and program/mutants.tex. Nothing leads outside OUT. Throws UsageError, and leaves OUT as it was, when a file cannot
-/// be written or gnuplot is missing or fails.
+/// and program/mutants.tex. Nothing leads outside OUT. What an earlier report wrote there and this one does not goes
+/// away. Throws UsageError, and leaves OUT as it was, when a file cannot be written, is no report's, or gnuplot is
+/// missing or fails.
 ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
                            const std::function<void(const std::string&)>& progress);
 

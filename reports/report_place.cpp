@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -57,6 +58,29 @@ bool is_reports_own(const fs::path& file) {
   return std::ranges::find(endings, file.extension().string()) != endings.end();
 }
 
+constexpr const char* list_name = ".report-files";
+constexpr std::array pages{"index.html", "gate.html",    "trend.html", "benchmark.html",
+                           "codes.html", "mutants.html", "style.css",  "report.js"};
+
+std::set<fs::path> listed_files(const fs::path& folder) {
+  std::set<fs::path> files;
+  std::istringstream lines(support::read_file(folder / list_name).value_or(""));
+  for (std::string line; std::getline(lines, line);) files.insert(line);
+  return files;
+}
+
+/// What a report in `before` wrote and the one in `after` does not; of a list that was tampered with nothing outside.
+std::vector<fs::path> files_gone(const fs::path& before, const fs::path& after) {
+  std::vector<fs::path> gone;
+  const std::set<fs::path> kept = listed_files(after);
+  if (kept.empty()) return gone;
+  for (const fs::path& file : listed_files(before))
+    if (!kept.contains(file) && file.is_relative() && std::ranges::find(file, "..") == file.end() &&
+        is_reports_own(file))
+      gone.push_back(file);
+  return gone;
+}
+
 /// The same file under another name, or a copy of it where the file system has no two names for one.
 void carry_over(const fs::path& from, const fs::path& to) {
   make_folder(to.parent_path());
@@ -82,6 +106,7 @@ ReportPlace::ReportPlace(const fs::path& folder, const std::function<void(const 
   try {
     take_lock(progress);
     if (fs::is_directory(whole_)) put_into_place();
+    require_own_pages();
     begin_draft();
   } catch (...) {
     leave();
@@ -115,11 +140,20 @@ void ReportPlace::take_lock(const std::function<void(const std::string&)>& progr
   }
 }
 
+void ReportPlace::require_own_pages() const {
+  const std::string front = support::read_file(folder_ / "index.html").value_or("");
+  if (fs::exists(folder_ / list_name) || front.find("<title>mpmvv: ") != std::string::npos) return;
+  for (const char* page : pages)
+    if (fs::exists(folder_ / page))
+      throw support::UsageError(fmt::format(
+          "{} is of no report and would be overwritten (another folder, or move it away)", (folder_ / page).string()));
+}
+
 void ReportPlace::begin_draft() const {
   remove_tree(draft_);
   make_folder(draft_);
-  for (const char* page : {"index.html", "gate.html", "trend.html", "benchmark.html", "codes.html", "mutants.html",
-                           "style.css", "report.js"})
+  if (fs::is_regular_file(folder_ / list_name)) carry_over(folder_ / list_name, draft_ / list_name);
+  for (const char* page : pages)
     if (fs::is_regular_file(folder_ / page)) carry_over(folder_ / page, draft_ / page);
   for (const char* part : {"claims", "figures", "points", "studies", "tables", "trends"}) {
     if (!fs::is_directory(folder_ / part)) continue;
@@ -128,7 +162,10 @@ void ReportPlace::begin_draft() const {
   }
 }
 
-void ReportPlace::take_place() const {
+void ReportPlace::take_place(const std::set<fs::path>& files) const {
+  std::string list;
+  for (const fs::path& file : files) list += file.string() + '\n';
+  support::write_if_changed(draft_ / list_name, list);
   for (const auto& file : files_in_order(draft_))
     if (fs::is_directory(folder_ / file))
       throw support::UsageError(
@@ -138,6 +175,11 @@ void ReportPlace::take_place() const {
 }
 
 void ReportPlace::put_into_place() const {
+  for (const fs::path& file : files_gone(folder_, whole_))
+    for (const fs::path& place : {whole_, folder_}) {
+      std::error_code ignored;
+      if (fs::symlink_status(place / file, ignored).type() == fs::file_type::regular) fs::remove(place / file, ignored);
+    }
   for (const auto& file : files_in_order(whole_)) {
     make_folder((folder_ / file).parent_path());
     support::move_file(whole_ / file, folder_ / file);

@@ -5,9 +5,8 @@
 
 #include "page_template.hpp"
 #include "reports/page_frame.hpp"
-#include "reports/plot.hpp"
+#include "reports/report_files.hpp"
 #include "reports/trend_chart.hpp"
-#include "studies/support/file.hpp"
 
 namespace mpmvv::reports {
 
@@ -53,9 +52,7 @@ void write_trends(const ReportInput& input, const std::filesystem::path& out_dir
   std::vector<Plot> plots;
   for (const auto& [study, of_study] : charts)
     for (const Chart& chart : of_study) plots.push_back(plot_of(chart));
-  support::make_folder(out_dir / trends_folder);
-  summary.figures += static_cast<int>(plots.size());
-  summary.figures_drawn += draw(plots, out_dir / trends_folder);
+  draw_files(out_dir, trends_folder, plots, summary);
 
   data versions{data::type::list}, sections{data::type::list};
   for (std::size_t v = 0; v < input.versions.size(); ++v) versions << version_data(input.versions[v], v + 1);
@@ -63,7 +60,7 @@ void write_trends(const ReportInput& input, const std::filesystem::path& out_dir
     sections << trend_section_data(study, pictures_of(of_study, out_dir, trends_folder));
   const Page page = framed_page("trend.html", "Trends", trend_template, input,
                                 template_data::object({{"versions", versions}, {"sections", sections}}));
-  support::write_if_changed(out_dir / page.file, page.text);
+  write_file(out_dir, page.file, page.text, summary);
 }
 
 }  // namespace mpmvv::reports

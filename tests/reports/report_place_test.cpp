@@ -128,6 +128,39 @@ TEST(ReportPlace, WhatIsNotTheReportsStaysAndALinkLeadsThere) {
               AllOf(HasSubstr("Studies of new"), Not(HasSubstr("Studies of old"))));
 }
 
+TEST(ReportPlace, WhatAnEarlierReportWroteAloneGoesAwayAndNothingElse) {
+  const TempFolder folder;
+  ReportInput more = input("any"), fewer = input("any");
+  fewer.studies.pop_back();
+  more.claims = {{"S-fig4", "a sentence", "", "", "open", "", {}, {}}};
+  write_report(more, folder / "out", silent);
+  ASSERT_TRUE(fs::exists(folder / "out/studies/weights.html"));
+  std::ofstream(folder / "out/studies/mine.html") << "mine";
+  std::ofstream(folder / "outside.html") << "mine";
+  std::ofstream(folder / "out/.report-files", std::ios::app) << "../outside.html\n"
+                                                             << (folder / "outside.html").string();
+  write_report(fewer, folder / "out", silent);
+  EXPECT_EQ(content(folder / "out/studies/mine.html"), "mine");
+  EXPECT_TRUE(fs::exists(folder / "outside.html"));
+  fs::remove(folder / "out/studies/mine.html");
+  write_report(fewer, folder / "fresh", silent);
+  EXPECT_EQ(files_of(folder / "out"), files_of(folder / "fresh"));
+}
+
+TEST(ReportPlace, APageOfAnotherHandIsNotOverwritten) {
+  const TempFolder folder;
+  for (const char* page : {"index.html", "style.css"}) {
+    fs::create_directories(folder / "site");
+    std::ofstream(folder / "site" / page) << "mine";
+    EXPECT_THAT(refusal("new", folder / "site"), AllOf(HasSubstr(page), HasSubstr(" is of no report and would be")));
+    EXPECT_EQ(files_of(folder / "site"), (std::map<std::string, std::string>{{page, "mine"}}));
+    fs::remove_all(folder / "site");
+  }
+  write_report(input("old"), folder / "out", silent);
+  fs::remove(folder / "out/.report-files");
+  EXPECT_EQ(refusal("new", folder / "out"), "no error") << "a report from before there was a list";
+}
+
 TEST(ReportPlace, OfTwoReportsAtOnceTheLastOneStandsWhole) {
   const TempFolder folder;
   std::map<std::string, std::map<std::string, std::string>> alone;
