@@ -73,6 +73,13 @@ void note_other_font(const Sheet& sheet) {
        match.output);
 }
 
+/// A folder that is not there yet has no ending, which would be one of a picture.
+void require_known_ending(const fs::path& out) {
+  if (out.has_extension() && !format_of_ending(out) && !fs::is_directory(out))
+    throw support::UsageError(fmt::format("--out {} (a file that ends with .pdf, .svg or .tex, or a folder: {}/)",
+                                          out.string(), out.string()));
+}
+
 /// The file of each figure: --out itself for one, in the folder of that name for more.
 std::vector<fs::path> files_of(const FigureOptions& options, const std::vector<Chart>& charts, Format format) {
   if (charts.size() == 1 && format_of_ending(options.out) && !fs::is_directory(options.out)) return {options.out};
@@ -97,6 +104,7 @@ void print_drawn(const std::vector<fs::path>& drawn, const Sheet& sheet) {
 }
 
 int figure(const FigureOptions& options) {
+  require_known_ending(options.out);
   const Sheet sheet = sheet_of(options);
   const auto [charts, others] = reports::choose_figures(own_results(options.db), options.name);
   const auto files = files_of(options, charts, sheet.format);
@@ -133,7 +141,9 @@ void add_figure(CLI::App& app, int& exit_code) {
       ->type_name("LENGTH");
   command->add_option("--font", options->font, "family of pdf and svg (default: Sans)")->type_name("FAMILY");
   command->add_option("--font-size", options->font_size, "of all texts (default: 8pt)")->type_name("LENGTH");
-  command->add_option("--out", options->out, "file, or folder (default: here, under the figure's name)")
+  command
+      ->add_option("--out", options->out,
+                   "file that ends with .pdf, .svg or .tex, or folder (default: here, under the figure's name)")
       ->type_name("FILE");
   add_examples(*command, {"mpmvv figure S-fig10 --db results.db --width 84mm --font-size 8pt",
                           "mpmvv figure splines --db results.db --out figures/splines.tex"});

@@ -27,14 +27,23 @@ std::vector<fs::path> with_content(const fs::path& input) {
   return all;
 }
 
+[[noreturn]] void refuse(const std::string& option, const fs::path& output, const fs::path& file) {
+  std::error_code unknown;
+  if (fs::is_directory(output, unknown))
+    throw support::UsageError(
+        fmt::format("{} {} is a folder that holds '{}', which this command reads (a folder or file "
+                    "of its own)",
+                    option, output.string(), file.string()));
+  throw support::UsageError(fmt::format("{} {} would overwrite '{}', which this command reads (another place)", option,
+                                        output.string(), file.string()));
+}
+
 }  // namespace
 
 void require_apart(const std::string& option, const fs::path& output, const std::vector<fs::path>& inputs) {
   for (const fs::path& input : inputs)
     for (const fs::path& file : with_content(input))
-      if (is_in(file, output))
-        throw support::UsageError(fmt::format("{} {} would overwrite '{}', which this command reads (another place)",
-                                              option, output.string(), file.string()));
+      if (is_in(file, output)) refuse(option, output, file);
 }
 
 void require_apart(const std::string& option, const fs::path& output, const std::string& other_option,

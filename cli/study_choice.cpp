@@ -103,7 +103,7 @@ std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::st
   }
   require_taken(overriding, plans);
   plan::state_claims(plans, claim_folders(files));
-  require_apart("--db", db, {files.begin(), files.end()});
+  if (!std::filesystem::is_directory(db)) require_apart("--db", db, {files.begin(), files.end()});  // else no store
   return plans;
 }
 

@@ -56,6 +56,11 @@ FigureChoice choose_of_claim(std::vector<Chart> charts, const std::string& id) {
   return choice;
 }
 
+[[noreturn]] void fail_without_figure(const std::string& what, const std::string& name) {
+  throw support::UsageError(
+      fmt::format("{} '{}' has no figure in the store (a [[figure]] in its study file draws one)", what, name));
+}
+
 [[noreturn]] void fail_unknown_figure(const std::vector<StudyResult>& studies, const std::string& name) {
   std::set<std::string> figures, claims;
   for (const StudyResult& study : studies) {
@@ -81,6 +86,10 @@ FigureChoice choose_figures(const std::vector<StudyResult>& studies, const std::
   if (!of_claim.empty()) return choose_of_claim(std::move(of_claim), name);
   auto of_study = charts_where(studies, [&](const StudyResult& s) { return s.name == name; });
   if (!of_study.empty()) return {std::move(of_study), {}};
+  for (const StudyResult& study : studies) {
+    if (study.name == name) fail_without_figure("study", name);
+    if (has_claim(study, name)) fail_without_figure("claim", name);
+  }
   fail_unknown_figure(studies, name);
 }
 

@@ -36,11 +36,6 @@ TEST_F(Outputs, AreNeverAnInputUnderWhateverName) {
       "gate --db v.db --junit hard" + goldens,
       "gate --db v.db --junit goldens/g.toml" + goldens,
       "gate --db v.db --junit same-goldens/g.toml" + goldens,
-      "report --db v.db --out tests/mutation" + goldens,
-      "report --db v.db --out tests" + goldens,
-      "report --db v.db --out goldens" + goldens,
-      "report --db v.db --out same-goldens" + goldens,
-      "report --db soft --out ." + goldens,
       "study s.toml --db s.toml",
       "study s.toml --db s-soft.toml",
   };
@@ -56,6 +51,22 @@ TEST_F(Outputs, AreNeverAnInputUnderWhateverName) {
   EXPECT_EQ(read_text(folder / "goldens/g.toml"), "[[order]]\n");
   EXPECT_EQ(read_text(folder / "tests/mutation/summary.json"), "{}\n");
   EXPECT_EQ(read_text(folder / "s.toml"), small_study);
+}
+
+TEST_F(Outputs, AreNoFolderThatHoldsAnInput) {
+  const std::string cd = "cd '" + (folder / "") + "' && ";
+  for (const char* arguments :
+       {"report --db v.db --out tests/mutation", "report --db v.db --out tests", "report --db v.db --out goldens",
+        "report --db v.db --out same-goldens", "report --db soft --out ."}) {
+    const Answer answer = call(folder, std::string(arguments) + " --goldens goldens", cd);
+    EXPECT_EQ(answer.code, 2) << arguments;
+    EXPECT_THAT(answer.err, HasSubstr("is a folder that holds '")) << arguments;
+  }
+  folder.write("s.toml", small_study);
+  for (const char* option : {"", " --plan"})
+    for (const char* db : {".", "..", "/"})
+      EXPECT_EQ(call(folder, std::string("study s.toml --db ") + db + option, cd).err,
+                "mpmvv: results store '" + std::string(db) + "' is not a file (name a file)\n");
 }
 
 TEST_F(Outputs, OfAnotherPlaceAreWritten) {

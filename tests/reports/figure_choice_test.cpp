@@ -67,19 +67,25 @@ TEST(FigureChoice, UnknownNamesAreAnsweredWithTheKnownOnes) {
   }
 }
 
-TEST(FigureChoice, AClaimOfStudiesWithoutFiguresIsNotAmongTheKnownOnes) {
+TEST(FigureChoice, AClaimOrStudyWithoutAFigureIsNotUnknown) {
   records::StudyResult bare;
   bare.name = "own", bare.claims = {"O-1"};
-  const auto message = [&](const std::vector<records::StudyResult>& all) -> std::string {
+  const auto message = [&](const std::vector<records::StudyResult>& all, const std::string& name) -> std::string {
     try {
-      choose_figures(all, "O-1");
+      choose_figures(all, name);
     } catch (const support::UsageError& e) {
       return e.what();
     }
     return "";
   };
-  EXPECT_EQ(message({studies()[0], bare}), "unknown figure 'O-1' (known: s-fig8, s-fig8-256, S-fig8)");
-  EXPECT_EQ(message({bare}), "no figure 'O-1': no study in the store draws one (a [[figure]] in its study file)");
+  const std::string advice = " has no figure in the store (a [[figure]] in its study file draws one)";
+  for (const auto& all : {std::vector{studies()[0], bare}, std::vector{bare}}) {
+    EXPECT_EQ(message(all, "O-1"), "claim 'O-1'" + advice);
+    EXPECT_EQ(message(all, "own"), "study 'own'" + advice);
+  }
+  EXPECT_EQ(message({studies()[0], bare}, "O-2"), "unknown figure 'O-2' (known: s-fig8, s-fig8-256, S-fig8)");
+  EXPECT_EQ(message({bare}, "O-2"),
+            "no figure 'O-2': no study in the store draws one (a [[figure]] in its study file)");
 }
 
 TEST(FigureChoice, LettersOfAPaperAreTakenForLarger) {
