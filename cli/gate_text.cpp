@@ -6,6 +6,8 @@
 #include <map>
 
 #include "cli/console.hpp"
+#include "cli/lines.hpp"
+#include "cli/numbers.hpp"
 #include "cli/table.hpp"
 
 namespace mpmvv::cli {
@@ -21,23 +23,25 @@ std::string description(const GateResult& r) {
   return r.reason.empty() ? text : fmt::format("{} ({})", text, r.reason);
 }
 
-/// One line; where there are few such studies it names them.
+/// One line, which names such studies where they are few and says how to judge the others alone.
 void print_absent(const goldens::GateReport& report) {
   constexpr std::size_t few = 6;
   std::map<std::string, int> goldens;
-  int all = 0;
+  std::size_t all = 0;
   for (const GateResult& r : report.results)
     if (r.is_absent) ++goldens[r.study], ++all;
   if (goldens.empty()) return;
   std::vector<std::string> names;
   for (const auto& [study, count] : goldens) names.push_back(fmt::format("{} ({})", study, count));
   const bool named = goldens.size() <= few;
-  for (const std::string& line :
-       wrapped(fmt::format("nothing in the store for {} golden{} of {} stud{}{}", all, all == 1 ? "" : "s",
-                           goldens.size(), goldens.size() == 1 ? "y" : "ies",
-                           named ? fmt::format(": {}", fmt::join(names, ", ")) : " (--verbose names them)"),
-               text_width()))
-    print("{}\n", line);
+  std::vector<std::string> hints;
+  if (!named) hints.emplace_back("--verbose names them");
+  if (all < report.results.size()) hints.emplace_back("--only STUDY judges one");
+  print_indented(fmt::format("nothing in the store for {} of {}{}{}", count_text(all, "golden"),
+                             count_text(goldens.size(), "study", "studies"),
+                             named ? fmt::format(": {}", fmt::join(names, ", ")) : "",
+                             hints.empty() ? "" : fmt::format(" ({})", fmt::join(hints, ", "))),
+                 0);
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ std::string window_text(double from, double to) {
   return fmt::format("{:g} to {:g}", from, to);
 }
 
-std::string count_text(std::size_t n, const std::string& what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+std::string count_text(std::size_t n, const std::string& one, const std::string& many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many.empty() ? one + "s" : many);
 }
 
 std::string duration_text(double seconds) {

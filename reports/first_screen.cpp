@@ -40,8 +40,9 @@ int number_of(const std::vector<GateLine>& lines, Verdict verdict) {
 }
 
 Tile gate_tile(const ReportInput& input) {
-  const auto lines = gate_split(input).judged;
-  Tile tile{"Gate", "gate.html", gate_word(lines), gate_word(lines), "", ""};
+  const GateSplit split = gate_split(input);
+  const auto& lines = split.judged;
+  Tile tile{"Gate", "gate.html", gate_text(split), gate_word(split), "", ""};
   tile.detail = lines.empty() ? "no golden of these studies" : fmt::format("goldens: {}", gate_counts(lines));
   if (!input.earlier) return tile;
   std::vector<std::string> changes;
@@ -89,7 +90,7 @@ Tile cost_tile(const ReportInput& input) {
   const auto costs = costs_of(input);
   Tile tile{"Cost", input.benchmark ? "benchmark.html" : "#studies", "not measured", "", "", ""};
   if (costs.empty()) {
-    tile.detail = "no study here was timed alone (repeat = 3)";
+    tile.detail = "no study here was timed alone (repeat = 3 or more)";
     return tile;
   }
   tile.number = three_digits(costs[costs.size() / 2]) + " ns";
@@ -102,8 +103,8 @@ Tile cost_tile(const ReportInput& input) {
 
 Tile age_tile(const ReportInput& input) {
   const std::string time = input.newest_result.empty() ? input.provenance.time : input.newest_result;
-  Tile tile{"Age", "#provenance", time, "", "", "", true};
-  tile.detail = fmt::format("newest result of {} {}, version {}", input.studies.size(),
+  Tile tile{"Newest result", "#provenance", time, "", "", "", true};
+  tile.detail = fmt::format("of {} {}, version {}", input.studies.size(),
                             input.studies.size() == 1 ? "study" : "studies", input.provenance.commit.substr(0, 12));
   if (input.earlier)
     tile.change = fmt::format("{} of {} results differ from {}", input.earlier->changed, input.earlier->compared,

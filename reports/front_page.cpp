@@ -86,7 +86,7 @@ Page front_page(const ReportInput& input, const std::vector<Section>& sections) 
   const GateSplit gate = gate_split(input);
   const ClaimSplit claims = claim_split(input);
   const auto row = [&](const records::StudyResult& study) { return study_row(input, study); };
-  return framed_page("index.html", "mpmvv: " + gate_word(gate.judged), front_template, input,
+  return framed_page("index.html", "mpmvv: " + gate_text(gate), front_template, input,
                      object({{"tiles", first_screen(input)},
                              {"groups", failing_goldens(gate.judged)},
                              {"has_failing", gate_verdict(gate.judged).value_or(Verdict::pass) != Verdict::pass},

@@ -39,7 +39,8 @@ std::string missing_goldens_text(const std::vector<GateLine>& lines) {
   for (const GateGroup& group : gate_groups(lines)) studies.push_back(group.study);
   if (studies.empty()) return "";
   const std::size_t named = std::min(most_named, studies.size());
-  return fmt::format("{} goldens are of {} this report has no result of: {}{}.", lines.size(),
+  return fmt::format("{} of {} this report has no result of: {}{}.",
+                     lines.size() == 1 ? "1 golden is" : fmt::format("{} goldens are", lines.size()),
                      studies.size() == 1 ? "a study that" : fmt::format("{} studies that", studies.size()),
                      fmt::join(studies.begin(), studies.begin() + static_cast<std::ptrdiff_t>(named), ", "),
                      studies.size() > named ? fmt::format(" and {} more", studies.size() - named) : "");

@@ -23,8 +23,9 @@ data titled_group(const ReportInput& input, const GateGroup& group) {
 Page gate_page(const ReportInput& input) {
   const GateSplit split = gate_split(input);
   const auto group = [&](const GateGroup& of_study) { return titled_group(input, of_study); };
-  return framed_page("gate.html", "Gate: " + gate_word(split.judged), gate_template, input,
-                     object({{"overall", gate_word(split.judged)},
+  return framed_page("gate.html", "Gate: " + gate_text(split), gate_template, input,
+                     object({{"overall", gate_text(split)},
+                             {"verdict", gate_word(split)},
                              {"gate_counts", gate_counts(split.judged)},
                              {"has_gate", !split.judged.empty()},
                              {"groups", list_of(gate_groups(split.judged), group)},

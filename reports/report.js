@@ -208,7 +208,7 @@ function ago(time) {
   if (!(hours >= 0)) return "";
   if (hours < 1 / 60) return "just now";
   const [count, unit] = hours < 1 ? [Math.round(hours * 60), "minute"] : hours < 48 ? [Math.round(hours), "hour"] : [Math.round(hours / 24), "day"];
-  return `${count} ${unit}${count === 1 ? "" : "s"}`;
+  return `${count} ${unit}${count === 1 ? "" : "s"} ago`;
 }
 
 function startAges() {

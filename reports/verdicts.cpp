@@ -64,6 +64,17 @@ GateSplit gate_split(const ReportInput& input) {
   return split;
 }
 
+std::string gate_word(const GateSplit& split) {
+  const bool lacks_results = gate_verdict(split.judged) == Verdict::pass && !split.without_study.empty();
+  return lacks_results ? to_string(Verdict::inconclusive) : gate_word(split.judged);
+}
+
+std::string gate_text(const GateSplit& split) {
+  const std::string verdict = gate_word(split.judged);
+  if (split.judged.empty() || split.without_study.empty()) return verdict;
+  return fmt::format("{}, {} without a result", verdict, split.without_study.size());
+}
+
 ClaimSplit claim_split(const ReportInput& input) {
   ClaimSplit split;
   for (const claims::Claim& claim : input.claims) {

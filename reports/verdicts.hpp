@@ -30,6 +30,11 @@ struct GateSplit {
 };
 GateSplit gate_split(const ReportInput& input);
 
+/// The verdict of the gate command, which is inconclusive where nothing fails and goldens have no result; in words
+/// "pass, 421 without a result".
+std::string gate_word(const GateSplit& split);
+std::string gate_text(const GateSplit& split);
+
 /// The claims that a study of the report judges or names; those that none does.
 struct ClaimSplit {
   std::vector<claims::Claim> judged, without_study;

@@ -46,9 +46,14 @@ TEST_F(GateText, WhatFailsComesFirstAndWhatPassesIsCounted) {
   EXPECT_THAT(answer.out, MatchesRegex("verdict +study +golden\n"
                                        "fail +small +status of 'linear' at 16: expected unstable, measured ok .*\n"
                                        "inconclusive +small +status of 'linear' at 99: .*\n"
-                                       "nothing in the store for 2 goldens of 2 studies: one \\(1\\), two \\(1\\)\n"
+                                       "nothing in the store for 2 goldens of 2 studies: one \\(1\\), two \\(1\\) "
+                                       "\\(--only STUDY judges one\\)\n"
                                        "gate: 1 pass, 1 fail, 3 inconclusive\n"));
   EXPECT_THAT(gate("--json").json()["results"][4]["absent"], true);
+}
+
+TEST_F(GateText, WhereNothingWasRunThereIsNoStudyToJudgeAlone) {
+  EXPECT_THAT(gate("--only one").out, AllOf(HasSubstr("for 1 golden of 1 study: one (1)\n"), Not(HasSubstr("--only"))));
 }
 
 TEST_F(GateText, VerboseNamesEachGolden) {

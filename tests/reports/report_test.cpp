@@ -111,6 +111,19 @@ TEST(Report, VerdictAndProvenanceStandOnTheFirstPage) {
   EXPECT_THAT(page, AllOf(HasSubstr("<title>mpmvv: fail</title>"), Not(HasSubstr("dirty: built from"))));
 }
 
+TEST(Report, SaysNoMoreThanTheGateWhereGoldensHaveNoResult) {
+  const TempFolder folder;
+  auto in = input();
+  in.gate = {in.gate[0], {"not-run", "order", "inconclusive", "1 to 2", "", "no study 'not-run' in the store"}};
+  EXPECT_THAT(page_of(in, folder),
+              AllOf(HasSubstr("<title>mpmvv: pass, 1 without a result</title>"), HasSubstr("tile inconclusive"),
+                    HasSubstr("Every golden that has a result holds")));
+  EXPECT_THAT(content(folder / "out/gate.html"),
+              HasSubstr("<span class=\"badge inconclusive\">pass, 1 without a result</span>"));
+  in.gate.pop_back();
+  EXPECT_THAT(page_of(in, folder), AllOf(HasSubstr("<title>mpmvv: pass</title>"), HasSubstr("Every golden holds")));
+}
+
 TEST(Report, ClaimsLeadToTheirStudiesAndBack) {
   const TempFolder folder;
   EXPECT_THAT(page_of(input(), folder, "claims/S-fig10.html"), HasSubstr("<a href=\"../studies/bar-bases.html\">"));
