@@ -59,8 +59,7 @@ int merge(const DbOptions& options) {
 
 int forget(const DbOptions& options) {
   const std::size_t versions = Store(options.db, Store::Mode::write).forget(options.study);
-  print("study {} removed from {} ({} version{}); its runs stay\n", options.study, options.db, versions,
-        versions == 1 ? "" : "s");
+  print("study {} removed from {} ({}); its runs stay\n", options.study, options.db, count_text(versions, "version"));
   return 0;
 }
 

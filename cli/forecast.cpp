@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "cli/console.hpp"
-#include "cli/lines.hpp"
 #include "cli/numbers.hpp"
+#include "cli/table.hpp"
 #include "studies/plan/forecast.hpp"
 
 namespace mpmvv::cli {
@@ -18,6 +18,29 @@ namespace {
 nlohmann::json json_of(const plan::StudyForecast& s) {
   return {{"study", s.study}, {"cases", s.cases}, {"stored", s.stored}, {"shared", s.shared},   {"runs", s.runs},
           {"parts", s.parts}, {"timed", s.timed}, {"probes", s.probes}, {"seconds", s.seconds}, {"why", s.why}};
+}
+
+void print_studies(const std::vector<plan::StudyForecast>& studies) {
+  using Kind = Table::Kind;
+  Table table({{"study"},
+               {"cases", Kind::number},
+               {"stored", Kind::number},
+               {"shared", Kind::number},
+               {"to run", Kind::number},
+               {"parts", Kind::number},
+               {"timed", Kind::number},
+               {"probes", Kind::number},
+               {"on a\ncore", Kind::number},
+               {"why", Kind::prose}},
+              0);
+  for (const plan::StudyForecast& s : studies) {
+    std::vector<std::string> cells{s.study};
+    for (const auto count : {s.cases, s.stored, s.shared, s.runs, s.parts, s.timed, s.probes})
+      cells.push_back(fmt::format("{}", count));
+    cells.insert(cells.end(), {duration_text(s.seconds), s.why});
+    table.add(std::move(cells));
+  }
+  table.print();
 }
 
 }  // namespace
@@ -37,14 +60,10 @@ void print_forecast(const std::vector<plan::StudyPlan>& plans, const plan::Work&
     for (const plan::StudyForecast& study : all.studies) json["studies"].push_back(json_of(study));
     return print_json(json);
   }
-  static constexpr const char* row = "{:<18} {:>7} {:>8} {:>8} {:>8} {:>7} {:>7} {:>8} {:>11}\n";
-  print(row, "study", "cases", "stored", "shared", "to run", "parts", "timed", "probes", "on a core");
-  for (const plan::StudyForecast& s : all.studies) {
-    print(row, s.study, s.cases, s.stored, s.shared, s.runs, s.parts, s.timed, s.probes, duration_text(s.seconds));
-    print_indented(s.why);
-  }
-  print("about {} on {} jobs, {} on one; of it {} alone on the machine, at the end\n", duration_text(all.seconds), jobs,
-        duration_text(all.core_seconds), duration_text(all.timed_seconds));
+  print_studies(all.studies);
+  print("about {} on {}, {} on one; of it {} alone on the machine, at the end\n", duration_text(all.seconds),
+        count_text(static_cast<std::size_t>(jobs), "job"), duration_text(all.core_seconds),
+        duration_text(all.timed_seconds));
 }
 
 }  // namespace mpmvv::cli

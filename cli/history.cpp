@@ -122,9 +122,9 @@ void print_trends(const std::vector<Version>& versions, const std::vector<Trend>
   const std::size_t first = versions.size() - shown_versions(versions.size());
   for (std::size_t v = 0; v < versions.size(); ++v) {
     print("{:>3}  {}, {}\n", v + 1, label(versions[v]), versions[v].time);
-    if (v >= first) columns.push_back({fmt::format("{}", v + 1), Table::Kind::number});
+    if (v >= first) columns.push_back({fmt::format("version\n{}", v + 1), Table::Kind::number});
   }
-  columns.push_back({"of", Table::Kind::prose});
+  columns.push_back({"result", Table::Kind::prose});
   Table table(columns, 0);
   for (const Trend& trend : trends) {
     std::vector<std::string> cells{trend.study};

@@ -135,7 +135,8 @@ void add_list(CLI::App& app, int& exit_code) {
   auto what = std::make_shared<std::string>(), folder = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand(
-      "list", "Print what there is: studies, problems with their values, and the words of every key");
+      "list",
+      "Print the problems with their values and the words of every key, or one list, of the studies for instance");
   command
       ->add_option("what", *what,
                    "studies, study-file, codes, dialects, problems, bases, ... (default: all but the first four)")

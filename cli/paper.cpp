@@ -6,6 +6,7 @@
 #include "cli/console.hpp"
 #include "cli/help.hpp"
 #include "cli/length.hpp"
+#include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "studies/support/error.hpp"
@@ -28,8 +29,9 @@ int paper(const PaperOptions& options) {
   if (studies.empty())
     throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
   const auto summary = reports::write_paper(studies, store::current_provenance(), options.out, column);
-  print("{}/main.tex: {} figures ({} drawn), {} tables of orders\n", options.out, summary.figures,
-        summary.figures_drawn, summary.tables);
+  print("{}/main.tex: {} ({} drawn), {} of orders\n", options.out,
+        count_text(static_cast<std::size_t>(summary.figures), "figure"), summary.figures_drawn,
+        count_text(static_cast<std::size_t>(summary.tables), "table"));
   for (const auto& missing : summary.without) print("  {}\n", missing);
   return 0;
 }

@@ -45,8 +45,10 @@ void ProgressLine::draw() const {
   if (progress_.total == 0) return;
   const double since = std::chrono::duration<double>(Clock::now() - told_).count();
   const double left = std::max(0.0, progress_.seconds_left - since);
-  const std::string line = fmt::format("[{}/{}] about {} left  {}", progress_.done, progress_.total,
-                                       left < 1 ? "1 s" : duration_text(left), progress_.label);
+  const std::string time = progress_.done == progress_.total
+                               ? "all done"
+                               : fmt::format("about {} left", left < 1 ? "1 s" : duration_text(left));
+  const std::string line = fmt::format("[{}/{}] {}  {}", progress_.done, progress_.total, time, progress_.label);
   note_text(to_its_start + cut(line, note_columns().value_or(80) - 1));
 }
 

@@ -71,6 +71,7 @@ TEST_F(Figure, BadOptionsGetOneLineAndWriteNothing) {
       {"small --format tex --font Times",
        "--font with --format tex (LaTeX sets the document's own font; leave it out)"},
       {"small --format pdf --out a.svg", "--format pdf with --out a.svg (a file that ends with .pdf)"},
+      {"small --out a.png", "--out a.png (a file that ends with .pdf, .svg or .tex, or a folder: a.png/)"},
       {"smal", "unknown figure 'smal' (known: small, S-fig10; did you mean 'small'?)"}};
   for (const auto& [arguments, message] : calls) {
     const Answer answer = draw(arguments);
@@ -84,9 +85,19 @@ TEST_F(Figure, BadOptionsGetOneLineAndWriteNothing) {
 TEST_F(Figure, AllOfThemMakeADocument) {
   const Answer answer = call(folder_, "paper --db r.db --out paper", there_);
   EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_EQ(answer.out, "paper/main.tex: 1 figures (1 drawn), 1 tables of orders\n");
+  EXPECT_EQ(answer.out, "paper/main.tex: 1 figure (1 drawn), 1 table of orders\n");
   EXPECT_THAT(read_text(folder_ / "paper/main.tex"), AllOf(HasSubstr("{small}"), HasSubstr("A small figure")));
   EXPECT_THAT(read_text(folder_ / "paper/tables/orders-further.tex"), HasSubstr("bspline2"));
+}
+
+TEST_F(Figure, ADocumentOfAnotherHandIsNotOverwritten) {
+  fs::create_directories(folder_ / "paper");
+  folder_.write("paper/main.tex", "mine");
+  const Answer answer = call(folder_, "paper --db r.db --out paper", there_);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.err, HasSubstr("paper/main.tex is none of ours and would be overwritten"));
+  EXPECT_EQ(read_text(folder_ / "paper/main.tex"), "mine");
+  EXPECT_FALSE(fs::exists(folder_ / "paper/figures"));
 }
 
 TEST_F(Figure, ADocumentNeedsAResult) {

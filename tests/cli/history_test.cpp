@@ -98,8 +98,11 @@ TEST_F(History, TrendFollowsTheTime) {
   ASSERT_EQ(json["trends"].size(), 3U);
   EXPECT_EQ(json["trends"][0]["values"], nlohmann::json::parse("[2.0, 1.0]"));
   const Answer answer = ask("trend");
-  EXPECT_THAT(answer.out, AllOf(StartsWith("  1  c0ffee (digest 00ff11)"),
-                                ContainsRegex("\nstudy +1 +2 +of\nbar +2 +1 +order of 'linear' in l2 over .8, 16.\n")));
+  EXPECT_THAT(
+      answer.out,
+      AllOf(StartsWith("  1  c0ffee (digest 00ff11)"),
+            ContainsRegex(
+                "\n +version +version\nstudy +1 +2 +result\nbar +2 +1 +order of 'linear' in l2 over .8, 16.\n")));
 }
 
 TEST_F(History, GateAnnotatesForGithub) {

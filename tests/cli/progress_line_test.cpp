@@ -15,7 +15,7 @@ TEST(ProgressLine, SaysOnATerminalHowLongTheRestTakes) {
       "'" + program() + "' study '" + folder.write("small.toml", small_study) + "' --db '" + (folder / "r.db") + "'";
   const std::string shown = shell("script -qec \"" + study + "\" /dev/null").out;
   EXPECT_THAT(shown, ContainsRegex("\r\033\\[K\\[0/8\\] about [0-9.]+ (s|min|h) left"));
-  EXPECT_THAT(shown, ContainsRegex("\\[8/8\\] about 1 s left  bar [a-z0-9]+ cd periodic"));
+  EXPECT_THAT(shown, ContainsRegex("\\[8/8\\] all done  bar [a-z0-9]+ cd periodic"));
   EXPECT_THAT(shown, HasSubstr("\r\033[Ksmall: Small\r\n")) << "gone before the results";
 }
 
