@@ -51,7 +51,7 @@ int check(const DbOptions& options) {
 
 int merge(const DbOptions& options) {
   const std::int64_t copied = Store::merge(options.db, options.others);
-  print("{} records copied from {} to {}\n", copied,
+  print("{} copied from {} to {}\n", count_text(static_cast<std::size_t>(copied), "record"),
         options.others.size() == 1 ? options.others[0].string() : count_text(options.others.size(), "store"),
         options.db);
   return 0;

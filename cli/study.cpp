@@ -73,9 +73,9 @@ int run_shard(const StudyOptions& options, const std::vector<plan::StudyPlan>& p
       options, codes, [&](const auto& running) { return plan::run_shard(plans, work, store, running, counts); });
   for (const std::string& trouble : outcome.troubles) note("{}\n", trouble);
   print(
-      "shard {}: {} cases run, {} taken from {}, {} failed; `mpmvv db merge` puts the shards together, `mpmvv study` "
+      "shard {}: {} run, {} taken from {}, {} failed; `mpmvv db merge` puts the shards together, `mpmvv study` "
       "makes their studies\n",
-      options.shard, counts.ran, counts.reused, options.db, outcome.failed);
+      options.shard, count_text(counts.ran, "case"), counts.reused, options.db, outcome.failed);
   return outcome.failed == 0 && outcome.troubles.empty() ? 0 : 1;
 }
 
@@ -93,7 +93,7 @@ int run_studies(const StudyOptions& options, const std::vector<plan::StudyPlan>&
       note("study {} is not kept: {}\n", outcome.result.name, outcome.trouble);
   }
   const auto lost = std::ranges::count_if(outcomes, [](const auto& outcome) { return !outcome.trouble.empty(); });
-  print("{} cases run, {} taken from {}, {} failed{}\n", counts.ran, counts.reused, options.db, failed,
+  print("{} run, {} taken from {}, {} failed{}\n", count_text(counts.ran, "case"), counts.reused, options.db, failed,
         lost > 0 ? fmt::format("; studies not kept: {}", lost) : "");
   return failed == 0 && lost == 0 ? 0 : 1;
 }
