@@ -132,7 +132,7 @@ TEST(ReportPlace, WhatAnEarlierReportWroteAloneGoesAwayAndNothingElse) {
   const TempFolder folder;
   ReportInput more = input("any"), fewer = input("any");
   fewer.studies.pop_back();
-  more.claims = {{"S-fig4", "a sentence", "", "", "open", "", {}, {}}};
+  more.claims = {{"S-fig4", "a sentence", "", "", claims::Claim::Verdict::open, "", {}, {}}};
   write_report(more, folder / "out", silent);
   ASSERT_TRUE(fs::exists(folder / "out/studies/weights.html"));
   std::ofstream(folder / "out/studies/mine.html") << "mine";

@@ -114,7 +114,8 @@ TEST(Report, VerdictAndProvenanceStandOnTheFirstPage) {
 TEST(Report, SaysNoMoreThanTheGateWhereGoldensHaveNoResult) {
   const TempFolder folder;
   auto in = input();
-  in.gate = {in.gate[0], {"not-run", "order", "inconclusive", "1 to 2", "", "no study 'not-run' in the store"}};
+  in.gate = {in.gate[0],
+             {"not-run", "order", records::Verdict::inconclusive, "1 to 2", "", "no study 'not-run' in the store"}};
   EXPECT_THAT(page_of(in, folder),
               AllOf(HasSubstr("<title>mpmvv: pass, 1 without a result</title>"), HasSubstr("tile inconclusive"),
                     HasSubstr("Every golden that has a result holds")));
