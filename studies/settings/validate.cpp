@@ -80,6 +80,12 @@ struct Asked {
     return "";
   }
 
+  /// Cells of the domain along an axis that has a wall.
+  int cells_between_walls() const {
+    const auto wall = std::ranges::find(faces, solver::Wall::word);
+    return wall == faces.end() ? 0 : problems::domain_cells(c)[static_cast<std::size_t>(wall - faces.begin()) / 2];
+  }
+
   /// Cells between two faces; of the whole body along L.
   int cells_across() const {
     return c.problem.quarter ? std::ranges::min(problems::domain_cells(c)) : c.resolution.cells;
@@ -161,8 +167,9 @@ constexpr Rule rules[]{
 
     {[](const Asked& a) { return !a.wall_at_rest().empty(); },
      "boundary 'wall' on face {wall_at_rest} of problem '{problem}', which has no moving wall there"},
-    {[](const Asked& a) { return a.has<solver::Wall>() && 2 * a.s.wall_depth >= a.cells_across(); },
-     "wall_depth {wall_depth} on {cells_across} cells (less than half of them: walls must leave nodes to the method)"},
+    {[](const Asked& a) { return a.has<solver::Wall>() && 2 * a.s.wall_depth >= a.cells_between_walls(); },
+     "wall_depth {wall_depth} on {cells_between_walls} cells (less than half of them: walls must leave nodes to the "
+     "method)"},
     {[](const Asked& a) { return a.has<solver::Wall>() && !a.has_whole_steps; },
      "boundary 'wall' with integrator '{integrator}' (one whose steps have positions and velocities at their ends: "
      "{whole_integrators})"},
@@ -227,17 +234,18 @@ std::string updates(const Property& property) {
 
 std::string text_of(const Rule& rule, const Asked& a) {
   using fmt::arg;
-  return fmt::format(
-      fmt::runtime(rule.message), arg("basis", a.s.basis), arg("integrator", a.s.integrator),
-      arg("velocity_update", a.s.velocity_update), arg("boundary", a.s.boundary), arg("material", a.s.material),
-      arg("problem", a.problem.name), arg("cells", a.c.resolution.cells), arg("cells_across", a.cells_across()),
-      arg("least_cells", a.least_cells()), arg("twice_ghosts", 2 * a.ghosts), arg("wall_at_rest", a.wall_at_rest()),
-      arg("wall_depth", a.s.wall_depth), arg("open_cut", a.open_cut()), arg("placed_updates", updates(takes_position)),
-      arg("consistent_updates", updates(solver::takes_consistent_mass)),
-      arg("adding_updates", updates(solver::adds_accelerations)),
-      arg("wall_updates", updates(takes_consistent_velocity)),
-      arg("affine_bases", fmt::join(words_with<solver::AnyBasis>(is_affine), ", ")),
-      arg("whole_integrators", fmt::join(integrators_with(settings::has_whole_steps), ", ")));
+  return fmt::format(fmt::runtime(rule.message), arg("basis", a.s.basis), arg("integrator", a.s.integrator),
+                     arg("velocity_update", a.s.velocity_update), arg("boundary", a.s.boundary),
+                     arg("material", a.s.material), arg("problem", a.problem.name), arg("cells", a.c.resolution.cells),
+                     arg("cells_across", a.cells_across()), arg("least_cells", a.least_cells()),
+                     arg("twice_ghosts", 2 * a.ghosts), arg("wall_at_rest", a.wall_at_rest()),
+                     arg("wall_depth", a.s.wall_depth), arg("cells_between_walls", a.cells_between_walls()),
+                     arg("open_cut", a.open_cut()), arg("placed_updates", updates(takes_position)),
+                     arg("consistent_updates", updates(solver::takes_consistent_mass)),
+                     arg("adding_updates", updates(solver::adds_accelerations)),
+                     arg("wall_updates", updates(takes_consistent_velocity)),
+                     arg("affine_bases", fmt::join(words_with<solver::AnyBasis>(is_affine), ", ")),
+                     arg("whole_integrators", fmt::join(integrators_with(settings::has_whole_steps), ", ")));
 }
 
 }  // namespace

@@ -63,12 +63,12 @@ cases::Case case_of(std::vector<Setting> settings) {
 }
 
 TEST(Validate, WallsLeaveNodesToTheMethod) {
-  EXPECT_NO_THROW(case_of({{"problem", "stretch", ""}, {"wall_depth", "7.5", ""}}));
+  EXPECT_NO_THROW(case_of({{"problem", "stretch", ""}, {"wall_depth", "5", ""}}));
   EXPECT_THAT(
       [] {
-        case_of({{"problem", "stretch", ""}, {"wall_depth", "8", ""}});
+        case_of({{"problem", "stretch", ""}, {"wall_depth", "100", ""}});
       },
-      ThrowsMessage<support::UsageError>(HasSubstr("wall_depth 8 on 16 cells (less than half of them")));
+      ThrowsMessage<support::UsageError>(HasSubstr("wall_depth 100 on 9")));
 }
 
 TEST(Validate, AQuarterIsContinuedWhereItWasCut) {
