@@ -1,0 +1,87 @@
+#include "studies/claims/measured_orders.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+
+#include "studies/claims/samples.hpp"
+#include "studies/claims/window_points.hpp"
+#include "studies/fits/replicates.hpp"
+
+namespace mpmvv::claims {
+
+using fits::ObservedOrder;
+using records::Point;
+using records::Series;
+using records::Status;
+using records::StudyResult;
+
+namespace {
+
+/// The order over the points in the window that are stable; `missing` when one failed or has not been measured.
+ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
+                           Measured& out) {
+  ObservedOrder fit = fits::fit_order(samples_of(series, norm, result.sweep), c.window.from, c.window.to);
+  if (const auto all = replicate_samples_of(series, norm, result.sweep); !all.empty())
+    fit.replicates = fits::fit_replicates(all, c.window.from, c.window.to);
+  const auto stable = std::count_if(series.points.begin(), series.points.end(), [&](const Point& point) {
+    return c.window.holds(point.x) && point.status != Status::unstable;
+  });
+  if (fit.points < stable) {
+    const std::string near_floor = left_out(series, norm);
+    out.missing = fmt::format("'{}': {} of {} stable points are no use{}", series.name, stable - fit.points, stable,
+                              near_floor.empty() ? "" : ", left out: " + near_floor);
+  }
+  return fit;
+}
+
+void add_order(const std::string& label, const ObservedOrder& fit, const std::string& remark, Measured& out) {
+  const double width = fits::half_width(fit);
+  const std::string interval = width > 0 ? fmt::format(" (±{:.2g})", width) : "";
+  out.add(label, fit.order, Interval{fit.order - width, fit.order + width}, interval + remark);
+}
+
+/// The series whose one quantity, of which `norm` is the name, is that norm over `over_norm`.
+Series quotient(const Series& series, const std::string& norm, const std::string& over_norm) {
+  Series quotient{series.name, {}, {}, {}};
+  for (const Point& point : series.points) {
+    Point ratio{point.x, point.status, point.reason, {{norm, error_at(point, norm) / error_at(point, over_norm)}}};
+    const auto own = point.replicates.find(norm), other = point.replicates.find(over_norm);
+    if (own != point.replicates.end() && other != point.replicates.end() && own->second.size() == other->second.size())
+      std::ranges::transform(own->second, other->second, std::back_inserter(ratio.replicates[norm]), std::divides{});
+    quotient.points.push_back(ratio);
+  }
+  return quotient;
+}
+
+}  // namespace
+
+void measure_order(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
+  const ObservedOrder fit = stable_order(c, result, series, c.norm, out);
+  const std::vector<double> unstable = values_with(Status::unstable, c, series);
+  const bool is_decided = !unstable.empty() && c.at_least;  // whatever order the others have, and if they have none
+  const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
+  if (!is_decided || !std::isnan(fit.order))
+    add_order(fmt::format("order of '{}' in {} {}", series.name, c.norm, over_window(c, result)), fit, without, out);
+  if (is_decided)
+    out.add(fmt::format("order of '{}' {}", series.name, at_point(result, unstable[0])),
+            -std::numeric_limits<double>::infinity());
+}
+
+void measure_order_difference(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
+  const double own = stable_order(c, result, series, c.norm, out).order;
+  const double other = stable_order(c, result, series, c.over_norm, out).order;
+  const ObservedOrder fit = stable_order(c, result, quotient(series, c.norm, c.over_norm), c.norm, out);
+  add_order(fmt::format("order of '{}' in {} ({:.2f}) less that in {} ({:.2f}) {}", series.name, c.norm, own,
+                        c.over_norm, other, over_window(c, result)),
+            fit, "", out);
+  if (const auto unstable = values_with(Status::unstable, c, series); !unstable.empty())
+    out.missing = fmt::format("'{}' is unstable at {}", series.name, fmt::join(unstable, ", "));
+}
+
+}  // namespace mpmvv::claims

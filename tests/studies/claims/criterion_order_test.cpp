@@ -1,0 +1,138 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/studies/claims/criterion_samples.hpp"
+
+namespace mpmvv::claims::criterion_order_test {
+
+using namespace criterion_samples;
+using records::PartVerdict;
+using records::Point;
+
+using testing::HasSubstr;
+
+TEST(Criterion, OrderInsideAndOutsideItsBounds) {
+  EXPECT_EQ(judge(criterion(Kind::order, "good", 1.9, 2.1), two_series()).verdict, PartVerdict::holds);
+  const records::ClaimPart part = judge(criterion(Kind::order, "good", 2.1, {}), two_series());
+  EXPECT_EQ(part.verdict, PartVerdict::fails);
+  EXPECT_EQ(part.reason, "why not");
+  EXPECT_THAT(part.evidence, HasSubstr("= 2 "));
+}
+
+/// e = h² on 8 to 128 cells, larger by 2^scatter at every other level; order one more in `linf`.
+StudyResult scattered(double scatter) {
+  StudyResult result;
+  result.sweep = "cells";
+  result.series = {Series{"good", {}, {}, {}}};
+  for (int k = 0; k < 5; ++k) {
+    const double n = 8 * std::exp2(k), e = std::exp2(-2 * k + scatter * (k % 2));
+    result.series[0].points.push_back({n, Status::ok, "", {{"l2", e}, {"linf", e / n}}});
+  }
+  return result;
+}
+
+TEST(Criterion, HowWellAnOrderIsKnownIsNoPartOfWhatWasFound) {
+  StudyResult result = scattered(1);
+  Criterion c = criterion(Kind::order, "good", 1.5, {});
+  c.window = {8, 128};
+  EXPECT_EQ(judge(c, result).found.at(0).what, "order of 'good' in l2 over cells 8 to 128");
+  EXPECT_THAT(judge(c, result).evidence, HasSubstr("over cells 8 to 128 (±0.64) = 2"));
+}
+
+PartVerdict verdict_of_order(const StudyResult& result, std::optional<double> at_least, std::optional<double> at_most) {
+  Criterion c = criterion(Kind::order, "good", at_least, at_most);
+  c.window = {8, 128};
+  return judge(c, result).verdict;
+}
+
+TEST(Criterion, AnOrderWhoseIntervalReachesAcrossABoundIsInconclusive) {  // 2 ± 0.64
+  const StudyResult result = scattered(1);
+  EXPECT_EQ(verdict_of_order(result, 1.3, {}), PartVerdict::holds);
+  EXPECT_EQ(verdict_of_order(result, 1.5, {}), PartVerdict::inconclusive) << "2 is on the right side";
+  EXPECT_EQ(verdict_of_order(result, 2.5, {}), PartVerdict::inconclusive) << "2 is on the wrong side";
+  EXPECT_EQ(verdict_of_order(result, 2.7, {}), PartVerdict::fails);
+  EXPECT_EQ(verdict_of_order(result, {}, 2.7), PartVerdict::holds);
+  EXPECT_EQ(verdict_of_order(result, {}, 2.5), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict_of_order(result, {}, 1.5), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict_of_order(result, {}, 1.3), PartVerdict::fails);
+  Criterion c = criterion(Kind::order, "good", 1.5, {});
+  c.window = {8, 128};
+  EXPECT_THAT(judge(c, result).evidence,
+              HasSubstr("(±0.64) = 2 (asked: at least 1.5, but an interval reaches across)"));
+  EXPECT_EQ(judge(c, result).reason, "") << "which says why it fails";
+}
+
+TEST(Criterion, OneThatFailsOutweighsOneWhoseIntervalReachesAcross) {
+  StudyResult result = scattered(1);
+  result.series.push_back(scattered(0).series[0]);
+  result.series[1].name = "exact";
+  Criterion c = criterion(Kind::order, "good", 2.1, {});
+  c.window = {8, 128}, c.series = {"good", "exact"};
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::fails);
+}
+
+TEST(Criterion, AnOrderOfReplicatesHasTheirInterval) {
+  const auto with_replicates = [](StudyResult result, double factor) {
+    for (Point& point : result.series[0].points)
+      for (const double other : {1 / factor, factor}) point.replicates["l2"].push_back(other * point.y["l2"]);
+    return result;
+  };
+  EXPECT_EQ(verdict_of_order(with_replicates(scattered(0), 1.01), 1.9, {}), PartVerdict::holds);
+  EXPECT_EQ(verdict_of_order(with_replicates(scattered(0), 2), 1.9, {}), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict_of_order(with_replicates(scattered(1), 1.01), 1.9, {}), PartVerdict::inconclusive)
+      << "replicates agree, but their means are no line";
+}
+
+TEST(Criterion, TheScatterThatTwoNormsShareIsNoneOfTheirDifference) {
+  StudyResult result = scattered(1);
+  Criterion c = criterion(Kind::order_difference, "good", {}, -0.99);
+  c.window = {8, 128}, c.over_norm = "linf";
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::holds) << judge(c, result).evidence;
+  for (Point& point : result.series[0].points) point.y["linf"] = std::pow(point.x, -3);
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::inconclusive);
+  result = scattered(0);
+  for (Point& point : result.series[0].points)
+    for (const double factor : {0.5, 2.0}) {
+      point.replicates["l2"].push_back(factor * point.y["l2"]);
+      point.replicates["linf"].push_back(factor * point.y["linf"]);
+    }
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::holds) << "by replicates";
+}
+
+TEST(Criterion, AnUnstablePointBreaksALowerBoundOfTheOrderOnly) {
+  EXPECT_EQ(judge(criterion(Kind::order, "bad", 1.5, 2.5), two_series()).verdict, PartVerdict::fails);
+  const records::ClaimPart part = judge(criterion(Kind::order, "bad", {}, 2.5), two_series());
+  EXPECT_EQ(part.verdict, PartVerdict::holds);
+  EXPECT_THAT(part.evidence, HasSubstr("unstable at 64"));
+}
+
+/// Fewer points that are left must not make a verdict milder.
+TEST(Criterion, AnOrderFailsHoweverManyPointsAreUnstable) {
+  for (std::size_t unstable = 1; unstable <= 4; ++unstable) {
+    StudyResult result = two_series();
+    for (std::size_t k = 4 - unstable; k < 4; ++k) result.series[0].points[k] = {8.0, Status::unstable, "blown up", {}};
+    EXPECT_EQ(judge(criterion(Kind::order, "good", 1.5, {}), result).verdict, PartVerdict::fails) << unstable;
+  }
+}
+
+TEST(Criterion, UnstablePointsHaveNoDifferenceOfOrders) {
+  Criterion difference = criterion(Kind::order_difference, "bad", -0.1, 0.1);
+  difference.over_norm = "l2";
+  const records::ClaimPart part = judge(difference, two_series());
+  EXPECT_EQ(part.verdict, PartVerdict::inconclusive);
+  EXPECT_THAT(part.evidence, HasSubstr("'bad' is unstable at 64"));
+}
+
+TEST(Criterion, OrderDifferenceBetweenNorms) {
+  StudyResult result = two_series();
+  for (Point& point : result.series[0].points) point.y["linf"] = std::pow(point.x, -1.5);
+  Criterion difference = criterion(Kind::order_difference, "good", 0.4999, 0.5001);
+  difference.over_norm = "linf";
+  EXPECT_EQ(judge(difference, result).verdict, PartVerdict::holds);
+  difference.window = {8, 8};  // one point carries no order
+  EXPECT_EQ(judge(difference, result).verdict, PartVerdict::inconclusive);
+}
+
+}  // namespace mpmvv::claims::criterion_order_test
