@@ -96,7 +96,7 @@ void print_page(const Claim& c, const std::vector<records::StudyResult>& results
   print("\n");
   print_criteria("study", parts);
   if (options.verbose) print_grounds(parts);
-  print_undecided(parts);
+  print_undecided(parts, options.verbose);
   print_reasons(parts);
   const std::string command = repeated_by(c, results, options.db);
   if (command.empty())

@@ -69,10 +69,12 @@ void print_reason(const std::string& head, const ClaimPart& part, const std::str
 
 }  // namespace
 
-void print_undecided(const std::vector<LabelledPart>& parts) {
-  for (const auto& [label, part] : parts)
-    if (part.verdict == records::PartVerdict::inconclusive)
-      print_reason("why it is inconclusive", part, reports::undecided_text(part));
+void print_undecided(const std::vector<LabelledPart>& parts, bool have_grounds) {
+  for (const auto& [label, part] : parts) {
+    if (part.verdict != records::PartVerdict::inconclusive) continue;
+    const std::string why = reports::undecided_text(part);
+    if (!have_grounds || why != part.evidence) print_reason("why it is inconclusive", part, why);
+  }
 }
 
 void print_reasons(const std::vector<LabelledPart>& parts) {

@@ -43,8 +43,9 @@ std::optional<reports::Earlier> earlier_version(const store::Store& store, const
   const auto versions = store.versions();
   const store::Version* version = version_before(versions, store::current_provenance().digest);
   if (version == nullptr) return std::nullopt;
-  const auto then = store.studies(version->digest);
-  const goldens::Comparison comparison = goldens::compare(claims::findings_of(then), claims::findings_of(now));
+  const auto then = without_trials(store.studies(version->digest));
+  const goldens::Comparison comparison =
+      goldens::compare(claims::findings_of(then), claims::findings_of(without_trials(now)));
   reports::Earlier earlier;
   earlier.label = version->commits.front().substr(0, 12);
   earlier.gate = gate_counts(goldens, then);

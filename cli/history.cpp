@@ -87,8 +87,8 @@ int compare_versions(const CompareOptions& options) {
   const auto versions = store.versions();
   const Version& a = store::find_version(versions, options.a);
   const Version& b = store::find_version(versions, options.b.empty() ? store::current_provenance().digest : options.b);
-  const goldens::Comparison comparison =
-      goldens::compare(claims::findings_of(store.studies(a.digest)), claims::findings_of(store.studies(b.digest)));
+  const goldens::Comparison comparison = goldens::compare(claims::findings_of(without_trials(store.studies(a.digest))),
+                                                          claims::findings_of(without_trials(store.studies(b.digest))));
   if (options.json)
     print_json(comparison_json(comparison, a, b, options.all));
   else

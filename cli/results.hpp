@@ -19,21 +19,25 @@
 
 namespace mpmvv::cli {
 
+inline bool is_trial(const records::StudyResult& study) {
+  return !store::trial_of(study.text).empty();
+}
+
 /// What a study made with `study --set` says of its claims: nothing, as it says nothing of its goldens to the gate.
 inline void withhold_verdicts(records::StudyResult& trial) {
-  const std::string settings = store::trial_of(trial.text);
-  if (settings.empty()) return;
   for (records::ClaimPart& part : trial.parts)
     if (part.verdict != records::PartVerdict::shown) {
       part.verdict = records::PartVerdict::inconclusive;
-      part.reason = fmt::format("made with --set: {}", settings);
+      part.evidence = fmt::format("made with --set: {}", store::trial_of(trial.text));
+      part.reason = "";
     }
 }
 
 /// What the store holds of the running program's own digest.
 inline std::vector<records::StudyResult> own_results(const std::string& db) {
   auto studies = store::Store(db, store::Store::Mode::read).studies(store::current_provenance().digest);
-  std::ranges::for_each(studies, withhold_verdicts);
+  for (records::StudyResult& study : studies)
+    if (is_trial(study)) withhold_verdicts(study);
   return studies;
 }
 
@@ -76,14 +80,17 @@ inline std::vector<claims::Claim> judged_claims(std::vector<records::StudyResult
   return claims::judge_claims(studies);
 }
 
-/// The trends over these versions of a store, without studies made with `study --set`.
+/// What a version of a store says when it is laid beside others: what its studies say that are no trials.
+inline std::vector<records::StudyResult> without_trials(std::vector<records::StudyResult> studies) {
+  std::erase_if(studies, is_trial);
+  return studies;
+}
+
+/// The trends over these versions of a store.
 inline std::vector<claims::Trend> trends_in(const store::Store& store, const std::vector<store::Version>& versions) {
   std::vector<std::vector<claims::Finding>> findings;
-  for (const store::Version& version : versions) {
-    auto studies = store.studies(version.digest);
-    std::erase_if(studies, [](const auto& study) { return !store::trial_of(study.text).empty(); });
-    findings.push_back(claims::findings_of(studies));
-  }
+  for (const store::Version& version : versions)
+    findings.push_back(claims::findings_of(without_trials(store.studies(version.digest))));
   return claims::trends_of(findings);
 }
 

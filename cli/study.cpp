@@ -102,7 +102,7 @@ int run_studies(const StudyOptions& options, const std::vector<plan::StudyPlan>&
 void note_replaced(const std::vector<plan::StudyPlan>& trials, const store::Store& store, const std::string& db) {
   for (const records::StudyResult& held : store.studies(store::current_provenance().digest))
     for (const plan::StudyPlan& trial : trials)
-      if (trial.name == held.name && store::trial_of(held.text).empty())
+      if (trial.name == held.name && !store::trial_of(trial.text).empty() && store::trial_of(held.text).empty())
         note(
             "{}: takes the place of the study in {} (without --set it comes back; keep trials in a store of their "
             "own)\n",
@@ -121,9 +121,9 @@ int study(const StudyOptions& options) {
   }
   store::Store store(options.db, store::Store::Mode::create_or_write);
   plan::require_one_voice(plans, store.statements(store::current_provenance().digest), options.db);
+  if (!options.shard.empty()) return run_shard(options, plans, work, finder.codes(), store);
   if (!options.choice.settings.empty() || !options.choice.where_taken.empty()) note_replaced(plans, store, options.db);
-  return options.shard.empty() ? run_studies(options, plans, finder.codes(), store)
-                               : run_shard(options, plans, work, finder.codes(), store);
+  return run_studies(options, plans, finder.codes(), store);
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ void print_criteria(const records::StudyResult& study, bool verbose) {
   print("\n");
   print_criteria("claim", parts);
   if (verbose) print_grounds(parts);
-  print_undecided(parts);
+  print_undecided(parts, verbose);
   if (!verbose) return;
   print_reasons(parts);
 }

@@ -69,7 +69,7 @@ const Point* finest_stable(const std::string& sweep, const Series& series, const
     const auto error = point.y.find(norm);
     if (!window.holds(point.x) || point.status != records::Status::ok || error == point.y.end()) continue;
     if (!(error->second > 0 && error->second <= largest_number)) continue;
-    if (!finest || claims::step_size(point.x, sweep) < claims::step_size(finest->x, sweep)) finest = &point;
+    if (!finest || claims::is_finer(point.x, finest->x, sweep)) finest = &point;
   }
   return finest;
 }

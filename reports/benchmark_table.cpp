@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "reports/benchmark.hpp"
-#include "reports/other_codes.hpp"
+#include "reports/published_costs.hpp"
 #include "reports/text.hpp"
 #include "studies/support/not_measured.hpp"
 
@@ -162,7 +162,7 @@ Table machine_table(const Benchmark& benchmark) {
 }  // namespace
 
 std::vector<Table> benchmark_tables(const Benchmark& benchmark) {
-  std::vector<Table> tables{case_table(benchmark),    others_table(benchmark, other_codes()),
+  std::vector<Table> tables{case_table(benchmark),    others_table(benchmark, published_costs()),
                             skip_table(benchmark),    thread_table(benchmark),
                             machine_table(benchmark), block_table(benchmark)};
   std::erase_if(tables, [](const Table& t) { return t.empty(); });

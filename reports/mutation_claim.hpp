@@ -12,8 +12,8 @@ namespace mpmvv::reports {
 /// tree.
 inline constexpr const char *mutants_claim = "X-mutants", *mutants_command = "./run mutants && ./run alarms";
 
-/// What they say, as the parts of a study; without parts when
-/// no mistake is known.
+/// What the planted mistakes and the runs without one say, as the parts of a study; without parts where no mistake is
+/// known.
 records::StudyResult mutation_study(const std::optional<MutationResults>& mutation, const std::vector<AlarmRun>& runs);
 
 }  // namespace mpmvv::reports

@@ -109,8 +109,7 @@ Table extrapolations_table(const StudyResult& study) {
       {"quantity", "window", "grids", "model", "free order", "limit", "finest grid", "uncertainty", "GCI", "remark"},
       {},
       "The free order is that of φ0 + α h^p. Where it lies outside of 0.5 to 2 it decides nothing: a model of fixed "
-      "powers "
-      "is taken."};
+      "powers is taken."};
   return with_series(table, study, [](const Series& series) {
     Table::Rows rows;
     for (const auto& e : series.extrapolations)

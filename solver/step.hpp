@@ -70,7 +70,7 @@ class Step {
   void set_velocity();               ///< v_i = p_i / m_i, constrained                             S (2), W (9)
   void set_stress_velocity();        ///< v_i as the stress updates take it: expanded for `fmpm`   N §2.2
   void restore_velocity();           ///< v_i = p_i / m_i again, if it has been expanded since
-  void set_acceleration();           ///< a_i = f_i / m_i, constrained but where S (30) follows    S (5), W (15), W §4
+  void set_acceleration();           ///< a_i = f_i / m_i, constrained unless S (30) will set it   S (5), W (15), W §4
   void advance_velocity(double dt);  ///< v_i += a_i Δt, constrained                               S (6), W (16), S (30)
 
   // From the grid to particles: the last sweep of a step, after which all is ready for the next. A page changes nothing

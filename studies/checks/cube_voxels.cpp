@@ -64,7 +64,7 @@ Tiling tiling_of(const Voxels& voxels) {
       note_gap(voxels.centre[q][d] - voxels.width[q][d] / 2 - upper);
       Vec across = voxels.centre[q] - voxels.centre[p];
       across[d] = 0;
-      keep_larger(tiling.offset, across.cwiseAbs().maxCoeff());
+      keep_larger(tiling.offset, largest_of(across.cwiseAbs()));
     }
   }
   tiling.volume_error = std::abs(volume - 1);

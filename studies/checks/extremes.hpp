@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <cmath>
 
 namespace mpmvv::checks {
@@ -11,6 +12,11 @@ inline void keep_larger(double& so_far, double value) {
 
 inline void keep_smaller(double& so_far, double value) {
   if (!(value >= so_far) && !std::isnan(so_far)) so_far = value;
+}
+
+template <class Numbers>
+double largest_of(const Eigen::DenseBase<Numbers>& numbers) {
+  return numbers.derived().template maxCoeff<Eigen::PropagateNaN>();
 }
 
 }  // namespace mpmvv::checks

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -98,13 +98,18 @@ CheckResult check_wall_spectra() {
   for (const BarBetweenWalls& at : settings)
     for (const auto& [name, method] : methods) {
       std::vector<double> radii;
-      for (const double k : orders) radii.push_back(largest_radius(at.basis, at.depth, method, static_cast<int>(k)));
+      double largest = 0, of_two = 0, least = std::numeric_limits<double>::infinity();
+      for (const double k : orders) {
+        radii.push_back(largest_radius(at.basis, at.depth, method, static_cast<int>(k)));
+        keep_larger(largest, radii.back());
+        k < 3 ? keep_larger(of_two, radii.back()) : keep_smaller(least, radii.back());
+      }
       result.add_curve(std::string(name) + ", " + at.title, orders, radii);
       const std::string label = std::string(name) + "_" + at.name;
-      result.add("largest_" + label, *std::max_element(radii.begin(), radii.end()), "largest radius, k to 16");
+      result.add("largest_" + label, largest, "largest radius, k to 16");
       if (method != WallMethod::combined) continue;
-      result.add("two_" + label, std::max(radii[0], radii[1]), "largest radius, k = 1 and 2");
-      result.add("least_" + label, *std::min_element(radii.begin() + 2, radii.end()), "least radius, k from 3 to 16");
+      result.add("two_" + label, of_two, "largest radius, k = 1 and 2");
+      result.add("least_" + label, least, "least radius, k from 3 to 16");
     }
   ForceFreeBar bar(solver::Cpdi{}, 0.4, 1);
   result.add("same_at_2", (bar.map(WallMethod::combined, 2) - bar.map(WallMethod::elimination, 2)).norm(),

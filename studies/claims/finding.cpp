@@ -47,8 +47,7 @@ std::vector<Finding::Level> levels_of(const Series& series, const std::string& q
 }
 
 const Finding::Level& finest(const StudyResult& study, const std::vector<Finding::Level>& levels) {
-  const auto h = [&](const Finding::Level& level) { return step_size(level.x, study.sweep); };
-  return h(levels.back()) < h(levels.front()) ? levels.back() : levels.front();
+  return is_finer(levels.back().x, levels.front().x, study.sweep) ? levels.back() : levels.front();
 }
 
 Finding numbered(Finding finding) {

@@ -11,6 +11,9 @@ namespace mpmvv::claims {
 /// The step size that goes with a swept value: h = 1/x for a sweep over `cells`, else x.
 double step_size(double x, const std::string& sweep);
 
+/// Whether a swept value makes for finer grids or steps, or for more particles, than another.
+bool is_finer(double a, double b, const std::string& sweep);
+
 /// Errors below this times a floor say nothing of an order: what the rounding of a code's output makes
 /// (`output_floor`), and what the solution is off by for the body's law (`solution_floor`).
 inline constexpr double least_over_floor = 3;

@@ -114,6 +114,17 @@ std::vector<std::string> known_words() {
   return words;
 }
 
+/// Where nothing of a particle is a number it is lost, which is a result.
+void require_reference_positions(const Snapshot& s, const std::string& file) {
+  const auto is_number = [](const std::vector<Point>& all, std::size_t row) {
+    return all.empty() || std::ranges::all_of(all[row], [](double d) { return std::isfinite(d); });
+  };
+  for (std::size_t row = 0; row < s.X.size(); ++row)
+    if (!is_number(s.X, row) && is_number(s.x, row) && is_number(s.u, row))
+      throw UsageError(fmt::format(
+          "the reference position of row {} in {} is no number (where the particle is at rest)", row + 1, file));
+}
+
 }  // namespace
 
 std::map<std::string, std::string> parse_columns(const std::string& text, const std::string& where) {
@@ -160,12 +171,7 @@ Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const s
     throw UsageError(fmt::format("no positions in {} (columns x, y, z, or --columns x=...; it has {})", file,
                                  fmt::join(known, ", ")));
   }
-  const auto is_number = [](const Point& X) {
-    return std::ranges::all_of(X, [](double d) { return std::isfinite(d); });
-  };
-  if (const auto odd = std::ranges::find_if_not(s.X, is_number); odd != s.X.end())
-    throw UsageError(fmt::format("the reference position of row {} in {} is no number (where the particle is at rest)",
-                                 odd - s.X.begin() + 1, file));
+  require_reference_positions(s, file);
   std::vector<const TableColumn*> places;
   for (const Quantity& quantity : quantities_of(s.u.empty() ? "x" : "u"))
     if (const TableColumn* column = lookup.find(quantity)) places.push_back(column);

@@ -141,10 +141,12 @@ void require_motion(const MatchedEnd<D>& end) {
                        2 * rounding_error(end.snapshot.rounding);  // numbers on a lattice may all be off by half a unit
   const Excursion exact = excursion(end.particles);
   if (error_at(end, 0, 1) > least || exact.farthest <= 10 * least) return;
-  fail_output(
-      "no particle in {} has moved since time zero (the state at the end of a run; where that is the start again, a "
-      "case with another --end-time, such as {:.3g})",
-      end.snapshot.file, exact.time);
+  if (exact.at_end <= least)
+    fail_output(
+        "the particles in {} are where they were at time zero, and so are those of the exact solution: nothing can be "
+        "told from them (a case with another --end-time, such as {:.3g})",
+        end.snapshot.file, exact.time);
+  fail_output("no particle in {} has moved since time zero (the state at the end of a run)", end.snapshot.file);
 }
 
 template <int D>

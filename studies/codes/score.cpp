@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "studies/codes/excursion.hpp"
 #include "studies/codes/matching.hpp"
 #include "studies/codes/output_checks.hpp"
@@ -118,6 +116,7 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   record.energy.initial_total = runs::start_energy(particles.setup, particles.energy);
   for (const Snapshot* s : {output.start ? &*output.start : nullptr, &output.end})
     if (s) require_finite(*s, particles.size());
+  require_end_time(c, output.end);
   const MatchedEnd<D> end = matched(particles, output);
   require_displacement_units(end);
   require_inside(end);
@@ -147,7 +146,6 @@ void measure(const problems::Problem& problem, const Output& output, Record& rec
   const cases::Case& c = record.the_case;
   for (const Snapshot* s : {output.start ? &*output.start : nullptr, &output.end})
     if (s) require_same_case(c, *s);
-  require_end_time(c, output.end);
   std::visit([&]<int D>(problems::SetupFunction<D>) { measure(case_particles<D>(c), output, record); }, problem.setup);
 }
 
@@ -178,7 +176,7 @@ std::string caution(const cases::Case& c) {
   const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
   const Excursion exact =
       std::visit([&]<int D>(problems::SetupFunction<D>) { return excursion(case_particles<D>(c)); }, problem.setup);
-  if (exact.at_end > 1e-6 * exact.farthest) return "";
+  if (exact.farthest == 0 || exact.at_end > 1e-6 * exact.farthest) return "";
   return fmt::format(
       "at the end of the case, {:.4g} s, the exact solution is where it started: a code that does nothing has no error "
       "(a case with another --end-time, such as {:.3g})",

@@ -1,7 +1,6 @@
 #include "studies/plan/criterion_reader.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string>

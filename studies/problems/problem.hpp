@@ -82,6 +82,9 @@ Extent extent(const cases::Case& c);
 
 std::vector<int> domain_cells(const cases::Case& c);  ///< along each axis
 
+/// Between the problem's walls at the two faces of an axis, at a time; infinite where there are no two.
+double cells_between_walls(const cases::Case& c, std::size_t axis, double t);
+
 double cfl_number(const cases::Case& c);  ///< wave speed × time step / cell width
 
 // The problems, each defined in its own file.

@@ -120,6 +120,17 @@ std::vector<int> domain_cells(const cases::Case& c) {
   });
 }
 
+double cells_between_walls(const cases::Case& c, std::size_t axis, double t) {
+  const Problem& problem = find_problem(c.problem.name, "the case");
+  const double h = problem.length(c.problem.parameters) / c.resolution.cells;
+  const auto between = [&]<int D>(SetupFunction<D>) {
+    const auto walls = make_setup<D>(problem, c.problem, h).walls;
+    const auto &lower = walls[2 * axis], &upper = walls[2 * axis + 1];
+    return lower && upper ? (upper->position(t) - lower->position(t)) / h : std::numeric_limits<double>::infinity();
+  };
+  return std::visit(between, problem.setup);
+}
+
 double cfl_number(const cases::Case& c) {
   const Problem& problem = find_problem(c.problem.name, "the case");
   return problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells /

@@ -71,19 +71,25 @@ struct Asked {
 
   static std::string face_name(std::size_t k) { return fmt::format("{}{}", "xyz"[k / 2], k % 2 == 0 ? "min" : "max"); }
 
-  /// A face where a quarter was cut and whose boundary does not stand for the rest; empty without one.
+  /// A face where a quarter was cut and whose boundary does not stand for the rest, as one that holds tangential
+  /// velocities, too; empty without one.
   std::string open_cut() const {
     const std::size_t side = problem.symmetry_planes == problems::SymmetryPlanes::at_lower_faces ? 0 : 1;
     for (std::size_t k = side; c.problem.quarter && k < faces.size(); k += 2)
-      for (const auto& word : {solver::Free::word, solver::Periodic::word, solver::Wall::word})
-        if (faces[k] == word) return face_name(k);
+      if (faces[k] != solver::Symmetry::word && faces[k] != solver::Mirror::word) return face_name(k);
     return "";
   }
 
-  /// Cells of the domain along an axis that has a wall.
-  int cells_between_walls() const {
+  /// Of the body between the problem's walls, of which the case has some, at the start or the end, whichever has fewer.
+  double cells_between_walls() const {
     const auto wall = std::ranges::find(faces, solver::Wall::word);
-    return wall == faces.end() ? 0 : problems::domain_cells(c)[static_cast<std::size_t>(wall - faces.begin()) / 2];
+    if (wall == faces.end()) return 0;
+    const auto axis = static_cast<std::size_t>(wall - faces.begin()) / 2;
+    const double T = c.resolution.dt * static_cast<double>(c.resolution.steps);
+    return std::min(problems::cells_between_walls(c, axis, 0), problems::cells_between_walls(c, axis, T));
+  }
+  bool have_walls_all_cells() const {
+    return s.wall_depth * static_cast<double>(std::ranges::count(faces, solver::Wall::word)) >= cells_between_walls();
   }
 
   /// Cells between two faces; of the whole body along L.
@@ -167,9 +173,10 @@ constexpr Rule rules[]{
 
     {[](const Asked& a) { return !a.wall_at_rest().empty(); },
      "boundary 'wall' on face {wall_at_rest} of problem '{problem}', which has no moving wall there"},
-    {[](const Asked& a) { return a.has<solver::Wall>() && 2 * a.s.wall_depth >= a.cells_between_walls(); },
-     "wall_depth {wall_depth} on {cells_between_walls} cells (less than half of them: walls must leave nodes to the "
-     "method)"},
+    {[](const Asked& a) { return a.has<solver::Wall>() && a.have_walls_all_cells(); },
+     "wall_depth {wall_depth} where the walls are {cells_between_walls:.3g} cells apart (less: walls must leave nodes "
+     "to "
+     "the method)"},
     {[](const Asked& a) { return a.has<solver::Wall>() && !a.has_whole_steps; },
      "boundary 'wall' with integrator '{integrator}' (one whose steps have positions and velocities at their ends: "
      "{whole_integrators})"},
@@ -183,8 +190,8 @@ constexpr Rule rules[]{
      "grid_offset with boundary '{boundary}', whose faces have their place among the nodes (periodic or free on both "
      "faces of an axis)"},
     {[](const Asked& a) { return !a.open_cut().empty(); },
-     "boundary '{boundary}' of a quarter of problem '{problem}', whose face {open_cut} was cut (symmetry, mirror or "
-     "dirichlet there)"},
+     "boundary '{boundary}' of a quarter of problem '{problem}', whose face {open_cut} was cut (symmetry or mirror "
+     "there)"},
     {[](const Asked& a) { return a.has_plane_between_nodes(); },
      "quarter of problem '{problem}' on {cells} cells, whose planes of symmetry lie between nodes (an even number)"},
     {[](const Asked& a) {

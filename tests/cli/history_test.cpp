@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "studies/store/store.hpp"
+#include "studies/store/trial.hpp"
 #include "tests/cli/program.hpp"
 
 namespace mpmvv::cli::history_test {
@@ -52,6 +53,14 @@ class History : public testing::Test {
   Folder folder_;
   std::string db_ = folder_ / "r.db";
 };
+
+TEST_F(History, ATrialIsNoEvidenceOfAVersion) {
+  records::StudyResult trial = bar_study(1, 5e-3);
+  trial.text = store::with_trial("", "ppc = 4 in 1 of 1 series");
+  keep(db_, trial, "00aa22", "c0de00", "2026-01-03T00:00:00Z");
+  EXPECT_EQ(ask("compare c0f c0d --json").json()["compared"], 0);
+  EXPECT_EQ(ask("trend --json").json()["trends"][0]["values"], nlohmann::json::parse("[2.0, null]"));
+}
 
 TEST_F(History, CompareShowsWhatChangedWorstFirst) {
   const Answer answer = ask("compare c0f c0d");

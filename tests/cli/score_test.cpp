@@ -67,7 +67,7 @@ TEST_F(Score, SaysWhereTheEndOfACaseIsItsStart) {
   EXPECT_THAT(answer.err, AllOf(HasSubstr("mpmvv: at the end of the case, 0.02 s"), HasSubstr("such as 0.01)")));
   const Answer at_rest = score(start_);
   EXPECT_EQ(at_rest.code, 1);
-  EXPECT_THAT(at_rest.out, HasSubstr("status failed (no particle in "));
+  EXPECT_THAT(at_rest.out, HasSubstr("are where they were at time zero, and so are those of the exact solution"));
 }
 
 TEST_F(Score, RefusesWhatItCannotRead) {

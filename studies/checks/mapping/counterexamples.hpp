@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "studies/checks/basis_function.hpp"
+#include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/matrix_product.hpp"
 #include "studies/checks/mapping/shape_properties.hpp"
 #include "studies/checks/mapping/sum_properties.hpp"
@@ -39,7 +40,7 @@ inline double shape_difference_by_neighbours(const Weighting& weighting) {
   const Subject<1> s(body, MassKind::lumped);
   constexpr std::size_t p = 13, q = 16;
   const auto offsets = symmetric_offsets(body.grid());
-  return (s.around(p, offsets) - s.around(q, offsets)).cwiseAbs().maxCoeff() / s.peak(p);
+  return largest_of((s.around(p, offsets) - s.around(q, offsets)).cwiseAbs()) / s.peak(p);
 }
 
 /// (ix) Valley between opposite corners of the cell of a particle in its middle, with particles a hundred times as
@@ -88,7 +89,7 @@ inline double change_carried_by_grid() {
     const auto M = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(x_p.size()));
     return matrix_product(ParticleBasis::lumped(hats(grid, x_p), M).psi().transpose(), hats(grid, x));
   };
-  return (phi(moved_nodes, carried(particles), carried(points)) - phi(nodes, particles, points)).cwiseAbs().maxCoeff();
+  return largest_of((phi(moved_nodes, carried(particles), carried(points)) - phi(nodes, particles, points)).cwiseAbs());
 }
 
 }  // namespace mpmvv::checks::mapping

@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 
 #include "studies/checks/basis_function.hpp"
 #include "studies/checks/extremes.hpp"
@@ -37,7 +36,7 @@ template <int D>
 double two_fields(const Subject<D>& s) {
   const Eigen::VectorXd f = random_data(s.body().M().size());
   const Eigen::MatrixXd F = nodal_values(s.body().mass_matrix(s.mass()), s.body().v(), s.body().M(), f);
-  return (F.transpose() * s.N() - f.transpose() * s.phi()).cwiseAbs().maxCoeff() / s.largest();
+  return largest_of((F.transpose() * s.N() - f.transpose() * s.phi()).cwiseAbs()) / s.largest();
 }
 
 /// (iv) Largest difference of a central difference and h Σ_i ψ_ip ∇N_i inside the pieces of the nodal functions, over
@@ -52,7 +51,7 @@ double piecewise_gradient(const Subject<D>& s) {
     };
     const auto gradients = s.body().field().gradients(axis, points_inside_pieces(s.body().grid(), axis, 0));
     const Eigen::MatrixXd exact = s.body().grid().h[axis] * s.basis().at(gradients);
-    keep_larger(worst, ((field_at(step) - field_at(-step)) / (2 * step) - exact).cwiseAbs().maxCoeff());
+    keep_larger(worst, largest_of(((field_at(step) - field_at(-step)) / (2 * step) - exact).cwiseAbs()));
   }
   return worst / s.largest();
 }
@@ -62,7 +61,7 @@ template <int D>
 double field_of_one(const Subject<D>& s) {
   const Eigen::MatrixXd ones = Eigen::MatrixXd::Identity(s.phi().rows(), s.phi().rows());
   const Eigen::MatrixXd F = nodal_values(s.body().mass_matrix(s.mass()), s.body().v(), s.body().M(), ones);
-  return (F.transpose() * s.N() - s.phi()).cwiseAbs().maxCoeff() / s.largest();
+  return largest_of((F.transpose() * s.N() - s.phi()).cwiseAbs()) / s.largest();
 }
 
 }  // namespace mpmvv::checks::mapping

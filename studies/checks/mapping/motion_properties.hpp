@@ -30,7 +30,7 @@ double change_with_grid(const Subject<D>& s) {
   grid.lower += u;
   const auto moved = s.body().moved(grid, s.body().tiling().translated(u));
   const auto place = [&u](const auto& x) { return solver::Vec<D>(x + u); };
-  return change_at(s, moved, place).cwiseAbs().maxCoeff() / s.largest();
+  return largest_of(change_at(s, moved, place).cwiseAbs()) / s.largest();
 }
 
 /// (xi) Largest change of a shape, over the peak in the body, of an interior particle when all translate by 0.3 (0.2)
@@ -44,7 +44,7 @@ double change_on_grid(const Subject<D>& s) {
   const auto offsets = symmetric_offsets(grid);
   double worst = 0;
   for (const std::size_t p : s.interior())
-    keep_larger(worst, (moved.around(p, offsets) - s.around(p, offsets)).cwiseAbs().maxCoeff() / s.peak(p));
+    keep_larger(worst, largest_of((moved.around(p, offsets) - s.around(p, offsets)).cwiseAbs()) / s.peak(p));
   return worst;
 }
 
@@ -109,7 +109,7 @@ double change_stretched_with_grid(const Subject<D>& s) {
   grid.lower = grid.lower.cwiseProduct(factor).eval(), grid.h = grid.h.cwiseProduct(factor).eval();
   const auto moved = s.body().moved(grid, s.body().tiling().stretched(factor));
   const auto place = [&factor](const auto& x) { return solver::Vec<D>(x.cwiseProduct(factor)); };
-  return change_at(s, moved, place).cwiseAbs().maxCoeff() / s.largest();
+  return largest_of(change_at(s, moved, place).cwiseAbs()) / s.largest();
 }
 
 /// (xiii) Largest change of an interior particle's Φ_p on material points of the body, over its peak, when the
@@ -124,7 +124,7 @@ double change_stretched_on_grid(const Subject<D>& s) {
   const auto change = change_at(s, s.body().moved(s.body().grid(), tiling.stretched(factor, middle)), place);
   double worst = 0;
   for (const std::size_t p : s.interior())
-    keep_larger(worst, change.row(static_cast<Eigen::Index>(p))(s.in_body()).cwiseAbs().maxCoeff() / s.peak(p));
+    keep_larger(worst, largest_of(change.row(static_cast<Eigen::Index>(p))(s.in_body()).cwiseAbs()) / s.peak(p));
   return worst;
 }
 
@@ -150,7 +150,7 @@ double rate_misfit(const MappedBody<D>& body) {
         average.col(points.particle[q]) +=
             points.dV[q] / V[points.particle[q]] * gradients.col(static_cast<Eigen::Index>(q));
     }
-    keep_larger(worst, body.grid().h[axis] * (rate - average).cwiseAbs().maxCoeff());
+    keep_larger(worst, body.grid().h[axis] * largest_of((rate - average).cwiseAbs()));
   }
   return worst;
 }

@@ -93,7 +93,7 @@ class PropertyTable {
     for (const PropertyMeasure& m : property_measures()) {
       if (m.property == aside && !group.empty()) continue;
       const double value = m(subject);
-      if (std::isnan(value)) continue;
+      if (value == no_meaning) continue;
       keep(fmt::format("{}{}_{}", group, m.name, mass), m, value, body);
       if (m.property != aside) cells_[body][m.property][mass] = value;
     }
@@ -117,7 +117,11 @@ class PropertyTable {
     const auto known = extremes_.find(name);
     const bool least = m.extreme == Extreme::least;
     if (known == extremes_.end()) order_.push_back(name);
-    if (known != extremes_.end() && (least ? value >= known->second.first : value <= known->second.first)) return;
+    if (known != extremes_.end()) {
+      double extreme = known->second.first;
+      (least ? keep_smaller : keep_larger)(extreme, value);
+      if (extreme == known->second.first || std::isnan(known->second.first)) return;
+    }
     extremes_[name] = {value, fmt::format("{} {} ({})", least ? "least" : "largest", m.meaning, body)};
   }
 

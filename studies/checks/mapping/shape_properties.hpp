@@ -11,7 +11,7 @@ namespace mpmvv::checks::mapping {
 template <int D>
 double asymmetry_of(const Subject<D>& s, std::size_t p) {
   const Eigen::RowVectorXd phi = s.around(p, symmetric_offsets(s.body().grid()));
-  return (phi - phi.reverse()).cwiseAbs().maxCoeff() / s.peak(p);
+  return largest_of((phi - phi.reverse()).cwiseAbs()) / s.peak(p);
 }
 
 /// (v) Asymmetry of the least symmetric interior particle.
@@ -43,7 +43,7 @@ double largest_shape_difference(const Subject<D>& s, bool whole_cells_apart) {
       const solver::Vec<D> cells = (x[q] - x[p]).cwiseQuotient(s.body().grid().h);
       const bool whole = ((cells - cells.array().round().matrix()).array().abs() < 1e-9).all();
       if (q > p && whole == whole_cells_apart)
-        keep_larger(worst, (s.around(p, offsets) - s.around(q, offsets)).cwiseAbs().maxCoeff() / s.peak(p));
+        keep_larger(worst, largest_of((s.around(p, offsets) - s.around(q, offsets)).cwiseAbs()) / s.peak(p));
     }
   return worst;
 }

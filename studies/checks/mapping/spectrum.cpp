@@ -2,10 +2,12 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "studies/checks/extremes.hpp"
+
 namespace mpmvv::checks::mapping {
 
 double spectral_radius(const Eigen::MatrixXd& map) {
-  return map.eigenvalues().cwiseAbs().maxCoeff();
+  return largest_of(map.eigenvalues().cwiseAbs());
 }
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& symmetric) {

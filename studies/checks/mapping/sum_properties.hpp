@@ -46,7 +46,7 @@ Eigen::RowVectorXd position_misfits(const Subject<D>& s) {
 template <int D>
 double interpolation(const Subject<D>& s) {
   const Eigen::MatrixXd at_particles = s.basis().at(s.body().field().weights(s.body().tiling().x));
-  return (at_particles - Eigen::MatrixXd::Identity(at_particles.rows(), at_particles.cols())).cwiseAbs().maxCoeff();
+  return largest_of((at_particles - Eigen::MatrixXd::Identity(at_particles.rows(), at_particles.cols())).cwiseAbs());
 }
 
 /// (i) Root mean square over interior particles of ∫Φ_p dV / V_p - 1, over that of point-to-point interpolation. NaN
@@ -98,7 +98,10 @@ double linear_completeness_inside(const Subject<D>& s) {
 /// (viii) Largest excess of Φ_p over 1 or of 0 over Φ_p.
 template <int D>
 double positivity(const Subject<D>& s) {
-  return std::max({0.0, s.phi().maxCoeff() - 1, -s.phi().minCoeff()});
+  double excess = 0;
+  keep_larger(excess, largest_of(s.phi()) - 1);
+  keep_larger(excess, largest_of(-s.phi()));
+  return excess;
 }
 
 }  // namespace mpmvv::checks::mapping

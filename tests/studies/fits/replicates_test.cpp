@@ -65,6 +65,10 @@ TEST(Replicates, SaysNothingWithoutThem) {
   EXPECT_TRUE(std::isnan(fit.lack_of_fit));
   EXPECT_TRUE(std::isnan(fit_replicates(sampled(quadratic, 4, 0.0, 1), 8, 128).lack_of_fit))
       << "no scatter, no measure";
+  const auto mixed = [](double h) { return h * h + 0.02 * h; };
+  const ReplicateFit alike = fit_replicates(sampled(mixed, 4, 0.0, 1), 8, 128);
+  EXPECT_EQ(alike.lack_of_fit, 0) << "but one on a bent line";
+  EXPECT_GT(alike.half_width, 0.1);
 }
 
 TEST(Replicates, OutsideTheWindowDoNotCount) {

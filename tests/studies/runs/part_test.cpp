@@ -273,7 +273,7 @@ TEST(Part, IsNotRunWhereTheRestIsNoImageOfIt) {
         "problem=square",
         "problem=stretch-1d integrator=usl",
         "problem=pulse boundary=symmetry",
-        "problem=ring quarter=true boundary=dirichlet",
+        "problem=ring quarter=true boundary=xmin=symmetry,xmax=symmetry,ymin=symmetry,ymax=symmetry",
         "problem=vortex cfl=0.3",
         "problem=vortex basis=cpdi cfl=0.2",
         "problem=vortex grid_offset=0.25 cfl=0.2",

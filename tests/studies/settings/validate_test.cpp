@@ -1,5 +1,6 @@
 #include "studies/settings/validate.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,23 +63,29 @@ cases::Case case_of(std::vector<Setting> settings) {
   return make_case(settings);
 }
 
+/// The bar is 80 cells long, and longer at the end.
 TEST(Validate, WallsLeaveNodesToTheMethod) {
-  EXPECT_NO_THROW(case_of({{"problem", "stretch", ""}, {"wall_depth", "5", ""}}));
-  EXPECT_THAT(
-      [] {
-        case_of({{"problem", "stretch", ""}, {"wall_depth", "100", ""}});
-      },
-      ThrowsMessage<support::UsageError>(HasSubstr("wall_depth 100 on 9")));
+  const auto with_depth = [](const char* depth, const char* boundary) {
+    return [=] { case_of({{"problem", "stretch-1d", ""}, {"boundary", boundary, ""}, {"wall_depth", depth, ""}}); };
+  };
+  const auto refused = ThrowsMessage<support::UsageError>(HasSubstr("where the walls are 80 cells apart"));
+  EXPECT_NO_THROW(with_depth("39", "wall")());
+  EXPECT_THAT(with_depth("40", "wall"), refused);
+  EXPECT_NO_THROW(with_depth("79", "xmin=wall,xmax=free")());
+  EXPECT_THAT(with_depth("80", "xmin=wall,xmax=free"), refused);
 }
 
 TEST(Validate, AQuarterIsContinuedWhereItWasCut) {
-  const auto quarter = [](const char* problem, const char* boundary) {
+  const auto quarter = [](const char* problem, const std::string& boundary) {
     return [=] { case_of({{"problem", problem, ""}, {"quarter", "true", ""}, {"boundary", boundary, ""}}); };
   };
   EXPECT_NO_THROW(quarter("ring", "xmin=symmetry,xmax=free,ymin=mirror,ymax=free")());
-  EXPECT_THAT(quarter("ring", "xmin=symmetry,xmax=free,ymin=free,ymax=free"),
-              ThrowsMessage<support::UsageError>(HasSubstr("whose face ymin was cut (symmetry, mirror or dirichlet")));
+  for (const char* cut : {"free", "dirichlet"})
+    EXPECT_THAT(quarter("ring", fmt::format("xmin=symmetry,xmax=free,ymin={},ymax=free", cut)),
+                ThrowsMessage<support::UsageError>(HasSubstr("whose face ymin was cut (symmetry or mirror there)")));
   EXPECT_THAT(quarter("cube", "free"), ThrowsMessage<support::UsageError>(HasSubstr("whose face xmax was cut")));
+  EXPECT_THAT(quarter("impact", "xmin=free,xmax=symmetry,ymin=free,ymax=free"),
+              ThrowsMessage<support::UsageError>(HasSubstr("whose face ymax was cut")));
 }
 
 TEST(Validate, ErrorsAtEveryStepNeedASolution) {

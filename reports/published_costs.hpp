@@ -19,12 +19,12 @@ struct PublishedCost {
   double per_particle_step() const { return seconds / (steps * particles); }  ///< s
 };
 
-/// Those of reports/other_codes.toml.
-const std::vector<PublishedCost>& other_codes();
+/// Those of reports/published_costs.toml.
+const std::vector<PublishedCost>& published_costs();
 
 /// The same from text; `name` stands for the file in messages. Throws UsageError where a field is missing, unknown or
 /// of another type.
-std::vector<PublishedCost> read_other_codes(const std::string& text, const std::string& name);
+std::vector<PublishedCost> read_published_costs(const std::string& text, const std::string& name);
 
 /// Their times beside those of this program's cases; empty without such a case.
 Table others_table(const Benchmark& benchmark, const std::vector<PublishedCost>& codes);

@@ -1,4 +1,4 @@
-#include "reports/other_codes.hpp"
+#include "reports/published_costs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,15 +7,15 @@
 
 #include "studies/support/error.hpp"
 
-namespace mpmvv::reports::other_codes_test {
+namespace mpmvv::reports::published_costs_test {
 
 using testing::ElementsAre;
 using testing::MatchesRegex;
 
-TEST(OtherCodes, EachFigureHasAllThatAReaderNeeds) {
-  ASSERT_GE(other_codes().size(), 4u);
+TEST(PublishedCosts, EachFigureHasAllThatAReaderNeeds) {
+  ASSERT_GE(published_costs().size(), 4u);
   std::set<std::string> seen;
-  for (const PublishedCost& code : other_codes()) {
+  for (const PublishedCost& code : published_costs()) {
     SCOPED_TRACE(code.name + ", " + code.hardware);
     for (const auto& text : {code.on, code.name, code.what, code.precision, code.hardware, code.published})
       EXPECT_FALSE(text.empty());
@@ -43,26 +43,26 @@ source = "https://example.org"
 date = "2020"
 )";
 
-TEST(OtherCodes, AFieldThatIsMissingUnknownOrNoSizeIsRefused) {
-  EXPECT_EQ(read_other_codes(entry, "codes").size(), 1u);
+TEST(PublishedCosts, AFieldThatIsMissingUnknownOrNoSizeIsRefused) {
+  EXPECT_EQ(read_published_costs(entry, "codes").size(), 1u);
   const std::string all = entry;
   for (const char* key : {"on", "name", "what", "precision", "hardware", "published", "seconds", "steps", "particles",
                           "beside", "source", "date"}) {
     const auto begin = all.find(std::string("\n") + key + " = ") + 1;
     std::string without = all;
     without.erase(begin, all.find('\n', begin) - begin);
-    EXPECT_THROW(read_other_codes(without, "codes"), support::UsageError) << key;
+    EXPECT_THROW(read_published_costs(without, "codes"), support::UsageError) << key;
   }
-  EXPECT_THROW(read_other_codes(all + "colour = 1\n", "codes"), support::UsageError);
+  EXPECT_THROW(read_published_costs(all + "colour = 1\n", "codes"), support::UsageError);
   for (const auto& [right, wrong] : {std::pair{"steps = 10", "steps = 0"}, {"https://", "some paper of "}}) {
     std::string changed = all;
     changed.replace(changed.find(right), std::string_view(right).size(), wrong);
-    EXPECT_THROW(read_other_codes(changed, "codes"), support::UsageError) << wrong;
+    EXPECT_THROW(read_published_costs(changed, "codes"), support::UsageError) << wrong;
   }
 }
 
-TEST(OtherCodes, StandBesideACaseOfTheSameKind) {
-  const auto codes = read_other_codes(entry, "codes");
+TEST(PublishedCosts, StandBesideACaseOfTheSameKind) {
+  const auto codes = read_published_costs(entry, "codes");
   Benchmark benchmark;
   benchmark.rows = {{"case/3D, 8 per cell/linear/cube", "", {{"per_particle_step", {50e-9}}}}};
   const Table table = others_table(benchmark, codes);
@@ -79,4 +79,4 @@ TEST(OtherCodes, StandBesideACaseOfTheSameKind) {
   EXPECT_TRUE(others_table(benchmark, codes).empty());
 }
 
-}  // namespace mpmvv::reports::other_codes_test
+}  // namespace mpmvv::reports::published_costs_test

@@ -1,4 +1,4 @@
-#include "reports/other_codes.hpp"
+#include "reports/published_costs.hpp"
 
 #include <fmt/format.h>
 
@@ -54,14 +54,14 @@ const BenchmarkRow* case_beside(const Benchmark& benchmark, const std::string& b
 
 }  // namespace
 
-std::vector<PublishedCost> read_other_codes(const std::string& text, const std::string& name) {
+std::vector<PublishedCost> read_published_costs(const std::string& text, const std::string& name) {
   std::vector<PublishedCost> codes;
   for (const auto& table : support::TomlTable::parse(text, name).tables("code")) codes.push_back(code_from(table));
   return codes;
 }
 
-const std::vector<PublishedCost>& other_codes() {
-  static const auto codes = read_other_codes(std::string(other_codes_text), "reports/other_codes.toml");
+const std::vector<PublishedCost>& published_costs() {
+  static const auto codes = read_published_costs(std::string(published_costs_text), "reports/published_costs.toml");
   return codes;
 }
 
