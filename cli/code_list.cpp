@@ -7,22 +7,36 @@
 #include "cli/shipped.hpp"
 #include "cli/table.hpp"
 #include "studies/plan/external_series.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::cli {
 
-nlohmann::json codes_json() {
-  nlohmann::json codes = nlohmann::json::array();
-  for (const std::filesystem::path& file : plan::CodeFinder(shipped("adapters")).adapter_files()) {
+namespace {
+
+/// What is wrong with an adapter or its program takes their place, and not that of the other codes.
+nlohmann::json code_json(const std::filesystem::path& file) {
+  nlohmann::json one{{"code", file.parent_path().filename().string()},
+                     {"adapter", file.string()},
+                     {"variants", nlohmann::json::array()}};
+  try {
     const codes::Adapter adapter = codes::read_adapter(file);
-    nlohmann::json variants = nlohmann::json::array();
-    for (const auto& [word, values] : adapter.variants) variants.push_back(word);
-    nlohmann::json one{{"code", adapter.name}, {"adapter", file.string()}, {"variants", variants}};
+    for (const auto& [word, values] : adapter.variants) one["variants"].push_back(word);
     if (const auto code = codes::find_code(adapter))
       one["program"] = code->program.string(), one["version"] = code->version;
     else
       one["missing"] = codes::how_to_get(adapter);
-    codes.push_back(one);
+  } catch (const support::UsageError& fault) {
+    one["missing"] = fault.what();
   }
+  return one;
+}
+
+}  // namespace
+
+nlohmann::json codes_json() {
+  nlohmann::json codes = nlohmann::json::array();
+  for (const std::filesystem::path& file : plan::CodeFinder(shipped("adapters")).adapter_files())
+    codes.push_back(code_json(file));
   return codes;
 }
 

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <sstream>
 
 #include "tests/cli/program.hpp"
@@ -70,6 +71,18 @@ TEST_F(OtherCodes, WhatIsNotThereIsLeftOutOfAFolderAndRefusedByName) {
   EXPECT_EQ(one.code, 2);
   EXPECT_THAT(one.err, HasSubstr("MPMVV_GONE=PROGRAM"));
   EXPECT_THAT(in_folder("mpmvv list codes").out, HasSubstr("MPMVV_GONE=PROGRAM"));
+}
+
+TEST_F(OtherCodes, ABrokenAdapterTakesItsOwnPlaceInTheListAlone) {
+  std::filesystem::create_directories(folder_ / "adapters/broken");
+  folder_.write("adapters/broken/adapter.toml", "code = 1\n");
+  const Answer list = in_folder("mpmvv list codes --json");
+  ASSERT_EQ(list.code, 0) << list.err;
+  std::map<std::string, nlohmann::json> codes;
+  const nlohmann::json answer = list.json();
+  for (const nlohmann::json& code : answer["codes"]) codes[code["code"]] = code;
+  EXPECT_THAT(codes.at("broken")["missing"], HasSubstr("adapters/broken/adapter.toml:1"));
+  EXPECT_TRUE(codes.at("small-mpm").contains("program"));
 }
 
 TEST_F(OtherCodes, AreListedInLinesThatATerminalHolds) {
