@@ -59,8 +59,17 @@ nlohmann::json gate_json(const goldens::GateReport& report) {
           {"results", results}};
 }
 
+/// A golden holds for what was run, which a study file that has changed since does not say.
+void note_changed(const std::vector<records::StudyResult>& results, const std::vector<std::string>& only) {
+  for (const records::StudyResult& study : results)
+    if (const auto file = changed_file(study);
+        !file.empty() && (only.empty() || std::ranges::count(only, study.name) > 0))
+      note("{}: {} has changed since it was run (`mpmvv study` runs what is new)\n", study.name, file.string());
+}
+
 int gate(const GateOptions& options) {
   const auto results = own_results(options.db);
+  note_changed(results, options.only);
   const std::filesystem::path folder = goldens_for(results, options.goldens);
   require_apart("--junit", options.junit, {options.db, folder});
   const goldens::GateReport report =

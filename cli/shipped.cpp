@@ -44,6 +44,15 @@ bool is_shipped(const StudyResult& study) {
   return !folder.empty() && support::read_file(folder / (study.name + ".toml")) == store::without_trial(study.text);
 }
 
+fs::path changed_file(const StudyResult& study) {
+  if (!store::trial_of(study.text).empty()) return {};
+  for (const fs::path& folder : {fs::path("studies"), shipped("studies")}) {
+    const fs::path file = folder / (study.name + ".toml");
+    if (const auto text = support::read_file(file)) return *text == study.text ? fs::path() : file;
+  }
+  return {};
+}
+
 fs::path goldens_for(const std::vector<StudyResult>& results, const std::string& named) {
   if (!named.empty()) return named;
   std::error_code unknown;

@@ -14,6 +14,10 @@ std::filesystem::path shipped(const std::string& folder);
 /// Whether these are the results of a study that comes with the program, word for word, as it is or as a trial.
 bool is_shipped(const records::StudyResult& study);
 
+/// Whether a study file of this name, in `studies` here or else of those that come with the program, says something
+/// else by now than what was run: which one, empty where none does. A trial never did.
+std::filesystem::path changed_file(const records::StudyResult& study);
+
 /// Where the goldens are that results are held against: in the folder named; without a name in `goldens` here, or,
 /// where there is none and a result is of a study that comes with the program, in the folder that comes with it.
 std::filesystem::path goldens_for(const std::vector<records::StudyResult>& results, const std::string& named);

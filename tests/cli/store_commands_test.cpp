@@ -173,6 +173,20 @@ TEST(GateCommand, ATrialPassesOnlyWhereItIsAskedFor) {
   EXPECT_EQ(call(folder, gate).code, 0) << "the study as it stands";
 }
 
+TEST(GateCommand, SaysWhichStudyFileHasChangedSinceItWasRun) {
+  const Folder folder;
+  for (const char* name : {"studies", "goldens"}) std::filesystem::create_directories(folder / name);
+  folder.write("studies/small.toml", small_study);
+  folder.write("goldens/small.toml",
+               "reviewed = \"now\"\nstudy = \"small\"\n[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"ok\"\n");
+  ASSERT_EQ(carry_out(folder, "mpmvv study studies/small.toml --db r.db").code, 0);
+  EXPECT_EQ(carry_out(folder, "mpmvv gate --db r.db").err, "");
+  folder.write("studies/small.toml", small_study + std::string("# another day\n"));
+  const Answer gated = carry_out(folder, "mpmvv gate --db r.db");
+  EXPECT_EQ(gated.code, 0);
+  EXPECT_THAT(gated.err, HasSubstr("small: studies/small.toml has changed since it was run"));
+}
+
 TEST(ClaimsCommand, ATrialSaysNothingOfItsClaims) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
