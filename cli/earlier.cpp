@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/change_text.hpp"
+#include "cli/results.hpp"
 #include "goldens/gate.hpp"
 #include "studies/claims/claim.hpp"
 

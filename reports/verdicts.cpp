@@ -70,7 +70,7 @@ std::string gate_word(const GateSplit& split) {
 }
 
 std::string gate_text(const GateSplit& split) {
-  const std::string verdict = gate_word(split.judged);
+  std::string verdict = gate_word(split.judged);
   if (split.judged.empty() || split.without_study.empty()) return verdict;
   return fmt::format("{}, {} without a result", verdict, split.without_study.size());
 }
