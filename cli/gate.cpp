@@ -59,7 +59,7 @@ nlohmann::json gate_json(const goldens::GateReport& report) {
           {"results", results}};
 }
 
-/// A golden holds for what was run, which a study file that has changed since does not say.
+/// Says which study files are not what was run any more: goldens are held against what was run.
 void note_changed(const std::vector<records::StudyResult>& results, const std::vector<std::string>& only) {
   for (const records::StudyResult& study : results)
     if (const auto file = changed_file(study);

@@ -45,10 +45,10 @@ bool is_shipped(const StudyResult& study) {
 }
 
 fs::path changed_file(const StudyResult& study) {
-  if (!store::trial_of(study.text).empty()) return {};
   for (const fs::path& folder : {fs::path("studies"), shipped("studies")}) {
     const fs::path file = folder / (study.name + ".toml");
-    if (const auto text = support::read_file(file)) return *text == study.text ? fs::path() : file;
+    if (const auto text = support::read_file(file))
+      return *text == store::without_trial(study.text) ? fs::path() : file;
   }
   return {};
 }

@@ -14,8 +14,8 @@ std::filesystem::path shipped(const std::string& folder);
 /// Whether these are the results of a study that comes with the program, word for word, as it is or as a trial.
 bool is_shipped(const records::StudyResult& study);
 
-/// Whether a study file of this name, in `studies` here or else of those that come with the program, says something
-/// else by now than what was run: which one, empty where none does. A trial never did.
+/// The study's file, in `studies` here or else among those that come with the program, where it is not what was run any
+/// more; empty where it is, and where there is none.
 std::filesystem::path changed_file(const records::StudyResult& study);
 
 /// Where the goldens are that results are held against: in the folder named; without a name in `goldens` here, or,

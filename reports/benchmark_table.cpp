@@ -65,10 +65,8 @@ Table::Group& group_titled(Table& table, const std::string& title) {
 Table case_table(const Benchmark& benchmark) {
   Table table{
       "Cost of a step on one core in the studies' cases, each over its whole end time with its body force: ns per "
-      "particle "
-      "and step, beside the static block of the same basis; what the method cannot do without, against what the "
-      "machine "
-      "can",
+      "particle and step, beside the static block of the same basis; what the method cannot do without, against what "
+      "the machine can",
       {"case", "basis", "particles", "steps", "ns", "range %", "of the block's", "least multiply-adds", "% of peak",
        "least bytes", "% of bandwidth"},
       {}};

@@ -137,9 +137,8 @@ void add_notes(Chart& chart, const records::StudyResult& study, const std::vecto
         "with their RMS error.");
   if (has_parts)
     chart.notes.emplace_back(
-        "A part of the body was run: images of it make the rest, of which mirror images in planes across the axes are "
-        "not "
-        "drawn.");
+        "A part of the body was run: images of it make the rest, of which mirror images in planes across the axes "
+        "are not drawn.");
 }
 
 }  // namespace

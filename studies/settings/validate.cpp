@@ -80,7 +80,7 @@ struct Asked {
     return "";
   }
 
-  /// Of the body between the problem's walls, of which the case has some, at the start or the end, whichever has fewer.
+  /// Between the problem's walls, of which the case may have one alone: at the start or at the end, the fewer.
   double cells_between_walls() const {
     const auto wall = std::ranges::find(faces, solver::Wall::word);
     if (wall == faces.end()) return 0;
@@ -88,7 +88,7 @@ struct Asked {
     const double T = c.resolution.dt * static_cast<double>(c.resolution.steps);
     return std::min(problems::cells_between_walls(c, axis, 0), problems::cells_between_walls(c, axis, T));
   }
-  bool have_walls_all_cells() const {
+  bool do_walls_hold_all() const {
     return s.wall_depth * static_cast<double>(std::ranges::count(faces, solver::Wall::word)) >= cells_between_walls();
   }
 
@@ -173,10 +173,9 @@ constexpr Rule rules[]{
 
     {[](const Asked& a) { return !a.wall_at_rest().empty(); },
      "boundary 'wall' on face {wall_at_rest} of problem '{problem}', which has no moving wall there"},
-    {[](const Asked& a) { return a.has<solver::Wall>() && a.have_walls_all_cells(); },
-     "wall_depth {wall_depth} where the walls are {cells_between_walls:.3g} cells apart (less: walls must leave nodes "
-     "to "
-     "the method)"},
+    {[](const Asked& a) { return a.has<solver::Wall>() && a.do_walls_hold_all(); },
+     "wall_depth {wall_depth} of each wall, {cells_between_walls:.3g} cells apart (less: walls that hold all "
+     "cells leave none to the method)"},
     {[](const Asked& a) { return a.has<solver::Wall>() && !a.has_whole_steps; },
      "boundary 'wall' with integrator '{integrator}' (one whose steps have positions and velocities at their ends: "
      "{whole_integrators})"},

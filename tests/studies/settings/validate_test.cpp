@@ -68,7 +68,7 @@ TEST(Validate, WallsLeaveNodesToTheMethod) {
   const auto with_depth = [](const char* depth, const char* boundary) {
     return [=] { case_of({{"problem", "stretch-1d", ""}, {"boundary", boundary, ""}, {"wall_depth", depth, ""}}); };
   };
-  const auto refused = ThrowsMessage<support::UsageError>(HasSubstr("where the walls are 80 cells apart"));
+  const auto refused = ThrowsMessage<support::UsageError>(HasSubstr("of each wall, 80 cells apart"));
   EXPECT_NO_THROW(with_depth("39", "wall")());
   EXPECT_THAT(with_depth("40", "wall"), refused);
   EXPECT_NO_THROW(with_depth("79", "xmin=wall,xmax=free")());
