@@ -9,8 +9,8 @@
 
 namespace mpmvv::cli {
 
-/// A line on the terminal that says how far a study run has come and how long the rest takes, second by second. Where
-/// standard error is no terminal there is none.
+/// A line on the terminal that says how far a study or a run has come and how long the rest takes, second by second.
+/// Where standard error is no terminal there is none.
 class ProgressLine {
  public:
   ProgressLine();

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/alarm_log.hpp"
+#include "reports/alarm_counts.hpp"
 #include "reports/mutation_claim.hpp"
 #include "reports/mutation_results.hpp"
 #include "studies/claims/claim.hpp"
@@ -62,10 +62,10 @@ inline std::optional<reports::MutationResults> own_mutation(const std::string& d
 }
 
 /// The published runs without a mistake, of this program's sources.
-inline std::vector<reports::AlarmRun> own_alarms() {
-  reports::AlarmLog log = reports::read_alarms(published / "alarms.toml");
-  if (log.digest != store::current_provenance().digest) log.runs.clear();
-  return log.runs;
+inline std::vector<reports::AlarmCount> own_alarms() {
+  reports::AlarmCounts counts = reports::read_alarms(published / "alarms.toml");
+  if (counts.digest != store::current_provenance().digest) counts.builds.clear();
+  return counts.builds;
 }
 
 /// The claims by the studies of a store; that on the mutants, where one of them names it, by these and by the runs

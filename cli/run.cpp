@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 
 #include "cli/case_options.hpp"
@@ -10,6 +13,7 @@
 #include "cli/console.hpp"
 #include "cli/help.hpp"
 #include "cli/interruption.hpp"
+#include "cli/progress_line.hpp"
 #include "cli/record_json.hpp"
 #include "cli/run_text.hpp"
 #include "cli/shipped.hpp"
@@ -62,6 +66,24 @@ records::Record run_by_other_code(const std::vector<settings::Setting>& given, c
   return codes::run_external(c, code, options.keep);
 }
 
+/// Tells the line a few times a second how far the steps have come; nothing where there is no line.
+std::function<void(std::int64_t)> step_listener(ProgressLine& line, const cases::Case& c) {
+  using Clock = std::chrono::steady_clock;
+  const auto tell = line.listener();
+  if (!tell) return {};
+  return [tell, all = c.resolution.steps, start = Clock::now(), told = Clock::now()](std::int64_t steps) mutable {
+    const Clock::time_point now = Clock::now();
+    if (now - told < std::chrono::milliseconds(250)) return;
+    told = now;
+    const double spent = std::chrono::duration<double>(now - start).count();
+    const double left = spent * static_cast<double>(all - steps) / static_cast<double>(steps);
+    tell({.done = static_cast<std::size_t>(steps),
+          .total = static_cast<std::size_t>(all),
+          .seconds_left = left,
+          .label = "steps"});
+  };
+}
+
 records::Record run_by_own_solver(const std::vector<settings::Setting>& settings, const RunOptions& options) {
   const cases::Case c = settings::make_case(settings);
   if (!options.keep.empty())
@@ -70,7 +92,8 @@ records::Record run_by_own_solver(const std::vector<settings::Setting>& settings
     throw UsageError("--threads beside --repeat (cost is measured on one thread)");
   if (c.measure.repeat > 0 && !options.vtu.empty())
     throw UsageError("--vtu beside --repeat (cost is measured without writing; run twice)");
-  return runs::run_case(c, options.threads, options.vtu);
+  ProgressLine line;
+  return runs::run_case(c, options.threads, {.vtu = options.vtu, .steps = step_listener(line, c)});
 }
 
 int run(const RunOptions& options) {

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <functional>
-#include <map>
 
 namespace mpmvv::reports {
 
@@ -105,26 +103,21 @@ Table survivor_table(const std::vector<MutantResult>& survivors) {
       "not explained", "explained"));
 }
 
-Table alarm_table(const std::vector<AlarmRun>& runs) {
+Table alarm_table(const std::vector<AlarmCount>& builds) {
   Table table{"False alarms: the quick gate without a mistake, other orders and places of the particles",
               {"build", "runs", "goldens judged", "false alarms"},
               {}};
-  std::map<std::string, std::vector<AlarmRun>> by_build;
-  for (const AlarmRun& run : runs) by_build[run.build].push_back(run);
   Table::Group group;
-  for (const auto& [build, own] : by_build) {
-    int judged = 0;
-    for (const AlarmRun& run : own) judged += run.pass + run.fail + run.inconclusive;
-    group.rows.push_back({build, fmt::format("{}", own.size()), fmt::format("{}", judged),
-                          fmt::format("{}", std::ranges::count_if(own, &AlarmRun::is_alarm))});
-  }
+  for (const AlarmCount& of : builds)
+    group.rows.push_back(
+        {of.build, fmt::format("{}", of.runs), fmt::format("{}", of.judged), fmt::format("{}", of.alarms)});
   if (!group.rows.empty()) table.groups.push_back(std::move(group));
   return table;
 }
 
 }  // namespace
 
-std::vector<Table> mutant_tables(const MutationResults& mutation, const std::vector<AlarmRun>& alarms) {
+std::vector<Table> mutant_tables(const MutationResults& mutation, const std::vector<AlarmCount>& alarms) {
   std::vector<Table> tables;
   for (Table table : {score_table(mutation), planted_table(mutation.mistakes), survivor_table(mutation.survivors),
                       alarm_table(alarms)})

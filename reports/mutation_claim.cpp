@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <set>
-
 namespace mpmvv::reports {
 
 namespace {
@@ -23,27 +20,33 @@ std::string catch_evidence(const PlantedScore& score) {
 }
 
 /// Asked of the quick gate: no false alarm in so many runs.
-constexpr std::size_t runs_without_alarm = 200;
+constexpr int runs_without_alarm = 200;
 
-records::PartVerdict alarm_verdict(const MutationResults& mutation, const std::vector<AlarmRun>& runs) {
-  if (!mutation.unchanged_passes.value_or(true) || std::ranges::any_of(runs, &AlarmRun::is_alarm))
-    return records::PartVerdict::fails;
-  return runs.size() < runs_without_alarm ? records::PartVerdict::inconclusive : records::PartVerdict::holds;
+AlarmCount sum_over_builds(const std::vector<AlarmCount>& builds) {
+  AlarmCount sum;
+  for (const AlarmCount& of : builds) sum.runs += of.runs, sum.judged += of.judged, sum.alarms += of.alarms;
+  return sum;
 }
 
-std::string alarm_evidence(const MutationResults& mutation, const std::vector<AlarmRun>& runs) {
-  std::set<std::string> builds;
-  for (const AlarmRun& run : runs) builds.insert(run.build);
+records::PartVerdict alarm_verdict(const MutationResults& mutation, const std::vector<AlarmCount>& builds) {
+  const AlarmCount sum = sum_over_builds(builds);
+  if (!mutation.unchanged_passes.value_or(true) || sum.alarms > 0) return records::PartVerdict::fails;
+  return sum.runs < runs_without_alarm ? records::PartVerdict::inconclusive : records::PartVerdict::holds;
+}
+
+std::string alarm_evidence(const MutationResults& mutation, const std::vector<AlarmCount>& builds) {
+  const AlarmCount sum = sum_over_builds(builds);
   const auto unchanged = !mutation.unchanged_passes   ? ""
                          : *mutation.unchanged_passes ? "; the campaign's tree passes"
                                                       : "; the campaign's tree does not pass";
-  return fmt::format("{} in {} runs of {} builds, other orders and places of the particles{}",
-                     std::ranges::count_if(runs, &AlarmRun::is_alarm), runs.size(), builds.size(), unchanged);
+  return fmt::format("{} in {} runs of {} builds, other orders and places of the particles{}", sum.alarms, sum.runs,
+                     builds.size(), unchanged);
 }
 
 }  // namespace
 
-records::StudyResult mutation_study(const std::optional<MutationResults>& mutation, const std::vector<AlarmRun>& runs) {
+records::StudyResult mutation_study(const std::optional<MutationResults>& mutation,
+                                    const std::vector<AlarmCount>& alarms) {
   records::StudyResult study;
   study.name = "mutants";
   study.title = "Planted mistakes";
@@ -56,7 +59,7 @@ records::StudyResult mutation_study(const std::optional<MutationResults>& mutati
   add("tests and goldens catch every planted mistake that an order, an error, a limit or a report can show",
       catch_verdict(mutation->planted), catch_evidence(mutation->planted));
   add(fmt::format("they raise no false alarm (in {} runs of the quick gate)", runs_without_alarm),
-      alarm_verdict(*mutation, runs), alarm_evidence(*mutation, runs));
+      alarm_verdict(*mutation, alarms), alarm_evidence(*mutation, alarms));
   return study;
 }
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "reports/alarm_log.hpp"
+#include "reports/alarm_counts.hpp"
 #include "reports/mutation_results.hpp"
 #include "studies/records/result.hpp"
 
@@ -14,6 +14,7 @@ inline constexpr const char *mutants_claim = "X-mutants", *mutants_command = "./
 
 /// What the planted mistakes and the runs without one say, as the parts of a study; without parts where no mistake is
 /// known.
-records::StudyResult mutation_study(const std::optional<MutationResults>& mutation, const std::vector<AlarmRun>& runs);
+records::StudyResult mutation_study(const std::optional<MutationResults>& mutation,
+                                    const std::vector<AlarmCount>& alarms);
 
 }  // namespace mpmvv::reports

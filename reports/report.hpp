@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/alarm_log.hpp"
+#include "reports/alarm_counts.hpp"
 #include "reports/benchmark.hpp"
 #include "reports/mutation_results.hpp"
 #include "reports/study_call.hpp"
@@ -57,7 +57,7 @@ struct ReportInput {
   std::vector<store::Version> versions = {};  ///< all of the store, by time
   std::vector<claims::Trend> trends = {};     ///< over these versions
   std::optional<MutationResults> mutation = {};
-  std::vector<AlarmRun> alarms = {};  ///< runs of the gate without a mistake
+  std::vector<AlarmCount> alarms = {};  ///< of the gate where there is no mistake
   std::optional<Earlier> earlier = {};
   std::vector<store::CodeSeries> codes = {};                        ///< series that other codes ran
   std::map<std::string, std::vector<SeriesCommand>> commands = {};  ///< by study

@@ -7,7 +7,7 @@
 
 namespace mpmvv::plan {
 
-/// How far a study run has come.
+/// How far studies have come; with the steps of a case in the place of cases, how far that has.
 struct Progress {
   std::size_t done = 0, total = 0;  ///< cases that are asked for by now; searches of limits ask for more
   double seconds_left = 0;          ///< about

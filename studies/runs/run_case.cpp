@@ -6,6 +6,7 @@
 #include <chrono>
 #include <ctime>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -107,10 +108,11 @@ void measure_end(const Case& c, solver::Mpm<D>& mpm, const PreparedCase<D>& prep
 struct Manner {
   int threads = 1;
   solver::Images images = solver::Images::none;
+  std::function<void(std::int64_t)> tell_steps = nullptr;
 };
 
 template <int D>
-void run(const Case& c, const problems::Problem& problem, Manner manner, VtuSeries* vtu, Record& record) {
+void run(const Case& c, const problems::Problem& problem, const Manner& manner, VtuSeries* vtu, Record& record) {
   const double start = wall_seconds();
   PreparedCase<D> prepared = prepare_case<D>(c, problem, manner.threads, manner.images);
   solver::Mpm<D> mpm(std::move(prepared.scene));
@@ -127,6 +129,7 @@ void run(const Case& c, const problems::Problem& problem, Manner manner, VtuSeri
     if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, prepared));
     if (c.measure.velocity_error) velocity_error.note(mpm, prepared);
     if (vtu && VtuSeries::due(record.steps, c.resolution.steps)) vtu->write(mpm, prepared.X);
+    if (manner.tell_steps) manner.tell_steps(record.steps);
   });
   if (record.status == Status::ok) {
     record.balance =
@@ -153,7 +156,7 @@ double cost_of_steps(const Case& c, const problems::Problem& problem) {
 }
 
 /// One run of the case, whatever its dimension.
-Record run_once(const Case& c, Manner manner, VtuSeries* vtu) {
+Record run_once(const Case& c, const Manner& manner, VtuSeries* vtu) {
   const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
   Record record;
   record.the_case = c;
@@ -172,15 +175,15 @@ Record run_once(const Case& c, Manner manner, VtuSeries* vtu) {
 
 }  // namespace
 
-Record run_case(const Case& c, int threads, const std::filesystem::path& vtu) {
+Record run_case(const Case& c, int threads, const Telling& telling) {
   if (c.measure.repeat > 0) return run_timed({c}).front();
   std::optional<VtuSeries> frames;
-  if (!vtu.empty()) frames.emplace(vtu);
-  return run_once(c, {threads}, frames ? &*frames : nullptr);
+  if (!telling.vtu.empty()) frames.emplace(telling.vtu);
+  return run_once(c, {.threads = threads, .tell_steps = telling.steps}, frames ? &*frames : nullptr);
 }
 
 Record run_without_images(const Case& c, solver::Images images, int threads) {
-  return run_once(c, {threads, images}, nullptr);
+  return run_once(c, {.threads = threads, .images = images}, nullptr);
 }
 
 std::vector<Record> run_timed(const std::vector<Case>& cases) {

@@ -8,6 +8,7 @@ namespace mpmvv::cli::progress_line_test {
 
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(ProgressLine, SaysOnATerminalHowLongTheRestTakes) {
   const Folder folder;
@@ -17,6 +18,14 @@ TEST(ProgressLine, SaysOnATerminalHowLongTheRestTakes) {
   EXPECT_THAT(shown, ContainsRegex("\r\033\\[K\\[0/8\\] about [0-9.]+ (s|min|h) left"));
   EXPECT_THAT(shown, ContainsRegex("\\[8/8\\] all done  bar [a-z0-9]+ cd periodic"));
   EXPECT_THAT(shown, HasSubstr("\r\033[Ksmall: Small\r\n")) << "gone before the results";
+}
+
+TEST(ProgressLine, SaysOfARunHowFarItsStepsHaveCome) {
+  const std::string run =
+      "'" + program() + "' run --problem bar --basis bspline2 --integrator cd --cells 4096 --ppc 2 --cfl 0.4";
+  const std::string shown = shell("script -qec \"" + run + "\" /dev/null").out;
+  EXPECT_THAT(shown, ContainsRegex("\r\033\\[K\\[[0-9]+/[0-9]+\\] about [0-9.]+ s left  steps"));
+  EXPECT_THAT(shell(run + " 2>&1").out, Not(HasSubstr("left  steps"))) << "not where nobody watches";
 }
 
 }  // namespace mpmvv::cli::progress_line_test

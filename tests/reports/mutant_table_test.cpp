@@ -71,10 +71,8 @@ TEST(MutantTables, ResultsOfAnotherGateAreMarked) {
 }
 
 TEST(MutantTables, RunsWithoutAMistakeAreCountedByBuild) {
-  const auto tables = mutant_tables(both_kinds(), {{.build = "g++", .pass = 7},
-                                                   {.build = "clang++", .pass = 6, .fail = 1},
-                                                   {.build = "clang++", .pass = 7},
-                                                   {.build = "clang++"}});
+  const auto tables = mutant_tables(both_kinds(), {{.build = "clang++", .runs = 3, .judged = 14, .alarms = 2},
+                                                   {.build = "g++", .runs = 1, .judged = 7, .alarms = 0}});
   ASSERT_EQ(tables.size(), 4U);
   EXPECT_THAT(tables[3].groups[0].rows,
               ElementsAre(ElementsAre("clang++", "3", "14", "2"), ElementsAre("g++", "1", "7", "0")));

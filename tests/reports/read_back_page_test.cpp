@@ -238,8 +238,8 @@ TEST(ReadBackPage, MutantsHaveEveryStageUnderItsName) {
 TEST(ReadBackPage, FalseAlarmsStandByBuild) {
   ReportInput input = read_back::input_of(distinct::everything());
   input.mutation = Mutants().results();
-  input.alarms = {
-      {.build = "clang++", .pass = 11, .fail = 2}, {.build = "clang++", .pass = 12}, {.build = "g++", .pass = 7}};
+  input.alarms = {{.build = "clang++", .runs = 2, .judged = 25, .alarms = 1},
+                  {.build = "g++", .runs = 1, .judged = 7, .alarms = 0}};
   ExpectedTable alarms;
   for (const auto& [build, runs, judged, alarm] : {std::tuple("clang++", 2, 25, 1), std::tuple("g++", 1, 7, 0)})
     alarms.add("", {{"build", build},

@@ -41,17 +41,22 @@ TEST(MutantScores, CountWhatNobodyHasTried) {
 }
 
 /// What `mpmvv claims` says, which knows the file alone.
-std::string verdict_on(const std::vector<Mutant>& mutants, const std::vector<reports::AlarmRun>& runs) {
+std::string verdict_on(const std::vector<Mutant>& mutants, const std::vector<reports::AlarmCount>& alarms) {
   const OwnFolder folder;
   std::ofstream(folder / "mutants.json") << to_json({"d1", "c0ffee", mutants});
   const auto results = reports::read_mutation_results(folder / "mutants.json");
-  for (const claims::Claim& claim : claims::judge_claims({reports::mutation_study(results, runs)}))
+  for (const claims::Claim& claim : claims::judge_claims({reports::mutation_study(results, alarms)}))
     if (claim.id == "X-mutants") return to_string(claim.verdict);
   return "";
 }
 
+std::vector<reports::AlarmCount> runs_of(int of_one_build, int of_another) {
+  return {{.build = "g++", .runs = of_one_build, .judged = of_one_build},
+          {.build = "clang++", .runs = of_another, .judged = of_another}};
+}
+
 TEST(MutantScores, JudgeTheirClaim) {
-  std::vector<reports::AlarmRun> runs(200, {.build = "g++", .pass = 1});
+  const std::vector<reports::AlarmCount> runs = runs_of(100, 100);
   EXPECT_EQ(verdict_on({}, runs), "open");
   EXPECT_EQ(verdict_on(sample(), runs), "partly");
   std::vector<Mutant> all = sample();
@@ -66,13 +71,10 @@ TEST(MutantScores, JudgeTheirClaim) {
 TEST(MutantScores, AskForManyRunsWithoutAnAlarm) {
   std::vector<Mutant> all = sample();
   std::erase_if(all, [](const Mutant& m) { return m.name == "missed" || m.name == "open"; });
-  std::vector<reports::AlarmRun> runs(199, {.build = "g++", .pass = 1});
-  EXPECT_EQ(verdict_on(all, runs), "partly") << "too few";
-  runs.emplace_back();
-  EXPECT_EQ(verdict_on(all, runs), "partly") << "one has judged nothing";
-  runs.back().pass = 1;
+  EXPECT_EQ(verdict_on(all, runs_of(100, 99)), "partly") << "too few";
+  std::vector<reports::AlarmCount> runs = runs_of(100, 100);
   EXPECT_EQ(verdict_on(all, runs), "confirmed");
-  runs.back().inconclusive = 1;
+  runs.back().alarms = 1;
   EXPECT_EQ(verdict_on(all, runs), "partly");
 }
 
