@@ -71,7 +71,8 @@ std::function<void(std::int64_t)> step_listener(ProgressLine& line, const cases:
   using Clock = std::chrono::steady_clock;
   const auto tell = line.listener();
   if (!tell) return {};
-  return [tell, all = c.resolution.steps, start = Clock::now(), told = Clock::now()](std::int64_t steps) mutable {
+  return [tell, all = c.resolution.steps, what = "steps of " + c.problem.name, start = Clock::now(),
+          told = Clock::now()](std::int64_t steps) mutable {
     const Clock::time_point now = Clock::now();
     if (now - told < std::chrono::milliseconds(250)) return;
     told = now;
@@ -80,7 +81,7 @@ std::function<void(std::int64_t)> step_listener(ProgressLine& line, const cases:
     tell({.done = static_cast<std::size_t>(steps),
           .total = static_cast<std::size_t>(all),
           .seconds_left = left,
-          .label = "steps"});
+          .label = what});
   };
 }
 

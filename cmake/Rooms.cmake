@@ -4,9 +4,9 @@
 # How a target's sources compile:
 #   COMPUTES  what a run calls: as the preset says. Programs link it first (mpmvv_computing, mpmvv_linked_objects): of a
 #             function of a header that several rooms hold the linker takes the first.
-#   ALGEBRA   dense algebra: its checks take 1.6 times as long to run at -Og, and a tenth more at -O1
-#   OTHER     all else: compiles at -Og in two thirds to four fifths of the time. `mpmvv score` of 590,000 particles takes
-#             1.13 times as long so
+#   ALGEBRA   dense algebra at -O1: as the preset says it runs a tenth faster, at -Og it takes 1.6 times as long
+#   OTHER     all else at -Og: compiles in two thirds to four fifths of the time that -O1 takes, and `mpmvv score` of
+#             590,000 particles runs 1.13 times as long
 # With the sanitizers everything compiles faster when it is left as it is.
 set(mpmvv_computing_rooms mpmvv_solver mpmvv_mms mpmvv_runs)
 list(TRANSFORM mpmvv_computing_rooms REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE mpmvv_computing)
