@@ -1,4 +1,4 @@
-# Run by `cmake -P` with SOURCE_DIR, BINARY_DIR, HEADER, COMPILER, BUILD_TYPE and FLAGS: writes HEADER.
+# Run by `cmake -P` with SOURCE_DIR, BINARY_DIR, HEADER, COMPILER, BUILD_TYPE, FLAGS and FLAGS_IN_SPACE: writes HEADER.
 
 # Flags that decide the code: no warnings, no folder names, nothing of the compiler's memory.
 string(REPLACE "${BINARY_DIR}" "<build>" FLAGS "${FLAGS}")
@@ -23,6 +23,9 @@ foreach(source IN LISTS sources)
   string(APPEND summary "${hash} ${source}\n")
 endforeach()
 string(SHA256 DIGEST "${summary}")
+if(FLAGS_IN_SPACE)  # no part of the digest: they change no bit of a result
+  string(APPEND FLAGS ", in space ${FLAGS_IN_SPACE}")
+endif()
 
 # Asks git about SOURCE_DIR; `succeeded` is false outside a checkout, without a commit and without git.
 function(git succeeded output)

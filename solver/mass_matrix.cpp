@@ -90,7 +90,7 @@ template <int D>
 template <int W>
 void MassMatrix<D>::add_particle(const double* N, double m, std::size_t first, const Grid<D>& grid) {
   using Line = Doubles<NodeBoxes<D, W>::line>;
-  constexpr int L = 2 * W - 1, width = NodeBoxes<D, W>::line, lines = D == 1 ? 1 : W;
+  constexpr int L = 2 * W - 1, width = NodeBoxes<D, W>::line, lines = NodeBoxes<D, W>::lines;
   for (int i = 0; i < lines; ++i) {
     const std::size_t node = margin_ + first + static_cast<std::size_t>(i * grid.stride(D - 1));
     double* const row = start_of_line(&rows_[node * row_size_]);

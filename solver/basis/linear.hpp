@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <cmath>
 
 #include "solver/basis/basis.hpp"
@@ -22,13 +21,13 @@ struct Linear {
   static double position(int i, int) { return i; }
 
   int evaluate(const AxisPoint& at, double* N, double* dN) const {
-    const int cell = static_cast<int>(std::floor(at.xi)) - (at.xi == at.cells ? 1 : 0);
+    const double cell = std::floor(at.xi) - (at.xi == at.cells ? 1. : 0.);
     const double t = at.xi - cell;
-    N[0] = std::max(1 - t, least_weight);
-    N[1] = std::max(t, least_weight);
+    N[0] = 1 - t + least_weight;
+    N[1] = t + least_weight;
     dN[0] = -1;
     dN[1] = 1;
-    return cell;
+    return static_cast<int>(cell);
   }
 };
 

@@ -11,14 +11,23 @@ using Double2 [[gnu::vector_size(16)]] = double;
 /// -1 or 0 for each of four: what comparing two of them gives.
 using Mask4 [[gnu::vector_size(32)]] = long long;
 
-// In memory, where it need not be aligned; as doubles, so that a store changes nothing but those.
+using Int4 [[gnu::vector_size(16)]] = int;
+
+// In memory, where they need not be aligned; by elements, so that a store changes nothing but those.
 using StoredDouble4 [[gnu::vector_size(32), gnu::aligned(8)]] = double;
+using StoredInt4 [[gnu::vector_size(16), gnu::aligned(4)]] = int;
 
 [[gnu::always_inline]] inline Double4 load4(const double* from) {
   return *reinterpret_cast<const StoredDouble4*>(from);
 }
+[[gnu::always_inline]] inline Int4 load4(const int* from) {
+  return *reinterpret_cast<const StoredInt4*>(from);
+}
 [[gnu::always_inline]] inline void store4(const Double4& four, double* to) {
   *reinterpret_cast<StoredDouble4*>(to) = four;
+}
+[[gnu::always_inline]] inline void store4(const Int4& four, int* to) {
+  *reinterpret_cast<StoredInt4*>(to) = four;
 }
 [[gnu::always_inline]] inline Double2 half(const Double4& a, int which) {
   return which == 0 ? __builtin_shufflevector(a, a, 0, 1) : __builtin_shufflevector(a, a, 2, 3);

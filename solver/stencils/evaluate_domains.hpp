@@ -60,14 +60,14 @@ template <int D, class B>
 Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid, bool with_gradients,
                         CpdiBlock<D, B::support>& block) {
   using Corners = CpdiStencil<D, B::support>;
-  const int count = block.count;
+  const int padded = (block.count + 3) / 4 * 4;
   DomainsByAxis<D> domains;
   const Fault found = find_domains<B>(block, particles, grid, domains);
-  for (auto& first : block.first) std::fill_n(first, count, grid.node({}));
+  for (auto& first : block.first) std::fill_n(first, padded, grid.node({}));
   for (int d = 0; d < D; ++d) {
     const int cells = grid.cells()[d], stride = grid.stride(d);
     for (int c = 0; c < Corners::corners; ++c)
-      for (int k = 0; k < count; ++k) {
+      for (int k = 0; k < padded; ++k) {
         double xi = domains.centre[d][k];
         for (int e = 0; e < D; ++e) xi += Corners::sign(c, e) * domains.half[d][e][k];
         double N[B::support], dN[B::support];

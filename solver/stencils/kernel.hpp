@@ -34,8 +34,8 @@ struct Fused {
 template <class First, class Second>
 Fused(const First&, const Second&) -> Fused<First, Second>;
 
-/// Runs a kernel on a block: defined in stencils/node_loop.hpp. Kernels that several files use are instantiated in
-/// solver/kernels/; a file with a kernel of its own includes the definition.
+/// Runs a kernel on a block: defined in stencils/node_loop.hpp. Kernels that several files run are listed
+/// in solver/kernels/compiled.hpp; a file with a kernel of its own includes the definition.
 template <int D, class Kernel>
 Fault run_kernel(const Kernel& kernel, AnyBlock<D>& block, const Grid<D>& grid);
 

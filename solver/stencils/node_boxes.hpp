@@ -1,7 +1,9 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
+#include "solver/simd/pack.hpp"
 #include "solver/stencils/any_block.hpp"
 #include "solver/stencils/cpdi_block.hpp"
 #include "solver/stencils/point_block.hpp"
@@ -12,13 +14,19 @@ namespace mpmvv::solver {
 /// along the first axis lie side by side, filled up with zeros to an even number.
 template <int D, int W>
 struct NodeBoxes {
-  static constexpr int size = power(W, D), line = W + W % 2;
+  static constexpr int line = W + W % 2, lines = power(W, D - 1);
 
   int first[block_size<D>];  ///< storage index of the first node
-  double N[block_size<D>][line * power(W, D - 1)] = {};
+  double N[block_size<D>][line * lines];
 
-  /// Of the i-th node of the box.
-  double& weight(std::size_t particle, int i) { return N[particle][i / W * line + i % W]; }
+  /// N_ip = of_node(i), by axis and for the four particles from the k-th on.
+  template <class OfNode>
+  [[gnu::always_inline]] void set_four(int k, const OfNode& of_node) {
+    Pack four[line * lines];
+    for (int j = 0; j < lines; ++j)
+      for (int i = 0; i < line; ++i) four[j * line + i] = i < W ? of_node(std::array{i, j % W, j / W}) : Pack(0);
+    store_packs<line * lines>(four, {N[k], N[k + 1], N[k + 2], N[k + 3]});
+  }
 };
 
 /// How many nodes wide the boxes of a block are. Those of particles with domains are one wider than the nodes of a
@@ -34,50 +42,44 @@ inline constexpr int box_width<CpdiBlock<D, K>> = K + 1;
 template <int D, int K>
 bool find_boxes(const PointBlock<D, K>& block, const Grid<D>&, NodeBoxes<D, K>& boxes) {
   std::copy_n(block.first, block.count, boxes.first);
-  for (int i = 0; i < boxes.size; ++i)
-    for (std::size_t k = 0; k < static_cast<std::size_t>(block.count); ++k) {
-      double product = block.N[0][i % K][k];
-      for (int d = 1; d < D; ++d) product *= block.N[d][i / power(K, d) % K][k];
-      boxes.weight(k, i) = product;
-    }
+  for (int k = 0; k < block.count; k += 4)
+    boxes.set_four(k, [&](const std::array<int, 3>& i) {
+      Pack product(load4(&block.N[0][i[0]][k]));
+      for (std::size_t d = 1; d < D; ++d) product *= Pack(load4(&block.N[d][i[d]][k]));
+      return product;
+    });
   return true;
 }
 
 namespace detail {
 
-template <int D>
-using CornerNodes = std::array<std::array<int, cpdi_block_size<D>>, D>;
-
-/// The first node of each particle's corners along each axis; false when some reach too far for a box.
+/// The first node of four particles' corners along an axis; false when some reach too far for a box.
 template <int D, int K>
-bool find_lowest_nodes(const CpdiBlock<D, K>& block, CornerNodes<D>& lowest) {
-  int too_wide = 0;
-  for (std::size_t d = 0; d < D; ++d) {
-    int* const least = lowest[d].data();
-    std::copy_n(block.node[0][d], block.count, least);
-    for (int c = 1; c < block.corners; ++c)
-      for (int k = 0; k < block.count; ++k) least[k] = std::min(least[k], block.node[c][d][k]);
-    for (int c = 0; c < block.corners; ++c)
-      for (int k = 0; k < block.count; ++k) too_wide += block.node[c][d][k] - least[k] > 1 ? 1 : 0;
+[[gnu::always_inline]] inline bool find_lowest(const CpdiBlock<D, K>& block, std::size_t d, int k, Int4& lowest) {
+  Int4 highest = lowest = load4(&block.node[0][d][k]);
+  for (int c = 1; c < block.corners; ++c) {
+    const Int4 node = load4(&block.node[c][d][k]);
+    lowest = node < lowest ? node : lowest;
+    highest = node > highest ? node : highest;
   }
-  return too_wide == 0;
+  return all(__builtin_convertvector(highest - lowest < 2, Mask4));
 }
 
-/// Weights per axis of the nodes of a box, by corner: those that a corner does not reach have none.
+/// Weights per axis of the nodes of four particles' boxes, by corner: those that a corner does not reach have none.
 template <int D, int K>
-using CornerWeights = std::array<std::array<std::array<std::array<double, cpdi_block_size<D>>, K + 1>, D>, 1 << D>;
+using CornerWeights = std::array<std::array<std::array<Pack, K + 1>, D>, 1 << D>;
 
 template <int D, int K>
-CornerWeights<D, K> spread(const CpdiBlock<D, K>& block, const CornerNodes<D>& lowest) {
-  CornerWeights<D, K> S;
-  for (std::size_t c = 0; c < S.size(); ++c)
-    for (std::size_t d = 0; d < D; ++d)
-      for (std::size_t i = 0; i <= K; ++i)
-        for (std::size_t k = 0; k < static_cast<std::size_t>(block.count); ++k) {
-          const double near = i < K ? block.S[c][d][i][k] : 0, far = i > 0 ? block.S[c][d][i - 1][k] : 0;
-          S[c][d][i][k] = block.node[c][d][k] == lowest[d][k] ? near : far;
-        }
-  return S;
+[[gnu::always_inline]] inline void spread(const CpdiBlock<D, K>& block, std::size_t d, int k, const Int4& lowest,
+                                          CornerWeights<D, K>& S) {
+  for (std::size_t c = 0; c < S.size(); ++c) {
+    const Mask4 is_lowest = __builtin_convertvector(load4(&block.node[c][d][k]) == lowest, Mask4);
+    for (std::size_t i = 0; i <= K; ++i) {
+      const Double4 near = i < K ? load4(&block.S[c][d][i][k]) : Double4{};
+      const Double4 far = i > 0 ? load4(&block.S[c][d][i - 1][k]) : Double4{};
+      S[c][d][i] = Pack(is_lowest ? near : far);
+    }
+  }
 }
 
 }  // namespace detail
@@ -85,26 +87,26 @@ CornerWeights<D, K> spread(const CpdiBlock<D, K>& block, const CornerNodes<D>& l
 /// The nodes of all corners put together. False, and no boxes, where those of some particle do not fit.
 template <int D, int K>
 bool find_boxes(const CpdiBlock<D, K>& block, const Grid<D>& grid, NodeBoxes<D, K + 1>& boxes) {
-  detail::CornerNodes<D> lowest;
-  if (!detail::find_lowest_nodes<D, K>(block, lowest)) return false;
-  const auto count = static_cast<std::size_t>(block.count);
-  for (std::size_t k = 0; k < count; ++k) {
-    Index<D> node;
-    for (std::size_t d = 0; d < D; ++d) node[d] = lowest[d][k];
-    boxes.first[k] = grid.node(node);
-  }
-  const auto S = detail::spread<D, K>(block, lowest);
-  for (int i = 0; i < boxes.size; ++i)
-    for (std::size_t k = 0; k < count; ++k) {
-      double sum = 0;
+  for (int k = 0; k < block.count; k += 4) {
+    Int4 first = Int4{} + grid.node({});
+    detail::CornerWeights<D, K> S;
+    for (std::size_t d = 0; d < D; ++d) {
+      Int4 lowest;
+      if (!detail::find_lowest(block, d, k, lowest)) return false;
+      detail::spread<D, K>(block, d, k, lowest, S);
+      first += grid.stride(static_cast<int>(d)) * lowest;
+    }
+    store4(first, &boxes.first[k]);
+    boxes.set_four(k, [&](const std::array<int, 3>& i) {
+      Pack sum(0);
       for (const auto& corner : S) {
-        double product = 1;
-        for (std::size_t d = 0; d < D; ++d)
-          product *= corner[d][static_cast<std::size_t>(i / power(K + 1, static_cast<int>(d)) % (K + 1))][k];
+        Pack product = corner[0][i[0]];
+        for (std::size_t d = 1; d < D; ++d) product *= corner[d][i[d]];
         sum += product;
       }
-      boxes.weight(k, i) = sum / block.corners;
-    }
+      return 1. / block.corners * sum;
+    });
+  }
   return true;
 }
 

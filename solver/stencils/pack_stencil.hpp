@@ -98,8 +98,7 @@ inline constexpr bool is_line<PointBlock<1, K>> = true;
 /// along the bar; returns whether it did.
 template <int K>
 [[gnu::always_inline]] inline bool visit_together(const PointBlock<1, K>& block, int k, const auto& visit) {
-  using Int4 [[gnu::vector_size(16), gnu::aligned(4)]] = int;
-  const Int4 nodes = *reinterpret_cast<const Int4*>(block.first + k) - block.first[k];
+  const Int4 nodes = load4(block.first + k) - block.first[k];
   const Mask4 after = __builtin_convertvector(nodes, Mask4), by_0 = after == 0, by_1 = after == 1, by_2 = after == 2;
   if (all(by_0))
     visit(PackStencil<K, 0>(block, k, {by_0}));

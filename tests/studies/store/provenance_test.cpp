@@ -54,19 +54,20 @@ class BuildInfo : public testing::Test {
   }
 
   /// The header as the build in this folder makes it.
-  std::string header(const std::string& build = "build", const std::string& flags = "-O3 -Wall") const {
+  std::string header(const std::string& build = "build", const std::string& flags = "-O3 -Wall",
+                     const std::string& in_space = "") const {
     run(
         fmt::format("cmake '-DSOURCE_DIR={0}' '-DBINARY_DIR={1}' '-DHEADER={1}/info.hpp' '-DCOMPILER=GNU 12.2.0' "
-                    "-DBUILD_TYPE=Release '-DFLAGS={2}' -P '{3}/cmake/BuildInfo.cmake'",
-                    source_.string(), (root_ / build).string(), flags, MPMVV_SOURCE_DIR));
+                    "-DBUILD_TYPE=Release '-DFLAGS={2}' '-DFLAGS_IN_SPACE={3}' -P '{4}/cmake/BuildInfo.cmake'",
+                    source_.string(), (root_ / build).string(), flags, in_space, MPMVV_SOURCE_DIR));
     std::ifstream file(root_ / build / "info.hpp");
     return (std::stringstream() << file.rdbuf()).str();
   }
 
   std::string digest(const std::string& build = "build", const std::string& flags = "-O3 -Wall") const {
-    const std::string text = header(build, flags);
-    return text.substr(text.find("digest[] = \"") + 12, 64);
+    return digest_in(header(build, flags));
   }
+  static std::string digest_in(const std::string& text) { return text.substr(text.find("digest[] = \"") + 12, 64); }
 
   void git(const std::string& command) const {
     run(fmt::format("git -C '{}' -c user.name=t -c user.email=t@t {} >/dev/null", source_.string(), command));
@@ -137,6 +138,12 @@ TEST_F(BuildInfo, DigestFollowsFlagsButNotWarningsAndFolders) {
     return digest(build, fmt::format("-O3 -ffile-prefix-map={}=.", (root_ / build).string()));
   };
   EXPECT_EQ(mapped("build"), mapped("other"));
+}
+
+TEST_F(BuildInfo, RegistersInSpaceAreSaidAndDecideNoResult) {
+  const std::string text = header("build", "-O3", "-mavx512vl");
+  EXPECT_THAT(text, HasSubstr("(-O3, in space -mavx512vl)"));
+  EXPECT_EQ(digest_in(text), digest("build", "-O3"));
 }
 
 TEST_F(BuildInfo, HeaderIsLeftAloneWhileNothingChanges) {

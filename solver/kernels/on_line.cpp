@@ -1,0 +1,3 @@
+#include "solver/kernels/compiled.hpp"
+
+template struct mpmvv::solver::Compiled<1>;
