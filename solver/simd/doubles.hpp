@@ -63,19 +63,34 @@ struct Doubles<0> {
   [[gnu::always_inline]] Doubles& operator+=(const Doubles&) { return *this; }
 };
 
-/// The sum of C numbers, the next C and so on: of the components of nodes, over the nodes.
-template <int C, int n>
-[[gnu::always_inline]] inline auto sum_of_parts(const Doubles<n>& all) {
-  const auto front = [&all] {
-    if constexpr (C < Doubles<n>::in_front)
-      return half(all.front, 0) + half(all.front, 1);
-    else
-      return all.front;
-  }();
-  if constexpr (n > Doubles<n>::in_front)
-    return front + sum_of_parts<C>(all.rest);
+/// The two that are left of so many in registers of four.
+template <int n>
+[[gnu::always_inline]] inline Double2 last_of(const Doubles<n>& all) {
+  if constexpr (n == 2)
+    return all.front;
   else
-    return front;
+    return last_of(all.rest);
+}
+
+/// sum + Σ a b over the whole registers of the two that are as long as it.
+template <class Register, int n>
+[[gnu::always_inline]] inline Register add_products(const Register& sum, const Doubles<n>& a, const Doubles<n>& b) {
+  if constexpr (n * sizeof(double) >= sizeof(Register))
+    return add_products(Register(sum + a.front * b.front), a.rest, b.rest);
+  else
+    return sum;
+}
+
+/// Σ a b of the first C numbers, the next C and so on, component by component: of nodes, over the nodes.
+template <int C, int n>
+[[gnu::always_inline]] inline auto sum_of_products(const Doubles<n>& a, const Doubles<n>& b) {
+  const auto sum = add_products(a.front * b.front, a.rest, b.rest);
+  if constexpr (C == Doubles<n>::in_front)
+    return sum;
+  else if constexpr (n % Doubles<n>::in_front == 0)
+    return half(sum, 0) + half(sum, 1);
+  else
+    return half(sum, 0) + half(sum, 1) + last_of(a) * last_of(b);
 }
 
 }  // namespace mpmvv::solver

@@ -43,10 +43,10 @@ template <int K, class V>
   return Doubles<K * components<V>>::each([&](int k)
                                               __attribute__((always_inline)) { return value[k % components<V>]; });
 }
-/// The sum over the nodes of a line.
+/// Σ_i N_i φ_i over the nodes of a line.
 template <class V, int n>
-[[gnu::always_inline]] inline V sum_of_nodes(const Doubles<n>& line) {
-  const auto sum = sum_of_parts<components<V>>(line);
+[[gnu::always_inline]] inline V sum_of_nodes(const Doubles<n>& N, const Doubles<n>& line) {
+  const auto sum = sum_of_products<components<V>>(N, line);
   return V::Map(reinterpret_cast<const double*>(&sum));
 }
 
@@ -69,7 +69,7 @@ struct Weights {
       for (int i = 1; i < K; ++i) sum += N[0][i] * nodes[i];
       return sum;
     } else {
-      return sum_of_nodes<V>(along_line<K, components<V>>(N[0]) * line<D - 1>(nodes));
+      return sum_of_nodes<V>(along_line<K, components<V>>(N[0]), line<D - 1>(nodes));
     }
   }
 
@@ -177,9 +177,9 @@ struct Stencil : Weights<D, K> {
     const LineSums<n> lines = sum_lines<D - 1, n>(nodes + begin);
     const auto weight = along_line<n, C>(N[0] + begin), slope = along_line<n, C>(dN[0] + begin);
     ValueAndGradient<D> sum;
-    sum.value = sum_of_nodes<Padded<D>>(weight * lines.value);
-    sum.gradient.col(0) = sum_of_nodes<Padded<D>>(slope * lines.value);
-    for (int d = 1; d < D; ++d) sum.gradient.col(d) = sum_of_nodes<Padded<D>>(weight * lines.slope[d - 1]);
+    sum.value = sum_of_nodes<Padded<D>>(weight, lines.value);
+    sum.gradient.col(0) = sum_of_nodes<Padded<D>>(slope, lines.value);
+    for (int d = 1; d < D; ++d) sum.gradient.col(d) = sum_of_nodes<Padded<D>>(weight, lines.slope[d - 1]);
     if constexpr (begin + n < K) {
       const ValueAndGradient<D> rest = gather_part<begin + n>(nodes);
       sum.value += rest.value;

@@ -175,11 +175,11 @@ Record run_once(const Case& c, const Manner& manner, VtuSeries* vtu) {
 
 }  // namespace
 
-Record run_case(const Case& c, int threads, const Telling& telling) {
+Record run_case(const Case& c, int threads, const Output& output) {
   if (c.measure.repeat > 0) return run_timed({c}).front();
   std::optional<VtuSeries> frames;
-  if (!telling.vtu.empty()) frames.emplace(telling.vtu);
-  return run_once(c, {.threads = threads, .tell_steps = telling.steps}, frames ? &*frames : nullptr);
+  if (!output.vtu.empty()) frames.emplace(output.vtu);
+  return run_once(c, {.threads = threads, .tell_steps = output.steps}, frames ? &*frames : nullptr);
 }
 
 Record run_without_images(const Case& c, solver::Images images, int threads) {

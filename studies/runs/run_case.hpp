@@ -9,16 +9,16 @@
 
 namespace mpmvv::runs {
 
-/// What is told of a run on its way, where it is asked for.
-struct Telling {
+/// What a run gives on its way, where it is asked for.
+struct Output {
   std::filesystem::path vtu = {};                     ///< folder of the particle states
   std::function<void(std::int64_t)> steps = nullptr;  ///< called now and then with the steps that are done
 };
 
 /// Runs one case to its end, or until it blows up. What goes wrong on the way (memory, say) is a record with status
 /// `failed`. Apart from the cost, records do not depend on `threads`. A case that asks for its cost goes to
-/// `run_timed`, which tells nothing on its way. UsageError when the states cannot be written.
-records::Record run_case(const cases::Case& c, int threads, const Telling& telling = {});
+/// `run_timed`, which gives nothing on its way. UsageError when the states cannot be written.
+records::Record run_case(const cases::Case& c, int threads, const Output& output = {});
 
 /// The same where the body, its motion, boundary, grid and particles have such images: only the particles of which the
 /// others are images are run. The record is the body's but for the cost, which is theirs.
