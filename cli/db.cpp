@@ -13,6 +13,7 @@
 
 namespace mpmvv::cli {
 
+using store::Contents;
 using store::Store;
 
 namespace {
@@ -23,22 +24,42 @@ struct DbOptions {
   bool json = false;
 };
 
-/// Beside each other or, where the label is long, below.
-void print_labelled(const std::string& label, const std::string& text) {
-  constexpr std::size_t column = 24;
-  if (label.size() <= column) return print("{:<{}} {}\n", label, column, text);
-  print("{}\n", label);
-  print_indented(text);
+nlohmann::json contents_json(const std::string& file, const Contents& contents) {
+  nlohmann::json programs = nlohmann::json::array();
+  for (const auto& [digest, commit, dirty, records, last] : contents.programs)
+    programs.push_back(
+        {{"digest", digest}, {"commit", commit}, {"dirty", dirty}, {"records", records}, {"last", last}});
+  return {{"file", file},
+          {"schema", contents.schema},
+          {"bytes", contents.bytes},
+          {"studies", contents.studies},
+          {"records", contents.records},
+          {"ok", contents.ok},
+          {"unstable", contents.unstable},
+          {"failed", contents.failed},
+          {"programs", programs}};
+}
+
+void print_contents(const std::string& file, const Contents& contents) {
+  print("file      {}\n", file);
+  print("schema    {}\n", contents.schema);
+  print("size      {} bytes\n", contents.bytes);
+  print("studies   {}\n", contents.studies);
+  print("records   {}: {} ok, {} unstable, {} failed\n", contents.records, contents.ok, contents.unstable,
+        contents.failed);
+  for (const auto& [digest, commit, dirty, records, last] : contents.programs) {
+    print("digest {}\n", digest);
+    print_indented(fmt::format("commit {}{}, {}, last {}", commit, dirty ? " (dirty)" : "",
+                               count_text(static_cast<std::size_t>(records), "record"), last));
+  }
 }
 
 int info(const DbOptions& options) {
-  const auto lines = Store(options.db, Store::Mode::read).info();
-  nlohmann::json json;
-  for (const auto& [label, text] : lines) {
-    json[label] = text;
-    if (!options.json) print_labelled(label, text);
-  }
-  if (options.json) print_json(json);
+  const Contents contents = Store(options.db, Store::Mode::read).contents();
+  if (options.json)
+    print_json(contents_json(options.db, contents));
+  else
+    print_contents(options.db, contents);
   return 0;
 }
 

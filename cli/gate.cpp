@@ -52,6 +52,8 @@ nlohmann::json gate_json(const goldens::GateReport& report) {
                        {"expected", r.expected},
                        {"measured", r.measured},
                        {"reason", r.reason},
+                       {"where", r.where},
+                       {"better", r.better},
                        {"absent", r.is_absent}});
   return {{"pass", report.count(Verdict::pass)},
           {"fail", report.count(Verdict::fail)},

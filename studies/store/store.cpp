@@ -140,29 +140,29 @@ std::optional<Provenance> Store::study_provenance(const std::string& study, cons
   return found;
 }
 
-std::vector<std::pair<std::string, std::string>> Store::info() const {
+Contents Store::contents() const {
   const Database& database = impl_->database;
   Transaction one_state(impl_->database, Kind::read);
-  const auto number = [&](const char* query) { return database.scalar(query).to_string(); };
-  std::vector<std::pair<std::string, std::string>> lines{
-      {"file", database.file().string()},
-      {"schema", number("PRAGMA user_version")},
-      {"size", number("SELECT page_count * page_size FROM pragma_page_count, pragma_page_size") + " bytes"},
-      {"studies", number("SELECT count(*) FROM studies")},
-      {"records", number("SELECT count(*) FROM runs")}};
-  for (const Status status : {Status::ok, Status::unstable, Status::failed})
-    lines.emplace_back("records " + to_string(status),
-                       database.scalar("SELECT count(*) FROM runs WHERE status = ?", {to_string(status)}).to_string());
+  const auto with_status = [&](Status status) {
+    return database.scalar("SELECT count(*) FROM runs WHERE status = ?", {to_string(status)}).integer();
+  };
+  Contents contents{
+      .schema = database.scalar("PRAGMA user_version").integer(),
+      .bytes = database.scalar("SELECT page_count * page_size FROM pragma_page_count, pragma_page_size").integer(),
+      .studies = database.scalar("SELECT count(*) FROM studies").integer(),
+      .records = database.scalar("SELECT count(*) FROM runs").integer(),
+      .ok = with_status(Status::ok),
+      .unstable = with_status(Status::unstable),
+      .failed = with_status(Status::failed),
+      .programs = {}};
   database.each(
       "SELECT provenance.digest, git_commit, dirty, count(*) AS records, max(kept_at) AS last FROM runs "
       "JOIN provenance ON provenance.id = runs.provenance GROUP BY provenance.id ORDER BY last DESC",
       {}, [&](const Row& row) {
-        lines.emplace_back(
-            "digest " + row["digest"].text(),
-            fmt::format("commit {}{}, {} records, last {}", row["git_commit"].text(),
-                        row["dirty"].flag() ? " (dirty)" : "", row["records"].integer(), row["last"].text()));
+        contents.programs.push_back({row["digest"].text(), row["git_commit"].text(), row["dirty"].flag(),
+                                     row["records"].integer(), row["last"].text()});
       });
-  return lines;
+  return contents;
 }
 
 std::vector<std::string> Store::check() const {

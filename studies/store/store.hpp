@@ -13,6 +13,7 @@
 #include "studies/records/record.hpp"
 #include "studies/records/result.hpp"
 #include "studies/store/code_series.hpp"
+#include "studies/store/contents.hpp"
 #include "studies/store/provenance.hpp"
 #include "studies/store/version.hpp"
 
@@ -72,8 +73,7 @@ class Store {
   /// Provenance of the study's last keeping; nullopt when absent.
   std::optional<Provenance> study_provenance(const std::string& study, const std::string& digest) const;
 
-  /// For `db info`: label and text per line (schema, studies, records by status, digests, size).
-  std::vector<std::pair<std::string, std::string>> info() const;
+  Contents contents() const;
 
   /// For `db check`: integrity_check, foreign_key_check and all seals; what is wrong, empty when sound.
   std::vector<std::string> check() const;

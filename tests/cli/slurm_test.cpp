@@ -64,7 +64,7 @@ class SlurmNightly : public testing::Test {
 
   std::size_t records_in(const std::string& store) const {
     const Answer info = call(folder_, "db info --json --db " + store, in_folder_);
-    return info.code == 0 ? std::stoul(info.json()["records"].get<std::string>()) : 0;
+    return info.code == 0 ? info.json()["records"].get<std::size_t>() : 0;
   }
 
   /// What the study says of its results in a store, without the line of what was run.

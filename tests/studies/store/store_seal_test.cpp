@@ -73,8 +73,11 @@ class SealedStore : public StoreTest {
   static std::string all_of(const Store& store) {
     std::string all = store.export_csv();
     for (const StudyResult& s : store.studies("d1")) all += s.name + s.title + text_of(s);
-    for (const auto& [label, text] : store.info())
-      if (label != "file") all += label + text;
+    const Contents has = store.contents();
+    all += fmt::format("{} {} {} {} {} {} {}", has.schema, has.bytes, has.studies, has.records, has.ok, has.unstable,
+                       has.failed);
+    for (const auto& [digest, commit, dirty, records, last] : has.programs)
+      all += fmt::format("{} {} {} {} {}", digest, commit, dirty, records, last);
     for (const Version& v : store.versions()) all += v.digest + v.time;
     if (const auto found = store.find(bar(8), "d1")) all += fmt::format("{} {}", found->reason, found->error.l2);
     return all;

@@ -154,22 +154,28 @@ TEST_F(StoreTest, RecordsOutliveTheStoreObject) {
   EXPECT_TRUE(Store(file_, Store::Mode::create_or_write).find(bar(8), "d1"));
 }
 
-TEST_F(StoreTest, InfoCountsWhatIsThere) {
+TEST_F(StoreTest, ContentsAreCounted) {
   Store store(file_, Store::Mode::create_or_write);
   Record unstable = record(9);
   unstable.status = Status::unstable;
   store.keep(record(8), provenance("d1"));
   store.keep(unstable, provenance("d2"));
   store.keep_study(study("s"), {}, provenance("d1"));
-  const auto info = store.info();
-  EXPECT_THAT(info, Contains(Pair("schema", std::to_string(migrations().size()))));
-  EXPECT_THAT(info, Contains(Pair("studies", "1")));
-  EXPECT_THAT(info, Contains(Pair("records", "2")));
-  EXPECT_THAT(info, Contains(Pair("records ok", "1")));
-  EXPECT_THAT(info, Contains(Pair("records unstable", "1")));
-  EXPECT_THAT(info, Contains(Pair("records failed", "0")));
-  EXPECT_THAT(info, Contains(Pair("size", fmt::format("{} bytes", std::filesystem::file_size(file_)))));
-  EXPECT_THAT(info, Contains(Pair("digest d2", "commit c0ffee (dirty), 1 records, last 2024-05-06T07:08:09Z")));
+  const Contents contents = store.contents();
+  EXPECT_EQ(contents.schema, static_cast<std::int64_t>(migrations().size()));
+  EXPECT_EQ(contents.bytes, static_cast<std::int64_t>(std::filesystem::file_size(file_)));
+  EXPECT_EQ(contents.studies, 1);
+  EXPECT_EQ(contents.records, 2);
+  EXPECT_EQ(contents.ok, 1);
+  EXPECT_EQ(contents.unstable, 1);
+  EXPECT_EQ(contents.failed, 0);
+  ASSERT_EQ(contents.programs.size(), 2U);
+  const auto& [digest, commit, dirty, records, last] =
+      *std::ranges::find(contents.programs, "d2", [](const auto& p) { return p.digest; });
+  EXPECT_EQ(commit, "c0ffee");
+  EXPECT_TRUE(dirty);
+  EXPECT_EQ(records, 1);
+  EXPECT_EQ(last, "2024-05-06T07:08:09Z");
 }
 
 TEST_F(StoreTest, CsvHasEveryRecordWith17DigitsAndNaNEmpty) {
