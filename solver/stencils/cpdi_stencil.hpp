@@ -9,7 +9,9 @@ namespace mpmvv::solver {
 ///   x_c = x_p + R s_c/2, s_c in {-1, 1}^D,
 /// whose mean, and the mean of whose gradient, are the particle's,
 ///   N_ip = 2^-D Σ_c S_i(x_c),   ∇N_ip = 2^(1-D) R^-T Σ_c s_c S_i(x_c).
-/// With S_i they add up to one and zero, and are exact on linear fields. ∇N is not the derivative of N.
+/// With S_i they add up to one and zero, and are exact on linear fields. ∇N is not the derivative of N. Corner by
+/// corner: the nodes of all corners put together, each with its N_ip and ∇N_ip, are visited in 0.7 of the time, but to
+/// find them takes longer than that saves.
 template <int D, int K>
 struct CpdiStencil {
   static constexpr int corners = 1 << D;
