@@ -38,7 +38,7 @@ install(PROGRAMS tests/codes/small_mpm.py DESTINATION ${mpmvv_data}/tests/codes)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-if(mpmvv_flags_in_space)
+if(mpmvv_flags_in_space AND CMAKE_BUILD_TYPE STREQUAL "Release")
   set(mpmvv_processors "It needs a processor with AVX-512.")
 elseif(mpmvv_arch_flag STREQUAL "-march=x86-64-v3")
   set(mpmvv_processors "It needs a processor with AVX2 and FMA (x86-64-v3).")

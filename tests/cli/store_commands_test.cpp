@@ -87,6 +87,19 @@ TEST(DbCommand, ForgetsAStudyThatNoReportCanHave) {
   EXPECT_THAT(call(folder, "study " + file + " --db " + db).out, HasSubstr("0 cases run"));
 }
 
+TEST(DbCommand, InfoHasNumbersForPrograms) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
+  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  const auto info = call(folder, "db info --json --db " + db).json();
+  EXPECT_EQ(info["records"], 8);
+  EXPECT_EQ(info["ok"], 8);
+  EXPECT_EQ(info["studies"], 1);
+  ASSERT_EQ(info["programs"].size(), 1U);
+  EXPECT_EQ(info["programs"][0]["records"], 8);
+  EXPECT_EQ(info["programs"][0]["digest"].get<std::string>().size(), 64U);
+}
+
 TEST(GateCommand, DoesNotPassWhatIsNotAsItWasWritten) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
