@@ -63,7 +63,7 @@ struct Doubles<0> {
   [[gnu::always_inline]] Doubles& operator+=(const Doubles&) { return *this; }
 };
 
-/// The two that are left of so many in registers of four.
+/// The last two, where their number is no multiple of four.
 template <int n>
 [[gnu::always_inline]] inline Double2 last_of(const Doubles<n>& all) {
   if constexpr (n == 2)
@@ -72,7 +72,7 @@ template <int n>
     return last_of(all.rest);
 }
 
-/// sum + Σ a b over the whole registers of the two that are as long as it.
+/// sum + Σ a b over the registers of a and b that are as wide as it.
 template <class Register, int n>
 [[gnu::always_inline]] inline Register add_products(const Register& sum, const Doubles<n>& a, const Doubles<n>& b) {
   if constexpr (n * sizeof(double) >= sizeof(Register))
@@ -81,7 +81,7 @@ template <class Register, int n>
     return sum;
 }
 
-/// Σ a b of the first C numbers, the next C and so on, component by component: of nodes, over the nodes.
+/// Σ a b over the nodes, for each of the C components that a node has side by side.
 template <int C, int n>
 [[gnu::always_inline]] inline auto sum_of_products(const Doubles<n>& a, const Doubles<n>& b) {
   const auto sum = add_products(a.front * b.front, a.rest, b.rest);

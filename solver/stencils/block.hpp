@@ -20,6 +20,9 @@ struct Block {
 
   explicit Block(int of_slab) : slab(of_slab) {}  // leaves the rest unset: each is written before it is read
 
+  /// Particles up to the end of the last pack.
+  int padded_count() const { return (count + 3) / 4 * 4; }
+
   int slab;
   std::size_t begin;                ///< the first particle
   int count;                        ///< of particles

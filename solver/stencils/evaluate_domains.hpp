@@ -60,7 +60,7 @@ template <int D, class B>
 Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid, bool with_gradients,
                         CpdiBlock<D, B::support>& block) {
   using Corners = CpdiStencil<D, B::support>;
-  const int padded = (block.count + 3) / 4 * 4;
+  const int padded = block.padded_count();
   DomainsByAxis<D> domains;
   const Fault found = find_domains<B>(block, particles, grid, domains);
   for (auto& first : block.first) std::fill_n(first, padded, grid.node({}));

@@ -82,7 +82,7 @@ Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Gri
                         PointBlock<D, B::support>& block) {
   PointsByAxis<D> points;
   const Fault found = find_points<B>(block, particles, grid, points);
-  const int padded = (block.count + 3) / 4 * 4;
+  const int padded = block.padded_count();
   if (with_gradients)
     evaluate_axes<true>(basis, points, grid, padded, block);
   else

@@ -157,7 +157,8 @@ Contents Store::contents() const {
       .programs = {}};
   database.each(
       "SELECT provenance.digest, git_commit, dirty, count(*) AS records, max(kept_at) AS last FROM runs "
-      "JOIN provenance ON provenance.id = runs.provenance GROUP BY provenance.id ORDER BY last DESC",
+      "JOIN provenance ON provenance.id = runs.provenance GROUP BY provenance.digest, git_commit, dirty ORDER BY last "
+      "DESC",
       {}, [&](const Row& row) {
         contents.programs.push_back({row["digest"].text(), row["git_commit"].text(), row["dirty"].flag(),
                                      row["records"].integer(), row["last"].text()});

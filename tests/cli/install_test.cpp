@@ -77,6 +77,36 @@ TEST(ProcessorNightly, WithoutTheInstructionsOfTheBuildGetsALine) {
     EXPECT_THAT(newer.out, HasSubstr("mpmvv: this processor lacks what the program is built for, AVX-512;"));
 }
 
+/// What a run found; not what it cost.
+nlohmann::json found_by(const std::string& program, const std::string& options) {
+  nlohmann::json found = shell("'" + program + "' run --json " + options).json();
+  for (const char* time : {"cost", "ns_per_particle_step", "wall_seconds"}) found.erase(time);
+  return found;
+}
+
+TEST(ProcessorNightly, RegistersInSpaceChangeNoBitOfAResult) {
+  if (read_text(build + "/generated/mpmvv_build_info.hpp").find("-mavx512vl") == std::string::npos)
+    GTEST_SKIP() << "built without them";
+  const Folder folder;
+  const std::string plain = folder / "plain";
+  const Answer built = shell("cmake -S '" MPMVV_SOURCE_DIR "' --preset release -B '" + plain +
+                             "' -DMPMVV_ARCH=x86-64-v3 -DBUILD_TESTING=OFF >/dev/null && cmake --build '" + plain +
+                             "' --target mpmvv 2>&1");
+  ASSERT_EQ(built.code, 0) << built.out;
+  for (const std::string bases : {"linear", "bspline2", "bspline3", "bspline2-open", "gimp", "cpdi", "b2cpdi"})
+    for (const std::string scheme :
+         {"cd", "rk4", "usl --velocity-update apic", "usl --velocity-update fmpm --order 3"}) {
+      if (scheme.ends_with("apic") && (bases == "linear" || bases.ends_with("open") || bases.ends_with("cpdi")))
+        continue;
+      const std::string options =
+          "--problem cube --cells 8 --ppc 2 --cfl 0.4 --boundary symmetry --blowup-error 10 --basis " + bases +
+          " --integrator " + scheme;
+      const auto found = found_by(program(), options);
+      EXPECT_EQ(found["steps"], 20) << options;
+      EXPECT_EQ(found, found_by(plain + "/mpmvv", options)) << options;
+    }
+}
+
 TEST_F(PackageNightly, TakesAFirstStudyToAGateThatPassesOnABareDebian) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can make a system in a folder";
   const std::string bare = *folder / "bare", home = bare + "/root/";
