@@ -8,6 +8,7 @@
 
 #include "cli/shipped.hpp"
 #include "studies/plan/study.hpp"
+#include "studies/plan/work.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
@@ -37,6 +38,12 @@ std::string option_text(const std::string& key, const std::string& value) {
   return fmt::format(" --{} {}", option, shell_word(value));
 }
 
+/// Whether a search asks for the whole body where a run would take a part of it.
+bool probes_whole_bodies(const plan::StudyPlan& plan, const plan::SeriesPlan& series) {
+  const auto probes = plan::scan_cases(plan, plan::replicates_of(plan, series).front());
+  return std::ranges::any_of(probes, [](const cases::Case& c) { return c.measure.whole; });
+}
+
 SeriesCommand command_of(const plan::StudyPlan& plan, const plan::SeriesPlan& series) {
   const bool is_searched = plan.searches(series);
   const std::string varied = is_searched ? plan.limit->search.key : plan.sweep;
@@ -48,10 +55,10 @@ SeriesCommand command_of(const plan::StudyPlan& plan, const plan::SeriesPlan& se
   }
   std::map<std::string, std::string> last;
   for (const settings::Setting& setting : settings) last[setting.key] = setting.value;
-  last.erase("whole");
   for (const settings::Setting& setting : settings)
     if (const auto value = last.extract(setting.key)) command.text += option_text(setting.key, value.mapped());
   if (!varied.empty() && plan::varies_with(series, varied)) command.text += option_text(varied, "{}");
+  if (is_searched && probes_whole_bodies(plan, series)) command.text += " --whole";
   return command;
 }
 

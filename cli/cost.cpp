@@ -57,9 +57,14 @@ std::vector<std::string> read_cases(const std::string& file) {
   return cases;
 }
 
-support::ProcessEnd run_with(const std::string& program, const std::string& options) {
-  std::vector<std::string> command{program, "run", "--json", "--threads", "1"};
-  std::istringstream words(options);
+/// A program, and the options that it runs with.
+struct TimedRun {
+  std::string program, options;
+};
+
+support::ProcessEnd end_of(const TimedRun& run) {
+  std::vector<std::string> command{run.program, "run", "--json", "--threads", "1"};
+  std::istringstream words(run.options);
   for (std::string word; words >> word;) command.push_back(word);
   return support::run_process(command, ".", {}, std::chrono::minutes(5));
 }
@@ -75,8 +80,8 @@ std::optional<double> cost_of(const support::ProcessEnd& end) {
   return ns > 0 ? std::optional(ns) : std::nullopt;
 }
 
-double required_cost(const std::string& program, const std::string& options) {
-  const support::ProcessEnd end = run_with(program, options);
+double required_cost(const TimedRun& run) {
+  const support::ProcessEnd end = end_of(run);
   if (const auto cost = cost_of(end)) return *cost;
   const std::string how = end.start_error != 0 ? std::strerror(end.start_error)
                           : end.timed_out      ? "not at its end after five minutes"
@@ -84,24 +89,27 @@ double required_cost(const std::string& program, const std::string& options) {
                               ? fmt::format("it prints nothing, and its exit code is {}", end.exit_code)
                               : end.output.substr(0, 300);
   throw support::UsageError(
-      fmt::format("{} does not carry out the case '{}' (a program like this one, and a run that ends ok): {}", program,
-                  options, how));
+      fmt::format("{} does not carry out the case '{}' (a program like this one, and a run that ends ok): {}",
+                  run.program, run.options, how));
 }
 
-/// Another version may not have all that a case asks for.
-bool refuses(const std::string& program, const std::string& options) {
+/// The baseline's run of the case, all of the body as here. None where that version does not have all that the case
+/// asks for; one that does not know of parts of bodies runs all of them.
+std::optional<TimedRun> baseline_run(const std::string& program, const std::string& options) {
   constexpr int usage_error = 2;
-  return run_with(program, options).exit_code == usage_error;
+  for (const TimedRun& run : {TimedRun{program, options + " --whole"}, TimedRun{program, options}})
+    if (end_of(run).exit_code != usage_error) return run;
+  return {};
 }
 
-goldens::CostRatio beside(const std::string& own, const std::string& baseline, const std::string& options) {
+goldens::CostRatio beside(const TimedRun& own, const TimedRun& baseline) {
   bool own_first = false;
   return goldens::measure_cost([&] {
     own_first = !own_first;
     goldens::CostPair pair;
-    if (own_first) pair.now = required_cost(own, options);
-    pair.baseline = required_cost(baseline, options);
-    if (!own_first) pair.now = required_cost(own, options);
+    if (own_first) pair.now = required_cost(own);
+    pair.baseline = required_cost(baseline);
+    if (!own_first) pair.now = required_cost(own);
     return pair;
   });
 }
@@ -153,14 +161,15 @@ int cost(const CostOptions& options) {
     if (columns)
       note_text("\r\033[K" +
                 cut(fmt::format("[{}/{}] {}", costed.size() + left_out.size(), cases.size(), name), *columns - 1));
-    required_cost(own, name);
-    const bool is_new = refuses(baseline, name);
-    if (is_new)
-      left_out.push_back(name);
+    const TimedRun own_run{own, name + " --whole"};
+    required_cost(own_run);
+    const auto other_run = baseline_run(baseline, name);
+    if (other_run)
+      costed.push_back({name, beside(own_run, *other_run)});
     else
-      costed.push_back({name, beside(own, baseline, name)});
+      left_out.push_back(name);
     if (columns) note_text("\r\033[K");
-    if (is_new) note("left out, as the baseline refuses it: {}\n", name);
+    if (!other_run) note("left out, as the baseline refuses it: {}\n", name);
   }
   if (options.json) {
     print_json(cost_json(costed, left_out));

@@ -21,6 +21,8 @@
 #include "studies/codes/fields.hpp"
 #include "studies/plan/external_series.hpp"
 #include "studies/runs/run_case.hpp"
+#include "studies/runs/run_part.hpp"
+#include "studies/settings/part.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::cli {
@@ -94,7 +96,10 @@ records::Record run_by_own_solver(const std::vector<settings::Setting>& settings
   if (c.measure.repeat > 0 && !options.vtu.empty())
     throw UsageError("--vtu beside --repeat (cost is measured without writing; run twice)");
   ProgressLine line;
-  return runs::run_case(c, options.threads, {.vtu = options.vtu, .steps = step_listener(line, c)});
+  const auto tell_steps = step_listener(line, c);
+  if (const auto part = settings::part_of(c); part && options.vtu.empty())
+    if (const auto record = runs::run_part(c, *part, options.threads, tell_steps)) return *record;
+  return runs::run_case(c, options.threads, {.vtu = options.vtu, .steps = tell_steps});
 }
 
 int run(const RunOptions& options) {

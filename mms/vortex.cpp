@@ -29,9 +29,9 @@ Vortex::Vortex(double amplitude, const Radii& radii, double period, const Elasti
 
 template <class N>
 Vortex::Profile<N> Vortex::profile(const N& R) const {
-  const double width = radii_.outer - radii_.inner;
-  const N s = (R - (radii_.inner + radii_.outer) / 2) / width, root = 1 - 4 * s * s;
-  return {root * root, -16 * s * root / width, -16 * (1 - 12 * s * s) / (width * width)};
+  const double slope = 1 / (radii_.outer - radii_.inner);  // of s; a multiplication, as a division takes longer
+  const N s = (R - (radii_.inner + radii_.outer) / 2) * slope, root = 1 - 4 * s * s;
+  return {root * root, -16 * slope * s * root, -16 * slope * slope * (1 - 12 * s * s)};
 }
 
 /// 2 sin(α/2), the chord, in the direction of e_θ turned by α/2.
@@ -129,7 +129,8 @@ class Vortex::AtPoints final : public PointwiseSolution<2> {
         [this, G = vortex_.G(t)](const auto& at) { return vortex_.displacement(at, G); });
   }
 
-  void body_force(double t, std::span<const std::uint32_t>, std::span<const Vec<2>> X, Vec<2>* b) const override {
+  [[gnu::flatten]] void body_force(double t, std::span<const std::uint32_t>, std::span<const Vec<2>> X,
+                                   Vec<2>* b) const override {
     in_lanes<2>(X, b, [this, G = vortex_.G(t), dG = vortex_.dG(t)](const auto& at) { return vortex_.b_at(at, G, dG); });
   }
   bool reads_places() const override { return true; }

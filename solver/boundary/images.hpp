@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -46,45 +47,57 @@ V previous_image(Images images, const V& vector) {
 }
 
 /// Gives the nodes that are each other's images, `orbit` in this order, the sum of what particles and their images add:
-/// F_0 = Σ_k g^-k f_k and F_k = g^k F_0, where g leads to the next image.
-template <class T>
-void sum_orbit(Images images, T* const (&orbit)[4]) {
-  T sum = *orbit[count(images) - 1];
-  for (int k = count(images) - 2; k >= 0; --k) sum = *orbit[k] + previous_image(images, sum);
-  for (int k = 0; k < count(images); ++k, sum = next_image(images, sum)) *orbit[k] = sum;
+/// F_0 = Σ_k g^-k f_k and F_k = g^k F_0, where g leads to the next image. By component: a processor waits where what
+/// was written as single numbers is read as a register of them.
+template <std::size_t count, class T>
+void sum_orbit(Images images, const std::array<T*, count>& orbit) {
+  T sum = *orbit.back();
+  for (std::size_t k = count - 1; k-- > 0;) {
+    sum = previous_image(images, sum);
+    for (int c = 0; c < sum.size(); ++c) sum[c] += (*orbit[k])[c];
+  }
+  for (T* const node : orbit) {
+    for (int c = 0; c < sum.size(); ++c) (*node)[c] = sum[c];
+    sum = next_image(images, sum);
+  }
 }
 
 /// Adds up a field over the mirror images at the middle of the second axis.
 template <int D, class T>
-void sum_over_middle(const Grid<D>& grid, Array<T>& field) {
+void sum_over_middle(const Grid<D>& grid, T* nodes) {
   const int last = grid.inside(1) - 1;
   for (int j = -grid.ghost(); j <= last - j; ++j)
-    grid.for_plane(1, j, last - j, [&](int n, int image) {
-      T* const nodes = field.data();
-      sum_orbit<T>(Images::middle, {nodes + n, nodes + image, nullptr, nullptr});
+    grid.for_plane(1, j, last - j, [nodes](int n, int image) {
+      sum_orbit<2, T>(Images::middle, {nodes + n, nodes + image});
     });
+}
+
+/// Adds up a plane of so many nodes along either axis over the mirror images at the diagonal.
+template <class T>
+void sum_over_diagonal(int nodes, T* plane) {
+  for (int j = 0; j < nodes; ++j)
+    for (int i = 0; i <= j; ++i) sum_orbit<2, T>(Images::diagonal, {plane + j * nodes + i, plane + i * nodes + j});
+}
+
+/// Adds up such a plane over its quarter turns. A node in the middle belongs to the quadrant that is gone through.
+template <class T>
+void sum_over_quarter_turns(int nodes, T* plane) {
+  const auto at = [=](int i, int j) { return plane + j * nodes + i; };
+  const int half = nodes / 2, last = nodes - 1;
+  for (int j = 0; j < nodes - half; ++j)
+    for (int i = 0; i < (j == half ? nodes - half : half); ++i)
+      sum_orbit<4, T>(Images::quarter_turns, {at(i, j), at(last - j, i), at(last - i, last - j), at(j, last - i)});
 }
 
 /// Adds up a field mapped from particles over their images.
 template <int D, class T>
 void sum_over(Images images, const Grid<D>& grid, Array<T>& field) {
-  if (images == Images::none) return;
   if constexpr (D > 1) {
-    if (images == Images::middle) return sum_over_middle(grid, field);
-    const bool is_mirrored = images == Images::diagonal;
-    const int nodes = grid.nodes(0), half = nodes / 2, rows = is_mirrored ? nodes : nodes - half;
-    // One node of each orbit: up to the diagonal, or of a quadrant, to which a node in the middle belongs.
-    const auto columns = [=](int j) { return is_mirrored ? j + 1 : j == half ? rows : half; };
+    if (images == Images::middle) return sum_over_middle(grid, field.data());
+    const int nodes = grid.nodes(0);
     for (std::size_t first = 0; first < field.size(); first += static_cast<std::size_t>(nodes * nodes)) {
-      const auto at = [=, plane = &field[first]](int i, int j) { return plane + j * nodes + i; };
-      for (int j = 0; j < rows; ++j)
-        for (int i = 0; i < columns(j); ++i) {
-          const int across = nodes - 1 - i, above = nodes - 1 - j;
-          if (is_mirrored)
-            sum_orbit<T>(images, {at(i, j), at(j, i), nullptr, nullptr});
-          else
-            sum_orbit<T>(images, {at(i, j), at(above, i), at(across, above), at(j, across)});
-        }
+      if (images == Images::diagonal) sum_over_diagonal(nodes, &field[first]);
+      if (images == Images::quarter_turns) sum_over_quarter_turns(nodes, &field[first]);
     }
   }
 }

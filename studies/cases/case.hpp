@@ -40,7 +40,7 @@ struct Measure {
   double blowup_error =
       1;  ///< unstable when the largest displacement error exceeds this times the problem's displacement scale
   double blowup_energy = 10;  ///< unstable when kinetic + strain energy exceeds this times the initial total
-  bool whole = false;         ///< a study runs the whole body, also where a part and its images give the same
+  bool whole = false;         ///< all of the body is run, also where a part and its images give the same
   int repeat = 0;             ///< runs, each alone on the machine, of which the cost is taken; 0: it is no evidence
 
   auto operator<=>(const Measure&) const = default;

@@ -179,7 +179,7 @@ const std::vector<SettingKey>& setting_keys() {
        read_by(&parse_number, &Measure::blowup_error), KeyOf::every},
       {"blowup_energy", "unstable beyond this energy, in initial energies",
        read_by(&parse_number, &Measure::blowup_energy)},
-      {"whole", "in studies: all of a body, not the part of which images make it", flag(&Measure::whole)},
+      {"whole", "all of a body, not the part of which images make it", flag(&Measure::whole)},
       {"repeat", "run alone so often (3 or more) and keep the median cost",
        read_by(whole_from(3, 99), &Measure::repeat), KeyOf::every, Absent{"", "not measured"}},
   };

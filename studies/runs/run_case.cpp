@@ -182,8 +182,9 @@ Record run_case(const Case& c, int threads, const Output& output) {
   return run_once(c, {.threads = threads, .tell_steps = output.steps}, frames ? &*frames : nullptr);
 }
 
-Record run_without_images(const Case& c, solver::Images images, int threads) {
-  return run_once(c, {.threads = threads, .images = images}, nullptr);
+Record run_without_images(const Case& c, solver::Images images, int threads,
+                          const std::function<void(std::int64_t)>& tell_steps) {
+  return run_once(c, {.threads = threads, .images = images, .tell_steps = tell_steps}, nullptr);
 }
 
 std::vector<Record> run_timed(const std::vector<Case>& cases) {

@@ -22,7 +22,8 @@ records::Record run_case(const cases::Case& c, int threads, const Output& output
 
 /// The same where the body, its motion, boundary, grid and particles have such images: only the particles of which the
 /// others are images are run. The record is the body's but for the cost, which is theirs.
-records::Record run_without_images(const cases::Case& c, solver::Images images, int threads);
+records::Record run_without_images(const cases::Case& c, solver::Images images, int threads,
+                                   const std::function<void(std::int64_t)>& tell_steps = nullptr);
 
 /// Runs cases whose cost is measured: on one thread, as often as each says (`repeat`), taking turns. The caller sees to
 /// it that nothing else runs on the machine.

@@ -15,8 +15,9 @@ void add_mirror_images(int images, records::Record& r) {
 
 }  // namespace
 
-std::optional<records::Record> run_part(const cases::Case& whole, const settings::Part& part, int threads) {
-  records::Record r = run_without_images(part.body, part.images, threads);
+std::optional<records::Record> run_part(const cases::Case& whole, const settings::Part& part, int threads,
+                                        const std::function<void(std::int64_t)>& tell_steps) {
+  records::Record r = run_without_images(part.body, part.images, threads, tell_steps);
   if (r.status != records::Status::ok) return std::nullopt;
   if (part.mirror_images > 1) add_mirror_images(part.mirror_images, r);
   r.the_case = whole;

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "studies/records/record.hpp"
@@ -9,6 +11,7 @@ namespace mpmvv::runs {
 /// The record of a case from a run of its part (`settings::part_of`), of which images make the rest. None when the part
 /// did not come to its end: that says little of the whole, where round-off does not grow alike in all images, so the
 /// whole must run.
-std::optional<records::Record> run_part(const cases::Case& whole, const settings::Part& part, int threads);
+std::optional<records::Record> run_part(const cases::Case& whole, const settings::Part& part, int threads,
+                                        const std::function<void(std::int64_t)>& tell_steps = nullptr);
 
 }  // namespace mpmvv::runs

@@ -6,7 +6,7 @@
 
 namespace mpmvv::settings {
 
-/// What a study may run of a case, as the rest is images of it.
+/// What may be run of a case, as the rest is images of it.
 struct Part {
   cases::Case body;                              ///< the case's, or the one of its quarter
   int mirror_images = 1;                         ///< quarters that make the case's body
@@ -19,7 +19,7 @@ struct Part {
 /// has shown that the numbers are the same (tests/studies/runs/part_test.cpp).
 std::optional<Part> part_of(const cases::Case& c);
 
-/// The case that runs the whole body in a study, too; where nothing else is possible, the case as it is.
+/// The case that runs the whole body; where nothing else is possible, the case as it is.
 cases::Case as_whole(cases::Case c);
 
 }  // namespace mpmvv::settings

@@ -36,6 +36,13 @@ TEST_F(CostCommand, FailsWhatCostsMoreThanTheBaseline) {
   EXPECT_EQ(faster.json()["cases"][0]["verdict"], "pass");
 }
 
+/// A part has fewer particles to a node than the body. Versions that know of no parts run all of it anyway.
+TEST_F(CostCommand, TimesWholeBodies) {
+  const std::string at_whole = "case \"$*\" in *--whole*) ";
+  EXPECT_EQ(beside(at_whole + cost(1e9) + ";; *) " + cost(1e-3) + ";; esac").code, 0);
+  EXPECT_EQ(beside(at_whole + "exit 2;; *) " + cost(1e9) + ";; esac").code, 0);
+}
+
 TEST_F(CostCommand, LeavesOutWhatTheBaselineDoesNotKnow) {
   const Answer answer = beside("echo 'mpmvv: unknown basis' >&2; exit 2");
   EXPECT_EQ(answer.code, 3);

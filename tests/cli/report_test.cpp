@@ -91,6 +91,35 @@ grid_offset = [0.25, 0.5]
                     HasSubstr("the first of 2 replicates")));
 }
 
+/// Searches of limits probe the whole body, where a run would take a part of it.
+TEST_F(ReportCommand, ALimitsCommandRunsTheWholeBody) {
+  const std::string file = folder_.write("l.toml", R"(title = "limit"
+[fixed]
+problem = "ring"
+cells = 4
+ppc = 2
+steps = 8
+[[series]]
+name = "a"
+basis = "bspline2"
+[[series]]
+name = "b"
+basis = "bspline2"
+mass = "consistent"
+integrator = "usl"
+[limit]
+key = "cfl"
+from = 0.4
+to = 0.5
+)");
+  const Answer study = call(folder_, "study " + file + " --db " + db_);
+  ASSERT_EQ(study.code, 0) << study.err;
+  ASSERT_EQ(report(none_).code, 0);
+  EXPECT_THAT(page("studies/l.html"),
+              AllOf(HasSubstr("--basis bspline2 --cfl 0.5 --whole"),
+                    HasSubstr("--basis bspline2 --mass consistent --integrator usl --cfl 0.5<")));
+}
+
 /// A store with studies of one's own alone: the goldens that it has nothing for are a line, and no verdict.
 TEST_F(ReportCommand, OfOwnStudiesIsAboutThese) {
   ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);

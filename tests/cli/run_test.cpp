@@ -69,6 +69,23 @@ TEST(RunCommand, CostIsEvidenceOnlyWhenItIsAskedFor) {
   EXPECT_EQ(costed["error"], plain["error"]);
 }
 
+/// A quarter of the vortex, unless all of it is asked for, to be seen or to be timed.
+TEST(RunCommand, TakesThePartOfABodyThatGivesTheSame) {
+  const Folder folder;
+  const std::string command =
+      "run --problem vortex --fill conforming --basis bspline2 --integrator cd --cells 8 --ppc 2 --cfl 0.2 ";
+  const auto part = call(folder, command + "--json").json(), whole = call(folder, command + "--json --whole").json();
+  EXPECT_EQ(part["images"], 4);
+  EXPECT_EQ(whole["images"], 1);
+  EXPECT_EQ(part["particles"], whole["particles"]);
+  EXPECT_NEAR(part["error"]["l2"], whole["error"]["l2"], 1e-12 * whole["error"]["l2"].get<double>());
+  EXPECT_EQ(call(folder, command + "--json --vtu '" + (folder / "frames") + "'").json()["error"], whole["error"]);
+  EXPECT_EQ(call(folder, command + "--json --repeat 3").json()["error"], whole["error"]);
+  const std::string said = "a part was run, of which 4 images make the body (--whole runs all of it)\n";
+  EXPECT_THAT(call(folder, command).out, HasSubstr(said));
+  EXPECT_THAT(call(folder, command + "--whole").out, Not(HasSubstr("images")));
+}
+
 TEST(RunCommand, ABlownUpRunIsAResult) {
   const Folder folder;
   const Answer answer =
