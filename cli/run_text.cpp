@@ -76,7 +76,8 @@ void print_record(const Record& r) {
           s.variant.empty() ? "" : fmt::format("variant {}, ", s.variant), to_string(s.force_form));
   print_outcome(r);
   if (!std::isnan(r.ns_per_particle_step))
-    print("\ntook {}, {:.2f} ns per particle and step\n", duration_text(r.wall_seconds), r.ns_per_particle_step);
+    print("\ntook {}, {:.2f} ns per particle{} and step\n", duration_text(r.wall_seconds), r.ns_per_particle_step,
+          r.images > 1 ? " of the part" : "");
   if (r.the_case.measure.repeat > 0)
     print("cost {} s of steps, median of {} runs (range {:.0f} %)\n", error_text(r.cost.step_seconds),
           r.the_case.measure.repeat, 100 * r.cost.spread);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -23,6 +24,16 @@ using records::StudyResult;
 
 namespace {
 
+/// Of points that are not unstable, so many out of all, that an order has no use for.
+std::string why_missing(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
+                        std::ptrdiff_t missing, std::ptrdiff_t all) {
+  if (const auto failed = values_with(Status::failed, c, series); !failed.empty())
+    return fmt::format("'{}' failed at {} = {}", series.name, result.sweep, fmt::join(failed, ", "));
+  const std::string near_floor = left_out(series, norm);
+  return fmt::format("'{}': {} of {} stable points are no use{}", series.name, missing, all,
+                     near_floor.empty() ? "" : ", left out: " + near_floor);
+}
+
 /// The order over the points in the window that are stable; `missing` when one failed or has not been measured.
 ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
                            Measured& out) {
@@ -32,11 +43,7 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
   const auto stable = std::count_if(series.points.begin(), series.points.end(), [&](const Point& point) {
     return c.window.holds(point.x) && point.status != Status::unstable;
   });
-  if (fit.points < stable) {
-    const std::string near_floor = left_out(series, norm);
-    out.missing = fmt::format("'{}': {} of {} stable points are no use{}", series.name, stable - fit.points, stable,
-                              near_floor.empty() ? "" : ", left out: " + near_floor);
-  }
+  if (fit.points < stable) out.missing = why_missing(c, result, series, norm, stable - fit.points, stable);
   return fit;
 }
 

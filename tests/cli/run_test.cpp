@@ -82,7 +82,7 @@ TEST(RunCommand, TakesThePartOfABodyThatGivesTheSame) {
   EXPECT_EQ(call(folder, command + "--json --vtu '" + (folder / "frames") + "'").json()["error"], whole["error"]);
   EXPECT_EQ(call(folder, command + "--json --repeat 3").json()["error"], whole["error"]);
   const std::string said = "a part was run, of which 4 images make the body (--whole runs all of it)\n";
-  EXPECT_THAT(call(folder, command).out, HasSubstr(said));
+  EXPECT_THAT(call(folder, command).out, AllOf(HasSubstr(said), HasSubstr(" ns per particle of the part and step\n")));
   EXPECT_THAT(call(folder, command + "--whole").out, Not(HasSubstr("images")));
 }
 

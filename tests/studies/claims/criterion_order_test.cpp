@@ -117,6 +117,17 @@ TEST(Criterion, AnOrderFailsHoweverManyPointsAreUnstable) {
   }
 }
 
+TEST(Criterion, AnOrderSaysWhereRunsFailed) {
+  StudyResult result = two_series();
+  for (const std::size_t k : {1, 3}) {
+    result.series[0].points[k].status = Status::failed;
+    result.series[0].points[k].y = {};
+  }
+  const records::ClaimPart part = judge(criterion(Kind::order, "good", 1.5, {}), result);
+  EXPECT_EQ(part.verdict, PartVerdict::inconclusive);
+  EXPECT_THAT(part.evidence, HasSubstr("'good' failed at cells = 16, 64"));
+}
+
 TEST(Criterion, UnstablePointsHaveNoDifferenceOfOrders) {
   Criterion difference = criterion(Kind::order_difference, "bad", -0.1, 0.1);
   difference.over_norm = "l2";
