@@ -128,9 +128,13 @@ std::string count_text(const claims::Claim& claim) {
   if (claim.parts.empty()) return "not judged yet";
   const std::size_t shown = count(claim, PartVerdict::shown), judged = claim.parts.size() - shown;
   if (judged == 0) return "shown in figures";
-  const std::size_t holding = count(claim, PartVerdict::holds);
-  if (judged == 1) return holding == 1 ? "its criterion holds" : "its criterion does not hold";
-  return fmt::format("{} of {} criteria hold", holding, judged);
+  const std::size_t holding = count(claim, PartVerdict::holds), undecided = count(claim, PartVerdict::inconclusive);
+  if (judged == 1)
+    return holding == 1     ? "its criterion holds"
+           : undecided == 1 ? "its criterion is inconclusive"
+                            : "its criterion does not hold";
+  const std::string rest = undecided > 0 ? fmt::format(", {} inconclusive", undecided) : "";
+  return fmt::format("{} of {} criteria hold{}", holding, judged, rest);
 }
 
 data criteria_data(const std::vector<claims::JudgedPart>& parts) {

@@ -131,7 +131,13 @@ TEST(ReadBackPage, AClaimWithoutAFigureShowsItsCriteria) {
   const std::string page = WrittenReport(input).page("index.html");
   EXPECT_THAT(page, testing::HasSubstr("<span class=\"mark fails\">fails</span>: asked of second"));
   input.claims[0].parts.resize(1);
-  EXPECT_THAT(WrittenReport(input).page("index.html"), testing::HasSubstr("X-one · its criterion holds"));
+  const auto said_of = [&input](records::PartVerdict verdict) {
+    input.claims[0].parts[0].part.verdict = verdict;
+    return WrittenReport(input).page("index.html");
+  };
+  EXPECT_THAT(said_of(holds), testing::HasSubstr("X-one · its criterion holds"));
+  EXPECT_THAT(said_of(fails), testing::HasSubstr("X-one · its criterion does not hold"));
+  EXPECT_THAT(said_of(inconclusive), testing::HasSubstr("X-one · its criterion is inconclusive"));
 }
 
 TEST(ReadBackPage, CriteriaHaveWhatWasAskedBesideWhatWasFound) {
@@ -163,7 +169,7 @@ TEST(ReadBackPage, CriteriaHaveWhatWasAskedBesideWhatWasFound) {
   EXPECT_EQ(cards.at("X-one").verdict, "partly");
   EXPECT_THAT(cards.at("X-one").text,
               testing::AllOf(testing::HasSubstr("a sentence"), testing::HasSubstr("fourth: 1.33 (asked: at most 0.8)"),
-                             testing::HasSubstr("X-one, Fig. 7 · 1 of 3 criteria hold")));
+                             testing::HasSubstr("X-one, Fig. 7 · 1 of 3 criteria hold, 1 inconclusive")));
 }
 
 }  // namespace mpmvv::reports::read_back_verdicts_test
