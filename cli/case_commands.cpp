@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <regex>
+#include <system_error>
 
 #include "cli/shipped.hpp"
 #include "studies/plan/study.hpp"
@@ -74,14 +76,23 @@ std::string trial_options(const std::string& trial) {
   return options;
 }
 
+/// The study's file in a folder of studies here, an adapter's among them; its name alone where none holds it.
+std::string file_here(const records::StudyResult& study) {
+  std::vector<std::filesystem::path> folders{"studies"};
+  std::error_code unreadable;
+  for (const auto& adapter : std::filesystem::directory_iterator("adapters", unreadable))
+    folders.push_back(adapter.path() / "studies");
+  const std::string name = study.name + ".toml";
+  for (const std::filesystem::path& folder : folders)
+    if (support::read_file(folder / name) == store::without_trial(study.text)) return folder / name;
+  return name;
+}
+
 }  // namespace
 
 reports::StudyCall study_call(const records::StudyResult& study) {
   const std::string options = trial_options(store::trial_of(study.text));
-  if (is_shipped(study)) return {study.name, options};
-  const std::string file = study.name + ".toml", in_folder = "studies/" + file;
-  const bool is_there = support::read_file(in_folder) == store::without_trial(study.text);
-  return {is_there ? in_folder : file, options};
+  return {is_shipped(study) ? study.name : file_here(study), options};
 }
 
 std::vector<SeriesCommand> case_commands(const records::StudyResult& study) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
@@ -149,6 +150,15 @@ TEST_F(ReportCommand, RepeatsAStudyOfTheProgramByItsNameAndATrialAsOne) {
   const std::string command = between(trial.out, "repeat: mpmvv ", "\n");
   EXPECT_EQ(command, "study small.toml --set shuffle=3 --set ppc=2 --db " + db_);
   EXPECT_THAT(call(folder_, command, "cd '" + (folder_ / "") + "' && ").out, HasSubstr("0 cases run, 8 taken from"));
+}
+
+/// As the store of ./run codes has them.
+TEST_F(ReportCommand, RepeatsAStudyOfAnAdapterFromItsFolder) {
+  std::filesystem::create_directories(folder_ / "adapters/mine/studies");
+  folder_.write("adapters/mine/studies/small.toml", small_study);
+  const std::string here = "cd '" + (folder_ / "") + "' && ", study = "study adapters/mine/studies/small.toml --db ";
+  ASSERT_EQ(call(folder_, study + db_, here).code, 0);
+  EXPECT_THAT(call(folder_, "claims S-fig10 --db " + db_, here).out, HasSubstr("repeat: mpmvv " + study + db_));
 }
 
 TEST_F(ReportCommand, SaysWhatChangedSinceTheVersionBefore) {
