@@ -82,7 +82,7 @@ std::string file_here(const records::StudyResult& study) {
   std::error_code unreadable;
   for (const auto& adapter : std::filesystem::directory_iterator("adapters", unreadable))
     folders.push_back(adapter.path() / "studies");
-  const std::string name = study.name + ".toml";
+  std::string name = study.name + ".toml";
   for (const std::filesystem::path& folder : folders)
     if (support::read_file(folder / name) == store::without_trial(study.text)) return folder / name;
   return name;

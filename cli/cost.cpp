@@ -80,17 +80,25 @@ std::optional<double> cost_of(const support::ProcessEnd& end) {
   return ns > 0 ? std::optional(ns) : std::nullopt;
 }
 
+/// How a run ended that has no cost.
+std::string end_text(const support::ProcessEnd& end) {
+  if (end.start_error != 0) return std::strerror(end.start_error);
+  if (end.timed_out) return "not at its end after five minutes";
+  if (end.output.empty()) return fmt::format("it prints nothing, and its exit code is {}", end.exit_code);
+  const auto record = nlohmann::json::parse(end.output, nullptr, false);
+  const auto status = record.find("status"), reason = record.find("reason");
+  if (!record.is_object() || status == record.end() || reason == record.end() || !status->is_string() ||
+      !reason->is_string())
+    return end.output.substr(0, 300);
+  return fmt::format("{} ({})", status->get<std::string>(), reason->get<std::string>());
+}
+
 double required_cost(const TimedRun& run) {
   const support::ProcessEnd end = end_of(run);
   if (const auto cost = cost_of(end)) return *cost;
-  const std::string how = end.start_error != 0 ? std::strerror(end.start_error)
-                          : end.timed_out      ? "not at its end after five minutes"
-                          : end.output.empty()
-                              ? fmt::format("it prints nothing, and its exit code is {}", end.exit_code)
-                              : end.output.substr(0, 300);
   throw support::UsageError(
       fmt::format("{} does not carry out the case '{}' (a program like this one, and a run that ends ok): {}",
-                  run.program, run.options, how));
+                  run.program, run.options, end_text(end)));
 }
 
 /// The baseline's run of the case, all of the body as here. None where that version does not have all that the case

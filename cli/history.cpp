@@ -52,6 +52,7 @@ struct CompareOptions {
 
 void print_comparison(const goldens::Comparison& comparison, const Version& a, const Version& b, bool all) {
   print("from {}, {}\nto   {}, {}\n", label(a), a.time, label(b), b.time);
+  if (a.digest == b.digest) print("both are one version: what decides a result is the same in them\n");
   Table table({{"study"}, {"change", Table::Kind::prose}}, 0);
   for (const Change& change : comparison.changes)
     if (all || change.bands != 0) table.add({change.before.study, change_text(change)});

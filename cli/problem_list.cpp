@@ -39,7 +39,8 @@ nlohmann::json problem_json(const Problem& p) {
           {"dimension", p.dimension()},
           {"length", {{"formula", p.length_formula}, {"default", p.length(defaults)}}},
           {"wave_speed", {{"formula", p.wave_speed_formula}, {"default", p.wave_speed(defaults)}}},
-          {"end_time", {{"formula", p.end_time_formula}, {"default", p.end_time(defaults)}}},
+          {"end_time",
+           {{"formula", p.end_time_formula}, {"default", p.lead_time ? support::not_measured : p.end_time(defaults)}}},
           {"boundary", p.boundary},
           {"boundary_costs", boundary_cost(p, defaults)},
           {"parameters", parameters}};
@@ -82,7 +83,7 @@ void print_problems() {
     const problems::Parameters defaults = problems::complete_parameters(p, {});
     const std::string cost = boundary_cost(p, defaults);
     table.add({p.name, fmt::format("{}D", p.dimension()), number_text(p.length(defaults)),
-               number_text(p.wave_speed(defaults)), number_text(p.end_time(defaults)),
+               number_text(p.wave_speed(defaults)), p.lead_time ? "see below" : number_text(p.end_time(defaults)),
                cost.empty() ? boundary_text(p) : fmt::format("{} ({})", boundary_text(p), cost)});
   }
   table.print();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/console.hpp"
+#include "cli/lines.hpp"
 #include "cli/numbers.hpp"
 #include "cli/table.hpp"
 
@@ -27,11 +28,12 @@ void print_errors(const Record& r) {
   if (asked.every_step) add("displacement, largest of all steps (m)", e.l1_all_steps, e.l2_all_steps, e.linf_all_steps);
   if (asked.nodal_error) add("nodal acceleration at the end (m/s2)", e.nodal_l1, e.nodal_l2, e.nodal_linf);
   constexpr double none = records::not_measured;
-  if (asked.velocity_error) add("velocity, mean of all steps (% of the problem's speed)", none, e.velocity, none);
+  if (asked.velocity_error) add("velocity, mean of all steps (% of speed)", none, e.velocity, none);
   if (asked.stress_error) add("stress at the end (Pa)", none, e.stress, none);
   table.print_apart();
 }
 
+/// Images cancel changes of momenta: those of a part show no conservation.
 void print_balance(const Record& r) {
   Table table({{"measured"}, {"is", Kind::number}});
   const auto add = [&table](const char* what, double number) {
@@ -41,9 +43,12 @@ void print_balance(const Record& r) {
   add("strain energy at the end (J)", r.energy.strain);
   add("energy at the start (J)", r.energy.initial_total);
   add("change of mass", r.balance.mass);
-  add("change of momentum", r.balance.momentum);
-  add("change of angular momentum", r.balance.angular_momentum);
+  if (r.images == 1) {
+    add("change of momentum", r.balance.momentum);
+    add("change of angular momentum", r.balance.angular_momentum);
+  }
   add("error that the output's digits make (m)", r.output_floor);
+  add("error of the solution for this law (m)", r.solution_floor);
   table.print_apart();
 }
 
@@ -69,8 +74,9 @@ void print_score(const Record& r, const std::string& files, int digits) {
 void print_record(const Record& r) {
   const cases::Scheme& s = r.the_case.scheme;
   if (s.code.empty())
-    print("{} with basis {}, integrator {}, velocity update {}, boundary {}\n", r.the_case.problem.name, s.basis,
-          s.integrator, s.velocity_update, s.boundary);
+    print_indented(fmt::format("{} with basis {}, integrator {}, velocity update {}, boundary {}",
+                               r.the_case.problem.name, s.basis, s.integrator, s.velocity_update, s.boundary),
+                   0);
   else
     print("{} with code {} ({}), {}body force {}\n", r.the_case.problem.name, s.code, s.code_version,
           s.variant.empty() ? "" : fmt::format("variant {}, ", s.variant), to_string(s.force_form));

@@ -45,7 +45,7 @@ bool is_shipped(const StudyResult& study) {
 }
 
 fs::path changed_file(const StudyResult& study) {
-  for (const fs::path& folder : {fs::path("studies"), shipped("studies")}) {
+  for (const fs::path& folder : {fs::path(), fs::path("studies"), shipped("studies")}) {
     const fs::path file = folder / (study.name + ".toml");
     if (const auto text = support::read_file(file))
       return *text == store::without_trial(study.text) ? fs::path() : file;

@@ -40,7 +40,7 @@ step() {
 }
 "$program" db merge "${stores[@]}" --db "$db" || exit
 step "$program" study "${studies[@]}" --db "$db" --jobs "$jobs"
-((${#gated[@]} == 0)) || step "$program" gate --db "$db" "${gated[@]}"
+((${#gated[@]} == 0)) || step "$program" gate --db "$db" "${gated[@]}" "${goldens[@]}"
 step "$program" report --db "$db" --out "$folder/report" "${goldens[@]}"
 exit "$status"
 )sh";

@@ -14,6 +14,7 @@
 #include "cli/interruption.hpp"
 #include "cli/numbers.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/results.hpp"
 #include "cli/shipped.hpp"
 #include "cli/study_choice.hpp"
 #include "cli/study_text.hpp"
@@ -82,11 +83,12 @@ int run_shard(const StudyOptions& options, const std::vector<plan::StudyPlan>& p
 int run_studies(const StudyOptions& options, const std::vector<plan::StudyPlan>& plans, const codes::Codes& codes,
                 store::Store& store) {
   plan::RunnerCounts counts;
-  const auto outcomes = interruptible(
-      options, codes, [&](const auto& running) { return plan::run_studies(plans, store, running, counts); });
+  auto outcomes = interruptible(options, codes,
+                                [&](const auto& running) { return plan::run_studies(plans, store, running, counts); });
   std::size_t failed = 0;
-  for (const plan::StudyOutcome& outcome : outcomes) {
+  for (plan::StudyOutcome& outcome : outcomes) {
     failed += outcome.failed;
+    if (is_trial(outcome.result)) withhold_verdicts(outcome.result);
     if (outcome.trouble.empty())
       print_study(outcome.result, options.verbose);
     else

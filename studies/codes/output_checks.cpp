@@ -88,17 +88,19 @@ void require_finite(const Snapshot& s, std::size_t particles) {
 }
 
 template <int D>
-void require_displacement_units(const MatchedEnd<D>& end) {
-  double ours = 0, both = 0, theirs = 0;
+void require_length_units(const MatchedEnd<D>& end) {
+  std::vector<Vec<D>> x, u, x_wanted, u_wanted;
   for (std::size_t line = 0; line < end.size(); ++line) {
-    const Vec<D> u = end.particles.setup.solution->u(end.particles.X[end.particle[line]], end.particles.end_time);
-    ours += u.squaredNorm();
-    both += u.dot(end.u[line]);
-    theirs += end.u[line].squaredNorm();
+    const Vec<D>& X = end.particles.X[end.particle[line]];
+    u.push_back(end.u[line]);
+    x.push_back(end.x(line));
+    u_wanted.push_back(end.particles.setup.solution->u(X, end.particles.end_time));
+    x_wanted.push_back(X + u_wanted.back());
   }
-  const double factor = unit_factor(both / ours);
-  const bool is_alike = both > 0 && both * both > 0.9 * ours * theirs;
-  if (factor != 1 && is_alike) fail_units("displacements", factor, end.snapshot.file);
+  const std::string& file = end.snapshot.file;
+  if (const double factor = factor_between(from_middle(x), from_middle(x_wanted)); factor != 1)
+    fail_units("positions", factor, file);
+  if (const double factor = factor_between(u, u_wanted); factor != 1) fail_units("displacements", factor, file);
 }
 
 template <int D>
@@ -166,9 +168,9 @@ void require_mass(const MatchedEnd<D>& end) {
         mass, s.file, mass / wanted);
 }
 
-template void require_displacement_units(const MatchedEnd<1>&);
-template void require_displacement_units(const MatchedEnd<2>&);
-template void require_displacement_units(const MatchedEnd<3>&);
+template void require_length_units(const MatchedEnd<1>&);
+template void require_length_units(const MatchedEnd<2>&);
+template void require_length_units(const MatchedEnd<3>&);
 template void require_inside(const MatchedEnd<1>&);
 template void require_inside(const MatchedEnd<2>&);
 template void require_inside(const MatchedEnd<3>&);

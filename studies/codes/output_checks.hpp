@@ -35,9 +35,9 @@ struct MatchedEnd {
   }
 };
 
-/// Displacements are no thousand times, or so, those of the exact solution.
+/// Positions and displacements are no thousand times, or so, those of the exact solution.
 template <int D>
-void require_displacement_units(const MatchedEnd<D>& end);
+void require_length_units(const MatchedEnd<D>& end);
 
 /// No particle is a cell or more outside the grid; `unstable` otherwise.
 template <int D>

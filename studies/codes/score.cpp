@@ -118,7 +118,7 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
     if (s) require_finite(*s, particles.size());
   require_end_time(c, output.end);
   const MatchedEnd<D> end = matched(particles, output);
-  require_displacement_units(end);
+  require_length_units(end);
   require_inside(end);
   const bool says_when = output.end.time || output.end.step == c.resolution.steps;
   if (!says_when) require_time(end);

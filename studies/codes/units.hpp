@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,14 +22,35 @@ inline double unit_factor(double ratio) {
               what, file, factor, 1 / factor);
 }
 
+/// The points as seen from their middle.
+template <int D>
+std::vector<solver::Vec<D>> from_middle(std::vector<solver::Vec<D>> points) {
+  solver::Vec<D> middle = solver::Vec<D>::Zero();
+  for (const auto& point : points) middle += point / static_cast<double>(points.size());
+  for (auto& point : points) point -= middle;
+  return points;
+}
+
 /// RMS distance from their middle.
 template <int D>
 double extent(const std::vector<solver::Vec<D>>& points) {
-  solver::Vec<D> middle = solver::Vec<D>::Zero();
-  for (const auto& point : points) middle += point / static_cast<double>(points.size());
   double squares = 0;
-  for (const auto& point : points) squares += (point - middle).squaredNorm();
+  for (const auto& way : from_middle(points)) squares += way.squaredNorm();
   return std::sqrt(squares / static_cast<double>(points.size()));
+}
+
+/// The factor between units by which vectors differ from those that they should be, if it is nearly all by which they
+/// do; else 1.
+template <int D>
+double factor_between(const std::vector<solver::Vec<D>>& found, const std::vector<solver::Vec<D>>& wanted) {
+  double ours = 0, both = 0, theirs = 0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    ours += wanted[k].squaredNorm();
+    both += wanted[k].dot(found[k]);
+    theirs += found[k].squaredNorm();
+  }
+  const bool is_alike = both > 0 && both * both > 0.9 * ours * theirs;
+  return is_alike ? unit_factor(both / ours) : 1;
 }
 
 /// OutputFault where the places are spread a thousand times as far as they should be, or the like.

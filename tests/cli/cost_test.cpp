@@ -57,6 +57,8 @@ TEST_F(CostCommand, RefusesABaselineThatIsNoSuchProgram) {
     EXPECT_EQ(beside_none.code, 2) << answer;
     EXPECT_THAT(beside_none.err, HasSubstr("a program like this one")) << answer;
   }
+  EXPECT_THAT(beside("echo '{\"status\": \"unstable\", \"reason\": \"at step 3\"}'").err,
+              HasSubstr("a run that ends ok): unstable (at step 3)"));
   EXPECT_THAT(beside("exit 3").err, HasSubstr("it prints nothing, and its exit code is 3\n"));
   EXPECT_THAT(call(folder_, "cost /nope").err, HasSubstr("baseline '/nope' is no program (another build of this one)"));
   EXPECT_EQ(beside(cost(0)).code, 2);

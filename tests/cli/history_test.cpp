@@ -71,6 +71,8 @@ TEST_F(History, CompareShowsWhatChangedWorstFirst) {
                                 HasSubstr("2 of 5 results changed by more than round-off"), Not(HasSubstr("gap"))));
   EXPECT_LT(answer.out.find("error of"), answer.out.find("order of")) << "ten bands before less than seven";
   EXPECT_THAT(ask("compare c0f c0d --all").out, HasSubstr("value 'gap': 1 -> 1"));
+  EXPECT_THAT(answer.out, Not(HasSubstr("one version")));
+  EXPECT_THAT(ask("compare c0f c0f").out, HasSubstr("both are one version"));
 }
 
 TEST_F(History, CompareAsJson) {

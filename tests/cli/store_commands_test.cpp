@@ -198,6 +198,10 @@ TEST(GateCommand, SaysWhichStudyFileHasChangedSinceItWasRun) {
   const Answer gated = carry_out(folder, "mpmvv gate --db r.db");
   EXPECT_EQ(gated.code, 0);
   EXPECT_THAT(gated.err, HasSubstr("small: studies/small.toml has changed since it was run"));
+  folder.write("small.toml", small_study);
+  EXPECT_EQ(carry_out(folder, "mpmvv gate --db r.db").err, "") << "another of its name is not what was run";
+  folder.write("small.toml", small_study + std::string("# another day\n"));
+  EXPECT_THAT(carry_out(folder, "mpmvv gate --db r.db").err, HasSubstr("small: small.toml has changed"));
 }
 
 TEST(ClaimsCommand, ATrialSaysNothingOfItsClaims) {

@@ -172,7 +172,9 @@ TEST(StudyCommand, ExtrapolatesWhatHasNoExactValue) {
 TEST(StudyCommand, SetOverridesEverySeriesAndSaysSoInTheStore) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
-  ASSERT_EQ(call(folder, "study --set shuffle=3 --set ppc=2 " + file + " --db " + db).code, 0);
+  const Answer trial = call(folder, "study --set shuffle=3 --set ppc=2 " + file + " --db " + db);
+  ASSERT_EQ(trial.code, 0);
+  EXPECT_THAT(trial.out, AllOf(HasSubstr("made with --set: shuffle = 3"), Not(HasSubstr("  holds  "))));
   EXPECT_THAT(call(folder, "db export --db " + db).out, HasSubstr("ppc=2 grid_offset=0 shuffle=3"));
   for (const char* wrong : {"cells=8", "pcp=4", "ppc", "=4"})
     EXPECT_EQ(call(folder, "study " + file + " --set " + wrong + " --db " + (folder / "other.db")).code, 2) << wrong;

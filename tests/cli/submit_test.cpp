@@ -120,6 +120,18 @@ TEST_F(Submit, TheLastJobNamesMissingShardsAndMergesWhenAllAreThere) {
                                HasSubstr("gate"), HasSubstr("report/index.html")));
 }
 
+TEST_F(Submit, TheLastJobGatesByTheGoldensThatItIsGiven) {
+  std::filesystem::create_directories(folder_ / "strict");
+  folder_.write("strict/splines.toml",
+                "reviewed = \"now\"\nstudy = \"splines\"\n[[status]]\nseries = \"linear\"\n"
+                "at = 8\nexpected = \"unstable\"\n");
+  ASSERT_EQ(submit("--shards 1 --goldens strict --dry-run").code, 0);
+  ASSERT_EQ(carry_out_script("shard.sh", "SLURM_ARRAY_TASK_ID=1").code, 0);
+  const Answer merge = carry_out_script("merge.sh");
+  EXPECT_EQ(merge.code, 1) << merge.out;
+  EXPECT_THAT(merge.out, HasSubstr("gate: 0 pass, 1 fail"));
+}
+
 TEST_F(Submit, RefusesWhatNoClusterTakes) {
   EXPECT_THAT(submit("--shards 0 --dry-run").err, HasSubstr("--shards"));
   EXPECT_THAT(submit("--shards 2 --folder 'a%b' --dry-run").err, HasSubstr("per cent signs"));

@@ -113,6 +113,13 @@ TEST_F(OutputFaults, WrongUnits) {
   expect_failed(s,
                 "positions in end.csv are 0.001 times those of the case (another unit? --length-unit 1000, or units of "
                 "the adapter)");
+  for (const double factor : {1000.0, 0.01}) {
+    s = end();
+    s.X.clear();
+    for (auto& point : s.x)
+      for (double& value : point) value *= factor;
+    expect_failed(s, fmt::format("positions in end.csv are {:g} times those of the case", factor));
+  }
   s = end();
   for (double& m : s.mass) m *= 1000;
   expect_failed(s, "1000 times that of the case");
