@@ -9,6 +9,7 @@
 #include "cli/table.hpp"
 #include "solver/boundary/boundaries.hpp"
 #include "studies/problems/problem.hpp"
+#include "studies/support/not_measured.hpp"
 
 namespace mpmvv::cli {
 
