@@ -29,7 +29,7 @@ Vortex::Vortex(double amplitude, const Radii& radii, double period, const Elasti
 
 template <class N>
 Vortex::Profile<N> Vortex::profile(const N& R) const {
-  const double slope = 1 / (radii_.outer - radii_.inner);  // of s; a multiplication, as a division takes longer
+  const double slope = 1 / (radii_.outer - radii_.inner);  // ds/dR: a product by it costs less than a quotient
   const N s = (R - (radii_.inner + radii_.outer) / 2) * slope, root = 1 - 4 * s * s;
   return {root * root, -16 * slope * s * root, -16 * slope * slope * (1 - 12 * s * s)};
 }

@@ -24,7 +24,7 @@ using records::StudyResult;
 
 namespace {
 
-/// Of points that are not unstable, so many out of all, that an order has no use for.
+/// Why an order is fitted without points that are not unstable: `missing` of `all`.
 std::string why_missing(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
                         std::ptrdiff_t missing, std::ptrdiff_t all) {
   if (const auto failed = values_with(Status::failed, c, series); !failed.empty())

@@ -23,6 +23,14 @@ class Submit : public testing::Test {
     return call(folder_, "submit --engine slurm splines.toml --db r.db " + options, in_folder_);
   }
 
+  /// A golden of the study: what its first series is said to be on 8 cells.
+  void write_golden(const std::string& goldens, const std::string& expected) const {
+    std::filesystem::create_directories(folder_ / goldens);
+    folder_.write(goldens + "/splines.toml",
+                  "reviewed = \"now\"\nstudy = \"splines\"\n[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"" +
+                      expected + "\"\n");
+  }
+
   /// What a script of r.shards does, and prints.
   Answer carry_out_script(const std::string& script, const std::string& variables = "") const {
     return shell(in_folder_ + variables + " r.shards/" + script + " 2>&1");
@@ -102,10 +110,7 @@ TEST_F(Submit, SaysWhereThereIsNoSlurm) {
 }
 
 TEST_F(Submit, TheLastJobNamesMissingShardsAndMergesWhenAllAreThere) {
-  std::filesystem::create_directories(folder_ / "goldens");
-  folder_.write("goldens/splines.toml",
-                "reviewed = \"now\"\nstudy = \"splines\"\n[[status]]\nseries = \"linear\"\n"
-                "at = 8\nexpected = \"ok\"\n");
+  write_golden("goldens", "ok");
   ASSERT_EQ(submit("--shards 3 --dry-run").code, 0);
   EXPECT_EQ(carry_out_script("shard.sh", "SLURM_ARRAY_TASK_ID=2").code, 0);
   const Answer missing = carry_out_script("merge.sh");
@@ -121,10 +126,7 @@ TEST_F(Submit, TheLastJobNamesMissingShardsAndMergesWhenAllAreThere) {
 }
 
 TEST_F(Submit, TheLastJobGatesByTheGoldensThatItIsGiven) {
-  std::filesystem::create_directories(folder_ / "strict");
-  folder_.write("strict/splines.toml",
-                "reviewed = \"now\"\nstudy = \"splines\"\n[[status]]\nseries = \"linear\"\n"
-                "at = 8\nexpected = \"unstable\"\n");
+  write_golden("strict", "unstable");
   ASSERT_EQ(submit("--shards 1 --goldens strict --dry-run").code, 0);
   ASSERT_EQ(carry_out_script("shard.sh", "SLURM_ARRAY_TASK_ID=1").code, 0);
   const Answer merge = carry_out_script("merge.sh");
