@@ -47,7 +47,8 @@ Judgement judge_unfound(const fits::StabilityLimit& limit, const Band& band) {
   const auto [first, last] = std::ranges::minmax(limit.probes, {}, &fits::Probe::value);
   const std::string measured =
       fmt::format("all {} from {:.6g} to {:.6g}", first.stable ? "stable" : "unstable", first.value, last.value);
-  if (first.value <= band.lower && band.upper <= last.value) return fail(measured, "no limit inside the golden's band");
+  const bool covers = first.value <= band.lower && band.upper <= last.value;
+  if (covers) return {Verdict::fail, measured, "no limit inside the golden's band", first.stable};
   return inconclusive(measured, "limit not found");
 }
 
@@ -72,7 +73,8 @@ Judgement judge(const StatusGolden& golden, const Series& series) {
   const records::Point* point = find_point(series, golden.at);
   if (!point) return missing(fmt::format("no point of '{}' at {}", golden.series, golden.at));
   const std::string measured = status_text(*point);
-  return point->status == golden.expected ? pass(measured) : fail(measured, "another status than the golden's");
+  if (point->status == golden.expected) return pass(measured);
+  return {Verdict::fail, measured, "another status than the golden's", point->status == records::Status::ok};
 }
 
 Judgement judge(const ValueGolden& golden, const StudyResult& study) {

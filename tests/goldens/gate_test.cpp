@@ -108,7 +108,10 @@ TEST(Gate, ALimitThatWasNotFoundFailsOnlyWhenTheScanCoversTheBand) {
   const GateResult result = judge_limit(limit);
   EXPECT_EQ(result.verdict, Verdict::fail);
   EXPECT_EQ(result.measured, "all stable from 0.1 to 1.5");
-  limit.probes[0].stable = false;
+  EXPECT_TRUE(result.better);
+  for (fits::Probe& probe : limit.probes) probe.stable = false;
+  EXPECT_FALSE(judge_limit(limit).better) << "unstable at every step";
+  limit.probes[0].stable = true;
   limit.monotone = false;
   EXPECT_EQ(judge_limit(limit).verdict, Verdict::inconclusive);
 }
@@ -130,13 +133,14 @@ TEST(Gate, ValuesAreHeldAgainstTheirBounds) {
 TEST(Gate, AStatusMustBeTheExpectedOne) {
   const auto judge_status = [](Status expected, Status measured) {
     return judge({"s", "", StatusGolden{"a", 64, expected}},
-                 [&](StudyResult& s) { s.series[0].points[2].status = measured; })
-        .verdict;
+                 [&](StudyResult& s) { s.series[0].points[2].status = measured; });
   };
-  EXPECT_EQ(judge_status(Status::unstable, Status::unstable), Verdict::pass);
-  EXPECT_EQ(judge_status(Status::unstable, Status::ok), Verdict::fail);
-  EXPECT_EQ(judge_status(Status::unstable, Status::failed), Verdict::fail);
-  EXPECT_EQ(judge_status(Status::ok, Status::unstable), Verdict::fail);
+  EXPECT_EQ(judge_status(Status::unstable, Status::unstable).verdict, Verdict::pass);
+  EXPECT_EQ(judge_status(Status::unstable, Status::ok).verdict, Verdict::fail);
+  EXPECT_EQ(judge_status(Status::unstable, Status::failed).verdict, Verdict::fail);
+  EXPECT_EQ(judge_status(Status::ok, Status::unstable).verdict, Verdict::fail);
+  EXPECT_TRUE(judge_status(Status::unstable, Status::ok).better);
+  EXPECT_FALSE(judge_status(Status::ok, Status::unstable).better);
 }
 
 TEST(Gate, WhatTheStoreLacksIsInconclusiveAndNamed) {
