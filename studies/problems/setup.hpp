@@ -17,7 +17,7 @@ namespace mpmvv::problems {
 /// A law that the body may be of instead of the problem's own, by which it moves nearly as the solution says.
 struct OtherLaw {
   solver::AnyMaterial material;
-  std::function<double(double t)> solution_error;  ///< RMS displacement error of the solution, m, at most by time t
+  std::function<double(double t)> solution_error;  ///< RMS displacement error of the solution, m, at most
 };
 
 /// What a problem hands to the runner: the body at rest in its domain and how it starts.

@@ -47,7 +47,6 @@ records::Record wave(const std::string& material, const std::string& amplitude, 
 /// A body of a law of finite strain stays within the error that the solution states, and no refinement takes it away.
 TEST(OutsideProblems, TheWaveOfAFiniteLawHasAFloor) {
   const records::Record small = wave("neo-hookean-log", "1e-6", 16), large = wave("neo-hookean-log", "0.02", 32);
-  EXPECT_NEAR(4e8 * small.solution_floor / large.solution_floor, 1, 1e-6);
   EXPECT_GT(small.error.l2, 100 * small.solution_floor);
   EXPECT_NEAR(small.error.l2 / wave("linear-elastic", "1e-6", 16).error.l2, 1, 0.01);
   EXPECT_LT(large.error.l2, large.solution_floor);
