@@ -32,7 +32,8 @@ std::string found_text(const ClaimPart& part) {
   for (const Found& found : part.found) {
     if (std::isnan(found.value)) continue;
     known.push_back(found.value);
-    texts.push_back(number_text(found.value) + reports::interval_text(part, found));
+    const bool has_no_order = std::isinf(found.value) && found.value < 0;
+    texts.push_back(has_no_order ? "unstable" : number_text(found.value) + reports::interval_text(part, found));
   }
   if (known.empty()) return "-";
   if (known.size() <= 2) return fmt::format("{}", fmt::join(texts, ", "));

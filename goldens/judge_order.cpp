@@ -58,15 +58,6 @@ bool has_grown(const OrderGolden& golden, const Series& series) {
          find_point(series, golden.finest[0])->y.at(golden.norm) > golden.finest[1] * (1 + error_band);
 }
 
-/// How far the segment orders inside the fit's window lie from each other.
-double segment_spread(const ObservedOrder& fit) {
-  const fits::Window window{fit.from, fit.to};
-  double least = INFINITY, most = -INFINITY;
-  for (const fits::SegmentOrder& s : fit.segments)
-    if (window.holds(s.from) && window.holds(s.to)) least = std::min(least, s.order), most = std::max(most, s.order);
-  return most - least;
-}
-
 /// An order inside the band, or outside it with an interval that reaches in.
 Judgement judge_interval(const OrderGolden& golden, const ObservedOrder& fit, const std::string& measured) {
   const double width = fits::half_width(fit),
@@ -74,7 +65,8 @@ Judgement judge_interval(const OrderGolden& golden, const ObservedOrder& fit, co
   if (fit.order < golden.lower || fit.order > golden.upper)
     return inconclusive(measured, fmt::format("outside the band, but its interval of ± {:.2g} reaches in", width));
   if (width > widest) return inconclusive(measured, fmt::format("its interval of ± {:.2g} is too wide", width));
-  const bool scattered = segment_spread(fit) > 2 * fits::asymptotic_spread;  // twice: what just was may just be no more
+  const bool scattered =
+      fits::segment_spread(fit) > 2 * fits::asymptotic_spread;  // twice: what just was may just be no more
   if (golden.asymptotic && scattered) return inconclusive(measured, "the window is not asymptotic any more");
   return pass(measured);
 }

@@ -47,8 +47,14 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
   return fit;
 }
 
+/// 95 % of the order; of three points, which leave Student's interval one degree of freedom, what their segments differ
+/// by, so that fewer points are not the surer ones.
+double half_of_interval(const ObservedOrder& fit) {
+  return fit.points == 3 && !fit.replicates ? fits::segment_spread(fit) / 2 : fits::half_width(fit);
+}
+
 void add_order(const std::string& label, const ObservedOrder& fit, const std::string& remark, Measured& out) {
-  const double width = fits::half_width(fit);
+  const double width = half_of_interval(fit);
   const std::string interval = width > 0 ? fmt::format(" (±{:.2g})", width) : "";
   out.add(label, fit.order, Interval{fit.order - width, fit.order + width}, interval + remark);
 }

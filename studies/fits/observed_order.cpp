@@ -147,4 +147,11 @@ double half_width(const ObservedOrder& fit) {
   return std::isnan(width) ? 0 : width;
 }
 
+double segment_spread(const ObservedOrder& fit) {
+  const auto segments = inside(fit.segments, {fit.from, fit.to});
+  if (segments.empty()) return 0;
+  const auto [lowest, highest] = std::ranges::minmax_element(segments, {}, &SegmentOrder::order);
+  return highest->order - lowest->order;
+}
+
 }  // namespace mpmvv::fits

@@ -81,6 +81,9 @@ ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, doubl
 /// 95 % of the order: by replicates where there are some, else by the residuals; 0 where neither says anything.
 double half_width(const ObservedOrder& fit);
 
+/// From the lowest to the highest order of the segments in the window; 0 of a single one.
+double segment_spread(const ObservedOrder& fit);
+
 /// Fits e = C h^p + E0, C and E0 >= 0, 0.1 <= p <= 8, by least squares of the relative misfit over the usable samples
 /// of the window; at least six. A sum of two powers fakes a floor (h² + 0.05 h; docs/misprints.md, T10), so it is
 /// accepted only when

@@ -64,6 +64,15 @@ TEST(Criterion, AnOrderWhoseIntervalReachesAcrossABoundIsInconclusive) {  // 2 Â
   EXPECT_EQ(judge(c, result).reason, "") << "which says why it fails";
 }
 
+/// Segments of 1.5 and 2.5: fewer points are not the surer ones.
+TEST(Criterion, AnOrderOfThreePointsReachesFromSegmentToSegment) {
+  StudyResult result = scattered(0.5);
+  result.series[0].points.resize(3);
+  EXPECT_EQ(verdict_of_order(result, 1.4, 2.6), PartVerdict::holds);
+  EXPECT_EQ(verdict_of_order(result, 1.6, {}), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict_of_order(result, 2.6, {}), PartVerdict::fails);
+}
+
 TEST(Criterion, OneThatFailsOutweighsOneWhoseIntervalReachesAcross) {
   StudyResult result = scattered(1);
   result.series.push_back(scattered(0).series[0]);
