@@ -136,7 +136,7 @@ void propose_limit(Draft& draft, const Series& series, const fits::StabilityLimi
   draft.remark(fmt::format("Stable at {} = {:.6g}, unstable at {:.6g}.", limit.key, limit.stable, limit.unstable));
   std::string golden = fmt::format("series = {}\nexpected = {:.4g}\n", quoted(series.name), limit.value());
   if (half_bracket > limit_band / 2)
-    golden += fmt::format("band = {:.2g}\nwhy = \"replicates lie between {:.4g} and {:.4g}; the band is twice that\"",
+    golden += fmt::format("band = {:.2g}\nwhy = \"it lies between {:.4g} and {:.4g}; the band is twice that\"",
                           wide_band, limit.stable, limit.unstable);
   else
     golden += fmt::format("band = {}", limit_band);
@@ -193,6 +193,14 @@ void propose_series(Draft& draft, const records::StudyResult& study, const Serie
   if (series.limit) propose_limit(draft, series, *series.limit);
 }
 
+/// The versions of other codes that it has run.
+std::set<std::pair<std::string, std::string>> codes_of(const records::StudyResult& study) {
+  std::set<std::pair<std::string, std::string>> codes;
+  for (const Series& series : study.series)
+    if (series.code) codes.emplace(series.code->name, series.code->version);
+  return codes;
+}
+
 void refuse_worse(const records::StudyResult& study, std::vector<Golden> standing) {
   std::erase_if(standing, [&](const Golden& golden) { return golden.study != study.name; });
   if (standing.empty()) return;
@@ -224,6 +232,7 @@ std::string propose_goldens(const records::StudyResult& study, const store::Prov
   draft.remark(fmt::format("Proposed from commit {}{}, digest {}, {}.", provenance.commit,
                            provenance.dirty ? " with changes that are not committed" : "", provenance.digest,
                            provenance.time));
+  for (const auto& [name, version] : codes_of(study)) draft.remark(fmt::format("Of {} {}.", name, version));
   draft.remark("To review: hold each number against its claim, delete what proves nothing, give a wider band its why,");
   draft.remark("then add reviewed = \"DATE: who and on what grounds\".");
   draft.line(fmt::format("study = {}\n", quoted(study.name)));

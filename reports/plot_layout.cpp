@@ -123,7 +123,7 @@ double Layout::shades_label_at() const {
 bool Layout::has_room() const {
   constexpr double least = 8;  ///< in sizes of the font
   const double across = (axes_right() - axes_left()) * page.width, up = (axes_top() - axes_bottom()) * height();
-  return std::min(across, up) >= least * page.font;
+  return across >= least * page.font && (has_named_rows || up >= least * page.font);
 }
 
 KeyPlace Layout::key_place(int row) const {
@@ -148,6 +148,7 @@ Layout report_layout(const Chart& chart) {
 Layout paper_layout(const Chart& chart, double width, double font) {
   Layout layout;
   layout.page = {width, font, paper_ratio * width};
+  layout.has_named_rows = chart.y.names;
   if (chart.y.names) layout.page.height = chart.height * points_per_pixel * font / PageSize{}.font;
   layout.top = (chart.to_scale ? 1.8 : 0.8) * font;
   layout.y_label = lines_of(chart.y.label, font, layout.page.height - label_room * font);

@@ -43,9 +43,10 @@ struct Layout {
   double shades_label_at() const;     ///< across, of the scale of colours
   KeyPlace key_place(int row) const;  ///< down the first column, then the next
 
-  /// Whether the axes are long enough to be read, both of them.
+  /// Whether the axes are long enough to be read, both of them; one of named rows is as long as these take.
   bool has_room() const;
 
+  bool has_named_rows = false;
   double key_column = 0;  ///< width of a column of the key, in points
 
   double left = 0, right = 0, top = 0;  ///< margins, in points

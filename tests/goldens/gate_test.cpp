@@ -57,7 +57,7 @@ TEST(Gate, ErrorsFailWhenWorseAndWhenBetter) {
   EXPECT_EQ(judge_error(INFINITY).verdict, Verdict::fail);
   const GateResult better = judge_error(0.89e-4);
   EXPECT_EQ(better.verdict, Verdict::fail);
-  EXPECT_EQ(better.reason, "better than the golden: propose a new one");
+  EXPECT_EQ(better.reason, "better than the golden: if that was meant, propose a new one");
   EXPECT_EQ(judge_error(not_measured).verdict, Verdict::inconclusive);
 }
 

@@ -67,6 +67,12 @@ TEST(Propose, TheFinestLevelIsStableMeasuredAndAboveZero) {
   EXPECT_THAT(finest(), testing::ElementsAre(32, 4e-4));
 }
 
+TEST(Propose, ItsHeadNamesTheVersionOfAnotherCode) {
+  Series series = convergent();
+  series.code = records::OtherCode{"tiny", "0.3", "", "reference"};
+  EXPECT_THAT(propose_goldens(study_with(series), clean), HasSubstr("\n# Of tiny 0.3.\n"));
+}
+
 TEST(Propose, WhatCouldNotPassIsNoGolden) {
   const auto refused = [](const std::function<void(Series&)>& change) {
     Series series = convergent();
@@ -183,7 +189,7 @@ TEST(Propose, ALimitThatReplicatesDisagreeOnGetsAWiderBandAndSaysWhy) {
   ASSERT_EQ(goldens.size(), 1U);
   EXPECT_EQ(std::get<LimitGolden>(goldens[0].expectation).expected, 0.2);
   EXPECT_EQ(std::get<LimitGolden>(goldens[0].expectation).band, 0.1);
-  EXPECT_THAT(propose_goldens(study, clean), HasSubstr("why = \"replicates lie between 0.19 and 0.21"));
+  EXPECT_THAT(propose_goldens(study, clean), HasSubstr("why = \"it lies between 0.19 and 0.21"));
   EXPECT_EQ(run_gate(reviewed(study), {study}).exit_code(), 0);
 }
 

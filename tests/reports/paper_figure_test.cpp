@@ -48,6 +48,14 @@ records::StudyResult wordy() {
   return study;
 }
 
+/// However few they are: its height is that of the rows.
+TEST(PaperFigure, AMapOfFewLimitsHasRoom) {
+  records::StudyResult study = distinct::limits();
+  study.series.resize(2);
+  EXPECT_TRUE(has_room(chart_of(study), sheet(Format::pdf)));
+  EXPECT_FALSE(has_room(chart_of(study), sheet(Format::pdf, 20)));
+}
+
 TEST(PaperFigure, PointsStandWhereTheyWereMeasured) {
   const records::StudyResult study = distinct::laws();
   const Drawing drawing = read_back::read_drawing(drawn(study, sheet(Format::svg)));

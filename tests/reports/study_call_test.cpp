@@ -10,4 +10,9 @@ TEST(StudyCall, TrialsHaveACommandOfTheirOwn) {
             "mpmvv study one two --db a.db && mpmvv study tried.toml --set ppc=2 --db b.db");
 }
 
+TEST(StudyCall, AShellTakesItsWords) {
+  EXPECT_EQ(study_command({{"my studies/a.toml"}}, "it's.db", ""),
+            R"(mpmvv study 'my studies/a.toml' --db 'it'\''s.db')");
+}
+
 }  // namespace mpmvv::reports::study_call_test
