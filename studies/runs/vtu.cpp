@@ -49,6 +49,7 @@ void VtuSeries::write(const solver::Mpm<D>& mpm, const std::vector<solver::Vec<D
   const std::size_t n = particles.size();
   const auto padded = [](const auto& v, int k) { return k < D ? v[k] : 0.0; };
   VtuText file(n, [&](std::size_t p, int k) { return padded(particles.x[p], k); });
+  file.add_integers("id", [&](std::size_t p) { return std::int64_t{particles.id[p]} + 1; });
   file.add("displacement", 3,
            [&](std::size_t p, int k) { return padded(solver::Vec<D>(particles.x[p] - X[particles.id[p]]), k); });
   file.add("velocity", 3, [&](std::size_t p, int k) { return padded(particles.v[p], k); });
@@ -59,7 +60,7 @@ void VtuSeries::write(const solver::Mpm<D>& mpm, const std::vector<solver::Vec<D
   file.add("mass", 1, [&](std::size_t p, int) { return particles.m[p]; });
 
   const std::string name = fmt::format("particles-{:04}.vtu", count_++);
-  support::write_if_changed(dir_ / name, file.text());
+  support::write_if_changed(dir_ / name, file.text(mpm.time()));
   entries_ += fmt::format("<DataSet timestep=\"{:.17g}\" file=\"{}\"/>\n", mpm.time(), name);
   support::write_if_changed(dir_ / "particles.pvd",
                             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" +

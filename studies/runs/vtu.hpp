@@ -9,7 +9,8 @@
 namespace mpmvv::runs {
 
 /// Particle states as VTK files for ParaView: DIR/particles-0000.vtu, ... and DIR/particles.pvd, which lists them with
-/// their times. Fields: displacement, velocity, deformation_gradient (row by row), mass. ASCII, 17 digits.
+/// their times. Fields: id (from 1 on; the order of particles changes from state to state), displacement, velocity,
+/// deformation_gradient (row by row), mass. ASCII, 17 digits.
 class VtuSeries {
  public:
   static constexpr std::int64_t frames = 10;  ///< states after the first one

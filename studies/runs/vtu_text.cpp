@@ -46,11 +46,16 @@ void VtuText::add_integers(const char* name, const std::function<std::int64_t(st
   add_integer_array(data_, "Int64", name, particles_, value);
 }
 
-std::string VtuText::text() const {
+std::string VtuText::text(std::optional<double> time) const {
+  const std::string at = time ? fmt::format(
+                                    "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" "
+                                    "NumberOfTuples=\"1\" format=\"ascii\">\n{:.17g}\n</DataArray>\n</FieldData>\n",
+                                    *time)
+                              : "";
   const std::string header = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-      "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{0}\" NumberOfCells=\"{0}\">\n<Points>\n",
-      particles_);
+      "<UnstructuredGrid>\n{1}<Piece NumberOfPoints=\"{0}\" NumberOfCells=\"{0}\">\n<Points>\n",
+      particles_, at);
   return header + points_ + "</Points>\n" + vertices(particles_) + "<PointData>\n" + data_ +
          "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }

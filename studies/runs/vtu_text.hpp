@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace mpmvv::runs {
@@ -17,7 +18,7 @@ class VtuText {
   void add(const char* name, int components, const Component& component);
   void add_integers(const char* name, const std::function<std::int64_t(std::size_t p)>& value);
 
-  std::string text() const;
+  std::string text(std::optional<double> time = {}) const;
 
  private:
   std::size_t particles_;

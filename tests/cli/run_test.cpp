@@ -200,6 +200,8 @@ TEST(RunCommand, VtuStatesFollowTheBar) {
   ASSERT_EQ(call(folder, std::string(bar) + "--vtu " + dir).code, 0);
   const std::string first = read_text(dir + "/particles-0000.vtu"), last = read_text(dir + "/particles-0010.vtu");
   EXPECT_FALSE(std::filesystem::exists(dir + "/particles-0011.vtu"));
+  EXPECT_THAT(first, HasSubstr("Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">\n0\n"));
+  EXPECT_THAT(last, HasSubstr("<DataArray type=\"Int64\" Name=\"id\"")) << "they are sorted anew on the way";
   EXPECT_THAT(read_text(dir + "/particles.pvd"), HasSubstr("timestep=\"0\" file=\"particles-0000.vtu\""));
   // First particle: X = h/8, u = A sin 2πX, which has changed its sign after half a period.
   const auto displacement = [](const std::string& text) {
