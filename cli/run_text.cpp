@@ -55,9 +55,11 @@ void print_balance(const Record& r) {
 /// How finely the problem was resolved, and what came of it.
 void print_outcome(const Record& r) {
   const cases::Resolution& resolution = r.the_case.resolution;
-  print("cells {}, ppc {}: {} particles\n", resolution.cells, resolution.ppc, r.particles);
+  print("cells {}, ppc {}{}\n", resolution.cells, resolution.ppc,
+        r.particles > 0 ? fmt::format(": {} particles", r.particles) : "");
   if (r.images > 1) print("a part was run, of which {} images make the body (--whole runs all of it)\n", r.images);
-  print("{} of {:.6g} s (cfl {:.4g}), end time {:.6g} s\n", count_text(static_cast<std::size_t>(r.steps), "step"),
+  const std::int64_t steps = r.particles > 0 ? r.steps : resolution.steps;  // without particles: of those asked for
+  print("{} of {:.6g} s (cfl {:.4g}), end time {:.6g} s\n", count_text(static_cast<std::size_t>(steps), "step"),
         resolution.dt, r.cfl, r.the_case.problem.end_time);
   print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
   print_errors(r);

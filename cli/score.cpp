@@ -30,8 +30,8 @@ struct ScoreOptions {
   bool json = false;
 };
 
-codes::Columns columns_in(const ScoreOptions& options) {
-  codes::Columns columns;
+codes::Columns columns_in(const ScoreOptions& options, const cases::Case& c) {
+  codes::Columns columns{.dimensions = problems::domain_cells(c).size()};
   if (!options.columns.empty()) columns.names = codes::parse_columns(options.columns, "--columns");
   columns.length = cases::positive({"length unit", options.length, "--length-unit"});
   columns.time = cases::positive({"time unit", options.time, "--time-unit"});
@@ -65,7 +65,7 @@ void keep(const records::Record& record, const std::string& db) {
 int score(const ScoreOptions& options) {
   const cases::Case c = codes::read_case(options.the_case);
   if (!options.db.empty()) require_keepable(c, options.the_case);
-  codes::Columns columns = columns_in(options);
+  codes::Columns columns = columns_in(options, c);
   const auto paths = [](const std::vector<std::string>& names) {
     return std::vector<std::filesystem::path>(names.begin(), names.end());
   };

@@ -87,7 +87,8 @@ Columns read_columns(const TomlTable& output) {
   if (const auto names = output.table("columns")) {
     std::vector<std::string> pairs;
     for (const auto& [quantity, name] : values_of(*names)) pairs.push_back(quantity + "=" + name);
-    columns.names = parse_columns(fmt::format("{}", fmt::join(pairs, ",")), output.where("columns"));
+    columns.where = output.where("columns");
+    columns.names = parse_columns(fmt::format("{}", fmt::join(pairs, ",")), columns.where);
   }
   if (const auto units = output.table("units")) {
     units->allow_only({"length", "time", "mass"});
@@ -151,10 +152,21 @@ Capabilities read_capabilities(const TomlTable& root) {
   return able;
 }
 
-/// Of all that the adapter's folder says of a run: the file, and the templates.
-std::string digest_of(const std::string& text, const std::vector<InputFile>& inputs) {
+/// What a command's words name of the adapter's folder, as `{{adapter}}/convert.py`.
+std::string files_named_by(const std::vector<std::string>& command, const std::filesystem::path& folder) {
+  const std::string prefix = "{{adapter}}/";
+  std::string contents;
+  for (const std::string& word : command)
+    if (word.starts_with(prefix)) contents += support::read_file(folder / word.substr(prefix.size())).value_or("");
+  return contents;
+}
+
+/// Of all that the adapter's folder says of a run: the file, the templates, and what its commands name.
+std::string digest_of(const std::string& text, const Adapter& adapter) {
   std::string all = text;
-  for (const InputFile& input : inputs) all += fmt::format("\n{}\n{}", input.file, input.text);
+  for (const InputFile& input : adapter.inputs) all += fmt::format("\n{}\n{}", input.file, input.text);
+  all += files_named_by(adapter.command, adapter.folder);
+  for (const auto& command : adapter.output.convert) all += files_named_by(command, adapter.folder);
   return cases::fingerprint(all);
 }
 
@@ -186,7 +198,7 @@ Adapter read_adapter(const std::filesystem::path& file) {
   if (const auto table = root.table("variants"))
     for (const std::string& word : table->keys()) adapter.variants[word] = values_of(*table->table(word));
   adapter.capabilities = read_capabilities(root);
-  adapter.digest = digest_of(text, adapter.inputs);
+  adapter.digest = digest_of(text, adapter);
   return adapter;
 }
 

@@ -64,7 +64,7 @@ struct Adapter {
   FieldValues fields;                           ///< of all variants
   std::map<std::string, FieldValues> variants;  ///< by their words
   Capabilities capabilities;
-  std::string digest;  ///< of the file and all templates: it decides results
+  std::string digest;  ///< of the file, all templates, and what commands name as `{{adapter}}/...`
 };
 
 /// Reads an adapter; every mistake is a UsageError with file and line.

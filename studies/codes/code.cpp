@@ -8,6 +8,7 @@
 #include <cstring>
 #include <sstream>
 
+#include "studies/codes/run_command.hpp"
 #include "studies/codes/run_folder.hpp"
 #include "studies/codes/template_text.hpp"
 #include "studies/support/error.hpp"
@@ -22,14 +23,22 @@ using support::UsageError;
 
 namespace {
 
+/// Of what the environment names.
+std::string why_not_run(const std::string& text) {
+  if (fs::is_regular_file(text))
+    return text.find('/') == std::string::npos ? "a file here is ./" + text : "it is not executable, chmod +x";
+  if (text.find(' ') != std::string::npos) return "its name alone; arguments stand in argv of its adapter";
+  return text.find('/') == std::string::npos ? "it is not on PATH" : "there is no such file";
+}
+
 fs::path program_of(const Adapter& adapter) {
   const std::string& variable = adapter.program.variable;
   if (const char* named = std::getenv(variable.c_str()); named && *named != '\0') {
     const std::string text = named;
     fs::path file = text.find('/') == std::string::npos ? support::program_on_path(text) : fs::absolute(text);
     if (!support::is_program(file))
-      throw UsageError(fmt::format("{}='{}' in the environment (a program that can be run: code '{}')", variable, text,
-                                   adapter.name));
+      throw UsageError(fmt::format("{}='{}' in the environment for code '{}' (a program that can be run: {})", variable,
+                                   text, adapter.name, why_not_run(text)));
     return file;
   }
   const std::string& command = adapter.program.command;
@@ -47,9 +56,15 @@ std::string as_word(const std::string& version) {
   return word;
 }
 
-std::string version_of(const Adapter& adapter, const fs::path& program) {
-  if (adapter.program.version.empty())
-    return "file-" + cases::fingerprint(support::require_file(program, fmt::format("code '{}'", adapter.name)));
+std::string why_no_version(const support::ProcessEnd& end) {
+  if (end.start_error != 0) return fmt::format("could not be started: {}", std::strerror(end.start_error));
+  if (end.timed_out) return "did not end in time";
+  if (end.exit_code != 0) return fmt::format("ended with status {}: {}", end.exit_code, tail_of(end.output));
+  return "printed nothing";
+}
+
+std::string version_of(const Adapter& adapter, const fs::path& program, const std::string& content) {
+  if (adapter.program.version.empty()) return "file-" + cases::fingerprint(content);
   TemplateFields fields;
   fields.set("program", program.string());
   std::vector<std::string> command;
@@ -61,10 +76,8 @@ std::string version_of(const Adapter& adapter, const fs::path& program) {
   std::string last;
   for (std::string word; words >> word;) last = word;
   if (!end.good() || last.empty())
-    throw UsageError(
-        fmt::format("code '{}' gives no version ({} should print it; or leave `version` out of its "
-                    "adapter, and its file's digest counts)",
-                    adapter.name, fmt::join(command, " ")));
+    throw UsageError(fmt::format("code '{}' gives no version: {} {} (the version as its last word, within {} s)",
+                                 adapter.name, fmt::join(command, " "), why_no_version(end), limit.count()));
   return as_word(last);
 }
 
@@ -73,7 +86,8 @@ std::string version_of(const Adapter& adapter, const fs::path& program) {
 std::optional<Code> find_code(const Adapter& adapter) {
   const fs::path program = program_of(adapter);
   if (program.empty()) return std::nullopt;
-  return Code{adapter, program, version_of(adapter, program)};
+  const std::string content = support::require_file(program, fmt::format("code '{}'", adapter.name));
+  return Code{adapter, program, version_of(adapter, program, content), cases::fingerprint(adapter.digest + content)};
 }
 
 std::string how_to_get(const Adapter& adapter) {

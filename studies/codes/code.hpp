@@ -14,6 +14,7 @@ struct Code {
   Adapter adapter;
   std::filesystem::path program;
   std::string version;  ///< that the program gives, or a digest of its file
+  std::string digest;   ///< of the adapter and the program's file: it decides results, as a version may be forgotten
 };
 
 /// The codes that a command has found, by name.

@@ -18,11 +18,34 @@ using support::UsageError;
 
 namespace {
 
+std::vector<std::string> known_columns(const ParticleTable& table) {
+  std::vector<std::string> names;
+  for (const TableColumn& column : table.columns) names.push_back(column.name);
+  return names;
+}
+
 /// Looks columns up by quantities.
 class Lookup {
  public:
   Lookup(const ParticleTable& table, const Columns& columns, const std::string& file)
       : table_(table), columns_(columns), file_(file) {}
+
+  /// The components of an array that the case has.
+  std::vector<Quantity> needed(const std::string& array) const {
+    std::vector<Quantity> all = quantities_of(array);
+    if (const std::size_t D = columns_.dimensions; D > 0)
+      std::erase_if(all, [D](const Quantity& q) { return q.component / 3 >= D || q.component % 3 >= D; });
+    return all;
+  }
+
+  /// Of an array that the case needs whole: words of a component that is there and of one that is not, if any.
+  void require_whole(const std::string& found, const std::string& missing) const {
+    if (columns_.dimensions == 0 || found.empty() || missing.empty()) return;
+    throw UsageError(
+        fmt::format("no column for {} in {}, which has one for {} (its columns: {}; --columns, or `columns` in an "
+                    "adapter, says which it is)",
+                    missing, file_, found, fmt::join(known_columns(table_), ", ")));
+  }
 
   /// The column of a quantity; null when the file has none and nobody named one.
   const TableColumn* find(const Quantity& quantity) const {
@@ -53,10 +76,8 @@ class Lookup {
   }
 
   [[noreturn]] void fail(const std::string& name, const std::string& word) const {
-    std::vector<std::string> known;
-    for (const TableColumn& column : table_.columns) known.push_back(column.name);
-    throw UsageError(
-        fmt::format("unknown column '{}' for {} in {} (known: {})", name, word, file_, fmt::join(known, ", ")));
+    throw UsageError(fmt::format("unknown column '{}' for {} in {}, named by {} (known: {})", name, word, file_,
+                                 columns_.where, fmt::join(known_columns(table_), ", ")));
   }
 
   const ParticleTable& table_;
@@ -64,16 +85,20 @@ class Lookup {
   const std::string& file_;
 };
 
-/// The components of a quantity that the file has, each times `scale`.
+/// The components of an array that the case has, each times `scale`; none where the file has none of them.
 template <std::size_t N>
 std::vector<std::array<double, N>> components(const Lookup& lookup, const std::string& array, double scale) {
   std::vector<std::array<double, N>> all;
-  for (const Quantity& quantity : quantities_of(array)) {
+  std::string found, missing;
+  for (const Quantity& quantity : lookup.needed(array)) {
     const TableColumn* column = lookup.find(quantity);
+    std::string& word = column ? found : missing;
+    if (word.empty()) word = quantity.word;
     if (!column) continue;
     all.resize(column->values.size());
     for (std::size_t p = 0; p < all.size(); ++p) all[p][quantity.component] = scale * column->values[p];
   }
+  lookup.require_whole(found, missing);
   return all;
 }
 
@@ -166,14 +191,12 @@ Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const s
              .stress = components<9>(lookup, "s", pressure),
              .says = table.says};
   if (s.x.empty() && s.u.empty()) {
-    std::vector<std::string> known;
-    for (const TableColumn& column : table.columns) known.push_back(column.name);
     throw UsageError(fmt::format("no positions in {} (columns x, y, z, or --columns x=...; it has {})", file,
-                                 fmt::join(known, ", ")));
+                                 fmt::join(known_columns(table), ", ")));
   }
   require_reference_positions(s, file);
   std::vector<const TableColumn*> places;
-  for (const Quantity& quantity : quantities_of(s.u.empty() ? "x" : "u"))
+  for (const Quantity& quantity : lookup.needed(s.u.empty() ? "x" : "u"))
     if (const TableColumn* column = lookup.find(quantity)) places.push_back(column);
   const Rounding rounding = rounding_of(table, places);
   s.digits = rounding.digits;

@@ -1,5 +1,7 @@
 #include "studies/codes/output_checks.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -104,6 +106,22 @@ void require_length_units(const MatchedEnd<D>& end) {
 }
 
 template <int D>
+std::string common_offset(const MatchedEnd<D>& end) {
+  std::vector<Vec<D>> offsets;
+  Vec<D> mean = Vec<D>::Zero();
+  for (std::size_t line = 0; line < end.size(); ++line) {
+    const Vec<D>& X = end.particles.X[end.particle[line]];
+    offsets.push_back(end.x(line) - X - end.particles.setup.solution->u(X, end.particles.end_time));
+    mean += offsets.back() / static_cast<double>(end.size());
+  }
+  const auto is_near = [&mean](const Vec<D>& offset) { return (offset - mean).norm() < 0.1 * mean.norm(); };
+  if (end.size() < 2 || !std::ranges::all_of(offsets, is_near)) return "";
+  for (double& component : mean)
+    if (std::abs(component) < 1e-3 * mean.norm()) component = 0;
+  return fmt::format("; all particles are off by about ({:.3g}) m: another origin?", fmt::join(mean, ", "));
+}
+
+template <int D>
 void require_inside(const MatchedEnd<D>& end) {
   const CaseParticles<D>& all = end.particles;
   for (std::size_t line = 0; line < end.size(); ++line)
@@ -112,8 +130,9 @@ void require_inside(const MatchedEnd<D>& end) {
       if (all.period[d] > 0 || (x > all.lower[d] - all.h && x < all.upper[d] + all.h)) continue;
       throw OutputFault(
           Status::unstable,
-          fmt::format("particle {} has escaped: {} = {:.3g} m in {} (the grid is from {:.3g} to {:.3g} m)",
-                      end.particle[line] + 1, "xyz"[d], x, end.snapshot.file, all.lower[d], all.upper[d]));
+          fmt::format("particle {} has escaped: {} = {:.3g} m in {} (the grid is from {:.3g} to {:.3g} m){}",
+                      end.particle[line] + 1, "xyz"[d], x, end.snapshot.file, all.lower[d], all.upper[d],
+                      common_offset(end)));
     }
 }
 
@@ -125,7 +144,7 @@ void require_time(const MatchedEnd<D>& end) {
   const std::size_t stride = (end.size() + lines - 1) / lines;
   const double error = error_at(end, T, stride);
   if (!(error > 0.02 * end.particles.setup.solution->displacement_scale())) return;
-  const double least = std::max(1.5 * end.particles.dt, 0.03 * T);  // less is a phase that lags, an error like others
+  const double least = std::max(1.5 * end.particles.dt, 0.08 * T);  // less is a phase that lags, an error like others
   double best = error, when = T;
   for (int k = 0; k <= times; ++k) {
     const double t = 2 * T * k / times;
@@ -171,6 +190,9 @@ void require_mass(const MatchedEnd<D>& end) {
 template void require_length_units(const MatchedEnd<1>&);
 template void require_length_units(const MatchedEnd<2>&);
 template void require_length_units(const MatchedEnd<3>&);
+template std::string common_offset(const MatchedEnd<1>&);
+template std::string common_offset(const MatchedEnd<2>&);
+template std::string common_offset(const MatchedEnd<3>&);
 template void require_inside(const MatchedEnd<1>&);
 template void require_inside(const MatchedEnd<2>&);
 template void require_inside(const MatchedEnd<3>&);

@@ -9,6 +9,7 @@
 
 #include "studies/codes/fields.hpp"
 #include "studies/codes/readers.hpp"
+#include "studies/problems/problem.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::codes {
@@ -37,17 +38,20 @@ fs::path last_file(const fs::path& folder, const std::string& name) {
   return *std::ranges::max_element(found, comes_before);
 }
 
-Snapshot read(const Code& code, const TemplateFields& fields, const fs::path& folder, const std::string& name) {
+Snapshot read(const cases::Case& c, const Code& code, const TemplateFields& fields, const fs::path& folder,
+              const std::string& name) {
   const std::string file = filled_word(name, fields, code);
-  return read_snapshot(last_file(folder, file), code.adapter.output.columns, code.adapter.output.format);
+  Columns columns = code.adapter.output.columns;
+  columns.dimensions = problems::domain_cells(c).size();
+  return read_snapshot(last_file(folder, file), columns, code.adapter.output.format);
 }
 
 }  // namespace
 
 Output read_output(const cases::Case& c, const Code& code, const TemplateFields& fields, const fs::path& folder) {
   const Adapter& adapter = code.adapter;
-  Output output{{}, read(code, fields, folder, adapter.output.end)};
-  if (!adapter.output.start.empty()) output.start = read(code, fields, folder, adapter.output.start);
+  Output output{{}, read(c, code, fields, folder, adapter.output.end)};
+  if (!adapter.output.start.empty()) output.start = read(c, code, fields, folder, adapter.output.start);
   const std::int64_t steps = c.resolution.steps;
   const std::int64_t step = output.end.step.value_or(0);  // Karamelo's dumps are all of step 0
   if (adapter.stepping.is_given && step != 0 && step != steps)

@@ -63,7 +63,7 @@ std::string tail_of(const std::string& log) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
   std::ranges::replace_if(
       text, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, ' ');
-  return text.empty() ? "it wrote nothing" : text;
+  return text.empty() ? "it printed nothing" : text;
 }
 
 double run_command(const Code& code, const std::vector<std::string>& templates, const TemplateFields& fields,

@@ -42,6 +42,14 @@ std::string place_of(const std::string& name, const std::string& text, const std
   return where;
 }
 
+/// Of a component across an axis that the case does not have: the x axis has it.
+bool is_of_more_dimensions(std::string name, const TemplateFields& fields) {
+  const auto axis = std::string_view("yzYZ").find(name.back());
+  if (axis == std::string_view::npos) return false;
+  name.back() = axis < 2 ? 'x' : 'X';
+  return fields.get(name) != nullptr;
+}
+
 }  // namespace
 
 std::string filled(const std::string& text, const TemplateFields& fields, const std::string& where) {
@@ -52,11 +60,12 @@ std::string filled(const std::string& text, const TemplateFields& fields, const 
         fmt::format("{} is no template ({}; docs/adapters.md shows what one is)", where, page.error_message()));
   StrictContext context(&fields);
   std::string result = page.render(context);
-  if (!context.missing().empty())
+  if (const std::string& missing = context.missing(); !missing.empty())
     throw support::UsageError(
-        fmt::format("unknown field '{}' in {} (docs/adapters.md lists them, beside those of the "
-                    "adapter's [fields] and [variants])",
-                    context.missing(), place_of(context.missing(), text, where)));
+        fmt::format("unknown field '{}' in {} ({})", missing, place_of(missing, text, where),
+                    is_of_more_dimensions(missing, fields)
+                        ? "the case has fewer dimensions: between {{#is_plane}} and {{/is_plane}}, or is_solid"
+                        : "docs/adapters.md lists them, beside those of the adapter's [fields] and [variants]"));
   return result;
 }
 

@@ -109,8 +109,9 @@ std::string CodeFinder::complete(std::vector<Setting>& settings, const fs::path&
   if (!is_known)
     if (auto there = codes::find_code(adapter)) codes_.emplace(code.value, std::move(*there));
   if (!codes_.contains(code.value)) return codes::how_to_get(adapter);
-  add_found(settings, "code_version", codes_.at(code.value).version, code.where);
-  add_found(settings, "adapter", adapter.digest, code.where);
+  const codes::Code& there = codes_.at(code.value);
+  add_found(settings, "code_version", there.version, code.where);
+  add_found(settings, "adapter", there.digest, code.where);
   return "";
 }
 

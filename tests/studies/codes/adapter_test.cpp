@@ -74,7 +74,10 @@ TEST_F(AdapterFile, ItsDigestIsOfItsTemplatesToo) {
   const std::string before = read(text_).digest;
   EXPECT_EQ(read(text_).digest, before);
   support::write_if_changed(folder_ / "input.mustache", "cells {{cells}} \n");
-  EXPECT_NE(read(text_).digest, before);
+  const std::string with_template = read(text_).digest;
+  EXPECT_NE(with_template, before);
+  support::write_if_changed(folder_ / "convert.py", "print()\n");
+  EXPECT_NE(read(text_).digest, with_template) << "a command names it";
 }
 
 TEST_F(AdapterFile, MistakesAreNamedWithTheirLine) {

@@ -17,16 +17,16 @@ struct WrittenFile {
   ~WrittenFile() { std::filesystem::remove(path); }
 };
 
-Snapshot read(const std::string& text, const std::string& names = "") {
+Snapshot read(const std::string& text, const std::string& names = "", std::size_t dimensions = 0) {
   const WrittenFile file{written_run::write("csv_reader_test.csv", text)};
-  Columns columns;
+  Columns columns{.dimensions = dimensions};
   if (!names.empty()) columns.names = parse_columns(names, "--columns");
   return read_snapshot(file.path, columns);
 }
 
-std::string message_of(const std::string& text, const std::string& names = "") {
+std::string message_of(const std::string& text, const std::string& names = "", std::size_t dimensions = 0) {
   try {
-    read(text, names);
+    read(text, names, dimensions);
   } catch (const support::UsageError& e) {
     return e.what();
   }
@@ -67,8 +67,18 @@ TEST(CsvReader, SaysWhatItCannotRead) {
   EXPECT_THAT(message_of("x,y\n1,b\n"), testing::HasSubstr("'b' for 'y' in"));
   EXPECT_THAT(message_of("x,y\n"), testing::HasSubstr("no lines of numbers"));
   EXPECT_THAT(message_of("p,q\n1,2\n"), testing::HasSubstr("no positions in"));
-  EXPECT_THAT(message_of("p,q\n1,2\n", "x=r"), testing::HasSubstr("unknown column 'r' for x"));
+  EXPECT_THAT(message_of("p,q\n1,2\n", "x=r"), testing::HasSubstr("csv, named by --columns (known: p, q)"));
   EXPECT_THAT(message_of("p,q\n1,2\n", "w=p"), testing::HasSubstr("unknown quantity 'w' in --columns"));
+}
+
+TEST(CsvReader, AsksForEachComponentThatTheCaseHas) {
+  EXPECT_THAT(message_of("tag,pos_x,v_x\n1,2,3\n", "", 2),
+              testing::AllOf(testing::HasSubstr("no column for y in "),
+                             testing::HasSubstr("which has one for x (its columns: tag, pos_x, v_x; --columns, or")));
+  EXPECT_THAT(message_of("x,y,v_y\n1,2,3\n", "", 2), testing::HasSubstr("no column for v_x in "));
+  EXPECT_THAT(message_of("x,y,s_xx,s_yy\n1,2,3,4\n", "", 2), testing::HasSubstr("no column for s_xy in "));
+  EXPECT_EQ(read("x,y,s_xx,s_yy,s_xy\n1,2,3,4,5\n", "", 2).stress.front()[3], 5) << "a symmetric one";
+  EXPECT_EQ(read("qx,y\n1,2\n", "x=qx,y=qy", 1).x.front(), (Point{1, 0, 0})) << "of others it takes none";
 }
 
 TEST(CsvReader, SeesTheDigitsOfTexts) {

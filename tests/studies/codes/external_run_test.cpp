@@ -18,6 +18,16 @@ class ExternalRun : public testing::Test {
  protected:
   Record run() const { return run_external(settings::make_case(Mover::settings()), mover_.code()); }
 
+  /// Of the code itself, before any run.
+  std::string complaint() const {
+    try {
+      mover_.code();
+    } catch (const UsageError& e) {
+      return e.what();
+    }
+    return "";
+  }
+
   const Mover mover_;
 };
 
@@ -136,6 +146,9 @@ TEST_F(ExternalRun, UnknownFieldsAreNamed) {
   mover_.write("input.mustache", "{{cells}}\n{{#is_plane}}\n{{celsius}}{{/is_plane}}{{ cels }}\n{{cels}}");
   EXPECT_THAT(run().reason, HasSubstr("unknown field 'celsius' in "));
   EXPECT_THAT(run().reason, HasSubstr("/input.mustache:3 (docs/adapters.md"));
+  mover_.write("input.mustache", "{{lower_x}} {{lower_z}}");
+  EXPECT_THAT(run().reason, HasSubstr("unknown field 'lower_z' in "));
+  EXPECT_THAT(run().reason, HasSubstr("(the case has fewer dimensions: between {{#is_plane}} and {{/is_plane}}, or"));
 }
 
 TEST_F(ExternalRun, TrueAndFalseOfAVariantAreConditions) {
@@ -188,8 +201,35 @@ TEST_F(ExternalRun, TheVersionIsThatOfTheProgramOrItsFile) {
   mover_.adapter(text);
   mover_.script("echo mover, version 2.1/b");
   EXPECT_EQ(mover_.code().version, "2.1_b");
-  mover_.script("exit 1");
-  EXPECT_THROW(mover_.code(), UsageError);
+  const std::string digest = mover_.code().digest;
+  mover_.script("echo mover, version 2.1/b # with another force");
+  EXPECT_NE(mover_.code().digest, digest) << "the version may be forgotten";
+}
+
+TEST_F(ExternalRun, SaysWhyThereIsNoVersion) {
+  std::string text = Mover::text;
+  text.replace(text.find("[[input]]"), 0, "version = [\"{{program}}\", \"--version\"]\n");
+  mover_.adapter(text);
+  mover_.script("echo no module numpy >&2; exit 1");
+  EXPECT_THAT(
+      complaint(),
+      HasSubstr("mover --version ended with status 1: no module numpy (the version as its last word, within 20 s)"));
+  mover_.script(":");
+  EXPECT_THAT(complaint(), HasSubstr("mover --version printed nothing ("));
+}
+
+TEST_F(ExternalRun, SaysWhyAProgramCannotBeRun) {
+  const auto complaint_of = [this](const std::string& program) {
+    setenv("MPMVV_TEST_MOVER", program.c_str(), 1);
+    const std::string message = complaint();
+    unsetenv("MPMVV_TEST_MOVER");
+    return message;
+  };
+  EXPECT_THAT(complaint_of("/usr/bin/python3 mover.py"),
+              HasSubstr("(a program that can be run: its name alone; arguments"));
+  EXPECT_THAT(complaint_of((mover_.folder() / "adapter.toml").string()), HasSubstr("it is not executable, chmod +x)"));
+  EXPECT_THAT(complaint_of("/no/mover"), HasSubstr("there is no such file)"));
+  EXPECT_THAT(complaint_of("no-mover-of-that-name"), HasSubstr("it is not on PATH)"));
 }
 
 }  // namespace mpmvv::codes::external_run_test

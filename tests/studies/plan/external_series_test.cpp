@@ -63,7 +63,7 @@ TEST_F(ExternalSeries, OneStudyHasOursAndTheirs) {
   EXPECT_EQ(ours.scheme.basis, "bspline2");
   EXPECT_EQ(theirs.scheme.variant, "plain");
   EXPECT_EQ(theirs.scheme.code_version, mover_.code().version);
-  EXPECT_EQ(theirs.scheme.adapter, mover_.code().adapter.digest);
+  EXPECT_EQ(theirs.scheme.adapter, mover_.code().digest);
 }
 
 TEST_F(ExternalSeries, TheirCasesAreKeptAndFoundAgain) {
