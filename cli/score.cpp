@@ -13,6 +13,7 @@
 #include "studies/cases/setting.hpp"
 #include "studies/codes/case_file.hpp"
 #include "studies/codes/readers.hpp"
+#include "studies/problems/problem.hpp"
 #include "studies/store/store.hpp"
 #include "studies/support/error.hpp"
 

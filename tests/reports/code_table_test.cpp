@@ -48,7 +48,7 @@ TEST(CodeTable, SaysUpToWhereASeriesIsStable) {
   series.orders.clear();
   series.limit.emplace();
   series.limit->key = "cfl", series.limit->stable = 0.7, series.limit->unstable = 0.72, series.limit->found = true;
-  EXPECT_EQ(code_table(input).groups[0].rows[0][5], "stable to 0.71 in cfl");
+  EXPECT_EQ(code_table(input).groups[0].rows[0][5], "stable at 0.7, unstable at 0.72 in cfl");
   series.limit->found = false, series.limit->unstable = records::not_measured;
   series.limit->probes = {{0.35, true, ""}, {0.7, true, ""}};
   EXPECT_EQ(code_table(input).groups[0].rows[0][5], "no limit in cfl: stable at all values tried, up to 0.7");
