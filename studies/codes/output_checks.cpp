@@ -106,6 +106,19 @@ void require_length_units(const MatchedEnd<D>& end) {
 }
 
 template <int D>
+void require_velocity_units(const MatchedEnd<D>& end) {
+  std::vector<Vec<D>> v, v_wanted;
+  for (std::size_t line = 0; line < end.snapshot.v.size(); ++line) {
+    v.push_back(vec<D>(end.snapshot.v[line]));
+    v_wanted.push_back(end.particles.setup.solution->v(end.particles.X[end.particle[line]], end.particles.end_time));
+  }
+  if (const double factor = factor_between(v, v_wanted); factor != 1)
+    fail_output(
+        "velocities in {} are {:g} times those of the case (another unit? --time-unit, or units of the adapter)",
+        end.snapshot.file, factor);
+}
+
+template <int D>
 std::string common_offset(const MatchedEnd<D>& end) {
   std::vector<Vec<D>> offsets;
   Vec<D> mean = Vec<D>::Zero();
@@ -190,6 +203,9 @@ void require_mass(const MatchedEnd<D>& end) {
 template void require_length_units(const MatchedEnd<1>&);
 template void require_length_units(const MatchedEnd<2>&);
 template void require_length_units(const MatchedEnd<3>&);
+template void require_velocity_units(const MatchedEnd<1>&);
+template void require_velocity_units(const MatchedEnd<2>&);
+template void require_velocity_units(const MatchedEnd<3>&);
 template std::string common_offset(const MatchedEnd<1>&);
 template std::string common_offset(const MatchedEnd<2>&);
 template std::string common_offset(const MatchedEnd<3>&);

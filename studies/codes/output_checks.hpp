@@ -39,6 +39,10 @@ struct MatchedEnd {
 template <int D>
 void require_length_units(const MatchedEnd<D>& end);
 
+/// Nor are velocities, where the file has some.
+template <int D>
+void require_velocity_units(const MatchedEnd<D>& end);
+
 /// For behind the reason of an unstable end: the vector by which its particles are all off, where nearly all that is
 /// wrong with them is one; empty otherwise.
 template <int D>

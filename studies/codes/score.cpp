@@ -119,6 +119,7 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   require_end_time(c, output.end);
   const MatchedEnd<D> end = matched(particles, output);
   require_length_units(end);
+  require_velocity_units(end);
   require_inside(end);
   const bool says_when = output.end.time || output.end.step == c.resolution.steps;
   if (!says_when) require_time(end);

@@ -124,6 +124,10 @@ TEST_F(OutputFaults, WrongUnits) {
     expect_failed(s, fmt::format("positions in end.csv are {:g} times those of the case", factor));
   }
   s = end();
+  for (auto& v : s.v)
+    for (double& component : v) component *= 1000;
+  expect_failed(s, "velocities in end.csv are 1000 times those of the case");
+  s = end();
   for (double& m : s.mass) m *= 1000;
   expect_failed(s, "1000 times that of the case");
 }
