@@ -32,8 +32,9 @@ inline constexpr double widest_interval = 1;
 ///   - when the fit has fewer points than `points`, or, where that is 0, than the window has,
 ///   - when the error at the finest level has grown by more than the band of errors, although the order holds.
 /// It is inconclusive
-///   - without a run at one of these levels,
-///   - when its interval is wider than the band and than `interval_margin` times the reviewed one,
+///   - without a run at one of these levels, or with fewer than three points,
+///   - when it lies outside the band and its interval reaches in,
+///   - when half of its interval is wider than the whole band and than `interval_margin` times the reviewed half,
 ///   - when segment orders in a window that was asymptotic scatter by more than twice `asymptotic_spread`.
 struct OrderGolden {
   std::string series, norm;

@@ -37,8 +37,9 @@ struct Wall {
 /// those with mass outside it (as far as they follow each other without a gap), at
 ///   v_i = v_b + ∇v_b (x_i - x_wall),                                                N §2.5
 /// whatever the tangential velocity. Within a step x_wall and ∇v_b are those of t^n, where the weights are taken, and
-/// v_b that of t^n + Δt, to which the held velocity leads: motion at constant rate, v = rate X, is then kept exactly.
-/// N does not say; with all three of t^n + Δt the nodes get velocities that particles there have a step later.
+/// v_b that of t^n + Δt, to which the held velocity leads: motion at constant rate, v = rate X, is then kept exactly on
+/// the nodes held. N does not say; with all three of t^n + Δt the nodes get velocities that particles there have a step
+/// later.
 template <int D>
 class MovingWall {
  public:

@@ -9,8 +9,7 @@
 #include "tests/mms/expression/formula_samples.hpp"
 
 /// The dialects of languages, by their compilers and interpreter.
-namespace mpmvv::mms::expression {
-namespace compiled_test {
+namespace mpmvv::mms::expression::compiled_test {
 
 class Compiled : public testing::Test {
  protected:
@@ -106,5 +105,4 @@ TEST_F(Compiled, ByAFortranCompiler) {
   expect_values("gfortran -O0 -ffree-line-length-none values.f90 -o by_fortran && ./by_fortran < places");
 }
 
-}  // namespace compiled_test
-}  // namespace mpmvv::mms::expression
+}  // namespace mpmvv::mms::expression::compiled_test

@@ -5,8 +5,7 @@
 #include "tests/mms/expression/evaluator.hpp"
 #include "tests/mms/expression/formula_samples.hpp"
 
-namespace mpmvv::mms::expression {
-namespace dialect_test {
+namespace mpmvv::mms::expression::dialect_test {
 
 const std::map<std::string, std::function<double(double)>> functions{
     {"sin", [](double a) { return std::sin(a); }}, {"cos", [](double a) { return std::cos(a); }},
@@ -96,5 +95,4 @@ TEST(Dialect, WritesNumbersAsTheLanguageHasThem) {
   EXPECT_EQ(text(log(x), dialect("nairn")), "log(x)");
 }
 
-}  // namespace dialect_test
-}  // namespace mpmvv::mms::expression
+}  // namespace mpmvv::mms::expression::dialect_test

@@ -7,8 +7,7 @@
 #include "mms/derived.hpp"
 #include "tests/mms/expression/formula_samples.hpp"
 
-namespace mpmvv::mms::expression {
-namespace traced_test {
+namespace mpmvv::mms::expression::traced_test {
 
 const Traced x = Variable::x, y = Variable::y, t = Variable::t;
 
@@ -111,5 +110,4 @@ TEST(Formulas, AreMissingWhereTheDisplacementBranches) {
   EXPECT_FALSE(stepped.formulas().reference);
 }
 
-}  // namespace traced_test
-}  // namespace mpmvv::mms::expression
+}  // namespace mpmvv::mms::expression::traced_test

@@ -87,6 +87,17 @@ TEST(Settings, ChoicesOfVelocityUpdatesNameThoseThatHaveThem) {
   }
 }
 
+/// Two names of one method would compare nothing.
+TEST(Settings, WallsHoldTheGridVelocitiesOfXpicWithEveryMethod) {
+  const auto with = [](const char* update, const char* method) {
+    return bar_settings({{"cfl", "0.1"}, {"velocity_update", update}, {"order", "3"}, {"wall_method", method}});
+  };
+  EXPECT_NO_THROW(make_case(with("fmpm", "velocity")));
+  EXPECT_NO_THROW(make_case(with("xpic", "combined")));
+  EXPECT_THAT([&] { make_case(with("xpic", "velocity")); },
+              testing::ThrowsMessage<UsageError>(testing::HasSubstr("(use combined, which is the same)")));
+}
+
 TEST(Settings, WhatABasisDoesNotGoWith) {
   const auto of = [](const char* basis, const char* key, const char* value) {
     return bar_settings({{"cfl", "0.1"}, {"basis", basis}, {key, value}});
