@@ -29,11 +29,15 @@ std::string half_width_of(const ClaimPart& part, const Found& found) {
   return part.evidence.substr(from, part.evidence.find(')', from) - from);
 }
 
+double reach_of(const ClaimPart& part, const Found& found) {
+  const std::string half = half_width_of(part, found);
+  return half.empty() ? 0 : std::stod(half);
+}
+
 /// How far inside its bounds a number lies, in their size; negative beyond them. Where an interval leaves it open, the
 /// interval's end that lies nearest to a bound or farthest beyond.
 double margin(const ClaimPart& part, const Found& found) {
-  const std::string half = half_width_of(part, found);
-  const double reach = part.verdict == PartVerdict::inconclusive && !half.empty() ? std::stod(half) : 0;
+  const double reach = part.verdict == PartVerdict::inconclusive ? reach_of(part, found) : 0;
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](std::optional<double> bound, double inside) {
     if (bound) least = std::min(least, inside / std::max(std::abs(*bound), 1e-12));
@@ -64,7 +68,7 @@ data found_data(const ClaimPart& part, const Found& found, const std::string& ab
   return object({{"what", beyond(above, found.what)},
                  {"asked", asked_text(part)},
                  {"value", found_text(found.value) + interval_text(part, found)},
-                 {"bar", criterion_bar(part, found.value)}});
+                 {"bar", criterion_bar(part, found.value, reach_of(part, found))}});
 }
 
 data part_data(const claims::JudgedPart& line) {

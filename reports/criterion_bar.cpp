@@ -31,7 +31,7 @@ class Scale {
   }
 
  private:
-  double scaled(double number) const { return log_ ? std::log10(number) : number; }
+  double scaled(double number) const { return log_ ? std::log10(std::max(number, 1e-300)) : number; }
 
   bool log_ = false;
   double from_ = 0, to_ = 1;
@@ -51,18 +51,27 @@ std::vector<double> numbers_of(const records::ClaimPart& part) {
   return numbers;
 }
 
+/// The line of an interval about a number.
+std::string reach(const Scale& scale, double found, double half_width) {
+  if (!std::isfinite(found) || !(half_width > 0)) return "";
+  return fmt::format(R"(<path class="reach" d="M{:.3g} {:g}H{:.3g}"/>)", scale.pixel(found - half_width),
+                     bar_height / 2, scale.pixel(found + half_width));
+}
+
 }  // namespace
 
-std::string criterion_bar(const records::ClaimPart& part, double found) {
+std::string criterion_bar(const records::ClaimPart& part, double found, double half_width) {
   const auto& [at_least, at_most] = std::tie(part.at_least, part.at_most);
   if ((!at_least && !at_most) || std::isnan(found)) return "";
   const Scale scale(numbers_of(part));
   const double left = at_least ? scale.pixel(*at_least) : 0, right = at_most ? scale.pixel(*at_most) : bar_width;
   const double at = std::isfinite(found) ? scale.pixel(found) : found > 0 ? bar_width - edge / 2 : edge / 2;
   const bool holds = (!at_least || found >= *at_least) && (!at_most || found <= *at_most);
-  return fmt::format(R"(<svg class="bar" aria-hidden="true"><path d="M0 {0:g}H{1:g}"/>)"
-                     R"(<path class="band" d="M{2:.3g} {0:g}h{3:.3g}"/><path class="{4}" d="M{5:.3g} {0:g}h0"/></svg>)",
-                     bar_height / 2, bar_width, left, std::max(1.0, right - left), holds ? "within" : "beyond", at);
+  return fmt::format(
+      R"(<svg class="bar" aria-hidden="true"><path d="M0 {0:g}H{1:g}"/>)"
+      R"(<path class="band" d="M{2:.3g} {0:g}h{3:.3g}"/>{6}<path class="{4}" d="M{5:.3g} {0:g}h0"/></svg>)",
+      bar_height / 2, bar_width, left, std::max(1.0, right - left), holds ? "within" : "beyond", at,
+      reach(scale, found, half_width));
 }
 
 }  // namespace mpmvv::reports

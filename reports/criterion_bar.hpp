@@ -6,8 +6,8 @@
 namespace mpmvv::reports {
 
 /// A small picture, as an element of a page: the band that a criterion asks for and a dot where one of its numbers was
-/// found. All numbers of a criterion share a scale, a logarithmic one where they are positive and far apart. Empty
-/// where nothing was asked or found.
-std::string criterion_bar(const records::ClaimPart& part, double found);
+/// found, with a line as far as its interval of ± `half_width` reaches. All numbers of a criterion share a scale, a
+/// logarithmic one where they are positive and far apart. Empty where nothing was asked or found.
+std::string criterion_bar(const records::ClaimPart& part, double found, double half_width);
 
 }  // namespace mpmvv::reports
