@@ -26,19 +26,23 @@ std::string asked_text(const ClaimPart& part) {
   return part.at_most ? fmt::format("at most {}", bound(*part.at_most)) : "-";
 }
 
+/// An order with an unstable run in its window lies below any bound.
+std::string value_text(double value) {
+  return std::isinf(value) && value < 0 ? "unstable" : number_text(value);
+}
+
 std::string found_text(const ClaimPart& part) {
   std::vector<double> known;
   std::vector<std::string> texts;
   for (const Found& found : part.found) {
     if (std::isnan(found.value)) continue;
     known.push_back(found.value);
-    const bool has_no_order = std::isinf(found.value) && found.value < 0;
-    texts.push_back(has_no_order ? "unstable" : number_text(found.value) + reports::interval_text(part, found));
+    texts.push_back(value_text(found.value) + reports::interval_text(part, found));
   }
   if (known.empty()) return "-";
   if (known.size() <= 2) return fmt::format("{}", fmt::join(texts, ", "));
   const auto [least, most] = std::ranges::minmax(known);
-  return fmt::format("{} to {}", number_text(least), number_text(most));
+  return fmt::format("{} to {}", value_text(least), value_text(most));
 }
 
 void print_criteria(const std::string& head, const std::vector<LabelledPart>& parts) {

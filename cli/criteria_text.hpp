@@ -13,7 +13,7 @@ struct LabelledPart {
 };
 
 std::string asked_text(const records::ClaimPart& part);  ///< "1.75 to 2.25"
-std::string found_text(const records::ClaimPart& part);  ///< "1.97 ± 0.2", "1.97, 2.004", of more numbers their range
+std::string found_text(const records::ClaimPart& part);  ///< "1.97 ± 0.2", "1.97, unstable", of more their range
 
 /// Prints a line for each criterion: label, verdict, what was asked and found, statement.
 void print_criteria(const std::string& head, const std::vector<LabelledPart>& parts);

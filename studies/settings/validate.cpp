@@ -152,9 +152,8 @@ constexpr Rule rules[]{
     {[](const Asked& a) {
        return a.s.wall_method == cases::WallMethod::velocity && !expands_grid_velocity(a.update, 0);
      },
-     "wall_method 'velocity' with velocity_update '{velocity_update}', which expands no grid velocity: walls hold "
-     "those "
-     "anyway (use combined, which is the same)"},
+     "wall_method 'velocity' with velocity_update '{velocity_update}', which expands no grid velocity: walls "
+     "hold those anyway (use combined, which is the same)"},
     {[](const Asked& a) { return !a.has_whole_steps && a.s.position != cases::Position::first_order; },
      "velocity_update '{velocity_update}' with integrator '{integrator}' ({placed_updates} with position "
      "'first-order', or an integrator whose steps have positions and velocities at their ends: {whole_integrators})"},
