@@ -24,8 +24,13 @@ using store::Version;
 
 namespace {
 
-nlohmann::json version_json(const Version& version) {
-  return {{"digest", version.digest}, {"commits", version.commits}, {"time", version.time}};
+nlohmann::json version_json(const Version& version, const std::string& code) {
+  nlohmann::json json{{"digest", version.digest}, {"time", version.time}};
+  if (code.empty())
+    json["commits"] = version.commits;
+  else
+    json["code"] = code, json["version"] = version.commits.front();
+  return json;
 }
 
 nlohmann::json change_json(const Change& change) {
@@ -46,7 +51,7 @@ nlohmann::json change_json(const Change& change) {
 }
 
 struct CompareOptions {
-  std::string db, a, b;
+  std::string db, code, a, b;
   bool json = false, all = false;
 };
 
@@ -67,13 +72,14 @@ void print_comparison(const goldens::Comparison& comparison, const Version& a, c
                  0);
 }
 
-nlohmann::json comparison_json(const goldens::Comparison& comparison, const Version& a, const Version& b, bool all) {
+nlohmann::json comparison_json(const goldens::Comparison& comparison, const Version& a, const Version& b,
+                               const CompareOptions& options) {
   nlohmann::json changes = nlohmann::json::array(), costs = nlohmann::json::array();
   for (const Change& change : comparison.changes)
-    if (all || change.bands != 0) changes.push_back(change_json(change));
+    if (options.all || change.bands != 0) changes.push_back(change_json(change));
   for (const Change& cost : comparison.costs) costs.push_back(change_json(cost));
-  return {{"from", version_json(a)},
-          {"to", version_json(b)},
+  return {{"from", version_json(a, options.code)},
+          {"to", version_json(b, options.code)},
           {"round_off", {{"relative", goldens::relative_round_off}, {"absolute", goldens::absolute_round_off}}},
           {"compared", comparison.changes.size()},
           {"changed", comparison.changed()},
@@ -83,28 +89,35 @@ nlohmann::json comparison_json(const goldens::Comparison& comparison, const Vers
           {"only_to", comparison.only_after}};
 }
 
+/// What the second version is where none is named: the program that runs, or the newest of another code.
+std::string second_version(const CompareOptions& options, const std::vector<Version>& versions) {
+  if (!options.b.empty()) return options.b;
+  return options.code.empty() ? store::current_provenance().digest : versions.back().digest;
+}
+
 int compare_versions(const CompareOptions& options) {
   const Store store(options.db, Store::Mode::read);
-  const auto versions = store.versions();
+  const auto versions = versions_in(store, options.code);
   const Version& a = store::find_version(versions, options.a);
-  const Version& b = store::find_version(versions, options.b.empty() ? store::current_provenance().digest : options.b);
-  const goldens::Comparison comparison = goldens::compare(claims::findings_of(without_trials(store.studies(a.digest))),
-                                                          claims::findings_of(without_trials(store.studies(b.digest))));
+  const Version& b = store::find_version(versions, second_version(options, versions));
+  const goldens::Comparison comparison =
+      goldens::compare(findings_in(store, options.code, a), findings_in(store, options.code, b));
   if (options.json)
-    print_json(comparison_json(comparison, a, b, options.all));
+    print_json(comparison_json(comparison, a, b, options));
   else
     print_comparison(comparison, a, b, options.all);
   return 0;
 }
 
 struct TrendOptions {
-  std::string db;
+  std::string db, code;
   bool json = false;
 };
 
-nlohmann::json trends_json(const std::vector<Version>& versions, const std::vector<Trend>& trends) {
+nlohmann::json trends_json(const std::vector<Version>& versions, const std::vector<Trend>& trends,
+                           const std::string& code) {
   nlohmann::json all_versions = nlohmann::json::array(), all_trends = nlohmann::json::array();
-  for (const Version& version : versions) all_versions.push_back(version_json(version));
+  for (const Version& version : versions) all_versions.push_back(version_json(version, code));
   for (const Trend& trend : trends)
     all_trends.push_back(
         {{"study", trend.study}, {"kind", to_string(trend.kind)}, {"name", trend.name}, {"values", trend.numbers}});
@@ -138,13 +151,18 @@ void print_trends(const std::vector<Version>& versions, const std::vector<Trend>
 
 int trend(const TrendOptions& options) {
   const Store store(options.db, Store::Mode::read);
-  const auto versions = store.versions();
-  const auto trends = trends_in(store, versions);
+  const auto versions = versions_in(store, options.code);
+  const auto trends = trends_in(store, options.code, versions);
   if (options.json)
-    print_json(trends_json(versions, trends));
+    print_json(trends_json(versions, trends, options.code));
   else
     print_trends(versions, trends);
   return 0;
+}
+
+void add_code(CLI::App& command, std::string& code) {
+  command.add_option("--code", code, "versions of this other code, by the series that it ran (default: of mpmvv)")
+      ->type_name("CODE");
 }
 
 }  // namespace
@@ -152,12 +170,18 @@ int trend(const TrendOptions& options) {
 void add_compare(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Print what changed between two versions in a store, worst first");
-  command->add_option("from", options->a, "first letters of a commit or digest")->required()->type_name("VERSION");
-  command->add_option("to", options->b, "the same (default: the running program's digest)")->type_name("VERSION");
+  command->add_option("from", options->a, "first letters of a commit or digest; of a code, of its version or digest")
+      ->required()
+      ->type_name("VERSION");
+  command
+      ->add_option("to", options->b, "the same (default: the running program's digest; of a code, its newest version)")
+      ->type_name("VERSION");
+  add_code(*command, options->code);
   command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
   command->add_flag("--all", options->all, "print what did not change, too");
   command->add_flag("--json", options->json, "print one JSON object");
-  add_examples(*command, {"mpmvv compare 3f2a91 c0ffee --db results.db", "mpmvv compare 3f2a91 --db results.db --all"});
+  add_examples(*command, {"mpmvv compare 3f2a91 c0ffee --db results.db", "mpmvv compare 3f2a91 --db results.db --all",
+                          "mpmvv compare 1.3 1.4 --code my-code --db results.db"});
   command->callback([options, &exit_code] { exit_code = compare_versions(*options); });
 }
 
@@ -166,8 +190,9 @@ void add_trend(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("trend", "Print orders, finest errors, limits and values over all versions in a store");
   command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  add_code(*command, options->code);
   command->add_flag("--json", options->json, "print one JSON object");
-  add_examples(*command, {"mpmvv trend --db results.db"});
+  add_examples(*command, {"mpmvv trend --db results.db", "mpmvv trend --code my-code --db results.db"});
   command->callback([options, &exit_code] { exit_code = trend(*options); });
 }
 

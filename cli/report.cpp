@@ -71,6 +71,19 @@ std::string newest_result(const store::Store& store, const reports::ReportInput&
   return newest;
 }
 
+/// Of the program and of each other code of which there are two versions, which a trend takes.
+std::vector<reports::History> histories_in(const store::Store& store) {
+  std::vector<std::string> codes = store.codes();
+  codes.insert(codes.begin(), "");
+  std::vector<reports::History> histories;
+  for (const std::string& code : codes)
+    if (auto versions = versions_in(store, code); versions.size() >= 2) {
+      auto trends = trends_in(store, code, versions);
+      histories.push_back({code, std::move(versions), std::move(trends)});
+    }
+  return histories;
+}
+
 /// All that the store and what lies beside it say of this program.
 reports::ReportInput report_input(const ReportOptions& options) {
   reports::ReportInput input;
@@ -87,8 +100,7 @@ reports::ReportInput report_input(const ReportOptions& options) {
   input.claims = judged_claims(input.studies, mutation);
   input.mutation = shown_mutation(options.db, std::move(mutation));
   input.alarms = own_alarms();
-  input.versions = store.versions();
-  if (reports::has_trends(input)) input.trends = trends_in(store, input.versions);
+  input.histories = histories_in(store);
   input.earlier = earlier_version(store, goldens, input.studies);
   input.codes = store.code_series(input.provenance.digest);
   input.newest_result = newest_result(store, input);

@@ -86,11 +86,22 @@ inline std::vector<records::StudyResult> without_trials(std::vector<records::Stu
   return studies;
 }
 
+/// The versions in a store, by time: of our own program, or of another code.
+inline std::vector<store::Version> versions_in(const store::Store& store, const std::string& code) {
+  return code.empty() ? store.versions() : store.versions_of_code(code);
+}
+
+inline std::vector<claims::Finding> findings_in(const store::Store& store, const std::string& code,
+                                                const store::Version& version) {
+  return claims::findings_of(
+      without_trials(code.empty() ? store.studies(version.digest) : store.studies_of_code(code, version)));
+}
+
 /// The trends over these versions of a store.
-inline std::vector<claims::Trend> trends_in(const store::Store& store, const std::vector<store::Version>& versions) {
+inline std::vector<claims::Trend> trends_in(const store::Store& store, const std::string& code,
+                                            const std::vector<store::Version>& versions) {
   std::vector<std::vector<claims::Finding>> findings;
-  for (const store::Version& version : versions)
-    findings.push_back(claims::findings_of(without_trials(store.studies(version.digest))));
+  for (const store::Version& version : versions) findings.push_back(findings_in(store, code, version));
   return claims::trends_of(findings);
 }
 

@@ -19,7 +19,7 @@ Page framed_page(const std::string& file, const std::string& title, std::string_
   content.set("criterion_table", partial(criteria_template));
   content.set("gate_table", partial(gate_table_template));
   content.set("has_any_claim", !claim_split(input).judged.empty());
-  content.set("has_trends", has_trends(input));
+  content.set("has_trends", !input.histories.empty());
   content.set("has_codes", !input.codes.empty());
   content.set("has_mutants", input.mutation.has_value());
   content.set("has_benchmark", input.benchmark.has_value());

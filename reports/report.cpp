@@ -84,7 +84,7 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
                 latex_tables("Planted mistakes", mutant_tables(*input.mutation, input.alarms)), summary);
   progress(fmt::format("tables: {} of {} written", summary.tables_written, summary.tables));
 
-  if (has_trends(input)) write_trends(input, place.draft(), summary);
+  if (!input.histories.empty()) write_trends(input, place.draft(), summary);
   write_pages(input, sections, place.draft(), summary);
   place.take_place(summary.files);
   progress(fmt::format("report: {}", (out_dir / "index.html").string()));

@@ -48,14 +48,20 @@ struct SeriesCommand {
   std::string note;  ///< what it leaves out; may be empty
 };
 
+/// What the versions in a store come to.
+struct History {
+  std::string code;                      ///< empty: our own program
+  std::vector<store::Version> versions;  ///< by time
+  std::vector<claims::Trend> trends;     ///< over these versions
+};
+
 struct ReportInput {
   std::vector<records::StudyResult> studies;
   std::vector<GateLine> gate;
   std::vector<claims::Claim> claims;
   store::Provenance provenance;
   std::optional<Benchmark> benchmark = {};
-  std::vector<store::Version> versions = {};  ///< all of the store, by time
-  std::vector<claims::Trend> trends = {};     ///< over these versions
+  std::vector<History> histories = {};  ///< of our own program and of other codes, where there are two versions
   std::optional<MutationResults> mutation = {};
   std::vector<AlarmCount> alarms = {};  ///< of the gate where there is no mistake
   std::optional<Earlier> earlier = {};
@@ -64,11 +70,6 @@ struct ReportInput {
   std::map<std::string, StudyCall> calls = {};                      ///< by study, but for files STUDY.toml
   std::string newest_result = {};                                   ///< its time, ISO 8601, UTC; may be empty
 };
-
-/// Whether there are trends to draw: it takes two versions.
-inline bool has_trends(const ReportInput& input) {
-  return input.versions.size() >= 2;
-}
 
 /// What a call wrote: files whose content is already right are left alone.
 struct ReportSummary {

@@ -13,7 +13,7 @@ using claims::Trend;
 
 namespace {
 
-constexpr std::size_t commit_letters = 7;
+constexpr std::size_t commit_letters = 7, version_letters = 10;
 constexpr std::size_t most_commits = 10;  ///< as texts below the axis
 
 struct TrendKind {
@@ -27,15 +27,25 @@ constexpr TrendKind trend_kinds[] = {{Finding::Kind::order, "orders", "observed 
                                      {Finding::Kind::error, "errors", "error at the finest level", true},
                                      {Finding::Kind::limit, "limits", "stability limit", false}};
 
-Axis version_axis(const std::vector<store::Version>& versions) {
+/// A commit, or what another code says of its version; its digest where it says the same of several.
+std::string name_of(const store::Version& version, const History& history) {
+  const auto says_the_same = [&](const store::Version& other) { return other.commits == version.commits; };
+  if (history.code.empty()) return version.commits.front().substr(0, commit_letters);
+  return std::ranges::count_if(history.versions, says_the_same) == 1
+             ? version.commits.front().substr(0, version_letters)
+             : version.digest.substr(0, commit_letters);
+}
+
+Axis version_axis(const History& history) {
+  const std::vector<store::Version>& versions = history.versions;
   Axis axis;
-  axis.label = "commit";
+  axis.label = history.code.empty() ? "commit" : "version of " + history.code;
   axis.names = true;
   axis.from = 0.5;
   axis.to = static_cast<double>(versions.size()) + 0.5;
   const std::size_t step = 1 + (versions.size() - 1) / most_commits;
   for (std::size_t v = 0; v < versions.size(); v += step)
-    axis.tics.push_back({static_cast<double>(v + 1), versions[v].commits.front().substr(0, commit_letters)});
+    axis.tics.push_back({static_cast<double>(v + 1), name_of(versions[v], history)});
   return axis;
 }
 
@@ -67,42 +77,42 @@ std::optional<Around> around_series(const std::string& name) {
 }
 
 /// Where all curves say the same of series that differ, their keys are the series, and the caption says the rest.
-void shorten_keys(Chart& chart, const std::string& study) {
+void shorten_keys(Chart& chart, const std::string& study, const std::string& where) {
   const auto around = around_series(chart.curves.front().name);
   const auto says_the_same = [&](const Curve& curve) { return around_series(curve.name) == around; };
   if (!around || !std::ranges::all_of(chart.curves, says_the_same)) return;
   for (Curve& curve : chart.curves)
     curve.key = curve.name.substr(around->before.size() + 1,
                                   curve.name.size() - around->before.size() - around->after.size() - 2);
-  chart.caption = fmt::format("Study {}: {}each series{} in each version.", study, around->before, around->after);
+  chart.caption = fmt::format("Study {}: {}each series{} in {}.", study, around->before, around->after, where);
 }
 
-std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind, const std::vector<Trend>& trends,
-                                 const std::vector<store::Version>& versions) {
+std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind, const History& history) {
+  const std::string& code = history.code;
+  const std::string where = code.empty() ? "each version" : "each version of " + code;
   Chart chart;
-  chart.name = fmt::format("{}-{}", study, kind.name);
-  chart.caption = fmt::format("Study {}: {} in each version.", study, kind.label);
+  chart.name = fmt::format("{}{}-{}", code.empty() ? "" : code + "~", study, kind.name);
+  chart.caption = fmt::format("Study {}: {} in {}.", study, kind.label, where);
   chart.height = 240;
   std::vector<double> numbers;
-  for (const Trend& trend : trends) {
-    if (trend.kind != kind.kind || !has_course(trend)) continue;
+  for (const Trend& trend : history.trends) {
+    if (trend.study != study || trend.kind != kind.kind || !has_course(trend)) continue;
     chart.curves.push_back(trend_curve(trend, static_cast<int>(chart.curves.size()), kind.log));
     numbers.insert(numbers.end(), trend.numbers.begin(), trend.numbers.end());
   }
   if (chart.curves.empty()) return std::nullopt;
-  shorten_keys(chart, study);
-  chart.x = version_axis(versions);
+  shorten_keys(chart, study, where);
+  chart.x = version_axis(history);
   chart.y = make_axis({kind.label, kind.log, {}, {}, 0.1, 0.1}, numbers);
   return chart;
 }
 
 }  // namespace
 
-std::vector<Chart> trend_charts(const std::string& study, const std::vector<Trend>& trends,
-                                const std::vector<store::Version>& versions) {
+std::vector<Chart> trend_charts(const std::string& study, const History& history) {
   std::vector<Chart> charts;
   for (const TrendKind& kind : trend_kinds)
-    if (auto chart = trend_chart(study, kind, trends, versions)) charts.push_back(std::move(*chart));
+    if (auto chart = trend_chart(study, kind, history)) charts.push_back(std::move(*chart));
   return charts;
 }
 

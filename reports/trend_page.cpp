@@ -1,6 +1,5 @@
 #include "reports/trend_page.hpp"
 
-#include <algorithm>
 #include <map>
 
 #include "page_template.hpp"
@@ -16,50 +15,52 @@ using template_data::data;
 
 constexpr const char* trends_folder = "trends";
 
-/// The first letters of a hash, which tell it from others, and whether the tree was dirty.
-std::string in_short(const std::string& hash) {
-  constexpr std::size_t letters = 12;
-  const std::size_t end = std::min(hash.find('-'), hash.size());
-  return hash.substr(0, std::min(letters, end)) + hash.substr(end);
-}
-
 data version_data(const store::Version& version, std::size_t number) {
   return template_data::object({{"number", std::to_string(number)},
                                 {"time", version.time},
-                                {"commits", template_data::list_of(version.commits, in_short)},
-                                {"digest", in_short(version.digest)}});
+                                {"commits", template_data::list_of(version.commits, store::in_short)},
+                                {"digest", store::in_short(version.digest)}});
 }
 
-data trend_section_data(const std::string& study, const std::vector<Picture>& pictures) {
-  return template_data::object({{"study", study},
-                                {"study_anchor", template_data::anchor(study)},
-                                {"pictures", template_data::list_of(pictures, template_data::picture_data)}});
-}
+using Charts = std::map<std::string, std::vector<Chart>>;  ///< by study
 
-std::map<std::string, std::vector<Chart>> charts_by_study(const ReportInput& input) {
-  std::map<std::string, std::vector<claims::Trend>> trends;
-  for (const claims::Trend& trend : input.trends) trends[trend.study].push_back(trend);
-  std::map<std::string, std::vector<Chart>> charts;
-  for (const auto& [study, of_study] : trends)
-    if (auto drawn = trend_charts(study, of_study, input.versions); !drawn.empty()) charts[study] = std::move(drawn);
+Charts charts_of(const History& history) {
+  Charts charts;
+  for (const claims::Trend& trend : history.trends) charts[trend.study];
+  for (auto& [study, of_study] : charts) of_study = trend_charts(study, history);
+  std::erase_if(charts, [](const auto& of_study) { return of_study.second.empty(); });
   return charts;
+}
+
+data history_data(const History& history, const Charts& charts, const std::filesystem::path& out_dir) {
+  data versions{data::type::list}, sections{data::type::list};
+  for (std::size_t v = 0; v < history.versions.size(); ++v) versions << version_data(history.versions[v], v + 1);
+  for (const auto& [study, of_study] : charts)
+    sections << template_data::object(
+        {{"study", study},
+         {"anchor", template_data::anchor(history.code.empty() ? study : history.code + "-" + study)},
+         {"pictures",
+          template_data::list_of(pictures_of(of_study, out_dir, trends_folder), template_data::picture_data)}});
+  return template_data::object({{"code", history.code.empty() ? "mpmvv" : history.code},
+                                {"names", history.code.empty() ? "commits" : "says of itself"},
+                                {"versions", versions},
+                                {"sections", sections}});
 }
 
 }  // namespace
 
 void write_trends(const ReportInput& input, const std::filesystem::path& out_dir, ReportSummary& summary) {
-  const auto charts = charts_by_study(input);
+  std::vector<Charts> charts;
   std::vector<Plot> plots;
-  for (const auto& [study, of_study] : charts)
-    for (const Chart& chart : of_study) plots.push_back(plot_of(chart));
+  for (const History& history : input.histories)
+    for (const auto& [study, of_study] : charts.emplace_back(charts_of(history)))
+      for (const Chart& chart : of_study) plots.push_back(plot_of(chart));
   draw_files(out_dir, trends_folder, plots, summary);
 
-  data versions{data::type::list}, sections{data::type::list};
-  for (std::size_t v = 0; v < input.versions.size(); ++v) versions << version_data(input.versions[v], v + 1);
-  for (const auto& [study, of_study] : charts)
-    sections << trend_section_data(study, pictures_of(of_study, out_dir, trends_folder));
-  const Page page = framed_page("trend.html", "Trends", trend_template, input,
-                                template_data::object({{"versions", versions}, {"sections", sections}}));
+  data histories{data::type::list};
+  for (std::size_t h = 0; h < charts.size(); ++h) histories << history_data(input.histories[h], charts[h], out_dir);
+  const Page page =
+      framed_page("trend.html", "Trends", trend_template, input, template_data::object({{"histories", histories}}));
   write_file(out_dir, page.file, page.text, summary);
 }
 

@@ -178,7 +178,9 @@ void insert_part(Database& database, std::int64_t study, std::size_t ordinal, co
 void insert_study(Database& database, const StoredStudy& study) {
   const records::StudyResult& s = study.result;
   const Provenance& p = study.provenance;
-  database.change("DELETE FROM studies WHERE name = ? AND digest = ?", {s.name, p.digest});
+  const Value codes = study.codes.empty() ? Value() : Value(study.codes);
+  database.change("DELETE FROM studies WHERE name = ? AND digest = ? AND (codes IS NULL OR codes = ?)",
+                  {s.name, p.digest, codes});
   database.insert("studies", {{"name", s.name},
                               {"digest", p.digest},
                               {"provenance", provenance_id(database, p)},
@@ -186,7 +188,8 @@ void insert_study(Database& database, const StoredStudy& study) {
                               {"title", s.title},
                               {"kind", to_string(s.kind)},
                               {"sweep", s.sweep},
-                              {"text", s.text}});
+                              {"text", s.text},
+                              {"codes", codes}});
   const std::int64_t id = database.last_row_id();
   const Parent parent{"study", id};
   insert_items(database, "study_claims", parent, s.claims,

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <limits>
 #include <set>
 
@@ -199,6 +200,7 @@ StoredStudy load_study(const Database& database, const Row& row) {
                                .parts = load_items(database, "claim_parts", "study", id,
                                                    [&](const Row& r) { return load_part(database, r); })},
                     .cases = {},
+                    .codes = row["codes"].null() ? "" : row["codes"].text(),
                     .provenance = read_provenance(row)};
   load_claims(database, id, study.result);
   database.each("SELECT * FROM series WHERE study = ? ORDER BY ordinal", {id}, [&](const Row& series_row) {
@@ -207,6 +209,17 @@ StoredStudy load_study(const Database& database, const Row& row) {
     study.cases.push_back(std::move(cases));
   });
   return study;
+}
+
+/// Studies that fulfil a condition on ?1, by name and, of one name, by time.
+std::vector<StoredStudy> load_where(const Database& database, const std::string& condition, const Value& value) {
+  std::vector<StoredStudy> studies;
+  database.each(
+      fmt::format("SELECT studies.id AS study, studies.*, provenance.* FROM studies NOT INDEXED JOIN provenance ON "
+                  "provenance.id = studies.provenance WHERE {} ORDER BY name, kept_at, studies.id",
+                  condition),
+      {value}, [&](const Row& row) { studies.push_back(load_study(database, row)); });
+  return studies;
 }
 
 }  // namespace
@@ -220,23 +233,30 @@ std::optional<records::OtherCode> other_code(const Row& series) {
 }
 
 std::vector<StoredStudy> load_studies(const Database& database, const std::string& digest) {
-  std::vector<StoredStudy> studies;
   // Where damage has changed a study's digest, that of its provenance still finds it, and its seal then complains; an
   // index might be what is damaged.
-  database.each(
-      "SELECT studies.id AS study, studies.*, provenance.* FROM studies NOT INDEXED JOIN provenance ON "
-      "provenance.id = studies.provenance WHERE studies.digest = ?1 OR provenance.digest = ?1 ORDER BY name",
-      {digest}, [&](const Row& row) { studies.push_back(load_study(database, row)); });
-  return studies;
+  return load_where(database, fmt::format("(studies.digest = ?1 OR provenance.digest = ?1) AND {}", is_newest), digest);
+}
+
+std::vector<StoredStudy> load_studies_of_code(const Database& database, const std::string& line) {
+  std::vector<StoredStudy> newest;
+  for (StoredStudy& study : load_where(database, "instr(char(10) || codes, char(10) || ?1 || char(10))", line))
+    if (newest.empty() || newest.back().result.name != study.result.name)
+      newest.push_back(std::move(study));
+    else
+      newest.back() = std::move(study);
+  return newest;
 }
 
 void copy_studies(const Database& from, Database& to) {
-  std::set<std::pair<std::string, std::string>> present;
-  to.each("SELECT name, digest FROM studies", {},
-          [&](const Row& row) { present.emplace(row["name"].text(), row["digest"].text()); });
-  from.each("SELECT DISTINCT digest FROM studies", {}, [&](const Row& row) {
-    for (const StoredStudy& study : load_studies(from, row["digest"].text()))
-      if (!present.contains({study.result.name, study.provenance.digest})) insert_study(to, study);
+  using Key = std::array<std::string, 3>;
+  std::set<Key> present;
+  to.each("SELECT name, digest, coalesce(codes, '') AS codes FROM studies", {}, [&](const Row& row) {
+    present.insert({row["name"].text(), row["digest"].text(), row["codes"].text()});
+  });
+  from.each("SELECT id FROM studies", {}, [&](const Row& row) {
+    for (const StoredStudy& study : load_where(from, "studies.id = ?1", row["id"]))
+      if (!present.contains({study.result.name, study.provenance.digest, study.codes})) insert_study(to, study);
   });
 }
 

@@ -154,6 +154,13 @@ void migrate(Database& database, bool create, bool fresh, Steps steps, const Wor
   }
 }
 
+/// Whether the file holds tables of an older schema. Where one of them is made anew, what refers to its rows would go
+/// with the old one if foreign keys were on.
+bool is_older(const Database& database, Steps steps) {
+  const std::int64_t schema = database.scalar("PRAGMA user_version").integer();
+  return schema > 0 && schema < std::ssize(steps);
+}
+
 Database open_for_writing(const fs::path& file, bool create, Steps steps, const Work& work) {
   std::error_code ignored;
   const bool fresh = !fs::exists(file, ignored);
@@ -161,6 +168,11 @@ Database open_for_writing(const fs::path& file, bool create, Steps steps, const 
   if (!database.writable())
     throw UsageError(fmt::format(
         "results store '{}' is read-only (make it and its folder writable, or name another file)", file.string()));
+  if (is_older(database, steps)) {
+    database.execute("PRAGMA foreign_keys = OFF");  // has no effect in a transaction
+    migrate(database, create, fresh, steps, {});
+    database.execute("PRAGMA foreign_keys = ON");
+  }
   migrate(database, create, fresh, steps, work);
   return database;
 }

@@ -176,8 +176,31 @@ constexpr const char* schema_14 = R"sql(
   ALTER TABLE series ADD COLUMN force_form TEXT;
 )sql";
 
-constexpr std::array written{schema_1, schema_2, schema_3,  schema_4,  schema_5,  schema_6,  schema_7,
-                             schema_8, schema_9, schema_10, schema_11, schema_12, schema_13, schema_14};
+/// A study stays when another version of a code takes its place. SQLite drops no constraint: the table is made anew.
+constexpr const char* schema_15 = R"sql(
+  CREATE TABLE studies_15 (
+    id INTEGER PRIMARY KEY,
+    name TEXT NOT NULL,
+    digest TEXT NOT NULL,
+    provenance INTEGER NOT NULL,
+    kept_at TEXT NOT NULL,
+    title TEXT NOT NULL,
+    kind TEXT NOT NULL,
+    sweep TEXT NOT NULL,
+    text TEXT NOT NULL,
+    seal INTEGER,
+    -- The other codes that ran it, a line for each with its name, version and digest. NULL: none, or an older store.
+    codes TEXT,
+    FOREIGN KEY (provenance, digest) REFERENCES provenance (id, digest)
+  ) STRICT;
+  INSERT INTO studies_15 SELECT id, name, digest, provenance, kept_at, title, kind, sweep, text, seal, NULL FROM studies;
+  DROP TABLE studies;
+  ALTER TABLE studies_15 RENAME TO studies;
+  CREATE UNIQUE INDEX studies_by_codes ON studies (name, digest, coalesce(codes, ''));
+)sql";
+
+constexpr std::array written{schema_1, schema_2,  schema_3,  schema_4,  schema_5,  schema_6,  schema_7, schema_8,
+                             schema_9, schema_10, schema_11, schema_12, schema_13, schema_14, schema_15};
 
 /// The columns of the numbers of a run that a later schema brings. Before another text is written, they become one,
 /// too.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "studies/store/code_versions.hpp"
 #include "studies/store/run_rows.hpp"
 #include "studies/store/schema.hpp"
 #include "studies/store/seal.hpp"
@@ -29,6 +30,10 @@ std::vector<std::string> texts_of(const Values& values) {
   std::vector<std::string> texts;
   for (const Value& value : values) texts.push_back(value.to_string());
   return texts;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -73,7 +78,7 @@ void Store::keep(std::span<const records::Record> records, const Provenance& p) 
 
 void Store::keep_study(const records::StudyResult& s, const std::vector<std::vector<Case>>& cases,
                        const Provenance& p) {
-  StoredStudy study{.result = s, .cases = {}, .provenance = p};
+  StoredStudy study{.result = s, .cases = {}, .codes = code_lines(cases), .provenance = p};
   for (const std::vector<Case>& of_series : cases) {
     std::vector<std::string>& texts = study.cases.emplace_back();
     for (const Case& c : of_series) texts.push_back(cases::canonical_text(c));
@@ -90,11 +95,28 @@ std::vector<records::StudyResult> Store::studies(const std::string& digest) cons
   return results;
 }
 
+std::vector<std::string> Store::codes() const {
+  return codes_in(impl_->database);
+}
+
+std::vector<records::StudyResult> Store::studies_of_code(const std::string& code, const Version& version) const {
+  Transaction one_state(impl_->database, Kind::read);
+  std::vector<records::StudyResult> results;
+  for (StoredStudy& study : load_studies_of_code(impl_->database, code_line(code, version))) {
+    std::erase_if(study.result.series, [&](const auto& s) { return !s.code || s.code->name != code; });
+    study.result.values.clear();
+    results.push_back(std::move(study.result));
+  }
+  return results;
+}
+
 std::vector<records::ClaimText> Store::statements(const std::string& digest) const {
   std::vector<records::ClaimText> texts;
   impl_->database.each(
-      "SELECT claim, statement, source, place, stated_in FROM study_claims JOIN studies ON studies.id = study "
-      "WHERE digest = ? AND stated_in = name ORDER BY name, ordinal",
+      fmt::format(
+          "SELECT claim, statement, source, place, stated_in FROM study_claims JOIN studies ON studies.id = study "
+          "WHERE digest = ? AND stated_in = name AND {} ORDER BY name, ordinal",
+          is_newest),
       {digest}, [&](const Row& row) {
         texts.push_back({row["claim"].text(), row["statement"].text(), row["source"].text(), row["place"].text(),
                          row["stated_in"].text()});
@@ -105,8 +127,9 @@ std::vector<records::ClaimText> Store::statements(const std::string& digest) con
 std::vector<CodeSeries> Store::code_series(const std::string& digest) const {
   std::vector<CodeSeries> all;
   impl_->database.each(
-      "SELECT studies.name AS study_name, kept_at, series.* FROM series JOIN studies ON studies.id = series.study "
-      "WHERE digest = ? AND code IS NOT NULL ORDER BY studies.name, ordinal",
+      fmt::format("SELECT studies.name AS study_name, kept_at, series.* FROM series JOIN studies ON studies.id = "
+                  "series.study WHERE digest = ? AND code IS NOT NULL AND {} ORDER BY studies.name, ordinal",
+                  is_newest),
       {digest}, [&](const Row& row) {
         all.push_back({row["study_name"].text(), row["name"].text(), *other_code(row), row["kept_at"].text()});
       });
@@ -131,11 +154,19 @@ std::vector<Version> Store::versions() const {
   return versions;
 }
 
+std::vector<Version> Store::versions_of_code(const std::string& code) const {
+  auto versions = store::versions_of_code(impl_->database, code);
+  if (versions.empty())
+    throw UsageError(fmt::format("no study of code '{}' in results store '{}' (of other codes: {})", code,
+                                 impl_->database.file().string(), joined(codes())));
+  return versions;
+}
+
 std::optional<Provenance> Store::study_provenance(const std::string& study, const std::string& digest) const {
   std::optional<Provenance> found;
   impl_->database.each(
       "SELECT * FROM studies JOIN provenance ON provenance.id = studies.provenance "
-      "WHERE studies.name = ? AND studies.digest = ?",
+      "WHERE studies.name = ? AND studies.digest = ? ORDER BY kept_at, studies.id",
       {study, digest}, [&](const Row& row) { found = read_provenance(row); });
   return found;
 }
@@ -192,8 +223,7 @@ std::size_t Store::forget(const std::string& study) {
     impl_->database.each("SELECT DISTINCT name FROM studies ORDER BY name", {},
                          [&](const Row& row) { names.push_back(row["name"].text()); });
     throw support::UsageError(fmt::format("unknown study '{}' in results store '{}' (known: {})", study,
-                                          impl_->database.file().string(),
-                                          names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+                                          impl_->database.file().string(), joined(names)));
   }
   impl_->database.change("DELETE FROM studies WHERE name = ?", {study});
   transaction.commit();

@@ -52,14 +52,22 @@ class Store {
   void keep(std::span<const records::Record> records, const Provenance& p);
   void keep(const records::Record& r, const Provenance& p) { keep({&r, 1}, p); }
 
-  /// Replaces what the store holds of this study for this digest, in one transaction. Points that are runs
+  /// Replaces what the store holds of this study for this digest and these versions of other codes, in one transaction.
+  /// Points that are runs
   /// are linked by their case; `cases[s][k]` is the case of series s, point k (empty for checks). Their records must
   /// have been kept; the points come back with all that was measured in the run, and with what they have beyond it.
   void keep_study(const records::StudyResult& s, const std::vector<std::vector<cases::Case>>& cases,
                   const Provenance& p);
 
-  /// Studies of this digest by name, in name order. Empty when there is none.
+  /// Studies of this digest by name, in name order. Empty when there is none. Of one that several versions of another
+  /// code ran, the last one kept.
   std::vector<records::StudyResult> studies(const std::string& digest) const;
+
+  /// The codes that ran some of the studies, in alphabetical order.
+  std::vector<std::string> codes() const;
+
+  /// What studies say of this version of a code, in name order: the series that it ran, and the claims that it judges.
+  std::vector<records::StudyResult> studies_of_code(const std::string& code, const Version& version) const;
 
   /// The series of studies of this digest that other codes ran, in the order of the studies.
   std::vector<CodeSeries> code_series(const std::string& digest) const;
@@ -69,6 +77,9 @@ class Store {
 
   /// The versions that studies were kept of, by the time of their first result.
   std::vector<Version> versions() const;
+
+  /// Those of another code. UsageError that names the codes there are where it ran no study.
+  std::vector<Version> versions_of_code(const std::string& code) const;
 
   /// Provenance of the study's last keeping; nullopt when absent.
   std::optional<Provenance> study_provenance(const std::string& study, const std::string& digest) const;

@@ -13,15 +13,25 @@ namespace mpmvv::store {
 struct StoredStudy {
   records::StudyResult result;
   std::vector<std::vector<std::string>> cases;  ///< by series and point: text of the case, empty where there is no run
+  std::string codes;                            ///< that ran some of these (code_versions.hpp)
   Provenance provenance;
 };
 
-/// Inserts a study, in the place of the one with this name and digest. A point that is a run takes its quantities from
-/// the run, which must be there; only those in which the point differs are kept as its own.
+/// Inserts a study, in the place of the one with this name, digest and codes, and of one whose codes are not known. A
+/// point that is a run takes its quantities from the run, which must be there; only those in which the point differs
+/// are kept as its own.
 void insert_study(Database& database, const StoredStudy& study);
 
-/// Studies of this digest, in name order.
+/// Studies of this digest, in name order; of those that other versions of a code ran, too, the last one kept.
 std::vector<StoredStudy> load_studies(const Database& database, const std::string& digest);
+
+/// Studies that this version of a code ran, whatever the digest, in name order; of each the last one kept.
+std::vector<StoredStudy> load_studies_of_code(const Database& database, const std::string& line);
+
+/// A condition on rows of `studies`: none of the same name and digest was kept later.
+inline constexpr const char* is_newest =
+    "NOT EXISTS (SELECT 1 FROM studies AS later WHERE later.name = studies.name AND later.digest = studies.digest AND "
+    "(later.kept_at, later.id) > (studies.kept_at, studies.id))";
 
 /// The code that ran the series of this row; none: our own solver, or a check.
 std::optional<records::OtherCode> other_code(const Row& series);

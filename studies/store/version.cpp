@@ -11,13 +11,6 @@ namespace mpmvv::store {
 
 namespace {
 
-constexpr std::size_t short_length = 12;
-
-std::string short_commit(const std::string& commit) {
-  const auto dash = std::min(commit.find('-'), commit.size());
-  return commit.substr(0, std::min(dash, short_length)) + commit.substr(dash);
-}
-
 template <class Matches>
 std::vector<const Version*> matching(const std::vector<Version>& versions, Matches matches) {
   std::vector<const Version*> found;
@@ -34,8 +27,15 @@ std::string labels(const std::vector<const Version*>& versions) {
 
 }  // namespace
 
+std::string in_short(const std::string& commit) {
+  constexpr std::size_t letters = 12;
+  const auto dash = std::min(commit.find('-'), commit.size());
+  const bool is_hash = commit.substr(0, dash).find_first_not_of("0123456789abcdef") == std::string::npos;
+  return is_hash ? commit.substr(0, std::min(dash, letters)) + commit.substr(dash) : commit;
+}
+
 std::string label(const Version& version) {
-  return fmt::format("{} (digest {})", short_commit(version.commits.front()), version.digest.substr(0, short_length));
+  return fmt::format("{} (digest {})", in_short(version.commits.front()), in_short(version.digest));
 }
 
 const Version& find_version(const std::vector<Version>& versions, const std::string& prefix) {

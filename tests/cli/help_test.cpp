@@ -45,13 +45,15 @@ class Help : public testing::Test {
     folder_.write("points.csv", "X,Y,t\n0.2,0.7,0.001\n");
     std::filesystem::create_symlink(program(), folder_ / "other/mpmvv");
     ASSERT_EQ(call(folder_, "study " + study + " --db " + db_).code, 0);
-    for (const char* digest : {"3f2a91", "c0ffee"}) {
+    for (const auto& [digest, of_code] : {std::pair{"3f2a91", "1.3"}, {"c0ffee", "1.4"}}) {
       store::Provenance version = store::current_provenance();
       version.digest = version.commit = digest;
+      cases::Case by_code;
+      by_code.scheme.code = "my-code", by_code.scheme.code_version = of_code, by_code.scheme.adapter = digest;
       records::StudyResult result;
       result.name = "splines";
       result.values = {{"gap", 1, "a gap"}};
-      store::Store(db_, store::Store::Mode::write).keep_study(result, {}, version);
+      store::Store(db_, store::Store::Mode::write).keep_study(result, {{by_code}}, version);
     }
     for (const char* shard : {"shard-1.db", "shard-2.db"}) std::filesystem::copy_file(db_, folder_ / shard);
   }

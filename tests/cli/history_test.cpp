@@ -116,6 +116,47 @@ TEST_F(History, TrendFollowsTheTime) {
                 "\n +version +version\nstudy +1 +2 +result\nbar +2 +1 +order of 'linear' in l2 over .8, 16.\n")));
 }
 
+/// A series that another code ran, and one of ours.
+void keep_of_code(const std::string& db, const std::string& version, const std::string& digest, double order) {
+  records::StudyResult study = bar_study(order, 2.5e-3);
+  study.series[0].code = records::OtherCode{"my-code", version, "", "reference"};
+  study.series.push_back(bar_study(2, 1e-3).series[0]);
+  study.series[1].name = "ours";
+  cases::Case by_code;
+  by_code.problem.name = "bar", by_code.scheme.code = "my-code";
+  by_code.scheme.code_version = version, by_code.scheme.adapter = digest;
+  std::vector<std::vector<cases::Case>> cases(2);
+  for (const int cells : {8, 16}) by_code.resolution.cells = cells, cases[0].push_back(by_code);
+  const store::Provenance p{"00aa22", "c0de00",  false, "GNU 12.2.0",
+                            "-O3",    "Release", "CPU", "2026-02-0" + version.substr(2) + "T00:00:00Z"};
+  store::Store store(db, store::Store::Mode::create_or_write);
+  for (std::size_t k = 0; k < 2; ++k) {
+    records::Record run;
+    run.the_case = cases[0][k];
+    run.error.l2 = study.series[0].points[k].y["l2"];
+    store.keep(run, p);
+  }
+  store.keep_study(study, cases, p);
+}
+
+TEST_F(History, VersionsOfAnotherCode) {
+  for (const auto& [version, digest, order] :
+       {std::tuple{"1.3", "aa11", 2.0}, {"1.4", "bb22", 1.0}, {"1.5", "cc33", 2.0}})
+    keep_of_code(db_, version, digest, order);
+  const auto trends = ask("trend --code my-code --json").json();
+  EXPECT_EQ(trends["versions"][1]["version"], "1.4");
+  ASSERT_EQ(trends["trends"].size(), 2U) << "order and error of the series that it ran";
+  EXPECT_EQ(trends["trends"][0]["values"], nlohmann::json::parse("[2.0, 1.0, 2.0]"));
+  EXPECT_THAT(ask("trend --code my-code").out, StartsWith("  1  1.3 (digest aa11)"));
+  EXPECT_THAT(ask("compare 1.3 1.4 --code my-code").out,
+              AllOf(HasSubstr("from 1.3 (digest aa11)"), HasSubstr("2 -> 1 (-1)"), Not(HasSubstr("ours"))));
+  EXPECT_EQ(ask("compare 1.3 --code my-code --json").json()["changed"], 0) << "against the newest";
+  EXPECT_EQ(ask("compare 1.3 --code my-code --json").json()["to"]["version"], "1.5");
+  const Answer answer = ask("trend --code other");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.err, HasSubstr("of other codes: my-code"));
+}
+
 TEST_F(History, GateAnnotatesForGithub) {
   const std::string own = folder_ / "own.db";
   const std::string study = folder_.write("small.toml", R"(title = "Small"

@@ -47,6 +47,7 @@ TEST_F(OtherCodes, FromNothingToTheOrdersOfOnesOwnCode) {
               AllOf(HasSubstr("my-code 1.0"), HasSubstr("second order"), Not(HasSubstr("mpmvv, quadratic"))));
   follow("own-code-propose");
   EXPECT_THAT(read_text(folder_ / "goldens/orders.toml"), HasSubstr("mine, quadratic"));
+  EXPECT_THAT(follow("own-code-trend"), AllOf(HasSubstr("1.0 (digest "), HasSubstr("order of 'mine, quadratic'")));
 }
 
 TEST_F(OtherCodes, WhatIsNotThereIsLeftOutOfAFolderAndRefusedByName) {

@@ -26,8 +26,9 @@ std::map<std::string, std::string> pages_of_everything(const fs::path& out) {
   in.claims = {synthetic::claim("a claim"), {"S-fig 9", "another", "", "", claims::Claim::Verdict::open, "", {}, {}}};
   in.benchmark = Benchmark{"", "", {{"skip/x/paid", "", {}}}};
   in.mutation.emplace();
-  in.versions = {{"00ff", {"8be1f2c0"}, "2026-01-01"}, {"11aa", {"9cd"}, "2026-01-02"}};
-  in.trends = {{"bar-bases", claims::Finding::Kind::order, "order of 'a'", {2, 1.9}}};
+  in.histories = {{"",
+                   {{"00ff", {"8be1f2c0"}, "2026-01-01"}, {"11aa", {"9cd"}, "2026-01-02"}},
+                   {{"bar-bases", claims::Finding::Kind::order, "order of 'a'", {2, 1.9}}}}};
   write_report(in, out, [](const std::string&) {});
   std::map<std::string, std::string> pages;
   for (const auto& entry : fs::recursive_directory_iterator(out))

@@ -71,26 +71,29 @@ TEST(ReadBackFigures, ParticlesAndVoxelsLieInTheirPanels) {
 TEST(ReadBackFigures, TrendsStandAboveTheCommitsOfTheirVersions) {
   const std::vector<std::vector<double>> numbers{{1.3, 1.7, 2.2},          {2.6, 3.1, 1.1},    {0.8e-3, 2.6e-3, 1.9e-3},
                                                  {4.4e-3, 3.6e-3, 7.1e-3}, {0.34, 0.47, 0.61}, {0.86, 0.29, 0.72}};
-  ReportInput input;
-  input.versions = {{"d1a", {"first1"}, "2026-01-01"},
-                    {"d2b", {"second", "later2"}, "2026-01-02"},
-                    {"d3c", {"third3"}, "2026-01-03"}};
+  History history{"",
+                  {{"d1a", {"first1"}, "2026-01-01"},
+                   {"d2b", {"second", "later2"}, "2026-01-02"},
+                   {"d3c", {"third3"}, "2026-01-03"}},
+                  {}};
   const std::vector<std::pair<Finding::Kind, std::string>> kinds{{Finding::Kind::order, "observed order"},
                                                                  {Finding::Kind::error, "error at the finest level"},
                                                                  {Finding::Kind::limit, "stability limit"}};
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    input.trends.push_back({"s", kinds[i / 2].first, fmt::format("trend {}", i), numbers[i]});
+    history.trends.push_back({"s", kinds[i / 2].first, fmt::format("trend {}", i), numbers[i]});
+  ReportInput input;
+  input.histories = {history};
   const WrittenReport report(input);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    SCOPED_TRACE(input.trends[i].name);
+    SCOPED_TRACE(history.trends[i].name);
     const Drawing drawing = report.drawing(kinds[i / 2].second);
     EXPECT_EQ(drawing.y.label, kinds[i / 2].second);
     EXPECT_EQ(drawing.x.label, "commit");
     EXPECT_EQ(drawing.y.is_log(), kinds[i / 2].first == Finding::Kind::error);
-    const auto marks = drawing.marks_of(drawing.look_of(input.trends[i].name));
+    const auto marks = drawing.marks_of(drawing.look_of(history.trends[i].name));
     ASSERT_EQ(marks.size(), numbers[i].size());
     for (std::size_t v = 0; v < marks.size(); ++v) {
-      EXPECT_EQ(drawing.x.name(marks[v].at.x), input.versions[v].commits[0]);
+      EXPECT_EQ(drawing.x.name(marks[v].at.x), history.versions[v].commits[0]);
       expect_near(drawing.y.value(marks[v].at.y), numbers[i][v]);
     }
   }

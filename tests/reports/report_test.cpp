@@ -133,21 +133,33 @@ TEST(Report, ClaimsLeadToTheirStudiesAndBack) {
 
 ReportInput input_with_trends() {
   auto in = input();
-  in.versions = {{"00ff", {"8be1f2c0"}, "2026-01-01T00:00:00Z"}, {"11aa", {"<7>", "9cd"}, "2026-01-02T00:00:00Z"}};
-  in.trends = {{"bar-bases", Finding::Kind::order, "order of 'a' & 'b'", {2, 1.9}},
-               {"bar-bases", Finding::Kind::error, "error of 'a'", {1e-3, 2e-3}},
-               {"bar-new", Finding::Kind::order, "of one version", {support::not_measured, 2}},
-               {"bar-cfl", Finding::Kind::limit, "limit of 'a'", {0.8, 0.8}},
-               {"weights", Finding::Kind::value, "value 'gap'", {1, 1}}};
+  in.histories = {{"",
+                   {{"00ff", {"8be1f2c0"}, "2026-01-01T00:00:00Z"}, {"11aa", {"<7>", "9cd"}, "2026-01-02T00:00:00Z"}},
+                   {{"bar-bases", Finding::Kind::order, "order of 'a' & 'b'", {2, 1.9}},
+                    {"bar-bases", Finding::Kind::error, "error of 'a'", {1e-3, 2e-3}},
+                    {"bar-new", Finding::Kind::order, "of one version", {support::not_measured, 2}},
+                    {"bar-cfl", Finding::Kind::limit, "limit of 'a'", {0.8, 0.8}},
+                    {"weights", Finding::Kind::value, "value 'gap'", {1, 1}}}}};
   return in;
 }
 
-TEST(Report, OneVersionHasNoTrends) {
+TEST(Report, WithoutHistoriesThereIsNoPageOfTrends) {
+  const TempFolder folder;
+  EXPECT_THAT(page_of(input(), folder), Not(HasSubstr("trend.html")));
+  EXPECT_FALSE(fs::exists(folder / "out" / "trend.html"));
+}
+
+TEST(Report, TrendsOfAnotherCodeStandBesideOurOwn) {
   const TempFolder folder;
   auto in = input_with_trends();
-  in.versions.pop_back();
-  EXPECT_THAT(page_of(in, folder), Not(HasSubstr("trend.html")));
-  EXPECT_FALSE(fs::exists(folder / "out" / "trend.html"));
+  in.histories.push_back({"my-code",
+                          {{"77ab", {"1.3"}, "2026-01-01T00:00:00Z"}, {"88cd", {"1.4"}, "2026-01-02T00:00:00Z"}},
+                          {{"bar-bases", Finding::Kind::order, "order of 'theirs'", {2, 1.1}}}});
+  const auto page = page_of(in, folder, "trend.html");
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("Versions of mpmvv"), HasSubstr("Versions of my-code"), HasSubstr("<code>1.4</code>"),
+                    HasSubstr("in each version of my-code"), HasSubstr("id=\"trend-my-code-bar-bases\"")));
+  EXPECT_TRUE(fs::exists(folder / "out/trends/my-code~bar-bases-orders.svg"));
 }
 
 TEST(Report, TrendsHaveAPageOfTheirOwn) {
@@ -163,7 +175,7 @@ TEST(Report, TrendsHaveAPageOfTheirOwn) {
 TEST(Report, TrendsNameVersionsByTheFirstLettersOfTheirHashes) {
   const TempFolder folder;
   auto in = input_with_trends();
-  in.versions[0] = {"0123456789abcdef", {"fedcba98765432100-dirty"}, "2026-01-01T00:00:00Z"};
+  in.histories[0].versions[0] = {"0123456789abcdef", {"fedcba98765432100-dirty"}, "2026-01-01T00:00:00Z"};
   EXPECT_THAT(page_of(in, folder, "trend.html"),
               AllOf(HasSubstr("<code>0123456789ab</code>"), HasSubstr("<code>fedcba987654-dirty</code>")));
 }

@@ -9,9 +9,19 @@ using claims::Finding;
 const std::vector<store::Version> versions{{"d1", {"first"}, "2026-01-01"}, {"d2", {"second"}, "2026-01-02"}};
 
 Chart orders_of(const std::vector<std::string>& names) {
-  std::vector<claims::Trend> trends;
-  for (const auto& name : names) trends.push_back({"bars", Finding::Kind::order, name, {1, 2}});
-  return trend_charts("bars", trends, versions).at(0);
+  History history{"", versions, {}};
+  for (const auto& name : names) history.trends.push_back({"bars", Finding::Kind::order, name, {1, 2}});
+  return trend_charts("bars", history).at(0);
+}
+
+/// What stands below the axis of a code's versions.
+std::vector<std::string> names_of(const std::vector<store::Version>& of_code) {
+  const std::vector<double> orders(of_code.size(), 2);
+  const History history{"my-code", of_code, {{"bars", Finding::Kind::order, "order of 'a'", orders}}};
+  std::vector<std::string> names;
+  const Chart chart = trend_charts("bars", history).at(0);
+  for (const auto& tic : chart.x.tics) names.push_back(tic.text);
+  return names;
 }
 
 TEST(TrendChart, KeysAreTheSeriesWhereTheRestIsTheSame) {
@@ -25,6 +35,11 @@ TEST(TrendChart, KeysSayAllWhereTheRestDiffers) {
   const Chart chart = orders_of({"order of 'hats' in l2 over [8, 64]", "order of 'hats' in linf over [8, 64]"});
   EXPECT_EQ(chart.curves[1].key, "order of 'hats' in linf over [8, 64]");
   EXPECT_EQ(chart.caption, "Study bars: observed order in each version.");
+}
+
+TEST(TrendChart, VersionsOfACodeThatSayTheSameHaveTheirDigests) {
+  EXPECT_EQ(names_of({{"0a1b2c3d4e", {"1.3"}, ""}, {"5f6a7b8c9d", {"1.3"}, ""}, {"aabbccddee", {"1.4"}, ""}}),
+            (std::vector<std::string>{"0a1b2c3", "5f6a7b8", "1.4"}));
 }
 
 }  // namespace mpmvv::reports::trend_chart_test

@@ -198,6 +198,24 @@ TEST_F(StoreOpen, AnOlderStoreOpensWithoutItsMutants) {
   EXPECT_TRUE(store.find(bar(8), "d1"));
 }
 
+/// Of which a study was kept once for each digest: its table is made anew, and what belongs to it stays.
+TEST_F(StoreOpen, AStoreOfSchema14KeepsItsStudies) {
+  open_store(file_, Mode::create_or_write, migrations().first(14))
+      .execute(
+          "INSERT INTO provenance VALUES (3, 'd1', 'c0ffee', 0, '', '', '', '');"
+          "INSERT INTO studies VALUES (5, 's', 'd1', 3, 't', 'T', 'convergence', 'cells', '', NULL);"
+          "INSERT INTO series VALUES (7, 5, 0, 'a', 'mine', '1.3', '', 'none');"
+          "INSERT INTO points (id, series, ordinal, x, status, reason) VALUES (9, 7, 0, 8, 'ok', '')");
+  Database old(file_, Database::Access::write);
+  seal(old, Sealed::study, 5);
+  Store(file_, Mode::write).keep(record(8), provenance());
+  EXPECT_THAT(Store(file_, Mode::read).check(), testing::IsEmpty());
+  EXPECT_EQ(Store(file_, Mode::read).studies("d1").at(0).series.at(0).points.at(0).x, 8);
+  EXPECT_EQ(Database(file_, Database::Access::read).scalar("PRAGMA foreign_keys").integer(), 1);
+  Store(file_, Mode::write).forget("s");
+  EXPECT_EQ(Database(file_, Database::Access::read).scalar("SELECT count(*) FROM points").integer(), 0);
+}
+
 /// The page on a number of one's own says its schema: that it is an old one, the slow tests alone would find.
 TEST(Schema, OfANumberOfOnesOwnIsTheNextOne) {
   EXPECT_THAT(walk("number-entry"), HasSubstr(fmt::format("({}, ", migrations().size() + 1)));

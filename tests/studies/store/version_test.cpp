@@ -42,6 +42,95 @@ TEST_F(Versions, KeepTheirTimeWhenAStudyIsKeptAgain) {
   EXPECT_EQ(store.versions().at(0).time, "2026-01-01T00:00:00Z");
 }
 
+cases::Case bar_by(const std::string& version, const std::string& digest, int cells = 8) {
+  cases::Case c = bar(cells);
+  c.scheme.code = "my-code", c.scheme.code_version = version, c.scheme.adapter = digest;
+  return c;
+}
+
+/// A study of our own series and one that this version of a code ran, kept on a day of January.
+void keep_by(Store& store, const std::string& version, const std::string& digest, int day, double order) {
+  const std::string time = fmt::format("2026-01-{:02}T00:00:00Z", day);
+  records::Series theirs = series("theirs", {point(8)});
+  theirs.code = records::OtherCode{"my-code", version, "", "reference"};
+  theirs.orders.resize(1);
+  theirs.orders[0].order = order;
+  records::Record run = record(8);
+  store.keep(run, built("d1", "aaa", time));
+  run.the_case = bar_by(version, digest);
+  store.keep(run, built("d1", "aaa", time));
+  store.keep_study(study("s", "", {series("ours", {point(8)}), theirs}), {{bar(8)}, {bar_by(version, digest)}},
+                   built("d1", "aaa", time));
+}
+
+class CodeVersions : public StoreTest {
+ protected:
+  void SetUp() override {
+    StoreTest::SetUp();
+    store_.emplace(file_, Store::Mode::create_or_write);
+  }
+  double order_of(const Version& version) const {
+    return store_->studies_of_code("my-code", version).at(0).series.at(0).orders.at(0).order;
+  }
+  std::optional<Store> store_;
+};
+
+TEST_F(CodeVersions, EachKeepsItsOwnResults) {
+  EXPECT_THAT(store_->codes(), IsEmpty());
+  keep_by(*store_, "1.3", "aa", 1, 2.0);
+  keep_by(*store_, "1.3", "bb", 2, 1.1);
+  keep_by(*store_, "1.4", "cc", 3, 2.1);
+  EXPECT_THAT(store_->codes(), ElementsAre("my-code"));
+  const auto versions = store_->versions_of_code("my-code");
+  ASSERT_EQ(versions.size(), 3U) << "a change without a new version is one by its digest";
+  EXPECT_EQ(label(versions[1]), "1.3 (digest bb)");
+  EXPECT_EQ(versions[2].time, "2026-01-03T00:00:00Z");
+  for (const auto& [version, order] : {std::pair{0U, 2.0}, {1U, 1.1}, {2U, 2.1}})
+    EXPECT_EQ(order_of(versions[version]), order);
+  EXPECT_THAT(store_->studies_of_code("my-code", versions[0]).at(0).series, testing::SizeIs(1)) << "not of ours";
+  EXPECT_THAT(store_->check(), IsEmpty());
+}
+
+TEST_F(CodeVersions, WhatIsJudgedIsTheLastOneKept) {
+  keep_by(*store_, "1.3", "aa", 1, 2.0);
+  keep_by(*store_, "1.4", "cc", 3, 2.1);
+  const auto kept = [&] { return store_->studies("d1").at(0).series.at(1).orders.at(0).order; };
+  EXPECT_EQ(kept(), 2.1);
+  EXPECT_THAT(store_->code_series("d1"), testing::SizeIs(1));
+  keep_by(*store_, "1.3", "aa", 5, 2.0);
+  EXPECT_EQ(kept(), 2.0);
+  EXPECT_EQ(store_->study_provenance("s", "d1")->time, "2026-01-05T00:00:00Z");
+  EXPECT_EQ(store_->versions_of_code("my-code").at(0).time, "2026-01-01T00:00:00Z") << "of the first run";
+  EXPECT_EQ(store_->forget("s"), 2U);
+}
+
+TEST_F(CodeVersions, AreMerged) {
+  keep_by(*store_, "1.3", "aa", 1, 2.0);
+  const std::filesystem::path other = folder_ / "other.db";
+  {
+    Store there(other, Store::Mode::create_or_write);
+    keep_by(there, "1.3", "aa", 2, 1.0);
+    keep_by(there, "1.4", "cc", 3, 2.1);
+  }
+  Store::merge(file_, other);
+  const auto versions = store_->versions_of_code("my-code");
+  ASSERT_EQ(versions.size(), 2U);
+  EXPECT_EQ(order_of(versions[0]), 2.0) << "the first one stays";
+  EXPECT_EQ(order_of(versions[1]), 2.1);
+}
+
+TEST_F(CodeVersions, ACodeThatRanNothingIsRefused) {
+  EXPECT_THAT(complaint([&] { store_->versions_of_code("other"); }), HasSubstr("of other codes: none"));
+  keep_by(*store_, "1.3", "aa", 1, 2.0);
+  EXPECT_THAT(complaint([&] { store_->versions_of_code("other"); }), HasSubstr("of other codes: my-code"));
+}
+
+TEST(Label, LeavesWhatACodeSaysOfItself) {
+  EXPECT_EQ(label({"0123456789abcdef", {"2026.11-beta-long-name"}, ""}),
+            "2026.11-beta-long-name (digest 0123456789ab)");
+  EXPECT_EQ(label({"0123456789abcdef", {"fedcba98765432100-dirty"}, ""}), "fedcba987654-dirty (digest 0123456789ab)");
+}
+
 const std::vector<Version> three{
     {"00ff11", {"c0ffee", "beef00"}, ""}, {"00aa22", {"c0ffee-dirty"}, ""}, {"77bb33", {"c0de00"}, ""}};
 
