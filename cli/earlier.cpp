@@ -39,6 +39,13 @@ double median_ratio(const std::vector<goldens::Change>& costs) {
 
 }  // namespace
 
+reports::Changes changes_of(const goldens::Comparison& comparison) {
+  reports::Changes changes{comparison.changes.size(), {}};
+  for (const goldens::Change& change : comparison.changes)
+    if (change.bands != 0) changes.differ.push_back(fmt::format("{}: {}", change.before.study, change_text(change)));
+  return changes;
+}
+
 std::optional<reports::Earlier> earlier_version(const store::Store& store, const std::vector<goldens::Golden>& goldens,
                                                 const std::vector<records::StudyResult>& now) {
   const auto versions = store.versions();
@@ -51,10 +58,7 @@ std::optional<reports::Earlier> earlier_version(const store::Store& store, const
   earlier.label = version->commits.front().substr(0, 12);
   earlier.gate = gate_counts(goldens, then);
   for (const claims::Claim& claim : claims::judge_claims(then)) earlier.claims[claim.id] = claim.verdict;
-  earlier.compared = comparison.changes.size();
-  earlier.changed = comparison.changed();
-  for (const goldens::Change& change : comparison.changes)
-    if (change.bands != 0) earlier.changes.push_back(fmt::format("{}: {}", change.before.study, change_text(change)));
+  earlier.changes = changes_of(comparison);
   earlier.cost_ratio = median_ratio(comparison.costs);
   return earlier;
 }

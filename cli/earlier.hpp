@@ -3,11 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "goldens/comparison.hpp"
 #include "goldens/golden.hpp"
 #include "reports/report.hpp"
 #include "studies/store/store.hpp"
 
 namespace mpmvv::cli {
+
+reports::Changes changes_of(const goldens::Comparison& comparison);
 
 /// What the version before the running program's says, beside these results of now; none where the store has no such.
 std::optional<reports::Earlier> earlier_version(const store::Store& store, const std::vector<goldens::Golden>& goldens,

@@ -77,9 +77,11 @@ std::vector<reports::History> histories_in(const store::Store& store) {
   codes.insert(codes.begin(), "");
   std::vector<reports::History> histories;
   for (const std::string& code : codes)
-    if (auto versions = versions_in(store, code); versions.size() >= 2) {
-      auto trends = trends_in(store, code, versions);
-      histories.push_back({code, std::move(versions), std::move(trends)});
+    if (const auto versions = versions_in(store, code); versions.size() >= 2) {
+      reports::History& history = histories.emplace_back(code, versions, trends_in(store, code, versions));
+      if (!code.empty())
+        history.newest = changes_of(goldens::compare(findings_in(store, code, *(versions.end() - 2)),
+                                                     findings_in(store, code, versions.back())));
     }
   return histories;
 }

@@ -107,8 +107,8 @@ Tile age_tile(const ReportInput& input) {
   tile.detail = fmt::format("of {} {}, version {}", input.studies.size(),
                             input.studies.size() == 1 ? "study" : "studies", input.provenance.commit.substr(0, 12));
   if (input.earlier)
-    tile.change = fmt::format("{} of {} results differ from {}", input.earlier->changed, input.earlier->compared,
-                              input.earlier->label);
+    tile.change = fmt::format("{} of {} results differ from {}", input.earlier->changes.differ.size(),
+                              input.earlier->changes.compared, input.earlier->label);
   return tile;
 }
 

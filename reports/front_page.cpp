@@ -76,8 +76,23 @@ data provenance_data(const store::Provenance& p) {
                  {"time", p.time}});
 }
 
-data changes_data(const ReportInput& input) {
-  return text_list(input.earlier ? input.earlier->changes : std::vector<std::string>{});
+data changes_data(const std::string& heading, const Changes& changes) {
+  return object({{"heading", fmt::format("{}: {} of {} results", heading, changes.differ.size(), changes.compared)},
+                 {"differ", text_list(changes.differ)}});
+}
+
+/// Since the version before: of the program, and of other codes.
+data all_changes(const ReportInput& input) {
+  data all{data::type::list};
+  if (input.earlier && !input.earlier->changes.differ.empty())
+    all << changes_data("What changed since " + input.earlier->label, input.earlier->changes);
+  for (const History& history : input.histories)
+    if (!history.code.empty())
+      all << changes_data(
+          fmt::format("What changed in {} from {} to {}", history.code, store::label(*(history.versions.end() - 2)),
+                      store::label(history.versions.back())),
+          history.newest);
+  return all;
 }
 
 }  // namespace
@@ -94,9 +109,7 @@ Page front_page(const ReportInput& input, const std::vector<Section>& sections) 
                              {"missing", missing_goldens_text(gate.without_study)},
                              {"has_missing", !gate.without_study.empty()},
                              {"unsettled", unsettled_claims(claims.judged)},
-                             {"changes", changes_data(input)},
-                             {"has_changes", input.earlier && !input.earlier->changes.empty()},
-                             {"earlier", input.earlier ? input.earlier->label : ""},
+                             {"changes", all_changes(input)},
                              {"papers", claim_cards(claims.judged, sections)},
                              {"has_papers", !claims.judged.empty()},
                              {"unjudged", fmt::format("{}", claims.without_study.size())},

@@ -31,13 +31,18 @@ struct GateLine {
   std::string reason;  ///< may be empty
 };
 
+/// What changed from one version to the next.
+struct Changes {
+  std::size_t compared = 0;         ///< results of both versions
+  std::vector<std::string> differ;  ///< those of them that differ, worst first
+};
+
 /// What the store's version before this one says.
 struct Earlier {
   std::string label;                                     ///< of the version
   std::map<records::Verdict, int> gate;                  ///< goldens by verdict
   std::map<std::string, claims::Claim::Verdict> claims;  ///< verdicts by id
-  std::size_t compared = 0, changed = 0;                 ///< results of both versions, and those of them that differ
-  std::vector<std::string> changes;                      ///< these, worst first
+  Changes changes;                                       ///< since then
   double cost_ratio = support::not_measured;             ///< now over then, median
 };
 
@@ -53,6 +58,7 @@ struct History {
   std::string code;                      ///< empty: our own program
   std::vector<store::Version> versions;  ///< by time
   std::vector<claims::Trend> trends;     ///< over these versions
+  Changes newest = {};                   ///< of another code: what its last version changed
 };
 
 struct ReportInput {
