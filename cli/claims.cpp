@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "cli/table.hpp"
 #include "studies/claims/claim.hpp"
 #include "studies/support/error.hpp"
+#include "studies/support/words.hpp"
 
 namespace mpmvv::cli {
 
@@ -109,7 +109,7 @@ const Claim& find_claim(const std::vector<Claim>& all, const std::string& id, co
   if (const auto found = std::ranges::find(all, id, &Claim::id); found != all.end()) return *found;
   std::vector<std::string> known;
   for (const Claim& c : all) known.push_back(c.id);
-  throw support::UsageError(fmt::format("unknown claim '{}' in {} (known: {})", id, db, fmt::join(known, ", ")));
+  throw support::UsageError(fmt::format("unknown claim '{}' in {} (known: {})", id, db, support::listed(known)));
 }
 
 int show(const ClaimsOptions& options) {

@@ -1,7 +1,6 @@
 #include "studies/plan/claim_reader.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -11,6 +10,7 @@
 #include "studies/plan/file_tables.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
+#include "studies/support/words.hpp"
 
 namespace mpmvv::plan {
 
@@ -90,7 +90,7 @@ std::set<std::string> not_stated(const std::vector<StudyPlan>& plans, const Clai
   std::set<std::string> ids = known.ids();
   for (const fs::path& folder : folders) ids.merge(claims_in(folder, {"[[claim]]"}).ids());
   throw UsageError(fmt::format("unknown claim '{}' in {}, which no [[claim]] states there or beside it (known: {})", id,
-                               where, fmt::join(ids, ", ")));
+                               where, support::listed({ids.begin(), ids.end()})));
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "studies/plan/plan_rules.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "studies/records/record.hpp"
 #include "studies/support/error.hpp"
+#include "studies/support/words.hpp"
 
 namespace mpmvv::plan {
 
@@ -74,7 +74,7 @@ std::vector<std::string> series_with(const StudyPlan& plan, const std::string& s
 void require_word(const std::string& what, const std::string& word, const std::vector<std::string>& known,
                   const std::string& where) {
   if (std::find(known.begin(), known.end(), word) == known.end())
-    throw UsageError(fmt::format("unknown {} '{}' in {} (known: {})", what, word, where, fmt::join(known, ", ")));
+    throw UsageError(fmt::format("unknown {} '{}' in {} (known: {})", what, word, where, support::listed(known)));
 }
 
 std::string norm_of(const support::TomlTable& table, const char* key) {

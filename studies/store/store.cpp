@@ -1,7 +1,6 @@
 #include "studies/store/store.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -12,6 +11,7 @@
 #include "studies/store/study_rows.hpp"
 #include "studies/support/csv.hpp"
 #include "studies/support/error.hpp"
+#include "studies/support/words.hpp"
 
 namespace mpmvv::store {
 
@@ -30,10 +30,6 @@ std::vector<std::string> texts_of(const Values& values) {
   std::vector<std::string> texts;
   for (const Value& value : values) texts.push_back(value.to_string());
   return texts;
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -158,7 +154,7 @@ std::vector<Version> Store::versions_of_code(const std::string& code) const {
   auto versions = store::versions_of_code(impl_->database, code);
   if (versions.empty())
     throw UsageError(fmt::format("no study of code '{}' in results store '{}' (of other codes: {})", code,
-                                 impl_->database.file().string(), joined(codes())));
+                                 impl_->database.file().string(), support::listed(codes())));
   return versions;
 }
 
@@ -223,7 +219,7 @@ std::size_t Store::forget(const std::string& study) {
     impl_->database.each("SELECT DISTINCT name FROM studies ORDER BY name", {},
                          [&](const Row& row) { names.push_back(row["name"].text()); });
     throw support::UsageError(fmt::format("unknown study '{}' in results store '{}' (known: {})", study,
-                                          impl_->database.file().string(), joined(names)));
+                                          impl_->database.file().string(), support::listed(names)));
   }
   impl_->database.change("DELETE FROM studies WHERE name = ?", {study});
   transaction.commit();

@@ -9,6 +9,10 @@
 
 namespace mpmvv::support {
 
+std::string listed(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::size_t place_of(const std::string& word, std::span<const char* const> words) {
   return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
 }

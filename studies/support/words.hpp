@@ -22,6 +22,9 @@ std::string to_string(Enum e) {
   return words_of(e).at(static_cast<std::size_t>(e));
 }
 
+/// "a, b", or "none" where there are none: what a message says is known.
+std::string listed(const std::vector<std::string>& names);
+
 /// The place of the word among these, or their number when it is none of them.
 std::size_t place_of(const std::string& word, std::span<const char* const> words);
 
