@@ -3,15 +3,23 @@ import itertools
 
 import numpy as np
 
+import open_splines
+
 
 class Grid:
     """Nodes on and around the cells; fields on them are matrices, a row for each node."""
 
     def __init__(self, start, basis):
         self.h, self.lower, self.cells = start.h, start.lower, start.cells
-        self.layers = 4 if basis in ("cpdi", "b2cpdi") else 2  # of ghost nodes beyond each face
-        self.axes = [low + self.h * (np.arange(n + 1 + 2 * self.layers) - self.layers)
-                     for low, n in zip(self.lower, self.cells)]
+        if basis.endswith("-open"):
+            degree = open_splines.degree_of(basis)
+            self.layers = 0
+            self.knots = [open_splines.knots(low, self.h, n, degree) for low, n in zip(self.lower, self.cells)]
+            self.axes = [open_splines.places(knots, degree) for knots in self.knots]
+        else:
+            self.layers = 4 if basis in ("cpdi", "b2cpdi") else 2  # of ghost nodes beyond each face
+            self.axes = [low + self.h * (np.arange(n + 1 + 2 * self.layers) - self.layers)
+                         for low, n in zip(self.lower, self.cells)]
         self.shape = [len(axis) for axis in self.axes]
         self.x = np.stack(np.meshgrid(*self.axes, indexing="ij"), -1).reshape(-1, len(self.axes))
 
@@ -74,13 +82,17 @@ def product(along_axes):
     return result
 
 
+def products(N, dN):
+    """Weights and gradients, from those along each axis."""
+    D = len(N)
+    return product(N), [product([dN[e] if e == d else N[e] for e in range(D)]) for d in range(D)]
+
+
 def at_points(grid, x, functions):
     """Weights of all nodes at the points x, and gradients by axis; a pair (function, gradient) for each axis."""
     xi = [(x[:, d, None] - axis) / grid.h for d, axis in enumerate(grid.axes)]
-    N = [function(distance) for distance, (function, _) in zip(xi, functions)]
-    dN = [gradient(distance) / grid.h for distance, (_, gradient) in zip(xi, functions)]
-    D = len(xi)
-    return product(N), [product([dN[e] if e == d else N[e] for e in range(D)]) for d in range(D)]
+    return products([function(distance) for distance, (function, _) in zip(xi, functions)],
+                    [gradient(distance) / grid.h for distance, (_, gradient) in zip(xi, functions)])
 
 
 def cpdi(grid, x, F, l, corner_functions):
@@ -100,6 +112,9 @@ def cpdi(grid, x, F, l, corner_functions):
 def weights(basis, grid, x, F, V0, smoothing_length):
     """S, with S_pi = N_ip, and G[d], the component d of the gradients of N_ip."""
     D = x.shape[1]
+    if basis.endswith("-open"):
+        degree = open_splines.degree_of(basis)
+        return products(*zip(*(open_splines.functions(knots, degree, x[:, d]) for d, knots in enumerate(grid.knots))))
     l = V0 ** (1 / D)  # of a particle at rest, along every axis
     if basis in ("cpdi", "b2cpdi"):
         return cpdi(grid, x, F, l, (hat, hat_gradient) if basis == "cpdi" else (bspline2, bspline2_gradient))

@@ -20,9 +20,9 @@ class HeldNodes:
         """N (4): over the last free node and the first held one inside, along each line of nodes through the wall."""
         if not self.estimated:
             return
-        last_held = self.inside[self.nodes].max()
-        counts = (self.inside > 0) & (m > 0) & (self.inside > last_held - self.grid.h / 2)
-        counts &= self.inside < last_held + 1.5 * self.grid.h
+        innermost = self.inside[self.nodes].max()
+        next_to_it = self.inside[~self.nodes].min()
+        counts = (self.inside > 0) & (m > 0) & ((self.inside == innermost) | (self.inside == next_to_it))
 
         def line_sums(q):
             q = np.where(counts, q, 0).reshape(self.grid.shape).sum(self.d, keepdims=True)
@@ -46,8 +46,8 @@ class Boundaries:
 
     def places(self, d):
         """Of each end of an axis: the word, the index of the node on the face, and the step outwards."""
-        g, n = self.grid.layers, self.grid.cells[d]
-        return [(self.faces[d][0], g, -1), (self.faces[d][1], g + n, 1)]
+        g, size = self.grid.layers, self.grid.shape[d]
+        return [(self.faces[d][0], g, -1), (self.faces[d][1], size - 1 - g, 1)]
 
     def fold_matrix(self, d, normal):
         size, n = self.grid.shape[d], self.grid.cells[d]

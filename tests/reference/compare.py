@@ -84,6 +84,17 @@ swing        6   2 0.2    12 cpgimp   usl+       flip    - wall-gradient=estimat
 stretch-1d   2   2 0.2    20 linear   usl        fmpm:3  -
 stretch      2   2 0.2    20 bspline2 usl        flip    - wall-gradient=estimated
 stretch      2   2 0.2    20 cpdi     usavg      xpic:3  - deformation=exponential
+bar         11   2 0.2    12 bspline2-open usl   flip    symmetry
+bar         11   2 0.2    12 bspline3-open cd    flip    dirichlet
+bar         11   3 0.2     6 bspline3-open usavg xpic:3  free
+square       6   2 0.2    10 bspline2-open usf   fmpm:3  symmetry wall-method=elimination
+square       6   2 0.2    10 bspline3-open usl+  flip    dirichlet wall-acceleration=difference
+square       6   3 0.2     6 bspline3-open rk4   flip    xmin=free,xmax=dirichlet,ymin=free,ymax=symmetry
+ring         8   2 0.2    12 bspline3-open usl   fmpm:2  free
+stretch      2   2 0.2    20 bspline2-open usavg fmpm:3  - wall-gradient=estimated
+stretch      2   2 0.2    20 bspline3-open usl   xpic:2  - wall-depth=2
+cube         4   2 0.2     3 bspline2-open usl   flip    symmetry
+cube         4   2 0.2     3 bspline3-open usavg fmpm:2  dirichlet
 impact       2   2 0.4    60 bspline2 usl        xpic:2  free
 wave         6   2 0.2    12 bspline2 uvf        flip    symmetry
 wave         6   2 0.2    12 gimp     usl        fmpm:2  mirror material=neo-hookean-log
