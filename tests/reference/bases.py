@@ -95,10 +95,10 @@ def at_points(grid, x, functions):
                     [gradient(distance) / grid.h for distance, (_, gradient) in zip(xi, functions)])
 
 
-def cpdi(grid, x, F, l, corner_functions):
+def cpdi(grid, x, F, R0, corner_functions):
     """Sadeghirad et al. (2011), N 2.1: interpolates between the corners of the particle's domain."""
     D = x.shape[1]
-    R = F * l[:, None, None]
+    R = F @ R0
     inverse_transposed = np.linalg.inv(R).transpose(0, 2, 1)
     S, G = 0, [0] * D
     for corner in itertools.product((-1, 1), repeat=D):
@@ -109,16 +109,15 @@ def cpdi(grid, x, F, l, corner_functions):
     return S, G
 
 
-def weights(basis, grid, x, F, V0, smoothing_length):
+def weights(basis, grid, x, F, V0, R0, smoothing_length):
     """S, with S_pi = N_ip, and G[d], the component d of the gradients of N_ip."""
     D = x.shape[1]
     if basis.endswith("-open"):
         degree = open_splines.degree_of(basis)
         return products(*zip(*(open_splines.functions(knots, degree, x[:, d]) for d, knots in enumerate(grid.knots))))
-    l = V0 ** (1 / D)  # of a particle at rest, along every axis
     if basis in ("cpdi", "b2cpdi"):
-        return cpdi(grid, x, F, l, (hat, hat_gradient) if basis == "cpdi" else (bspline2, bspline2_gradient))
-    width = (l / grid.h)[:, None]
+        return cpdi(grid, x, F, R0, (hat, hat_gradient) if basis == "cpdi" else (bspline2, bspline2_gradient))
+    width = (V0 ** (1 / D) / grid.h)[:, None]  # of a particle at rest, along every axis
     along = {
         "linear": lambda d: (hat, hat_gradient),
         "bspline2": lambda d: (bspline2, bspline2_gradient),

@@ -25,15 +25,17 @@ def kirchhoff_stress(law, F, lam, mu):
 class Body:
     """Particles, and how they go forward by a time step. Words are those of the command line."""
 
-    def __init__(self, start, walls, body_force, basis, integrator, update, order=1, position="first-order",
+    def __init__(self, start, walls, body_force, loads, basis, integrator, update, order=1, position="first-order",
                  deformation="linear", wall_method="combined", wall_depth=1.0, wall_gradient="given",
                  wall_acceleration="zero", smoothing_length=None):
         self.basis, self.smoothing_length = basis, smoothing_length
         self.integrator, self.update, self.order, self.position = integrator, update, order, position
         self.deformation, self.wall_method, self.wall_acceleration = deformation, wall_method, wall_acceleration
-        self.body_force, self.law, self.lam, self.mu = body_force, start.law, start.lam, start.mu
+        self.body_force, self.loads = body_force, loads
+        self.law, self.lam, self.mu = start.law, start.lam, start.mu
         self.dt, self.t = start.dt, 0.0
         self.X, self.x, self.v, self.F, self.m, self.V0 = start.X, start.x, start.v, start.F, start.m, start.V0
+        self.R0 = start.R0
         self.C = np.zeros_like(self.F)  # the affine fields of apic
         self.grid = Grid(start, basis)
         self.boundaries = Boundaries(self.grid, start.faces, walls, wall_depth, wall_gradient)
@@ -41,6 +43,9 @@ class Body:
         self.mass_cutoff = (1e-12 if basis in ("linear", "cpdi") else 1e-16) * full_cell
         # What fmpm expands is held before the expansion by all wall methods but `velocity`.
         self.holds_the_grid = not (update == "fmpm" and wall_method == "velocity")
+
+    def weights(self):
+        return weights(self.basis, self.grid, self.x, self.F, self.V0, self.R0, self.smoothing_length)
 
     def to_grid(self, q):
         """The sums over p of N_ip q_p, folded at the faces."""
@@ -69,7 +74,15 @@ class Body:
         f_i = -sum(G_d.T @ (self.V0[:, None] * tau[:, :, d]) for d, G_d in enumerate(self.G))
         if self.body_force:
             f_i = f_i + self.S.T @ (self.m[:, None] * self.body_force(self.X, self.t))
+        if self.loads:
+            f_i = f_i + self.surface_weights().T @ self.loads.force(self.t)
         return self.boundaries.fold(f_i)
+
+    def surface_weights(self):
+        """N_ip + (F_p d) . grad N_ip, a row for each part of the surface."""
+        p = self.loads.particle
+        reach = np.einsum("sij,sj->si", self.F[p], self.loads.d)
+        return self.S[p] + sum(reach[:, e, None] * G_e[p] for e, G_e in enumerate(self.G))
 
     def velocity_gradients(self, v_i):
         """L_p = sum of v_i grad N_ip."""
@@ -124,7 +137,7 @@ class Body:
 
     def rates(self):
         """The derivatives of x_p, v_p and F_p by time."""
-        self.S, self.G = weights(self.basis, self.grid, self.x, self.F, self.V0, self.smoothing_length)
+        self.S, self.G = self.weights()
         self.boundaries.begin_step(self.t, 0)
         v_i = self.map_velocities()
         a_i = self.boundaries.hold_at_zero(self.by_mass(self.forces(), self.mass_cutoff))
@@ -132,7 +145,7 @@ class Body:
 
     def step_once(self):
         dt, integrator = self.dt, self.integrator
-        self.S, self.G = weights(self.basis, self.grid, self.x, self.F, self.V0, self.smoothing_length)
+        self.S, self.G = self.weights()
         self.boundaries.begin_step(self.t, dt)
         v_i = self.map_velocities()
 

@@ -23,7 +23,7 @@ def over(numbers, width):
 
 
 def functions(t, degree, x):
-    """S (22): a row of all functions for each of the points x, and their derivatives; S (23) closed at the last knot."""
+    """S (22), (23): a row of all functions for each of the points x, and their derivatives; closed at the last knot."""
     x = x[:, None]
     phi = ((t[:-1] <= x) & ((x < t[1:]) | (x == t[-1]) & (t[1:] == t[-1]) & (t[:-1] < t[-1]))).astype(float)
     for k in range(1, degree + 1):

@@ -78,18 +78,24 @@ class PullingWall:
         return self.rate / (1 + self.rate * t)
 
 
-def ring(X, t):
-    """W (60) to (62) with R_I = 1/2, R_O = 1 and nu = 0."""
-    A, R_I, R_O, mu = 0.1, 0.5, 1.0, E / 2
-    R = np.hypot(*X.T)
+def radial(lam, mu):
+    """Of `ring` and `shell`: W (60) to (62) with R_I = 1/2 and R_O = 1, and with a Poisson's ratio."""
+    A, R_I, R_O = 0.1, 0.5, 1.0
     c3 = -2 / (R_O**2 * (R_O - 3 * R_I))
     c2 = 3 * (R_O + R_I) / (R_O**2 * (R_O - 3 * R_I))
     c1 = -6 * R_I / (R_O * (R_O - 3 * R_I))
-    w, dw, ddw = c3 * R**3 + c2 * R**2 + c1 * R, 3 * c3 * R**2 + 2 * c2 * R + c1, 6 * c3 * R + 2 * c2
-    T = A * cos(C * pi * t)
-    F_R, F_theta = 1 + T * dw, 1 + T * w / R
-    b = -T / RHO0 * (pi**2 * E * w + ddw * mu * (1 + F_R**-2) + (2 * c3 * R + c2) * mu * (1 + 1 / (F_R * F_theta)))
-    return b[:, None] * X / R[:, None]
+
+    def body_force(X, t):
+        R, others = np.linalg.norm(X, axis=1), X.shape[1] - 1
+        w, dw, ddw = c3 * R**3 + c2 * R**2 + c1 * R, 3 * c3 * R**2 + 2 * c2 * R + c1, 6 * c3 * R + 2 * c2
+        T = A * cos(C * pi * t)
+        F_R, F_theta = 1 + T * dw, 1 + T * w / R
+        M = mu + lam * (1 - np.log(F_R * F_theta**others))
+        b = -T / RHO0 * (pi**2 * E * w + ddw * (mu + M / F_R**2)
+                         + others * (2 * c3 * R + c2) * (mu + M / (F_R * F_theta)))
+        return b[:, None] * X / R[:, None]
+
+    return body_force
 
 
 def vortex(X, t):
@@ -115,9 +121,15 @@ BODY_FORCES = {
     "square": standing(0.1, 1, lambda t: np.array([cos(C * pi * t), sin(C * pi * t)]), 0.3),
     "cube": standing(0.05, 2, lambda t: sin(C * pi * t + PHASES), 0.3),
     "swing": swing(),
-    "ring": ring,
     "vortex": vortex,
 }
+
+
+def body_force_of(problem, start):
+    if problem in ("ring", "shell"):
+        return radial(start.lam, start.mu)
+    return BODY_FORCES.get(problem)
+
 
 WALLS = {
     "swing": {(0, 0): SwingingWall(0.0, 1), (0, 1): SwingingWall(1.0, -1)},
