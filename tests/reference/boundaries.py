@@ -96,12 +96,19 @@ class Boundaries:
         for held in self.held_by_walls:
             held.estimate_gradient(v, m, held.wall.velocity(self.t_end))
 
-    def hold_at_zero(self, q):
-        """Accelerations, and changes of velocities."""
-        q = np.stack([self.along_axes(column, c, self.hold_matrix) for c, column in enumerate(q.T)], 1)
+    def without_held(self, q, matrix):
+        q = np.stack([self.along_axes(column, c, matrix) for c, column in enumerate(q.T)], 1)
         for held in self.held_by_walls:
             q[held.nodes, held.d] = 0
         return q
+
+    def hold_at_zero(self, q):
+        """Accelerations, and changes of velocities."""
+        return self.without_held(q, self.hold_matrix)
+
+    def hold_transposed(self, q):
+        """The transpose of `hold_at_zero`: a force on a node that moves against another is one the other way there."""
+        return self.without_held(q, lambda *axis: self.hold_matrix(*axis).T)
 
     def hold(self, v):
         """Velocities: those that walls hold are the walls' own."""

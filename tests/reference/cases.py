@@ -88,6 +88,20 @@ stretch      2   2 0.2    20 bspline2-open usavg fmpm:3  - wall-gradient=estimat
 stretch      2   2 0.2    20 bspline3-open usl   xpic:2  - wall-depth=2
 cube         4   2 0.2     3 bspline2-open usl   flip    symmetry
 cube         4   2 0.2     3 bspline3-open usavg fmpm:2  dirichlet
+bar         11   2 0.2    12 linear   usl        flip    periodic mass=consistent
+bar         11   2 0.2    12 bspline2 usf        fmpm    mirror mass=consistent
+bar         11   2 0.2    12 bspline3-open usavg flip    symmetry mass=consistent
+square       6   2 0.2     6 bspline2 usl        flip    symmetry mass=consistent position=second-order
+square       6   2 0.2     6 gimp     usavg+     fmpm    dirichlet mass=consistent
+square       6   2 0.2     6 bspline2 usl+       flip    xmin=symmetry,xmax=mirror,ymin=free,ymax=dirichlet mass=consistent
+square       6   2 0.2     4 bspline3 rk4        flip    symmetry mass=consistent
+square       8   2 0.2     4 cpdi     cd         flip    symmetry mass=consistent
+ring         6   2 0.2     6 bspline2 uvf        flip    free mass=consistent
+swing        5   2 0.2     6 bspline2 usl        fmpm    - mass=consistent
+stretch      2   2 0.2    10 linear   usavg      fmpm    - mass=consistent
+pulse        1   2 0.2    20 linear   usl        fmpm    free mass=consistent
+cube         4   2 0.2     2 bspline2 usl        fmpm    periodic mass=consistent
+cube         4   2 0.2     2 linear   usf        flip    symmetry mass=consistent
 impact       2   2 0.4    60 bspline2 usl        xpic:2  free
 wave         6   2 0.2    12 bspline2 uvf        flip    symmetry
 wave         6   2 0.2    12 gimp     usl        fmpm:2  mirror material=neo-hookean-log

@@ -8,6 +8,7 @@ import numpy as np
 
 from bases import Grid, weights
 from boundaries import Boundaries
+from consistent_mass import ConsistentMass
 
 
 def kirchhoff_stress(law, F, lam, mu):
@@ -27,7 +28,7 @@ class Body:
 
     def __init__(self, start, walls, body_force, loads, basis, integrator, update, order=1, position="first-order",
                  deformation="linear", wall_method="combined", wall_depth=1.0, wall_gradient="given",
-                 wall_acceleration="zero", smoothing_length=None):
+                 wall_acceleration="zero", smoothing_length=None, mass="lumped"):
         self.basis, self.smoothing_length = basis, smoothing_length
         self.integrator, self.update, self.order, self.position = integrator, update, order, position
         self.deformation, self.wall_method, self.wall_acceleration = deformation, wall_method, wall_acceleration
@@ -41,6 +42,7 @@ class Body:
         self.boundaries = Boundaries(self.grid, start.faces, walls, wall_depth, wall_gradient)
         full_cell = self.m.sum() / self.V0.sum() * self.grid.h ** self.x.shape[1]
         self.mass_cutoff = (1e-12 if basis in ("linear", "cpdi") else 1e-16) * full_cell
+        self.consistent = ConsistentMass(self.boundaries, full_cell) if mass == "consistent" else None
         # What fmpm expands is held before the expansion by all wall methods but `velocity`.
         self.holds_the_grid = not (update == "fmpm" and wall_method == "velocity")
 
@@ -66,7 +68,13 @@ class Body:
             self.p_i = self.to_grid(self.m[:, None] * self.v)
         v_i = self.by_mass(self.p_i)
         self.boundaries.estimate_gradients(v_i, self.m_i)
-        return self.boundaries.hold(v_i) if self.holds_the_grid else v_i
+        if self.consistent:
+            self.consistent.begin_step(self.S, self.m, self.m_i)
+        return self.solved(self.p_i, self.boundaries.hold(v_i) if self.holds_the_grid else v_i)
+
+    def solved(self, q, lumped, cutoff=0.0):
+        """By the consistent mass, where that counts."""
+        return self.consistent.solve(q, lumped, cutoff) if self.consistent else lumped
 
     def forces(self):
         """S (3), (4), (16), W (14): f_i = sum of N_ip m_p b_p - V0_p tau_p grad N_ip."""
@@ -106,7 +114,7 @@ class Body:
 
     def stress_velocity(self, v_i):
         """N 2.3: fmpm expands the velocities of the stress updates, too; the walls hold what comes out."""
-        if self.update != "fmpm":
+        if self.update != "fmpm" or self.consistent:
             return v_i
         w = self.expanded(v_i)
         return w if self.wall_method == "lumped" else self.boundaries.hold(w)
@@ -140,7 +148,9 @@ class Body:
         self.S, self.G = self.weights()
         self.boundaries.begin_step(self.t, 0)
         v_i = self.map_velocities()
-        a_i = self.boundaries.hold_at_zero(self.by_mass(self.forces(), self.mass_cutoff))
+        f_i = self.forces()
+        a_i = self.boundaries.hold_at_zero(self.by_mass(f_i, self.mass_cutoff))
+        a_i = self.solved(f_i, a_i, self.mass_cutoff)
         return self.S @ v_i, self.S @ a_i, self.velocity_gradients(v_i) @ self.F
 
     def step_once(self):
@@ -155,9 +165,10 @@ class Body:
         f_i = self.forces()
         a_i = self.by_mass(f_i, self.mass_cutoff)  # S (5), W (15)
         if integrator in ("cd", "uvf") and self.t == 0:  # S (11) to (15): velocities half a step behind
-            a_i = a_i / 2
+            f_i, a_i = f_i / 2, a_i / 2
         if self.holds_the_grid:
             a_i = self.boundaries.hold_at_zero(a_i)
+        a_i = self.solved(f_i, a_i, self.mass_cutoff)
         v_plus = v_i + dt * a_i
         if self.holds_the_grid:
             v_plus = self.boundaries.hold(v_plus)
