@@ -93,7 +93,7 @@ bar         11   2 0.2    12 bspline2 usf        fmpm    mirror mass=consistent
 bar         11   2 0.2    12 bspline3-open usavg flip    symmetry mass=consistent
 square       6   2 0.2     6 bspline2 usl        flip    symmetry mass=consistent position=second-order
 square       6   2 0.2     6 gimp     usavg+     fmpm    dirichlet mass=consistent
-square       6   2 0.2     6 bspline2 usl+       flip    xmin=symmetry,xmax=mirror,ymin=free,ymax=dirichlet mass=consistent
+square       6   2 0.2     6 bspline2 usl+ flip xmin=symmetry,xmax=mirror,ymin=free,ymax=dirichlet mass=consistent
 square       6   2 0.2     4 bspline3 rk4        flip    symmetry mass=consistent
 square       8   2 0.2     4 cpdi     cd         flip    symmetry mass=consistent
 ring         6   2 0.2     6 bspline2 uvf        flip    free mass=consistent
@@ -103,6 +103,9 @@ pulse        1   2 0.2    20 linear   usl        fmpm    free mass=consistent
 cube         4   2 0.2     2 bspline2 usl        fmpm    periodic mass=consistent
 cube         4   2 0.2     2 linear   usf        flip    symmetry mass=consistent
 impact       2   2 0.4    60 bspline2 usl        xpic:2  free
+shock        4   2 0.2     5 linear   usl        flip    -
+shock        4   2 0.2     5 bspline2 usf        xpic:2  -
+shock        4   2 0.2     5 gimp     usavg+     fmpm:4  - wall-gradient=estimated wall-depth=1.5
 wave         6   2 0.2    12 bspline2 uvf        flip    symmetry
 wave         6   2 0.2    12 gimp     usl        fmpm:2  mirror material=neo-hookean-log
 cube         4   2 0.2     3 bspline2 usl        flip    periodic

@@ -54,7 +54,7 @@ def start_of(program, arguments):
         id=columns("id")[:, 0], X=columns(*axes.upper()), x=columns(*axes), v=columns(*("v_" + c for c in axes)),
         F=columns(*("F_" + r + c for r in axes for c in axes)).reshape(-1, D, D),
         m=columns("m")[:, 0], V0=columns("V")[:, 0], h=case["h"], ppc=case["ppc"], dt=case["dt"],
-        law=case["material"], lam=case["lambda"], mu=case["mu"], wave_speed=case["wave_speed"],
+        law=case["material"], lam=case.get("lambda"), mu=case.get("mu"), wave_speed=case["wave_speed"],
         parameters=case["parameters"],
         lower=np.array(case["grid"]["lower"]), cells=case["grid"]["cells"],
         faces=[(boundary[c + "min"], boundary[c + "max"]) for c in axes])

@@ -9,18 +9,23 @@ import numpy as np
 from bases import Grid, weights
 from boundaries import Boundaries
 from consistent_mass import ConsistentMass
+from mie_gruneisen import MieGruneisen
 
 
-def kirchhoff_stress(law, F, lam, mu):
-    I = np.eye(F.shape[1])
-    F_T = F.transpose(0, 2, 1)
-    J = np.linalg.det(F)[:, None, None]
-    if law == "neo-hookean-log":  # S (46), W (55)
-        return mu * F @ F_T + (lam * np.log(J) - mu) * I
-    if law == "neo-hookean-square":  # N (6)
-        return mu * F @ F_T + (lam / 2 * (J**2 - 1) - mu) * I
-    strain = (F + F_T) / 2 - I  # linear-elastic, N 3.3
-    return (lam * np.trace(strain, axis1=1, axis2=2)[:, None, None] * I + 2 * mu * strain) @ F_T
+def elastic_stress(law, lam, mu):
+    """The Kirchhoff stress as a function of F."""
+    def kirchhoff_stress(F):
+        I = np.eye(F.shape[1])
+        F_T = F.transpose(0, 2, 1)
+        J = np.linalg.det(F)[:, None, None]
+        if law == "neo-hookean-log":  # S (46), W (55)
+            return mu * F @ F_T + (lam * np.log(J) - mu) * I
+        if law == "neo-hookean-square":  # N (6)
+            return mu * F @ F_T + (lam / 2 * (J**2 - 1) - mu) * I
+        strain = (F + F_T) / 2 - I  # linear-elastic, N 3.3
+        return (lam * np.trace(strain, axis1=1, axis2=2)[:, None, None] * I + 2 * mu * strain) @ F_T
+
+    return kirchhoff_stress
 
 
 class Body:
@@ -33,8 +38,11 @@ class Body:
         self.integrator, self.update, self.order, self.position = integrator, update, order, position
         self.deformation, self.wall_method, self.wall_acceleration = deformation, wall_method, wall_acceleration
         self.body_force, self.loads = body_force, loads
-        self.law, self.lam, self.mu = start.law, start.lam, start.mu
         self.dt, self.t = start.dt, 0.0
+        if start.law == "mie-gruneisen":
+            self.kirchhoff_stress = MieGruneisen(start).kirchhoff_stress
+        else:
+            self.kirchhoff_stress = elastic_stress(start.law, start.lam, start.mu)
         self.X, self.x, self.v, self.F, self.m, self.V0 = start.X, start.x, start.v, start.F, start.m, start.V0
         self.R0 = start.R0
         self.C = np.zeros_like(self.F)  # the affine fields of apic
@@ -78,7 +86,7 @@ class Body:
 
     def forces(self):
         """S (3), (4), (16), W (14): f_i = sum of N_ip m_p b_p - V0_p tau_p grad N_ip."""
-        tau = kirchhoff_stress(self.law, self.F, self.lam, self.mu)
+        tau = self.kirchhoff_stress(self.F)
         f_i = -sum(G_d.T @ (self.V0[:, None] * tau[:, :, d]) for d, G_d in enumerate(self.G))
         if self.body_force:
             f_i = f_i + self.S.T @ (self.m[:, None] * self.body_force(self.X, self.t))

@@ -78,6 +78,22 @@ class PullingWall:
         return self.rate / (1 + self.rate * t)
 
 
+class RammingWall:
+    """Of `shock`: it moves at a constant speed, without a gradient."""
+
+    def __init__(self, X, speed):
+        self.X, self.speed = X, speed
+
+    def place(self, t):
+        return self.X + self.speed * t
+
+    def velocity(self, t):
+        return self.speed
+
+    def gradient(self, t):
+        return 0.0
+
+
 def radial(lam, mu):
     """Of `ring` and `shell`: W (60) to (62) with R_I = 1/2 and R_O = 1, and with a Poisson's ratio."""
     A, R_I, R_O = 0.1, 0.5, 1.0
@@ -133,6 +149,7 @@ def body_force_of(problem, start):
 
 WALLS = {
     "swing": {(0, 0): SwingingWall(0.0, 1), (0, 1): SwingingWall(1.0, -1)},
+    "shock": {(0, 0): RammingWall(0.0, 0.0), (0, 1): RammingWall(0.05, -1840.0)},
     "stretch-1d": {(0, 0): PullingWall(-10.0), (0, 1): PullingWall(10.0)},
     "stretch": {(0, 0): PullingWall(-10.0), (0, 1): PullingWall(10.0)},
 }
