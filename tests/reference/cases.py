@@ -41,6 +41,9 @@ square       6   2 0.2    10 linear   usl        flip    dirichlet wall-accelera
 square       6   2 0.2    10 gimp     rk4        flip    symmetry
 square       6   2 0.2    10 b2gimp   uvf        flip    mirror
 square       6   2 0.2    10 ugimp    usavg+     flip    symmetry smoothing-length=0.6
+square       6   2 0.2    10 bspline2 usl        fmpm:3  symmetry cfl-x=0.6
+square       6   2 0.2    10 gimp     usavg+     fmpm:2  mirror cfl-x=0.8
+swing        5   2 0.2    12 bspline2 usl        fmpm:4  - wall-method=velocity cfl-x=0.4
 ring         6   2 0.2     8 bspline2 usl        flip    free
 ring         6   2 0.2     8 bspline3 rk4        flip    free
 ring         6   2 0.2     8 bspline2 usl        apic    free

@@ -53,7 +53,7 @@ def start_of(program, arguments):
     start = types.SimpleNamespace(
         id=columns("id")[:, 0], X=columns(*axes.upper()), x=columns(*axes), v=columns(*("v_" + c for c in axes)),
         F=columns(*("F_" + r + c for r in axes for c in axes)).reshape(-1, D, D),
-        m=columns("m")[:, 0], V0=columns("V")[:, 0], h=case["h"], ppc=case["ppc"], dt=case["dt"],
+        m=columns("m")[:, 0], V0=columns("V")[:, 0], h=case["h"], ppc=case["ppc"], dt=case["dt"], cfl=case["cfl"],
         law=case["material"], lam=case.get("lambda"), mu=case.get("mu"), wave_speed=case["wave_speed"],
         parameters=case["parameters"],
         lower=np.array(case["grid"]["lower"]), cells=case["grid"]["cells"],

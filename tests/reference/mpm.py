@@ -33,7 +33,8 @@ class Body:
 
     def __init__(self, start, walls, body_force, loads, basis, integrator, update, order=1, position="first-order",
                  deformation="linear", wall_method="combined", wall_depth=1.0, wall_gradient="given",
-                 wall_acceleration="zero", smoothing_length=None, mass="lumped"):
+                 wall_acceleration="zero", smoothing_length=None, mass="lumped",
+                 cfl_x=None):
         self.basis, self.smoothing_length = basis, smoothing_length
         self.integrator, self.update, self.order, self.position = integrator, update, order, position
         self.deformation, self.wall_method, self.wall_acceleration = deformation, wall_method, wall_acceleration
@@ -51,11 +52,16 @@ class Body:
         full_cell = self.m.sum() / self.V0.sum() * self.grid.h ** self.x.shape[1]
         self.mass_cutoff = (1e-12 if basis in ("linear", "cpdi") else 1e-16) * full_cell
         self.consistent = ConsistentMass(self.boundaries, full_cell) if mass == "consistent" else None
-        # What fmpm expands is held before the expansion by all wall methods but `velocity`.
-        self.holds_the_grid = not (update == "fmpm" and wall_method == "velocity")
+        self.steps = 0
+        self.expands_every = round(cfl_x / start.cfl) if cfl_x else 1
 
     def weights(self):
         return weights(self.basis, self.grid, self.x, self.F, self.V0, self.R0, self.smoothing_length)
+
+    @property
+    def holds_the_grid(self):
+        """What fmpm expands is held before the expansion by all wall methods but `velocity`."""
+        return not (self.update == "fmpm" and self.wall_method == "velocity")
 
     def to_grid(self, q):
         """The sums over p of N_ip q_p, folded at the faces."""
@@ -128,11 +134,15 @@ class Body:
         return w if self.wall_method == "lumped" else self.boundaries.hold(w)
 
     def step(self):
+        if self.expands_every > 1:  # N 3.1: between its steps fmpm is flip
+            self.update = "flip" if self.steps % self.expands_every else "fmpm"
+            self.position = "second-order"
         if self.integrator == "rk4":
             self.step_rk4()
         else:
             self.step_once()
         self.t += self.dt
+        self.steps += 1
         for d, (word, _) in enumerate(self.boundaries.faces):
             if word == "periodic":
                 low, length = self.grid.lower[d], self.grid.cells[d] * self.grid.h
