@@ -44,6 +44,10 @@ square       6   2 0.2    10 ugimp    usavg+     flip    symmetry smoothing-leng
 square       6   2 0.2    10 bspline2 usl        fmpm:3  symmetry cfl-x=0.6
 square       6   2 0.2    10 gimp     usavg+     fmpm:2  mirror cfl-x=0.8
 swing        5   2 0.2    12 bspline2 usl        fmpm:4  - wall-method=velocity cfl-x=0.4
+bar         11   2 0.2    12 linear   usl        flip    periodic body-force=grid
+square       6   2 0.2     8 bspline2 rk4        flip    mirror body-force=grid
+square       6   2 0.2    10 bspline3 usavg      xpic:2  symmetry body-force=grid
+swing        5   2 0.2    12 gimp     usl        fmpm:2  - body-force=grid
 ring         6   2 0.2     8 bspline2 usl        flip    free
 ring         6   2 0.2     8 bspline3 rk4        flip    free
 ring         6   2 0.2     8 bspline2 usl        apic    free

@@ -31,14 +31,14 @@ def elastic_stress(law, lam, mu):
 class Body:
     """Particles, and how they go forward by a time step. Words are those of the command line."""
 
-    def __init__(self, start, walls, body_force, loads, basis, integrator, update, order=1, position="first-order",
+    def __init__(self, start, walls, b, loads, basis, integrator, update, order=1, position="first-order",
                  deformation="linear", wall_method="combined", wall_depth=1.0, wall_gradient="given",
                  wall_acceleration="zero", smoothing_length=None, mass="lumped",
-                 cfl_x=None):
+                 body_force="particles", cfl_x=None):
         self.basis, self.smoothing_length = basis, smoothing_length
         self.integrator, self.update, self.order, self.position = integrator, update, order, position
         self.deformation, self.wall_method, self.wall_acceleration = deformation, wall_method, wall_acceleration
-        self.body_force, self.loads = body_force, loads
+        self.b, self.body_force, self.loads = b, body_force, loads
         self.dt, self.t = start.dt, 0.0
         if start.law == "mie-gruneisen":
             self.kirchhoff_stress = MieGruneisen(start).kirchhoff_stress
@@ -94,11 +94,15 @@ class Body:
         """S (3), (4), (16), W (14): f_i = sum of N_ip m_p b_p - V0_p tau_p grad N_ip."""
         tau = self.kirchhoff_stress(self.F)
         f_i = -sum(G_d.T @ (self.V0[:, None] * tau[:, :, d]) for d, G_d in enumerate(self.G))
-        if self.body_force:
-            f_i = f_i + self.S.T @ (self.m[:, None] * self.body_force(self.X, self.t))
+        if self.b and self.body_force == "particles":
+            f_i = f_i + self.S.T @ (self.m[:, None] * self.b(self.X, self.t))
         if self.loads:
             f_i = f_i + self.surface_weights().T @ self.loads.force(self.t)
-        return self.boundaries.fold(f_i)
+        f_i = self.boundaries.fold(f_i)
+        if self.b and self.body_force == "grid":
+            X_i = self.b.reference_points(self.grid.x, self.t)
+            f_i = f_i + self.m_i[:, None] * self.b(X_i, self.t)
+        return f_i
 
     def surface_weights(self):
         """N_ip + (F_p d) . grad N_ip, a row for each part of the surface."""

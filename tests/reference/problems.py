@@ -10,40 +10,53 @@ def lame(nu):
     return E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))
 
 
-def along_the_axes(second_derivative, acceleration, stretch, nu):
+class AlongTheAxes:
     """The body force of a motion whose displacement along each axis depends on that coordinate alone.
 
     W (52) with P_d = (lambda K + mu (F_d^2 - 1))/F_d, K = ln J, as in W (58) and (59), gives
     rho0 b_d = rho0 a_d - [lambda (1 - K)/F_d^2 + mu (1 + 1/F_d^2)] u_d''.
     """
-    lam, mu = lame(nu)
 
-    def body_force(X, t):
-        F = 1 + stretch(X, t)
+    def __init__(self, u, stretch, second_derivative, acceleration, nu):
+        self.u, self.stretch, self.second_derivative, self.acceleration = u, stretch, second_derivative, acceleration
+        self.lam, self.mu = lame(nu)
+
+    def __call__(self, X, t):
+        F = 1 + self.stretch(X, t)
         K = np.log(F).sum(1)[:, None]
-        return acceleration(X, t) - (lam * (1 - K) / F**2 + mu * (1 + F**-2)) * second_derivative(X, t) / RHO0
+        stress_gradient = (self.lam * (1 - K) / F**2 + self.mu * (1 + F**-2)) * self.second_derivative(X, t)
+        return self.acceleration(X, t) - stress_gradient / RHO0
 
-    return body_force
+    def reference_points(self, x, t):
+        """The X at x = X + u(X, t), by Newton's method."""
+        X = x
+        for _ in range(50):
+            X = X - (X + self.u(X, t) - x) / (1 + self.stretch(X, t))
+        return X
 
 
 def standing(amplitude, k, course, nu):
     """u_d = A sin(k pi X_d) course_d(t), where course has the circular frequency C pi."""
-    return along_the_axes(lambda X, t: -(k * pi) ** 2 * amplitude * sin(k * pi * X) * course(t),
-                          lambda X, t: -(C * pi) ** 2 * amplitude * sin(k * pi * X) * course(t),
-                          lambda X, t: k * pi * amplitude * cos(k * pi * X) * course(t), nu)
+    def u(X, t):
+        return amplitude * sin(k * pi * X) * course(t)
+
+    return AlongTheAxes(u, lambda X, t: k * pi * amplitude * cos(k * pi * X) * course(t),
+                        lambda X, t: -(k * pi) ** 2 * u(X, t), lambda X, t: -(C * pi) ** 2 * u(X, t), nu)
 
 
 def swing():
     """u_x = A cos(pi X) sin(C pi t), u_y = V t + A sin(2 pi Y) sin(C pi t)."""
-    A = 0.05
+    A, drift = 0.05, np.array([0.0, 30.0])
 
-    def u(X):
-        return A * np.stack([cos(pi * X[:, 0]), sin(2 * pi * X[:, 1])], 1)
+    def moving(X, t):
+        return A * np.stack([cos(pi * X[:, 0]), sin(2 * pi * X[:, 1])], 1) * sin(C * pi * t)
 
-    return along_the_axes(lambda X, t: -np.array([1, 4]) * pi**2 * u(X) * sin(C * pi * t),
-                          lambda X, t: -(C * pi) ** 2 * u(X) * sin(C * pi * t),
-                          lambda X, t: A * pi * np.stack([-sin(pi * X[:, 0]), 2 * cos(2 * pi * X[:, 1])], 1)
-                          * sin(C * pi * t), 0.3)
+    def stretch(X, t):
+        return A * pi * np.stack([-sin(pi * X[:, 0]), 2 * cos(2 * pi * X[:, 1])], 1) * sin(C * pi * t)
+
+    return AlongTheAxes(lambda X, t: moving(X, t) + drift * t, stretch,
+                        lambda X, t: -np.array([1, 4]) * pi**2 * moving(X, t),
+                        lambda X, t: -(C * pi) ** 2 * moving(X, t), 0.3)
 
 
 class SwingingWall:
