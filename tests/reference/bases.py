@@ -34,10 +34,9 @@ def hat_gradient(xi):
     return np.where((-1 <= xi) & (xi < 0), 1.0, np.where((0 <= xi) & (xi < 1), -1.0, 0.0))
 
 
-def hat_integral(xi):
-    """Of the hat, from its middle to xi."""
-    r = np.minimum(abs(xi), 1)
-    return np.sign(xi) * (r - r**2 / 2)
+def hat_beyond(r):
+    """The hat's integral from r >= 0 on."""
+    return np.maximum(0, 1 - r) ** 2 / 2
 
 
 def bspline2(xi):
@@ -51,10 +50,9 @@ def bspline2_gradient(xi):
     return np.where(r <= 0.5, -2 * xi, -np.sign(xi) * np.maximum(0, 1.5 - r))
 
 
-def bspline2_integral(xi):
-    """Of the quadratic spline, from its middle to xi."""
-    r = abs(xi)
-    return np.sign(xi) * np.where(r <= 0.5, 0.75 * r - r**3 / 3, 0.5 - np.maximum(0, 1.5 - r) ** 3 / 6)
+def bspline2_beyond(r):
+    """The quadratic spline's integral from r >= 0 on."""
+    return np.where(r <= 0.5, 0.5 - 0.75 * r + r**3 / 3, np.maximum(0, 1.5 - r) ** 3 / 6)
 
 
 def bspline3(xi):
@@ -68,10 +66,16 @@ def bspline3_gradient(xi):
     return np.sign(xi) * np.where(r <= 1, (9 * r**2 - 12 * r) / 6, -np.maximum(0, 2 - r) ** 2 / 2)
 
 
-def box(function, integral, l):
-    """The mean over boxes of width l, in cells, and its gradient: S (29), W (6), (7)."""
-    return (lambda xi: (integral(xi + l / 2) - integral(xi - l / 2)) / l,
-            lambda xi: (function(xi + l / 2) - function(xi - l / 2)) / l)
+def box(function, beyond, l):
+    """The mean over boxes of width l, in cells, and its gradient: S (29), W (6), (7).
+
+    By what is beyond both ends of the box, outwards: that a box barely overlaps the function is not lost in rounding.
+    """
+    def mean(xi):
+        near, far = abs(xi) - l / 2, abs(xi) + l / 2
+        return (np.where(near < 0, 1 - beyond(-near), beyond(near)) - beyond(far)) / l
+
+    return mean, lambda xi: (function(xi + l / 2) - function(xi - l / 2)) / l
 
 
 def product(along_axes):
@@ -122,9 +126,9 @@ def weights(basis, grid, x, F, V0, R0, smoothing_length):
         "linear": lambda d: (hat, hat_gradient),
         "bspline2": lambda d: (bspline2, bspline2_gradient),
         "bspline3": lambda d: (bspline3, bspline3_gradient),
-        "ugimp": lambda d: box(hat, hat_integral, smoothing_length),
-        "gimp": lambda d: box(hat, hat_integral, width),
-        "cpgimp": lambda d: box(hat, hat_integral, width * F[:, d, d, None]),  # W (7), (63)
-        "b2gimp": lambda d: box(bspline2, bspline2_integral, width),  # N 2.1
+        "ugimp": lambda d: box(hat, hat_beyond, smoothing_length),
+        "gimp": lambda d: box(hat, hat_beyond, width),
+        "cpgimp": lambda d: box(hat, hat_beyond, width * F[:, d, d, None]),  # W (7), (63)
+        "b2gimp": lambda d: box(bspline2, bspline2_beyond, width),  # N 2.1
     }[basis]
     return at_points(grid, x, [along(d) for d in range(D)])
