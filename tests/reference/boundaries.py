@@ -1,4 +1,6 @@
 """The faces of docs/theory.md, "Boundaries" and "Moving walls", as matrices along the axes."""
+import functools
+
 import numpy as np
 
 
@@ -49,6 +51,7 @@ class Boundaries:
         g, size = self.grid.layers, self.grid.shape[d]
         return [(self.faces[d][0], g, -1), (self.faces[d][1], size - 1 - g, 1)]
 
+    @functools.cache
     def fold_matrix(self, d, normal):
         size, n = self.grid.shape[d], self.grid.cells[d]
         if self.faces[d][0] == "periodic":  # nodes a period apart are one: S 5.2
@@ -61,6 +64,7 @@ class Boundaries:
                     matrix[face + k, face - k] += -1 if normal else 1
         return matrix
 
+    @functools.cache
     def hold_matrix(self, d, normal):
         matrix = np.eye(self.grid.shape[d])
         for word, face, out in self.places(d):
@@ -129,6 +133,7 @@ class Boundaries:
             a[held, c] = (v[held, c] - p[held, c] / m[held]) / dt
         return a
 
+    @functools.cache
     def untouched(self, component):
         """Whether `hold_matrix` leaves a component of a node as it is."""
         free = np.ones(self.grid.shape, bool)

@@ -20,7 +20,7 @@ class MieGruneisen:
         return p, slope
 
     def kirchhoff_stress(self, F):
-        """Takes the state forward to F, a time step later: the trapezoidal rule in p, and q of the middle of the step."""
+        """Takes the state forward to F by the trapezoidal rule in p, with q of the middle of the step."""
         J = np.linalg.det(F)
         dJ, middle = J - self.J, (J + self.J) / 2
         _, slope = self.hugoniot(1 - self.J)

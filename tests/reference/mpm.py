@@ -31,29 +31,29 @@ def elastic_stress(law, lam, mu):
 class Body:
     """Particles, and how they go forward by a time step. Words are those of the command line."""
 
-    def __init__(self, start, walls, b, loads, basis, integrator, update, order=1, position="first-order",
+    def __init__(self, given, walls, b, loads, basis, integrator, update, order=1, position="first-order",
                  deformation="linear", wall_method="combined", wall_depth=1.0, wall_gradient="given",
-                 wall_acceleration="zero", smoothing_length=None, mass="lumped",
-                 body_force="particles", cfl_x=None):
+                 wall_acceleration="zero", smoothing_length=None, mass="lumped", body_force="particles", cfl_x=None,
+                 start="half"):
         self.basis, self.smoothing_length = basis, smoothing_length
         self.integrator, self.update, self.order, self.position = integrator, update, order, position
         self.deformation, self.wall_method, self.wall_acceleration = deformation, wall_method, wall_acceleration
         self.b, self.body_force, self.loads = b, body_force, loads
-        self.dt, self.t = start.dt, 0.0
-        if start.law == "mie-gruneisen":
-            self.kirchhoff_stress = MieGruneisen(start).kirchhoff_stress
+        self.dt, self.t = given.dt, 0.0
+        if given.law == "mie-gruneisen":
+            self.kirchhoff_stress = MieGruneisen(given).kirchhoff_stress
         else:
-            self.kirchhoff_stress = elastic_stress(start.law, start.lam, start.mu)
-        self.X, self.x, self.v, self.F, self.m, self.V0 = start.X, start.x, start.v, start.F, start.m, start.V0
-        self.R0 = start.R0
+            self.kirchhoff_stress = elastic_stress(given.law, given.lam, given.mu)
+        self.X, self.x, self.v, self.F, self.m, self.V0 = given.X, given.x, given.v, given.F, given.m, given.V0
+        self.R0 = given.R0
         self.C = np.zeros_like(self.F)  # the affine fields of apic
-        self.grid = Grid(start, basis)
-        self.boundaries = Boundaries(self.grid, start.faces, walls, wall_depth, wall_gradient)
+        self.grid = Grid(given, basis)
+        self.boundaries = Boundaries(self.grid, given.faces, walls, wall_depth, wall_gradient)
         full_cell = self.m.sum() / self.V0.sum() * self.grid.h ** self.x.shape[1]
         self.mass_cutoff = (1e-12 if basis in ("linear", "cpdi") else 1e-16) * full_cell
         self.consistent = ConsistentMass(self.boundaries, full_cell) if mass == "consistent" else None
-        self.steps = 0
-        self.expands_every = round(cfl_x / start.cfl) if cfl_x else 1
+        self.steps, self.half_start = 0, start == "half"
+        self.expands_every = round(cfl_x / given.cfl) if cfl_x else 1
 
     def weights(self):
         return weights(self.basis, self.grid, self.x, self.F, self.V0, self.R0, self.smoothing_length)
@@ -186,7 +186,7 @@ class Body:
 
         f_i = self.forces()
         a_i = self.by_mass(f_i, self.mass_cutoff)  # S (5), W (15)
-        if integrator in ("cd", "uvf") and self.t == 0:  # S (11) to (15): velocities half a step behind
+        if integrator in ("cd", "uvf") and self.t == 0 and self.half_start:  # S (11) to (15): v half a step behind
             f_i, a_i = f_i / 2, a_i / 2
         if self.holds_the_grid:
             a_i = self.boundaries.hold_at_zero(a_i)
