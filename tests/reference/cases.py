@@ -30,6 +30,8 @@ square       8   2 0.2    10 cpgimp   usl        flip    symmetry
 square       6   2 0.2    10 cpgimp   usavg      fmpm:2  mirror
 square       6   3 0.4    10 bspline2 usavg      fmpm:5  mirror
 square       6   2 0.2    10 bspline3 usl        apic    mirror
+square       6   2 0.2     8 gimp     usl+       apic    symmetry
+square       6   2 0.2     8 bspline2 usavg+     apic    mirror
 square       8   2 0.2     5 cpdi     usl        flip    mirror
 square       8   2 0.2     5 cpdi     usavg      xpic:2  symmetry
 square       6   2 0.2    10 bspline2 cd         flip    dirichlet
@@ -63,6 +65,8 @@ ring         6   2 0.2     6 bspline3 rk4        flip    free fill=conforming pa
 ring         5   2 0.2     5 cpdi     usavg      flip    free fill=conforming param=poissons_ratio=0.3
 shell        3   1 0.2     3 bspline2 usl        flip    free fill=conforming param=poissons_ratio=0.3
 shell        3   1 0.2     3 linear   usf        fmpm:2  free
+shell        3   1 0.2     2 b2cpdi   usl        flip    free fill=conforming
+ring         5   1 0.2     6 cpdi     usl        fmpm:2  free fill=conforming grid-offset=0.3
 vortex       6   2 0.1     6 cpdi     usl        flip    free fill=conforming
 pulse        1   2 0.2    60 linear   usl        flip    free
 pulse        1   2 0.2    60 bspline2 usavg+     flip    free grid-offset=0.3

@@ -56,6 +56,7 @@ class Body:
         self.expands_every = round(cfl_x / given.cfl) if cfl_x else 1
 
     def weights(self):
+        self.x_of_weights = self.x
         return weights(self.basis, self.grid, self.x, self.F, self.V0, self.R0, self.smoothing_length)
 
     @property
@@ -76,7 +77,7 @@ class Body:
         """S (1), (2), W (8): the lumped masses, momenta and velocities of the nodes."""
         self.m_i = self.to_grid(self.m)
         if self.update == "apic":  # Jiang et al. (2015)
-            affine = self.v[:, None] + (self.grid.x - self.x[:, None]) @ self.C.transpose(0, 2, 1)
+            affine = self.v[:, None] + (self.grid.x - self.x_of_weights[:, None]) @ self.C.transpose(0, 2, 1)
             self.p_i = self.boundaries.fold(np.einsum("pi,p,pid->id", self.S, self.m, affine))
         else:
             self.p_i = self.to_grid(self.m[:, None] * self.v)

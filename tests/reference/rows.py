@@ -13,18 +13,26 @@ from problems import C
 def row_radii(start):
     """Between which radii each particle's row lies."""
     inner, outer = start.parameters["inner_radius"], start.parameters["outer_radius"]
-    count = max(1, round(start.ppc * (outer - inner) / start.h))
+    count = max(1, int(np.floor(start.ppc * (outer - inner) / start.h + 0.5)))
     thickness = (outer - inner) / count
     r = inner + thickness * np.floor((np.linalg.norm(start.X, axis=1) - inner) / thickness)
     return r, r + thickness
 
 
 def domains(start):
-    """R0 in the plane: edges of the row's thickness along e_R, and along e_theta what makes the volume of it."""
+    """R0: edges of the row's thickness along e_R, and across what makes the volume, in proportion to the angles."""
     r, s = row_radii(start)
-    e_R = start.X / np.hypot(*start.X.T)[:, None]
-    e_theta = np.stack([-e_R[:, 1], e_R[:, 0]], 1)
-    return np.stack([(s - r)[:, None] * e_R, (start.V0 / (s - r))[:, None] * e_theta], 2)
+    D = start.X.shape[1]
+    e_R = start.X / np.linalg.norm(start.X, axis=1)[:, None]
+    east = np.zeros_like(e_R)
+    east[:, :2] = np.stack([-e_R[:, 1], e_R[:, 0]], 1) / np.hypot(e_R[:, 0], e_R[:, 1])[:, None]
+    angles = start.V0 / ((s**D - r**D) / D)
+    across = [(angles, east)]
+    if D == 3:  # bands of latitude
+        band = np.pi / 2 / np.floor(np.pi / 2 * (r + s) / 2 / (s - r) + 0.5)
+        across = [(band, np.cross(east, e_R)), (angles / band, east)]
+    scale = (start.V0 / (s - r) / angles) ** (1 / (D - 1))
+    return np.stack([(s - r)[:, None] * e_R, *((scale * angle)[:, None] * e for angle, e in across)], 2)
 
 
 def side(start, outward):

@@ -46,8 +46,7 @@ def start_of(program, arguments):
         parameters=case["parameters"],
         lower=np.array(case["grid"]["lower"]), cells=case["grid"]["cells"],
         faces=[(boundary[c + "min"], boundary[c + "max"]) for c in axes])
-    conforming = "conforming" in arguments and D == 2
-    start.R0 = rows.domains(start) if conforming else start.V0[:, None, None] ** (1 / D) * np.eye(D)
+    start.R0 = rows.domains(start) if "conforming" in arguments else start.V0[:, None, None] ** (1 / D) * np.eye(D)
     return start
 
 
