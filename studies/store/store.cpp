@@ -153,8 +153,8 @@ std::vector<Version> Store::versions() const {
 std::vector<Version> Store::versions_of_code(const std::string& code) const {
   auto versions = store::versions_of_code(impl_->database, code);
   if (versions.empty())
-    throw UsageError(fmt::format("no study of code '{}' in results store '{}' (of other codes: {})", code,
-                                 impl_->database.file().string(), support::listed(codes())));
+    throw support::UsageError(fmt::format("no study of code '{}' in results store '{}' (of other codes: {})", code,
+                                          impl_->database.file().string(), support::listed(codes())));
   return versions;
 }
 
