@@ -40,7 +40,7 @@ double median_ratio(const std::vector<goldens::Change>& costs) {
 }  // namespace
 
 reports::Changes changes_of(const goldens::Comparison& comparison) {
-  reports::Changes changes{comparison.changes.size(), {}};
+  reports::Changes changes{comparison.changes.size(), {}, {}};
   for (const goldens::Change& change : comparison.changes)
     if (change.bands != 0) changes.differ.push_back(fmt::format("{}: {}", change.before.study, change_text(change)));
   return changes;
@@ -51,9 +51,9 @@ std::optional<reports::Earlier> earlier_version(const store::Store& store, const
   const auto versions = store.versions();
   const store::Version* version = version_before(versions, store::current_provenance().digest);
   if (version == nullptr) return std::nullopt;
-  const auto then = without_trials(store.studies(version->digest));
+  const auto then = own_evidence(store.studies(version->digest));
   const goldens::Comparison comparison =
-      goldens::compare(claims::findings_of(then), claims::findings_of(without_trials(now)));
+      goldens::compare(claims::findings_of(then), claims::findings_of(own_evidence(now)));
   reports::Earlier earlier;
   earlier.label = version->commits.front().substr(0, 12);
   earlier.gate = gate_counts(goldens, then);

@@ -57,7 +57,7 @@ struct CompareOptions {
 
 void print_comparison(const goldens::Comparison& comparison, const Version& a, const Version& b, bool all) {
   print("from {}, {}\nto   {}, {}\n", label(a), a.time, label(b), b.time);
-  if (a.digest == b.digest) print("both are one version: what decides a result is the same in them\n");
+  if (&a == &b) print("both are one version: what decides a result is the same in them\n");
   Table table({{"study"}, {"change", Table::Kind::prose}}, 0);
   for (const Change& change : comparison.changes)
     if (all || change.bands != 0) table.add({change.before.study, change_text(change)});
@@ -90,16 +90,16 @@ nlohmann::json comparison_json(const goldens::Comparison& comparison, const Vers
 }
 
 /// What the second version is where none is named: the program that runs, or the newest of another code.
-std::string second_version(const CompareOptions& options, const std::vector<Version>& versions) {
-  if (!options.b.empty()) return options.b;
-  return options.code.empty() ? store::current_provenance().digest : versions.back().digest;
+const Version& second_version(const CompareOptions& options, const std::vector<Version>& versions) {
+  if (!options.b.empty()) return store::find_version(versions, options.b);
+  return options.code.empty() ? store::find_version(versions, store::current_provenance().digest) : versions.back();
 }
 
 int compare_versions(const CompareOptions& options) {
   const Store store(options.db, Store::Mode::read);
   const auto versions = versions_in(store, options.code);
   const Version& a = store::find_version(versions, options.a);
-  const Version& b = store::find_version(versions, second_version(options, versions));
+  const Version& b = second_version(options, versions);
   const goldens::Comparison comparison =
       goldens::compare(findings_in(store, options.code, a), findings_in(store, options.code, b));
   if (options.json)

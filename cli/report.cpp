@@ -79,9 +79,11 @@ std::vector<reports::History> histories_in(const store::Store& store) {
   for (const std::string& code : codes)
     if (const auto versions = versions_in(store, code); versions.size() >= 2) {
       reports::History& history = histories.emplace_back(code, versions, trends_in(store, code, versions));
-      if (!code.empty())
-        history.newest = changes_of(goldens::compare(findings_in(store, code, *(versions.end() - 2)),
-                                                     findings_in(store, code, versions.back())));
+      if (code.empty()) continue;
+      const auto comparison =
+          goldens::compare(findings_in(store, code, *(versions.end() - 2)), findings_in(store, code, versions.back()));
+      history.newest = changes_of(comparison);
+      history.newest.gone = comparison.only_before;
     }
   return histories;
 }

@@ -80,9 +80,12 @@ inline std::vector<claims::Claim> judged_claims(std::vector<records::StudyResult
   return claims::judge_claims(studies);
 }
 
-/// What a version of a store says when it is laid beside others: what its studies say that are no trials.
-inline std::vector<records::StudyResult> without_trials(std::vector<records::StudyResult> studies) {
+/// What a version of our own program says when it is laid beside others: what its studies say that are no trials, but
+/// for the series of other codes, which have versions of their own.
+inline std::vector<records::StudyResult> own_evidence(std::vector<records::StudyResult> studies) {
   std::erase_if(studies, is_trial);
+  for (records::StudyResult& study : studies)
+    std::erase_if(study.series, [](const records::Series& series) { return series.code.has_value(); });
   return studies;
 }
 
@@ -93,8 +96,8 @@ inline std::vector<store::Version> versions_in(const store::Store& store, const 
 
 inline std::vector<claims::Finding> findings_in(const store::Store& store, const std::string& code,
                                                 const store::Version& version) {
-  return claims::findings_of(
-      without_trials(code.empty() ? store.studies(version.digest) : store.studies_of_code(code, version)));
+  return claims::findings_of(code.empty() ? own_evidence(store.studies(version.digest))
+                                          : store.studies_of_code(code, version));
 }
 
 /// The trends over these versions of a store.

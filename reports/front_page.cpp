@@ -76,22 +76,26 @@ data provenance_data(const store::Provenance& p) {
                  {"time", p.time}});
 }
 
-data changes_data(const std::string& heading, const Changes& changes) {
-  return object({{"heading", fmt::format("{}: {} of {} results", heading, changes.differ.size(), changes.compared)},
-                 {"differ", text_list(changes.differ)}});
+void add_changes(data& all, const std::string& heading, const Changes& changes) {
+  std::vector<std::string> lines = changes.differ;
+  for (const std::string& what : changes.gone) lines.push_back(what + ": no longer there");
+  if (lines.empty()) return;
+  const std::string gone = changes.gone.empty() ? "" : fmt::format(", {} no longer there", changes.gone.size());
+  all << object(
+      {{"heading", fmt::format("{}: {} of {} results{}", heading, changes.differ.size(), changes.compared, gone)},
+       {"lines", text_list(lines)}});
 }
 
 /// Since the version before: of the program, and of other codes.
 data all_changes(const ReportInput& input) {
   data all{data::type::list};
-  if (input.earlier && !input.earlier->changes.differ.empty())
-    all << changes_data("What changed since " + input.earlier->label, input.earlier->changes);
-  for (const History& history : input.histories)
-    if (!history.code.empty())
-      all << changes_data(
-          fmt::format("What changed in {} from {} to {}", history.code, store::label(*(history.versions.end() - 2)),
-                      store::label(history.versions.back())),
-          history.newest);
+  if (input.earlier) add_changes(all, "What changed since " + input.earlier->label, input.earlier->changes);
+  for (const auto& [code, versions, trends, newest] : input.histories)
+    if (!code.empty())
+      add_changes(all,
+                  fmt::format("What changed in {} from {} to {}", code, store::label(*(versions.end() - 2)),
+                              store::label(versions.back())),
+                  newest);
   return all;
 }
 

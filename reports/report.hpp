@@ -35,6 +35,7 @@ struct GateLine {
 struct Changes {
   std::size_t compared = 0;         ///< results of both versions
   std::vector<std::string> differ;  ///< those of them that differ, worst first
+  std::vector<std::string> gone;    ///< results of the first alone
 };
 
 /// What the store's version before this one says.
@@ -58,7 +59,7 @@ struct History {
   std::string code;                      ///< empty: our own program
   std::vector<store::Version> versions;  ///< by time
   std::vector<claims::Trend> trends;     ///< over these versions
-  Changes newest = {};                   ///< of another code: what its last version changed
+  Changes newest = {};                   ///< of another code: what its newest version changed
 };
 
 struct ReportInput {

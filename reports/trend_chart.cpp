@@ -27,13 +27,12 @@ constexpr TrendKind trend_kinds[] = {{Finding::Kind::order, "orders", "observed 
                                      {Finding::Kind::error, "errors", "error at the finest level", true},
                                      {Finding::Kind::limit, "limits", "stability limit", false}};
 
-/// A commit, or what another code says of its version; its digest where it says the same of several.
+/// A commit, or what another code says of its version; its digest where that would read the same for several.
 std::string name_of(const store::Version& version, const History& history) {
-  const auto says_the_same = [&](const store::Version& other) { return other.commits == version.commits; };
   if (history.code.empty()) return version.commits.front().substr(0, commit_letters);
-  return std::ranges::count_if(history.versions, says_the_same) == 1
-             ? version.commits.front().substr(0, version_letters)
-             : version.digest.substr(0, commit_letters);
+  const auto shown = [](const store::Version& v) { return v.commits.front().substr(0, version_letters); };
+  const bool is_unique = std::ranges::count(history.versions, shown(version), shown) == 1;
+  return is_unique ? shown(version) : version.digest.substr(0, commit_letters);
 }
 
 Axis version_axis(const History& history) {

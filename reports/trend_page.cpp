@@ -38,7 +38,8 @@ data history_data(const History& history, const Charts& charts, const std::files
   for (const auto& [study, of_study] : charts)
     sections << template_data::object(
         {{"study", study},
-         {"anchor", template_data::anchor(history.code.empty() ? study : history.code + "-" + study)},
+         {"anchor",
+          (history.code.empty() ? "" : template_data::anchor(history.code) + "~") + template_data::anchor(study)},
          {"pictures",
           template_data::list_of(pictures_of(of_study, out_dir, trends_folder), template_data::picture_data)}});
   return template_data::object({{"code", history.code.empty() ? "mpmvv" : history.code},

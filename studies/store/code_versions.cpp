@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdint>
+#include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace mpmvv::store {
 
@@ -30,11 +32,14 @@ std::vector<CodeLine> lines_in(const Database& database) {
   return lines;
 }
 
-std::string time_of_first_run(const Database& database, const CodeLine& line) {
-  return database
-      .scalar("SELECT min(kept_at) FROM runs WHERE instr(case_text, ?)",
-              {fmt::format(" code_version={} adapter={} ", line.version, line.digest)})
-      .to_string();
+/// Time and number.
+std::pair<std::string, std::int64_t> first_run(const Database& database, const CodeLine& line) {
+  std::pair<std::string, std::int64_t> first;
+  database.each("SELECT kept_at, id FROM runs WHERE instr(case_text, ?) ORDER BY kept_at, id LIMIT 1",
+                {fmt::format(" code_version={} adapter={} ", line.version, line.digest)}, [&](const Row& row) {
+                  first = {row["kept_at"].text(), row["id"].integer()};
+                });
+  return first;
 }
 
 }  // namespace
@@ -61,10 +66,14 @@ std::vector<std::string> codes_in(const Database& database) {
 }
 
 std::vector<Version> versions_of_code(const Database& database, const std::string& code) {
-  std::vector<Version> versions;
+  std::multimap<std::pair<std::string, std::int64_t>, Version> by_first_run;
   for (const CodeLine& line : lines_in(database))
-    if (line.code == code) versions.push_back({line.digest, {line.version}, time_of_first_run(database, line)});
-  std::ranges::stable_sort(versions, {}, &Version::time);
+    if (line.code == code) {
+      const auto first = first_run(database, line);
+      by_first_run.emplace(first, Version{line.digest, {line.version}, first.first});
+    }
+  std::vector<Version> versions;
+  for (auto& [first, version] : by_first_run) versions.push_back(std::move(version));
   return versions;
 }
 

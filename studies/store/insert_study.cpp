@@ -175,12 +175,15 @@ void insert_part(Database& database, std::int64_t study, std::size_t ordinal, co
 
 }  // namespace
 
+void replace_study(Database& database, const StoredStudy& study) {
+  database.change("DELETE FROM studies WHERE name = ? AND digest = ? AND (codes IS NULL OR codes = ?)",
+                  {study.result.name, study.provenance.digest, study.codes});
+  insert_study(database, study);
+}
+
 void insert_study(Database& database, const StoredStudy& study) {
   const records::StudyResult& s = study.result;
   const Provenance& p = study.provenance;
-  const Value codes = study.codes.empty() ? Value() : Value(study.codes);
-  database.change("DELETE FROM studies WHERE name = ? AND digest = ? AND (codes IS NULL OR codes = ?)",
-                  {s.name, p.digest, codes});
   database.insert("studies", {{"name", s.name},
                               {"digest", p.digest},
                               {"provenance", provenance_id(database, p)},
@@ -189,7 +192,7 @@ void insert_study(Database& database, const StoredStudy& study) {
                               {"kind", to_string(s.kind)},
                               {"sweep", s.sweep},
                               {"text", s.text},
-                              {"codes", codes}});
+                              {"codes", study.codes.empty() ? Value() : Value(study.codes)}});
   const std::int64_t id = database.last_row_id();
   const Parent parent{"study", id};
   insert_items(database, "study_claims", parent, s.claims,

@@ -8,6 +8,7 @@
 #include "studies/store/run_rows.hpp"
 #include "studies/store/seal.hpp"
 #include "studies/store/study_rows.hpp"
+#include "studies/store/trial.hpp"
 
 namespace mpmvv::store {
 
@@ -241,7 +242,9 @@ std::vector<StoredStudy> load_studies(const Database& database, const std::strin
 std::vector<StoredStudy> load_studies_of_code(const Database& database, const std::string& line) {
   std::vector<StoredStudy> newest;
   for (StoredStudy& study : load_where(database, "instr(char(10) || codes, char(10) || ?1 || char(10))", line))
-    if (newest.empty() || newest.back().result.name != study.result.name)
+    if (!trial_of(study.result.text).empty())
+      continue;
+    else if (newest.empty() || newest.back().result.name != study.result.name)
       newest.push_back(std::move(study));
     else
       newest.back() = std::move(study);
@@ -254,7 +257,7 @@ void copy_studies(const Database& from, Database& to) {
   to.each("SELECT name, digest, coalesce(codes, '') AS codes FROM studies", {}, [&](const Row& row) {
     present.insert({row["name"].text(), row["digest"].text(), row["codes"].text()});
   });
-  from.each("SELECT id FROM studies", {}, [&](const Row& row) {
+  from.each("SELECT id FROM studies ORDER BY id", {}, [&](const Row& row) {
     for (const StoredStudy& study : load_where(from, "studies.id = ?1", row["id"]))
       if (!present.contains({study.result.name, study.provenance.digest, study.codes})) insert_study(to, study);
   });

@@ -123,6 +123,13 @@ Database open_for_reading(const fs::path& file, Steps steps) {
   return database;
 }
 
+/// Makes again what others had put on a table that was made anew: indexes and triggers, which are none of `ours`.
+void restore_others(Database& database, const Tables& before, const Tables& ours) {
+  const Tables after = tables_of(database);
+  for (const auto& [name, sql] : before)
+    if (!after.contains(name) && !ours.contains(name)) database.execute(sql);
+}
+
 /// Applies what the file lacks; false when that is nothing. Setting the version writes in any case, and so shows
 /// whether folder and disk take a journal, before any work is done.
 bool apply_missing(Database& database, bool create, Steps steps) {
@@ -132,7 +139,12 @@ bool apply_missing(Database& database, bool create, Steps steps) {
     throw UsageError(
         fmt::format("results store '{}' was removed while it was opened (try again)", database.file().string()));
   if (schema == 0) database.execute(fmt::format("PRAGMA application_id = {}", application_id));
+  if (schema > 0 && schema < std::ssize(steps) && database.scalar("PRAGMA foreign_keys").flag())
+    throw UsageError(fmt::format("results store '{}' was made by an older mpmvv while it was opened (try again)",
+                                 database.file().string()));
+  const Tables before = tables_of(database);
   for (const char* step : steps.subspan(static_cast<std::size_t>(schema))) database.execute(step);
+  restore_others(database, before, tables_after(database.file(), steps.first(static_cast<std::size_t>(schema))));
   if (schema < first_sealed_schema && first_sealed_schema <= std::ssize(steps)) seal_all(database);
   database.execute(fmt::format("PRAGMA user_version = {}", steps.size()));
   return schema < std::ssize(steps);
@@ -155,7 +167,7 @@ void migrate(Database& database, bool create, bool fresh, Steps steps, const Wor
 }
 
 /// Whether the file holds tables of an older schema. Where one of them is made anew, what refers to its rows would go
-/// with the old one if foreign keys were on.
+/// with the old one if foreign keys were on, and another's view of it would have to be right at every moment.
 bool is_older(const Database& database, Steps steps) {
   const std::int64_t schema = database.scalar("PRAGMA user_version").integer();
   return schema > 0 && schema < std::ssize(steps);
@@ -169,9 +181,9 @@ Database open_for_writing(const fs::path& file, bool create, Steps steps, const 
     throw UsageError(fmt::format(
         "results store '{}' is read-only (make it and its folder writable, or name another file)", file.string()));
   if (is_older(database, steps)) {
-    database.execute("PRAGMA foreign_keys = OFF");  // has no effect in a transaction
+    database.execute("PRAGMA foreign_keys = OFF; PRAGMA legacy_alter_table = ON");  // no effect in a transaction
     migrate(database, create, fresh, steps, {});
-    database.execute("PRAGMA foreign_keys = ON");
+    database.execute("PRAGMA foreign_keys = ON; PRAGMA legacy_alter_table = OFF");
   }
   migrate(database, create, fresh, steps, work);
   return database;

@@ -80,7 +80,7 @@ void Store::keep_study(const records::StudyResult& s, const std::vector<std::vec
     for (const Case& c : of_series) texts.push_back(cases::canonical_text(c));
   }
   Transaction transaction(impl_->database, Kind::write);
-  insert_study(impl_->database, study);
+  replace_study(impl_->database, study);
   transaction.commit();
 }
 

@@ -53,9 +53,9 @@ class Store {
   void keep(const records::Record& r, const Provenance& p) { keep({&r, 1}, p); }
 
   /// Replaces what the store holds of this study for this digest and these versions of other codes, in one transaction.
-  /// Points that are runs
-  /// are linked by their case; `cases[s][k]` is the case of series s, point k (empty for checks). Their records must
-  /// have been kept; the points come back with all that was measured in the run, and with what they have beyond it.
+  /// Points that are runs are linked by their case; `cases[s][k]` is the case of series s, point k (empty for checks).
+  /// Their records must have been kept; the points come back with all that was measured in the run, and with what they
+  /// have beyond it.
   void keep_study(const records::StudyResult& s, const std::vector<std::vector<cases::Case>>& cases,
                   const Provenance& p);
 
@@ -66,7 +66,8 @@ class Store {
   /// The codes that ran some of the studies, in alphabetical order.
   std::vector<std::string> codes() const;
 
-  /// What studies say of this version of a code, in name order: the series that it ran, and the claims that it judges.
+  /// What studies that are no trials say of this version of a code, in name order: the series that it ran, and the
+  /// claims that they judge.
   std::vector<records::StudyResult> studies_of_code(const std::string& code, const Version& version) const;
 
   /// The series of studies of this digest that other codes ran, in the order of the studies.
@@ -90,8 +91,8 @@ class Store {
   std::vector<std::string> check() const;
 
   /// Copies every record and study of other stores that the one in `file` lacks, which is made when absent; the number
-  /// of records copied. All of them or none: what fails, or is killed, changes nothing and makes no file. Of records
-  /// with the same key the first one stays, as in `keep`.
+  /// of records copied. All of them or none: what fails, or is killed, changes nothing but an older schema, and makes
+  /// no file. Of records with the same key the first one stays, as in `keep`.
   static std::int64_t merge(const std::filesystem::path& file, std::span<const std::filesystem::path> others);
   static std::int64_t merge(const std::filesystem::path& file, const std::filesystem::path& other) {
     return merge(file, {&other, 1});

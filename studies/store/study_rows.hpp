@@ -17,26 +17,30 @@ struct StoredStudy {
   Provenance provenance;
 };
 
-/// Inserts a study, in the place of the one with this name, digest and codes, and of one whose codes are not known. A
-/// point that is a run takes its quantities from the run, which must be there; only those in which the point differs
-/// are kept as its own.
+/// Inserts a study of a name, digest and codes that are not there yet. A point that is a run takes its quantities from
+/// the run, which must be there; only those in which the point differs are kept as its own.
 void insert_study(Database& database, const StoredStudy& study);
+
+/// The same in the place of the one with this name, digest and codes, and of one whose codes are not known.
+void replace_study(Database& database, const StoredStudy& study);
 
 /// Studies of this digest, in name order; of those that other versions of a code ran, too, the last one kept.
 std::vector<StoredStudy> load_studies(const Database& database, const std::string& digest);
 
-/// Studies that this version of a code ran, whatever the digest, in name order; of each the last one kept.
+/// Studies that this version of a code ran, whatever the digest, in name order; of each the last one kept that is no
+/// trial.
 std::vector<StoredStudy> load_studies_of_code(const Database& database, const std::string& line);
 
 /// A condition on rows of `studies`: none of the same name and digest was kept later.
 inline constexpr const char* is_newest =
-    "NOT EXISTS (SELECT 1 FROM studies AS later WHERE later.name = studies.name AND later.digest = studies.digest AND "
+    "NOT EXISTS (SELECT 1 FROM studies AS later NOT INDEXED WHERE later.name = studies.name AND "
+    "later.digest = studies.digest AND "
     "(later.kept_at, later.id) > (studies.kept_at, studies.id))";
 
 /// The code that ran the series of this row; none: our own solver, or a check.
 std::optional<records::OtherCode> other_code(const Row& series);
 
-/// Copies the studies that `to` lacks; their runs must be there.
+/// Copies the studies that `to` lacks, in their order; their runs must be there.
 void copy_studies(const Database& from, Database& to);
 
 }  // namespace mpmvv::store

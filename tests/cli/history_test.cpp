@@ -152,6 +152,9 @@ TEST_F(History, VersionsOfAnotherCode) {
               AllOf(HasSubstr("from 1.3 (digest aa11)"), HasSubstr("2 -> 1 (-1)"), Not(HasSubstr("ours"))));
   EXPECT_EQ(ask("compare 1.3 --code my-code --json").json()["changed"], 0) << "against the newest";
   EXPECT_EQ(ask("compare 1.3 --code my-code --json").json()["to"]["version"], "1.5");
+  keep_of_code(db_, "1.6", "cc33", 1.0);
+  EXPECT_EQ(ask("compare 1.5 --code my-code --json").json()["changed"], 1) << "another version of the same file";
+  EXPECT_THAT(ask("compare 1.5 1.6 --code my-code").out, Not(HasSubstr("one version")));
   const Answer answer = ask("trend --code other");
   EXPECT_EQ(answer.code, 2);
   EXPECT_THAT(answer.err, HasSubstr("of other codes: my-code"));

@@ -155,14 +155,15 @@ TEST(Report, TrendsOfAnotherCodeStandBesideOurOwn) {
   in.histories.push_back({"my-code",
                           {{"77ab", {"1.3"}, "2026-01-01T00:00:00Z"}, {"88cd", {"1.4"}, "2026-01-02T00:00:00Z"}},
                           {{"bar-bases", Finding::Kind::order, "order of 'theirs'", {2, 1.1}}},
-                          {11, {"bar-bases: order of 'theirs': 2 -> 1.1 (-0.9)"}}});
+                          {11, {"bar-bases: order of 'theirs': 2 -> 1.1 (-0.9)"}, {"study gone"}}});
   const auto page = page_of(in, folder, "trend.html");
   EXPECT_THAT(page,
               AllOf(HasSubstr("Versions of mpmvv"), HasSubstr("Versions of my-code"), HasSubstr("<code>1.4</code>"),
-                    HasSubstr("in each version of my-code"), HasSubstr("id=\"trend-my-code-bar-bases\"")));
+                    HasSubstr("in each version of my-code"), HasSubstr("id=\"trend-my-code~bar-bases\"")));
   EXPECT_TRUE(fs::exists(folder / "out/trends/my-code~bar-bases-orders.svg"));
   EXPECT_THAT(content(folder / "out/index.html"),
-              AllOf(HasSubstr("What changed in my-code from 1.3 (digest 77ab) to 1.4 (digest 88cd): 1 of 11 results"),
+              AllOf(HasSubstr("What changed in my-code from 1.3 (digest 77ab) to 1.4 (digest 88cd): 1 of 11 results, 1 "
+                              "no longer there"),
                     HasSubstr("theirs"), HasSubstr("2 -&gt; 1.1 (-0.9)</li>")));
 }
 

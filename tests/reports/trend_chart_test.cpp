@@ -40,6 +40,8 @@ TEST(TrendChart, KeysSayAllWhereTheRestDiffers) {
 TEST(TrendChart, VersionsOfACodeThatSayTheSameHaveTheirDigests) {
   EXPECT_EQ(names_of({{"0a1b2c3d4e", {"1.3"}, ""}, {"5f6a7b8c9d", {"1.3"}, ""}, {"aabbccddee", {"1.4"}, ""}}),
             (std::vector<std::string>{"0a1b2c3", "5f6a7b8", "1.4"}));
+  EXPECT_EQ(names_of({{"0a1b2c3d4e", {"2026.11-beta-1"}, ""}, {"5f6a7b8c9d", {"2026.11-beta-2"}, ""}}),
+            (std::vector<std::string>{"0a1b2c3", "5f6a7b8"}));
 }
 
 }  // namespace mpmvv::reports::trend_chart_test

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "studies/store/trial.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
 namespace mpmvv::store::version_test {
@@ -117,6 +118,29 @@ TEST_F(CodeVersions, AreMerged) {
   ASSERT_EQ(versions.size(), 2U);
   EXPECT_EQ(order_of(versions[0]), 2.0) << "the first one stays";
   EXPECT_EQ(order_of(versions[1]), 2.1);
+}
+
+/// As on a night on which the code was not there.
+TEST_F(CodeVersions, MergingLeavesAStudyThatNoCodeRan) {
+  const std::filesystem::path other = folder_ / "other.db";
+  {
+    Store there(other, Store::Mode::create_or_write);
+    keep_by(there, "1.3", "aa", 1, 2.0);
+  }
+  store_->keep_study(study("s", "without"), {}, built("d1", "aaa", "2026-01-05T00:00:00Z"));
+  Store::merge(file_, other);
+  EXPECT_EQ(store_->studies("d1").at(0).title, "without") << "the newest";
+  EXPECT_THAT(store_->versions_of_code("my-code"), testing::SizeIs(1));
+  Store::merge(folder_ / "all.db", file_);
+  EXPECT_EQ(Store(folder_ / "all.db", Store::Mode::read).contents().studies, 2);
+}
+
+TEST_F(CodeVersions, ATrialHidesNothing) {
+  keep_by(*store_, "1.3", "aa", 1, 2.0);
+  records::StudyResult trial = study("s");
+  trial.text = with_trial("", "ppc = 4 in 1 of 1 series");
+  store_->keep_study(trial, {{bar_by("1.3", "aa")}}, built("d2", "bbb", "2026-01-05T00:00:00Z"));
+  EXPECT_EQ(order_of(store_->versions_of_code("my-code").at(0)), 2.0);
 }
 
 TEST_F(CodeVersions, ACodeThatRanNothingIsRefused) {
