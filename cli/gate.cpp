@@ -43,7 +43,10 @@ void make_folder_of(const std::filesystem::path& file) {
   if (file.has_parent_path()) support::make_folder(file.parent_path());
 }
 
-nlohmann::json gate_json(const goldens::GateReport& report) {
+nlohmann::json gate_json(const goldens::GateReport& report, const std::vector<store::CodeSeries>& judged) {
+  nlohmann::json codes = nlohmann::json::array();
+  for (const store::CodeSeries& s : judged)
+    codes.push_back({{"study", s.study}, {"code", s.code.name}, {"version", s.code.version}, {"time", s.kept_at}});
   nlohmann::json results = nlohmann::json::array();
   for (const goldens::GateResult& r : report.results)
     results.push_back({{"study", r.study},
@@ -58,6 +61,7 @@ nlohmann::json gate_json(const goldens::GateReport& report) {
   return {{"pass", report.count(Verdict::pass)},
           {"fail", report.count(Verdict::fail)},
           {"inconclusive", report.count(Verdict::inconclusive)},
+          {"codes", codes},
           {"results", results}};
 }
 
@@ -67,6 +71,19 @@ void note_changed(const std::vector<records::StudyResult>& results, const std::v
     if (const auto file = changed_file(study);
         !file.empty() && (only.empty() || std::ranges::count(only, study.name) > 0))
       note("{}: {} has changed since it was run (`mpmvv study` runs what is new)\n", study.name, file.string());
+}
+
+/// The versions of other codes whose results are judged.
+std::vector<store::CodeSeries> judged_codes(const GateOptions& options) {
+  auto all = store::Store(options.db, store::Store::Mode::read).code_series(store::current_provenance().digest);
+  std::erase_if(all, [&](const store::CodeSeries& s) {
+    return !options.only.empty() && std::ranges::find(options.only, s.study) == options.only.end();
+  });
+  const auto same = [](const store::CodeSeries& a, const store::CodeSeries& b) {
+    return a.study == b.study && a.code.name == b.code.name;
+  };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all;
 }
 
 int gate(const GateOptions& options) {
@@ -79,9 +96,9 @@ int gate(const GateOptions& options) {
                         options.as_set ? goldens::Trials::judged : goldens::Trials::inconclusive);
   if (!options.junit.empty()) support::write_if_changed(options.junit, goldens::junit_xml(report));
   if (options.json)
-    print_json(gate_json(report));
+    print_json(gate_json(report, judged_codes(options)));
   else
-    print_gate(report, options.verbose);
+    print_gate(report, judged_codes(options), options.verbose);
   if (options.github || (in_github_actions() && !options.json)) print_text(goldens::github_annotations(report));
   return report.exit_code();
 }
@@ -146,7 +163,7 @@ void add_propose(CLI::App& app, int& exit_code) {
       ->type_name("FOLDER");
   command->add_option("--out", options->out, "a file that does not exist yet (default: standard output)")
       ->type_name("FILE");
-  add_examples(*command, {"mpmvv propose --db results.db --study splines --out goldens/new-splines.toml"});
+  add_examples(*command, {"mpmvv propose --db results.db --study splines --out new-splines.toml"});
   command->callback([options, &exit_code] { exit_code = propose(*options); });
 }
 

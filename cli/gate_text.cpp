@@ -46,7 +46,7 @@ void print_absent(const goldens::GateReport& report) {
 
 }  // namespace
 
-void print_gate(const goldens::GateReport& report, bool verbose) {
+void print_gate(const goldens::GateReport& report, const std::vector<store::CodeSeries>& judged, bool verbose) {
   Table table({{"verdict", Table::Kind::verdict}, {"study"}, {"golden", Table::Kind::prose}}, 0);
   for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
     for (const GateResult& r : report.results) {
@@ -55,6 +55,8 @@ void print_gate(const goldens::GateReport& report, bool verbose) {
     }
   table.print();
   if (!verbose) print_absent(report);
+  for (const store::CodeSeries& s : judged)
+    print("judged: {} {} in {}, of {}\n", s.code.name, s.code.version, s.study, s.kept_at);
   print("gate: {} pass, {} fail, {} inconclusive\n", report.count(Verdict::pass), report.count(Verdict::fail),
         report.count(Verdict::inconclusive));
 }

@@ -147,6 +147,7 @@ void print_trends(const std::vector<Version>& versions, const std::vector<Trend>
     table.add(std::move(cells));
   }
   table.print();
+  if (first > 0) print("versions 1 to {} find no room in this width: --json has all\n", first);
 }
 
 int trend(const TrendOptions& options) {

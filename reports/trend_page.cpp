@@ -43,6 +43,7 @@ data history_data(const History& history, const Charts& charts, const std::files
          {"pictures",
           template_data::list_of(pictures_of(of_study, out_dir, trends_folder), template_data::picture_data)}});
   return template_data::object({{"code", history.code.empty() ? "mpmvv" : history.code},
+                                {"time_of", history.code.empty() ? "first result" : "last study"},
                                 {"names", history.code.empty() ? "commits" : "says of itself"},
                                 {"versions", versions},
                                 {"sections", sections}});

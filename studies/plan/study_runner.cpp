@@ -77,7 +77,7 @@ std::optional<records::OtherCode> other_code(const SeriesPlan& series) {
   if (!series.setting("code")) return std::nullopt;
   const std::string form = word("force_form");
   return records::OtherCode{word("code"), word("code_version"), word("variant"),
-                            form.empty() ? support::to_string(cases::Scheme{}.force_form) : form};
+                            form.empty() ? support::to_string(cases::Scheme{}.force_form) : form, word("adapter")};
 }
 
 bool is_wanted(const std::vector<std::string>& names, const Series& series) {

@@ -28,6 +28,7 @@ struct OtherCode {
   std::string name, version;
   std::string variant;  ///< empty where it has but one
   std::string force_form;
+  std::string digest = {};  ///< of its adapter and program's file; empty where it is read from a store
 };
 
 struct Series {

@@ -1,17 +1,16 @@
 #pragma once
-#include <span>
 #include <string>
 #include <vector>
 
-#include "studies/cases/case.hpp"
+#include "studies/records/result.hpp"
 #include "studies/store/database.hpp"
 #include "studies/store/version.hpp"
 
 /// Versions of other codes. A study names those that ran it in a line each: name, version and digest.
 namespace mpmvv::store {
 
-/// The lines of the codes that ran these cases, by series; empty where none did.
-std::string code_lines(std::span<const std::vector<cases::Case>> cases);
+/// The lines of the codes that ran these series; empty where none did.
+std::string code_lines(const std::vector<records::Series>& series);
 
 /// The line of a code's version.
 std::string code_line(const std::string& code, const Version& version);
@@ -19,7 +18,7 @@ std::string code_line(const std::string& code, const Version& version);
 /// The codes that ran studies of a store, in alphabetical order.
 std::vector<std::string> codes_in(const Database& database);
 
-/// The versions of a code that studies were kept of, by the time of their first run.
+/// The versions of a code that studies were kept of, by the time of their last study: the last one is judged.
 std::vector<Version> versions_of_code(const Database& database, const std::string& code);
 
 }  // namespace mpmvv::store

@@ -230,7 +230,8 @@ std::optional<records::OtherCode> other_code(const Row& series) {
   return records::OtherCode{.name = series["code"].text(),
                             .version = series["code_version"].text(),
                             .variant = series["variant"].text(),
-                            .force_form = series["force_form"].text()};
+                            .force_form = series["force_form"].text(),
+                            .digest = {}};
 }
 
 std::vector<StoredStudy> load_studies(const Database& database, const std::string& digest) {

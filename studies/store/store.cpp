@@ -32,6 +32,22 @@ std::vector<std::string> texts_of(const Values& values) {
   return texts;
 }
 
+/// The series that a code ran, and the claims whose criteria ask of them.
+records::StudyResult only_of_code(records::StudyResult study, const std::string& code) {
+  std::erase_if(study.series, [&](const records::Series& s) { return !s.code || s.code->name != code; });
+  study.values.clear();
+  const auto speaks_of_it = [&](const records::Found& found) {
+    return std::ranges::any_of(study.series, [&](const records::Series& s) {
+      return found.what.find(fmt::format("'{}'", s.name)) != std::string::npos;
+    });
+  };
+  std::erase_if(study.parts, [&](const records::ClaimPart& p) { return std::ranges::none_of(p.found, speaks_of_it); });
+  std::erase_if(study.claims, [&](const std::string& claim) {
+    return std::ranges::find(study.parts, claim, &records::ClaimPart::claim) == study.parts.end();
+  });
+  return study;
+}
+
 }  // namespace
 
 Store::Store(const std::filesystem::path& file, Mode mode)
@@ -74,7 +90,7 @@ void Store::keep(std::span<const records::Record> records, const Provenance& p) 
 
 void Store::keep_study(const records::StudyResult& s, const std::vector<std::vector<Case>>& cases,
                        const Provenance& p) {
-  StoredStudy study{.result = s, .cases = {}, .codes = code_lines(cases), .provenance = p};
+  StoredStudy study{.result = s, .cases = {}, .codes = code_lines(s.series), .provenance = p};
   for (const std::vector<Case>& of_series : cases) {
     std::vector<std::string>& texts = study.cases.emplace_back();
     for (const Case& c : of_series) texts.push_back(cases::canonical_text(c));
@@ -99,9 +115,7 @@ std::vector<records::StudyResult> Store::studies_of_code(const std::string& code
   Transaction one_state(impl_->database, Kind::read);
   std::vector<records::StudyResult> results;
   for (StoredStudy& study : load_studies_of_code(impl_->database, code_line(code, version))) {
-    std::erase_if(study.result.series, [&](const auto& s) { return !s.code || s.code->name != code; });
-    study.result.values.clear();
-    results.push_back(std::move(study.result));
+    results.push_back(only_of_code(std::move(study.result), code));
   }
   return results;
 }

@@ -79,7 +79,8 @@ class Store {
   /// The versions that studies were kept of, by the time of their first result.
   std::vector<Version> versions() const;
 
-  /// Those of another code. UsageError that names the codes there are where it ran no study.
+  /// Those of another code, by the time of their last study: the last one is judged. UsageError that names the codes
+  /// there are where it ran no study.
   std::vector<Version> versions_of_code(const std::string& code) const;
 
   /// Provenance of the study's last keeping; nullopt when absent.

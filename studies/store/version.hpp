@@ -9,7 +9,7 @@ struct Version {
   std::string digest;
   std::vector<std::string> commits;  ///< one at least, whose builds had this digest, the first one first; "-dirty"
                                      ///< behind those that were; of another code, the version that it says of itself
-  std::string time;                  ///< of its first result, ISO 8601, UTC
+  std::string time;                  ///< of its first result, ISO 8601, UTC; of another code, of its last study
 };
 
 /// As short as people write it: the first letters of a hash, which tell it from others, and whether the tree was dirty.

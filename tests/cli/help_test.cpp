@@ -48,12 +48,12 @@ class Help : public testing::Test {
     for (const auto& [digest, of_code] : {std::pair{"3f2a91", "1.3"}, {"c0ffee", "1.4"}}) {
       store::Provenance version = store::current_provenance();
       version.digest = version.commit = digest;
-      cases::Case by_code;
-      by_code.scheme.code = "my-code", by_code.scheme.code_version = of_code, by_code.scheme.adapter = digest;
       records::StudyResult result;
       result.name = "splines";
       result.values = {{"gap", 1, "a gap"}};
-      store::Store(db_, store::Store::Mode::write).keep_study(result, {{by_code}}, version);
+      result.series.resize(1);
+      result.series[0].code = records::OtherCode{"my-code", of_code, "", "reference", digest};
+      store::Store(db_, store::Store::Mode::write).keep_study(result, {}, version);
     }
     for (const char* shard : {"shard-1.db", "shard-2.db"}) std::filesystem::copy_file(db_, folder_ / shard);
   }

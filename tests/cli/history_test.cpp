@@ -119,24 +119,12 @@ TEST_F(History, TrendFollowsTheTime) {
 /// A series that another code ran, and one of ours.
 void keep_of_code(const std::string& db, const std::string& version, const std::string& digest, double order) {
   records::StudyResult study = bar_study(order, 2.5e-3);
-  study.series[0].code = records::OtherCode{"my-code", version, "", "reference"};
+  study.series[0].code = records::OtherCode{"my-code", version, "", "reference", digest};
   study.series.push_back(bar_study(2, 1e-3).series[0]);
   study.series[1].name = "ours";
-  cases::Case by_code;
-  by_code.problem.name = "bar", by_code.scheme.code = "my-code";
-  by_code.scheme.code_version = version, by_code.scheme.adapter = digest;
-  std::vector<std::vector<cases::Case>> cases(2);
-  for (const int cells : {8, 16}) by_code.resolution.cells = cells, cases[0].push_back(by_code);
   const store::Provenance p{"00aa22", "c0de00",  false, "GNU 12.2.0",
                             "-O3",    "Release", "CPU", "2026-02-0" + version.substr(2) + "T00:00:00Z"};
-  store::Store store(db, store::Store::Mode::create_or_write);
-  for (std::size_t k = 0; k < 2; ++k) {
-    records::Record run;
-    run.the_case = cases[0][k];
-    run.error.l2 = study.series[0].points[k].y["l2"];
-    store.keep(run, p);
-  }
-  store.keep_study(study, cases, p);
+  store::Store(db, store::Store::Mode::create_or_write).keep_study(study, {}, p);
 }
 
 TEST_F(History, VersionsOfAnotherCode) {

@@ -70,8 +70,8 @@ struct Text {
   }
 
   static std::string of(const records::OtherCode& c) {
-    const auto& [name, version, variant, force_form] = c;
-    return fmt::format("code {} {} '{}' {}", name, version, variant, force_form);
+    const auto& [name, version, variant, force_form, of_files] = c;
+    return fmt::format("code {} {} '{}' {} '{}'", name, version, variant, force_form, of_files);
   }
 
   static std::string of(const fits::Probe& p) {

@@ -53,7 +53,7 @@ cases::Case bar_by(const std::string& version, const std::string& digest, int ce
 void keep_by(Store& store, const std::string& version, const std::string& digest, int day, double order) {
   const std::string time = fmt::format("2026-01-{:02}T00:00:00Z", day);
   records::Series theirs = series("theirs", {point(8)});
-  theirs.code = records::OtherCode{"my-code", version, "", "reference"};
+  theirs.code = records::OtherCode{"my-code", version, "", "reference", digest};
   theirs.orders.resize(1);
   theirs.orders[0].order = order;
   records::Record run = record(8);
@@ -101,7 +101,7 @@ TEST_F(CodeVersions, WhatIsJudgedIsTheLastOneKept) {
   keep_by(*store_, "1.3", "aa", 5, 2.0);
   EXPECT_EQ(kept(), 2.0);
   EXPECT_EQ(store_->study_provenance("s", "d1")->time, "2026-01-05T00:00:00Z");
-  EXPECT_EQ(store_->versions_of_code("my-code").at(0).time, "2026-01-01T00:00:00Z") << "of the first run";
+  EXPECT_EQ(store_->versions_of_code("my-code").back().commits.front(), "1.3") << "taken up again";
   EXPECT_EQ(store_->forget("s"), 2U);
 }
 
@@ -139,7 +139,9 @@ TEST_F(CodeVersions, ATrialHidesNothing) {
   keep_by(*store_, "1.3", "aa", 1, 2.0);
   records::StudyResult trial = study("s");
   trial.text = with_trial("", "ppc = 4 in 1 of 1 series");
-  store_->keep_study(trial, {{bar_by("1.3", "aa")}}, built("d2", "bbb", "2026-01-05T00:00:00Z"));
+  trial.series = {series("theirs")};
+  trial.series[0].code = records::OtherCode{"my-code", "1.3", "", "reference", "aa"};
+  store_->keep_study(trial, {}, built("d2", "bbb", "2026-01-05T00:00:00Z"));
   EXPECT_EQ(order_of(store_->versions_of_code("my-code").at(0)), 2.0);
 }
 
