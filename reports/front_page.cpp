@@ -78,9 +78,9 @@ data provenance_data(const store::Provenance& p) {
 
 void add_changes(data& all, const std::string& heading, const Changes& changes) {
   std::vector<std::string> lines = changes.differ;
-  for (const std::string& what : changes.gone) lines.push_back(what + ": no longer there");
+  for (const std::string& what : changes.gone) lines.push_back(what + ": no result");
   if (lines.empty()) return;
-  const std::string gone = changes.gone.empty() ? "" : fmt::format(", {} no longer there", changes.gone.size());
+  const std::string gone = changes.gone.empty() ? "" : fmt::format(", {} without a result", changes.gone.size());
   all << object(
       {{"heading", fmt::format("{}: {} of {} results{}", heading, changes.differ.size(), changes.compared, gone)},
        {"lines", text_list(lines)}});

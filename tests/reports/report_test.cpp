@@ -163,7 +163,7 @@ TEST(Report, TrendsOfAnotherCodeStandBesideOurOwn) {
   EXPECT_TRUE(fs::exists(folder / "out/trends/my-code~bar-bases-orders.svg"));
   EXPECT_THAT(content(folder / "out/index.html"),
               AllOf(HasSubstr("What changed in my-code from 1.3 (digest 77ab) to 1.4 (digest 88cd): 1 of 11 results, 1 "
-                              "no longer there"),
+                              "without a result"),
                     HasSubstr("theirs"), HasSubstr("2 -&gt; 1.1 (-0.9)</li>")));
 }
 
