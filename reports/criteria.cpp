@@ -103,6 +103,11 @@ std::string asked_text(const ClaimPart& part) {
 }
 
 std::string interval_text(const ClaimPart& part, const Found& found) {
+  const auto is_said_to_be = [&](const char* where) {
+    return part.evidence.find(fmt::format("{}: {}", found.what, where)) != std::string::npos;
+  };
+  if (is_said_to_be("below ")) return " or less";
+  if (is_said_to_be("above ")) return " or more";
   const std::string half = half_width_of(part, found);
   return half.empty() ? "" : " ± " + half;
 }

@@ -10,7 +10,7 @@ namespace mpmvv::reports {
 /// "1.75 to 2.25", "at least 0.8", "at most 3", "4" for a bound on both sides; empty where nothing is asked.
 std::string asked_text(const records::ClaimPart& part);
 
-/// " ± 0.74" of what was found, empty where it has no interval.
+/// " ± 0.74" of what was found, " or less" of a limit below all that was tried; empty where it has no interval.
 std::string interval_text(const records::ClaimPart& part, const records::Found& found);
 
 /// Why a criterion is inconclusive.

@@ -7,6 +7,7 @@
 #include <boost/math/statistics/linear_regression.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "studies/claims/measured_orders.hpp"
 #include "studies/claims/samples.hpp"
@@ -104,7 +105,28 @@ Interval bracket_of(const StabilityLimit& limit) {
   return {std::min(limit.stable, limit.unstable), std::max(limit.stable, limit.unstable)};
 }
 
+/// Where all that was tried agrees, the limit lies beyond the end to which a search went, or from which it began.
+std::optional<Interval> beyond_all_tried(const StabilityLimit& limit) {
+  if (limit.probes.size() < 2) return std::nullopt;
+  const double lowest = limit.probes.front().value, highest = limit.probes.back().value;
+  const bool is_stable = limit.probes.front().stable;
+  if (!std::ranges::all_of(limit.probes, [&](const fits::Probe& p) { return p.stable == is_stable; }))
+    return std::nullopt;
+  const double end = is_stable ? limit.stable : limit.unstable;
+  if (end == lowest) return Interval{0, lowest};
+  if (end == highest) return Interval{highest, std::numeric_limits<double>::infinity()};
+  return std::nullopt;
+}
+
 void measure_limit(const Series& series, Measured& out) {
+  if (const auto beyond = series.limit && !series.limit->found ? beyond_all_tried(*series.limit) : std::nullopt) {
+    const bool is_below = beyond->lower == 0;
+    const double end = is_below ? beyond->upper : beyond->lower;
+    out.add(fmt::format("{} limit of '{}', {}", series.limit->key, series.name, text_without_limit(*series.limit)), end,
+            *beyond);
+    out.numbers.back().words = fmt::format("{} {:.4g}", is_below ? "below" : "above", end);
+    return;
+  }
   const StabilityLimit* limit = limit_of(series, out);
   if (!limit) return;
   out.add(fmt::format("{} limit of '{}' between {:.4g} and {:.4g}{}", limit->key, series.name, limit->stable,

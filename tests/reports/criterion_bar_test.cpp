@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "reports/criteria.hpp"
+
 namespace mpmvv::reports::criterion_bar_test {
 
 using testing::HasSubstr;
@@ -17,6 +19,14 @@ TEST(CriterionBar, ShowsAnIntervalThatReachesOutOfTheBand) {
   EXPECT_THAT(bar, HasSubstr(R"(<path class="reach" d="M57.6 7H76.9"/>)"));
   EXPECT_THAT(bar, HasSubstr("within"));
   EXPECT_EQ(criterion_bar({}, 0.9, 0.2), "") << "nothing was asked";
+}
+
+TEST(IntervalText, SaysOnWhichSideALimitLies) {
+  records::ClaimPart part;
+  part.evidence = "cfl limit of 'a', unstable at all values tried, down to 0.25: below 0.25 (asked: at least 0.8)";
+  EXPECT_EQ(interval_text(part, {"cfl limit of 'a', unstable at all values tried, down to 0.25", 0.25}), " or less");
+  part.evidence = "cfl limit of 'a', stable at all values tried, up to 1: above 1 (asked: at least 0.8)";
+  EXPECT_EQ(interval_text(part, {"cfl limit of 'a', stable at all values tried, up to 1", 1}), " or more");
 }
 
 }  // namespace mpmvv::reports::criterion_bar_test

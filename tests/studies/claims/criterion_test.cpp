@@ -43,6 +43,29 @@ TEST(Criterion, ALimitWhoseBracketReachesAcrossABoundIsInconclusive) {
   }
 }
 
+/// From 0.25 to 1, stable below the limit or above it.
+TEST(Criterion, ALimitBeyondAllThatWasTriedIsDecidedWhereItsSideDoes) {
+  const auto judged = [](bool is_stable, bool stable_below, std::optional<double> at_least,
+                         std::optional<double> at_most) {
+    StudyResult result = two_series();
+    fits::StabilityLimit limit;
+    limit.key = "cfl";
+    limit.probes = {{0.25, is_stable, ""}, {0.5, is_stable, ""}, {1, is_stable, ""}};
+    (is_stable ? limit.stable : limit.unstable) = is_stable == stable_below ? 1 : 0.25;
+    result.series[0].limit = limit;
+    return judge(criterion(Kind::limit, "good", at_least, at_most), result);
+  };
+  EXPECT_EQ(judged(false, true, 0.8, {}).verdict, PartVerdict::fails) << "below 0.25";
+  EXPECT_EQ(judged(false, true, {}, 0.8).verdict, PartVerdict::holds);
+  EXPECT_EQ(judged(false, true, 0.2, {}).verdict, PartVerdict::inconclusive);
+  EXPECT_EQ(judged(true, true, 0.8, {}).verdict, PartVerdict::holds) << "above 1";
+  EXPECT_EQ(judged(true, true, {}, 2).verdict, PartVerdict::inconclusive);
+  EXPECT_EQ(judged(false, false, 0.8, {}).verdict, PartVerdict::holds) << "above 1";
+  EXPECT_EQ(judged(true, false, {}, 0.8).verdict, PartVerdict::holds) << "below 0.25";
+  EXPECT_THAT(judged(false, true, 0.8, {}).evidence,
+              HasSubstr("cfl limit of 'good', unstable at all values tried, down to 0.25: below 0.25"));
+}
+
 TEST(Criterion, ARatioOfLimitsReachesFromTheEndsOfBothBrackets) {  // [1, 1.5] over [2, 4]
   StudyResult result = two_series();
   result.series[1].limit = result.series[0].limit;
