@@ -6,6 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include "studies/store/trial.hpp"
+
 namespace mpmvv::store {
 
 namespace {
@@ -23,11 +25,12 @@ std::vector<CodeLine> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Calls visit(line) for the lines of all studies, the one kept last at the end, with its time.
+/// Calls visit(line) for the lines of all studies that are no trials, the one kept last at the end, with its time.
 template <class Visit>
 void each_line(const Database& database, const Visit& visit) {
-  database.each("SELECT codes, kept_at FROM studies WHERE codes IS NOT NULL ORDER BY kept_at, id", {},
+  database.each("SELECT codes, kept_at, text FROM studies WHERE codes IS NOT NULL ORDER BY kept_at, id", {},
                 [&](const Row& row) {
+                  if (!trial_of(row["text"].text()).empty()) return;
                   for (CodeLine& line : lines_of(row["codes"].text())) {
                     line.version.time = row["kept_at"].text();
                     visit(line);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "studies/store/particle_errors.hpp"
@@ -241,15 +242,13 @@ std::vector<StoredStudy> load_studies(const Database& database, const std::strin
 }
 
 std::vector<StoredStudy> load_studies_of_code(const Database& database, const std::string& line) {
-  std::vector<StoredStudy> newest;
-  for (StoredStudy& study : load_where(database, "instr(char(10) || codes, char(10) || ?1 || char(10))", line))
-    if (!trial_of(study.result.text).empty())
-      continue;
-    else if (newest.empty() || newest.back().result.name != study.result.name)
-      newest.push_back(std::move(study));
-    else
-      newest.back() = std::move(study);
-  return newest;
+  auto all = load_where(database, "instr(char(10) || codes, char(10) || ?1 || char(10))", line);
+  std::erase_if(all, [](const StoredStudy& study) { return !trial_of(study.result.text).empty(); });
+  std::map<std::string, StoredStudy> newest;
+  for (StoredStudy& study : all) newest[study.result.name] = std::move(study);
+  std::vector<StoredStudy> studies;
+  for (auto& [name, study] : newest) studies.push_back(std::move(study));
+  return studies;
 }
 
 void copy_studies(const Database& from, Database& to) {

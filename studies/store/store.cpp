@@ -114,9 +114,8 @@ std::vector<std::string> Store::codes() const {
 std::vector<records::StudyResult> Store::studies_of_code(const std::string& code, const Version& version) const {
   Transaction one_state(impl_->database, Kind::read);
   std::vector<records::StudyResult> results;
-  for (StoredStudy& study : load_studies_of_code(impl_->database, code_line(code, version))) {
+  for (StoredStudy& study : load_studies_of_code(impl_->database, code_line(code, version)))
     results.push_back(only_of_code(std::move(study.result), code));
-  }
   return results;
 }
 

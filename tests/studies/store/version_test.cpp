@@ -135,14 +135,17 @@ TEST_F(CodeVersions, MergingLeavesAStudyThatNoCodeRan) {
   EXPECT_EQ(Store(folder_ / "all.db", Store::Mode::read).contents().studies, 2);
 }
 
-TEST_F(CodeVersions, ATrialHidesNothing) {
+TEST_F(CodeVersions, ATrialHidesNothingAndIsNoVersion) {
   keep_by(*store_, "1.3", "aa", 1, 2.0);
-  records::StudyResult trial = study("s");
+  records::StudyResult trial = study("s", "", {series("theirs")});
   trial.text = with_trial("", "ppc = 4 in 1 of 1 series");
-  trial.series = {series("theirs")};
-  trial.series[0].code = records::OtherCode{"my-code", "1.3", "", "reference", "aa"};
-  store_->keep_study(trial, {}, built("d2", "bbb", "2026-01-05T00:00:00Z"));
-  EXPECT_EQ(order_of(store_->versions_of_code("my-code").at(0)), 2.0);
+  for (const char* version : {"1.3", "1.4"}) {
+    trial.series[0].code = records::OtherCode{"my-code", version, "", "reference", "aa"};
+    store_->keep_study(trial, {}, built("d2", "bbb", "2026-01-05T00:00:00Z"));
+  }
+  const auto versions = store_->versions_of_code("my-code");
+  ASSERT_THAT(versions, testing::SizeIs(1));
+  EXPECT_EQ(order_of(versions[0]), 2.0);
 }
 
 TEST_F(CodeVersions, ACodeThatRanNothingIsRefused) {
