@@ -29,6 +29,13 @@ nlohmann::json contents_json(const std::string& file, const Contents& contents) 
   for (const auto& [digest, commit, dirty, records, last] : contents.programs)
     programs.push_back(
         {{"digest", digest}, {"commit", commit}, {"dirty", dirty}, {"records", records}, {"last", last}});
+  nlohmann::json codes = nlohmann::json::array();
+  for (const auto& [name, versions] : contents.codes) {
+    nlohmann::json known = nlohmann::json::array();
+    for (const store::Version& version : versions)
+      known.push_back({{"version", version.commits.front()}, {"digest", version.digest}, {"last", version.time}});
+    codes.push_back({{"code", name}, {"versions", known}});
+  }
   return {{"file", file},
           {"schema", contents.schema},
           {"bytes", contents.bytes},
@@ -37,7 +44,8 @@ nlohmann::json contents_json(const std::string& file, const Contents& contents) 
           {"ok", contents.ok},
           {"unstable", contents.unstable},
           {"failed", contents.failed},
-          {"programs", programs}};
+          {"programs", programs},
+          {"codes", codes}};
 }
 
 void print_contents(const std::string& file, const Contents& contents) {
@@ -51,6 +59,11 @@ void print_contents(const std::string& file, const Contents& contents) {
     print("digest {}\n", digest);
     print_indented(fmt::format("commit {}{}, {}, last {}", commit, dirty ? " (dirty)" : "",
                                count_text(static_cast<std::size_t>(records), "record"), last));
+  }
+  for (const auto& [name, versions] : contents.codes) {
+    print("code {}\n", name);
+    for (const store::Version& version : versions)
+      print_indented(fmt::format("{}, last study {}", label(version), version.time));
   }
 }
 

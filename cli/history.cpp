@@ -114,13 +114,27 @@ struct TrendOptions {
   bool json = false;
 };
 
+/// Whether a number of it has a remark.
+bool is_marked(const Trend& trend) {
+  for (std::size_t v = 0; v < trend.numbers.size(); ++v)
+    if (!std::isnan(trend.numbers[v]) && !trend.remarks[v].empty()) return true;
+  return false;
+}
+
+bool has_remarks(const Trend& trend) {
+  return std::ranges::any_of(trend.remarks, [](const std::string& remark) { return !remark.empty(); });
+}
+
 nlohmann::json trends_json(const std::vector<Version>& versions, const std::vector<Trend>& trends,
                            const std::string& code) {
   nlohmann::json all_versions = nlohmann::json::array(), all_trends = nlohmann::json::array();
   for (const Version& version : versions) all_versions.push_back(version_json(version, code));
-  for (const Trend& trend : trends)
+  for (const Trend& trend : trends) {
     all_trends.push_back(
         {{"study", trend.study}, {"kind", to_string(trend.kind)}, {"name", trend.name}, {"values", trend.numbers}});
+    if (!std::isnan(trend.at)) all_trends.back()["at"] = trend.at;
+    if (has_remarks(trend)) all_trends.back()["remarks"] = trend.remarks;
+  }
   return {{"versions", all_versions}, {"trends", all_trends}};
 }
 
@@ -129,6 +143,14 @@ std::size_t shown_versions(std::size_t all) {
   constexpr std::size_t beside = 45, column = 11;
   if (!output_columns()) return all;
   return std::min(all, std::max<std::size_t>(2, (std::max(text_width(), beside) - beside) / column));
+}
+
+/// The number; its remark where there is none.
+std::string cell(const Trend& trend, std::size_t version) {
+  const double number = trend.numbers[version];
+  const std::string& remark = trend.remarks[version];
+  if (std::isnan(number) && !remark.empty()) return remark;
+  return number_text(number) + (remark.empty() ? "" : "*");
 }
 
 void print_trends(const std::vector<Version>& versions, const std::vector<Trend>& trends) {
@@ -142,11 +164,13 @@ void print_trends(const std::vector<Version>& versions, const std::vector<Trend>
   Table table(columns, 0);
   for (const Trend& trend : trends) {
     std::vector<std::string> cells{trend.study};
-    for (std::size_t v = first; v < versions.size(); ++v) cells.push_back(number_text(trend.numbers[v]));
-    cells.push_back(trend.name);
+    for (std::size_t v = first; v < versions.size(); ++v) cells.push_back(cell(trend, v));
+    cells.push_back(label(trend));
     table.add(std::move(cells));
   }
   table.print();
+  if (std::ranges::any_of(trends, [](const Trend& trend) { return is_marked(trend); }))
+    print("* of runs that are not all ok: some are unstable or failed\n");
   if (first > 0) print("versions 1 to {} find no room in this width: --json has all\n", first);
 }
 

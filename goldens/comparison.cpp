@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "goldens/golden.hpp"
 #include "studies/claims/claim.hpp"
@@ -116,13 +117,14 @@ std::size_t Comparison::changed() const {
 Comparison compare(const std::vector<Finding>& before, const std::vector<Finding>& after) {
   const auto earlier = by_key(before), later = by_key(after);
   Comparison comparison;
-  for (const auto& [key, finding] : earlier) {
-    const auto found = later.find(key);
+  for (const Finding& finding : before) {
+    const auto found = later.find(key_of(finding));
     if (found == later.end()) continue;
-    const bool cost = finding->kind == Finding::Kind::cost;
-    (cost ? comparison.costs : comparison.changes).push_back(change_between(*finding, *found->second));
+    const bool cost = finding.kind == Finding::Kind::cost;
+    (cost ? comparison.costs : comparison.changes).push_back(change_between(finding, *found->second));
   }
-  std::ranges::stable_sort(comparison.changes, std::greater{}, &Change::bands);
+  std::ranges::stable_sort(comparison.changes, std::greater{},
+                           [](const Change& c) { return std::pair(c.bands, c.after.kind == Finding::Kind::verdict); });
   std::ranges::stable_sort(comparison.costs, std::greater{},
                            [](const Change& c) { return c.after.number / c.before.number; });
   comparison.only_before = only_in(before, later);

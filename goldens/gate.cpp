@@ -94,20 +94,22 @@ Judgement judge(const OfSeries& golden, const StudyResult& study) {
   return series ? judge(golden, *series) : missing(fmt::format("no series '{}'", golden.series));
 }
 
-/// Results of a trial (`study --set`) are inconclusive, and a golden that nobody has reviewed cannot pass.
-Judgement judge(const Golden& golden, const StudyResult& study, Trials trials) {
+/// Results of a trial (`study --set`) and old ones are inconclusive, and a golden that nobody has reviewed cannot pass.
+Judgement judge(const Golden& golden, const StudyResult& study, const GateScope& scope) {
   Judgement found = std::visit([&](const auto& expectation) { return judge(expectation, study); }, golden.expectation);
-  const std::string trial = trials == Trials::judged ? "" : store::trial_of(study.text);
+  const std::string trial = scope.trials == Trials::judged ? "" : store::trial_of(study.text);
   if (!trial.empty()) return inconclusive(found.measured, fmt::format("made with --set: {}", trial));
+  if (const auto old = scope.outdated.find(study.name); old != scope.outdated.end())
+    return inconclusive(found.measured, old->second);
   if (found.verdict == Verdict::pass && !golden.reviewed)
     return inconclusive(found.measured, "not reviewed: its file has no reviewed = \"DATE: who and on what grounds\"");
   return found;
 }
 
-GateResult judge(const Golden& golden, const std::vector<StudyResult>& studies, Trials trials) {
+GateResult judge(const Golden& golden, const std::vector<StudyResult>& studies, const GateScope& scope) {
   const StudyResult* study = find(studies, golden.study, &StudyResult::name);
   Judgement judgement =
-      study ? judge(golden, *study, trials) : missing(fmt::format("no study '{}' in the store", golden.study));
+      study ? judge(golden, *study, scope) : missing(fmt::format("no study '{}' in the store", golden.study));
   return {golden.study,
           subject(golden),
           judgement.verdict,
@@ -131,18 +133,18 @@ int GateReport::exit_code() const {
 }
 
 GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<StudyResult>& studies,
-                    const std::vector<std::string>& only, Trials trials) {
+                    const GateScope& scope) {
   if (goldens.empty()) throw support::UsageError("no golden to judge (at least one)");
   std::set<std::string> known;
   for (const Golden& golden : goldens) known.insert(golden.study);
-  for (const std::string& study : only)
+  for (const std::string& study : scope.only)
     if (!known.contains(study))
       throw support::UsageError(
           fmt::format("unknown study '{}' in the goldens (known: {})", study, fmt::join(known, ", ")));
   GateReport report;
   for (const Golden& golden : goldens) {
-    if (only.empty() || std::ranges::count(only, golden.study) > 0)
-      report.results.push_back(judge(golden, studies, trials));
+    if (scope.only.empty() || std::ranges::count(scope.only, golden.study) > 0)
+      report.results.push_back(judge(golden, studies, scope));
   }
   return report;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,16 @@ struct GateReport {
 /// user asks to have them judged all the same (`gate --as-set`).
 enum class Trials { inconclusive, judged };
 
-/// Holds the goldens against the stored studies; only those of the studies named in `only`, unless it is empty.
-/// UsageError when there is nothing to judge or a name in `only` has no golden.
+/// What is judged.
+struct GateScope {
+  std::vector<std::string> only = {};  ///< the goldens of these studies; empty: of all
+  Trials trials = Trials::inconclusive;
+  std::map<std::string, std::string> outdated = {};  ///< studies that are inconclusive, and why they are too old
+};
+
+/// Holds the goldens against the stored studies. UsageError when there is nothing to judge or a name in `only` has no
+/// golden.
 GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<records::StudyResult>& studies,
-                    const std::vector<std::string>& only = {}, Trials trials = Trials::inconclusive);
+                    const GateScope& scope = {});
 
 }  // namespace mpmvv::goldens

@@ -49,7 +49,7 @@ Axis version_axis(const History& history) {
 }
 
 Curve trend_curve(const Trend& trend, int style, bool log) {
-  Curve curve{trend.name, trend.name, style, true, true, true, {}};
+  Curve curve{label(trend), label(trend), style, true, true, true, {}};
   for (std::size_t v = 0; v < trend.numbers.size(); ++v) {
     const double number = trend.numbers[v];
     const bool drawable = std::isfinite(number) && (!log || number > 0);

@@ -62,7 +62,11 @@ Finding order_finding(const StudyResult& study, const Series& series, const fits
                    order.order,
                    "",
                    1,
-                   {}});
+                   {},
+                   not_measured,
+                   not_measured,
+                   series.name,
+                   {order.from, order.to}});
 }
 
 /// A check's curve is no sequence of refinements: it has no finest level.
@@ -77,7 +81,7 @@ void add_errors(std::vector<Finding>& findings, const StudyResult& study, const 
     }
     const auto [x, y] = finest(study, levels);
     findings.push_back({study.name, Finding::Kind::error, fmt::format("error of '{}' in {}", series.name, quantity), y,
-                        "", -1, levels, x});
+                        "", -1, levels, x, not_measured, series.name});
   }
 }
 
@@ -117,7 +121,10 @@ void add_statuses(std::vector<Finding>& findings, const StudyResult& study, cons
                         not_measured,
                         to_string(point.status),
                         0,
-                        {}});
+                        {},
+                        point.x,
+                        not_measured,
+                        series.name});
 }
 
 void add_cost(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/fits/window.hpp"
 #include "studies/records/result.hpp"
 
 namespace mpmvv::claims {
@@ -26,8 +27,10 @@ struct Finding {
   std::string word;                   ///< a status, a verdict, why there is no number; else empty
   int better = 0;                     ///< 1: the larger the better; -1: the smaller; 0: neither
   std::vector<Level> levels;          ///< of an error or curve, in increasing x
-  double at = not_measured;           ///< of an error: the swept value of the finest level
+  double at = not_measured;           ///< of an error: the swept value of the finest level; of a status: its run's
   double uncertainty = not_measured;  ///< of an extrapolated value
+  std::string series = {};            ///< of an order, error or status
+  fits::Window window = {};           ///< of an order
 };
 
 constexpr std::array<const char*, 7> words_of(Finding::Kind) {

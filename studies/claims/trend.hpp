@@ -6,14 +6,20 @@
 
 namespace mpmvv::claims {
 
-/// One result over the versions of a store: a fitted order, the error at the finest level, a stability limit or a
-/// value of a check.
+/// One result over the versions of a store: a fitted order, the error at a level that was the finest of a version, a
+/// stability limit or a value of a check.
 struct Trend {
   std::string study;
   Finding::Kind kind = Finding::Kind::order;
   std::string name;
   std::vector<double> numbers;  ///< one per version, NaN where it has none
+  double at = not_measured;     ///< of an error: the swept value of its level
+  /// One per version: how a run has ended on which the number rests, where one is not ok; of a limit "not found".
+  std::vector<std::string> remarks = {};
 };
+
+/// The trend's name, and at which level.
+std::string label(const Trend& trend);
 
 /// The trends of the versions' findings, in the order in which these first name them, those of a study together.
 std::vector<Trend> trends_of(const std::vector<std::vector<Finding>>& versions);

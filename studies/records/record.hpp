@@ -95,9 +95,9 @@ struct Record {
       {};  ///< where the case asks for them; without the mirror images of a quarter
 };
 
-/// Whether another try may do better.
+/// Whether another try may do better: of another code nobody knows whether it was for want of a licence or a library.
 inline bool is_worth_another_try(const Record& r) {
-  return r.status == Status::failed && r.failure != Failure::of_case;
+  return r.status == Status::failed && (r.failure != Failure::of_case || !r.the_case.scheme.code.empty());
 }
 
 /// A number of a run.

@@ -76,11 +76,13 @@ class RunCopier {
     return origins_.at(there["provenance"].integer());
   }
 
-  /// The store has a run of this key.
+  /// The store has a run of this key. Of two that failed, one of the case says more than one of the machine.
   std::int64_t replace_failed(const Row& there, const Origin& origin) {
-    const Value status =
-        to_.scalar("SELECT status FROM runs WHERE case_text = ? AND digest = ?", {there["case_text"], there["digest"]});
-    if (status.text() != "failed") return 0;
+    const Value says_more = to_.scalar(
+        "SELECT status = 'failed' AND (? <> 'failed' OR (? IS 'case' AND failure IS NOT 'case')) FROM runs "
+        "WHERE case_text = ? AND digest = ?",
+        {there["status"], there["failure"], there["case_text"], there["digest"]});
+    if (says_more.integer() == 0) return 0;
     Columns columns{{"provenance", origin.here.row()["id"]}};
     for (std::size_t i = 0; i < columns_.size(); ++i)
       if (i != id_ && i != provenance_ && i != seal_) columns.emplace_back(columns_[i], there.values()[i]);

@@ -2,7 +2,6 @@
 
 #include <fmt/chrono.h>
 
-#include <chrono>
 #include <fstream>
 
 #include "mpmvv_build_info.hpp"
@@ -18,12 +17,12 @@ std::string cpu_model() {
   return "unknown";
 }
 
-std::string now() {
-  const auto seconds = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+}  // namespace
+
+std::string time_text(std::chrono::system_clock::time_point time) {
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)));
 }
-
-}  // namespace
 
 Provenance current_provenance() {
   return {.digest = build_info::digest,
@@ -33,7 +32,7 @@ Provenance current_provenance() {
           .flags = build_info::flags,
           .build_type = build_info::build_type,
           .cpu = cpu_model(),
-          .time = now()};
+          .time = time_text(std::chrono::system_clock::now())};
 }
 
 }  // namespace mpmvv::store

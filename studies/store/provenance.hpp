@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <string>
 
 namespace mpmvv::store {
@@ -14,6 +15,9 @@ struct Provenance {
   std::string cpu;   ///< model name of the processor
   std::string time;  ///< ISO 8601, UTC
 };
+
+/// ISO 8601, UTC, to the second: the earlier, the less.
+std::string time_text(std::chrono::system_clock::time_point time);
 
 /// Of the running program, now.
 Provenance current_provenance();

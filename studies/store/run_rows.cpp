@@ -55,7 +55,7 @@ std::int64_t insert_run_row(Database& database, const Columns& columns, const Va
   const std::int64_t kept = database.insert(
       "runs", columns,
       fmt::format("ON CONFLICT (case_text, digest) DO UPDATE SET {} WHERE status = 'failed' AND "
-                  "(excluded.status <> 'failed' OR (excluded.failure = 'case' AND failure IS NOT 'case'))",
+                  "(excluded.status <> 'failed' OR excluded.failure IS 'case' OR failure IS NOT 'case')",
                   fmt::join(replacements, ", ")));
   if (kept > 0) seal(database, Sealed::run, id_of(database, case_text, digest).integer());
   return kept;

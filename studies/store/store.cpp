@@ -194,7 +194,8 @@ Contents Store::contents() const {
       .ok = with_status(Status::ok),
       .unstable = with_status(Status::unstable),
       .failed = with_status(Status::failed),
-      .programs = {}};
+      .programs = {},
+      .codes = {}};
   database.each(
       "SELECT provenance.digest, git_commit, dirty, count(*) AS records, max(kept_at) AS last FROM runs "
       "JOIN provenance ON provenance.id = runs.provenance GROUP BY provenance.digest, git_commit, dirty ORDER BY last "
@@ -203,6 +204,8 @@ Contents Store::contents() const {
         contents.programs.push_back({row["digest"].text(), row["git_commit"].text(), row["dirty"].flag(),
                                      row["records"].integer(), row["last"].text()});
       });
+  for (const std::string& code : codes_in(database))
+    contents.codes.push_back({code, store::versions_of_code(database, code)});
   return contents;
 }
 

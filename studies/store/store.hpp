@@ -47,8 +47,8 @@ class Store {
   StepCosts step_costs() const;
 
   /// Keeps finished records in one transaction: a killed run loses nothing that was kept. Keeping the same key again
-  /// (two processes) is no error; the first one stays, unless it has `failed`. A failure of the machine gives way to
-  /// one of the case, and both to a run that was carried out.
+  /// (two processes) is no error; the first one stays, unless it has `failed`. Then it gives way to a run that was
+  /// carried out and to a later failure; only one of the case does not give way to one of the machine.
   void keep(std::span<const records::Record> records, const Provenance& p);
   void keep(const records::Record& r, const Provenance& p) { keep({&r, 1}, p); }
 

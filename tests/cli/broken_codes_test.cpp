@@ -19,6 +19,7 @@ using codes::Mover;
 using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 class StudyOfABrokenCode : public testing::Test {
  protected:
@@ -67,6 +68,23 @@ TEST_F(StudyOfABrokenCode, SaysWhyARunFailed) {
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.out, AllOf(ContainsRegex("\n +failed +cells +why\n +theirs +8 +[^\n]*mover ended with"),
                                 HasSubstr("3 cases run, 0 taken from r.db, 2 failed")));
+}
+
+/// A licence, a library: what was missing may be there the next time, with the same code.
+TEST_F(StudyOfABrokenCode, IsTriedAgainWhereARunFailed) {
+  const fs::path surroundings = mover_.top() / "surroundings.sh";
+  mover_.script(". " + surroundings.string() + "\n" + Mover::moving);
+  const auto study_where = [&](const std::string& what_happens) {
+    std::ofstream(surroundings) << what_happens;
+    return in_folder("study s.toml --db r.db").out;
+  };
+  EXPECT_THAT(study_where("echo no licence; exit 1"), HasSubstr("no licence"));
+  EXPECT_THAT(study_where("echo no library; exit 1"),
+              AllOf(HasSubstr("3 cases run, 0 taken from r.db, 3 failed"), HasSubstr("no library")));
+  EXPECT_THAT(in_folder("db export --db r.db").out, AllOf(HasSubstr("no library"), Not(HasSubstr("no licence"))));
+  EXPECT_THAT(in_folder("study s.toml --db r.db --plan").out, ContainsRegex("\ns +3 +0 +0 +3"));
+  EXPECT_THAT(study_where("[ $2 = 4 ] || echo blown up"), HasSubstr("3 cases run, 0 taken from r.db"));
+  EXPECT_THAT(study_where(""), HasSubstr("0 cases run, 3 taken from r.db")) << "what is unstable has been carried out";
 }
 
 /// Both run what the store does not hold, and both find it sound.

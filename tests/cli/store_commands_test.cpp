@@ -204,6 +204,30 @@ TEST(GateCommand, SaysWhichStudyFileHasChangedSinceItWasRun) {
   EXPECT_THAT(carry_out(folder, "mpmvv gate --db r.db").err, HasSubstr("small: small.toml has changed"));
 }
 
+/// A night on which a study was not run, as its file has another name or its code was not there.
+TEST(GateCommand, DoesNotPassWhatIsOlderThanAsked) {
+  const Folder folder;
+  std::filesystem::create_directories(folder / "goldens");
+  folder.write("small.toml", small_study);
+  folder.write("goldens/small.toml",
+               "reviewed = \"now\"\nstudy = \"small\"\n[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"ok\"\n");
+  ASSERT_EQ(carry_out(folder, "mpmvv study small.toml --db r.db").code, 0);
+  EXPECT_EQ(carry_out(folder, "mpmvv gate --db r.db --max-age 12").code, 0);
+  {
+    store::Store store(folder / "r.db", store::Store::Mode::write);
+    store::Provenance earlier = store::current_provenance();
+    const auto study = store.studies(earlier.digest).at(0);
+    earlier.time = "2001-01-01T00:00:00Z";
+    store.keep_study(study, {{}, {}}, earlier);
+  }
+  EXPECT_EQ(carry_out(folder, "mpmvv gate --db r.db").code, 0);
+  const Answer old = carry_out(folder, "mpmvv gate --db r.db --max-age 12");
+  EXPECT_EQ(old.code, 3);
+  EXPECT_THAT(old.out, HasSubstr("last run 2001-01-01T00:00:00Z, more than 12 h ago"));
+  ASSERT_EQ(carry_out(folder, "mpmvv study small.toml --db r.db").code, 0) << "nothing is run, and it is looked at";
+  EXPECT_EQ(carry_out(folder, "mpmvv gate --db r.db --max-age 12").code, 0);
+}
+
 TEST(ClaimsCommand, ATrialSaysNothingOfItsClaims) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";

@@ -46,8 +46,8 @@ TEST(Gate, ATrialDecidesNothingUnlessItIsAskedFor) {
     EXPECT_EQ(report.results[0].reason, "made with --set: shuffle = 3 in 1 of 1 series");
     EXPECT_EQ(report.results[0].measured, "2 (3 points)");
   }
-  EXPECT_EQ(run_gate({order_two}, {study}, {}, Trials::judged).exit_code(), 0);
-  EXPECT_EQ(run_gate({three}, {study}, {}, Trials::judged).exit_code(), 1);
+  EXPECT_EQ(run_gate({order_two}, {study}, {.trials = Trials::judged}).exit_code(), 0);
+  EXPECT_EQ(run_gate({three}, {study}, {.trials = Trials::judged}).exit_code(), 1);
 }
 
 TEST(Gate, ErrorsFailWhenWorseAndWhenBetter) {
@@ -169,12 +169,22 @@ TEST(Gate, AFailureOutranksWhatIsInconclusive) {
   EXPECT_EQ(report.count(Verdict::inconclusive), 1);
 }
 
+TEST(Gate, WhatIsTooOldDecidesNothing) {
+  const Golden three{"s", "", OrderGolden{"a", "l2", 3, 2.85, 3.15}};
+  for (const Golden& golden : {order_two, three}) {
+    const GateReport report = run_gate({golden}, {healthy()}, {.outdated = {{"s", "of yesterday"}}});
+    EXPECT_EQ(report.exit_code(), 3);
+    EXPECT_EQ(report.results[0].reason, "of yesterday");
+  }
+  EXPECT_EQ(run_gate({order_two}, {healthy()}, {.outdated = {{"t", "of yesterday"}}}).exit_code(), 0);
+}
+
 TEST(Gate, OnlyTheNamedStudiesAreJudged) {
   const Golden other{"t", "t.toml:1", ValueGolden{.name = "x", .upper = 1}};
-  const GateReport report = run_gate({order_two, other}, {healthy()}, {"s"});
+  const GateReport report = run_gate({order_two, other}, {healthy()}, {.only = {"s"}});
   ASSERT_EQ(report.results.size(), 1U);
   EXPECT_EQ(report.results[0].study, "s");
-  EXPECT_THROW(run_gate({order_two, other}, {healthy()}, {"s", "u"}), support::UsageError);
+  EXPECT_THROW(run_gate({order_two, other}, {healthy()}, {.only = {"s", "u"}}), support::UsageError);
 }
 
 TEST(Gate, AGateThatChecksNothingIsAnError) {

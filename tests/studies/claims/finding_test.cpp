@@ -105,4 +105,21 @@ TEST(Trends, HaveANumberPerVersion) {
   EXPECT_THAT(trends.back().numbers, ElementsAre(NanSensitiveDoubleEq(NAN), NanSensitiveDoubleEq(NAN), 1));
 }
 
+TEST(Trends, AnErrorIsOfOneLevelInAllVersions) {
+  StudyResult coarse = sample(), fine = sample();
+  fine.series[0].points[2] = {32, records::Status::ok, "", {{"l2", 2e-5}}};
+  fine.series[0].points[1].status = records::Status::failed;
+  const auto trends = trends_of({findings_of(coarse), findings_of(fine)});
+  ASSERT_GE(trends.size(), 3U);
+  EXPECT_EQ(label(trends[0]), "order of 'a' in l2 over [8, 16]");
+  EXPECT_THAT(trends[0].remarks, ElementsAre("", "failed")) << "a run of its window";
+  EXPECT_EQ(label(trends[1]), "error of 'a' in l2 at 16");
+  EXPECT_THAT(trends[1].numbers, ElementsAre(1e-4, NanSensitiveDoubleEq(NAN)));
+  EXPECT_THAT(trends[1].remarks, ElementsAre("", "failed"));
+  const auto at_32 = std::ranges::find(trends, "error of 'a' in l2 at 32", label);
+  ASSERT_NE(at_32, trends.end());
+  EXPECT_THAT(at_32->numbers, ElementsAre(NanSensitiveDoubleEq(NAN), 2e-5));
+  EXPECT_THAT(at_32->remarks, ElementsAre("unstable", ""));
+}
+
 }  // namespace mpmvv::claims::finding_test
