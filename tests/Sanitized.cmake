@@ -74,6 +74,9 @@ else()
   mpmvv_filter(sanitized_memory.txt)
   # The longest first.
   mpmvv_instrumented_rooms(cli ${read_rooms} goldens)
+  # The leak checker looks through all memory at the end of each process. These tests start hundreds, of rooms whose leaks
+  # the other test programs would show: a third less time.
+  set_property(TEST test_cli_0 test_cli_1 APPEND PROPERTY ENVIRONMENT LSAN_OPTIONS=detect_leaks=0)
   mpmvv_instrumented_rooms(studies ${read_rooms} ${run_rooms} solver mms)
   mpmvv_instrumented_rooms(solver solver mms)
   mpmvv_instrumented_rooms(reports ${read_rooms} reports)
