@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace mpmvv::reports {
@@ -53,9 +54,27 @@ Curve trend_curve(const Trend& trend, int style, bool log) {
   for (std::size_t v = 0; v < trend.numbers.size(); ++v) {
     const double number = trend.numbers[v];
     const bool drawable = std::isfinite(number) && (!log || number > 0);
-    curve.dots.push_back({static_cast<double>(v + 1), number, number, drawable ? Mark::inside : Mark::absent});
+    const std::string remark = v < trend.remarks.size() ? trend.remarks[v] : "";
+    const Mark mark = drawable ? (remark.empty() ? Mark::inside : Mark::outside)
+                               : (remark == to_string(records::Status::unstable) ? Mark::unstable : Mark::absent);
+    curve.dots.push_back({static_cast<double>(v + 1), number, number, mark});
   }
   return curve;
+}
+
+bool marks(const Chart& chart, Mark mark) {
+  return std::ranges::any_of(
+      chart.curves, [mark](const Curve& curve) { return std::ranges::count(curve.dots, mark, &Dot::mark) > 0; });
+}
+
+/// Crosses of one version stand below each other, and the caption says what marks mean that are not of every chart.
+void place_marks(Chart& chart) {
+  std::map<double, int> at_x;
+  for (Curve& curve : chart.curves)
+    for (Dot& dot : curve.dots)
+      if (dot.mark == Mark::unstable) dot.drawn = chart.y.value(1 - 0.03 - 0.05 * at_x[dot.x]++);
+  if (marks(chart, Mark::outside)) chart.caption += " Hollow: a run of the window is unstable or failed.";
+  if (marks(chart, Mark::unstable)) chart.caption += " Crosses at the upper edge: unstable.";
 }
 
 /// One number has no course.
@@ -103,6 +122,7 @@ std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind
   shorten_keys(chart, study, where);
   chart.x = version_axis(history);
   chart.y = make_axis({kind.label, kind.log, {}, {}, 0.1, 0.1}, numbers);
+  place_marks(chart);
   return chart;
 }
 

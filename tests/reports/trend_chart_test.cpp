@@ -37,6 +37,27 @@ TEST(TrendChart, KeysSayAllWhereTheRestDiffers) {
   EXPECT_EQ(chart.caption, "Study bars: observed order in each version.");
 }
 
+TEST(TrendChart, ANumberWithoutAllOfItsRunsIsHollowAndAnUnstableRunACross) {
+  History history{"", versions, {{"bars", Finding::Kind::order, "order of 'a'", {2, 2}}}};
+  history.trends[0].remarks = {"", "unstable"};
+  const double none = support::not_measured;
+  for (const char* remark : {"unstable", "failed"})
+    history.trends.push_back(
+        {"bars", Finding::Kind::error, std::string("of ") + remark, {1, 2, none}, 32, {"", "", remark}});
+  history.versions.push_back({"d3", {"third"}, "2026-01-03"});
+  history.trends[0].numbers.push_back(2), history.trends[0].remarks.push_back("");
+  const auto charts = trend_charts("bars", history);
+  const auto& orders = charts.at(0).curves.at(0).dots;
+  EXPECT_EQ(orders[0].mark, Mark::inside);
+  EXPECT_EQ(orders[1].mark, Mark::outside);
+  EXPECT_NE(charts[0].caption.find("Hollow: a run of the window is unstable or failed."), std::string::npos);
+  const auto& errors = charts.at(1).curves;
+  EXPECT_EQ(errors.at(0).dots[2].mark, Mark::unstable);
+  EXPECT_TRUE(charts[1].y.holds(errors[0].dots[2].drawn));
+  EXPECT_EQ(errors.at(1).dots[2].mark, Mark::absent);
+  EXPECT_NE(charts[1].caption.find("Crosses at the upper edge: unstable."), std::string::npos);
+}
+
 TEST(TrendChart, VersionsOfACodeThatSayTheSameHaveTheirDigests) {
   EXPECT_EQ(names_of({{"0a1b2c3d4e", {"1.3"}, ""}, {"5f6a7b8c9d", {"1.3"}, ""}, {"aabbccddee", {"1.4"}, ""}}),
             (std::vector<std::string>{"0a1b2c3", "5f6a7b8", "1.4"}));
