@@ -19,8 +19,8 @@ namespace {
 
 const char* const introduction = R"(# The study file, key by key
 
-A study file is TOML. This page lists all that may stand in one: `mpmvv list study-file` prints it from the tables by which the program
-reads the file, and a test holds the page to them. Anything else is answered by one line that says what is wrong, where, and what would be
+A study file is TOML. This page lists every key that it may have. `mpmvv list study-file` prints the page from the tables by which the
+program reads the file, and a test compares the two. If a file has anything else, one line says what is wrong, where, and what would be
 right. [first-study.md](first-study.md) begins with a file and what it does; [own-study.md](own-study.md) says how to ask for limits, costs
 and checks.
 

@@ -14,10 +14,9 @@ FileTable top_of_the_file() {
       false,
       {{"title", "text", "", "what the study asks, in a line"},
        {"claims", "texts", "none",
-        "ids of claims that it judges and that another file states, one beside it or a shipped one "
-        "([claims.md](claims.md))"},
+        "ids of claims that it judges and another file states, beside it or shipped ([claims.md](claims.md))"},
        {"check", "text", "none",
-        "a property that is measured in place of runs (`mpmvv list checks`); then there is no `fixed`, `series`, "
+        "a property that is measured instead of runs (`mpmvv list checks`); then there is no `fixed`, `series`, "
         "`sweep`, `limit` or `replicates`"}}};
 }
 
@@ -37,9 +36,8 @@ FileTable limit_table() {
       "limit",
       "[limit]",
       "Searches the stability limit: a scan from `from` to `to`, then bisection "
-      "([measuring.md](measuring.md#stability-limit)). Beside a sweep over `cells` it takes the one `cells` of "
-      "`[fixed]` or of the series. The bracket that it finds is of values that were run, with steps that divide "
-      "the end time.",
+      "([measuring.md](measuring.md#stability-limit)). If the sweep is over `cells`, the search takes the "
+      "`cells` of `[fixed]` or of the series. Both ends of the bracket were run, with steps that divide the end time.",
       false,
       {{"key", "text", "", "what is varied: `cfl` or `smoothing_length`"},
        {"from", "number", "", "the scan's smallest value"},
@@ -56,9 +54,9 @@ FileTable fit_table() {
           "Fits the order of a norm ([measuring.md](measuring.md#observed-order)).",
           false,
           {{"norm", "text", "", "what is fitted, a name of [measuring.md](measuring.md#errors)"},
-           {"window", "two numbers", "", "first and last swept value that count, with three or more between them"},
+           {"window", "two numbers", "", "first and last swept value that count; three values or more"},
            {"floor_window", "two numbers", "none",
-            "beside it a fit with a floor, over six values or more ([measuring.md](measuring.md#floor))"},
+            "a second fit, with a floor, over six values or more ([measuring.md](measuring.md#floor))"},
            {"series", "names of series", "all", "those that are fitted; those that turn the norm off are left out"}}};
 }
 
@@ -68,52 +66,53 @@ FileTable extrapolate_table() {
           "Extrapolates a quantity without an exact value to h = 0 ([measuring.md](measuring.md#extrapolation)).",
           false,
           {{"norm", "text", "", "which quantity"},
-           {"window", "two numbers", "", "first and last swept value that count, with four or more between them"},
+           {"window", "two numbers", "", "first and last swept value that count; four values or more"},
            {"series", "names of series", "all", "those that are extrapolated"}}};
 }
 
 FileTable figure_table() {
-  return {"figure",
-          "[[figure]]",
-          "A figure of the report.",
-          false,
-          {{"caption", "text", "", "what it shows"},
-           {"xlabel", "text", "", "label of the axis to the right"},
-           {"ylabel", "text", "", "label of the axis upwards"},
-           {"name", "text", "the study's", "the file's, where a study has more figures than one"},
-           {"kind", "text", "`curves`",
-            "`curves`: a quantity against the swept value; `work-precision`: against the measured cost, where every "
-            "series has `repeat`; `particles`: particles and voxels that a check has taken, or those of each series' "
-            "last sound run, coloured "
-            "by their errors, where every series has `particle_errors`"},
-           {"quantity", "text", "`l2`", "what is drawn, a norm; `y` where a check brings the curves"},
-           {"xscale", "text", "`log`", "`log` or `linear`"},
-           {"yscale", "text", "`log`", "`log` or `linear`"},
-           {"x_range", "two numbers", "as the points are", "where the axis begins and ends"},
-           {"y_range", "two numbers", "as the points are", "where the axis begins and ends"},
-           {"series", "names of series", "all", "those that are drawn; those that turn the quantity off are left out"},
-           {"marks", "names of series", "none", "those that are drawn as points without a line"},
-           {"slopes", "numbers", "none", "powers of h to draw for comparison"}}};
+  return {
+      "figure",
+      "[[figure]]",
+      "A figure of the report.",
+      false,
+      {{"caption", "text", "", "what it shows"},
+       {"xlabel", "text", "", "label of the axis to the right"},
+       {"ylabel", "text", "", "label of the axis upwards"},
+       {"name", "text", "the study's", "name of its files, if the study has more than one figure"},
+       {"kind", "text", "`curves`",
+        "`curves`: a quantity against the swept value; `work-precision`: against the measured cost, where every "
+        "series has `repeat`; `particles`: particles and voxels that a check has recorded, or the particles of each "
+        "series' last sound run, coloured by their errors, where every series has `particle_errors`"},
+       {"quantity", "text", "`l2`", "what is drawn, a norm; `y` where a check brings the curves"},
+       {"xscale", "text", "`log`", "`log` or `linear`"},
+       {"yscale", "text", "`log`", "`log` or `linear`"},
+       {"x_range", "two numbers", "as the points are", "where the axis begins and ends"},
+       {"y_range", "two numbers", "as the points are", "where the axis begins and ends"},
+       {"series", "names of series", "all", "those that are drawn; those that turn the quantity off are left out"},
+       {"marks", "names of series", "none", "those that are drawn as points without a line"},
+       {"slopes", "numbers", "none", "powers of h to draw for comparison"}}};
 }
 
 FileTable criterion_table() {
-  return {"criterion",
-          "[[criterion]]",
-          "What is asked of the results, as a number with bounds. All criteria of a claim make its verdict "
-          "([measuring.md](measuring.md#criteria-and-verdicts)). Commit a criterion before its first full run.",
-          false,
-          {{"claim", "text", "", "id of a claim that the file names or states"},
-           {"statement", "text", "", "what is asked, in a sentence"},
-           {"measure", "text", "", "the number: a word of [Measures](#measures)"},
-           {"series", "names of series", "as [Measures](#measures) says", "whose number it is; each of them must pass"},
-           {"over", "name of a series", "as [Measures](#measures) says", "the series that ratios divide by"},
-           {"name", "text", "as [Measures](#measures) says", "name of a check's value"},
-           {"norm", "text", "as [Measures](#measures) says", "which error"},
-           {"over_norm", "text", "as [Measures](#measures) says", "the norm whose order is subtracted"},
-           {"window", "two numbers", "as [Measures](#measures) says", "first and last swept value that count"},
-           {"at_least", "number", "no bound", "the least that the number may be; this or `at_most` or both"},
-           {"at_most", "number", "no bound", "the most that the number may be"},
-           {"reason", "text", "none", "why it fails: written when the evidence was looked at"}}};
+  return {
+      "criterion",
+      "[[criterion]]",
+      "What is asked of the results, as a number with bounds. All criteria of a claim make its verdict "
+      "([measuring.md](measuring.md#criteria-and-verdicts)). Commit a criterion before its first full run.",
+      false,
+      {{"claim", "text", "", "id of a claim that the file names or states"},
+       {"statement", "text", "", "what is asked, in a sentence"},
+       {"measure", "text", "", "the number: a word of [Measures](#measures)"},
+       {"series", "names of series", "as [Measures](#measures) says", "the series whose number it is; each must pass"},
+       {"over", "name of a series", "as [Measures](#measures) says", "the series that ratios divide by"},
+       {"name", "text", "as [Measures](#measures) says", "name of a check's value"},
+       {"norm", "text", "as [Measures](#measures) says", "which error"},
+       {"over_norm", "text", "as [Measures](#measures) says", "the norm whose order is subtracted"},
+       {"window", "two numbers", "as [Measures](#measures) says", "first and last swept value that count"},
+       {"at_least", "number", "no bound", "the least that the number may be; this or `at_most` or both"},
+       {"at_most", "number", "no bound", "the most that the number may be"},
+       {"reason", "text", "none", "why it fails, written after looking at the evidence"}}};
 }
 
 }  // namespace
@@ -141,8 +140,8 @@ const std::vector<FileTable>& file_tables() {
       limit_table(),
       {"replicates",
        "[replicates]",
-       "One key of the [settings](#settings) with two values or more that should not matter, `grid_offset` or "
-       "`shuffle`: every point becomes the mean of such runs, and a limit is searched for each "
+       "One key of the [settings](#settings) that should not matter, `grid_offset` or `shuffle`, with two values or "
+       "more: every point becomes the mean of such runs, and a limit is searched for each "
        "([how-sure.md](how-sure.md)).",
        true,
        {}},
