@@ -12,7 +12,7 @@ namespace mpmvv::cli {
 
 namespace {
 
-/// Of another code with its version and its adapter, by which a study knows it.
+/// The case; one of another code with its version and adapter, by which a study finds it.
 cases::Case case_of(const CaseOptions& options) {
   std::vector<settings::Setting> settings = options.settings();
   plan::CodeFinder finder(shipped("adapters"));

@@ -22,7 +22,7 @@ using reports::SeriesCommand;
 
 namespace {
 
-/// In single quotes where a shell would take it apart.
+/// The text, in single quotes where a shell would take it apart.
 std::string shell_word(const std::string& text) {
   const bool is_plain = std::ranges::all_of(text, [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("{}+-.,=_/").find(static_cast<char>(c)) != std::string_view::npos;
@@ -64,7 +64,8 @@ SeriesCommand command_of(const plan::StudyPlan& plan, const plan::SeriesPlan& se
   return command;
 }
 
-/// The options of a trial: "shuffle = 3 in 2 of 2 series" was set, what fewer series took was set where it is taken.
+/// The options that repeat a trial. "shuffle = 3 in 2 of 2 series" was given by --set; what fewer series took, by
+/// --set-where-taken.
 std::string trial_options(const std::string& trial) {
   static const std::regex one(R"((\S+) = (.*?) in (\d+) of (\d+) series(; |$))");
   std::string options;

@@ -9,7 +9,7 @@ namespace mpmvv::cli {
 /// would not read any more.
 std::vector<reports::SeriesCommand> case_commands(const records::StudyResult& study);
 
-/// How to repeat a study: by its name where it comes with the program, with what it was tried with.
+/// How to repeat a study: by its name where it comes with the program, else by its file; with the options of a trial.
 reports::StudyCall study_call(const records::StudyResult& study);
 
 }  // namespace mpmvv::cli

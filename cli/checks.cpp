@@ -10,7 +10,7 @@
 
 namespace mpmvv::cli {
 
-/// Completions take the words from the description.
+/// The validator's description lists the words: completions take them from there.
 CLI::Validator one_of(const std::vector<std::string>& words) {
   const auto objection = [words](const std::string& text) {
     return std::ranges::count(words, text) > 0

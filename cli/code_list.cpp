@@ -13,7 +13,8 @@ namespace mpmvv::cli {
 
 namespace {
 
-/// What is wrong with an adapter or its program takes their place, and not that of the other codes.
+/// The entry of one code. A fault of its adapter or program stands in its entry, so that the other codes are still
+/// listed.
 nlohmann::json code_json(const std::filesystem::path& file) {
   nlohmann::json one{{"code", file.parent_path().filename().string()},
                      {"adapter", file.string()},

@@ -19,7 +19,7 @@ namespace mpmvv::cli {
 namespace {
 
 [[noreturn]] void fail_to_print() {
-  if (errno == EPIPE) {  // nobody reads on, as behind `| head`: ends as programs do
+  if (errno == EPIPE) {  // nobody reads on, as behind `| head`: end as other programs do
     std::signal(SIGPIPE, SIG_DFL);
     std::raise(SIGPIPE);
   }

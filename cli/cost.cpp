@@ -76,7 +76,7 @@ std::optional<double> cost_of(const support::ProcessEnd& end) {
   if (!record.is_object() || record.value("status", nlohmann::json()) != "ok") return {};
   const auto cost = record.value("ns_per_particle_step", nlohmann::json());
   if (!cost.is_number()) return {};
-  const double ns = cost;  // compared as JSON it would take two seconds to compile
+  const double ns = cost;  // comparing the JSON value would take two seconds to compile
   return ns > 0 ? std::optional(ns) : std::nullopt;
 }
 
@@ -101,8 +101,8 @@ double required_cost(const TimedRun& run) {
                   run.program, run.options, end_text(end)));
 }
 
-/// The baseline's run of the case, all of the body as here. None where that version does not have all that the case
-/// asks for; one that does not know of parts of bodies runs all of them.
+/// The baseline's run of the case, of the whole body as here. A version that does not know --whole always runs whole
+/// bodies. None where that version refuses the case's options.
 std::optional<TimedRun> baseline_run(const std::string& program, const std::string& options) {
   constexpr int usage_error = 2;
   for (const TimedRun& run : {TimedRun{program, options + " --whole"}, TimedRun{program, options}})

@@ -21,7 +21,7 @@ void print_criteria(const std::string& head, const std::vector<LabelledPart>& pa
 /// Prints the evidence of each criterion: every number that it compared, with its interval, on a line of its own.
 void print_grounds(const std::vector<LabelledPart>& parts);
 
-/// Prints why criteria are inconclusive, but for what stands in their grounds where these have been printed.
+/// Prints why criteria are inconclusive, except what their grounds say already where these have been printed.
 void print_undecided(const std::vector<LabelledPart>& parts, bool have_grounds);
 
 /// Prints why criteria fail, as far as the studies say.

@@ -8,12 +8,13 @@
 #include "cli/results.hpp"
 #include "goldens/gate.hpp"
 #include "studies/claims/claim.hpp"
+#include "studies/fits/median.hpp"
 
 namespace mpmvv::cli {
 
 namespace {
 
-/// The version whose results were there before the first of this digest.
+/// The version before that of this digest, by the times of their first results; null without one.
 const store::Version* version_before(const std::vector<store::Version>& versions, const std::string& digest) {
   const auto now = std::ranges::find(versions, digest, &store::Version::digest);
   return now == versions.begin() || now == versions.end() ? nullptr : &*(now - 1);
@@ -33,8 +34,7 @@ double median_ratio(const std::vector<goldens::Change>& costs) {
   for (const goldens::Change& cost : costs)
     if (cost.before.number > 0 && cost.after.number > 0) ratios.push_back(cost.after.number / cost.before.number);
   if (ratios.empty()) return support::not_measured;
-  std::ranges::sort(ratios);
-  return ratios[ratios.size() / 2];
+  return fits::median_of(ratios);
 }
 
 }  // namespace

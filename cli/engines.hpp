@@ -16,7 +16,7 @@ struct Submission {
   std::size_t minutes = 0, megabytes = 0;  ///< what to ask for, for the shard that needs most
   bool alone = false;                      ///< costs are measured: nothing else on the machine
   std::string partition, account;          ///< empty: the cluster's
-  std::vector<std::string> options;        ///< more of them, as the engine takes them
+  std::vector<std::string> options;        ///< more options of every job, as the engine takes them
 };
 
 struct Script {
@@ -27,12 +27,13 @@ struct Script {
 struct Engine {
   const char* name;
   const char* command;                                ///< the program that submit.sh calls
-  std::vector<Script> (*scripts)(const Submission&);  ///< submit.sh starts it; given shards ("2,5-7"), only those
+  std::vector<Script> (*scripts)(const Submission&);  ///< submit.sh starts them: all shards, or "2,5-7"
 };
 
 std::span<const Engine> engines();
 
-/// For Slurm: an array of jobs, a shard each, and one that depends on it, merges, makes the studies, gates and reports.
+/// Scripts for Slurm: an array of jobs with a shard each, and a job that waits for the array, merges the stores, makes
+/// the studies, gates and reports.
 std::vector<Script> slurm_scripts(const Submission& submission);
 
 }  // namespace mpmvv::cli

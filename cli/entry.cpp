@@ -35,12 +35,14 @@ void fill_standard_streams() {
 }
 
 /// A write beyond the limit of a file's size, or to a pipe that nobody reads, fails and gets a message, instead of
-/// ending the program. A function, as other programs that this one starts would inherit that a signal is ignored.
+/// ending the program. The handler is a function, because programs that this one starts would inherit an ignored
+/// signal.
 void survive_failed_writes() {
   for (const int write_failed : {SIGXFSZ, SIGPIPE}) std::signal(write_failed, [](int) {});
 }
 
-/// Who ignores that children end never learns it, and hands that on to the programs that it starts.
+/// This program may have been started with SIGCHLD ignored. Then it could not wait for its children, and they would
+/// inherit that.
 void heed_children() {
   std::signal(SIGCHLD, SIG_DFL);
 }
@@ -50,7 +52,7 @@ std::string full_name(const CLI::App& app) {
   return (app.get_parent() ? full_name(*app.get_parent()) + ' ' : "") + app.get_name();
 }
 
-/// The command that was called, as far as it is one.
+/// The innermost command that was called; the program itself without one.
 const CLI::App& called(const CLI::App& app) {
   const auto given = app.get_subcommands();
   return given.empty() ? app : called(*given.front());

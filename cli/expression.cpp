@@ -28,7 +28,7 @@ void print_components(const std::string& name, const Components& components) {
   for (std::size_t d = 0; d < components.size(); ++d) print("{}{} = {}\n", name, "xyz"[d], components[d]);
 }
 
-/// What the dialect cannot say is left out, and said to be.
+/// Prints the expressions. What the dialect cannot write is left out, with a note.
 void print_expressions(const codes::Expressions& all, const codes::Dialect& dialect) {
   print_components("b_", all.b);
   print_components("v0_", all.v0);

@@ -38,7 +38,7 @@ std::optional<Format> format_of_ending(const fs::path& file) {
   return std::nullopt;
 }
 
-/// As --format says, or else as the file is called; PDF when nothing is said.
+/// The format that --format names, else that of the ending of --out, else PDF.
 Format format_of(const FigureOptions& options) {
   const auto of_file = format_of_ending(options.out);
   if (options.format.empty()) return of_file.value_or(Format::pdf);
@@ -63,7 +63,7 @@ Sheet sheet_of(const FigureOptions& options) {
   return sheet;
 }
 
-/// Whether the machine has the family, or one that it takes for it; a machine without fontconfig is not asked.
+/// Notes in which font the machine draws when it lacks the family. A machine without fontconfig is not asked.
 void note_other_font(const Sheet& sheet) {
   const auto match =
       support::run_process({"fc-match", "--format=%{family}", sheet.font}, ".", {}, std::chrono::seconds(10));
@@ -73,7 +73,7 @@ void note_other_font(const Sheet& sheet) {
        match.output);
 }
 
-/// A folder that is not there yet has no ending, which would be one of a picture.
+/// Throws on an ending that no picture has. A folder that is not there yet must have no ending.
 void require_known_ending(const fs::path& out) {
   if (out.has_extension() && !format_of_ending(out) && !fs::is_directory(out))
     throw support::UsageError(fmt::format("--out {} (a file that ends with .pdf, .svg or .tex, or a folder: {}/)",
@@ -94,7 +94,7 @@ std::vector<fs::path> files_of(const FigureOptions& options, const std::vector<C
   return files;
 }
 
-/// For LaTeX how the figure is taken into a document.
+/// Prints the files, and for LaTeX how to take the figure into a document.
 void print_drawn(const std::vector<fs::path>& drawn, const Sheet& sheet) {
   for (const fs::path& file : drawn) print("{}\n", file.string());
   if (sheet.format != Format::tex) return;

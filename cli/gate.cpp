@@ -70,7 +70,7 @@ nlohmann::json gate_json(const goldens::GateReport& report, const std::vector<st
           {"results", results}};
 }
 
-/// Says which study files are not what was run any more: goldens are held against what was run.
+/// Notes which study files have changed since they were run: goldens are held against what was run.
 void note_changed(const std::vector<records::StudyResult>& results, const std::vector<std::string>& only) {
   for (const records::StudyResult& study : results)
     if (const auto file = changed_file(study);
@@ -91,7 +91,7 @@ std::vector<store::CodeSeries> judged_codes(const GateOptions& options) {
   return all;
 }
 
-/// Why results of studies that were last run too long ago are not judged.
+/// By study, why its results are not judged: it was last run too long ago.
 std::map<std::string, std::string> outdated(const std::vector<records::StudyResult>& results,
                                             const GateOptions& options) {
   std::map<std::string, std::string> reasons;

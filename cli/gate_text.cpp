@@ -23,7 +23,8 @@ std::string description(const GateResult& r) {
   return r.reason.empty() ? text : fmt::format("{} ({})", text, r.reason);
 }
 
-/// One line, which names such studies where they are few and says how to judge the others alone.
+/// Prints one line on the studies of which the store has nothing. It names them where they are few, and says how to
+/// judge the others alone.
 void print_absent(const goldens::GateReport& report) {
   constexpr std::size_t few = 6;
   std::map<std::string, int> goldens;

@@ -89,7 +89,7 @@ nlohmann::json comparison_json(const goldens::Comparison& comparison, const Vers
           {"only_to", comparison.only_after}};
 }
 
-/// What the second version is where none is named: the program that runs, or the newest of another code.
+/// The second version. Where none is named it is that of the running program, or the newest of another code.
 const Version& second_version(const CompareOptions& options, const std::vector<Version>& versions) {
   if (!options.b.empty()) return store::find_version(versions, options.b);
   return options.code.empty() ? store::find_version(versions, store::current_provenance().digest) : versions.back();
@@ -114,7 +114,7 @@ struct TrendOptions {
   bool json = false;
 };
 
-/// Whether a number of it has a remark.
+/// Whether one of its numbers has a remark.
 bool is_marked(const Trend& trend) {
   for (std::size_t v = 0; v < trend.numbers.size(); ++v)
     if (!std::isnan(trend.numbers[v]) && !trend.remarks[v].empty()) return true;
@@ -138,7 +138,7 @@ nlohmann::json trends_json(const std::vector<Version>& versions, const std::vect
   return {{"versions", all_versions}, {"trends", all_trends}};
 }
 
-/// So many of the newest versions as a line of the terminal holds beside study and name.
+/// How many of the newest versions fit on a line of the terminal beside study and name.
 std::size_t shown_versions(std::size_t all) {
   constexpr std::size_t beside = 45, column = 11;
   if (!output_columns()) return all;

@@ -16,7 +16,7 @@ bool is_ignored(int signal) {
 
 Interruption::Interruption() {
   sigemptyset(&awaited_);
-  sigaddset(&awaited_, SIGUSR1);  // from the destructor
+  sigaddset(&awaited_, SIGUSR1);  // the destructor sends it, to end the wait
   for (const int signal : {SIGINT, SIGTERM})
     if (!is_ignored(signal)) sigaddset(&awaited_, signal);
   pthread_sigmask(SIG_BLOCK, &awaited_, &before_);

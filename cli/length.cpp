@@ -13,7 +13,7 @@ namespace {
 
 constexpr double mm_per_inch = 25.4, mm_per_point = mm_per_inch / 72;
 
-/// In mm, between these ends.
+/// The length in mm; UsageError unless it is between `least` and `most` mm.
 double length_of(const std::string& option, const std::string& text, double least, double most) {
   static const std::map<std::string, double> units{{"mm", 1}, {"cm", 10}, {"in", mm_per_inch}, {"pt", mm_per_point}};
   double number = 0;

@@ -10,7 +10,7 @@ namespace mpmvv::cli {
 
 namespace {
 
-/// Text for roff: what it takes for a command or an escape becomes itself, and a hyphen stays one.
+/// Escapes a text for roff: no line is taken for a command, no backslash for an escape, and a hyphen stays a hyphen.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -44,7 +44,7 @@ std::string entry_of(const ArgumentText& argument) {
   return fmt::format(".TP\n{}\n{}\n", head_of(argument), roff(argument.meaning + "." + required));
 }
 
-/// "mpmvv gate [options] --db FILE".
+/// "mpmvv gate --db FILE [options]".
 std::string usage_of(const CommandText& command) {
   std::string usage = fmt::format("\\fBmpmvv {}\\fR", roff(command.path));
   for (const ArgumentText& option : command.options)
@@ -62,7 +62,7 @@ std::string footer_of(const CommandText& command) {
   return fmt::format(".PP\n.nf\n{}\n.fi\n", roff(command.footer));
 }
 
-/// A command that has commands of its own is there by these alone.
+/// The section of a command. One that has commands of its own is shown by these alone.
 std::string section_of(const CommandText& command) {
   std::string text;
   if (command.commands.empty()) {

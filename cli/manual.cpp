@@ -8,7 +8,7 @@
 
 namespace mpmvv::cli {
 
-/// Both are called by the build for what it installs, and are hidden from people: they are of no group.
+/// The build calls both commands for what it installs. They are of no group, which hides them from people.
 void add_manual(CLI::App& app, int&) {
   CLI::App* man = app.add_subcommand("man", "Print the page for man")->group("");
   man->callback([&app] { print_text(man_page(command_text(app))); });

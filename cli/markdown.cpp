@@ -18,7 +18,7 @@ namespace mpmvv::cli {
 
 namespace {
 
-/// Without what marks links, words of code and weight; a word of code among others has quotes.
+/// The text without the marks of links, code and bold type. Code among other words gets quotes.
 std::string plain(const std::string& text) {
   static const std::regex link(R"(\[([^\]]*)\]\([^)]*\))"), weight(R"(\*\*)"), codes(R"((`[^`]*`(, )?)*)"), code("`");
   const std::string bare = std::regex_replace(std::regex_replace(text, link, "$1"), weight, "");

@@ -6,7 +6,7 @@
 namespace mpmvv::cli {
 
 std::string number_text(double value);            ///< four digits
-std::string error_text(double value);             ///< four digits and a power of ten: columns compare
+std::string error_text(double value);             ///< four digits and a power of ten, so that columns compare
 std::string order_text(double order);             ///< two decimals
 std::string half_width_text(double half_width);   ///< "± 0.23", two digits
 std::string window_text(double from, double to);  ///< "8 to 64"

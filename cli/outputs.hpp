@@ -6,7 +6,8 @@
 namespace mpmvv::cli {
 
 /// UsageError where `output`, a file or a folder that `option` names, is or holds one of the inputs, under whatever
-/// name: files are told apart by what they are on the disk. Of an input that is a folder, every file in it counts.
+/// name: files are compared as they are on the disk, not by name. Of an input that is a folder, every file in it
+/// counts.
 void require_apart(const std::string& option, const std::filesystem::path& output,
                    const std::vector<std::filesystem::path>& inputs);
 

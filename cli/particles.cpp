@@ -21,7 +21,7 @@ struct ParticlesOptions {
   bool json = false;
 };
 
-/// What belongs to the law alone; none of it where the law has no Young's modulus.
+/// Adds the elastic constants, for a law that has a Young's modulus.
 void add_elasticity(nlohmann::json& json, const mms::Elasticity& material) {
   json["youngs_modulus"] = material.youngs_modulus;
   json["poissons_ratio"] = material.poissons_ratio;

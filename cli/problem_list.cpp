@@ -18,7 +18,7 @@ using Kind = Table::Kind;
 
 namespace {
 
-/// What the default boundary leaves of second order, as studies found (docs/problems.md); empty where none has looked.
+/// What the default boundary costs in order, as studies found (docs/problems.md); empty where no study has looked.
 std::string boundary_cost(const Problem& p, const problems::Parameters& defaults) {
   if (p.boundary == solver::Periodic::word) return "none";
   if (p.boundary == solver::Symmetry::word) return "splines: order about 1.2, mirror: 2";

@@ -5,8 +5,8 @@
 
 #include "mpmvv_build_info.hpp"
 
-/// A processor without the instructions that the program is built for gets a line, before the first of them would end
-/// the program. This file is compiled for every amd64 processor (cli/CMakeLists.txt).
+/// Refuses a processor without the instructions that the program is built for, in one line, before the first of them
+/// would end the program. This file is compiled for every amd64 processor (cli/CMakeLists.txt).
 namespace mpmvv::cli {
 
 namespace {

@@ -18,10 +18,10 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// What is to be told of all progress; nothing where there is no line.
+  /// The function to call with every progress; empty where there is no line.
   std::function<void(const plan::Progress&)> listener();
 
-  void clear();  ///< for good
+  void clear();  ///< removes the line for good
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -48,7 +48,8 @@ std::optional<reports::MutationResults> shown_mutation(const std::string& db,
   return reports::read_mutation_results(published / "summary.json");
 }
 
-/// The first report of a study comes before its first golden.
+/// Whether there are goldens to read: the first report of a study comes before its first golden. A path that is no
+/// folder counts, so that reading it says what is wrong.
 bool has_goldens(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder)) return false;
   if (!std::filesystem::is_directory(folder)) return true;
@@ -71,7 +72,7 @@ std::string newest_result(const store::Store& store, const reports::ReportInput&
   return newest;
 }
 
-/// Of the program and of each other code of which there are two versions, which a trend takes.
+/// The history of the program and of each other code, where the store has at least two versions: a trend needs two.
 std::vector<reports::History> histories_in(const store::Store& store) {
   std::vector<std::string> codes = store.codes();
   codes.insert(codes.begin(), "");

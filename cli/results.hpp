@@ -23,7 +23,7 @@ inline bool is_trial(const records::StudyResult& study) {
   return !store::trial_of(study.text).empty();
 }
 
-/// What a study made with `study --set` says of its claims: nothing, as it says nothing of its goldens to the gate.
+/// Makes a trial (`study --set`) inconclusive on its claims, as the gate makes it on its goldens.
 inline void withhold_verdicts(records::StudyResult& trial) {
   for (records::ClaimPart& part : trial.parts)
     if (part.verdict != records::PartVerdict::shown) {
@@ -49,8 +49,8 @@ inline std::filesystem::path mutants_beside(const std::string& db) {
   return std::filesystem::path(db).parent_path() / "mutants.json";
 }
 
-/// How the gate took this program's mutants: what `./run mutants` left beside the store or has published, whichever
-/// tried more of them.
+/// The results of this program's mutants: those that `./run mutants` left beside the store or those that are published,
+/// whichever tried more mutants.
 inline std::optional<reports::MutationResults> own_mutation(const std::string& db) {
   const std::string digest = store::current_provenance().digest;
   std::optional<reports::MutationResults> most;
@@ -61,15 +61,16 @@ inline std::optional<reports::MutationResults> own_mutation(const std::string& d
   return most;
 }
 
-/// The published runs without a mistake, of this program's sources.
+/// The published runs of programs without a mistake (`./run alarms`); none where they are of other sources than this
+/// program.
 inline std::vector<reports::AlarmCount> own_alarms() {
   reports::AlarmCounts counts = reports::read_alarms(published / "alarms.toml");
   if (counts.digest != store::current_provenance().digest) counts.builds.clear();
   return counts.builds;
 }
 
-/// The claims by the studies of a store; that on the mutants, where one of them names it, by these and by the runs
-/// without a mistake.
+/// The claims as the studies of a store judge them. The claim on mutants, where a study names it, is judged by the
+/// mutants and by the runs without a mistake.
 inline std::vector<claims::Claim> judged_claims(std::vector<records::StudyResult> studies,
                                                 const std::optional<reports::MutationResults>& mutation) {
   const records::StudyResult mutants = reports::mutation_study(mutation, own_alarms());
@@ -80,8 +81,8 @@ inline std::vector<claims::Claim> judged_claims(std::vector<records::StudyResult
   return claims::judge_claims(studies);
 }
 
-/// What a version of our own program says when it is laid beside others: what its studies say that are no trials, but
-/// for the series of other codes, which have versions of their own.
+/// The studies by which versions of our own program are compared: those that are no trials, without the series of other
+/// codes, which have versions of their own.
 inline std::vector<records::StudyResult> own_evidence(std::vector<records::StudyResult> studies) {
   std::erase_if(studies, is_trial);
   for (records::StudyResult& study : studies)

@@ -38,14 +38,14 @@ struct RunOptions {
   std::string vtu, keep;
 };
 
-/// Refuses what only our own solver's runs have.
+/// Refuses options that only runs of our own solver have.
 void require_no_own_options(const RunOptions& options, const std::string& code) {
   if (options.threads > 1) throw UsageError(fmt::format("--threads for code '{}' (it takes one)", code));
   if (!options.vtu.empty())
     throw UsageError(fmt::format("--vtu for code '{}' (what it writes itself is kept with --keep FOLDER)", code));
 }
 
-/// The record of a case that another code runs. An interrupt ends that, too.
+/// The record of a case that another code runs. An interrupt ends that code, too.
 records::Record run_by_other_code(const std::vector<settings::Setting>& given, const RunOptions& options) {
   std::vector<settings::Setting> settings = given;
   plan::CodeFinder finder(shipped("adapters"));

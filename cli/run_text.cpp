@@ -33,7 +33,8 @@ void print_errors(const Record& r) {
   table.print_apart();
 }
 
-/// Images cancel changes of momenta: those of a part show no conservation.
+/// Prints energies and what must not change. Changes of momenta are left out where only a part was run: its images
+/// cancel them, which shows no conservation.
 void print_balance(const Record& r) {
   Table table({{"measured"}, {"is", Kind::number}});
   const auto add = [&table](const char* what, double number) {
@@ -58,7 +59,7 @@ void print_outcome(const Record& r) {
   print("cells {}, ppc {}{}\n", resolution.cells, resolution.ppc,
         r.particles > 0 ? fmt::format(": {} particles", r.particles) : "");
   if (r.images > 1) print("a part was run, of which {} images make the body (--whole runs all of it)\n", r.images);
-  const std::int64_t steps = r.particles > 0 ? r.steps : resolution.steps;  // without particles: of those asked for
+  const std::int64_t steps = r.particles > 0 ? r.steps : resolution.steps;  // where nothing ran: the steps asked for
   print("{} of {:.6g} s (cfl {:.4g}), end time {:.6g} s\n", count_text(static_cast<std::size_t>(steps), "step"),
         resolution.dt, r.cfl, r.the_case.problem.end_time);
   print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");

@@ -41,7 +41,8 @@ codes::Columns columns_in(const ScoreOptions& options, const cases::Case& c) {
   return columns;
 }
 
-/// The case is one that a study may ask for: of another code with its version and adapter.
+/// Throws unless a study may ask for the case: it must be of another code, with its version and adapter, and its cost
+/// must not be measured.
 void require_keepable(const cases::Case& c, const std::string& file) {
   if (c.scheme.adapter.empty())
     throw UsageError(

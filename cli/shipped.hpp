@@ -7,19 +7,19 @@
 
 namespace mpmvv::cli {
 
-/// The folder `studies` or `goldens` that comes with the program: PREFIX/share/mpmvv/... of a program in PREFIX/bin,
-/// else that of the tree in which it was built. Empty where neither is there.
+/// The folder of this name (`studies`, `goldens` or `adapters`) that comes with the program: PREFIX/share/mpmvv/... of
+/// a program in PREFIX/bin, else that of the tree in which it was built. Empty where neither is there.
 std::filesystem::path shipped(const std::string& folder);
 
 /// Whether these are the results of a study that comes with the program, word for word, as it is or as a trial.
 bool is_shipped(const records::StudyResult& study);
 
-/// The study's file, in `studies` here or else among those that come with the program, where it is not what was run any
-/// more; empty where it is, and where there is none.
+/// The study's file, if it has changed since it was run; it is looked for here, in `studies` here, then among those
+/// that come with the program. Empty where it has not changed, and where there is none.
 std::filesystem::path changed_file(const records::StudyResult& study);
 
-/// Where the goldens are that results are held against: in the folder named; without a name in `goldens` here, or,
-/// where there is none and a result is of a study that comes with the program, in the folder that comes with it.
+/// The folder of goldens that results are held against: the one named; without a name `goldens` here or, where there is
+/// none and a result is of a study that comes with the program, the folder that comes with it.
 std::filesystem::path goldens_for(const std::vector<records::StudyResult>& results, const std::string& named);
 inline constexpr const char* default_goldens = "default: goldens here, else those of the program for its own studies";
 

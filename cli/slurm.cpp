@@ -7,7 +7,7 @@ namespace mpmvv::cli {
 
 namespace {
 
-/// What of a job's work ends it is in its log; what a shard has finished is in its store.
+/// The script of a shard. Its log says what ended it; its store keeps what it has finished.
 constexpr const char* shard_body = R"sh(
 i=$SLURM_ARRAY_TASK_ID
 rm -f "$folder/shard-$i.done"

@@ -30,7 +30,7 @@ struct SolutionOptions {
   bool json = false;
 };
 
-/// Between commas; one at the end leaves an empty part.
+/// The parts between commas. A comma at the end leaves an empty part.
 std::vector<std::string> parts_of(const std::string& text) {
   std::vector<std::string> all;
   std::istringstream parts(text.ends_with(',') ? text + ',' : text);
@@ -107,7 +107,7 @@ int solution_at_points(const problems::Problem& problem, const SolutionOptions& 
   return 0;
 }
 
-/// P N for the normal given, of any length.
+/// P N for the unit vector along the normal, which may have any length.
 std::vector<double> traction(const nlohmann::json& P, std::vector<double> N) {
   const double length = std::sqrt(std::inner_product(N.begin(), N.end(), N.begin(), 0.0));
   if (!(length > 0)) throw UsageError("--normal has no direction (numbers that are not all 0)");

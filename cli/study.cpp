@@ -36,7 +36,7 @@ struct StudyOptions {
   bool plan = false, json = false, verbose = false;
 };
 
-/// As a shell says of a program that was interrupted from the keyboard.
+/// Ends the program with the exit code that shells give to one that was interrupted from the keyboard.
 [[noreturn]] void stop(const StudyOptions& options, const plan::RunnerCounts& counts) {
   constexpr int interrupted = 130;
   const auto no_more_runs = codes::abandon_external_runs();
@@ -100,7 +100,7 @@ int run_studies(const StudyOptions& options, const std::vector<plan::StudyPlan>&
   return failed == 0 && lost == 0 ? 0 : 1;
 }
 
-/// Says which studies of the store these, made with --set, take the place of.
+/// Notes which studies in the store will be replaced by trials (--set).
 void note_replaced(const std::vector<plan::StudyPlan>& trials, const store::Store& store, const std::string& db) {
   for (const records::StudyResult& held : store.studies(store::current_provenance().digest))
     for (const plan::StudyPlan& trial : trials)

@@ -56,7 +56,8 @@ void require_taken(const std::vector<Overriding>& settings, const std::vector<pl
   }
 }
 
-/// Where claims may be stated that the studies name: beside them, and among the studies that come with the program.
+/// The folders in which claims may be stated that the studies name: beside them, and among the studies that come with
+/// the program.
 std::vector<std::filesystem::path> claim_folders(const std::vector<std::string>& files) {
   std::vector<std::filesystem::path> folders;
   for (const std::string& file : files)
@@ -103,7 +104,8 @@ std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::st
   }
   require_taken(overriding, plans);
   plan::state_claims(plans, claim_folders(files));
-  if (!std::filesystem::is_directory(db)) require_apart("--db", db, {files.begin(), files.end()});  // else no store
+  // A folder cannot be a store; opening it says so.
+  if (!std::filesystem::is_directory(db)) require_apart("--db", db, {files.begin(), files.end()});
   return plans;
 }
 

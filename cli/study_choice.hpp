@@ -8,7 +8,7 @@
 
 namespace mpmvv::cli {
 
-/// Which studies a user names, and what he sets in them.
+/// Which studies a user names, and which settings are given for them.
 struct StudyChoice {
   std::vector<std::string> names;
   std::string studies;                             ///< a folder
@@ -21,8 +21,8 @@ void add_study_choice(CLI::App& command, StudyChoice& choice);
 /// What becomes of a study whose code is not there.
 enum class AbsentCode { left_out, refused };
 
-/// Reads them and says what the settings changed and what is left out. UsageError for what is wrong in them, and where
-/// the results store is one of their files.
+/// Reads the studies, and notes what the settings changed and which studies are left out. UsageError for a mistake in a
+/// study, and where the results store is one of their files.
 std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::string& db, plan::CodeFinder& codes,
                                         AbsentCode absent);
 

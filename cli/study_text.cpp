@@ -47,7 +47,7 @@ void print_failures(const records::StudyResult& study) {
   table.print_apart();
 }
 
-/// On what grounds: the floor, and what replicates say.
+/// Prints on what grounds fits say what they do: floors, replicates and remarks.
 void print_fits(const Series& series) {
   for (const fits::ObservedOrder& order : series.orders) {
     const std::string whose = fmt::format("'{}' in {}", series.name, order.norm);
@@ -106,7 +106,7 @@ void print_values(const records::StudyResult& study) {
   table.print_apart();
 }
 
-/// Under the id of the claim that each is a criterion of.
+/// Prints each criterion under the id of its claim.
 void print_criteria(const records::StudyResult& study, bool verbose) {
   std::vector<LabelledPart> parts;
   for (const records::ClaimPart& part : study.parts) parts.push_back({part.claim, part});

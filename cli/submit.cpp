@@ -39,18 +39,18 @@ struct SubmitOptions {
   bool dry_run = false;
 };
 
-/// What is asked for is an estimate times its factor, and something for what every job takes.
+/// A job asks for its estimate times a factor, plus what every job takes at least.
 constexpr double time_factor = 3, memory_factor = 1.5;
 constexpr double least_minutes = 10, least_megabytes = 512;
 
-/// The name of a folder stands in lines that a cluster's programs read.
+/// Throws unless the folder's name is plain: it stands in lines that a cluster's programs read.
 void require_plain(const fs::path& folder) {
   if (folder.string().find_first_of("\"\\%\n") != std::string::npos)
     throw support::UsageError(fmt::format(
         "--folder '{}' (a name without quotes, backslashes, per cent signs and line breaks)", folder.string()));
 }
 
-/// The largest time and memory over the shards go into the submission.
+/// Puts the largest time and memory of the shards into the submission.
 void ask_for(Submission& submission, const std::vector<plan::StudyPlan>& plans, const plan::CostModel& costs) {
   double seconds = 0, bytes = 0;
   for (const plan::Work& work : plan::split(plans, costs, submission.shards)) {
@@ -66,7 +66,7 @@ void ask_for(Submission& submission, const std::vector<plan::StudyPlan>& plans, 
         submission.minutes, submission.megabytes);
 }
 
-/// The folder of the goldens that the studies are held against, and the names of those that have some.
+/// Finds the folder of goldens that the studies are held against, and the names of the studies that have some.
 void find_goldens(Submission& submission, const std::vector<plan::StudyPlan>& plans, const std::string& named) {
   std::vector<records::StudyResult> studies(plans.size());
   for (std::size_t k = 0; k < plans.size(); ++k) studies[k].name = plans[k].name, studies[k].text = plans[k].text;
@@ -101,7 +101,7 @@ Submission submission_of(const SubmitOptions& options) {
   return submission;
 }
 
-/// The times that the shards are made by stay as they are now, whatever the store takes meanwhile.
+/// Copies the times by which the work is split: all shards must see the same ones, whatever the store takes meanwhile.
 void freeze_costs(Submission& submission, const std::string& costs) {
   if (costs.empty()) return;
   submission.costs = submission.folder / "costs.db";

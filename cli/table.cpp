@@ -11,9 +11,9 @@ namespace mpmvv::cli {
 
 namespace {
 
-constexpr std::size_t below = 4;        ///< columns that prose below its row stands in
+constexpr std::size_t below = 4;        ///< columns by which prose below its row is indented
 constexpr std::size_t gap = 2;          ///< between columns
-constexpr std::size_t least_open = 24;  ///< columns that an open column takes beside the others
+constexpr std::size_t least_open = 24;  ///< columns that an open column needs to stand beside the others
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -99,7 +99,7 @@ std::string Table::text(std::size_t width, bool coloured) const {
   return text;
 }
 
-/// Where no terminal breaks lines, programs may read them: prose is not wrapped and no line cut.
+/// Output that goes to no terminal may be read by programs: its prose is not wrapped and no line is cut.
 void Table::print() const {
   constexpr std::size_t endless = 1'000'000;
   if (rows_.empty()) return;

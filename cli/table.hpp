@@ -23,7 +23,7 @@ class Table {
 
   void add(std::vector<std::string> cells);  ///< one for each column
 
-  std::size_t width() const;  ///< in columns of the terminal, without what takes what is left
+  std::size_t width() const;  ///< in columns of the terminal, without an open last column
   std::string text(std::size_t width, bool coloured) const;
   void print() const;        ///< as wide as the terminal is; nothing of a table without rows
   void print_apart() const;  ///< the same below an empty line
@@ -31,14 +31,14 @@ class Table {
  private:
   using Cells = std::vector<std::string>;
 
-  bool is_open() const;  ///< the last column takes what is left
+  bool is_open() const;  ///< the last column takes what a line has left
   std::vector<Cells> head_lines() const;
   std::string line(const Cells& cells, bool coloured) const;
   std::string row(Cells cells, std::size_t width, bool coloured) const;
 
   std::vector<Column> columns_;
   std::size_t indent_;
-  std::vector<std::size_t> widths_;  ///< of columns; 0 of one that takes what is left
+  std::vector<std::size_t> widths_;  ///< of columns; 0 for an open one
   std::vector<Cells> rows_;
 };
 

@@ -7,9 +7,9 @@ string(REGEX REPLACE "(^| )(-W|--param=ggc-)[^ ]*" "" FLAGS "${FLAGS}")
 string(REGEX REPLACE " +" " " FLAGS "${FLAGS}")
 string(STRIP "${FLAGS}" FLAGS)
 
-# The folders whose sources decide a result: solutions and solver; what a case is, of which problem and by which settings;
-# what carries it out and measures it, our solver or another code; and the checks. Of the other folders these take only
-# how things are kept and said, and the median of repeated costs (studies/fits/median.hpp).
+# The folders whose sources decide a result: solutions and solver; what a case is, of which problem and by which
+# settings; what carries it out and measures it, our solver or another code; and the checks. From the other folders
+# these use only what keeps and words things, and the median of repeated costs (studies/fits/median.hpp).
 set(sources "")
 foreach(folder mms solver studies/cases studies/checks studies/codes studies/problems studies/runs studies/settings)
   file(GLOB_RECURSE more RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/${folder}/*.?pp")
@@ -23,7 +23,7 @@ foreach(source IN LISTS sources)
   string(APPEND summary "${hash} ${source}\n")
 endforeach()
 string(SHA256 DIGEST "${summary}")
-if(FLAGS_IN_SPACE)  # no part of the digest: they change no bit of a result
+if(FLAGS_IN_SPACE)  # not part of the digest: they change no bit of a result
   string(APPEND FLAGS ", in space ${FLAGS_IN_SPACE}")
 endif()
 

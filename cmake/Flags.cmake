@@ -1,5 +1,5 @@
-# One interface target carries the language level and the warnings; every target of the project links it. With the
-# presets warnings are errors: at other flags a compiler may warn of what is not there.
+# One interface target carries the language level and the warnings; every target of the project links it. Warnings are
+# errors with the presets only: with other flags a compiler may warn of what is not there.
 include(CheckCXXSourceRuns)
 
 set(MPMVV_ARCH "auto" CACHE STRING
@@ -7,8 +7,8 @@ set(MPMVV_ARCH "auto" CACHE STRING
 set(MPMVV_SANITIZE "" CACHE STRING "sanitizers to build with, as in -fsanitize=")
 
 set(mpmvv_arch_flag "")
-# With g++ 12 a step in space takes 0.9 of the time if it has 32 registers of four numbers instead of 16, and one in the
-# plane 1.03 of it. Results are the same to the last bit (tests/cli/install_test.cpp).
+# Only the sources for space use 32 registers of four numbers instead of 16: with g++ 12 a step in space then takes 0.9
+# of the time, but one in the plane 1.03 of it. Results are the same to the last bit (tests/cli/install_test.cpp).
 set(mpmvv_flags_in_space "")
 if(MPMVV_ARCH STREQUAL "auto")
   set(CMAKE_REQUIRED_FLAGS "-march=x86-64-v3")
@@ -29,29 +29,30 @@ endif()
 add_library(mpmvv_flags INTERFACE)
 target_include_directories(mpmvv_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_features(mpmvv_flags INTERFACE cxx_std_20)
-# Matrices of packs (solver/simd/pack.hpp) are aligned like registers of four numbers, where registers are shorter, too.
+# Matrices of packs (solver/simd/pack.hpp) are aligned like registers of four numbers, also where registers are shorter.
 target_compile_definitions(mpmvv_flags INTERFACE EIGEN_MAX_STATIC_ALIGN_BYTES=32)
 # NaN and infinity keep their meaning: neither of these two flags assumes that they do not occur.
 target_compile_options(mpmvv_flags INTERFACE
   ${mpmvv_arch_flag} -ffp-contract=fast -fno-math-errno -fno-trapping-math
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-  -Wno-psabi)  # how four numbers are handed over where no register holds them: the functions that do are inlined
+  -Wno-psabi)  # on passing four numbers where no register holds them: such functions are inlined
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(mpmvv_flags INTERFACE
     -Wno-restrict  # g++ 12 sees an overlap in "text" + std::string() that is not there (GCC bug 105651)
-    -Wno-subobject-linkage  # in a batch of files g++ takes what one of them keeps to itself for a header's
-    # Memory is collected from 1 GiB on instead of 128 MiB: a tenth less time to compile, and 1.7 GiB at most for a room.
+    -Wno-subobject-linkage  # in a batch g++ takes a file's anonymous namespace for that of a header
+    # The compiler collects garbage from 1 GiB on instead of 128 MiB: it takes a tenth less time, and 1.7 GiB at most
+    # for a room.
     --param=ggc-min-heapsize=1000000)
   if(mpmvv_arch_flag MATCHES "x86-64-v4|native")
-    # g++ 12 finds what is not initialized in its own header for AVX-512 (GCC bug 105593).
+    # g++ 12 warns of uninitialized variables in its own header for AVX-512 (GCC bug 105593).
     target_compile_options(mpmvv_flags INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized)
   endif()
 else()
   target_compile_options(mpmvv_flags INTERFACE -Wno-sign-conversion)  # g++'s -Wconversion leaves it out in C++
 endif()
 if(MPMVV_SANITIZE)
-  # A sanitizer's own code raises false warnings: they are left to the other builds. The checks left out take the solver
-  # twice the time to compile; most of what they find, the address sanitizer finds too.
+  # The code that a sanitizer adds raises false warnings, so warnings are left to the other builds. The checks that are
+  # left out double the time to compile the solver, and the address sanitizer finds most of what they find.
   target_compile_options(mpmvv_flags INTERFACE -w -fsanitize=${MPMVV_SANITIZE} -fno-omit-frame-pointer
     -fno-sanitize-recover=all -fno-sanitize=null,alignment,object-size,vptr,pointer-overflow)
   target_link_options(mpmvv_flags INTERFACE -fsanitize=${MPMVV_SANITIZE})

@@ -1,5 +1,6 @@
-# The solutions as libraries for other projects: find_package(mpmvv), targets mpmvv::mms_c and mpmvv::mms. A component of
-# its own, as a program's users need none of it: cmake --install build/release --component library.
+# The solutions as libraries for other projects: find_package(mpmvv), targets mpmvv::mms_c and mpmvv::mms. They are a
+# component of their own, because users of the program need none of it: cmake --install build/release --component
+# library.
 include(CMakePackageConfigHelpers)
 
 set(mpmvv_package ${CMAKE_INSTALL_LIBDIR}/cmake/mpmvv)

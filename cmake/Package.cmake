@@ -1,18 +1,19 @@
-# What a package says of itself, asked when cpack makes it: from which commit, and by whom.
+# From which commit a package is and who made it, found out when cpack makes it.
 function(ask result)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${CMAKE_CURRENT_LIST_DIR}
     OUTPUT_VARIABLE text ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-# Before a release a package is older than the release's, and later commits make newer packages.
+# A package made before a release counts as older than the release's, and one of a later commit as newer than one of an
+# earlier.
 ask(tags git tag --points-at HEAD)
 ask(commit git show --no-patch --format=%cd.%h --date=format:%Y%m%d%H%M)
 if(commit AND NOT tags MATCHES "v${CPACK_PACKAGE_VERSION}")
   set(CPACK_DEBIAN_PACKAGE_VERSION "${CPACK_PACKAGE_VERSION}~git${commit}")
 endif()
 
-# As Debian's own tools have it: these two variables, else who works here.
+# The maintainer: these two variables, which Debian's own tools read, else git's user, else who works here.
 set(name "$ENV{DEBFULLNAME}")
 set(address "$ENV{DEBEMAIL}")
 if(NOT name)

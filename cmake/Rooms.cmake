@@ -1,13 +1,14 @@
-# What a room is, said once, where it is made: its target, how it is optimized, what it links. The sanitizers
-# (tests/Sanitized.cmake) and the batches of tests follow from that.
+# Makes rooms: the target of each, how it is optimized and what it links are said once, where the room is made. What the
+# sanitizers (tests/Sanitized.cmake) and the batches of tests do follows from that.
 
 # How a target's sources compile:
-#   COMPUTES  what a run calls: as the preset says. Programs link it first (mpmvv_computing, mpmvv_linked_objects): of a
-#             function of a header that several rooms hold the linker takes the first.
-#   ALGEBRA   dense algebra at -O1: as the preset says it runs a tenth faster, at -Og it takes 1.6 times as long
+#   COMPUTES  what a run calls: optimized as the preset says. Programs link it first (mpmvv_computing,
+#             mpmvv_linked_objects), because the linker takes the first copy of a header's function that several rooms
+#             hold.
+#   ALGEBRA   dense algebra at -O1: at the preset's level it would run a tenth faster, at -Og 1.6 times as long
 #   OTHER     all else at -Og: compiles in two thirds to four fifths of the time that -O1 takes, and `mpmvv score` of
 #             590,000 particles runs 1.13 times as long
-# With the sanitizers everything compiles faster when it is left as it is.
+# With the sanitizers (RelWithDebInfo) all three are left at -O0, which compiles faster.
 set(mpmvv_computing_rooms mpmvv_solver mpmvv_mms mpmvv_runs)
 list(TRANSFORM mpmvv_computing_rooms REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE mpmvv_computing)
 function(mpmvv_optimize target kind)
@@ -27,7 +28,7 @@ function(mpmvv_room folder kind)
   set_property(GLOBAL APPEND PROPERTY MPMVV_ROOMS ${name})
 endfunction()
 
-# All of the project that a target links, be it by way of others.
+# All targets of the project that a target links, directly or by way of others.
 function(mpmvv_linked target result)
   get_target_property(links ${target} INTERFACE_LINK_LIBRARIES)
   list(FILTER links INCLUDE REGEX "^mpmvv_")
@@ -41,8 +42,8 @@ function(mpmvv_linked target result)
   set(${result} ${all} PARENT_SCOPE)
 endfunction()
 
-# The objects of all that a target links, what computes first: before the target's own ones in a program they are those
-# of which the linker takes what several hold.
+# The objects of all that a target links, those that compute first. They stand before the target's own objects in a
+# program, so that the linker takes what several objects hold from them.
 function(mpmvv_linked_objects target result)
   mpmvv_linked(${target} linked)
   set(rest ${linked})

@@ -28,7 +28,7 @@ bool same_up_to_round_off(double a, double b) {
   return size <= absolute_round_off || std::abs(a - b) <= relative_round_off * size;
 }
 
-/// The size of a change in widths of the goldens' band for such a number.
+/// The size of a change in widths of the goldens' band for this kind of number.
 double bands_between(Finding::Kind kind, double before, double after) {
   if (same_up_to_round_off(before, after)) return 0;
   const double step = std::abs(after - before);
@@ -36,7 +36,7 @@ double bands_between(Finding::Kind kind, double before, double after) {
   return step / std::abs(before) / (kind == Finding::Kind::limit ? limit_band : error_band);
 }
 
-/// An extrapolated value has its uncertainty for a band.
+/// For an extrapolated value the band is its uncertainty.
 double bands_between(const Finding& before, const Finding& after) {
   if (before.uncertainty > 0 && !same_up_to_round_off(before.number, after.number))
     return std::abs(after.number - before.number) / before.uncertainty;

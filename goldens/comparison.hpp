@@ -13,14 +13,14 @@ inline constexpr double relative_round_off = 1e-9, absolute_round_off = 1e-13;
 
 /// One finding in both versions.
 struct Change {
-  /// Of an error or curve: where it changed most.
+  /// The level at which an error or a curve changed most.
   struct AtLevel {
     double x = 0, before = 0, after = 0;
   };
 
   claims::Finding before, after;
   std::optional<AtLevel> largest;  ///< when any level changed
-  double bands = 0;                ///< in widths of the goldens' bands; positive: worse, or neither; 0: unchanged
+  double bands = 0;                ///< in widths of the goldens' bands; negative: better; positive: worse, or neither
 };
 
 /// What differs between the findings of two versions.
@@ -32,6 +32,8 @@ struct Comparison {
   std::size_t changed() const;
 };
 
+/// Compares the findings of the same study and name. Findings that only one side has are listed in `only_before` and
+/// `only_after`.
 Comparison compare(const std::vector<claims::Finding>& before, const std::vector<claims::Finding>& after);
 
 }  // namespace mpmvv::goldens

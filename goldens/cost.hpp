@@ -26,7 +26,7 @@ struct CostRatio {
   Verdict verdict() const;
 };
 
-/// Of at least one pair; with fewer than eight the interval is unbounded.
+/// Needs at least one pair; with fewer than eight the interval is unbounded.
 CostRatio cost_ratio(const std::vector<CostPair>& pairs);
 
 /// Measures nine pairs, and while the verdict is inconclusive more of them, up to 45.

@@ -8,7 +8,8 @@ namespace mpmvv::goldens {
 
 namespace {
 
-/// Without what would end a command's message, or, as a property, the property, and without what a log obeys.
+/// Escapes what would end a command's message (in a property: the property), and the control characters that a log
+/// would obey.
 std::string percent_escaped(const std::string& text, bool property) {
   std::string out;
   for (const char c : support::printable(text)) {

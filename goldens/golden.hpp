@@ -14,7 +14,7 @@ inline constexpr double order_band = 0.15;  ///< absolute, either side
 inline constexpr double error_band = 0.10;  ///< relative; for check values too
 inline constexpr double limit_band = 0.05;  ///< relative
 
-/// No number of a golden is larger, so that none that follows from it is infinite.
+/// The largest number that a golden may state, so that nothing computed from it overflows.
 inline constexpr double largest_number = 1e100;
 
 /// How much wider than the reviewed one the interval of an order may become. Starting the particles in another order or
@@ -28,11 +28,11 @@ inline constexpr double widest_interval = 1;
 /// The fitted order of a series in a norm, over `window` where one is given (docs/measuring.md, "Bands of goldens").
 /// It fails
 ///   - when its whole interval lies outside the band, or the order more than 1 above it,
-///   - when the run at the finest level or at an end of the window is not ok,
+///   - when the run at the finest level is not ok,
 ///   - when the fit has fewer points than `points`, or, where that is 0, than the window has,
 ///   - when the error at the finest level has grown by more than the band of errors, although the order holds.
 /// It is inconclusive
-///   - without a run at one of these levels, or with fewer than three points,
+///   - without a run at the finest level or at an end of the window, or with fewer than three points,
 ///   - when it lies outside the band and its interval reaches in,
 ///   - when half of its interval is wider than the whole band and than `interval_margin` times the reviewed half,
 ///   - when segment orders in a window that was asymptotic scatter by more than twice `asymptotic_spread`.
@@ -42,7 +42,7 @@ struct OrderGolden {
   std::vector<double> window = {};  ///< two swept values, or empty
   int points = 0;
   bool asymptotic = false;
-  double interval = 0;              ///< half-width reviewed, where with its margin it is wider than the band
+  double interval = 0;              ///< reviewed half-width; given where, with its margin, it exceeds the band
   std::vector<double> finest = {};  ///< a swept value and the error there, or empty
 };
 

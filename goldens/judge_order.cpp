@@ -26,7 +26,8 @@ std::vector<const Point*> window_of(const ObservedOrder& fit, const Series& seri
   return points;
 }
 
-/// How many points of the fit's window are no results, so that a shrunken window is seen.
+/// The order, and how many points it is fitted to and how many of its window are no results, so that a shrunken window
+/// is seen.
 std::string order_text(const ObservedOrder& fit, const Series& series) {
   const auto lost =
       std::ranges::count_if(window_of(fit, series), [](const Point* p) { return p->status != records::Status::ok; });
@@ -43,8 +44,8 @@ const ObservedOrder* find_order(const OrderGolden& golden, const Series& series)
   return found == series.orders.end() ? nullptr : &*found;
 }
 
-/// What the series lacks of the levels that the golden names, its finest one and the ends of its window. The curve of a
-/// check has no levels, and its window's ends need not be among its points.
+/// What the series lacks of the levels that the golden names: its finest one and the ends of its window. The curve of a
+/// check has no levels; the ends of its window need not be among its points.
 std::optional<Judgement> lacking_level(const OrderGolden& golden, const ObservedOrder& fit, const Series& series) {
   if (golden.norm != "y")
     for (const double end : {fit.from, fit.to})
@@ -58,15 +59,15 @@ bool has_grown(const OrderGolden& golden, const Series& series) {
          find_point(series, golden.finest[0])->y.at(golden.norm) > golden.finest[1] * (1 + error_band);
 }
 
-/// An order inside the band, or outside it with an interval that reaches in.
+/// Judges an order that is inside the band, or outside it with an interval that reaches in.
 Judgement judge_interval(const OrderGolden& golden, const ObservedOrder& fit, const std::string& measured) {
   const double width = fits::half_width(fit),
                widest = std::max(golden.upper - golden.lower, interval_margin * golden.interval);
   if (fit.order < golden.lower || fit.order > golden.upper)
     return inconclusive(measured, fmt::format("outside the band, but its interval of ± {:.2g} reaches in", width));
   if (width > widest) return inconclusive(measured, fmt::format("its interval of ± {:.2g} is too wide", width));
-  const bool scattered =
-      fits::segment_spread(fit) > 2 * fits::asymptotic_spread;  // twice: what just was may just be no more
+  // Twice the spread, so that a window that only just was asymptotic may now just miss it.
+  const bool scattered = fits::segment_spread(fit) > 2 * fits::asymptotic_spread;
   if (golden.asymptotic && scattered) return inconclusive(measured, "the window is not asymptotic any more");
   return pass(measured);
 }

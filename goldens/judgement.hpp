@@ -15,7 +15,7 @@ using records::Verdict;
 struct Judgement {
   Verdict verdict = Verdict::inconclusive;
   std::string measured, reason;  ///< `reason` is empty for `pass`
-  bool better = false;           ///< a failure to the better side
+  bool better = false;           ///< it fails because the result improved
 };
 
 Judgement pass(std::string measured);

@@ -11,7 +11,7 @@ namespace mpmvv::goldens {
 
 namespace {
 
-/// The two characters of UTF-8 that no XML may hold, beside those that are not printable.
+/// U+FFFE and U+FFFF, which XML forbids; the other forbidden characters are escaped by printable().
 bool is_forbidden(std::string_view character) {
   return character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";
 }

@@ -127,7 +127,8 @@ void propose_limit(Draft& draft, const Series& series, const fits::StabilityLimi
     return;
   }
   const double half_bracket = std::abs(limit.unstable - limit.stable) / 2 / limit.value();
-  const double wide_band = std::ceil(200 * half_bracket) / 100;  // other replicates' may lie as far on either side
+  // Twice the half bracket, rounded up to a per cent: the limits of other replicates may lie as far out on either side.
+  const double wide_band = std::ceil(200 * half_bracket) / 100;
   if (wide_band >= 1) {
     draft.refusal(fmt::format("No limit of {} in {}: between {:.4g} and {:.4g} replicates disagree.",
                               quoted(series.name), limit.key, limit.stable, limit.unstable));
@@ -179,8 +180,8 @@ std::set<std::string> drawn_norms(const records::StudyResult& study, const Serie
   return norms;
 }
 
-/// Its orders and the finest errors beside them, and its limit; where a study of runs asks for neither, the finest
-/// errors that it draws.
+/// Proposes the series' orders, the finest errors beside them, and its limit; where a study of runs asks for none of
+/// these, the finest errors that its figures draw.
 void propose_series(Draft& draft, const records::StudyResult& study, const Series& series) {
   std::set<std::string> norms;
   for (const ObservedOrder& fit : series.orders) {
@@ -193,7 +194,7 @@ void propose_series(Draft& draft, const records::StudyResult& study, const Serie
   if (series.limit) propose_limit(draft, series, *series.limit);
 }
 
-/// The versions of other codes that it has run.
+/// The other codes that ran series of the study, with their versions.
 std::set<std::pair<std::string, std::string>> codes_of(const records::StudyResult& study) {
   std::set<std::pair<std::string, std::string>> codes;
   for (const Series& series : study.series)

@@ -9,13 +9,13 @@ namespace mpmvv::goldens {
 
 /// A golden file for review, with the bands of golden.hpp: the fitted orders, the errors at the finest stable level in
 /// the fitted norms, the limits and the check values. What cannot be proposed stands in a comment with the reason.
-/// UsageError when the results were made with `study --set`, hold nothing to propose, or fail one of the goldens that
-/// there are: a worse result takes no golden's place unless that is deleted first.
+/// UsageError when the results were made with `study --set`, hold nothing to propose, or fail one of the `standing`
+/// goldens: a worse result takes a golden's place only after that golden is deleted.
 std::string propose_goldens(const records::StudyResult& study, const store::Provenance& provenance,
                             const std::vector<Golden>& standing = {});
 
-/// UsageError when the results come from a tree with changes that are not committed. The goldens of this project are to
-/// be found again from their commit; those of other folders have the digest.
+/// UsageError when the results come from a tree with changes that are not committed. Goldens of this project must be
+/// reproducible from their commit; those of other folders are identified by the digest.
 void require_committed(const records::StudyResult& study, const store::Provenance& provenance);
 
 }  // namespace mpmvv::goldens

@@ -5,13 +5,13 @@
 
 namespace mpmvv::reports {
 
-/// What the quick gate said of sources without a mistake, by a program of one build: each run with another order and
-/// place of the particles.
+/// What the quick gate said of sources without a mistake that one compiler and set of flags built. Each run starts its
+/// particles in another order and at another place.
 struct AlarmCount {
   std::string build;  ///< compiler, optimisation level, processor
   int runs = 0;
-  int judged = 0;  ///< goldens in all of them
-  int alarms = 0;  ///< runs in which one did not pass, or none was judged
+  int judged = 0;  ///< goldens judged in all runs
+  int alarms = 0;  ///< runs in which a golden did not pass, or none was judged
 };
 
 /// What `./run alarms` leaves, to be published.

@@ -25,7 +25,7 @@ void check_names(const std::vector<StudyResult>& studies, const std::vector<std:
   }
 }
 
-/// Where studies share a figure's name, each gets its study's before it, by a sign that no name holds.
+/// Where studies share a figure's name, the study's name and a sign that no name holds are put before it.
 void tell_figures_apart(const std::vector<StudyResult>& studies, std::vector<std::vector<Chart>>& charts) {
   std::map<std::string, int> count;
   for (const auto& of_study : charts)

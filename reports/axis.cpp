@@ -12,7 +12,7 @@ namespace {
 constexpr double few_tics = 12;
 constexpr double least_gap = 0.055;
 constexpr double least_span = 1e-9;   ///< of the larger end, in decades on a logarithmic axis
-constexpr double most_drawn = 1e300;  ///< what the plotting program takes, and 1/most_drawn
+constexpr double most_drawn = 1e300;  ///< the plotting program takes sizes from 1/most_drawn to this
 
 double unscaled(const Axis& axis, double scaled) {
   return axis.log ? std::pow(10.0, scaled) : scaled;
@@ -23,7 +23,7 @@ double scaled(const Axis& axis, double value) {
 
 using Ends = std::pair<double, double>;  ///< in decades on a logarithmic axis
 
-/// Nothing larger than can be drawn.
+/// The ends, or the farthest that can be drawn.
 Ends clamped(Ends ends, bool log) {
   const double most = log ? std::log10(most_drawn) : most_drawn;
   return {std::clamp(ends.first, -most, most), std::clamp(ends.second, -most, most)};

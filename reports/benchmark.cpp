@@ -14,7 +14,7 @@ namespace mpmvv::reports {
 
 namespace {
 
-/// Without what Google Benchmark appends of the number of repetitions.
+/// The name without the number of repetitions that Google Benchmark appends.
 std::string name_of(const nlohmann::json& run) {
   const std::string name = run.at("run_name");
   return name.substr(0, name.find("/repeats:"));

@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* per_step = "per_particle_step";  ///< s
 
-/// A benchmark's name: what kind it is of, in which dimension with how many particles per cell, with which basis, and
-/// of cases which one.
+/// The parts of a benchmark's name: its kind, its filling (the dimension and the particles per cell), its basis and,
+/// for a case, which one.
 struct RowName {
   std::string kind, filling, basis, what;
 };

@@ -121,8 +121,8 @@ std::vector<const records::Series*> figure_series(const records::StudyResult& st
 /// one, and where there is none it is added under the name STUDY-map. A letter's height is a fraction of the y axis.
 std::vector<Chart> charts_of(const records::StudyResult& study, double letter = report_letter);
 
-/// Those of all studies, a list for each, under names that no two share: STUDY~NAME where studies share one. Throws
-/// UsageError where a name of a study or figure cannot be the name of a file.
+/// The figures of all studies, a list for each study, under names that no two share: STUDY~NAME where studies share
+/// one. Throws UsageError where a name of a study or figure cannot be the name of a file.
 std::vector<std::vector<Chart>> charts_of_all(const std::vector<records::StudyResult>& studies,
                                               double letter = report_letter);
 

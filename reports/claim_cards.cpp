@@ -28,7 +28,7 @@ const Picture* picture_of(const claims::Claim& claim, const std::vector<Section>
   return first;
 }
 
-/// What is asked, in the place of a figure.
+/// The first criteria of a claim, which stand in place of a figure.
 data asked_list(const claims::Claim& claim) {
   constexpr std::size_t most = 6;
   const std::size_t shown = std::min(most, claim.parts.size());
@@ -61,7 +61,7 @@ struct PaperClaims {
   std::vector<claims::Claim> claims;
 };
 
-/// The last number of four digits; where there is none, later than all.
+/// The year of a source: its last number of four digits; later than all years where there is none.
 int year_of(const std::string& source) {
   constexpr int unknown = 9999;
   static const std::regex year("(?:.*[^0-9]|^)([0-9]{4})(?:[^0-9].*)?");
@@ -69,7 +69,7 @@ int year_of(const std::string& source) {
   return std::regex_match(source, match, year) ? std::stoi(match[1]) : unknown;
 }
 
-/// By year, then by name.
+/// The claims by paper; the papers by year, then by name.
 std::vector<PaperClaims> papers_of(const std::vector<claims::Claim>& claims) {
   std::vector<PaperClaims> papers;
   for (const claims::Claim& claim : claims) {

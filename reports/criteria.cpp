@@ -20,7 +20,7 @@ namespace {
 
 using namespace template_data;
 
-/// Half of the interval of what was found, "0.74", where the evidence has it.
+/// Half of the interval of a number that was found, "0.74", as the evidence says it; empty without an interval.
 std::string half_width_of(const ClaimPart& part, const Found& found) {
   const std::string start = found.what + " (±";
   const auto at = part.evidence.find(start);
@@ -34,8 +34,8 @@ double reach_of(const ClaimPart& part, const Found& found) {
   return half.empty() ? 0 : std::stod(half);
 }
 
-/// How far inside its bounds a number lies, in their size; negative beyond them. Where an interval leaves it open, the
-/// interval's end that lies nearest to a bound or farthest beyond.
+/// How far inside its bounds a number lies, relative to the bound; negative beyond one. Where an interval leaves the
+/// verdict open, this is measured from the end of the interval that lies nearest to a bound or farthest beyond it.
 double margin(const ClaimPart& part, const Found& found) {
   const double reach = part.verdict == PartVerdict::inconclusive ? reach_of(part, found) : 0;
   double least = std::numeric_limits<double>::infinity();
@@ -52,7 +52,7 @@ std::string found_text(double value) {
   return brief(value);
 }
 
-/// The one nearest to a bound or farthest beyond; there is one.
+/// The number nearest to a bound or farthest beyond it. The criterion must have compared one.
 const Found& deciding_number(const ClaimPart& part) {
   return *std::ranges::min_element(part.found, {}, [&](const Found& found) { return margin(part, found); });
 }

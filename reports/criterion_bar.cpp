@@ -14,7 +14,7 @@ namespace {
 constexpr double bar_width = 96, bar_height = 14, edge = 7;  ///< pixels
 constexpr double far_apart = 20;                             ///< a ratio
 
-/// From numbers to pixels; numbers beyond its ends stand at them.
+/// Maps numbers to pixels. Numbers beyond an end are drawn at that end.
 class Scale {
  public:
   explicit Scale(const std::vector<double>& numbers) {
@@ -37,7 +37,8 @@ class Scale {
   double from_ = 0, to_ = 1;
 };
 
-/// Its bounds and what was found; zero, too, as the natural end of a scale for what is positive.
+/// The numbers that the scale must hold: the bounds and what was found; also zero, as the natural end of a scale of
+/// positive numbers with one bound.
 std::vector<double> numbers_of(const records::ClaimPart& part) {
   std::vector<double> numbers;
   const auto add = [&](double number) {

@@ -19,7 +19,7 @@ using records::Status;
 
 namespace {
 
-constexpr std::size_t most_markers = 40;  ///< beyond, a curve is a line without markers
+constexpr std::size_t most_markers = 40;  ///< a curve with more points is a line without markers
 
 std::vector<const ObservedOrder*> orders_of(const Series& series, const std::string& norm) {
   std::vector<const ObservedOrder*> result;

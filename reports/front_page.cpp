@@ -45,7 +45,7 @@ data claim_entry(const claims::Claim& claim) {
                  {"count", count_text(claim)}});
 }
 
-/// Claims that are refuted or open; those of which only a part holds, which are many, folded.
+/// Claims that are refuted or open, and those that hold in part; the latter are folded, as they are many.
 data unsettled_claims(const std::vector<claims::Claim>& claims) {
   data lists{data::type::list};
   const auto add = [&](const char* heading, bool is_open, std::initializer_list<claims::Claim::Verdict> verdicts) {
@@ -86,7 +86,7 @@ void add_changes(data& all, const std::string& heading, const Changes& changes) 
        {"lines", text_list(lines)}});
 }
 
-/// Since the version before: of the program, and of other codes.
+/// What changed since the version before, in the program and in other codes.
 data all_changes(const ReportInput& input) {
   data all{data::type::list};
   if (input.earlier) add_changes(all, "What changed since " + input.earlier->label, input.earlier->changes);

@@ -13,7 +13,7 @@ template_data::data gate_group_data(const GateGroup& group);
 /// The goldens that do not pass, by study.
 template_data::data failing_goldens(const std::vector<GateLine>& judged);
 
-/// "14 goldens of 2 studies that this store has no result of: a, b"; empty where there is none.
+/// "14 goldens are of 2 studies that this report has no result of: a, b."; empty where there is none.
 std::string missing_goldens_text(const std::vector<GateLine>& lines);
 
 }  // namespace mpmvv::reports

@@ -44,7 +44,8 @@ std::string stage_text(const MutantResult& mutant, const std::optional<StageResu
   return stage->by.empty() ? "caught" : stage->by.front() + more;
 }
 
-/// Names of mistakes whose results are of an older gate say so: these stand until they are tried anew.
+/// The mistake's name. It says where the result is of an earlier gate: such a result stands until the mistake is tried
+/// anew.
 std::string name_text(const MutantResult& mutant) {
   return mutant.by_earlier_gate ? mutant.name + " (earlier gate)" : mutant.name;
 }
@@ -53,7 +54,7 @@ std::string place(const MutantResult& mutant) {
   return mutant.line == 0 ? mutant.file : fmt::format("{}:{}", mutant.file, mutant.line);
 }
 
-/// Those without and with a reason, in two titled groups.
+/// Puts the mutants without and those with a reason in two titled groups.
 Table grouped(Table table, const std::vector<MutantResult>& mutants,
               const std::function<std::vector<std::string>(const MutantResult&)>& row, const char* without_reason,
               const char* with_reason) {
@@ -82,7 +83,7 @@ Table planted_table(const std::vector<MutantResult>& mistakes) {
       "that an order, an error, a limit or a report can show", "that change efficiency or robustness only");
 }
 
-/// A published summary does not name its mutations.
+/// Drops the column of names where it is empty: a published summary does not name its mutations.
 Table without_empty_first_column(Table table) {
   for (const Table::Group& group : table.groups)
     for (const auto& row : group.rows)

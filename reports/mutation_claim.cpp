@@ -19,7 +19,7 @@ std::string catch_evidence(const PlantedScore& score) {
                      score.should_show, open, missed, score.quick, score.unit_tests);
 }
 
-/// Asked of the quick gate: no false alarm in so many runs.
+/// The claim asks for so many runs of the quick gate without a false alarm.
 constexpr int runs_without_alarm = 200;
 
 AlarmCount sum_over_builds(const std::vector<AlarmCount>& builds) {

@@ -8,8 +8,8 @@
 
 namespace mpmvv::reports {
 
-/// The claim that planted mistakes and runs without a mistake judge, and the command that makes them, at the top of the
-/// tree.
+/// The claim that is judged by planted mistakes and by runs without a mistake, and the command that makes both at the
+/// top of the tree.
 inline constexpr const char *mutants_claim = "X-mutants", *mutants_command = "./run mutants && ./run alarms";
 
 /// What the planted mistakes and the runs without one say, as the parts of a study; without parts where no mistake is

@@ -7,7 +7,7 @@
 
 namespace mpmvv::reports {
 
-/// How a part of the gate took a mutant.
+/// What a stage of the gate said of a mutant.
 struct StageResult {
   bool caught = false;
   std::vector<std::string> by = {};  ///< the first test or the goldens that did not pass
@@ -30,7 +30,7 @@ struct MutantResult {
   }
 };
 
-/// How many mistakes that someone has planted each part of the gate has caught, of those that it should.
+/// How many of the planted mistakes that should show each part of the gate has caught.
 struct PlantedScore {
   int should_show = 0, equivalent = 0;                     ///< an equivalent one changes no result
   int unit_tests = 0, quick = 0, nightly = 0, caught = 0;  ///< caught: by any of them
@@ -38,7 +38,7 @@ struct PlantedScore {
   std::vector<std::string> missed = {};                    ///< names
 };
 
-/// How many random mutations of those that compile.
+/// The same for the random mutations that compile.
 struct RandomScore {
   int tried = 0, unit_tests = 0, quick = 0, nightly = 0, caught = 0;
   int explained = 0;                          ///< survivors with a reason

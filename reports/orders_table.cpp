@@ -20,7 +20,8 @@ Table::Rows orders_of(const records::StudyResult& study) {
   return rows;
 }
 
-/// Led by an empty group, lest LaTeX take the row's beginning for an argument of the line before.
+/// A row in LaTeX. It begins with an empty group, so that LaTeX does not take the first cell for an argument of the
+/// line before.
 std::string row_text(const std::vector<std::string>& cells) {
   std::vector<std::string> set;
   for (const auto& cell : cells) set.push_back(typeset(cell, Notation::latex));

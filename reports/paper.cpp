@@ -38,7 +38,7 @@ struct PrintedFigure {
 };
 
 struct Part {
-  std::string title;  ///< LaTeX, as what is missing
+  std::string title;  ///< in LaTeX, and so are the texts of `missing`
   std::vector<PrintedFigure> figures;
   std::vector<std::string> missing;
   std::string orders_name, orders;
@@ -48,7 +48,7 @@ std::string latex(const std::string& text) {
   return typeset(text, Notation::latex);
 }
 
-/// The caption without "Compare S Fig. 2(a).", as the figure's label says it.
+/// The caption without "Compare S Fig. 2(a).", which the figure's label says already.
 std::string own_caption(const Chart& chart) {
   static const std::regex comparison(R"( Compare [A-Z] Fig\. [^ ]*[^ .](, [a-z]+)?\.)");
   return std::regex_replace(chart.caption, comparison, "");

@@ -5,10 +5,10 @@
 
 namespace mpmvv::reports {
 
-/// The axis of a quantity that a paper has in another unit than the studies.
+/// The y axis of a quantity that a paper draws in another unit than the studies.
 struct OriginalAxis {
   std::string quantity, label;
-  double factor = 1;  ///< of the studies' numbers
+  double factor = 1;  ///< by which the studies' numbers are multiplied
 };
 
 /// A figure of a paper, and which figures of studies show the same.
@@ -29,7 +29,7 @@ struct Paper {
   std::vector<PaperFigure> figures;
 };
 
-/// Those of reports/papers.toml.
+/// The papers of reports/papers.toml.
 const std::vector<Paper>& papers();
 
 /// The same from text; `name` stands for the file in messages. Throws UsageError where a field is missing, unknown or

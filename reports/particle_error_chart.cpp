@@ -36,8 +36,9 @@ std::vector<LastRun> last_runs(const records::StudyResult& study, const records:
   return runs;
 }
 
-/// About what the particles are apart: the median of the mean ways to the nearest ones, as many as a particle of a
-/// lattice has at one distance. The nearest alone is close by where particles are in no order.
+/// About how far apart the particles are: the median, over the particles, of the mean distance to the four nearest
+/// ones, as many as a particle of a lattice has at one distance. The nearest one alone would be too close where
+/// particles lie in no order.
 double spacing_of(const std::vector<ParticleError>& all) {
   constexpr std::size_t most_near = 4;
   std::vector<double> spacings, ways;
@@ -56,7 +57,8 @@ double spacing_of(const std::vector<ParticleError>& all) {
   return *middle;
 }
 
-/// From where nearly all errors are to the largest, so that a few that are about zero do not take the colours.
+/// The scale of colours, from an error that nearly all particles exceed to the largest, so that a few errors near zero
+/// do not take up the scale.
 Axis shade_axis(const std::vector<LastRun>& runs) {
   std::vector<double> errors;
   for (const LastRun& run : runs)
@@ -68,7 +70,7 @@ Axis shade_axis(const std::vector<LastRun>& runs) {
   return make_axis({error_label, true, {}, {}}, std::vector{std::min(low, errors.back() / 2), errors.back()});
 }
 
-/// Where many make an area, their squares close the gaps that a stretched body has.
+/// The panel of a run. Where particles are many, their squares overlap, to close the gaps in a stretched body.
 Panel panel_of(const LastRun& run) {
   constexpr std::size_t many = 300;
   constexpr double overlap = 1.6;
@@ -92,7 +94,7 @@ Chart shaded_panels(const records::Figure& figure, const std::vector<LastRun>& r
   return chart;
 }
 
-/// A body along a line.
+/// The chart of a body along a line: the errors against their places.
 Chart errors_along_a_line(const records::Figure& figure, const std::vector<LastRun>& runs) {
   constexpr std::size_t most_marked = 40;
   Chart chart;
@@ -120,7 +122,7 @@ Chart errors_along_a_line(const records::Figure& figure, const std::vector<LastR
   return chart;
 }
 
-/// Of which runs the particles are, and what is left out.
+/// Notes which runs the particles are of, and what is left out.
 void add_notes(Chart& chart, const records::StudyResult& study, const std::vector<LastRun>& runs) {
   std::vector<std::string> which;
   bool has_parts = false;

@@ -23,7 +23,7 @@ struct Picture {
 std::vector<Picture> pictures_of(const std::vector<Chart>& charts, const std::filesystem::path& out_dir,
                                  const std::string& folder);
 
-/// The same of a study, whose points are told by their case, value and command.
+/// The same for the charts of a study, with what the script says of their points.
 std::vector<Picture> pictures_of(const std::vector<Chart>& charts, const std::filesystem::path& out_dir,
                                  const std::string& folder, const records::StudyResult& study,
                                  const std::vector<SeriesCommand>& commands);

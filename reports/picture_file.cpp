@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder for what is drawn before it is where it belongs.
+/// A temporary folder for drawing, removed at the end.
 class Scratch {
  public:
   Scratch() : path_((fs::temp_directory_path() / "mpmvv-figure-XXXXXX").string()) {

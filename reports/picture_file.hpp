@@ -8,7 +8,7 @@
 
 namespace mpmvv::reports {
 
-/// The files of a figure for a paper: for LaTeX its lines have a second one, FILE-lines.pdf.
+/// The files of a figure for a paper: for LaTeX there is a second one, FILE-lines.pdf, with its lines.
 std::vector<std::filesystem::path> picture_files(const std::filesystem::path& file, Format format);
 
 /// Draws a figure for a paper into these files. Throws UsageError when gnuplot is missing or fails, or a file cannot be

@@ -18,14 +18,14 @@ using records::StudyResult;
 namespace {
 
 constexpr std::size_t most_points = 1500;   ///< of a picture
-constexpr std::size_t most_of_a_line = 50;  ///< that has no markers
+constexpr std::size_t most_of_a_line = 50;  ///< of a line without markers
 
 /// The box between the axes, in pixels.
 struct Frame {
   double left = 0, right = 0, top = 0, bottom = 0;
 };
 
-/// gnuplot draws the border as a closed path of five places.
+/// The frame in gnuplot's SVG, which draws the border as a closed path of five places; none without one.
 std::optional<Frame> frame_in(const std::string& svg) {
   static const std::regex border(
       R"(d='M([\d.]+),([\d.]+) L[\d.]+,([\d.]+) L([\d.]+),[\d.]+ L[\d.]+,[\d.]+ L[\d.]+,[\d.]+ Z)");
@@ -93,7 +93,7 @@ class Points {
   std::size_t count_ = 0;
 };
 
-/// Rows of a stability map have their series for names, and the probed value along x.
+/// Adds the probes of a stability map. Its rows are named after their series, and x is the probed value.
 void add_probes(const Chart& chart, Points& points) {
   for (const Curve& curve : chart.curves)
     for (const Dot& dot : curve.dots) {

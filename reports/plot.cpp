@@ -25,7 +25,8 @@ namespace {
 
 constexpr const char* advice = "install it with: apt-get install gnuplot-nox";
 
-/// Nothing else of the caller's environment decides a picture: no terminal, language or path of gnuplot's.
+/// The only variables of the caller's environment that gnuplot sees, so that no terminal, language or search path of
+/// its own changes a picture.
 const std::set<std::string> kept_variables{"HOME", "LD_LIBRARY_PATH", "PATH", "TMPDIR"};
 
 fs::path script_file(const fs::path& folder, const Plot& plot) {
@@ -42,7 +43,7 @@ std::string last_words(const std::string& ending) {
   return ending == ".svg" ? "</svg>" : ending == ".pdf" ? "%%EOF" : "\\endgroup";
 }
 
-/// Whether the pictures are there to their ends; on a full disk gnuplot cuts them off without a word.
+/// Whether the pictures are complete: on a full disk gnuplot cuts them off without a message.
 bool has_pictures(const fs::path& folder, const Plot& plot) {
   return std::ranges::all_of(plot.endings, [&](const std::string& ending) {
     const std::string text = read_file(folder / (plot.name + ending)).value_or("");
@@ -112,7 +113,8 @@ std::string what_went_wrong(const support::ProcessEnd& end, std::chrono::millise
       lacks_terminal ? fmt::format("; it needs the terminals svg, pdfcairo and cairolatex ({})", advice) : "");
 }
 
-/// cairo 1.16 writes the time into a PDF and knows no SOURCE_DATE_EPOCH: one fixed time, digit for digit in place.
+/// Replaces, digit for digit, the time that cairo 1.16 writes into a PDF (it knows no SOURCE_DATE_EPOCH) by a fixed
+/// one, so that the same picture is the same file.
 void fix_creation_date(const fs::path& pdf) {
   const std::string key = "/CreationDate (D:", date = "19700101000000";
   std::fstream file(pdf, std::ios::in | std::ios::out | std::ios::binary);
@@ -123,12 +125,12 @@ void fix_creation_date(const fs::path& pdf) {
   file << date;
 }
 
-/// gnuplot takes no notice that `]]>` may not stand in a text.
+/// Escapes `]]>`, which may not stand in a text of XML; gnuplot does not escape it.
 void close_no_section(const fs::path& svg) {
   support::write_if_changed(svg, replace_all(read_file(svg).value_or(""), "]]>", "]]&gt;"));
 }
 
-/// A name of a file may hold a tilde, which is a space for LaTeX.
+/// Escapes tildes in names of files: for LaTeX a tilde is a space.
 void keep_tildes(const fs::path& tex) {
   support::write_if_changed(tex, replace_all(read_file(tex).value_or(""), "~", "\\string~"));
 }

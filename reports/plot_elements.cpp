@@ -112,9 +112,9 @@ class Elements {
 
 }  // namespace
 
-/// What has a meaning in double quotes or in single ones stands by its octal code. (In single quotes two of them mean
-/// one, but not at the text's beginning nor beside others.) A bracket at the beginning of LaTeX would say where the
-/// text stands.
+/// A text for gnuplot, in double quotes. Characters with a meaning in double or in single quotes are written as octal
+/// codes. (In single quotes two of them mean one, but not at the text's beginning nor beside others.) A bracket at the
+/// beginning of LaTeX gets an empty group before it, because gnuplot would take it for the text's alignment.
 std::string quoted(const std::string& text, Notation notation) {
   const std::string set = typeset(one_line(text), notation);
   std::string result = notation == Notation::latex && set.starts_with('[') ? "\"{}" : "\"";

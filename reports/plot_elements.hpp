@@ -26,8 +26,8 @@ std::string placed_key(const Layout& layout, Notation notation, double mark_scal
 /// The point type that stands for a curve: filled, or a cross where nothing else of it is drawn.
 int key_marker(const Curve& curve);
 
-/// What these take: one block per curve and per rule, and one of the boxes, in the order in which they count them. An
-/// empty one would not be counted.
+/// The data that plot_elements refers to: a block for each curve that has dots, for each rule, and one for the boxes,
+/// in the order in which it counts them. gnuplot would not count an empty block.
 std::string plot_data(const Chart& chart);
 
 }  // namespace mpmvv::reports

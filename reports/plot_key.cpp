@@ -9,7 +9,8 @@ namespace mpmvv::reports {
 
 namespace {
 
-/// gnuplot's SVG gives a sample the dash of the one before it where colour and width are the same, as in a group.
+/// The width of a sample's line. It differs a little within a group, because gnuplot's SVG gives a sample the dash of
+/// the one before it where colour and width are the same.
 double sample_line(const Curve& curve) {
   return 1.8 + 0.01 * std::max(0, curve.style.member);
 }

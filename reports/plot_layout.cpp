@@ -9,7 +9,7 @@ namespace {
 
 constexpr double points_per_pixel = 0.75;
 
-/// In sizes of the font.
+/// Lengths in sizes of the font.
 constexpr double letter_width = 0.52;   ///< on average, of DejaVu Sans: the widest font of those in use
 constexpr double capital_width = 0.75;  ///< of LaTeX's fonts, too
 constexpr double digit_width = 0.66;
@@ -26,7 +26,7 @@ double characters(const std::string& utf8) {
   return static_cast<double>(std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// In points.
+/// The width of a text, in points.
 double text_width(const std::string& text, double font) {
   const auto capitals = static_cast<double>(std::ranges::count_if(text, [](char c) { return c >= 'A' && c <= 'Z'; }));
   return font * (letter_width * characters(text) + (capital_width - letter_width) * capitals);
@@ -85,7 +85,8 @@ void set_key(Layout& layout, const Chart& chart) {
   layout.key_rows = (rows + layout.key_columns - 1) / layout.key_columns;
 }
 
-/// The names of rows end at the axis; what is said of each stands on the right.
+/// Sets the margins at the sides: on the left room for the axis' label and tics, on the right for labels where the
+/// chart asks for it.
 void set_sides(Layout& layout, const Chart& chart) {
   const double font = layout.page.font;
   const double label = chart.y.label.empty() ? 0 : line_height * font * static_cast<double>(layout.y_label.size());

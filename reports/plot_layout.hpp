@@ -43,7 +43,8 @@ struct Layout {
   double shades_label_at() const;     ///< across, of the scale of colours
   KeyPlace key_place(int row) const;  ///< down the first column, then the next
 
-  /// Whether the axes are long enough to be read, both of them; one of named rows is as long as these take.
+  /// Whether both axes are long enough to be read. An axis of named rows always is, as it is made as long as the rows
+  /// need.
   bool has_room() const;
 
   bool has_named_rows = false;
@@ -52,10 +53,11 @@ struct Layout {
   double left = 0, right = 0, top = 0;  ///< margins, in points
 };
 
-/// In a report, where a pixel of 1/96 inch is 3/4 of a point. The margins at the sides are the plotting program's.
+/// The layout of a chart in a report, where a pixel of 1/96 inch is 3/4 of a point. The margins at the sides are the
+/// plotting program's.
 Layout report_layout(const Chart& chart);
 
-/// In a column of a paper, with letters of this size, both in points.
+/// The layout of a chart in a column of a paper, with letters of this size, both in points.
 Layout paper_layout(const Chart& chart, double width, double font);
 
 /// The axis without the texts of tics that would touch their neighbours on a length, both in points.

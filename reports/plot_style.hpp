@@ -13,7 +13,7 @@ struct Marker {
 
 Marker marker_of(const Style& style);
 
-/// Whether its points are hollow although they are results as others.
+/// Whether its points are hollow although they are results like others.
 bool is_hollow(const Style& style);
 
 /// "lc rgb '#0072B2'", mixed with white on request.

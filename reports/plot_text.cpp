@@ -16,7 +16,7 @@ namespace {
 
 constexpr double mm_per_inch = 25.4;
 
-/// A tic's text, which is a format.
+/// A tic's text in quotes. gnuplot takes it for a format, in which a per cent sign is doubled.
 std::string quoted_format(const std::string& text, Notation notation) {
   return replace_all(quoted(text, notation), "%", "%%");
 }
@@ -26,7 +26,7 @@ const char* reading(Notation notation) {
   return notation == Notation::enhanced ? "enhanced" : "noenhanced";
 }
 
-/// The notation of what stands in a formula's: tics and slopes.
+/// The notation of formulas, that is tics and slopes, beside texts in this notation.
 Notation of_formulas(Notation texts) {
   return texts == Notation::plain ? Notation::enhanced : texts;
 }
@@ -133,7 +133,8 @@ constexpr std::string_view svg_output =
 set output '{0}.svg'
 {3})";
 
-/// The same picture at 96 pixels per inch; this terminal draws a font of 3 points in 4.
+/// The same picture as a PDF, at 96 pixels per inch. The font size is 3/4 of the SVG's, because this terminal draws a
+/// font of 3 points 4 points high.
 constexpr std::string_view pdf_output =
     R"(set terminal pdfcairo size {1:.3f}in,{2:.3f}in font 'Arial,7.31' fontscale 1 linewidth 1.5 pointscale 1.1
 set output '{0}.pdf'

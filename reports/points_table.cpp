@@ -18,7 +18,7 @@ using support::not_measured;
 namespace {
 
 constexpr std::size_t longest_series = 40;
-constexpr double round_off = 1e-12;  ///< of a change that should be none
+constexpr double round_off = 1e-12;  ///< a `..._change` up to this size is round-off
 
 std::set<std::string> fitted_norms(const StudyResult& study) {
   std::set<std::string> norms;
@@ -46,7 +46,7 @@ double measured(const Point& point, const std::string& quantity) {
   return y == point.y.end() ? not_measured : y->second;
 }
 
-/// Counts are written out.
+/// Whether the quantity is a count, which is written out.
 bool is_count(const std::string& quantity) {
   return quantity == "particles" || quantity == "steps" || quantity == "images";
 }
@@ -71,7 +71,7 @@ struct Column {
   }
   bool is_round_off() const { return quantity.ends_with("_change") && numbers.size() > 1 && largest() <= round_off; }
 
-  /// "images = 1", "mass_change below 3e-16"; empty where the rows have to say it.
+  /// "images = 1", "mass_change at most 3.0e-16"; empty where the rows have to say it.
   std::string in_all_rows() const {
     const std::string unit = records::unit_of(quantity);
     if (is_constant())
@@ -84,10 +84,10 @@ bool is_energy(const std::string& quantity) {
   return quantity == "kinetic" || quantity == "strain" || quantity == "initial_total";
 }
 
-constexpr int by_products = 300;  ///< their rank
+constexpr int by_products = 300;  ///< the rank of the first
 
-/// What was fitted or drawn comes first, then the other errors, then what else a run measures; what no run does comes
-/// before all.
+/// The order of the columns: what was fitted, what is drawn, what only checks measure, the other errors, the energy
+/// loss, what else a run measures, and last its sizes.
 int rank(const StudyResult& study, const std::set<std::string>& fitted, const std::string& quantity) {
   const auto index = [&](const std::vector<records::RunNumber>& numbers) {
     const auto found = std::ranges::find(numbers, quantity, &records::RunNumber::name);

@@ -45,7 +45,7 @@ PublishedCost code_from(const support::TomlTable& table) {
           .date = table.text("date")};
 }
 
-/// The case that a figure is set beside; null when it was not measured.
+/// The case that a published cost is set beside; null when it was not measured.
 const BenchmarkRow* case_beside(const Benchmark& benchmark, const std::string& beside) {
   const auto row = std::ranges::find_if(
       benchmark.rows, [&](const BenchmarkRow& r) { return (r.name + "/").starts_with("case/" + beside + "/"); });

@@ -11,7 +11,7 @@ namespace mpmvv::reports {
 struct PublishedCost {
   std::string on;  ///< one thread, all cores, ...
   std::string name, what, precision, hardware;
-  std::string published;  ///< the figure as it stands there
+  std::string published;  ///< the number as it stands in the source
   double seconds, steps, particles;
   std::string beside;  ///< the case of this program to compare with: dimension and particles per cell, basis
   std::string source, date;
@@ -19,7 +19,7 @@ struct PublishedCost {
   double per_particle_step() const { return seconds / (steps * particles); }  ///< s
 };
 
-/// Those of reports/published_costs.toml.
+/// The costs of reports/published_costs.toml.
 const std::vector<PublishedCost>& published_costs();
 
 /// The same from text; `name` stands for the file in messages. Throws UsageError where a field is missing, unknown or

@@ -35,7 +35,7 @@ struct GateLine {
 struct Changes {
   std::size_t compared = 0;         ///< results of both versions
   std::vector<std::string> differ;  ///< those of them that differ, worst first
-  std::vector<std::string> gone;    ///< results of the first alone
+  std::vector<std::string> gone;    ///< results that only the first has
 };
 
 /// What the store's version before this one says.
@@ -54,7 +54,7 @@ struct SeriesCommand {
   std::string note;  ///< what it leaves out; may be empty
 };
 
-/// What the versions in a store come to.
+/// The versions in a store, and how results changed over them.
 struct History {
   std::string code;                      ///< empty: our own program
   std::vector<store::Version> versions;  ///< by time
@@ -70,12 +70,12 @@ struct ReportInput {
   std::optional<Benchmark> benchmark = {};
   std::vector<History> histories = {};  ///< of our own program and of other codes, where there are two versions
   std::optional<MutationResults> mutation = {};
-  std::vector<AlarmCount> alarms = {};  ///< of the gate where there is no mistake
+  std::vector<AlarmCount> alarms = {};  ///< of the quick gate on programs without a mistake
   std::optional<Earlier> earlier = {};
   std::vector<store::CodeSeries> codes = {};                        ///< series that other codes ran
   std::map<std::string, std::vector<SeriesCommand>> commands = {};  ///< by study
-  std::map<std::string, StudyCall> calls = {};                      ///< by study, but for files STUDY.toml
-  std::string newest_result = {};                                   ///< its time, ISO 8601, UTC; may be empty
+  std::map<std::string, StudyCall> calls = {};  ///< by study; a study without one is called by its file, STUDY.toml
+  std::string newest_result = {};               ///< its time, ISO 8601, UTC; may be empty
 };
 
 /// What a call wrote: files whose content is already right are left alone.
@@ -89,8 +89,8 @@ struct ReportSummary {
 /// OUT/claims/, and where there is something to show benchmark.html, codes.html, mutants.html and trend.html;
 /// OUT/figures/ NAME.{gp,dat,svg,pdf} (STUDY~NAME where studies share the name), OUT/trends/NAME.*,
 /// OUT/tables/STUDY.csv, STUDY.tex and, where there are any, WHAT/STUDY.csv, program/benchmark.tex, program/codes.tex
-/// and program/mutants.tex. Nothing leads outside OUT. What an earlier report wrote there and this one does not goes
-/// away. Throws UsageError, and leaves OUT as it was, when a file cannot be written, is no report's, or gnuplot is
+/// and program/mutants.tex. Nothing leads outside OUT. What an earlier report wrote there and this one does not is
+/// removed. Throws UsageError, and leaves OUT as it was, when a file cannot be written, is no report's, or gnuplot is
 /// missing or fails.
 ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
                            const std::function<void(const std::string&)>& progress);

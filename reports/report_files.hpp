@@ -9,7 +9,7 @@
 /// What a report writes, which its summary lists.
 namespace mpmvv::reports {
 
-/// Writes a file of the report in `folder`, unless it has this text already; whether it was written.
+/// Writes a file of the report in `folder`, unless it has this text already; returns whether it was written.
 bool write_file(const std::filesystem::path& folder, const std::filesystem::path& file, const std::string& text,
                 ReportSummary& summary);
 

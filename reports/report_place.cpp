@@ -37,7 +37,7 @@ void remove_tree(const fs::path& tree) {
   fs::remove_all(tree, ignored);
 }
 
-/// All files below the folder, relative to it, those of its own last and `index.html` at the very end.
+/// All files below the folder, relative to it: those in its subfolders first, and `index.html` at the very end.
 std::vector<fs::path> files_in_order(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code ignored;
@@ -69,7 +69,8 @@ std::set<fs::path> listed_files(const fs::path& folder) {
   return files;
 }
 
-/// What a report in `before` wrote and the one in `after` does not; of a list that was tampered with nothing outside.
+/// The files that the report in `before` wrote and the one in `after` does not. Nothing outside the folder is among
+/// them, even where the list was tampered with.
 std::vector<fs::path> files_gone(const fs::path& before, const fs::path& after) {
   std::vector<fs::path> gone;
   const std::set<fs::path> kept = listed_files(after);
@@ -81,7 +82,7 @@ std::vector<fs::path> files_gone(const fs::path& before, const fs::path& after) 
   return gone;
 }
 
-/// The same file under another name, or a copy of it where the file system has no two names for one.
+/// Makes a hard link to the file, or a copy of it where the file system has no hard links.
 void carry_over(const fs::path& from, const fs::path& to) {
   make_folder(to.parent_path());
   std::error_code failed;

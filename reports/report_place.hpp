@@ -9,7 +9,7 @@ namespace mpmvv::reports {
 
 /// A report's folder while the next report is made. The new report is written to a draft folder inside it; when it is
 /// complete its files are moved to their places, the page last. Until then the old report stays as it was. What it
-/// wrote and the new one does not goes away; a list in the folder, .report-files, says what that is. Other files are
+/// wrote and the new one does not is removed; a list in the folder, .report-files, says what that is. Other files are
 /// not touched, and the folder may be a mount point or a link.
 class ReportPlace {
  public:

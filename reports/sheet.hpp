@@ -14,7 +14,7 @@ constexpr std::array<const char*, 3> words_of(Format) {
   return {"pdf", "svg", "tex"};
 }
 
-/// Of its file: ".pdf".
+/// The ending of such a file: ".pdf".
 inline std::string ending_of(Format format) {
   return "." + to_string(format);
 }

@@ -29,7 +29,7 @@ std::string limit_text(const fits::StabilityLimit& limit) {
   return limit.monotone ? text : text + ", not monotone";
 }
 
-/// How people write what was searched.
+/// The axis label for what was searched.
 std::string axis_label(const std::string& key) {
   return key == "cfl" ? "CFL number" : key == "smoothing_length" ? "smoothing length / h" : key;
 }

@@ -10,7 +10,7 @@ namespace mpmvv::reports {
 
 namespace {
 
-/// As a shell takes it for one word.
+/// The text, in quotes where a shell would not take it for one word.
 std::string shell_word(const std::string& text) {
   const auto is_plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::strchr("_./-+=,:@%~", c) != nullptr;

@@ -25,7 +25,7 @@ data claim_links(const ReportInput& input, const StudyResult& study) {
   });
 }
 
-/// Its criteria without their numbers, which stand on the claims' pages.
+/// The study's criteria, without their numbers, which stand on the claims' pages.
 data criteria_list(const ReportInput& input, const StudyResult& study) {
   return list_of(study.parts, [&](const records::ClaimPart& part) {
     return object({{"statement", part.statement},

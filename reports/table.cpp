@@ -146,7 +146,8 @@ std::vector<Table> tables_of(const StudyResult& study) {
 
 namespace {
 
-/// Led by an empty group where the line before would take the row's beginning for an argument of its own.
+/// A row of a table. It begins with an empty group where LaTeX would take its first cell for an argument of the line
+/// before.
 std::string latex_row(const std::vector<std::string>& cells) {
   std::vector<std::string> escaped;
   for (const auto& cell : cells) escaped.push_back(latex_text(cell));

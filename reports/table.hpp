@@ -21,7 +21,8 @@ struct Table {
   bool empty() const { return groups.empty(); }
 };
 
-/// With the order of each segment; no series too long to be read. What is the same at every point stands in the note.
+/// All points, with the order of each segment; series too long to be read are left out. What is the same at every point
+/// stands in the note.
 Table points_table(const records::StudyResult& study);
 Table fits_table(const records::StudyResult& study);
 Table replicates_table(const records::StudyResult& study);
@@ -34,7 +35,7 @@ Table cheapest_table(
 /// All tables of a study that have rows.
 std::vector<Table> tables_of(const records::StudyResult& study);
 
-/// As booktabs tables, for \input into a document; the title stands in a comment.
+/// The tables as booktabs tables, for \input into a document; the title stands in a comment.
 std::string latex_tables(const std::string& title, const std::vector<Table>& tables);
 
 }  // namespace mpmvv::reports

@@ -26,7 +26,7 @@ ColumnKind kind_of_column(const Table& table, std::size_t column) {
   return kind;
 }
 
-/// As style.css names them: a number, a word that stays in its line, a text.
+/// The class of a column in style.css: a number, a word that stays in its line, a text.
 std::string css_class(const ColumnKind& kind) {
   return kind.number ? "n" : kind.word ? "w" : "t";
 }

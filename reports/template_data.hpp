@@ -35,7 +35,8 @@ inline data object(std::initializer_list<std::pair<const char*, data>> members) 
   return result;
 }
 
-/// A name as part of an id, of no other name: what is neither letter, digit, `-` nor `.` becomes `_` and its code.
+/// A name as part of an id. Different names make different ids: what is neither letter, digit, `-` nor `.` becomes `_`
+/// and its code.
 inline std::string anchor(const std::string& name) {
   std::string result;
   for (const char c : name) {

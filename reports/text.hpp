@@ -3,10 +3,10 @@
 
 namespace mpmvv::reports {
 
-/// For machines: 17 significant digits, nothing for NaN.
+/// A number for machines: 17 significant digits, nothing for NaN.
 std::string exact(double v);
 
-/// For people: four significant digits, a dash for NaN.
+/// A number for people: four significant digits, a dash for NaN.
 std::string brief(double v);
 
 /// For people: three significant digits, all of those before the point, a dash for NaN.

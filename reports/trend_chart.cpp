@@ -67,7 +67,8 @@ bool marks(const Chart& chart, Mark mark) {
       chart.curves, [mark](const Curve& curve) { return std::ranges::count(curve.dots, mark, &Dot::mark) > 0; });
 }
 
-/// Crosses of one version stand below each other, and the caption says what marks mean that are not of every chart.
+/// Places the crosses of one version below each other, and says in the caption what the marks mean that not every chart
+/// has.
 void place_marks(Chart& chart) {
   std::map<double, int> at_x;
   for (Curve& curve : chart.curves)
@@ -77,7 +78,7 @@ void place_marks(Chart& chart) {
   if (marks(chart, Mark::unstable)) chart.caption += " Crosses at the upper edge: unstable.";
 }
 
-/// One number has no course.
+/// Whether the trend has two numbers or more: one number has no course.
 bool has_course(const Trend& trend) {
   return std::ranges::count_if(trend.numbers, [](double number) { return std::isfinite(number); }) >= 2;
 }
@@ -94,7 +95,7 @@ std::optional<Around> around_series(const std::string& name) {
   return Around{name.substr(0, first), name.substr(last + 1)};
 }
 
-/// Where all curves say the same of series that differ, their keys are the series, and the caption says the rest.
+/// Where all curves say the same of different series, their keys become the series, and the caption says the rest.
 void shorten_keys(Chart& chart, const std::string& study, const std::string& where) {
   const auto around = around_series(chart.curves.front().name);
   const auto says_the_same = [&](const Curve& curve) { return around_series(curve.name) == around; };

@@ -28,12 +28,12 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Letters that stand for one wherever they stand alone.
+/// Letters that mean a quantity wherever they stand alone.
 bool is_quantity(char c) {
   return std::string_view("cdhklnprtxyzCEFRTV").find(c) != std::string_view::npos;
 }
 
-/// Greek letters that keyboards lack.
+/// The Greek letter of this name; empty for other words.
 std::string greek(const std::string& word) {
   static const std::map<std::string_view, const char*> letters{{"sigma", "σ"}, {"phi", "φ"},    {"rho", "ρ"},
                                                                {"delta", "δ"}, {"lambda", "λ"}, {"nu", "ν"}};

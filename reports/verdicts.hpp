@@ -11,7 +11,7 @@ namespace mpmvv::reports {
 std::string gate_counts(const std::vector<GateLine>& lines);
 std::string claim_counts(const std::vector<claims::Claim>& claims);
 
-/// The verdict on all of them; none where there is no golden.
+/// The verdict on all of them together, which is the worst; none where there is no golden.
 std::optional<records::Verdict> gate_verdict(const std::vector<GateLine>& lines);
 std::string gate_word(const std::vector<GateLine>& lines);  ///< that verdict, or "not judged"
 
@@ -24,7 +24,7 @@ struct GateGroup {
 /// Goldens by study, those with something that does not pass first.
 std::vector<GateGroup> gate_groups(const std::vector<GateLine>& lines);
 
-/// Goldens that the report can say something of: their study is in it. The others stand for what was not run here.
+/// Goldens that the report can judge, as their study is in it, and the others, whose study was not run here.
 struct GateSplit {
   std::vector<GateLine> judged, without_study;
 };
@@ -35,7 +35,7 @@ GateSplit gate_split(const ReportInput& input);
 std::string gate_word(const GateSplit& split);
 std::string gate_text(const GateSplit& split);
 
-/// The claims that a study of the report judges or names; those that none does.
+/// The claims that a study of the report judges or names, and those that none does.
 struct ClaimSplit {
   std::vector<claims::Claim> judged, without_study;
 };

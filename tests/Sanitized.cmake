@@ -1,13 +1,13 @@
-# The test programs of a sanitized tree, which take from MPMVV_PLAIN what need not be compiled again: the cases above all.
+# The test programs of a sanitized tree. What need not be compiled again, above all the cases, they take from
+# MPMVV_PLAIN.
 #
 # Address and undefined behaviour: every room of the program is instrumented. The cases are those of the plain build,
-# which try all bases in all dimensions; compiled again, they took as long as the program, with two bases in the plane.
-# Not seen are mistakes of the cases themselves, and of the rooms' templates and inlined functions where a case makes
-# its own of them.
+# which try all bases in all dimensions. Compiled again with only two bases in the plane, they took as long as the
+# program. Mistakes are not seen in the cases themselves, nor in templates and inlined functions of the rooms where a
+# case has its own copy of them.
 set(MPMVV_PLAIN "" CACHE PATH "build folder without sanitizers, whose cases and rooms are linked")
 
-# Sets `filter` to the cases that a file names: one pattern of GoogleTest's filters a line, '-' before those that are left
-# out.
+# Sets `filter` to the cases that a file names: one pattern of GoogleTest's filters a line, '-' before those left out.
 function(mpmvv_filter file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
   file(STRINGS ${file} patterns REGEX "^[^#]")
@@ -20,8 +20,8 @@ function(mpmvv_filter file)
   set(filter "${patterns}-${left_out}" PARENT_SCOPE)
 endfunction()
 
-# Two tests for each program, half of its cases each: a process for each case would take longer to start than the cases to
-# run.
+# Two tests for each program, half of its cases each: a process for each case would take longer to start than the case
+# to run.
 function(mpmvv_sanitized_test name)
   foreach(shard 0 1)
     add_test(NAME test_${name}_${shard} COMMAND test_${name} --gtest_brief=1 --gtest_filter=${filter})
@@ -30,7 +30,8 @@ function(mpmvv_sanitized_test name)
   endforeach()
 endfunction()
 
-# The objects of the rooms stand before the cases: of what both instantiate the linker takes the first.
+# The objects of the rooms stand before the cases, so that the linker takes their instrumented copy of what both
+# instantiate.
 function(mpmvv_instrumented_rooms name)
   set(cases ${MPMVV_PLAIN}/tests/libcases_${name}.a)
   list(TRANSFORM ARGN PREPEND mpmvv_ OUTPUT_VARIABLE rooms)
@@ -43,9 +44,9 @@ endfunction()
 
 mpmvv_rooms(read_rooms run_rooms)
 
-# Threads: the solver has them, and the pool of cases, which is studies/plan's. These two rooms are instrumented, and
-# their cases that run threads; the other rooms are the plain build's, in which a race of two cases over the same memory
-# would not be seen.
+# Threads: the solver has them, and the pool of cases in studies/plan. Only these two rooms and their cases that run
+# threads are instrumented. The other rooms are the plain build's: a race of two cases over their memory would not be
+# seen.
 if(MPMVV_SANITIZE STREQUAL "thread")
   foreach(room ${read_rooms} ${run_rooms} mms)
     set_target_properties(mpmvv_${room} PROPERTIES EXCLUDE_FROM_ALL TRUE)
@@ -74,7 +75,7 @@ else()
   mpmvv_filter(sanitized_memory.txt)
   # The longest first.
   mpmvv_instrumented_rooms(cli ${read_rooms} goldens)
-  # The leak checker looks through all memory at the end of each process. These tests start hundreds, of rooms whose leaks
+  # The leak checker searches all memory at the end of each process. These tests start hundreds, of rooms whose leaks
   # the other test programs would show: a third less time.
   set_property(TEST test_cli_0 test_cli_1 APPEND PROPERTY ENVIRONMENT LSAN_OPTIONS=detect_leaks=0)
   mpmvv_instrumented_rooms(studies ${read_rooms} ${run_rooms} solver mms)

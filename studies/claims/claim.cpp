@@ -36,7 +36,8 @@ std::string evidence_of(const std::vector<JudgedPart>& parts) {
   return fmt::format("{}", fmt::join(texts, "\n"));
 }
 
-/// What the study that states a claim says; where its results are not there, what another one took from it.
+/// The text of a claim as the study that states it has it; without that study's results, as another study has copied
+/// it.
 ClaimText text_of(const std::string& id, const std::vector<StudyResult>& studies) {
   ClaimText text{id, "", "", "", ""};
   for (const StudyResult& study : studies)
@@ -48,7 +49,8 @@ ClaimText text_of(const std::string& id, const std::vector<StudyResult>& studies
   return text;
 }
 
-/// Each claim that a study names, once, in the order of the studies that state them; else in that of the naming ones.
+/// Each claim that some study names, once, in the order of the studies that state them. A claim whose stating study is
+/// unknown stands with the first study that names it.
 std::vector<ClaimText> claim_texts(const std::vector<StudyResult>& studies) {
   std::vector<ClaimText> texts;
   std::set<std::string> ids;

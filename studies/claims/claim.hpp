@@ -20,13 +20,13 @@ struct Claim {
   enum class Verdict { confirmed, partly, refuted, shown, open };
 
   std::string id;
-  std::string statement;  ///< empty where the store is older than the statements it keeps
+  std::string statement;  ///< empty where an older store does not keep it
   std::string source;     ///< the paper, "Steffen et al. 2008"
   std::string where;      ///< the place in it, "Fig. 10"
   Verdict verdict = Verdict::open;
   std::string evidence;              ///< per part: what was asked and measured
   std::vector<JudgedPart> parts;     ///< in the order of the studies
-  std::vector<std::string> studies;  ///< where the evidence stands
+  std::vector<std::string> studies;  ///< those that have a part of it
 };
 
 constexpr std::array<const char*, 5> words_of(Claim::Verdict) {

@@ -28,9 +28,9 @@ PartVerdict verdict_on(const Criterion& c, const Interval& interval) {
 
 }  // namespace
 
-/// What is measured is held against the bounds with its interval, which can only withhold a verdict and never make one:
-/// residuals of a deterministic method are bias, so an interval that contains the order claimed says nothing for it,
-/// but one that reaches across a bound says that other points might lie on its other side.
+/// Each number is held against the bounds together with its interval. The interval can only withhold a verdict, never
+/// make one: residuals of a deterministic method are bias, so an interval that contains the claimed order is no
+/// evidence for it, but one that reaches across a bound shows that other points might lie on the other side.
 records::ClaimPart judge(const Criterion& criterion, const records::StudyResult& result) {
   records::ClaimPart part{criterion.claim, criterion.statement, PartVerdict::shown, "", ""};
   part.measure = support::to_string(criterion.kind), part.at_least = criterion.at_least,

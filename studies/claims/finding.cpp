@@ -25,7 +25,7 @@ bool is_error(const std::string& quantity) {
          quantity != "steps" && quantity != "dt";
 }
 
-/// What is fitted or drawn of a series against the swept value.
+/// The quantities that the study fits for a series, and the errors that its figures draw.
 std::set<std::string> followed(const StudyResult& study, const Series& series) {
   std::set<std::string> quantities;
   for (const fits::ObservedOrder& order : series.orders) quantities.insert(order.norm);

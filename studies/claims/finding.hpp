@@ -23,7 +23,7 @@ struct Finding {
   std::string study;  ///< empty for the verdict of a claim
   Kind kind = Kind::value;
   std::string name;                   ///< "order of 'linear' in l2 over [16, 128]"; differs within a study
-  double number = not_measured;       ///< an error's and a cost's is that of the finest level
+  double number = not_measured;       ///< of an error or a cost: that of the finest level
   std::string word;                   ///< a status, a verdict, why there is no number; else empty
   int better = 0;                     ///< 1: the larger the better; -1: the smaller; 0: neither
   std::vector<Level> levels;          ///< of an error or curve, in increasing x

@@ -37,7 +37,7 @@ void measure_errors(const Criterion& c, const StudyResult& result, const Series&
       out.add(fmt::format("{} of '{}' {}", c.norm, series.name, at_point(result, point.x)), error_at(point, c.norm));
 }
 
-/// Two unstable runs are as bad as each other: W gives either an error of one.
+/// The ratio of two unstable runs is 1: W gives each of them the same error, one.
 void measure_ratios(const Criterion& c, const StudyResult& result, const Series& series, const Series& over,
                     Measured& out) {
   for (const Point& point : series.points) {
@@ -93,7 +93,7 @@ void measure_status(const Criterion& c, const StudyResult& result, const Series&
   out.add(fmt::format("stable share of '{}' {}", series.name, over_window(c, result)), ok / all);
 }
 
-/// The limit of a series; null, and `missing`, where none was found.
+/// The limit of a series; where none was found null, and `out.missing` says why.
 const StabilityLimit* limit_of(const Series& series, Measured& out) {
   if (series.limit && series.limit->found) return &*series.limit;
   out.missing = fmt::format("'{}' has no limit{}", series.name,
@@ -105,7 +105,8 @@ Interval bracket_of(const StabilityLimit& limit) {
   return {std::min(limit.stable, limit.unstable), std::max(limit.stable, limit.unstable)};
 }
 
-/// Where all that was tried agrees, the limit lies beyond the end to which a search went, or from which it began.
+/// Where all probes agree, the limit lies beyond one end of what was tried: beyond the far end when all are stable,
+/// beyond the end where the search began when all are unstable. The interval beyond that end.
 std::optional<Interval> beyond_all_tried(const StabilityLimit& limit) {
   if (limit.probes.size() < 2) return std::nullopt;
   const double lowest = limit.probes.front().value, highest = limit.probes.back().value;
@@ -150,8 +151,8 @@ std::string never_there(const Series& series, double cost, const Series& over, d
   return std::isinf(other_cost) ? fmt::format("'{}' never reaches it", over.name) : "";
 }
 
-/// A series that never gets down to an error costs without end there, whatever the other one does; but where neither
-/// does it says not how much more.
+/// A series that never gets down to an error costs infinitely much there, whatever the other one does. Where neither
+/// gets there, this does not show how much more it costs, so a lower bound cannot be judged.
 void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
   const auto own = fits::pareto_front(work_points(series, c.norm)),
              other = fits::pareto_front(work_points(over, c.norm));
@@ -171,7 +172,7 @@ void measure_value(const Criterion& c, const StudyResult& result, Measured& out)
   out.missing = fmt::format("the check has no value '{}'", c.name);
 }
 
-/// Whether the criterion's window is one of points.
+/// Whether the criterion reads the points inside its window.
 bool reads_points(Criterion::Kind kind) {
   switch (kind) {
     case Criterion::Kind::order:
@@ -188,7 +189,7 @@ bool reads_points(Criterion::Kind kind) {
   }
 }
 
-/// `over` is there where the measure divides by it.
+/// `over` is not null where the measure divides by it.
 void measure_series(const Criterion& c, const StudyResult& result, const Series& series, const Series* over,
                     Measured& out) {
   switch (c.kind) {

@@ -11,14 +11,14 @@ struct Interval {
   double lower, upper;
 };
 
-/// Numbers measured for a criterion; `missing` when something cannot be judged.
+/// Numbers measured for a criterion. `missing` says why something cannot be judged; else it is empty.
 struct Measured {
   struct Number {
     std::string label;
     double value;
-    Interval interval;        ///< the value alone where nothing is known of it
-    std::string words;        ///< what people read instead of a number without end; else empty
-    std::string remark = {};  ///< what is to be said of it, behind the label
+    Interval interval;        ///< the value alone where no uncertainty is known
+    std::string words;        ///< what people read instead of an infinite number; else empty
+    std::string remark = {};  ///< stands behind the label
   };
 
   std::vector<Number> numbers;

@@ -24,7 +24,7 @@ using records::StudyResult;
 
 namespace {
 
-/// Why an order is fitted without points that are not unstable: `missing` of `all`.
+/// Why the fit does without `missing` of the `all` points that are not unstable.
 std::string why_missing(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
                         std::ptrdiff_t missing, std::ptrdiff_t all) {
   if (const auto failed = values_with(Status::failed, c, series); !failed.empty())
@@ -34,7 +34,7 @@ std::string why_missing(const Criterion& c, const StudyResult& result, const Ser
                      near_floor.empty() ? "" : ", left out: " + near_floor);
 }
 
-/// The order over the points in the window that are stable; `missing` when one failed or has not been measured.
+/// The order over the stable points in the window. Sets `out.missing` when one of them failed or has no usable error.
 ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
                            Measured& out) {
   ObservedOrder fit = fits::fit_order(samples_of(series, norm, result.sweep), c.window.from, c.window.to);
@@ -47,8 +47,9 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
   return fit;
 }
 
-/// 95 % of the order; of three points, which leave Student's interval one degree of freedom, what their segments differ
-/// by, so that fewer points are not the surer ones.
+/// Half-width of the 95 % interval of the order. Three points leave Student's t only one degree of freedom and get no
+/// such interval; half the difference of their two segment orders stands in, so that fewer points do not look more
+/// certain.
 double half_of_interval(const ObservedOrder& fit) {
   return fit.points == 3 && !fit.replicates ? fits::segment_spread(fit) / 2 : fits::half_width(fit);
 }
@@ -59,7 +60,7 @@ void add_order(const std::string& label, const ObservedOrder& fit, const std::st
   out.add(label, fit.order, Interval{fit.order - width, fit.order + width}, interval + remark);
 }
 
-/// The series whose one quantity, of which `norm` is the name, is that norm over `over_norm`.
+/// A series with one quantity: `norm` divided by `over_norm`, under the name `norm`.
 Series quotient(const Series& series, const std::string& norm, const std::string& over_norm) {
   Series quotient{series.name, {}, {}, {}};
   for (const Point& point : series.points) {
@@ -77,7 +78,7 @@ Series quotient(const Series& series, const std::string& norm, const std::string
 void measure_order(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
   const ObservedOrder fit = stable_order(c, result, series, c.norm, out);
   const std::vector<double> unstable = values_with(Status::unstable, c, series);
-  const bool is_decided = !unstable.empty() && c.at_least;  // whatever order the others have, and if they have none
+  const bool is_decided = !unstable.empty() && c.at_least;  // a lower bound fails, whatever the order of the others
   const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
   if (!is_decided || !std::isnan(fit.order))
     add_order(fmt::format("order of '{}' in {} {}", series.name, c.norm, over_window(c, result)), fit, without, out);

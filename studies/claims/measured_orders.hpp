@@ -3,13 +3,14 @@
 
 namespace mpmvv::claims {
 
-/// The order of a series. An unstable point has not converged: with it no lower bound is kept, and an upper bound as
-/// far as the others keep it.
+/// Measures the order of a series. An unstable point has not converged: with it every lower bound fails, and an upper
+/// bound is judged by the other points.
 void measure_order(const Criterion& c, const records::StudyResult& result, const records::Series& series,
                    Measured& out);
 
-/// The difference of two orders is the order of the quotient, whose interval knows that both are of the same runs. An
-/// unstable point has neither order.
+/// Measures the difference of two orders as the order of the quotient of the two norms: its interval takes into account
+/// that both norms are of the same runs. An unstable point has neither order, so with one the criterion cannot be
+/// judged.
 void measure_order_difference(const Criterion& c, const records::StudyResult& result, const records::Series& series,
                               Measured& out);
 

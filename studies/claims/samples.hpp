@@ -11,17 +11,17 @@ namespace mpmvv::claims {
 /// The step size that goes with a swept value: h = 1/x for a sweep over `cells`, else x.
 double step_size(double x, const std::string& sweep);
 
-/// Whether a swept value makes for finer grids or steps, or for more particles, than another.
+/// Whether the swept value `a` means a finer grid, a smaller step or more particles than `b`.
 bool is_finer(double a, double b, const std::string& sweep);
 
-/// Errors below this times a floor say nothing of an order: what the rounding of a code's output makes
-/// (`output_floor`), and what the solution is off by for the body's law (`solution_floor`).
+/// Errors below this multiple of a floor say nothing about an order. The floors are the error made by the rounding of a
+/// code's output (`output_floor`) and the error of a solution that is not exact for the body's law (`solution_floor`).
 inline constexpr double least_over_floor = 3;
 
 bool is_near_floor(const records::Point& point, const std::string& norm);
 
-/// The swept values whose errors are that near to a floor, and which one it is: "32, 64 (within 3 times ...)"; empty
-/// without any. Errors of displacements alone have floors.
+/// The swept values whose errors are that near to a floor, and to which: "32, 64 (within 3 times ...)"; empty without
+/// any. Only errors of displacements have floors.
 std::string left_out(const records::Series& series, const std::string& norm);
 
 /// The usable points of a series in one norm, with their step sizes; without those near the floor.

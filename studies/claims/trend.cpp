@@ -21,7 +21,7 @@ bool has_trend(const Finding& finding) {
          (finding.kind == order || finding.kind == error || finding.kind == limit || finding.kind == value);
 }
 
-/// The findings of one version, found by study and by what they are of.
+/// The findings of one version, by study and name; statuses by study and series.
 class VersionFindings {
  public:
   explicit VersionFindings(const std::vector<Finding>& findings) {
@@ -37,7 +37,7 @@ class VersionFindings {
     return found == named_.end() ? nullptr : found->second;
   }
 
-  /// How the first run of the window ended that is not ok; empty where all are.
+  /// The status of the first run in the window that is not ok; empty where all are.
   std::string trouble_in(const std::string& study, const std::string& series, const fits::Window& window) const {
     const auto runs = statuses_.find({study, series});
     if (runs == statuses_.end()) return "";

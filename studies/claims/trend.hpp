@@ -14,7 +14,7 @@ struct Trend {
   std::string name;
   std::vector<double> numbers;  ///< one per version, NaN where it has none
   double at = not_measured;     ///< of an error: the swept value of its level
-  /// One per version: how a run has ended on which the number rests, where one is not ok; of a limit "not found".
+  /// One per version: the status of a run behind the number that is not ok, or "not found" for a limit; else empty.
   std::vector<std::string> remarks = {};
 };
 

@@ -35,7 +35,7 @@ inline std::string at_point(const records::StudyResult& result, double x) {
   return fmt::format("at {} = {}", result.sweep, x);
 }
 
-/// Where in the window points have this status.
+/// The swept values in the window whose points have this status.
 inline std::vector<double> values_with(records::Status status, const Criterion& c, const records::Series& series) {
   std::vector<double> values;
   for (const records::Point& point : series.points)

@@ -8,8 +8,8 @@ namespace mpmvv::fits {
 
 namespace {
 
-/// In doubles: Boost prepares its functions of long doubles when the program starts, which valgrind's arithmetic does
-/// not survive.
+/// Keeps Boost in doubles. Its functions of long doubles are initialized when the program starts, and that fails in
+/// valgrind's arithmetic.
 using InDoubles = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 }  // namespace

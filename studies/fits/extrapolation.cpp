@@ -24,7 +24,7 @@ constexpr double lowest_order = 0.05, highest_order = 8;  ///< of the scan
 
 enum class Weights { equal, finer_more };
 
-/// One of the models, fitted.
+/// One fitted model of the error.
 struct ErrorModel {
   std::string form;
   double order = not_measured;  ///< of the free fit
@@ -44,7 +44,8 @@ Eigen::VectorXd weights_of(const Grids& samples, Weights weights) {
   return w * (static_cast<double>(n) / w.sum());
 }
 
-/// Least squares of φ0 + Σ c_j h^powers_j; `unknowns` counts those of the model for σ.
+/// Least squares of φ0 + Σ c_j h^powers_j; `unknowns` is how many unknowns the model has, for the degrees of freedom of
+/// σ.
 ErrorModel fit_model(const Grids& samples, Weights weights, const std::vector<double>& powers, int unknowns) {
   const auto n = static_cast<Eigen::Index>(samples.size());
   const auto columns = static_cast<Eigen::Index>(powers.size()) + 1;

@@ -63,7 +63,7 @@ Model power_law(Samples samples, double p) {
   return with_misfit({.order = p, .constant = sums.a / sums.aa}, samples);
 }
 
-/// Non-negative least squares in two unknowns: where the free solution has a negative one, it is zero at the minimum.
+/// Non-negative least squares in two unknowns: an unknown that is negative in the free solution is zero at the minimum.
 Model power_law_with_floor(Samples samples, double p) {
   const NormalEquations sums(samples, p);
   const double determinant = sums.aa * sums.bb - sums.ab * sums.ab;

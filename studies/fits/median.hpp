@@ -4,7 +4,7 @@
 
 namespace mpmvv::fits {
 
-/// Of at least one value.
+/// The median of at least one value.
 inline double median_of(std::vector<double> values) {
   std::ranges::sort(values);
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;

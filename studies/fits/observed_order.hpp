@@ -28,8 +28,8 @@ struct FloorFit {
 struct ReplicateFit {
   int observations = 0;
   double scatter = not_measured;      ///< of log e within a level, standard deviation
-  double half_width = not_measured;   ///< 95 % of the order, from that scatter, or from the lack of fit
-  double lack_of_fit = not_measured;  ///< probability; small: the power law is no law of the means
+  double half_width = not_measured;   ///< of the 95 % interval of the order, from that scatter or the lack of fit
+  double lack_of_fit = not_measured;  ///< probability; small: the level means follow no power law
 };
 
 /// Observed order of one series in one norm. The window is declared by the study file, in swept values.
@@ -41,7 +41,7 @@ struct ObservedOrder {
   double half_width = not_measured;  ///< Student-t 95 % of the slope; NaN under four points
   double constant = not_measured;    ///< C of e = C h^p over the window
   double r_squared = not_measured;
-  bool asymptotic = false;  ///< segment orders inside the window agree (observed_order.hpp)
+  bool asymptotic = false;  ///< segment orders inside the window agree (fit_order)
   double asymptotic_from = not_measured,
          asymptotic_to = not_measured;  ///< widest asymptotic run of points found; only reported
   std::vector<SegmentOrder> segments;
@@ -78,10 +78,11 @@ std::vector<ErrorSample> samples_within(std::span<const ErrorSample> samples, do
 /// finest; it is only reported. `norm` is left to the caller.
 ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, double to);
 
-/// 95 % of the order: by replicates where there are some, else by the residuals; 0 where neither says anything.
+/// Half-width of the 95 % interval of the order: by the replicates where there are some, else by the residuals; 0 where
+/// neither gives one.
 double half_width(const ObservedOrder& fit);
 
-/// From the lowest to the highest order of the segments in the window; 0 of a single one.
+/// Highest less lowest order of the segments in the window; 0 with fewer than two segments.
 double segment_spread(const ObservedOrder& fit);
 
 /// Fits e = C h^p + E0, C and E0 >= 0, 0.1 <= p <= 8, by least squares of the relative misfit over the usable samples

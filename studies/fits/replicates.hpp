@@ -13,7 +13,7 @@ namespace mpmvv::fits {
 ///                 of the means (two orders mixed, an asymptotic range not reached), however small its residuals are
 ///   half_width    of p, 95 %, from that scatter: t(n - m) s / sqrt(Σ (log h - mean)²); where the lack of fit is under
 ///                 5 % from the levels' mean square about the line instead, with t(m - 2): the scatter alone would then
-///                 give a slope that is none many digits
+///                 give many digits to a slope that does not exist
 /// NaN where degrees of freedom are missing. Levels with the same number of samples each have the same slope as their
 /// geometric means.
 ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, double to);

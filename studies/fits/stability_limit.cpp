@@ -49,7 +49,7 @@ std::vector<double> scan_values(const LimitSearch& search) {
 
 namespace {
 
-/// The answers of a batch, each run once: several values may lead to the same run.
+/// The verdicts of a batch, without repeats: several values may lead to the same run.
 std::vector<Probe> ask(const ProbeBatch& probe, const std::vector<double>& values) {
   std::vector<Probe> answer = probe(values);
   if (answer.size() != values.size())
@@ -63,7 +63,7 @@ bool is_unstable(const Probe& p) {
   return !p.stable;
 }
 
-/// Halves the bracket's ratio until it is narrow enough, or no run lies inside.
+/// Bisects the bracket at its geometric mean until it is narrow enough, or no run lies inside.
 void bisect(StabilityLimit& limit, double tolerance, const ProbeBatch& probe) {
   while (std::abs(limit.unstable - limit.stable) > tolerance * limit.stable) {
     const auto [low, high] = std::minmax(limit.stable, limit.unstable);
@@ -117,7 +117,7 @@ StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates) {
 
 namespace {
 
-/// Whether runs at one value, which are neighbours here, have ended differently.
+/// Whether runs at the same value have ended differently. The probes are sorted, so such runs are neighbours.
 bool do_replicates_disagree(const std::vector<Probe>& probes) {
   return std::ranges::adjacent_find(probes, [](const Probe& a, const Probe& b) {
            return a.value == b.value && a.stable != b.stable;

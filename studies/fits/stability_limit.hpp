@@ -26,7 +26,8 @@ struct StabilityLimit {
   double value() const { return (stable + unstable) / 2; }
 };
 
-/// What is known where no limit was found: whether all runs were stable, or none, and to where; or that they differ.
+/// Says what is known where no limit was found: that all runs were stable, or all unstable, and up or down to which
+/// value; or that the runs differ.
 std::string text_without_limit(const StabilityLimit& limit);
 
 /// How a limit is searched: a geometric scan of [from, to], both ends included, then bisection of one bracket.
@@ -59,10 +60,10 @@ using ProbeBatch = std::function<std::vector<Probe>(const std::vector<double>&)>
 /// cannot be carried out.
 StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe);
 
-/// The limit that replicates of a run have together: below the bracket all of them are stable, above it none is (for
-/// `smoothing_length` the other way round), as far as each one's limit says. An end of the bracket that one of them
-/// lacks is NaN. Not found unless each is; not monotone where some are found and others are not, or some are stable
-/// throughout and others nowhere. At least one limit.
+/// The common limit of replicates, of which there must be at least one: below its bracket all of them are stable, above
+/// it none is (for `smoothing_length` the other way round), as far as each one's limit says. An end of the bracket is
+/// NaN where one replicate lacks it. Not found unless each limit is; not monotone where some are found and others are
+/// not, or some are stable throughout and others nowhere.
 StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates);
 
 }  // namespace mpmvv::fits

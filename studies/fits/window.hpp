@@ -3,8 +3,8 @@
 
 namespace mpmvv::fits {
 
-/// How far apart, relative, two swept values may lie that are the same: what is left of a number after its way through
-/// a study file, a division and a store.
+/// Relative difference up to which two swept values are the same: the round-off of a number on its way through a study
+/// file, a division and a store.
 inline constexpr double level_slack = 1e-9;
 
 /// Whether `x` is the swept value `level`.

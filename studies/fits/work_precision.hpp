@@ -14,8 +14,8 @@ struct WorkPoint {
 /// The points of which no other is both cheaper (or as cheap) and more accurate (or as accurate), by increasing cost.
 std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points);
 
-/// What it costs to come down to an error: between two points of the front the power law through both; the cheapest
-/// point where that is accurate enough already. Infinite where no point is accurate enough.
+/// The cost of reaching an error. Between two points of the front it follows the power law through both; it is the
+/// cheapest point's where that is accurate enough already, and infinite where no point is.
 double cost_to_reach(double error, const std::vector<WorkPoint>& front);
 
 /// The powers of ten within [from, to], largest first. Both must be positive.

@@ -11,7 +11,7 @@ class Admission {
  public:
   Admission(int threads, double memory) : threads_(threads), memory_(memory) {}
 
-  /// A place among the running cases; gives it back when it goes.
+  /// A place among the running cases; the destructor gives it back.
   class Place {
    public:
     Place(Admission& admission, int threads, double memory)
@@ -49,7 +49,7 @@ class Admission {
     changed_.notify_all();
   }
 
-  std::mutex mutex_;  ///< of everything below
+  std::mutex mutex_;  ///< guards everything below
   std::condition_variable changed_;
   int threads_, threads_used_ = 0;
   double memory_, memory_used_ = 0;

@@ -46,8 +46,8 @@ CasePool::CasePool(store::Store& store, const RunnerOptions& options)
 std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
   run_all(missing(cases));
   std::unique_lock lock(mutex_);
-  kept_.wait(lock, [this] { return !keeping_; });
-  if (not_kept_) std::rethrow_exception(not_kept_);
+  kept_.wait(lock, [this] { return !is_writing_; });
+  if (write_error_) std::rethrow_exception(write_error_);
   std::vector<Record> records;
   for (const Case& c : cases) records.push_back(records_.at(c));
   return records;
@@ -57,7 +57,7 @@ std::vector<Case> CasePool::missing(const std::vector<Case>& cases) {
   std::set<Case> missing;
   with_store([&] {
     for (const Case& c : cases)
-      if (!known(c)) missing.insert(c);
+      if (!load_known(c)) missing.insert(c);
     for (const Case& c : missing) remaining_.add(c, costs_.time(c).seconds);
     progress_.total += missing.size();
     if (!missing.empty()) report_to(options_.more_work);
@@ -69,18 +69,18 @@ double CasePool::seconds(const std::vector<Case>& cases) {
   double sum = 0;
   with_store([&] {
     for (const Case& c : cases)
-      if (!known(c)) sum += costs_.time(c).seconds;
+      if (!load_known(c)) sum += costs_.time(c).seconds;
   });
   return sum;
 }
 
-bool CasePool::known(const Case& c) {
+bool CasePool::load_known(const Case& c) {
   if (records_.contains(c)) return true;
   const auto stored = store_.find(c, provenance_.digest);
   if (!stored || records::is_worth_another_try(*stored)) return false;
   records_.emplace(c, *stored);
-  taken_.insert(c);
-  counts_.reused = taken_.size();
+  from_store_.insert(c);
+  counts_.reused = from_store_.size();
   return true;
 }
 
@@ -131,11 +131,11 @@ void CasePool::time_all(const std::vector<Case>& cases) {
 }
 
 void CasePool::run(const Case& c, double seconds_of_all) {
-  if (!is_there(c)) keep(record_of(c, seconds_of_all));
+  if (!count_if_done(c)) keep(record_of(c, seconds_of_all));
 }
 
 /// Whether a thread has run the case since it was found missing.
-bool CasePool::is_there(const Case& c) {
+bool CasePool::count_if_done(const Case& c) {
   const std::lock_guard lock(mutex_);
   if (!records_.contains(c)) return false;
   ++progress_.done;
@@ -170,7 +170,7 @@ Record CasePool::external_record_of(const Case& c) {
   return record;
 }
 
-/// All for a case that fills the memory, or would still run when all others are done.
+/// All threads for a case that takes much memory, or that would still run when all others are done; else one.
 int CasePool::threads_for(double memory, double seconds, double seconds_of_all) const {
   constexpr double much_memory = 1024.0 * 1024 * 1024, long_time = 5;
   const bool is_big = memory > much_memory || (seconds > long_time && seconds * options_.jobs > seconds_of_all);
@@ -181,8 +181,8 @@ int CasePool::threads_for(double memory, double seconds, double seconds_of_all) 
 void CasePool::keep(const Record& record) {
   std::unique_lock lock(mutex_);
   finished_.push_back(record);
-  if (keeping_) return;
-  keeping_ = true;
+  if (is_writing_) return;
+  is_writing_ = true;
   while (!finished_.empty()) {
     const std::vector<Record> batch = std::exchange(finished_, {});
     lock.unlock();
@@ -190,23 +190,24 @@ void CasePool::keep(const Record& record) {
       store_.keep(batch, provenance_);
     } catch (...) {
       lock.lock();
-      not_kept_ = std::current_exception();
-      keeping_ = false;
+      write_error_ = std::current_exception();
+      is_writing_ = false;
       kept_.notify_all();
       throw;
     }
     lock.lock();
     for (const Record& kept : batch) {
       records_.emplace(kept.the_case, kept);
-      taken_.erase(kept.the_case);  // which another program has kept while it ran here
-      counts_.reused = taken_.size();
+      // Another program may have kept the case while it ran here; it then counts as run, not as taken from the store.
+      from_store_.erase(kept.the_case);
+      counts_.reused = from_store_.size();
       ++counts_.ran;
       ++progress_.done;
       progress_.label = label(kept.the_case);
       report_to(options_.progress);
     }
   }
-  keeping_ = false;
+  is_writing_ = false;
   kept_.notify_all();
 }
 

@@ -17,10 +17,10 @@
 
 namespace mpmvv::plan {
 
-/// Gets records of cases: from memory, from the store, or by running them, on a part of the body where images of it
-/// make the rest. A case runs once, unless two threads ask for it at the same time. Cases run in parallel, the long
-/// ones first, as far as the machine's memory allows. Two kinds run alone: those whose cost is measured, on one thread
-/// and taking turns; and big ones, on all threads.
+/// Gets records of cases: from memory, from the store, or by running them; only a part of the body is run where its
+/// images make up the rest. A case runs once, unless two threads ask for it at the same time. Cases run in parallel,
+/// the long ones first, as far as the machine's memory allows. Two kinds run alone: those whose cost is measured, on
+/// one thread and taking turns; and big ones, on all threads.
 class CasePool {
  public:
   CasePool(store::Store& store, const RunnerOptions& options);
@@ -28,35 +28,37 @@ class CasePool {
   /// Records in the order of the cases. Several threads may call it.
   std::vector<records::Record> get(const std::vector<cases::Case>& cases);
 
-  /// Those of the cases whose records are neither in memory nor in the store, each once.
+  /// The cases whose records are neither in memory nor in the store, each once.
   std::vector<cases::Case> missing(const std::vector<cases::Case>& cases);
 
-  /// Runs a case whose cost is not measured, one of several that take so many seconds in all.
+  /// Runs a case whose cost is not measured. It is one of several that take `seconds_of_all` together; this decides how
+  /// many threads it gets.
   void run(const cases::Case& c, double seconds_of_all);
 
-  /// How long those of the cases take that are neither in memory nor in the store, one after the other.
+  /// Estimated seconds, one case after the other on one core, for the cases that are neither in memory nor in the
+  /// store.
   double seconds(const std::vector<cases::Case>& cases);
 
-  /// Work of so many seconds whose cases are not known yet, or (negative) are now.
+  /// Announces work of so many seconds whose cases are not known yet; a negative number takes it back once they are.
   void expect(double seconds);
 
-  /// A place of one thread among the cases that run, for something else.
+  /// Reserves one thread for work that is not a case.
   Admission::Place place() { return {admission_, 1, 0}; }
 
-  /// Calls `act` while no thread of the pool is at the store.
+  /// Calls `act` while no thread of the pool uses the store.
   template <class Act>
   void with_store(const Act& act) {
     std::unique_lock lock(mutex_);
-    kept_.wait(lock, [this] { return !keeping_; });
+    kept_.wait(lock, [this] { return !is_writing_; });
     act();
   }
 
   RunnerCounts counts() const { return counts_; }
 
  private:
-  bool known(const cases::Case& c);
+  bool load_known(const cases::Case& c);
   void run_all(std::vector<cases::Case> missing);
-  bool is_there(const cases::Case& c);
+  bool count_if_done(const cases::Case& c);
   records::Record record_of(const cases::Case& c, double seconds_of_all);
   records::Record external_record_of(const cases::Case& c);
   void finish(const cases::Case& c, double core_seconds);
@@ -73,13 +75,13 @@ class CasePool {
   Progress progress_;
   Remaining remaining_;
   std::map<cases::Case, records::Record> records_;
-  std::set<cases::Case> taken_;            ///< those of them that come from the store and were not run
+  std::set<cases::Case> from_store_;       ///< those of them that come from the store and were not run
   std::vector<records::Record> finished_;  ///< not kept yet
-  bool keeping_ = false;                   ///< a thread is at the store, outside the mutex
-  std::exception_ptr not_kept_;            ///< why the store did not take what has finished
-  std::mutex mutex_;                       ///< of everything above
+  bool is_writing_ = false;                ///< a thread is writing to the store without holding the mutex
+  std::exception_ptr write_error_;         ///< why writing to the store failed
+  std::mutex mutex_;                       ///< guards everything above
   std::condition_variable kept_;
-  Admission admission_;  ///< also where several threads search limits at once
+  Admission admission_;  ///< one for all threads, also when several search limits at once
   std::stop_callback<std::function<void()>> on_stop_;
 };
 

@@ -60,7 +60,7 @@ std::vector<fs::path> study_files(const fs::path& folder) {
   return files;
 }
 
-/// The claims that the study files of a folder state, of those files in which one of the texts stands.
+/// The claims that the study files of a folder state. Only files that contain one of `texts` are parsed.
 ClaimsById claims_in(const fs::path& folder, const std::set<std::string>& texts) {
   ClaimsById claims;
   for (const fs::path& file : study_files(folder)) {
@@ -76,7 +76,7 @@ bool states(const StudyPlan& plan, const std::string& id) {
   return std::ranges::any_of(plan.statements, [&](const StatedClaim& claim) { return claim.text.id == id; });
 }
 
-/// Ids that plans name and none of them states.
+/// Ids that the plans name and that are not among the `known` claims.
 std::set<std::string> not_stated(const std::vector<StudyPlan>& plans, const ClaimsById& known) {
   std::set<std::string> ids;
   for (const StudyPlan& plan : plans)

@@ -12,12 +12,13 @@ namespace mpmvv::plan {
 /// the place in it.
 std::vector<StatedClaim> read_claims(const support::TomlTable& root, const std::string& study);
 
-/// Gives each plan what the claims say that it names and does not state: as another of the plans states them, or else a
-/// study file in one of the folders, the first one first. UsageError where none does, and where two say different
-/// things of one claim.
+/// Adds to each plan the claims that it names but does not state itself: as another of the plans states them, else as a
+/// study file in one of the folders does, searched in their order. UsageError when nobody states a claim, and when two
+/// state it differently.
 void state_claims(std::vector<StudyPlan>& plans, const std::vector<std::filesystem::path>& folders);
 
-/// UsageError where a plan says something else of a claim than a study of the store does that is not among the plans.
+/// UsageError when a plan states a claim differently from a study in the store that is not among the plans. `db` names
+/// the store in the message.
 void require_one_voice(const std::vector<StudyPlan>& plans, const std::vector<records::ClaimText>& stored,
                        const std::string& db);
 

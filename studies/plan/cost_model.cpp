@@ -10,8 +10,8 @@ namespace mpmvv::plan {
 
 namespace {
 
-/// Seconds per particle and step where nothing is known, of the usual bases on a core of 2023; of another code what a
-/// slow one takes.
+/// Seconds per particle and step when nothing is known: for our solver, what the usual bases take on a core of 2023;
+/// for another code, what a slow one takes.
 double guessed_cost(const cases::Case& c) {
   constexpr double another_code = 1e-5;
   if (!c.scheme.code.empty()) return another_code;

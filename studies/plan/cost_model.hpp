@@ -22,7 +22,7 @@ class CostModel {
 
   explicit CostModel(const store::Store* store);
 
-  /// Of all that the case asks for, on its part where it has one.
+  /// The time of all repetitions that the case asks for; of its part where only that is run.
   Time time(const cases::Case& c) const;
 
  private:

@@ -46,13 +46,13 @@ void require_searched(const StudyPlan& plan, const std::vector<std::string>& ser
           fmt::format("criterion in {} on the limit of series '{}', which the study does not search", where, name));
 }
 
-/// A window of errors, in which costs are compared at powers of ten.
+/// Throws unless the window, which is one of errors, holds a power of ten: costs are compared at these.
 void require_decades(const fits::Window& window, const std::string& where) {
   if (!(window.from > 0) || fits::decades(window.from, window.to).empty())
     throw UsageError(fmt::format("window in {} holds no power of ten (two errors, the smaller first)", where));
 }
 
-/// Norm and window of what is compared there.
+/// Reads the norm and the window, and checks that the `compared` series have them.
 void read_norm_and_window(const support::TomlTable& table, const StudyPlan& plan,
                           const std::vector<std::string>& compared, Criterion& c) {
   if (c.kind != Criterion::Kind::status) {

@@ -14,14 +14,14 @@ int padded(int components) {
   return components == 3 ? solver::padded_size<3> : components;
 }
 
-/// Doubles on each node: momentum with mass, force, velocity, acceleration, and what systems of masses keep.
+/// Doubles on each node: momentum with mass, force, velocity, acceleration, and what solving for a mass matrix keeps.
 int doubles_per_node(const cases::Scheme& scheme, int D) {
   const int grid = padded(D + 1) + 3 * padded(D);
   if (scheme.mass == cases::Mass::consistent) return grid + 3 + padded(D + 1) + 5 * padded(D);
   return grid + (scheme.order > 0 ? 2 * padded(D) : 0);
 }
 
-/// Doubles of each particle that systems of masses keep: the nodes of its domain.
+/// Doubles of each particle that solving for a mass matrix keeps: the nodes of the particle's domain.
 double doubles_per_domain(const cases::Scheme& scheme, int D) {
   if (scheme.mass != cases::Mass::consistent && scheme.order < 3) return 0;
   return std::visit(

@@ -35,7 +35,7 @@ std::vector<std::string> codes_in(const fs::path& folder) {
   return codes;
 }
 
-/// The setting of a key that the program finds itself; one that is given must be the same.
+/// Adds a setting whose value the program finds itself; where the study gives one, it must be the same.
 void add_found(std::vector<Setting>& settings, const std::string& key, const std::string& value,
                const std::string& where) {
   const Setting* given = last_of(settings, key);

@@ -24,9 +24,10 @@ class CodeFinder {
   /// The files of all adapters, here and of the program, by code.
   std::vector<std::filesystem::path> adapter_files() const;
 
-  /// Completes settings of a case by another code: its variant, where there is one only; the version of the program;
-  /// the digest of the adapter. What the code cannot do is a UsageError. The complaint where it is not there, else
-  /// nothing.
+  /// Completes the settings of a case of another code: its variant, where there is only one; the version of the
+  /// program; the digest of the adapter. UsageError without an adapter, for a variant that is unknown or missing, and
+  /// for another version or adapter than the one found. Returns how to get the code where it is not there; else an
+  /// empty text.
   std::string complete(std::vector<settings::Setting>& settings, const std::filesystem::path& study_folder);
 
   /// The codes that were found.
@@ -40,8 +41,8 @@ class CodeFinder {
   codes::Codes codes_;
 };
 
-/// Completes all series of the study that other codes run, and holds each of their cases against what the code can do.
-/// The complaint where a code is not there.
+/// Completes all series of the study that other codes run; UsageError for a case that its code cannot run. Returns how
+/// to get a code that is not there; an empty text when all are.
 std::string complete_series(StudyPlan& plan, const std::filesystem::path& file, CodeFinder& finder);
 
 }  // namespace mpmvv::plan

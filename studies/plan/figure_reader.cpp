@@ -42,7 +42,7 @@ void read_range(const TomlTable& table, const char* key, std::optional<double>& 
   low = ends[0], high = ends[1];
 }
 
-/// What the figure's kind asks of the study.
+/// Throws when the study lacks what the figure's kind needs, or a key has no meaning for that kind.
 void require_drawable(const StudyPlan& plan, const Figure& figure, const TomlTable& table) {
   if (figure.kind == Figure::Kind::work_precision) require_cost(plan, table.where("kind"));
   for (const char* key : {"marks", "slopes"})

@@ -8,8 +8,7 @@ namespace mpmvv::plan {
 /// docs/study-files.md: the tables and keys of study files, the measures of criteria and the settings, as Markdown.
 std::string study_file_reference();
 
-/// What counts when a study does not give the key: a word or number, or what stands for it; empty where it must be
-/// given.
+/// What counts when a study does not give the key: a word, a number or a description; empty where the key is required.
 std::string without(const cases::SettingKey& key);
 
 }  // namespace mpmvv::plan

@@ -10,7 +10,7 @@ namespace mpmvv::plan {
 struct FileKey {
   std::string key;
   std::string takes;   ///< "two numbers"
-  std::string absent;  ///< what counts without it; empty: there must be one
+  std::string absent;  ///< what counts without it; empty: the key is required
   std::string meaning;
 };
 
@@ -23,11 +23,12 @@ struct FileTable {
   std::vector<FileKey> keys;
 };
 
-/// All that may stand in a study file: the one place where its keys are named. Those of settings are others
+/// All tables and keys of study files: the one place where they are named, except the keys of settings
 /// (`cases::setting_keys`).
 const std::vector<FileTable>& file_tables();
 
-/// UsageError where the table has a key that those of this name do not take.
+/// UsageError when `table` has a key that tables called `name` do not take. An empty name stands for the top of the
+/// file.
 void require_known_keys(const support::TomlTable& table, const std::string& name);
 
 }  // namespace mpmvv::plan

@@ -128,8 +128,8 @@ class Forecaster {
   const CostModel costs_;
   const std::string digest_ = store::current_provenance().digest;
   std::vector<records::StudyResult> stored_studies_;
-  std::set<Case> run_;         ///< by a study so far
-  std::vector<double> tasks_;  ///< seconds of what runs beside each other
+  std::set<Case> run_;         ///< cases that some study so far runs
+  std::vector<double> tasks_;  ///< seconds of the tasks that run in parallel
   Forecast result_;
   std::array<std::size_t, 3> sources_{};               ///< of the present study's times
   std::tuple<double, std::string, int> longest_ = {};  ///< of its cases: seconds, basis or code, cells

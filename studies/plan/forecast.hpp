@@ -12,13 +12,13 @@ namespace mpmvv::plan {
 /// What a study would run, and why.
 struct StudyForecast {
   std::string study;
-  std::size_t cases = 0;   ///< of its sweep, each once; a limit's probes are none
+  std::size_t cases = 0;   ///< of its sweep, each once; without the probes of limits
   std::size_t stored = 0;  ///< those that the store has
   std::size_t shared = 0;  ///< those that a study before it runs
   std::size_t runs = 0;    ///< those that it runs
-  std::size_t parts = 0;   ///< of which on a part of the body
-  std::size_t timed = 0;   ///< of which alone on the machine, after all others
-  std::size_t probes = 0;  ///< of limits: scans of series, less what the store has
+  std::size_t parts = 0;   ///< of these, runs of a part of the body
+  std::size_t timed = 0;   ///< of these, runs alone on the machine, after all others
+  std::size_t probes = 0;  ///< of the scans for limits, less what the store has
   double seconds = 0;      ///< of all that it runs, one after the other on one core; without its check
   std::string why;         ///< in words
 };
@@ -27,17 +27,17 @@ struct StudyForecast {
 struct Forecast {
   std::vector<StudyForecast> studies;
   double core_seconds = 0;   ///< of all studies
-  double timed_seconds = 0;  ///< of them, of what runs alone
-  double seconds = 0;        ///< until the end, on so many jobs
+  double timed_seconds = 0;  ///< the part of these for timed runs
+  double seconds = 0;        ///< until the end, on `jobs` cores
 };
 
 /// Runs nothing and keeps nothing. `store` is null where there is none yet.
 Forecast forecast(const std::vector<StudyPlan>& plans, const store::Store* store, int jobs);
 
-/// The same of one machine's work; studies of which it has nothing are left out.
+/// The same for one machine's work; studies of which it does nothing are left out.
 Forecast forecast(const std::vector<StudyPlan>& plans, const Work& work, const store::Store* store, int jobs);
 
-/// Seconds until so many workers are done, each taking the longest task that is left.
+/// Seconds until `jobs` workers are done, each taking the longest task that is left.
 double seconds_on(int jobs, std::vector<double> tasks);
 
 }  // namespace mpmvv::plan

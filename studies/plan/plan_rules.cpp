@@ -32,7 +32,7 @@ std::vector<VariedKey> varied_keys(const StudyPlan& plan) {
   return varied;
 }
 
-/// Whether a setting takes effect in some run. One from [fixed] may do so in another series.
+/// Whether a setting takes effect in some run. For one from [fixed] that run may be of another series.
 bool counts(const StudyPlan& plan, const Setting& setting) {
   if (plan.replicates && setting.key == plan.replicates->key) return false;
   if (!plan.sweep.empty() && setting.key != plan.sweep) return true;
@@ -49,7 +49,7 @@ std::string setting_of(const std::string& norm) {
   return found == records::run_errors().end() ? "" : found->setting;
 }
 
-/// Each of the series, or of all without a name, asks for what the setting measures.
+/// Throws unless each of the named series, or of all when none is named, turns the setting on.
 void require_setting(const StudyPlan& plan, const std::string& setting, const std::vector<std::string>& names,
                      const std::string& what) {
   if (setting.empty()) return;
@@ -60,7 +60,7 @@ void require_setting(const StudyPlan& plan, const std::string& setting, const st
   }
 }
 
-/// The series named, or without a name those that do not turn the setting off.
+/// The named series; when none is named, those that do not turn the setting off.
 std::vector<std::string> series_with(const StudyPlan& plan, const std::string& setting,
                                      std::vector<std::string> names) {
   if (!names.empty() || setting.empty()) return names;

@@ -33,18 +33,19 @@ void require_different_runs(std::vector<cases::Case> cases, const std::string& w
 /// Throws unless every series measures its cost (`repeat`).
 void require_cost(const StudyPlan& plan, const std::string& where);
 
-/// Throws when a series named (all of them, where none is) does not measure `norm`: errors over all steps and of nodes,
-/// velocities and stresses are measured only where a series asks for them. Curves of a check have the quantity `y`.
+/// Throws when a named series (any series, when none is named) does not measure `norm`: errors over all steps and of
+/// nodes, velocities and stresses are measured only where a series asks for them. Curves of a check have the quantity
+/// `y`.
 void require_measured(const StudyPlan& plan, const std::string& norm, const std::vector<std::string>& names,
                       const std::string& where);
 
-/// The series that a table names, or where it names none all but those that turn the norm's setting off; checked as
-/// above.
+/// The series that a table names; when it names none, all but those that turn the norm's setting off. Checked by
+/// require_measured.
 std::vector<std::string> measured_series(const StudyPlan& plan, const std::string& norm, std::vector<std::string> names,
                                          const std::string& where);
 
 /// The series of a figure of particles: those named, or all that do not turn `particle_errors` off. Throws unless each
-/// asks for them, and beside replicates.
+/// of these asks for them, and when the study has replicates.
 std::vector<std::string> series_with_particles(const StudyPlan& plan, std::vector<std::string> names,
                                                const std::string& where);
 

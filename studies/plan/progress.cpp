@@ -16,7 +16,7 @@ void Remaining::finish(const cases::Case& c, double measured) {
   estimates_.erase(left);
 }
 
-/// What runs beside each other takes at least as long as the longest of it; what is timed comes after it, alone.
+/// Cases that run in parallel take at least as long as the longest of them; timed cases come after them, one by one.
 double Remaining::seconds(int jobs) const {
   constexpr double trust = 1;  // seconds for which the estimates are taken as they are
   double beside = std::max(0.0, expected_), longest = 0, alone = 0;

@@ -7,18 +7,18 @@
 
 namespace mpmvv::plan {
 
-/// How far studies have come; with the steps of a case in the place of cases, how far that has.
+/// How far studies have come; or how far one case has, with its steps in the place of cases.
 struct Progress {
   std::size_t done = 0, total = 0;  ///< cases that are asked for by now; searches of limits ask for more
-  double seconds_left = 0;          ///< about
+  double seconds_left = 0;          ///< estimate
   std::string label;                ///< the case that has just finished
 };
 
-/// How long what is left will take, by estimates that the times of what has finished correct.
+/// Estimates how long the remaining work takes. The measured times of finished cases correct the estimates.
 class Remaining {
  public:
   void add(const cases::Case& c, double estimate);       ///< seconds on one core
-  void expect(double seconds) { expected_ += seconds; }  ///< of what is not known by its cases yet; negative: it is now
+  void expect(double seconds) { expected_ += seconds; }  ///< of cases that are not known yet; negative: now they are
   void finish(const cases::Case& c, double measured);    ///< seconds on one core
 
   double seconds(int jobs) const;

@@ -23,13 +23,13 @@ using cases::Case;
 
 namespace {
 
-/// Work that stays together. Its time is in whole microseconds, so that processors which round otherwise agree on it.
+/// Work that stays together. Its time is in whole microseconds, so that processors which round differently agree on it.
 struct Piece {
   Work work;
   std::int64_t microseconds = 0;
 };
 
-/// What a case and all cases that a search of its limit may probe have in common.
+/// The key that a case shares with all cases that a search of its limit may probe.
 Case family(Case c) {
   c.resolution.dt = 0;
   c.resolution.steps = 0;
@@ -118,7 +118,7 @@ class Splitter {
   const std::vector<StudyPlan>& plans_;
   const CostModel& costs_;
   std::vector<Piece> pieces_;
-  std::map<Case, std::size_t> families_;  ///< of searches: their piece
+  std::map<Case, std::size_t> families_;  ///< the piece of each search
   std::map<Case, std::size_t> timed_;     ///< piece of a timed case
 };
 

@@ -17,14 +17,15 @@ struct Shard {
 /// "2/8": UsageError when it has not that form.
 Shard shard_from(const std::string& text);
 
-/// The work of each of so many machines: together all of it, each case once. Of one machine are: a check; the search of
-/// a limit, with all cases that it may probe; what is timed in a study, which takes turns. The longest comes first and
-/// goes to the machine that has least. The same for the same studies and costs.
+/// Splits the work among so many machines: each case goes to one of them. A check stays on one machine; so does the
+/// search of a limit with all cases that it may probe, and so do the timed cases of a study, which take turns. The
+/// longest piece goes first, to the machine with the least work. The same studies and costs always give the same split,
+/// so that each machine can work out its own share.
 std::vector<Work> split(const std::vector<StudyPlan>& plans, const CostModel& costs, std::size_t shards);
 
 /// What a machine needs for its work, by estimate.
 struct Demand {
-  double seconds = 0;  ///< on so many jobs
+  double seconds = 0;  ///< on `jobs` cores
   double memory = 0;   ///< bytes, of the cases that may run at once
 };
 

@@ -63,7 +63,7 @@ struct Overriding {
 struct Overridden {
   std::size_t series = 0;  ///< that took it
   std::string what;        ///< "shuffle = 3 in 2 of 2 series"
-  std::string refusal;     ///< why the last one that was asked does not take it; else empty
+  std::string refusal;     ///< why the last series that refused it does not take it; else empty
 };
 
 /// What a claim says, and the place in a study file.
@@ -79,7 +79,7 @@ struct StudyPlan {
   std::string text;                 ///< the file, whole
   std::vector<std::string> claims;  ///< ids of those that it names or states
   std::string claims_where;
-  std::vector<StatedClaim> statements;  ///< of those that the file states; of all by `state_claims` (claim_reader.hpp)
+  std::vector<StatedClaim> statements;  ///< those that the file states; `state_claims` adds the others that it names
   std::string check;                    ///< for checks: which one; then there are no series
   std::vector<SeriesPlan> series;
   std::string sweep;           ///< swept key; empty without a sweep
@@ -98,7 +98,7 @@ struct StudyPlan {
     return !check.empty() ? StudyKind::check : limit ? StudyKind::limit : StudyKind::convergence;
   }
   bool has_series(const std::string& name) const;
-  bool searches(const SeriesPlan& series) const;  ///< its limit
+  bool searches(const SeriesPlan& series) const;  ///< whether its limit is searched
 };
 
 /// Reads and checks a study file: every mistake is a UsageError with file and line, also one in a case that only

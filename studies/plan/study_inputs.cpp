@@ -23,8 +23,8 @@ struct ProbeFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The probe at the value that was run: a time step is made smaller than the CFL number asked for, to divide the end
-/// time.
+/// The probe, at the value that was really run: the time step is made smaller than the CFL number asks for, so that it
+/// divides the end time.
 fits::Probe probe_of(const std::string& key, double asked, const Record& r) {
   if (r.status == records::Status::failed) throw ProbeFailed(fmt::format("a probe at {} failed: {}", asked, r.reason));
   return {key == "cfl" ? r.cfl : asked, r.status == records::Status::ok, r.reason};
@@ -102,7 +102,7 @@ class Tasks {
 
   CasePool& pool_;
   std::vector<Task> tasks_;
-  std::mutex mutex_;  ///< of troubles
+  std::mutex mutex_;  ///< guards the inputs' troubles
 };
 
 }  // namespace

@@ -84,7 +84,8 @@ bool is_of(const Setting& setting, const std::string& code) {
   return known == keys.end() || known->is_of(code);
 }
 
-/// Of the fixed settings a series takes what its solver knows. What no series' solver knows stays, to be refused.
+/// Removes from each series the fixed settings that its solver does not know but another series' solver does. A setting
+/// that no series' solver knows stays, so that it is refused.
 void leave_to_others(const std::vector<Setting>& fixed, std::vector<SeriesPlan>& series) {
   std::vector<std::string> codes;
   for (const SeriesPlan& one : series) codes.push_back(code_of(one.settings));

@@ -35,7 +35,8 @@ Point point_of(double x, const Record& r) {
   return point;
 }
 
-/// The geometric mean of positive values, so that a fit to logarithms of means is one to all values; else the mean.
+/// The geometric mean of positive values, so that a fit to the logarithms of means equals one to all values; else the
+/// mean.
 double mean(const std::vector<double>& values) {
   const bool positive = std::ranges::all_of(values, [](double value) { return value > 0; });
   double sum = 0;
@@ -53,7 +54,7 @@ Point point_of(double x, std::span<const Record> records) {
   for (const Record& r : records)
     for (const auto& [quantity, value] : point_of(x, r).y) point.replicates[quantity].push_back(value);
   for (const auto& [quantity, values] : point.replicates) point.y[quantity] = mean(values);
-  // Some replicates may be run by a part of the body, and others not: that has no mean.
+  // Some replicates may run a part of the body, others all of it: their numbers of images have no mean.
   const std::vector<double>& images = point.replicates.at("images");
   if (std::ranges::count(images, images.front()) < std::ssize(images))
     point.y.erase("images"), point.replicates.erase("images");
@@ -68,7 +69,7 @@ Series swept_series(const StudyPlan& plan, const SeriesPlan& series, std::span<c
   return result;
 }
 
-/// The code that the series' settings choose; those of another code are complete.
+/// The other code that the series' settings choose, which complete_series has completed; none for our own solver.
 std::optional<records::OtherCode> other_code(const SeriesPlan& series) {
   const auto word = [&](const char* key) {
     const settings::Setting* setting = series.setting(key);
@@ -115,7 +116,7 @@ class StudyRunner {
   StudyRunner(store::Store& store, const RunnerOptions& options)
       : store_(store), options_(options), pool_(store, options) {}
 
-  /// What is timed comes last, study by study, when nothing else waits: it has the machine for itself.
+  /// Timed cases come last, study by study, when nothing else waits: they have the machine to themselves.
   std::vector<StudyOutcome> run(const std::vector<StudyPlan>& plans) {
     std::vector<StudyOutcome> outcomes(plans.size());
     std::vector<char> is_done(plans.size(), 0);
@@ -163,7 +164,7 @@ class StudyRunner {
     return outcome;
   }
 
-  /// Series and values of the outcome; the cases of each series.
+  /// Fills in the series and values of the outcome; returns the cases of each series.
   std::vector<std::vector<Case>> measure(const StudyPlan& plan, const StudyInputs& inputs, StudyOutcome& outcome) {
     StudyResult& result = outcome.result;
     if (inputs.check) {
@@ -172,7 +173,7 @@ class StudyRunner {
       result.series = inputs.check->series;
     }
     std::vector<std::vector<Case>> cases(result.series.size());
-    pool_.get(sweep_cases(plan));  // what is timed takes turns within its study
+    pool_.get(sweep_cases(plan));  // all series at once, so that timed cases take turns
     for (std::size_t s = 0; s < plan.series.size(); ++s) {
       const std::vector<Case> own = sweep_cases(plan, plan.series[s]);
       const std::vector<Record> records = pool_.get(own);

@@ -55,7 +55,7 @@ bool is_timed(const StudyPlan& plan) {
   return std::ranges::any_of(sweep_cases(plan), [](const Case& c) { return is_timed(c); });
 }
 
-/// The whole body: near its limit round-off decides, and grows otherwise in a part of it.
+/// A probe runs the whole body: near the limit round-off decides, and it grows differently in a part of the body.
 Case probe_case(const fits::LimitSearch& search, const SeriesPlan& replicate, double value) {
   return settings::as_whole(case_at(replicate, search.key, value, replicate.where));
 }

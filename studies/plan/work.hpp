@@ -7,7 +7,7 @@
 
 namespace mpmvv::plan {
 
-/// The search of a limit: of which study, series and replicate, by their places.
+/// The search of a limit: of which study, series and replicate, by their indices.
 struct LimitTask {
   std::size_t plan = 0, series = 0, replicate = 0;
 
@@ -17,9 +17,9 @@ struct LimitTask {
 /// What studies ask for, as far as it is known before it runs.
 struct Work {
   std::vector<cases::Case> runs;                ///< of sweeps, but for what is timed
-  std::vector<std::size_t> checks;              ///< places of the studies
-  std::vector<LimitTask> limits;                ///< what they probe is known as they go on
-  std::vector<std::vector<cases::Case>> timed;  ///< those of a study take turns
+  std::vector<std::size_t> checks;              ///< indices of their studies
+  std::vector<LimitTask> limits;                ///< which cases they probe shows as they go on
+  std::vector<std::vector<cases::Case>> timed;  ///< by study; those of one study take turns
 };
 
 /// All that the studies ask for; a case once for each that asks for it.
@@ -29,7 +29,7 @@ Work work_of(const std::vector<StudyPlan>& plans);
 std::vector<cases::Case> sweep_cases(const StudyPlan& plan, const SeriesPlan& series);
 std::vector<cases::Case> sweep_cases(const StudyPlan& plan);
 
-/// Whether costs are measured in it.
+/// Whether the study measures costs.
 bool is_timed(const StudyPlan& plan);
 
 /// The run of a replicate with which a limit's search probes a value.

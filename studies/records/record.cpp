@@ -9,7 +9,7 @@ namespace mpmvv::records {
 
 namespace {
 
-/// The number that these members of members lead to.
+/// The number reached from a Record through this chain of members.
 template <auto... members>
 RunNumber number(int schema, const char* name, const char* path, const char* unit = "", const char* setting = "") {
   return {name,

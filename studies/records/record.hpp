@@ -20,36 +20,36 @@ constexpr std::array<const char*, 3> words_of(Status) {
   return {"ok", "unstable", "failed"};
 }
 
-/// Whose fault it is that a run `failed`: one of the machine (no memory, no threads, a full disk) may be gone the next
-/// time, one of the case is not.
+/// Why a run `failed`. A failure of the machine (no memory, no threads, a full disk) may be gone at the next try; a
+/// failure of the case comes back.
 enum class Failure { none, of_case, of_machine };
 constexpr std::array<const char*, 3> words_of(Failure) {
   return {"none", "case", "machine"};
 }
 
-Failure failure_of(const std::exception& e);  ///< that which a run ended with
+Failure failure_of(const std::exception& e);  ///< of_machine: bad_alloc, system_error, WriteError; else of_case
 
 /// Norms of the displacement error δ_p over the particles, W (64), (65): mean, root mean square, maximum.
 struct Errors {
   double l1 = not_measured, l2 = not_measured, linf = not_measured;
   double l1_all_steps = not_measured, l2_all_steps = not_measured, linf_all_steps = not_measured;
-  /// Of the acceleration error δ_i over the nodes of the body at the end, W (A.2), in m/s².
+  /// Norms of the acceleration error δ_i over the nodes of the body at the end, W (A.2), in m/s².
   double nodal_l1 = not_measured, nodal_l2 = not_measured, nodal_linf = not_measured;
-  /// Of the velocity: mean over all steps of the RMS over particles, in per cent of the problem's speed, N §3.4.
+  /// Velocity error: RMS over the particles, averaged over all steps, in per cent of the problem's speed, N §3.4.
   double velocity = not_measured;
-  /// Of the Cauchy stress at the end: RMS over particles of the difference's Frobenius norm, Pa.
+  /// Error of the Cauchy stress at the end: RMS over the particles of the difference's Frobenius norm, in Pa.
   double stress = not_measured;
 };
 
-/// What must not change, relative: mass of the particles over that of the body, less one; and from start to end the
-/// momentum, by Σ m |v|, and the angular momentum, by Σ m |x| |v|, the larger of both times. Only a free body keeps the
-/// last two.
+/// Relative changes of what must not change. `mass`: mass of the particles over that of the body, less one. `momentum`
+/// and `angular_momentum`: change from start to end, divided by Σ m |v| and by Σ m |x| |v|, each taken at start or end,
+/// whichever is larger. Only a free body conserves these two.
 struct Balance {
   double mass = not_measured, momentum = not_measured, angular_momentum = not_measured;
 };
 
-/// At the end, in J. With a staggered integrator (cd, uvf) the velocities, and so the kinetic energy, are those of half
-/// a step before.
+/// Energies in J, at the end unless named initial. With a staggered integrator (cd, uvf) the velocities, and so the
+/// kinetic energy, are those of half a step earlier.
 struct Energy {
   double kinetic = not_measured, strain = not_measured, initial_total = not_measured;
 };
@@ -60,8 +60,8 @@ inline double energy_loss(const Energy& e) {
   return e.initial_total > 0 ? 1 - (e.kinetic + e.strain) / e.initial_total : not_measured;
 }
 
-/// Measured alone on the machine, on one thread, in its processor time: median over the repetitions, and their range
-/// over the median.
+/// Cost measured alone on the machine, in the processor time of one thread: the median of the repetitions, and their
+/// range divided by the median.
 struct Cost {
   double step_seconds = not_measured;  ///< step loop alone
   double spread = not_measured;
@@ -80,22 +80,23 @@ struct Record {
   std::int64_t steps = 0;      ///< steps really taken
   double cfl = not_measured;
   Status status = Status::ok;
-  Failure failure = Failure::none;  ///< where it is `failed`; in older stores none even there
+  Failure failure = Failure::none;  ///< why it `failed`; runs in older stores have none even then
   std::string reason;               ///< why it is `unstable` or `failed`; empty for `ok`
   Errors error;
   Energy energy;
   Balance balance;
-  double wall_seconds = not_measured;          ///< of one run, whatever else ran at that time
-  double ns_per_particle_step = not_measured;  ///< step loop alone; of a cost case the median
-  double output_floor = not_measured;    ///< RMS displacement error that the rounding of another code's output makes, m
-  double solution_floor = not_measured;  ///< RMS displacement error of a solution that is not of the body's law, m
-  double images = 1;  ///< of the part that was run, itself among them, which make the body; 1: all of it was run
+  double wall_seconds = not_measured;          ///< of one run; other runs may have shared the machine
+  double ns_per_particle_step = not_measured;  ///< step loop alone; the median where the case asks for its cost
+  double output_floor = not_measured;    ///< RMS displacement error made by the rounding of another code's output, m
+  double solution_floor = not_measured;  ///< RMS displacement error of a solution not exact for the body's law, m
+  double images = 1;  ///< images of the part that was run, itself included, that make up the body; 1: all of it was run
   Cost cost = {};     ///< where the case asks for it
   std::vector<ParticleError> particle_errors =
       {};  ///< where the case asks for them; without the mirror images of a quarter
 };
 
-/// Whether another try may do better: of another code nobody knows whether it was for want of a licence or a library.
+/// Whether another try may succeed. A failure of another code always counts: nobody knows whether it only lacked a
+/// licence or a library.
 inline bool is_worth_another_try(const Record& r) {
   return r.status == Status::failed && (r.failure != Failure::of_case || !r.the_case.scheme.code.empty());
 }
@@ -111,7 +112,8 @@ struct RunNumber {
   std::string setting = {};  ///< the key that asks for it; empty where it is always measured
 };
 
-/// Errors and balances; what is measured besides. The one place where a new number of a run is named.
+/// `run_errors`: errors and balances; `run_by_products`: all other numbers. A new number of a run is named in one of
+/// these two lists and nowhere else.
 const std::vector<RunNumber>& run_errors();
 const std::vector<RunNumber>& run_by_products();
 

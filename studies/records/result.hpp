@@ -23,12 +23,12 @@ struct Point {
   std::vector<ParticleError> particle_errors = {};             ///< of a run that was asked for them
 };
 
-/// Another code than our own solver, as it ran a series.
+/// The code, other than our own solver, that ran a series.
 struct OtherCode {
   std::string name, version;
-  std::string variant;  ///< empty where it has but one
+  std::string variant;  ///< empty when the code has only one
   std::string force_form;
-  std::string digest = {};  ///< of its adapter and program's file; empty where it is read from a store
+  std::string digest = {};  ///< of its adapter and its program's file; empty when read from a store
 };
 
 struct Series {
@@ -37,7 +37,7 @@ struct Series {
   std::vector<fits::ObservedOrder> orders;
   std::optional<fits::StabilityLimit> limit;
   std::vector<fits::Extrapolation> extrapolations = {};
-  std::optional<OtherCode> code = {};  ///< that ran it; none: our own solver, or a check
+  std::optional<OtherCode> code = {};  ///< the code that ran it; none for our own solver and for checks
 };
 
 /// A named number measured by a check.
@@ -47,10 +47,10 @@ struct Value {
   std::string meaning;  ///< one line for people
 };
 
-/// A report's figure, as the study file describes it. Its kind says what is drawn: `curves`, the quantity of each
-/// series against the swept value; `work-precision`, the quantity against the measured cost; `particles`, a panel for
-/// each series: of a check, whose points are particles at (x, `y`) with voxels of widths `width_x`, `width_y` where
-/// they have any; of runs, the particles of the last sound one, coloured by their errors.
+/// A report's figure, as the study file describes it. `kind` says what is drawn: `curves` is the quantity of each
+/// series against the swept value; `work-precision` is the quantity against the measured cost; `particles` is a panel
+/// for each series. A panel of a check shows its points as particles at (x, `y`), with voxels of widths `width_x`,
+/// `width_y` where they have any. A panel of runs shows the particles of the last sound run, coloured by their errors.
 struct Figure {
   enum class Kind { curves, work_precision, particles };
 
@@ -80,7 +80,7 @@ struct ClaimText {
   std::string statement;
   std::string source;  ///< "Steffen et al. 2008"; may be empty
   std::string where;   ///< the place in it, "Fig. 10"; may be empty
-  std::string study;   ///< that states it; others may name it
+  std::string study;   ///< the study that states it; other studies may name it
 };
 
 /// A number that a criterion compared. `what` names the series and, where there is one, the point.
@@ -113,7 +113,7 @@ struct StudyResult {
   StudyKind kind = StudyKind::convergence;
   std::string sweep;  ///< swept key: `cells` (then h = 1/x), `cfl`, ...; for checks the name of the abscissa
   std::string text;   ///< the study file, whole
-  std::vector<std::string> claims;  ///< ids of those that it judges
+  std::vector<std::string> claims;  ///< ids of the claims that it judges
   std::vector<Series> series;
   std::vector<Value> values;
   std::vector<Figure> figures;

@@ -7,8 +7,7 @@ namespace mpmvv::records {
 
 using support::to_string;
 
-/// What a gate says of one golden, and reports show. `inconclusive`: the store has no result that could pass or fail
-/// it.
+/// A gate's verdict on one golden. `inconclusive`: the store has no result that could pass or fail it.
 enum class Verdict { pass, fail, inconclusive };
 constexpr std::array<const char*, 3> words_of(Verdict) {
   return {"pass", "fail", "inconclusive"};

@@ -9,7 +9,7 @@ namespace mpmvv::store {
 struct CodeSeries {
   std::string study, series;
   records::OtherCode code;
-  std::string kept_at;  ///< of the study, ISO 8601, UTC
+  std::string kept_at;  ///< when the study was kept, ISO 8601, UTC
 };
 
 }  // namespace mpmvv::store

@@ -25,7 +25,8 @@ std::vector<CodeLine> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Calls visit(line) for the lines of all studies that are no trials, the one kept last at the end, with its time.
+/// Calls visit(line) for each code's line of all studies that are no trials, in the order in which the studies were
+/// kept. The version's time is when its study was kept.
 template <class Visit>
 void each_line(const Database& database, const Visit& visit) {
   database.each("SELECT codes, kept_at, text FROM studies WHERE codes IS NOT NULL ORDER BY kept_at, id", {},

@@ -18,7 +18,8 @@ std::string code_line(const std::string& code, const Version& version);
 /// The codes that ran studies of a store, in alphabetical order.
 std::vector<std::string> codes_in(const Database& database);
 
-/// The versions of a code that studies were kept of, by the time of their last study: the last one is judged.
+/// The versions of a code that ran kept studies, ordered by the time of their last study. The last version is the one
+/// that is judged.
 std::vector<Version> versions_of_code(const Database& database, const std::string& code);
 
 }  // namespace mpmvv::store

@@ -7,7 +7,7 @@
 
 namespace mpmvv::store {
 
-/// What a store holds, by number.
+/// What a store holds, in numbers.
 struct Contents {
   /// A program whose records it has.
   struct Program {

@@ -10,7 +10,7 @@ namespace mpmvv::store {
 
 namespace {
 
-/// A row of `provenance` that outlives the answer it was in.
+/// A copy of a `provenance` row that stays valid after its query.
 class ProvenanceRow {
  public:
   ProvenanceRow(const Database& database, std::int64_t id) {
@@ -25,12 +25,12 @@ class ProvenanceRow {
   Values values_;
 };
 
-/// Where runs come from: the row there, and what it is here.
+/// The provenance of runs: its row in the store they come from, and its row in the store they go to.
 struct Origin {
   ProvenanceRow there, here;
 };
 
-/// Copies runs, each with one statement, under a seal that is known before.
+/// Copies runs with one statement each: the seal is computed beforehand, so that no second statement has to set it.
 class RunCopier {
  public:
   RunCopier(const Database& from, Database& to) : from_(from), to_(to) {
@@ -67,7 +67,7 @@ class RunCopier {
                              fmt::join(names, ", "), fmt::join(std::vector<char>(names.size(), '?'), ", "));
   }
 
-  /// Of an intact run.
+  /// The origin of a run; throws unless the run is intact.
   const Origin& origin_of(const Row& there) const {
     const auto origin = origins_.find(there["provenance"].integer());
     if (origin == origins_.end() ||
@@ -76,7 +76,9 @@ class RunCopier {
     return origins_.at(there["provenance"].integer());
   }
 
-  /// The store has a run of this key. Of two that failed, one of the case says more than one of the machine.
+  /// For a run whose key is in the store already. Replaces a run that failed by one that was carried out, or by a
+  /// failure of the case where the run there failed for another reason: that says more. Returns 1 when it replaced the
+  /// run, else 0.
   std::int64_t replace_failed(const Row& there, const Origin& origin) {
     const Value says_more = to_.scalar(
         "SELECT status = 'failed' AND (? <> 'failed' OR (? IS 'case' AND failure IS NOT 'case')) FROM runs "
@@ -91,7 +93,7 @@ class RunCopier {
 
   const Database& from_;
   Database& to_;
-  std::map<std::int64_t, Origin> origins_;  ///< by id there
+  std::map<std::int64_t, Origin> origins_;  ///< by the id in `from`
   std::int64_t last_id_ = 0;
   std::vector<std::string> columns_;
   std::size_t id_ = 0, provenance_ = 0, seal_ = 0;  ///< their places among the columns

@@ -88,8 +88,8 @@ void Database::Closer::operator()(sqlite3* connection) const {
 }
 
 Database::Database(std::filesystem::path file, Access access) : file_(std::move(file)) {
-  // SQLite opens a file that may not be written for reading. To read it asks for writing as well: it may have to undo
-  // what a killed process has left half-done; `query_only` keeps everything else out.
+  // Access::read opens for writing, too: SQLite may have to undo what a killed process has left half-done, and
+  // `query_only` keeps all other writes out. A file that may not be written SQLite opens for reading only.
   const int flags = SQLITE_OPEN_READWRITE |
                     (access == Access::create || access == Access::in_memory ? SQLITE_OPEN_CREATE : 0) |
                     (access == Access::in_memory ? SQLITE_OPEN_MEMORY : 0);
@@ -103,7 +103,7 @@ Database::Database(std::filesystem::path file, Access access) : file_(std::move(
   require(code);
   sqlite3_extended_result_codes(raw, 1);
   sqlite3_busy_timeout(raw, busy_timeout_ms);
-  // FULL: with a rollback journal NORMAL can corrupt the file when the power fails, to save one of four syncs.
+  // FULL: with a rollback journal NORMAL can corrupt the file when the power fails, and saves only one of four syncs.
   execute("PRAGMA foreign_keys = ON; PRAGMA synchronous = FULL");
   if (access == Access::read) execute("PRAGMA query_only = ON");
 }

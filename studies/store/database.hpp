@@ -22,8 +22,8 @@ struct WrongKind : std::runtime_error {
   WrongKind() : std::runtime_error("a value in a results store is of another kind than its column's") {}
 };
 
-/// What a column of a row holds. NaN and infinity are NULL, NULL read as a number is NaN. Asked for as what it is not,
-/// it throws WrongKind.
+/// What a column of a row holds. NaN and infinity are kept as NULL, and NULL read by real() is NaN. Reading it as
+/// another type than it has throws WrongKind.
 class Value {
  public:
   Value() = default;
@@ -76,10 +76,10 @@ class Row {
   Values values_;
 };
 
-/// One connection to an SQLite file, foreign keys on. What goes wrong is a UsageError with the file's name.
+/// One connection to an SQLite file, foreign keys on. Every error of SQLite is a UsageError with the file's name.
 class Database {
  public:
-  enum class Access { create, write, read, in_memory };  ///< in memory: a new one, whose messages name the file
+  enum class Access { create, write, read, in_memory };  ///< in_memory: a new one; the file is named in messages only
 
   Database(std::filesystem::path file, Access access);
 
@@ -87,10 +87,10 @@ class Database {
   bool writable() const;
   bool in_transaction() const;
 
-  /// Statements without parameters and answers, divided by semicolons.
+  /// Executes statements without parameters or answers, separated by semicolons.
   void execute(const std::string& statements);
 
-  /// One statement; the number of rows that it changed.
+  /// Executes one statement; returns the number of rows that it changed.
   std::int64_t change(const std::string& statement, const Values& values);
 
   /// Inserts one row, with `conflict` ("ON CONFLICT ...") at the end of the statement; the number of rows changed.
@@ -98,7 +98,7 @@ class Database {
 
   std::int64_t last_row_id() const;
 
-  /// Visits the rows of an answer.
+  /// Calls visit(row) for each row of an answer. A row is valid only during that call.
   void each(const std::string& query, const Values& values, const std::function<void(const Row&)>& visit) const;
 
   /// First column of the first row; NULL when there is none.
@@ -123,8 +123,8 @@ class Database {
 
   std::filesystem::path file_;
   std::unique_ptr<sqlite3, Closer> connection_;
-  /// Prepared before, by their texts: preparing takes longer than most statements take. One that runs is not among
-  /// them.
+  /// Prepared statements by their texts, kept because preparing takes longer than running most statements. A statement
+  /// that is running is not among them.
   mutable std::map<std::string, Statement> idle_;
 };
 

@@ -173,7 +173,7 @@ records::ClaimPart load_part(const Database& database, const Row& row) {
   return part;
 }
 
-/// The ids of a study's claims, and what those say of which that was kept.
+/// Loads the ids of a study's claims, and the texts of those whose text was kept.
 void load_claims(const Database& database, const Value& study, records::StudyResult& result) {
   database.each("SELECT * FROM study_claims WHERE study = ? ORDER BY ordinal", {study}, [&](const Row& row) {
     result.claims.push_back(row["claim"].text());
@@ -236,8 +236,8 @@ std::optional<records::OtherCode> other_code(const Row& series) {
 }
 
 std::vector<StoredStudy> load_studies(const Database& database, const std::string& digest) {
-  // Where damage has changed a study's digest, that of its provenance still finds it, and its seal then complains; an
-  // index might be what is damaged.
+  // Where damage has changed a study's digest, the digest of its provenance still finds the study, and its seal then
+  // complains. No index is used (load_where), as an index might be what is damaged.
   return load_where(database, fmt::format("(studies.digest = ?1 OR provenance.digest = ?1) AND {}", is_newest), digest);
 }
 

@@ -30,7 +30,7 @@ std::int64_t Store::merge(const fs::path& file, std::span<const fs::path> others
   for (const fs::path& other : others) require_another(file, other);
   std::int64_t copied = 0;
   open_store(file, Mode::create_or_write, migrations(), [&](Database& to) {
-    to.execute("PRAGMA cache_size = -400000");  // kB: runs arrive in no order of their keys, all over the index
+    to.execute("PRAGMA cache_size = -400000");  // kB: runs arrive in no order of their keys and touch all of the index
     for (const fs::path& other : others) copied += copy(other, to);
   });
   return copied;

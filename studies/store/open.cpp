@@ -19,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 using Work = std::function<void(Database&)>;
 
-/// UsageError for a file that is no store of ours. Its first bytes tell, before SQLite touches it.
+/// UsageError for a file that is no store of ours. It reads the first bytes itself, so that SQLite never touches such a
+/// file.
 void require_ours(const fs::path& file) {
   constexpr std::string_view magic{"SQLite format 3\0", 16};
   constexpr std::size_t id_at = 68;
@@ -54,7 +55,7 @@ void require_place(const fs::path& file, bool create) {
 }
 
 using Steps = std::span<const char* const>;
-using Tables = std::map<std::string, std::string>;  ///< the statement that makes each
+using Tables = std::map<std::string, std::string>;  ///< by name: the statement that makes it; indexes and triggers, too
 
 Tables tables_of(const Database& database) {
   Tables tables;
@@ -69,7 +70,8 @@ Tables make_tables(const fs::path& file, Steps steps) {
   return tables_of(database);
 }
 
-/// The tables that these steps lead to. SQLite takes longer to make them than all else of an opening, so they are kept.
+/// The tables that these steps lead to. They are made once and kept, because making them takes longer than the rest of
+/// opening a store.
 const Tables& tables_after(const fs::path& file, Steps steps) {
   static std::mutex mutex;
   static std::map<std::string, Tables> kept;
@@ -80,7 +82,7 @@ const Tables& tables_after(const fs::path& file, Steps steps) {
   return found->second;
 }
 
-/// The file has the tables of its schema; what others have put beside them is theirs.
+/// Throws unless the file has the tables of its schema. Tables that others have put beside them are ignored.
 void require_tables(const Database& database, std::int64_t schema, Steps steps) {
   const Tables& wanted = tables_after(database.file(), steps.first(static_cast<std::size_t>(schema)));
   const Tables& newest = tables_after(database.file(), steps);
@@ -93,7 +95,7 @@ void require_tables(const Database& database, std::int64_t schema, Steps steps) 
       database.fail_damaged(fmt::format("table '{}' is not that of schema {}", name, schema));
 }
 
-/// The schema of the file, 0 while it is empty; UsageError when this program does not know it or it cannot be.
+/// The schema of the file, 0 while it is empty; UsageError when it is newer than this program or impossible.
 std::int64_t read_schema(const Database& database, Steps steps) {
   const std::int64_t schema = database.scalar("PRAGMA user_version").integer();
   if (schema > std::ssize(steps))
@@ -123,15 +125,15 @@ Database open_for_reading(const fs::path& file, Steps steps) {
   return database;
 }
 
-/// Makes again what others had put on a table that was made anew: indexes and triggers, which are none of `ours`.
+/// Restores the indexes and triggers of others (all but `ours`) that were lost with a table that a step has rebuilt.
 void restore_others(Database& database, const Tables& before, const Tables& ours) {
   const Tables after = tables_of(database);
   for (const auto& [name, sql] : before)
     if (!after.contains(name) && !ours.contains(name)) database.execute(sql);
 }
 
-/// Applies what the file lacks; false when that is nothing. Setting the version writes in any case, and so shows
-/// whether folder and disk take a journal, before any work is done.
+/// Applies the steps that the file lacks; false when it lacks none. It sets the version even then: this write shows,
+/// before any work is done, whether folder and disk take a journal.
 bool apply_missing(Database& database, bool create, Steps steps) {
   const std::int64_t schema = read_schema(database, steps);
   if (schema == 0 && !create) fail_empty(database.file());
@@ -150,8 +152,8 @@ bool apply_missing(Database& database, bool create, Steps steps) {
   return schema < std::ssize(steps);
 }
 
-/// Under the write lock: of two processes that create a store at once, the second finds it done. A file that was just
-/// made (`fresh`) and cannot be filled goes away again.
+/// Applies the steps and the work under the write lock: of two processes that create a store at once, the second finds
+/// it done. A file that was just made (`fresh`) and cannot be filled is removed again.
 void migrate(Database& database, bool create, bool fresh, Steps steps, const Work& work) {
   Transaction transaction(database, Transaction::Kind::write);
   try {
@@ -166,8 +168,9 @@ void migrate(Database& database, bool create, bool fresh, Steps steps, const Wor
   }
 }
 
-/// Whether the file holds tables of an older schema. Where one of them is made anew, what refers to its rows would go
-/// with the old one if foreign keys were on, and another's view of it would have to be right at every moment.
+/// Whether the file holds tables of an older schema. Its migration needs foreign keys off and legacy_alter_table on:
+/// when a step rebuilds a table, dropping the old one would otherwise delete the rows that refer to it, and views that
+/// others have made of it would have to be valid at every moment.
 bool is_older(const Database& database, Steps steps) {
   const std::int64_t schema = database.scalar("PRAGMA user_version").integer();
   return schema > 0 && schema < std::ssize(steps);

@@ -6,10 +6,11 @@
 
 namespace mpmvv::store {
 
-/// As a text of a line for each, with five digits: enough for a figure. NULL where there are none.
+/// The errors as a text: a line "x y error" for each particle, with five digits, which is enough for a figure. NULL
+/// without any.
 Value value_of(const std::vector<records::ParticleError>& errors);
 
-/// What such a text holds.
+/// The errors in such a text; none for NULL.
 std::vector<records::ParticleError> particle_errors_of(const Value& value);
 
 }  // namespace mpmvv::store

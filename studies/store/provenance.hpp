@@ -16,10 +16,10 @@ struct Provenance {
   std::string time;  ///< ISO 8601, UTC
 };
 
-/// ISO 8601, UTC, to the second: the earlier, the less.
+/// ISO 8601, UTC, to the second: texts compare as their times do.
 std::string time_text(std::chrono::system_clock::time_point time);
 
-/// Of the running program, now.
+/// The provenance of a result that the running program makes now.
 Provenance current_provenance();
 
 }  // namespace mpmvv::store

@@ -39,7 +39,7 @@ constexpr const char* schema_4 = R"sql(
   ALTER TABLE runs ADD COLUMN angular_momentum_change REAL;
 )sql";
 
-/// How the gate takes mistakes.
+/// Results of mutation testing, which schema 9 drops again.
 constexpr const char* schema_5 = R"sql(
   -- A variant of the program with one mistake. `gate` names the tests, studies and goldens that it met.
   CREATE TABLE mutants (
@@ -106,7 +106,7 @@ constexpr const char* schema_6 = R"sql(
   ) STRICT, WITHOUT ROWID;
 )sql";
 
-/// What is to be said of an extrapolation.
+/// Remarks on extrapolations.
 constexpr const char* schema_7 = R"sql(
   ALTER TABLE extrapolations ADD COLUMN remark TEXT NOT NULL DEFAULT '';
 )sql";
@@ -127,7 +127,7 @@ constexpr const char* schema_9 = R"sql(
   DROP TABLE mutants;
 )sql";
 
-/// Of how many images a run is a part.
+/// How many images of the part that was run make up the body.
 constexpr const char* schema_10 = R"sql(
   ALTER TABLE runs ADD COLUMN images REAL;
 )sql";
@@ -176,7 +176,8 @@ constexpr const char* schema_14 = R"sql(
   ALTER TABLE series ADD COLUMN force_form TEXT;
 )sql";
 
-/// A study stays when another version of a code takes its place. SQLite drops no constraint: the table is made anew.
+/// Keeps a study of one version of a code beside that of another version. SQLite cannot drop the constraint that
+/// forbade this, so the table is made anew.
 constexpr const char* schema_15 = R"sql(
   CREATE TABLE studies_15 (
     id INTEGER PRIMARY KEY,
@@ -202,8 +203,8 @@ constexpr const char* schema_15 = R"sql(
 constexpr std::array written{schema_1, schema_2,  schema_3,  schema_4,  schema_5,  schema_6,  schema_7, schema_8,
                              schema_9, schema_10, schema_11, schema_12, schema_13, schema_14, schema_15};
 
-/// The columns of the numbers of a run that a later schema brings. Before another text is written, they become one,
-/// too.
+/// The statements for the run numbers whose schema is later than those written above. Before another schema is written
+/// above by hand, these statements must be written there as well.
 std::string columns_of(int schema) {
   std::string text;
   for (const auto* numbers : {&records::run_errors(), &records::run_by_products()})

@@ -15,9 +15,10 @@ inline constexpr std::int64_t application_id = 0x4D504D56;  ///< "MPMV" in the f
 /// released one is never changed; a new schema is a new entry.
 std::span<const char* const> migrations();
 
-/// Opens a store and brings it to the newest schema, a new one in one transaction with the first work on it, if there
-/// is some. UsageError on anything that is no store of ours; where that or the work fails all stays as it is, but for
-/// an older schema, and no new file is left.
+/// Opens a store. For writing it also brings the store to the newest schema, and does `work`; for a new store both are
+/// one transaction. For reading the schema must be the newest. UsageError on anything that is no store of ours. When
+/// opening or the work fails, everything stays as it was, except that an older schema may be up to date, and no new
+/// file is left.
 Database open_store(const std::filesystem::path& file, Store::Mode mode,
                     std::span<const char* const> steps = migrations(), const std::function<void(Database&)>& work = {});
 

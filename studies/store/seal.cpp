@@ -48,8 +48,8 @@ void add(Crc& crc, const Row& row) {
 struct Noun {
   const char* table;
   const char* label;                    ///< column that names it in a message
-  std::vector<std::string> rows;        ///< what a seal is over, of the one with id ?1
-  std::vector<std::string> later_rows;  ///< of tables that came after the first seals: they count where there are any
+  std::vector<std::string> rows;        ///< what the seal of the row with id ?1 covers
+  std::vector<std::string> later_rows;  ///< of tables younger than the first seals: covered where there are any
 };
 
 std::vector<std::string> rows_of_study() {
@@ -110,7 +110,7 @@ bool is_intact(const Database& database, const Noun& noun, const Value& id) {
   return kept.held() == Value(seal_of(database, noun, id)).held();
 }
 
-/// The name that a message may show: damage can make anything of it.
+/// The message on a broken seal. It shows the name only where that is sound, as damage can make anything of it.
 std::string complaint(const Database& database, const Noun& noun, const Value& id) {
   const std::string name =
       database.scalar(fmt::format("SELECT {} FROM {} WHERE id = ?", noun.label, noun.table), {id}).to_string();

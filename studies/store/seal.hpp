@@ -11,13 +11,13 @@ namespace mpmvv::store {
 /// that belong to it, ids included. NULL does not count, so a column that is added empty leaves every seal as it is.
 enum class Sealed { run, study };
 
-/// The schema from which on every run and study has one.
+/// From this schema on every run and study has a seal.
 inline constexpr std::int64_t first_sealed_schema = 8;
 
 /// Seals what has just been written under this id.
 void seal(Database& database, Sealed kind, std::int64_t id);
 
-/// The seal of a run that has these rows, all of their columns.
+/// The seal of a run that has this row and this row of provenance, each with all its columns.
 std::int64_t seal_of_run(const Row& run, const Row& provenance);
 
 /// Seals all that a store holds.

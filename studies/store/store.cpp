@@ -21,7 +21,7 @@ using records::Status;
 using Kind = Transaction::Kind;
 
 struct Store::Impl {
-  mutable Database database;  ///< a reading transaction changes nothing
+  mutable Database database;  ///< mutable for the reading transactions of const members, which change nothing
 };
 
 namespace {
@@ -32,7 +32,7 @@ std::vector<std::string> texts_of(const Values& values) {
   return texts;
 }
 
-/// The series that a code ran, and the claims whose criteria ask of them.
+/// Leaves of a study the series that the code ran, and the claims whose criteria name one of these.
 records::StudyResult only_of_code(records::StudyResult study, const std::string& code) {
   std::erase_if(study.series, [&](const records::Series& s) { return !s.code || s.code->name != code; });
   study.values.clear();

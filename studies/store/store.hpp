@@ -25,9 +25,9 @@ using StepCosts = std::map<std::array<std::string, 4>, double>;
 /// The results store: one SQLite file. Two processes may write it at once. Every message is a UsageError with
 /// the file's name: not a store, another application's, a newer schema, read-only, disk full, absent.
 ///
-/// A record's key is (canonical text of the case, digest). NaN and infinity are kept as NULL and come back as NaN.
-/// Runs and studies are kept under a seal, and one that is not as it was written is a UsageError to whom reads it.
-/// One store object serves one thread at a time.
+/// A record's key is (canonical text of the case, digest). NaN and infinity are kept as NULL and come back as NaN. Runs
+/// and studies are kept under a seal: reading one that is not as it was written throws a UsageError. One store object
+/// serves one thread at a time.
 class Store {
  public:
   enum class Mode { create_or_write, write, read };
@@ -43,12 +43,12 @@ class Store {
   /// Seconds that the last run of this case took, whatever the digest; none when there was no run.
   std::optional<double> last_seconds(const cases::Case& c) const;
 
-  /// Of all sound runs, whatever the digest, their preparation included.
+  /// Averages over all sound runs, whatever the digest. They include the preparation of the runs.
   StepCosts step_costs() const;
 
   /// Keeps finished records in one transaction: a killed run loses nothing that was kept. Keeping the same key again
-  /// (two processes) is no error; the first one stays, unless it has `failed`. Then it gives way to a run that was
-  /// carried out and to a later failure; only one of the case does not give way to one of the machine.
+  /// (two processes) is no error; the first one stays, unless it has `failed`. A failed run gives way to one that was
+  /// carried out and to a later failure; only a failure of the case does not give way to one of the machine.
   void keep(std::span<const records::Record> records, const Provenance& p);
   void keep(const records::Record& r, const Provenance& p) { keep({&r, 1}, p); }
 
@@ -59,15 +59,15 @@ class Store {
   void keep_study(const records::StudyResult& s, const std::vector<std::vector<cases::Case>>& cases,
                   const Provenance& p);
 
-  /// Studies of this digest by name, in name order. Empty when there is none. Of one that several versions of another
-  /// code ran, the last one kept.
+  /// Studies of this digest by name, in name order. Empty when there is none. Of a study that several versions of
+  /// another code ran, the one kept last.
   std::vector<records::StudyResult> studies(const std::string& digest) const;
 
   /// The codes that ran some of the studies, in alphabetical order.
   std::vector<std::string> codes() const;
 
-  /// What studies that are no trials say of this version of a code, in name order: the series that it ran, and the
-  /// claims that they judge.
+  /// What the studies, without trials, say about this version of a code, in name order: the series that it ran, and the
+  /// claims that these judge.
   std::vector<records::StudyResult> studies_of_code(const std::string& code, const Version& version) const;
 
   /// The series of studies of this digest that other codes ran, in the order of the studies.
@@ -79,8 +79,8 @@ class Store {
   /// The versions that studies were kept of, by the time of their first result.
   std::vector<Version> versions() const;
 
-  /// Those of another code, by the time of their last study: the last one is judged. UsageError that names the codes
-  /// there are where it ran no study.
+  /// The versions of another code, by the time of their last study. The last one is the one that is judged. UsageError,
+  /// with the codes that there are, when this one ran no study.
   std::vector<Version> versions_of_code(const std::string& code) const;
 
   /// Provenance of the study's last keeping; nullopt when absent.
@@ -91,16 +91,17 @@ class Store {
   /// For `db check`: integrity_check, foreign_key_check and all seals; what is wrong, empty when sound.
   std::vector<std::string> check() const;
 
-  /// Copies every record and study of other stores that the one in `file` lacks, which is made when absent; the number
-  /// of records copied. All of them or none: what fails, or is killed, changes nothing but an older schema, and makes
-  /// no file. Of records with the same key the first one stays, as in `keep`.
+  /// Copies into the store `file`, which is made when absent, every record and study of the others that it lacks;
+  /// returns the number of records copied. All or nothing: a merge that fails or is killed changes nothing but an older
+  /// schema, and leaves no new file. Of records with the same key the first one stays, unless it failed and the other
+  /// one was carried out, or failed of the case while the first one did not.
   static std::int64_t merge(const std::filesystem::path& file, std::span<const std::filesystem::path> others);
   static std::int64_t merge(const std::filesystem::path& file, const std::filesystem::path& other) {
     return merge(file, {&other, 1});
   }
 
-  /// Removes the study in all its versions, their number; the runs stay, as they belong to their cases. UsageError when
-  /// there is none.
+  /// Removes the study in all its versions and returns their number. The runs stay, as they belong to their cases.
+  /// UsageError when there is none.
   std::size_t forget(const std::string& study);
 
   /// All records as CSV (17 digits, NaN empty), with digest and commit.

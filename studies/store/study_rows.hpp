@@ -13,7 +13,7 @@ namespace mpmvv::store {
 struct StoredStudy {
   records::StudyResult result;
   std::vector<std::vector<std::string>> cases;  ///< by series and point: text of the case, empty where there is no run
-  std::string codes;                            ///< that ran some of these (code_versions.hpp)
+  std::string codes;                            ///< the lines of the codes that ran some of these (code_versions.hpp)
   Provenance provenance;
 };
 
@@ -21,10 +21,11 @@ struct StoredStudy {
 /// the run, which must be there; only those in which the point differs are kept as its own.
 void insert_study(Database& database, const StoredStudy& study);
 
-/// The same in the place of the one with this name, digest and codes, and of one whose codes are not known.
+/// The same, in place of the study with this name, digest and codes, and of one with this name and digest whose codes
+/// are not known.
 void replace_study(Database& database, const StoredStudy& study);
 
-/// Studies of this digest, in name order; of those that other versions of a code ran, too, the last one kept.
+/// Studies of this digest, in name order. Of a study that several versions of a code ran, only the one kept last.
 std::vector<StoredStudy> load_studies(const Database& database, const std::string& digest);
 
 /// Studies that this version of a code ran, whatever the digest, in name order; of each the last one kept that is no

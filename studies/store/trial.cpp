@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view mark = "# Run with ";
 
-/// Where the lines at the end begin that have the mark.
+/// Where the marked lines at the end of the text begin; the end of the text without any.
 std::size_t begin_of_trial(const std::string& text) {
   std::size_t begin = text.size();
   while (begin > 0) {

@@ -3,7 +3,8 @@
 
 namespace mpmvv::store {
 
-/// The text of a study with a line that says what `study --set` has put on top of it: the store keeps it so.
+/// The text of a study with one more line, which says what `study --set` has put on top of it. The store keeps the text
+/// with this line.
 std::string with_trial(std::string text, const std::string& what);
 
 /// The text without such lines.

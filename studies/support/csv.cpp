@@ -14,7 +14,7 @@ bool is_number(const std::string& text) {
   return stop == end && error != std::errc::invalid_argument;
 }
 
-/// What spreadsheets take for a formula; some skip a tab or the end of a line first.
+/// Whether a spreadsheet takes the text for a formula. Some skip a leading tab or line end before they look.
 bool is_formula(const std::string& text) {
   return !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos &&
          !is_number(text);

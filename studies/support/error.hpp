@@ -9,7 +9,8 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A file or folder that cannot be written, as on a full disk: no fault of what is to be computed.
+/// A file or folder cannot be written, as on a full disk. A type of its own, because the case that was run is not at
+/// fault (records::failure_of).
 struct WriteError : UsageError {
   using UsageError::UsageError;
 };

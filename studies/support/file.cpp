@@ -44,7 +44,8 @@ namespace {
                                file.string(), why));
 }
 
-/// Writes a file; one that cannot be written whole is deleted again. Messages name it `wanted`.
+/// Writes `place`, and deletes it again if it could not be written whole. Messages name `wanted`, the file that was
+/// asked for.
 void write(const fs::path& place, const std::string& content, const fs::path& wanted) {
   std::ofstream out(place, std::ios::binary);
   out << content << std::flush;
@@ -74,7 +75,7 @@ bool write_if_changed(const fs::path& file, const std::string& content) {
 }
 
 bool is_file_stem(const std::string& text) {
-  constexpr std::size_t longest = 100;  // a report's files add to it
+  constexpr std::size_t longest = 100;  // the names of a report's files add to it
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._+-";
   return !text.empty() && text.size() <= longest && text.front() != '.' && text.front() != '-' &&
          text.find_first_not_of(letters) == std::string::npos;

@@ -5,20 +5,22 @@
 
 namespace mpmvv::support {
 
-/// The whole content; nullopt when the file is absent, cannot be read or is none, as a folder, a pipe or a device.
+/// The whole content; nullopt when the file is absent, cannot be read or is no regular file (a folder, a pipe or a
+/// device).
 std::optional<std::string> read_file(const std::filesystem::path& file);
 
-/// The same; where there is none a UsageError that says why, and what the file should be ("a TOML file").
+/// The same, but throws a UsageError instead of nullopt. It says why, and what the file should be: `wanted`, "a TOML
+/// file".
 std::string require_file(const std::filesystem::path& file, const std::string& wanted);
 
 /// Writes the file unless it already has this content; true when it was written. The file appears whole or not at
 /// all. Throws WriteError when it cannot be written.
 bool write_if_changed(const std::filesystem::path& file, const std::string& content);
 
-/// Gives the file or folder another name, in place of a file of that name. Throws WriteError when it cannot.
+/// Renames a file or folder, replacing a file that has the new name. Throws WriteError when it cannot.
 void move_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Names of studies and figures: the files of a report begin with them.
+/// The rule for names of studies and figures: names of a report's files begin with them.
 inline constexpr const char* file_stem_rule =
     "at most 100 letters, digits, '.', '_', '+' and '-', the first neither '.' nor '-'";
 bool is_file_stem(const std::string& text);

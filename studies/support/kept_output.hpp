@@ -7,7 +7,8 @@
 
 namespace mpmvv::support {
 
-/// What a program writes, as far as a memory holds it: of more than twice `half` bytes the first and the last `half`.
+/// Collects a program's output in bounded memory: of more than twice `half` bytes it keeps the first and the last
+/// `half`.
 class KeptOutput {
  public:
   explicit KeptOutput(std::size_t half) : half_(half) {}

@@ -22,13 +22,14 @@ pid_t process_of(const std::string& name) {
   return failed == std::errc() && end == name.data() + name.size() ? process : 0;
 }
 
-/// Its environment, each entry with a zero before and behind it; empty where it may not be read.
+/// The process's environment, each entry with a zero byte before and behind it; only one zero byte where it may not be
+/// read.
 std::string environment_of(const fs::path& folder) {
   std::ifstream in(folder / "environ", std::ios::binary);
   return std::string(1, '\0').append(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
 }
 
-/// Those whose environment has this in it.
+/// The processes, except this one, whose environment contains `wanted`.
 std::vector<pid_t> marked(const std::string& wanted) {
   std::vector<pid_t> found;
   std::error_code absent;

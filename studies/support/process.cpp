@@ -44,7 +44,7 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
   return result;
 }
 
-/// Starts the child with both outputs on `out`; 0 or an errno.
+/// Starts the child with standard output and standard error on `out`; returns 0 or an errno.
 int spawn(pid_t& child, std::vector<std::string> command, const std::filesystem::path& folder,
           std::vector<std::string> variables, int out) {
   posix_spawn_file_actions_t actions;
@@ -68,13 +68,14 @@ int spawn(pid_t& child, std::vector<std::string> command, const std::filesystem:
   return failed;
 }
 
-/// Whether the child has ended. It can still be waited for: until then nobody else has its number.
+/// Whether the child has ended. It stays a zombie until waitpid, so that no other process gets its number before its
+/// group is killed.
 bool has_ended(pid_t child) {
   siginfo_t seen{};
   return waitid(P_PID, static_cast<id_t>(child), &seen, WEXITED | WNOHANG | WNOWAIT) == 0 && seen.si_pid == child;
 }
 
-/// Appends what there is to read within a time; false when there will never be more.
+/// Appends what can be read within `wait`; false at the end of the output or on an error.
 bool read_some(int in, KeptOutput& output, std::chrono::milliseconds wait) {
   pollfd ready{in, POLLIN, 0};
   if (poll(&ready, 1, static_cast<int>(wait.count())) <= 0) return true;
@@ -84,8 +85,8 @@ bool read_some(int in, KeptOutput& output, std::chrono::milliseconds wait) {
   return n > 0 || (n < 0 && errno == EINTR);
 }
 
-/// Reads until the child has ended; false when the deadline comes first. What its own children write later is not
-/// waited for.
+/// Reads until the child has ended; false when the deadline comes first. Does not wait for what the child's own
+/// children write later.
 bool read_until_end(pid_t child, int in, KeptOutput& output, Clock::time_point deadline) {
   constexpr std::chrono::milliseconds look{10}, short_look{1};
   bool is_open = true;
@@ -96,11 +97,11 @@ bool read_until_end(pid_t child, int in, KeptOutput& output, Clock::time_point d
     else
       std::this_thread::sleep_for(short_look);
   }
-  if (is_open) read_some(in, output, {});  // all that a pipe holds
+  if (is_open) read_some(in, output, {});  // one read takes all that a pipe holds, 64 KiB
   return true;
 }
 
-/// The groups of processes that run.
+/// The process groups that are running, for kill_processes.
 class Running {
  public:
   void add(pid_t group) {
@@ -153,7 +154,7 @@ ProcessEnd run_process(const std::vector<std::string>& command, const std::files
     KeptOutput output(kept_half);
     end.timed_out = !read_until_end(child, ends[0], output, deadline);
     end.output = output.text();
-    kill(-child, SIGKILL);  // and what it has left behind
+    kill(-child, SIGKILL);  // the whole group: also what the child has left behind
     int status = 0;
     waitpid(child, &status, 0);
     running().remove(child);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int most_dots = 32, most_brackets = 64;
 
-/// Where the quoted text that begins at `at` has ended.
+/// The place behind the quoted text that begins at `at`.
 std::size_t after_quotes(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool of_many_lines = text.substr(at).starts_with(std::string(3, quote));

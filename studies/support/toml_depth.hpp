@@ -4,8 +4,8 @@
 
 namespace mpmvv::support {
 
-/// UsageError with the line where a TOML text nests its tables and arrays so deeply, by dotted keys or by brackets,
-/// that reading it takes more stack than there is. `name` stands for the file.
+/// Throws a UsageError, with the line, when a TOML text nests tables and arrays so deeply, by dotted keys or by
+/// brackets, that the parser could run out of stack. `name` stands for the file.
 void require_shallow(std::string_view text, const std::string& name);
 
 }  // namespace mpmvv::support

@@ -8,8 +8,9 @@
 #include <type_traits>
 #include <vector>
 
-/// Words of enums. Beside an enum stands its one table, `words_of(Enum)`: a word for each enumerator, in their order.
-/// With `using support::to_string;` its namespace lets `to_string(enumerator)` find this.
+/// Words for enumerators. Each enum has one table beside it, `words_of(Enum)`, with a word for each enumerator in their
+/// order. The enum's namespace says `using support::to_string;` so that `to_string(enumerator)` finds the template
+/// here.
 namespace mpmvv::support {
 
 template <class Enum>
@@ -22,17 +23,18 @@ std::string to_string(Enum e) {
   return words_of(e).at(static_cast<std::size_t>(e));
 }
 
-/// "a, b", or "none" where there are none: what a message says is known.
+/// "a, b", or "none" for an empty list: for messages that list what is known.
 std::string listed(const std::vector<std::string>& names);
 
-/// The place of the word among these, or their number when it is none of them.
+/// The index of the word in `words`; words.size() when it is not there.
 std::size_t place_of(const std::string& word, std::span<const char* const> words);
 
-/// UsageError of a word that is none of these.
+/// Throws the UsageError for a word that is not among `words`.
 [[noreturn]] void fail_unknown(const std::string& word, std::span<const char* const> words, const char* what,
                                const std::string& where);
 
-/// The enumerator with this word; a UsageError speaks of an unknown `what` and, where it is known, the place.
+/// The enumerator with this word. Without one throws a UsageError about an unknown `what` and, unless `where` is empty,
+/// the place.
 template <HasWords Enum>
 Enum from_word(const std::string& word, const char* what, const std::string& where = "") {
   static constexpr auto words = words_of(Enum{});
@@ -41,7 +43,7 @@ Enum from_word(const std::string& word, const char* what, const std::string& whe
   return static_cast<Enum>(place);
 }
 
-/// The one of this name; a UsageError speaks of an unknown `what` and the place.
+/// The element with this name. Without one throws a UsageError about an unknown `what` and the place.
 template <class Named>
 const Named& find_named(const std::vector<Named>& all, const std::string& name, const char* what,
                         const std::string& where) {

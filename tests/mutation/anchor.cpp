@@ -47,7 +47,7 @@ class Definitions {
     return no_partner;
   }
 
-  /// Behind bases; a declaration, a variable and a template's parameter have no brace there.
+  /// The brace behind a class's bases; none for a declaration, a variable or a template's parameter.
   std::size_t brace_of_class(std::size_t k) const {
     bool has_bases = false;
     for (int depth = 0; k < tokens_.size(); ++k) {
@@ -61,7 +61,7 @@ class Definitions {
     return no_partner;
   }
 
-  /// Behind qualifiers, a return type and a constructor's initialisers; a call has no brace there.
+  /// The brace behind a function's qualifiers, return type and, of a constructor, initialisers; none for a call.
   std::size_t brace_of_function(std::size_t k) const {
     static constexpr std::array<std::string_view, 6> ends{";", "}", ")", "]", "=", "?"};
     for (bool initialises = false; k < tokens_.size();) {
@@ -88,7 +88,8 @@ struct Part {
   bool operator==(const Part& other) const { return text == other.text; }
 };
 
-/// Whether `>=` is one token or two depends on the white space about it: it is two here.
+/// The tokens of a text, with `>=`, `>>` and the like cut in two: whether they are one token or two depends on the
+/// white space around them.
 std::vector<Part> parts_of(const std::string& text) {
   std::vector<Part> parts;
   for (const Token& token : tokens_of(text, Literals::kept)) {
@@ -144,8 +145,8 @@ Likeness most_like(const std::string& code, const std::string& text) {
     std::size_t cost = 0, begin = 0;
   };
   const std::vector<Part> wanted = parts_of(code), all = parts_of(text);
-  std::vector<Path>
-      column;  // of each number of the code's tokens: the cheapest way to have them end at a token of the text
+  // By the number of the code's first tokens: the cheapest way to have these end at the present token of the text.
+  std::vector<Path> column;
   for (std::size_t k = 0; k <= wanted.size(); ++k) column.push_back({k, 0});
   Likeness best{{}, wanted.size(), wanted.size()};
   for (std::size_t j = 0; j < all.size(); ++j) {

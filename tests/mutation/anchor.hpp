@@ -7,8 +7,8 @@
 
 namespace mpmvv::mutation {
 
-/// Whether a file is named by its path from the top of the tree or by the end of it, from a folder's name on or the
-/// file's alone.
+/// Whether `name` names the file at `path`: it is the whole path from the top of the tree, or its end from the name of
+/// a folder or of the file on.
 bool names(const std::string& name, const std::string& path);
 
 /// The C++ sources of the program among the files of a tree that are so named. Tests are no sources of the program.

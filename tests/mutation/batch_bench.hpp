@@ -8,9 +8,9 @@
 
 namespace mpmvv::mutation {
 
-/// Saves builds, which take far longer than most mutants live: builds many at once and lets one after the other meet
-/// the unit tests and the quick gate. What cannot be built with others meets them alone, what is caught by nothing but
-/// goldens that cannot judge does so again, and the nightly gate is met alone.
+/// Saves builds, which take far longer than most mutants live: builds many mutants at once, and lets one after the
+/// other meet the unit tests and the quick gate. A mutant that cannot be built with others is built and tried alone; so
+/// is, once more, one that is caught by nothing but goldens that cannot judge. The nightly gate is always met alone.
 class BatchBench final : public Bench {
  public:
   static constexpr std::size_t least = 2, most = 40;  ///< mutants in one build
@@ -32,7 +32,7 @@ class BatchBench final : public Bench {
   SchemataBench& together_;
   std::vector<Choice> coming_;
   std::function<void(const std::string&)> tell_;
-  std::size_t next_ = 0;            ///< of those that come, the first that no group has had
+  std::size_t next_ = 0;            ///< index of the first edit that no group has had yet
   std::set<int> group_;             ///< numbers of those that are built
   std::set<GateStage> sound_;       ///< stages that the group has passed with none chosen
   const Edit* edit_ = nullptr;      ///< that was asked for last

@@ -21,22 +21,23 @@ class Bench {
   /// Builds the program with an edit or, where null, without; false when it does not compile.
   virtual bool build(const Edit* edit) = 0;
 
-  /// Takes what was built last through the stage; what takes more than the limit is stopped, and caught.
+  /// Takes what was built last through the stage; a mutant that takes more than the limit is stopped, and counts as
+  /// caught.
   virtual Trial meet(GateStage stage, std::chrono::seconds limit) = 0;
 
   virtual std::string complaint() const = 0;  ///< the end of what the last build that failed printed
 };
 
-/// One that can build many mutants at once.
+/// A bench that can build many mutants at once.
 class SchemataBench : public Bench {
  public:
   using Bench::build;
 
-  /// Builds the program and its tests with edits side by side; the numbers of those that are in it, which leaves out
-  /// what cannot stand so or does not compile.
+  /// Builds the program and its tests with many edits side by side. Returns the numbers of the edits that are built in:
+  /// those that cannot stand side by side, or do not compile, are left out.
   virtual std::vector<int> build(const std::vector<Choice>& choices) = 0;
 
-  /// The mutant that meets stages from then on, one of those that are in what was built; null for none.
+  /// Chooses the mutant that meets stages from then on, one of those that were built in; null chooses none.
   virtual void choose(const Choice* choice) = 0;
 };
 

@@ -28,7 +28,8 @@ class Campaign {
     baseline_.kind = Mutant::Kind::baseline;
     baseline_.gate = gate;
     if (const auto known = store_.find(baseline_)) baseline_.trials = known->trials;
-    std::erase_if(baseline_.trials, [](const Trial& trial) { return trial.caught; });  // another try
+    // A stage that the tree without a mistake did not pass is tried again.
+    std::erase_if(baseline_.trials, [](const Trial& trial) { return trial.caught; });
   }
 
   std::vector<Mutant> run() {
@@ -66,11 +67,12 @@ class Campaign {
     }
   }
 
-  /// The stages in this order that it has not met; where one is enough, until it is caught.
+  /// Takes a mutant through the stages that it has not met, in this order; where one catch is enough, only until it is
+  /// caught.
   void try_through(Mutant& mutant, const Edit& edit, std::initializer_list<GateStage> stages, bool one_is_enough) {
     const auto is_done = [&] { return !mutant.builds || (one_is_enough && mutant.caught()); };
     for (const GateStage stage : stages)
-      if (!is_done() && !mutant.trial(stage)) limit_of(stage);  // before anything is built with the edit
+      if (!is_done() && !mutant.trial(stage)) limit_of(stage);  // may build without the edit, so it comes first
     for (const GateStage stage : stages)
       if (!is_done() && !mutant.trial(stage)) meet(mutant, &edit, stage, limit_of(stage));
   }
@@ -96,7 +98,8 @@ class Campaign {
                        trial.seconds, by);
   }
 
-  /// Several times what the tree without a mistake takes, which therefore goes first.
+  /// The time limit of a stage: several times what the tree without a mistake takes, which therefore meets the stage
+  /// first.
   seconds limit_of(GateStage stage) {
     if (!baseline_.trial(stage)) {
       meet(baseline_, nullptr, stage, std::chrono::hours(12));

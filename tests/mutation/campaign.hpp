@@ -18,7 +18,7 @@ struct Candidate {
 struct CampaignPlan {
   std::vector<Candidate> planted;
   std::vector<Candidate> draws;  ///< random ones, in the order of the draw; those that do not compile are passed over
-  int random = 0;                ///< how many of these that compile
+  int random = 0;                ///< how many of these to try, counting those that compile
 };
 
 /// Where a campaign's results come from and go to.
@@ -28,13 +28,13 @@ struct CampaignStore {
   std::function<void(const std::string&)> tell;              ///< progress, a line
 };
 
-/// What a store knows of a mutant: its trials by this gate; failing that, what an earlier version of the gate has
-/// caught it with, the sources being the same: tests and goldens are there to grow. What they let pass has to meet them
-/// anew.
+/// What a store knows of a mutant: its trials by this gate. Failing that, where the sources are the same, the trials by
+/// which an earlier version of the gate caught it: tests and goldens grow, so what they caught stays caught, but what
+/// they let pass has to meet them again.
 std::optional<Mutant> known_result(const std::vector<Mutant>& kept, const Mutant& wanted);
 
 /// The edits that a campaign will ask for first: of all that is planted and as many random draws as are wanted, those
-/// of which it is not known already how they fare. More draws follow for those that do not compile.
+/// whose result is not known yet. More draws follow for those that do not compile.
 std::vector<Edit> edits_to_try(const CampaignPlan& plan,
                                const std::function<std::optional<Mutant>(const Mutant&)>& find);
 

@@ -18,12 +18,12 @@ struct Token {
 
 enum class Literals { left_out, kept };
 
-/// The tokens of a text laid out by the house's clang-format, which puts spaces about binary operators and none inside
-/// template brackets. Comments, attributes and preprocessor lines are left out, and so are literals unless they are
-/// asked for.
+/// The tokens of a text laid out by the project's clang-format, which puts spaces about binary operators and none
+/// inside template brackets. Comments, attributes and preprocessor lines are left out, and so are literals unless they
+/// are asked for.
 std::vector<Token> tokens_of(std::string_view text, Literals literals = Literals::left_out);
 
-/// Of each bracket ((), [] or {}) the place of the other one, of what has none `no_partner`.
+/// For each token that is a bracket ((), [] or {}) the index of its partner; `no_partner` for all others.
 inline constexpr std::size_t no_partner = static_cast<std::size_t>(-1);
 std::vector<std::size_t> bracket_partners(const std::vector<Token>& tokens);
 

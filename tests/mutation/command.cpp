@@ -85,7 +85,8 @@ int check(const Options& options, const Reasons& reasons) {
   return wrong.empty() ? 0 : 1;
 }
 
-/// An explanation that does not match any more may be wrong, so that a campaign does not begin with one either.
+/// Throws when an entry of the lists does not match the sources. A mistake then cannot be made and an explanation may
+/// be wrong, so a campaign begins with neither.
 void require_match(const Options& options, const std::vector<Mistake>& mistakes, const Reasons& reasons) {
   const auto wrong = unmatched(mistakes, reasons.explanations(), read_sources(options.source));
   if (wrong.empty()) return;
@@ -93,7 +94,7 @@ void require_match(const Options& options, const std::vector<Mistake>& mistakes,
   throw support::UsageError(wrong.front().complaint + more);
 }
 
-/// What a campaign calls beside what it builds.
+/// Throws unless the programs start that a campaign calls beside what it builds.
 void require_tools() {
   for (const char* tool : {"cmake", "ninja"})
     if (!support::run_process({tool, "--version"}, ".", {}, std::chrono::seconds(60)).good())

@@ -23,7 +23,7 @@ struct Edit {
 /// The text with the edit; it must hold `before` at that place.
 std::string edited(const Edit& edit, const std::string& text);
 
-/// Counted from 1.
+/// The line of a byte, counted from 1.
 int line_of(const std::string& text, std::size_t at);
 
 /// The whole lines that hold `length` bytes from `at`, without the first one's indentation.

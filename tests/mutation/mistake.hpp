@@ -14,7 +14,7 @@ struct Mistake {
   std::string name = {};                ///< kebab-case
   std::string what = {};                ///< one sentence in the field's words
   std::string file = {};                ///< name of a source, with as much of its path as makes it the only one
-  std::string function = {};            ///< that holds the code, or class; empty where the whole file has it once
+  std::string function = {};            ///< function or class that holds the code; empty where the file has it once
   std::string find = {}, replace = {};  ///< code, by its tokens; the text that takes its place
   std::string reason = {};  ///< why it is equivalent: no order, error or limit can show it; empty when one should
   std::string where = {};   ///< FILE:LINE of the entry
@@ -26,7 +26,7 @@ std::vector<Mistake> read_mistakes(const std::filesystem::path& file);
 /// The path of its file in a tree; UsageError unless there is exactly one.
 std::string file_of(const Mistake& mistake, const std::vector<std::string>& files);
 
-/// As an edit of that file with this text; UsageError unless the code occurs there exactly once.
+/// The mistake as an edit of that file, which has this text. UsageError unless the code occurs there exactly once.
 Edit edit_of(const Mistake& mistake, const std::string& file, const std::string& text);
 
 /// Why a random mutation survives: equivalent, or beyond what the gate can show. As a planted mistake it is found by

@@ -55,7 +55,7 @@ constexpr std::array<const char*, 3> words_of(Mutant::Kind) {
   return {"baseline", "planted", "random"};
 }
 
-/// The one with the same name, gate and edit; null when there is none.
+/// The mutant with the same name, gate and edit; null when there is none.
 const Mutant* find_mutant(const std::vector<Mutant>& mutants, const Mutant& wanted);
 
 }  // namespace mpmvv::mutation

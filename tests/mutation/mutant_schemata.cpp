@@ -25,8 +25,8 @@ class Statements {
  public:
   explicit Statements(const std::string& text) : tokens_(tokens_of(text)), partner_(bracket_partners(tokens_)) {}
 
-  /// What has to stand twice for a choice of what is in it, at least all that sees what it declares; nothing where that
-  /// cannot be.
+  /// The code that has to stand twice, with the edit and without, so that the edit can be chosen: a statement, or from
+  /// there the rest of the block, which sees what the statement declares. None where that cannot be.
   std::optional<Region> around(const Region& edit, bool declares) const {
     std::optional<Region> found;
     for (std::size_t brace = tokens_.size(); brace-- > 0;) {
@@ -82,7 +82,7 @@ class Statements {
     return false;
   }
 
-  /// In a block, the statement that holds the edit, or from there all of the block.
+  /// In a block, the statement that holds the edit, or from there the rest of the block.
   std::optional<Region> statement_in(std::size_t brace, const Region& edit, bool declares) const {
     const std::size_t close = partner_[brace];
     for (std::size_t k = brace + 1; k < close;) {
@@ -106,15 +106,15 @@ class Statements {
     return false;
   }
 
-  /// Whether what follows a statement does not see what it declares: of what is not surely so it is assumed that it
-  /// does.
+  /// Whether a statement surely declares nothing that what follows it could see. Where this is not sure it counts as a
+  /// declaration.
   bool stands_alone(std::size_t begin, std::size_t end) const {
     static constexpr std::array<std::string_view, 11> words{"if",     "for",   "while",    "do",    "switch", "try",
                                                             "return", "break", "continue", "throw", "{"};
     return is_one_of(at(begin), words) || is_assignment_or_call(begin, end);
   }
 
-  /// A chain of names, calls and indices, and then an assignment or the end.
+  /// Whether it is a chain of names, calls and indices, and then an assignment or the end.
   bool is_assignment_or_call(std::size_t begin, std::size_t end) const {
     static constexpr std::array<std::string_view, 9> assignments{"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^="};
     static constexpr std::array<std::string_view, 6> between_names{".", "->", "::", ",", "++", "--"};
@@ -140,7 +140,7 @@ class Statements {
     return false;
   }
 
-  /// Behind the statement that begins at k, in a block that ends at `close`.
+  /// The token behind the statement that begins at k, in a block that ends at `close`.
   std::size_t after_statement(std::size_t k, std::size_t close) const {
     if (k >= close) return close;
     if (at(k) == "{") return std::min(past(k), close);
@@ -165,7 +165,7 @@ class Statements {
   std::size_t past(std::size_t bracket) const {
     return bracket < tokens_.size() && partner_[bracket] != none ? partner_[bracket] + 1 : bracket + 1;
   }
-  /// Behind the parentheses that follow.
+  /// The token behind the next parentheses.
   std::size_t past_head(std::size_t k) const {
     while (k < tokens_.size() && at(k) != "(") ++k;
     return past(k);
@@ -183,7 +183,8 @@ struct PlacedChoice {
 /// Writes a text with its choices.
 class Writer {
  public:
-  /// The header by its way from the file: the test of the layers knows what rooms include by places in the tree.
+  /// Includes the header by its path relative to the file, because the test of the layers takes paths from the top of
+  /// the tree for includes of rooms.
   Writer(const std::string& text, const std::string& file) : text_(text) {
     std::string up;
     for (const char c : file)

@@ -15,7 +15,7 @@ namespace mpmvv::mutation {
 
 namespace {
 
-/// What decides a result, and the fits that are made of results.
+/// The folders that decide a result of our own solver, and the fits to results.
 constexpr std::array computing{"mms/",          "solver/",           "studies/cases/", "studies/checks/",
                                "studies/fits/", "studies/problems/", "studies/runs/",  "studies/settings/"};
 
@@ -112,7 +112,8 @@ class MutationFinder {
     const Token& other = tokens_[k_ + 2];
     edit.before += ", " + std::string(other.text);
     edit.after += ", " + std::string(here().text);
-    if (other.at + other.text.size() != edit.at + edit.before.size()) edits_.pop_back();  // a line ends between them
+    // Left out where a line ends between them: they are not divided by ", " then.
+    if (other.at + other.text.size() != edit.at + edit.before.size()) edits_.pop_back();
   }
 
   /// Whether a name occurs a few lines above.

@@ -15,12 +15,12 @@ struct Draw {
   std::uint64_t seed = 0;
 };
 
-/// Mistakes and random mutations of the tree as the gate of this digest meets them, without what is known of them.
+/// Mistakes and random mutations of the tree, to be tried by the gate of this digest, without what is known of them.
 /// UsageError unless every mistake can be made there.
 CampaignPlan plan_of(const std::vector<Mistake>& mistakes, const Draw& draw, const ScratchTree& tree,
                      const std::string& gate);
 
-/// Leaves the mutants of these names; all when none is named. UsageError where there is none of a name.
+/// Keeps only the mutants of these names; all when none is named. UsageError for a name that no mutant has.
 void keep_named(CampaignPlan& plan, const std::vector<std::string>& names);
 
 }  // namespace mpmvv::mutation

@@ -26,7 +26,8 @@ constexpr seconds build_limit = std::chrono::hours(6);
 constexpr seconds gate_limit = std::chrono::hours(1);
 constexpr int out_of_time = 128 + SIGXCPU;
 
-/// A command that gets so much of the processors, whatever else they do, and not all the memory that it may ask for.
+/// The command under limits on its processor time, which does not depend on what else the machine does, and on its
+/// memory (8 GiB).
 std::vector<std::string> confined_command(seconds limit, const std::vector<std::string>& command) {
   std::vector<std::string> confined{"prlimit", "--as=8589934592",
                                     fmt::format("--cpu={}:{}", limit.count(), limit.count() + 10)};
@@ -34,7 +35,7 @@ std::vector<std::string> confined_command(seconds limit, const std::vector<std::
   return confined;
 }
 
-/// Far too large for every mutant.
+/// Studies that are far too large to run for every mutant.
 const std::vector<std::string> cubes{"s-fig12"};
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -78,7 +79,8 @@ support::ProcessEnd ProgramBench::make(const std::vector<std::string>& targets) 
   return scratch_.run(command, build_limit);
 }
 
-/// A compiler that ends without having found an error has told nothing of the mutant.
+/// Whether a target compiles. Throws when the compiler ended without finding an error: that says nothing about the
+/// mutant.
 bool ProgramBench::compiles(const std::string& target) {
   const support::ProcessEnd end = make({target});
   if (end.good()) return true;
@@ -161,7 +163,8 @@ void ProgramBench::learn(const std::string& name, const ProcessEnd& end, double 
   if (!is_edited_ && end.good()) usual_[name] = took;
 }
 
-/// Of what waits for ever, instead of working, the processors see nothing.
+/// Runs a command under limits on processor time and on wall time: a program that waits for ever takes no processor
+/// time.
 support::ProcessEnd ProgramBench::run_confined(const std::vector<std::string>& command, seconds limit,
                                                std::map<std::string, std::string> environment) const {
   return run(confined_command(jobs_ * limit, command), 20 * limit, std::move(environment));

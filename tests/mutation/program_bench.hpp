@@ -31,7 +31,7 @@ class ProgramBench final : public SchemataBench {
                           std::map<std::string, std::string> environment = {}) const;
   /// Several times what a study or test program took without a mistake; where that is not known, its stage's limit.
   std::chrono::seconds limit_of(const std::string& name, std::chrono::seconds stage_limit) const;
-  void learn(const std::string& name, const support::ProcessEnd& end, double took);  ///< what is usual
+  void learn(const std::string& name, const support::ProcessEnd& end, double took);  ///< remembers what is usual
   support::ProcessEnd run_confined(const std::vector<std::string>& command, std::chrono::seconds limit,
                                    std::map<std::string, std::string> environment = {}) const;
   /// A test program in shards, one for each processor; the end of the first that does not pass.

@@ -9,8 +9,8 @@ namespace mpmvv::mutation {
 /// The parts of the tree that a scratch copy of the program needs.
 std::vector<std::string> program_parts();
 
-/// A digest of what decides how a mutant fares: of the sources, a slash, and of the tests, goldens, studies and
-/// reports: with other reports only what passed is tried again.
+/// Two digests of what decides how a mutant fares, with a slash between them: that of the sources, and that of the
+/// tests, goldens, study files and reports. Where only the second differs, only what passed is tried again.
 std::string gate_version(const ScratchTree& tree);
 
 /// The names of the studies in a list such as studies/quick.txt.

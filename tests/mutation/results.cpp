@@ -55,7 +55,7 @@ Mutant mutant_from(const json& all, const std::string& where) {
   return mutant;
 }
 
-/// The gate that the unchanged tree has passed last.
+/// The gate that the unchanged tree has met last.
 std::string newest_gate(const std::vector<Mutant>& mutants) {
   std::string gate;
   for (const Mutant& mutant : mutants)

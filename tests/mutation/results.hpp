@@ -11,7 +11,7 @@
 
 namespace mpmvv::mutation {
 
-/// How the gate took mutants of one program.
+/// What the gate said of the mutants of one program.
 struct Results {
   std::string digest;  ///< of the program that tried them, see `Provenance`
   std::string commit;
@@ -24,7 +24,7 @@ nlohmann::ordered_json summary_of(const Results& results);
 /// The same and every mutant.
 nlohmann::ordered_json to_json(const Results& results);
 
-/// Nothing where there is no file; UsageError when it holds anything else than `to_json`.
+/// Reads what `to_json` has written; nullopt where there is no file. UsageError when it holds anything else.
 std::optional<Results> read_results(const std::filesystem::path& file);
 
 /// Writes the summary into the folder; returns the file's name.
@@ -48,7 +48,7 @@ class ResultsFile {
   std::filesystem::path file_;
   Reasons reasons_;
   Results results_;
-  std::optional<std::string> other_digest_;  ///< of the results that the file has of another program
+  std::optional<std::string> other_digest_;  ///< of the program whose results the file holds, if it is another one
 };
 
 }  // namespace mpmvv::mutation

@@ -6,13 +6,13 @@
 
 namespace mpmvv::mutation {
 
-/// How many of some mutants each stage has caught, and any of them.
+/// How many mutants each stage has caught, and how many any of them has.
 struct Catches {
   int unit_tests = 0, quick = 0, nightly = 0, any = 0;
 };
 
-/// Of the planted mistakes those without a `reason` should show; what does not compile is no mutant. One that nothing
-/// has caught is open until it has met every stage.
+/// Planted mistakes without a `reason` should show. A random mutation that does not compile is no mutant. A mutant that
+/// nothing has caught is open until it has met every stage.
 struct Score {
   int planted = 0, equivalent = 0, untried = 0, open = 0;  ///< planted: that should show; of these untried and open
   Catches planted_catches;

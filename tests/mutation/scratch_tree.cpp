@@ -27,7 +27,7 @@ std::string content_of(const fs::path& file) {
   throw support::UsageError(fmt::format("cannot read '{}' (a file of the tree)", file.string()));
 }
 
-/// Without links, so that two names of one place are equal.
+/// The path without links, so that two names of one place are equal.
 fs::path resolved(const fs::path& place) {
   std::error_code failed;
   const fs::path path = fs::weakly_canonical(fs::absolute(place), failed);
@@ -41,13 +41,13 @@ constexpr const char* marker_name = "mpmvv-scratch";
 constexpr const char* marker_text =
     "A scratch folder of `./run mutants`, one process at a time: what lies here is replaced.\n";
 
-/// The marker is the program's own file, not a link to one.
+/// Whether the folder has the program's own marker, a file and not a link to one.
 bool is_marked(const fs::path& work) {
   const fs::path marker = work / marker_name;
   return fs::is_regular_file(fs::symlink_status(marker)) && support::read_file(marker) == marker_text;
 }
 
-/// What the program has not made is not its own to empty.
+/// Throws unless the folder is absent, empty or marked: the program empties no folder that it has not made.
 void require_scratch(const fs::path& work) {
   if (!fs::exists(work)) return;
   if (!fs::is_directory(work))
@@ -59,7 +59,7 @@ void require_scratch(const fs::path& work) {
                     work.string(), marker_name));
 }
 
-/// A link in a scratch folder is not the program's, and leads out of it.
+/// Throws on a link: the program makes none in a scratch folder, and a link leads out of it.
 void require_no_link(const fs::path& place) {
   if (fs::is_symlink(place))
     throw support::UsageError(
@@ -110,7 +110,7 @@ void ScratchTree::apply(const Edit& edit) {
   apply({{edit.file, edited(edit, text(edit.file))}});
 }
 
-/// What is the same before and after is not written: it would be compiled anew.
+/// A file that is the same before and after is not written, as it would be compiled again.
 void ScratchTree::apply(const std::map<std::string, std::string>& texts) {
   Originals originals;
   for (const auto& [file, changed] : texts)

@@ -13,7 +13,7 @@
 
 namespace mpmvv::mutation {
 
-/// Whether it is this part of a tree, a file or a folder, or lies in it.
+/// Whether a file is this part of a tree (a file or a folder) or lies in it.
 bool is_within(const std::string& file, const std::string& part);
 
 /// A scratch copy of a source tree that is changed in one way at a time, with a folder in it to build it in: a program
@@ -35,8 +35,9 @@ class ScratchTree {
   /// A digest of the files that are wanted, without any edit.
   std::string digest(const std::function<bool(const std::string& file)>& is_wanted) const;
 
-  void apply(const Edit& edit);  ///< in the place of the change before
-  /// Other texts of some files, by their names, in the place of the change before; a file that the tree has not is new.
+  void apply(const Edit& edit);  ///< replaces the change before
+  /// Gives files, by their names, other texts; this replaces the change before. A file that the tree does not have is
+  /// new.
   void apply(const std::map<std::string, std::string>& texts);
   void undo();
 
@@ -45,7 +46,7 @@ class ScratchTree {
                           const std::map<std::string, std::string>& environment = {}) const;
 
  private:
-  using Originals = std::map<std::string, std::optional<std::string>>;  ///< texts by file; of new ones none
+  using Originals = std::map<std::string, std::optional<std::string>>;  ///< texts by file; none for a new file
 
   void restore(const std::string& file, const std::optional<std::string>& original) const;
   void lock();

@@ -6,7 +6,7 @@
 
 namespace mpmvv::mutation {
 
-/// For a terminal of 100 columns.
+/// Texts for a terminal of 100 columns.
 std::string text_of(const Mistake& mistake);
 std::string text_of(const Score& score);
 

@@ -12,7 +12,7 @@ namespace mpmvv::mutation {
 using Sources = std::map<std::string, std::string>;
 Sources read_sources(const std::filesystem::path& top);
 
-/// An entry of the lists that the sources do not match, or in more than one place.
+/// An entry of the lists that matches the sources nowhere, or in more than one place.
 struct Unmatched {
   std::string complaint;  ///< what is wrong, with FILE:LINE of the entry
   std::string nearest;    ///< the most similar code and its place; empty where there is none like it
