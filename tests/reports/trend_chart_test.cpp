@@ -38,14 +38,13 @@ TEST(TrendChart, KeysSayAllWhereTheRestDiffers) {
 }
 
 TEST(TrendChart, ANumberWithoutAllOfItsRunsIsHollowAndAnUnstableRunACross) {
-  History history{"", versions, {{"bars", Finding::Kind::order, "order of 'a'", {2, 2}}}};
-  history.trends[0].remarks = {"", "unstable"};
   const double none = support::not_measured;
+  History history{
+      "", versions, {{"bars", Finding::Kind::order, "order of 'a'", {2, 2, 2}, none, {"", "unstable", ""}}}};
+  history.versions.push_back({"d3", {"third"}, "2026-01-03"});
   for (const char* remark : {"unstable", "failed"})
     history.trends.push_back(
         {"bars", Finding::Kind::error, std::string("of ") + remark, {1, 2, none}, 32, {"", "", remark}});
-  history.versions.push_back({"d3", {"third"}, "2026-01-03"});
-  history.trends[0].numbers.push_back(2), history.trends[0].remarks.push_back("");
   const auto charts = trend_charts("bars", history);
   const auto& orders = charts.at(0).curves.at(0).dots;
   EXPECT_EQ(orders[0].mark, Mark::inside);
