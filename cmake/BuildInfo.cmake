@@ -17,9 +17,19 @@ foreach(folder mms solver studies/cases studies/checks studies/codes studies/pro
 endforeach()
 list(SORT sources)
 
+# The code of a C++ source: a comment, an empty line and indentation decide nothing. A line with a quotation mark before
+# its comment stays whole, because there `//` may be part of a text.
+function(code_of source result)
+  file(READ "${source}" text)
+  string(REGEX REPLACE "(\n([^\"/\n]|/[^\"/\n])*)//[^\n]*" "\\1" text "\n${text}")
+  string(REGEX REPLACE "[ \t]*\n[ \t\n]*" "\n" text "${text}")
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
 set(summary "compiler ${COMPILER}\nbuild type ${BUILD_TYPE}\nflags ${FLAGS}\n")
 foreach(source IN LISTS sources)
-  file(SHA256 "${SOURCE_DIR}/${source}" hash)
+  code_of("${SOURCE_DIR}/${source}" code)
+  string(SHA256 hash "${code}")
   string(APPEND summary "${hash} ${source}\n")
 endforeach()
 string(SHA256 DIGEST "${summary}")

@@ -85,20 +85,23 @@ bool read_some(int in, KeptOutput& output, std::chrono::milliseconds wait) {
   return n > 0 || (n < 0 && errno == EINTR);
 }
 
-/// Reads until the child has ended; false when the deadline comes first. Does not wait for what the child's own
-/// children write later.
-bool read_until_end(pid_t child, int in, KeptOutput& output, Clock::time_point deadline) {
+/// Reads until the child has ended, the deadline comes or `stop` asks for it, and returns which it was. Does not wait
+/// for what the child's own children write later.
+enum class Reached { end, deadline, stop };
+Reached read_until_end(pid_t child, int in, KeptOutput& output, Clock::time_point deadline,
+                       const std::stop_token& stop) {
   constexpr std::chrono::milliseconds look{10}, short_look{1};
   bool is_open = true;
   while (!has_ended(child)) {
-    if (Clock::now() >= deadline) return false;
+    if (Clock::now() >= deadline) return Reached::deadline;
+    if (stop.stop_requested()) return Reached::stop;
     if (is_open)
       is_open = read_some(in, output, look);
     else
       std::this_thread::sleep_for(short_look);
   }
   if (is_open) read_some(in, output, {});  // one read takes all that a pipe holds, 64 KiB
-  return true;
+  return Reached::end;
 }
 
 /// The process groups that are running, for kill_processes.
@@ -138,7 +141,7 @@ void kill_processes() {
 
 ProcessEnd run_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
                        const std::map<std::string, std::string>& environment, std::chrono::milliseconds limit,
-                       const Kept& kept) {
+                       const Kept& kept, const std::stop_token& stop) {
   const auto deadline = Clock::now() + limit;
   ProcessEnd end;
   std::array<int, 2> ends{};
@@ -152,7 +155,9 @@ ProcessEnd run_process(const std::vector<std::string>& command, const std::files
   if (end.start_error == 0) {
     running().add(child);
     KeptOutput output(kept_half);
-    end.timed_out = !read_until_end(child, ends[0], output, deadline);
+    const Reached reached = read_until_end(child, ends[0], output, deadline, stop);
+    end.timed_out = reached == Reached::deadline;
+    end.stopped = reached == Reached::stop;
     end.output = output.text();
     kill(-child, SIGKILL);  // the whole group: also what the child has left behind
     int status = 0;

@@ -148,9 +148,10 @@ Trial ProgramBench::meet(GateStage stage, seconds limit) {
 }
 
 support::ProcessEnd ProgramBench::run(const std::vector<std::string>& command, seconds limit,
-                                      std::map<std::string, std::string> environment) const {
+                                      std::map<std::string, std::string> environment,
+                                   const std::stop_token& stop) const {
   environment[choice_variable] = std::to_string(chosen_);
-  return scratch_.run(command, limit, environment);
+  return scratch_.run(command, limit, environment, stop);
 }
 
 seconds ProgramBench::limit_of(const std::string& name, seconds stage_limit) const {
@@ -166,21 +167,27 @@ void ProgramBench::learn(const std::string& name, const ProcessEnd& end, double 
 /// Runs a command under limits on processor time and on wall time: a program that waits for ever takes no processor
 /// time.
 support::ProcessEnd ProgramBench::run_confined(const std::vector<std::string>& command, seconds limit,
-                                               std::map<std::string, std::string> environment) const {
-  return run(confined_command(jobs_ * limit, command), 20 * limit, std::move(environment));
+                                               std::map<std::string, std::string> environment,
+                                               const std::stop_token& stop) const {
+  return run(confined_command(jobs_ * limit, command), 20 * limit, std::move(environment), stop);
 }
 
+/// The first part that does not pass stops the others.
 support::ProcessEnd ProgramBench::run_test(const std::string& test, seconds limit) {
   const auto start = std::chrono::steady_clock::now();
-  const auto shard = [&](int k) {
-    return run_confined({program(test), "--gtest_fail_fast", "--gtest_color=no", "--gtest_filter=-*Nightly*"}, limit,
-                        {{"GTEST_TOTAL_SHARDS", std::to_string(jobs_)}, {"GTEST_SHARD_INDEX", std::to_string(k)}});
+  std::stop_source stop;
+  const auto part = [&](int k) {
+    ProcessEnd end = run_confined(
+        {program(test), "--gtest_fail_fast", "--gtest_color=no", "--gtest_filter=-*Nightly*"}, limit,
+        {{"GTEST_TOTAL_SHARDS", std::to_string(jobs_)}, {"GTEST_SHARD_INDEX", std::to_string(k)}}, stop.get_token());
+    if (!end.good()) stop.request_stop();
+    return end;
   };
-  std::vector<std::future<ProcessEnd>> shards;
-  for (int k = 0; k < jobs_; ++k) shards.push_back(std::async(std::launch::async, shard, k));
+  std::vector<std::future<ProcessEnd>> parts;
+  for (int k = 0; k < jobs_; ++k) parts.push_back(std::async(std::launch::async, part, k));
   ProcessEnd end;
-  for (auto& one : shards)
-    if (const ProcessEnd its = one.get(); end.good()) end = its;
+  for (auto& one : parts)
+    if (const ProcessEnd its = one.get(); end.good() && !its.stopped) end = its;
   learn(test, end, seconds_since(start));
   return end;
 }

@@ -28,13 +28,13 @@ class ProgramBench final : public SchemataBench {
   support::ProcessEnd make(const std::vector<std::string>& targets) const;
   bool compiles(const std::string& target);
   support::ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit,
-                          std::map<std::string, std::string> environment = {}) const;
+                          std::map<std::string, std::string> environment = {}, const std::stop_token& stop = {}) const;
   /// Several times what a study or test program took without a mistake; where that is not known, its stage's limit.
   std::chrono::seconds limit_of(const std::string& name, std::chrono::seconds stage_limit) const;
   void learn(const std::string& name, const support::ProcessEnd& end, double took);  ///< remembers what is usual
   support::ProcessEnd run_confined(const std::vector<std::string>& command, std::chrono::seconds limit,
-                                   std::map<std::string, std::string> environment = {}) const;
-  /// A test program in shards, one for each processor; the end of the first that does not pass.
+                                   std::map<std::string, std::string> environment = {}, const std::stop_token& stop = {}) const;
+  /// A test program in parts, as many as there are jobs; the end of the first that does not pass.
   support::ProcessEnd run_test(const std::string& test, std::chrono::seconds limit);
   Trial run_unit_tests(std::chrono::seconds stage_limit);
   Trial run_gate(GateStage stage, const std::vector<std::string>& studies, std::chrono::seconds stage_limit);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
+#include <sstream>
 
 #include "studies/cases/case.hpp"
 #include "studies/support/error.hpp"
@@ -35,6 +37,24 @@ fs::path resolved(const fs::path& place) {
     throw support::UsageError(
         fmt::format("cannot follow '{}': {} (name another folder)", place.string(), failed.message()));
   return path;
+}
+
+bool is_code(const fs::path& file) {
+  return file.extension() == ".cpp" || file.extension() == ".hpp";
+}
+
+/// The lines of C++ code without indentation, without those that are empty and without comments. A line with a
+/// quotation mark before its comment stays whole, because there `//` may be part of a text.
+std::string code_lines(const std::string& text) {
+  std::string code;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t comment = line.find("//");
+    if (comment < line.find('"')) line.resize(comment);
+    boost::algorithm::trim(line);
+    if (!line.empty()) code += line + "\n";
+  }
+  return code;
 }
 
 constexpr const char* marker_name = "mpmvv-scratch";
@@ -102,7 +122,10 @@ std::string ScratchTree::text(const std::string& file) const {
 std::string ScratchTree::digest(const std::function<bool(const std::string&)>& is_wanted) const {
   std::string all;
   for (const std::string& file : files_)
-    if (is_wanted(file)) all += fmt::format("{} {}\n", file, fingerprint(text(file)));
+    if (is_wanted(file)) {
+      const std::string content = text(file);
+      all += fmt::format("{} {}\n", file, fingerprint(is_code(file) ? code_lines(content) : content));
+    }
   return fingerprint(all);
 }
 
@@ -133,8 +156,9 @@ void ScratchTree::restore(const std::string& file, const std::optional<std::stri
 }
 
 support::ProcessEnd ScratchTree::run(const std::vector<std::string>& command, std::chrono::seconds limit,
-                                     const std::map<std::string, std::string>& environment) const {
-  support::ProcessEnd end = support::run_process(command, tree(), environment, limit);
+                                     const std::map<std::string, std::string>& environment,
+                                     const std::stop_token& stop) const {
+  support::ProcessEnd end = support::run_process(command, tree(), environment, limit, std::nullopt, stop);
   if (end.start_error != 0)
     throw support::UsageError(fmt::format("cannot start '{}' in {} (a program that is installed or was built)",
                                           command.front(), tree().string()));

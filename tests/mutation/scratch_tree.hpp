@@ -32,7 +32,8 @@ class ScratchTree {
   std::filesystem::path tree() const { return work_ / "tree"; }
   std::filesystem::path build() const { return builds() / "mutants"; }
 
-  /// A digest of the files that are wanted, without any edit.
+  /// A digest of the files that are wanted, without any edit. Of C++ files it is that of their code: comments, empty
+  /// lines and indentation do not change it.
   std::string digest(const std::function<bool(const std::string& file)>& is_wanted) const;
 
   void apply(const Edit& edit);  ///< replaces the change before
@@ -41,9 +42,10 @@ class ScratchTree {
   void apply(const std::map<std::string, std::string>& texts);
   void undo();
 
-  /// Runs a command in the copy's top, with these environment variables.
+  /// Runs a command in the copy's top, with these environment variables, until `stop` asks for its end.
   support::ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit,
-                          const std::map<std::string, std::string>& environment = {}) const;
+                          const std::map<std::string, std::string>& environment = {},
+                          const std::stop_token& stop = {}) const;
 
  private:
   using Originals = std::map<std::string, std::optional<std::string>>;  ///< texts by file; none for a new file

@@ -229,6 +229,17 @@ TEST_F(ScratchTrees, TheDigestIsThatOfTheUneditedFiles) {
   EXPECT_NE(scratch().digest(but_notes), digest);
 }
 
+TEST_F(ScratchTrees, CommentsAndLayoutOfCodeDoNotChangeTheDigest) {
+  const auto digest = [&](const std::string& code) {
+    write("code/c.hpp", code);
+    return scratch().digest([](const std::string& file) { return file == "code/c.hpp"; });
+  };
+  const std::string first = digest("/// Two.\nint a = 4 / 2;\n");
+  EXPECT_EQ(digest("// One\n// \"half\" of four.\n\n  int a = 4 / 2;  // https://two\n"), first);
+  EXPECT_NE(digest("int a = 4 / 3;\n"), first);
+  EXPECT_NE(digest("const char* a = \"http://a\";\n"), digest("const char* a = \"http://b\";\n"));
+}
+
 TEST_F(ScratchTrees, ProgramsOfTheTreeRunInTheCopy) {
   write("code/program", "#!/bin/sh\necho six\n");
   EXPECT_FALSE(scratch().run({"test", "-x", "code/program"}, seconds(10)).good());

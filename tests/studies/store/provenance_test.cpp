@@ -129,6 +129,18 @@ TEST_F(BuildInfo, DigestFollowsTheNameOfASource) {
   EXPECT_NE(digest(), first);
 }
 
+TEST_F(BuildInfo, DigestFollowsCodeButNotCommentsAndLayout) {
+  const auto with = [&](const std::string& code) {
+    write("solver/step.cpp", code);
+    return digest();
+  };
+  const std::string first = with("/// Two.\nint a = 4 / 2;\nint b;");
+  EXPECT_EQ(with("// Half; [\"two\"].\n\n  int a = 4 / 2;  // https://two; #3\n\n/// The other.\nint b;"), first);
+  EXPECT_NE(with("/// Two.\nint a = 4 / 3;\nint b;"), first);
+  EXPECT_NE(with("/// Two.\nint a = 4 / 2;int b;"), first);
+  EXPECT_NE(with("auto a = \"http://a\";"), with("auto a = \"http://b\";"));
+}
+
 TEST_F(BuildInfo, DigestFollowsFlagsButNotWarningsAndFolders) {
   const std::string first = digest();
   EXPECT_NE(digest("build", "-O2 -Wall"), first);
