@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 
-#include "cli/checks.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/gate_text.hpp"
 #include "cli/help.hpp"
+#include "cli/max_age.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
 #include "cli/shipped.hpp"
@@ -91,21 +89,6 @@ std::vector<store::CodeSeries> judged_codes(const GateOptions& options) {
   return all;
 }
 
-/// By study, why its results are not judged: it was last run too long ago.
-std::map<std::string, std::string> outdated(const std::vector<records::StudyResult>& results,
-                                            const GateOptions& options) {
-  std::map<std::string, std::string> reasons;
-  if (!options.max_age) return reasons;
-  const std::string earliest =
-      store::time_text(std::chrono::system_clock::now() - std::chrono::hours(*options.max_age));
-  const store::Store store(options.db, store::Store::Mode::read);
-  for (const records::StudyResult& study : results)
-    if (const auto kept = store.study_provenance(study.name, store::current_provenance().digest);
-        kept && kept->time < earliest)
-      reasons[study.name] = fmt::format("last run {}, more than {} h ago", kept->time, *options.max_age);
-  return reasons;
-}
-
 int gate(const GateOptions& options) {
   const auto results = own_results(options.db);
   note_changed(results, options.only);
@@ -115,7 +98,7 @@ int gate(const GateOptions& options) {
       goldens::run_gate(goldens::read_goldens(folder), results,
                         {.only = options.only,
                          .trials = options.as_set ? goldens::Trials::judged : goldens::Trials::inconclusive,
-                         .outdated = outdated(results, options)});
+                         .outdated = outdated(results, {options.db, store::Store::Mode::read}, options.max_age)});
   if (!options.junit.empty()) support::write_if_changed(options.junit, goldens::junit_xml(report));
   if (options.json)
     print_json(gate_json(report, judged_codes(options)));
@@ -164,11 +147,7 @@ void add_gate(CLI::App& app, int& exit_code) {
       ->type_name("FOLDER");
   command->add_option("--only", options->only, "judge only this study's goldens (repeatable)")->type_name("STUDY");
   command->add_option("--junit", options->junit, "write JUnit XML to this file, too")->type_name("FILE");
-  command
-      ->add_option("--max-age", options->max_age,
-                   "a study that was last run more than so many hours ago is inconclusive (default: any will do)")
-      ->check(from_to(1, 100'000))
-      ->type_name("HOURS");
+  add_max_age(*command, options->max_age);
   command->add_flag("--as-set", options->as_set,
                     "judge results made with study --set, too (default: they are inconclusive)");
   command->add_flag("--verbose", options->verbose, "print what passes, too, and each golden without a result");

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <optional>
 
 #include "cli/case_commands.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/earlier.hpp"
 #include "cli/help.hpp"
+#include "cli/max_age.hpp"
 #include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
@@ -27,6 +30,7 @@ namespace {
 
 struct ReportOptions {
   std::string db, out, goldens;
+  std::optional<int> max_age;  // h
 };
 
 /// What `./run benchmark` left beside the store, unless it measured another program.
@@ -57,9 +61,10 @@ bool has_goldens(const std::filesystem::path& folder) {
   return std::any_of(files, end, [](const auto& entry) { return entry.path().extension() == ".toml"; });
 }
 
-void add_gate_lines(reports::ReportInput& input, const std::vector<goldens::Golden>& goldens) {
+void add_gate_lines(reports::ReportInput& input, const std::vector<goldens::Golden>& goldens,
+                    const std::map<std::string, std::string>& outdated) {
   if (goldens.empty()) return;
-  for (const goldens::GateResult& r : goldens::run_gate(goldens, input.studies).results)
+  for (const goldens::GateResult& r : goldens::run_gate(goldens, input.studies, {.outdated = outdated}).results)
     input.gate.push_back({r.study, r.name, r.verdict, r.expected, r.measured, r.reason});
 }
 
@@ -99,8 +104,8 @@ reports::ReportInput report_input(const ReportOptions& options) {
   if (input.studies.empty())
     throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
   const auto goldens = has_goldens(folder) ? goldens::read_goldens(folder) : std::vector<goldens::Golden>{};
-  add_gate_lines(input, goldens);
   const store::Store store(options.db, store::Store::Mode::read);
+  add_gate_lines(input, goldens, outdated(input.studies, store, options.max_age));
   auto mutation = own_mutation(options.db);
   input.claims = judged_claims(input.studies, mutation);
   input.mutation = shown_mutation(options.db, std::move(mutation));
@@ -140,6 +145,7 @@ void add_report(CLI::App& app, int& exit_code) {
       ->add_option("--goldens", options->goldens,
                    fmt::format("folder of goldens, judged in the report ({})", default_goldens))
       ->type_name("FOLDER");
+  add_max_age(*command, options->max_age);
   add_examples(*command, {"mpmvv report --db results.db --out report"});
   command->callback([options, &exit_code] { exit_code = report(*options); });
 }

@@ -39,7 +39,7 @@ step() {
   ((status)) || status=$code
 }
 "$program" db merge "${stores[@]}" --db "$db" || exit
-step "$program" study "${studies[@]}" --db "$db" --jobs "$jobs"
+step "$program" study "${studies[@]}" --db "$db" --jobs "$jobs" --no-retry
 ((${#gated[@]} == 0)) || step "$program" gate --db "$db" "${gated[@]}" "${goldens[@]}"
 step "$program" report --db "$db" --out "$folder/report" "${goldens[@]}"
 exit "$status"

@@ -33,7 +33,7 @@ struct StudyOptions {
   StudyChoice choice;
   std::string db, shard, costs;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  bool plan = false, json = false, verbose = false;
+  bool plan = false, json = false, verbose = false, no_retry = false;
 };
 
 /// Ends the program with the exit code that shells give to one that was interrupted from the keyboard.
@@ -55,7 +55,8 @@ auto interruptible(const StudyOptions& options, const codes::Codes& codes, const
     stop(options, so_far);
   };
   const auto listener = line.listener();
-  return run(plan::RunnerOptions{options.jobs, listener, listener, interruption.token(), on_stop, codes});
+  return run(
+      plan::RunnerOptions{options.jobs, listener, listener, interruption.token(), on_stop, codes, !options.no_retry});
 }
 
 /// The part of the work that `--shard` names; all of it without one.
@@ -156,9 +157,13 @@ void add_study(CLI::App& app, int& exit_code) {
                    "store whose times make the shards equally long; the same one for all of them")
       ->needs(shard)
       ->type_name("FILE");
+  CLI::Option* no_retry =
+      command->add_flag("--no-retry", options->no_retry,
+                        "take failed runs as the store has them (default: those of another code, and those that the "
+                        "machine failed, are tried again)");
   command->add_flag("--verbose", options->verbose, "print on what grounds fits and criteria say what they do, too");
-  CLI::Option* plan =
-      command->add_flag("--plan", options->plan, "run nothing: print what would run, how long, and why");
+  CLI::Option* plan = command->add_flag("--plan", options->plan, "run nothing: print what would run, how long, and why")
+                          ->excludes(no_retry);
   command->add_flag("--json", options->json, "print the plan as one JSON object")->needs(plan);
   add_examples(*command,
                {"mpmvv study splines.toml --db results.db", "mpmvv study s-fig4 s-jump --db results.db",

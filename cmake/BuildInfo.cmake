@@ -18,11 +18,14 @@ endforeach()
 list(SORT sources)
 
 # The code of a C++ source: a comment, an empty line and indentation decide nothing. A line with a quotation mark before
-# its comment stays whole, because there `//` may be part of a text.
+# its comment stays whole, because there `//` may be part of a text. So does a source with a raw text, a comment of the
+# other kind or a line that the next one continues.
 function(code_of source result)
   file(READ "${source}" text)
-  string(REGEX REPLACE "(\n([^\"/\n]|/[^\"/\n])*)//[^\n]*" "\\1" text "\n${text}")
-  string(REGEX REPLACE "[ \t]*\n[ \t\n]*" "\n" text "${text}")
+  if(NOT text MATCHES "R\"|/[*]|\\\\\n")
+    string(REGEX REPLACE "(\n([^\"/\n]|/[^\"/\n])*)//[^\n]*" "\\1" text "\n${text}")
+    string(REGEX REPLACE "[ \t]*\n[ \t\n]*" "\n" text "${text}")
+  endif()
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 

@@ -7,7 +7,7 @@
 
 /// Motions that start at rest from the undeformed body, for codes that take no initial velocity and deformation:
 ///   u_d = A sin kπX_d sin²(Cπt/2),   C² = E/ρ₀,
-/// and a, F, P, b as `AxisAligned` has them. The body is back at rest, undeformed, after t = 2/C.
+/// with a, F, P and b of `AxisAligned`. At t = 2/C the body is at rest and undeformed again.
 namespace mpmvv::mms {
 
 namespace detail {
@@ -21,21 +21,22 @@ constexpr std::array<Course, D> from_rest() {
 
 }  // namespace detail
 
-/// Of the periodic bar on [0, 1], k = 2, ν = 0.
+/// The motion from rest of the periodic bar on [0, 1]: k = 2, ν = 0.
 class BarAtRest final : public AxisAligned<1> {
  public:
   BarAtRest(double amplitude, const Elasticity& material)
       : AxisAligned(amplitude, 2, detail::from_rest<1>(), material) {}
 };
 
-/// Of the unit square in plane strain, k = 1: walls that hold the normal displacement do not shear.
+/// The motion from rest of the unit square in plane strain: k = 1. The normal displacement is zero on the walls, and
+/// nothing is sheared along them.
 class SquareAtRest final : public AxisAligned<2> {
  public:
   SquareAtRest(double amplitude, const Elasticity& material)
       : AxisAligned(amplitude, 1, detail::from_rest<2>(), material) {}
 };
 
-/// Of the periodic unit cube, k = 2.
+/// The motion from rest of the periodic unit cube: k = 2.
 class CubeAtRest final : public AxisAligned<3> {
  public:
   CubeAtRest(double amplitude, const Elasticity& material)

@@ -102,8 +102,9 @@ expression::Formulas AxisAligned<D>::formulas() const {
   return {.reference = fields};
 }
 
-/// On a lattice many points share a coordinate. Per axis, whatever depends on one coordinate is kept for each distinct
-/// one: sin and cos for good, the parts of b for the time last prepared; per point only its places in these tables.
+/// On a lattice many points share a coordinate. For each axis, tables hold what depends on one coordinate, with an
+/// entry for each distinct value: sin and cos, and the parts of b for the time last prepared. A point has only its
+/// places in these tables.
 template <int D>
 class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
  public:
@@ -154,8 +155,8 @@ class AxisAligned<D>::AtPoints final : public PointwiseSolution<D> {
     double sin, cos;
   };
 
-  /// b = constant + factor (λ + μ - Σ λ ln F_d) as a sum over the axes, in one register for all components: an axis
-  /// adds functions of its coordinate to its own component, and its logarithm to the last one.
+  /// What an axis adds to b = constant + factor (λ + μ - Σ λ ln F_d), in registers that hold all components: functions
+  /// of its coordinate in its own component, and its logarithm in the last one.
   struct Part {
     Eigen::Vector4d constant_and_log;  ///< a_d + π² u_d k² μ / ρ₀, and λ ln F_d
     Eigen::Vector4d factor;            ///< π² u_d k² F_d⁻² / ρ₀

@@ -12,21 +12,21 @@ namespace mpmvv::mms {
 struct Course {
   double phase = 0, rest = 0, swing = 1;
 
-  /// sin²(Cπt/2): at rest, and nothing displaced, at t = 0.
+  /// T = sin²(Cπt/2): at t = 0 the body is at rest and undeformed.
   static constexpr Course from_rest() { return {-std::numbers::pi / 2, 0.5, 0.5}; }
 };
 
-/// Motion along the axes of the unit interval, square (plane strain) or cube, each component a function of its own
-/// coordinate:
+/// A motion of the unit interval, square (plane strain) or cube in which each component of u depends on its own
+/// coordinate alone:
 ///   u_d = A sin kπX_d T_d,   T_d a course,   C² = E/ρ₀
-///   F_d = 1 + kπA cos kπX_d T_d                      the only entries of F, on its diagonal
+///   F_d = 1 + kπA cos kπX_d T_d                      F is diagonal
 ///   P_d = (λK + μ (F_d² - 1)) / F_d                  K = ln Π F_d
 ///   b_d = π² A sin kπX_d [k² T_d (λ(1 - K) F_d⁻² + μ (1 + F_d⁻²)) - E (T_d - rest)] / ρ₀
 /// With T_d = sin(Cπt + φ_d) and k = 1 these are W (56) to (59), with k = 2 S (51) to (53).
 template <int D>
 class AxisAligned : public ManufacturedSolution<D> {
  public:
-  /// k: wave number; courses: by axis.
+  /// wave_number: k; courses: T_d of each axis.
   AxisAligned(double amplitude, int wave_number, const std::array<Course, D>& courses, const Elasticity& material);
 
   Vec<D> u(const Vec<D>& X, double t) const final;
@@ -38,8 +38,9 @@ class AxisAligned : public ManufacturedSolution<D> {
 
   double displacement_scale() const final { return std::abs(A_); }
 
-  /// What depends on one coordinate is computed once for all points that share it. On a lattice a point costs a few
-  /// bytes and additions; a sine, a logarithm and a division are taken per distinct coordinate and time, not per point.
+  /// Computes what depends on one coordinate once for all points that share it. On a lattice a point costs a few bytes
+  /// and additions. Sines and cosines are taken once per distinct coordinate, logarithms and divisions once per
+  /// distinct coordinate and time, none per point.
   std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const final;
   expression::Formulas formulas() const final;
 

@@ -20,7 +20,7 @@ Vec<1> of(double value) {
   return Vec<1>(value);
 }
 
-/// S (47) and (49) with sin 2πX and cos 2πX kept.
+/// Evaluates S (47) and (49) at fixed points, whose sin 2πX and cos 2πX are computed once.
 class BarAtPoints final : public PointwiseSolution<1> {
  public:
   BarAtPoints(double A, double C, const std::vector<Vec<1>>& X) : A_(A), C_(C), sin_(X.size()), cos_(X.size()) {

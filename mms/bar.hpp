@@ -29,7 +29,7 @@ class Bar final : public ManufacturedSolution<1> {
 
  private:
   template <class N>
-  N u_at(const N& X, const N& t) const;  ///< here and below N is any scalar type
+  N u_at(const N& X, const N& t) const;  ///< here and in the members below N is any scalar type
   template <class N>
   N F_at(const N& X, const N& t) const;
   template <class N>
@@ -38,7 +38,7 @@ class Bar final : public ManufacturedSolution<1> {
   double A_, E_, C_;
 };
 
-/// The displacement S (47) alone, for any scalar type: from it and an energy everything else can be derived.
+/// The displacement S (47) alone, for any scalar type. All other fields can be derived from it and an energy.
 struct BarDisplacement {
   double amplitude, wave_speed;
 

@@ -23,7 +23,7 @@ namespace mpmvv::mms {
 
 namespace {
 
-/// As many digits as tell it from others.
+/// Returns the shortest text that reads back as the same number.
 std::string text(double value) {
   std::array<char, 32> digits;
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
@@ -39,7 +39,7 @@ std::string radii_objection(const Values& values) {
   return inner < outer ? "" : "inner_radius " + text(inner) + " is not below outer_radius " + text(outer);
 }
 
-/// Of radial motion, W (60) to (62).
+/// Returns what is wrong with the parameters of a radial motion, W (60) to (62).
 std::string radial_objection(const Values& values) {
   if (const std::string objection = radii_objection(values); !objection.empty()) return objection;
   const Radii r = radii(values);
@@ -72,7 +72,7 @@ Parameter radial_amplitude() {
   return {"amplitude", 0.1, "m", [](double) { return true; }, "small enough that det F stays positive"};
 }
 
-/// A solution of an amplitude and a material.
+/// Makes a solution that depends on an amplitude and a material alone.
 template <int D, class S>
 std::shared_ptr<ManufacturedSolution<D>> aligned(const Values& values) {
   return std::make_shared<S>(values.at("amplitude"), elasticity(values));
@@ -86,7 +86,7 @@ std::shared_ptr<ManufacturedSolution<2>> vortex(const Values& values) {
   return std::make_shared<Vortex>(values.at("amplitude"), radii(values), values.at("period"), elasticity(values));
 }
 
-/// Of a bar that reaches from -10 to 10 m, by a fifth.
+/// The largest displacement of interest is 2 m: that of the ends of a bar from -10 to 10 m, stretched by a fifth.
 template <int D>
 std::shared_ptr<ManufacturedSolution<D>> stretch(const Values& values) {
   return std::make_shared<Stretch<D>>(values.at("rate"), elasticity(values), 2);

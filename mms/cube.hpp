@@ -7,12 +7,12 @@
 
 namespace mpmvv::mms {
 
-/// The unit cube, S §5.3, C² = E/ρ₀; the phases of the three components are 0, 2π/3 and 4π/3:
+/// A motion of the unit cube, S §5.3, C² = E/ρ₀. The phases of the three components are 0, 2π/3 and 4π/3:
 ///   u_X = A sin 2πX sin Cπt,   u_Y = A sin 2πY sin(2π/3 + Cπt), ...                   S (51)
 ///   F_XX = 1 + 2Aπ cos 2πX sin Cπt, ...                                               S (52)
 ///   b_X = π² u_X (4μ/ρ₀ - C² - 4 (λ (K - 1) - μ) / (ρ₀ F_XX²)), ...                   S (53)
 ///   K = ln F_XX F_YY F_ZZ
-/// Periodic, and the normal displacement vanishes on all six faces.
+/// The motion is periodic, and the normal displacement vanishes on all six faces.
 class Cube final : public AxisAligned<3> {
  public:
   Cube(double amplitude, const Elasticity& material)

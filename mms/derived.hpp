@@ -11,17 +11,18 @@
 
 namespace mpmvv::mms {
 
-/// Callable with (std::array<T, D> X, T t) for any scalar type T; returns the displacement, std::array<T, D>. Write
-/// x * x, never pow(x, 2), whose derivative at x = 0 is NaN in Boost 1.74.
+/// A functor that takes (std::array<T, D> X, T t) for any scalar type T and returns the displacement, std::array<T, D>.
+/// Write x * x in it, never pow(x, 2), whose derivative at x = 0 is NaN in Boost 1.74.
 template <class U, int D>
 concept DisplacementField = requires(const U& u, const std::array<double, D>& X, double t) {
   { u(X, t) } -> std::convertible_to<std::array<double, D>>;
 };
 
-/// A solution derived by automatic differentiation from a displacement field and an energy alone. Only one kind
-/// of number is needed, c0 + c1 r + c2 s + c3 rs: second derivatives of u along two directions of (X, t), and from them
+/// A solution derived by automatic differentiation from a displacement field and an energy alone. One kind of number is
+/// enough, c0 + c1 r + c2 s + c3 rs. It gives the derivatives of u along two directions of (X, t), up to the mixed
+/// second one, and from these
 ///   P_iJ = ∂W/∂F_iJ,   Div P_i = Σ_J d²/dr ds W(F + r e_i⊗e_J + s ∂F/∂X_J).
-/// `Energy` is callable with Matrix<T, D>.
+/// `Energy` is a functor that takes Matrix<T, D>.
 template <int D, DisplacementField<D> Displacement, class Energy>
 class Derived final : public ManufacturedSolution<D> {
  public:
@@ -69,7 +70,7 @@ class Derived final : public ManufacturedSolution<D> {
 
   double displacement_scale() const override { return scale_; }
 
-  /// None where the displacement branches on a value.
+  /// Empty where the displacement branches on a value, and so has no single formula.
   expression::Formulas formulas() const override {
     try {
       const auto energy = [this](const expression::Tensor& rows) {
@@ -90,7 +91,7 @@ class Derived final : public ManufacturedSolution<D> {
   static RS along_r() { return boost::math::differentiation::make_fvar<double, 1>(0.0); }
   static RS along_s() { return boost::math::differentiation::make_fvar<double, 0, 1>(0.0); }
 
-  /// u with r added to the coordinate j and s to k of (X, t); D stands for t.
+  /// Evaluates u with r added to coordinate j of (X, t) and s to coordinate k. Coordinate D is t.
   Expansion expand(const Vec<D>& X, double t, int j, int k) const {
     std::array<RS, D + 1> at;
     for (int d = 0; d < D; ++d) at[d] = X[d];
@@ -102,14 +103,14 @@ class Derived final : public ManufacturedSolution<D> {
     return displacement_(place, at[D]);
   }
 
-  /// d^(m+n)/dr^m ds^n
+  /// Returns d^(m+n)/dr^m ds^n of each component.
   static Vec<D> part(const Expansion& u, std::size_t m, std::size_t n) {
     Vec<D> result;
     for (int d = 0; d < D; ++d) result[d] = static_cast<double>(u[d].derivative(m, n));
     return result;
   }
 
-  /// W(F + r e_i⊗e_J + s dF)
+  /// Returns W(F + r e_i⊗e_J + s dF).
   RS energy(const Mat<D>& F, const Mat<D>& dF, int i, int J) const {
     Matrix<RS, D> at;
     for (int k = 0; k < D; ++k)
@@ -123,7 +124,8 @@ class Derived final : public ManufacturedSolution<D> {
   double density_, scale_;
 };
 
-/// A solution of your own: its displacement, written once. For a square that is sheared to and fro,
+/// Makes a solution of your own from its displacement, which is written once. For example, for a square that is sheared
+/// to and fro,
 ///   const auto sheared = derived<2>(
 ///       [](const auto& X, const auto& t) {
 ///         using std::sin;
@@ -131,7 +133,8 @@ class Derived final : public ManufacturedSolution<D> {
 ///       },
 ///       Elasticity{1e4, 0.3, 1}, 0.1);
 ///   sheared.b({0.2, 0.5}, 1.0);
-/// has every field, for the law S (46). scale: the largest |u|, m, up to a factor of order one.
+/// gives the body force at a point; all other fields are there, too. The law is S (46). scale: the largest |u|, m, up
+/// to a factor of order one.
 template <int D, DisplacementField<D> Displacement>
 Derived<D, Displacement, NeoHookeanLogEnergy> derived(Displacement displacement, const Elasticity& material,
                                                       double scale) {

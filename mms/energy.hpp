@@ -4,7 +4,7 @@
 
 namespace mpmvv::mms {
 
-/// Small square matrix over any scalar type, row by row.
+/// A small square matrix of any scalar type, row by row.
 template <class T, std::size_t D>
 using Matrix = std::array<std::array<T, D>, D>;
 

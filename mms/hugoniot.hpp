@@ -4,15 +4,17 @@
 
 namespace mpmvv::mms {
 
-/// Constants of a solid whose shocks run at U = c₀ + S₁ u into material at rest, c₀² = K/ρ₀, with ργ = ρ₀γ₀. SI units.
+/// The constants of a solid with ργ = ρ₀γ₀ whose shocks run at U = c₀ + S₁ u into material at rest, c₀² = K/ρ₀. SI
+/// units.
 struct ShockedSolid {
   double bulk_modulus, density, hugoniot_slope, gamma, heat_capacity, temperature;
 };
 
-/// The state behind a steady shock that a piston of speed u drives, N §3.5, from the jumps of mass, momentum and energy
+/// The state behind a steady shock that a piston of speed u drives, N §3.5, from the jumps of mass, momentum and
+/// energy:
 ///   ρ₀ U = ρ (U - u),   p = ρ₀ U u,   e = p u/(ρ₀ U) - u²/2 = u²/2.
-/// Temperature: along the Hugoniot p(η) = K η/(1 - S₁η)², e = p η/(2ρ₀) with η = 1 - ρ₀/ρ, so that T dS = de + p d(1/ρ)
-/// = (η dp - p dη)/(2ρ₀), and T dS = C (dT - γ₀ T dη); then
+/// The temperature follows along the Hugoniot p(η) = K η/(1 - S₁η)², e = p η/(2ρ₀) with η = 1 - ρ₀/ρ. There
+/// T dS = de + p d(1/ρ) = (η dp - p dη)/(2ρ₀), and also T dS = C (dT - γ₀ T dη). Hence
 ///   T = e^{γ₀η} (T₀ + ∫₀^η e^{-γ₀s} K S₁ s²/(1 - S₁s)³ ds / (ρ₀ C)).
 class Hugoniot {
  public:

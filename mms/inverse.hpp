@@ -8,11 +8,12 @@
 
 namespace mpmvv::mms {
 
-/// A motion of the unit square in plane strain that is given by where each particle came from,
+/// A motion of the unit square in plane strain that is defined by its inverse, the reference position X of the particle
+/// at x,
 ///   X_d = x_d - w_d,   w_d = A sin πx_d T,   T = sin²(Cπt/2),   C² = E/ρ₀,
-/// so that b is an expression of the current position x and time, for codes that evaluate it there. It starts at rest
-/// from the undeformed body; walls that hold the normal displacement do not shear. With g = ∂X/∂x = 1 - πA cos πx T
-/// along an axis, whose derivatives in x and t are written w', ẇ:
+/// so that b is an expression of the current position x and the time, for codes that evaluate b there. The motion
+/// starts at rest from the undeformed body. The normal displacement is zero on the walls, and nothing is sheared along
+/// them. Along an axis, with g = ∂X/∂x = 1 - πA cos πx T, and w' and ẇ for the derivatives of w in x and t:
 ///   v = ẇ/g,   a = ẅ/g + 2 ẇ ẇ'/g² + ẇ² w''/g³,   F = 1/g
 ///   P = (λK + μ (F² - 1)) / F,   K = ln Π F_d
 ///   ρ₀ b = ρ₀ a - (λ (1 - K) g² + μ (1 + g²)) w''/g³
@@ -32,11 +33,11 @@ class SquareInverse final : public ManufacturedSolution<2> {
   Vec<2> reference_point(const Vec<2>& x, double t) const override;
   expression::Formulas formulas() const override;
 
-  Vec<2> place(const Vec<2>& X, double t) const;  ///< x of the particle from X
+  Vec<2> place(const Vec<2>& X, double t) const;  ///< the position x of the particle from X
   Vec<2> b_at(const Vec<2>& x, double t) const;   ///< b at a current position
 
  private:
-  /// w of an axis and its derivatives at a current position. N, here and below, is any scalar type.
+  /// The derivatives of w of an axis at a current position. N, here and below, is any scalar type.
   template <class N>
   struct Wave {
     N w_t, w_tt, w_x, w_xx, w_xt;
@@ -57,8 +58,8 @@ class SquareInverse final : public ManufacturedSolution<2> {
   double A_, lambda_, mu_, rho_, C_pi_;
 };
 
-/// The displacement alone, for any scalar type: Newton's method for x. Its last two steps carry derivatives of first
-/// and second order to the root's own.
+/// The displacement alone, for any scalar type, with x from 40 steps of Newton's method. Where T carries derivatives,
+/// the last two steps bring those of first and second order to those of the root.
 struct SquareInverseDisplacement {
   double amplitude, wave_speed;
 

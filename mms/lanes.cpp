@@ -6,7 +6,8 @@ namespace mpmvv::mms {
 
 #if defined(__x86_64__) && defined(__AVX2__) && defined(__GLIBC__) && !defined(__UCLIBC__)
 
-/// glibc's vector library, whose header declares these for -ffast-math alone: four units in the last place at most.
+/// glibc's vector library. Its header declares these functions only for -ffast-math. Their error is at most four units
+/// in the last place.
 namespace libmvec {
 using Double4 [[gnu::vector_size(32)]] = double;
 Double4 sin(Double4 angles) asm("_ZGVdN4v_sin");

@@ -7,15 +7,16 @@
 
 namespace mpmvv::mms {
 
-/// A number of each of eight points. Two vector registers of four: the logarithms of one alone take a third longer.
+/// One number for each of eight points, in two vector registers of four. With one register alone, logarithms take a
+/// third longer.
 using Lanes = Eigen::Array<double, 8, 1>;
 
-/// Of each of the eight, to four units in the last place.
+/// Return the sine and cosine of each of the eight, to four units in the last place.
 Lanes sin(const Lanes& angles);
 Lanes cos(const Lanes& angles);
 
-/// to[k] = at(X(k)) for the first `count`, where `at` is given the coordinates of eight points and returns as many
-/// numbers of each. A point's depend neither on its lane nor on the points beside it.
+/// Sets to[k] = at(X(k)) for all k < `count`. `at` takes the D coordinates of eight points in lanes and returns D
+/// numbers of each. The numbers of a point depend neither on its lane nor on the other points.
 template <int D>
 void in_lanes(std::size_t count, const auto& X, Vec<D>* to, const auto& at) {
   constexpr std::size_t lanes = Lanes::SizeAtCompileTime;
@@ -31,7 +32,7 @@ void in_lanes(std::size_t count, const auto& X, Vec<D>* to, const auto& at) {
   for (; k + lanes <= count; k += lanes)
     evaluate([&](std::size_t lane) -> const Vec<D>& { return X(k + lane); }, to + k);
   if (k == count) return;
-  std::array<Vec<D>, lanes> values;  // what is missing at the end repeats the last
+  std::array<Vec<D>, lanes> values;  // lanes beyond the last point repeat it
   evaluate([&](std::size_t lane) -> const Vec<D>& { return X(std::min(k + lane, count - 1)); }, values.data());
   std::copy_n(values.begin(), count - k, to + k);
 }

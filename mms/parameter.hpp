@@ -8,18 +8,18 @@
 
 namespace mpmvv::mms {
 
-using Values = std::map<std::string, double>;  ///< of parameters, by name
+using Values = std::map<std::string, double>;  ///< values of parameters, by name
 
-/// A physical value that a solution is made with.
+/// A physical value that a solution depends on.
 struct Parameter {
   std::string name;
-  double value;  ///< default
+  double value;  ///< the default
   std::string unit;
   std::function<bool(double)> allowed;
-  std::string range;  ///< `allowed` for people: "> 0"
+  std::string range;  ///< `allowed` in words, for people: "> 0"
 };
 
-// What several solutions share, with the ranges in which they make sense.
+// Parameters that several solutions share, with the ranges in which they make sense.
 inline Parameter youngs_modulus_parameter(double value) {
   return {"youngs_modulus", value, "Pa", [](double e) { return e > 0; }, "> 0"};
 }
@@ -29,7 +29,8 @@ inline Parameter poissons_ratio_parameter(double value) {
 inline Parameter density_parameter(double value) {
   return {"density", value, "kg/m3", [](double rho) { return rho > 0; }, "> 0"};
 }
-/// Of a motion along the axes with k half waves in a unit length: k π |A| < 1.
+/// Returns the parameter for the amplitude A of a motion along the axes with k half waves (1 or 2) in a unit length: k
+/// π |A| < 1.
 inline Parameter amplitude_parameter(double value, int k) {
   if (k == 1)
     return {"amplitude", value, "m", [](double a) { return a > -0.318 && a < 0.318; },

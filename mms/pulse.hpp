@@ -16,10 +16,10 @@ struct Triangle {
   }
 };
 
-/// A bar from X = 0 on, linear elastic with ν = 0, whose end is pulled by a triangle of tension, N §3.3. Until the wave
-/// meets the other end it is d'Alembert's solution, with q = (t - X/c)/duration:
+/// A linear elastic bar with ν = 0 that begins at X = 0, where a triangular pulse of tension pulls it, N §3.3. Until
+/// the wave meets the other end the motion is d'Alembert's solution, with q = (t - X/c)/duration:
 ///   P_xx = σ tri(q),   F_xx = 1 + P_xx/E,   u_x = -σ c/E duration ∫₀^q tri,   v_x = -c/E P_xx,   b = 0.
-/// (N prints tri(t - cx); the wave has c in the denominator.) The acceleration jumps where the triangle kinks.
+/// (N prints tri(t - cx); a wave of speed c has c in the denominator.) The acceleration jumps where the triangle kinks.
 class Pulse final : public ManufacturedSolution<2> {
  public:
   /// `stress` σ in Pa, `duration` in s, `youngs_modulus` in Pa, `density` in kg/m³.

@@ -8,7 +8,7 @@ namespace mpmvv::mms {
 
 namespace {
 
-/// A tensor with this entry along e_R and that one along every direction across it.
+/// Returns the tensor with the entry `along` for e_R and the entry `across` for every direction across it.
 template <int D>
 Mat<D> along_and_across(const Vec<D>& X, double along, double across) {
   return across * Mat<D>::Identity() + (along - across) / X.squaredNorm() * X * X.transpose();
@@ -66,8 +66,8 @@ Mat<D> Radial<D>::P(const Vec<D>& X, double t) const {
   return along_and_across<D>(X, stress(F_RR), stress(F_tt));
 }
 
-/// With a = w'', c = (D - 1) (w/R)' and both brackets over one denominator, as a division takes so much longer than a
-/// product:
+/// Puts both brackets of b over one denominator, because a division takes much longer than a product. With a = w'' and
+/// c = (D - 1) (w/R)':
 ///   b/R = -T {c²π² w/R + [μ F_RR² F_θθ (a + c) + M (a F_θθ + c F_RR)] / (ρ₀ R F_RR² F_θθ)}
 template <int D>
 template <class N, class S>
@@ -104,7 +104,7 @@ Vec<D> Radial<D>::reference_point(const Vec<D>& x, double t) const {
   return profile_.reference_radius(T(t), x.norm()) * x.normalized();
 }
 
-/// Points that share nothing but the time, in lanes.
+/// Evaluates points in lanes. The time is all that they share.
 template <int D>
 class Radial<D>::AtPoints final : public PointwiseSolution<D> {
  public:

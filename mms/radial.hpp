@@ -11,11 +11,11 @@ namespace mpmvv::mms {
 
 /// Radial motion of an annulus (D = 2, plane strain) or a spherical shell (D = 3), W §5.2, c² = E/ρ₀:
 ///   u = T w e_R,   T = A cos cπt,   w = c3 R³ + c2 R² + c1 R                          W (60) to (62)
-///   F_RR = 1 + T w',   F_θθ = 1 + T w/R                                               the shell's F_φφ alike
+///   F_RR = 1 + T w',   F_θθ = 1 + T w/R;                                              the shell's F_φφ is F_θθ
 ///   P_RR = (λK + μ (F_RR² - 1)) / F_RR,   P_θθ alike,   K = ln F_RR F_θθ^(D-1)        W (54)
 ///   Div P = dP_RR/dR + (D - 1) (P_RR - P_θθ) / R, and with F_RR - F_θθ = R dF_θθ/dR
 ///   b = -T/ρ₀ {π²E w + w'' [μ + M / F_RR²] + (D - 1) (w/R)' [μ + M / (F_RR F_θθ)]},   M = μ + λ (1 - K)
-/// Both surfaces move. There F_RR = 1, so that they carry the normal stress λK: none at ν = 0.
+/// Both surfaces move. F_RR = 1 on them, so that they carry the normal stress λK, which is zero at ν = 0.
 template <int D>
 class Radial : public ManufacturedSolution<D> {
  public:
@@ -30,12 +30,12 @@ class Radial : public ManufacturedSolution<D> {
 
   double displacement_scale() const final { return std::abs(A_) * profile_.largest(); }
 
-  /// A step costs a point one root, one division, and one logarithm where λ is not zero, in lanes.
+  /// Evaluates body forces in lanes. Each costs one root, one division and, where λ is not zero, one logarithm.
   std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const final;
 
   expression::Formulas formulas() const final;
 
-  /// Also for positions outside the body, as far as the motion is invertible there; std::domain_error beyond.
+  /// Also takes positions outside the body, as far as the motion is invertible there. Throws std::domain_error beyond.
   Vec<D> reference_point(const Vec<D>& x, double t) const final;
 
  private:
@@ -49,7 +49,7 @@ class Radial : public ManufacturedSolution<D> {
   template <class N>
   static N J(const N& F_RR, const N& F_tt);  ///< det F, for any scalar type
   template <class N, class S>
-  N b_over_R(const N& R2, const S& T) const;  ///< b/R at radii of these squares where T(t) is T, for scalar types
+  N b_over_R(const N& R2, const S& T) const;  ///< b/R where R² is R2 and T(t) is T, for any scalar types
 
   double A_;
   RadialProfile profile_;

@@ -16,13 +16,13 @@ RadialProfile::RadialProfile(const Radii& radii) : radii_(radii) {
   c1_ = -6 * R_I / (R_O * singular);
 }
 
-double RadialProfile::largest() const {  // at one of the radii, as w is monotonic between them
+double RadialProfile::largest() const {  // |w| is largest at one of the radii, as w is monotonic between them
   return std::max(1.0, std::abs(radii_.inner * over_R(radii_.inner)));
 }
 
 double RadialProfile::steepest() const {
   const double middle = (radii_.inner + radii_.outer) / 2;
-  const double stationary = std::clamp(-c2_ / (2 * c3_), radii_.inner, radii_.outer);  // of w/R
+  const double stationary = std::clamp(-c2_ / (2 * c3_), radii_.inner, radii_.outer);  // of w/R, or the nearer radius
   return std::max({std::abs(slope(middle)), std::abs(over_R(radii_.inner)), std::abs(over_R(radii_.outer)),
                    std::abs(over_R(stationary))});
 }
@@ -30,7 +30,7 @@ double RadialProfile::steepest() const {
 double RadialProfile::reference_radius(double T, double r) const {
   const auto excess = [&](double R) { return R + T * R * over_R(R) - r; };
   double lower = 0,
-         upper = radii_.outer + r;  // enough where 1 + T w' >= 1 outside the body; else it falls to zero there
+         upper = radii_.outer + r;  // enough where 1 + T w' >= 1 outside the body; else 1 + T w' falls to zero there
   if (c3_ * T < 0) {
     const double middle = (radii_.inner + radii_.outer) / 2, half = (radii_.outer - radii_.inner) / 2;
     const double reach = std::sqrt(half * half - 1 / (3 * c3_ * T));

@@ -3,7 +3,8 @@
 
 namespace mpmvv::mms {
 
-/// Inner and outer radius of a ring or shell about the origin, m. Throws std::invalid_argument unless 0 < R_I < R_O.
+/// The inner and outer radius of a ring or shell about the origin, m. The constructor throws std::invalid_argument
+/// unless 0 < R_I < R_O.
 struct Radii {
   Radii(double inner_radius, double outer_radius) : inner(inner_radius), outer(outer_radius) {
     if (!(0 < inner && inner < outer))

@@ -3,7 +3,7 @@
 
 namespace mpmvv::mms {
 
-/// The spherical shell that moves as the ring of W §5.2 does, for any ν: Shell(A, {R_I, R_O}, material).
+/// A spherical shell with the radial motion of the ring of W §5.2, for any ν: Shell(A, {R_I, R_O}, material).
 class Shell final : public Radial<3> {
  public:
   using Radial::Radial;

@@ -9,7 +9,7 @@ namespace mpmvv::mms {
 
 namespace {
 
-/// Points of a solution one by one: every call evaluates the formulas.
+/// Evaluates the formulas of a solution anew for each point and call.
 template <int D>
 class EvaluatedEachTime : public PointwiseSolution<D> {
  public:

@@ -15,21 +15,22 @@ using Vec = Eigen::Matrix<double, D, 1>;
 template <int D>
 using Mat = Eigen::Matrix<double, D, D>;
 
-/// A solution evaluated at fixed reference points, with what many of them share computed once. `ids` name points by
-/// their place in the list given to `ManufacturedSolution::at_points`. Several threads may ask at once.
+/// A solution evaluated at fixed reference points, which computes once what many of them share. `ids` are indices into
+/// the list of points given to `ManufacturedSolution::at_points`. Several threads may call the const members at once.
 template <int D>
 class PointwiseSolution {
  public:
   virtual ~PointwiseSolution() = default;
 
-  /// Computes once what all points share at time t, for the calls of `body_force` at that time; no such call may run
-  /// during this one. Without it, and at other times, `body_force` gives the same numbers but takes longer.
+  /// Computes once what all points share at time t, for calls of `body_force` at that time. No such call may run during
+  /// this one. At a time for which it was not called, `body_force` gives the same numbers but takes longer.
   virtual void prepare(double) {}
   virtual void displacement(double t, std::span<const std::uint32_t> ids, Vec<D>* u) const = 0;
 
-  /// b of the points with these ids, which are at X: one to each id, or none at all where it is not read.
+  /// Writes b of the points with these ids to `b`. X has the reference position of each of them; it may be empty where
+  /// `reads_places` is false.
   virtual void body_force(double t, std::span<const std::uint32_t> ids, std::span<const Vec<D>> X, Vec<D>* b) const = 0;
-  /// Whether `body_force` reads X. Then points need not be looked up by id, wherever in memory that may be.
+  /// Whether `body_force` reads X. It then need not look up points by id, at scattered places in memory.
   virtual bool reads_places() const = 0;
 };
 
@@ -47,18 +48,20 @@ class ManufacturedSolution {
   virtual Mat<D> P(const Vec<D>& X, double t) const = 0;  ///< first Piola-Kirchhoff stress
   virtual Vec<D> b(const Vec<D>& X, double t) const = 0;  ///< body force per mass
 
-  /// P N on a surface of reference unit normal N: force per reference area.
+  /// Returns P N, the force per reference area on a surface with the reference unit normal N.
   Vec<D> traction(const Vec<D>& X, const Vec<D>& N, double t) const { return P(X, t) * N; }
 
   virtual double displacement_scale() const = 0;  ///< the largest |u|, up to a factor of order one
 
-  /// The same at many fixed points, for solutions to override that compute what points share once, or many in lanes.
+  /// Returns this solution at many fixed points. Solutions override it that compute once what points share, or evaluate
+  /// points in lanes.
   virtual std::unique_ptr<PointwiseSolution<D>> at_points(const std::vector<Vec<D>>& X) const;
 
-  /// The same as expressions, as far as there is a closed form.
+  /// Returns the fields as expressions; empty where there is no closed form.
   virtual expression::Formulas formulas() const { return {}; }
 
-  /// X with X + u(X, t) = x, W (A.1); here by Newton's method, std::domain_error when it does not converge.
+  /// Returns the X with X + u(X, t) = x, W (A.1). This default uses Newton's method and throws std::domain_error when
+  /// it does not converge.
   virtual Vec<D> reference_point(const Vec<D>& x, double t) const;
 };
 

@@ -7,12 +7,12 @@
 
 namespace mpmvv::mms {
 
-/// The unit square in plane strain, W §5.1, C² = E/ρ₀:
+/// A motion of the unit square in plane strain, W §5.1, C² = E/ρ₀:
 ///   u_X = A sin πX cos Cπt,   u_Y = A sin πY sin Cπt                                  W (56)
 ///   F_XX = 1 + Aπ cos πX cos Cπt,   F_YY = 1 + Aπ cos πY sin Cπt,   F_ZZ = 1          W (57)
 ///   P_XX = (λK + μ (F_XX² - 1)) / F_XX,   K = ln F_XX F_YY, P_YY alike                W (58)
 ///   b_X = π² u_X/ρ₀ [λ F_XX⁻² (1 - K) + μ (1 + F_XX⁻²) - E], b_Y alike                W (59)
-/// The normal displacement vanishes on all four walls, and tangential motion does not shear.
+/// The normal displacement vanishes on all four walls, and nothing is sheared along them.
 class Square final : public AxisAligned<2> {
  public:
   Square(double amplitude, const Elasticity& material)

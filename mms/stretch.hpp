@@ -8,9 +8,10 @@
 namespace mpmvv::mms {
 
 /// A bar in uniaxial strain at a constant rate of F, N §3.4, for the law N (6):
-///   u_x = rate t X,   v_x = rate X,   a = 0,   F_xx = 1 + rate t = J                the other directions at rest
+///   u_x = rate t X,   v_x = rate X,   a = 0,   F_xx = 1 + rate t = J;               no motion along the other axes
 ///   P_xx = (λ + 2G) (J - 1/J) / 2,   P_yy = P_zz = λ (J² - 1) / 2,   b = 0
-/// In J σ = P Fᵀ these are N's stresses. Held at its ends it has free sides when λ = 0.
+/// With J σ = P Fᵀ these are N's stresses. When λ = 0 the sides are free of stress, so that only the ends have to be
+/// held.
 template <int D>
 class Stretch final : public ManufacturedSolution<D> {
  public:
@@ -47,7 +48,7 @@ class Stretch final : public ManufacturedSolution<D> {
   double scale_;
 };
 
-/// The displacement alone, for any scalar type.
+/// The displacement u_x = rate t X alone, for any scalar type.
 template <std::size_t D>
 struct StretchDisplacement {
   double rate;

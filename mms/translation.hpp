@@ -3,8 +3,8 @@
 
 namespace mpmvv::mms {
 
-/// A body that moves as a whole at a constant velocity: u = V t, v = V, F = I, everything else zero. Across cells a
-/// method keeps it to round-off or has an error of its own there.
+/// A body that moves as a whole at a constant velocity: u = V t, v = V, F = I, everything else zero. A method
+/// either keeps this motion to round-off, or makes an error where particles change cells.
 template <int D>
 class Translation final : public ManufacturedSolution<D> {
  public:

@@ -9,7 +9,7 @@ namespace mpmvv::mms {
 
 namespace {
 
-/// X turned by a quarter: R e_θ from R e_R.
+/// Returns X turned by a quarter turn: R e_θ from R e_R.
 Vec<2> crossed(const Vec<2>& X) {
   return {-X[1], X[0]};
 }
@@ -29,12 +29,12 @@ Vortex::Vortex(double amplitude, const Radii& radii, double period, const Elasti
 
 template <class N>
 Vortex::Profile<N> Vortex::profile(const N& R) const {
-  const double slope = 1 / (radii_.outer - radii_.inner);  // ds/dR: a product by it costs less than a quotient
+  const double slope = 1 / (radii_.outer - radii_.inner);  // ds/dR; to multiply by it costs less than to divide
   const N s = (R - (radii_.inner + radii_.outer) / 2) * slope, root = 1 - 4 * s * s;
   return {root * root, -16 * slope * s * root, -16 * slope * slope * (1 - 12 * s * s)};
 }
 
-/// 2 sin(α/2), the chord, in the direction of e_θ turned by α/2.
+/// Takes u as a chord: it has the length 2 R sin(α/2) and the direction of e_θ turned by α/2.
 template <class N>
 std::array<N, 2> Vortex::displacement(const std::array<N, 2>& X, double G) const {
   using std::cos, std::sin, std::sqrt, mms::cos, mms::sin;
@@ -94,7 +94,7 @@ Vec<2> Vortex::b(const Vec<2>& X, double t) const {
   return {x, y};
 }
 
-/// The radius does not change, so that Q R e_R is x, and b a shorter expression of x than of X.
+/// The radius does not change, so that Q R e_R is x, and b is a shorter expression of x than of X.
 expression::Formulas Vortex::formulas() const {
   const auto t = expression::time();
   const auto G = A_ * sin(rate_ * t), dG = A_ * rate_ * cos(rate_ * t);
@@ -118,7 +118,7 @@ Vec<2> Vortex::reference_point(const Vec<2>& x, double t) const {
   return turned(x, -G(t) * profile(x.norm()).H);
 }
 
-/// Points that share nothing but the time, in lanes.
+/// Evaluates points in lanes. The time is all that they share.
 class Vortex::AtPoints final : public PointwiseSolution<2> {
  public:
   AtPoints(Vortex vortex, std::vector<Vec<2>> X) : vortex_(std::move(vortex)), X_(std::move(X)) {}

@@ -16,11 +16,11 @@ namespace mpmvv::mms {
 /// and keeps its radius. With Q the rotation by α and γ = R ∂α/∂R:
 ///   x = Q X,   F = Q (I + γ e_θ⊗e_R),   P = μ (F - F⁻ᵀ) = μγ Q (e_θ⊗e_R + e_R⊗e_θ)
 ///   b = Q {[R ∂²α/∂t² - μ/ρ₀ (3 ∂α/∂R + R ∂²α/∂R²)] e_θ - R [(∂α/∂t)² - μ/ρ₀ (∂α/∂R)²] e_R}
-/// J = 1 everywhere, so λ ln J of S (46) vanishes with its derivatives and ν acts through μ alone. H and H' vanish at
-/// both radii: the two circles stay at rest, free of traction.
+/// J = 1 everywhere, so λ ln J of S (46) vanishes with its derivatives, and ν acts through μ alone. H and H' vanish at
+/// both radii, so the two circles stay at rest and free of traction.
 class Vortex final : public ManufacturedSolution<2> {
  public:
-  /// amplitude: the largest angle, rad; period: s, half of that of the motion.
+  /// amplitude: the largest angle, rad; period: half of the period of the motion, s.
   Vortex(double amplitude, const Radii& radii, double period, const Elasticity& material);
 
   Vec<2> u(const Vec<2>& X, double t) const override;
@@ -32,7 +32,7 @@ class Vortex final : public ManufacturedSolution<2> {
 
   double displacement_scale() const override { return std::min(std::abs(A_), 2.0) * (radii_.inner + radii_.outer) / 2; }
 
-  /// In lanes, sines and cosines, too.
+  /// Evaluates displacements and body forces in lanes, including their sines and cosines.
   std::unique_ptr<PointwiseSolution<2>> at_points(const std::vector<Vec<2>>& X) const override;
 
   expression::Formulas formulas() const override;
@@ -47,20 +47,21 @@ class Vortex final : public ManufacturedSolution<2> {
     N H, dH, d2H;
   };
 
-  /// H and its derivatives; N, here and below, is any scalar type.
+  /// Returns H and its derivatives. N, here and below, is any scalar type.
   template <class N>
   Profile<N> profile(const N& R) const;
-  /// At radius R where G(t) is G and its derivative dG: b = Q (along R e_R + across R e_θ).
+  /// The parts of b = Q (along R e_R + across R e_θ) at a radius R, and the angle α of Q.
   template <class N>
   struct Parts {
     N along, across, alpha;
   };
+  /// Returns these parts at radius R where G(t) is G and its derivative dG.
   template <class N, class S>
   Parts<N> parts(const N& R, const S& G, const S& dG) const;
-  /// b at X where G(t) is G and its derivative dG.
+  /// Returns b at X where G(t) is G and its derivative dG.
   template <class N>
   std::array<N, 2> b_at(const std::array<N, 2>& X, double G, double dG) const;
-  /// u at X where G(t) is G.
+  /// Returns u at X where G(t) is G.
   template <class N>
   std::array<N, 2> displacement(const std::array<N, 2>& X, double G) const;
 

@@ -8,15 +8,15 @@
 
 namespace mpmvv::mms {
 
-/// A standing wave along x in the unit square, without any body force, that starts undeformed: for small-strain
-/// elasticity P = λ tr ε I + 2G ε,
+/// A standing wave along x in the unit square that starts undeformed and needs no body force. For small-strain
+/// elasticity, P = λ tr ε I + 2G ε,
 ///   u_x = A sin πX sin ωt,   ω = π c,   ρ₀ c² = λ + 2G,   b = 0.
-/// A law of finite strain has ∂P/∂F = (λ + 2G)(1 + 2βε) along x, which feeds the second harmonic q sin 2πX in
-/// resonance,
-///   q'' + 4ω² q = -β A² π³ c² (1 - cos 2ωt)/2,   q = β A² π/8 (1 - cos 2ωt - π c t sin 2ωt)
-/// to leading order; at whole multiples of 1/c that is nothing, and what is of the third order in A counts
-/// (`nonlinear_error`). For S (46), where P = (λ ln F + μ(F² - 1))/F, 2β = -(3λ + 2G)/(λ + 2G). Of such a code no order
-/// can be told near that.
+/// A law of finite strain has ∂P/∂F = (λ + 2G)(1 + 2βε) along x. This excites the second harmonic q sin 2πX in
+/// resonance, to leading order
+///   q'' + 4ω² q = -β A² π³ c² (1 - cos 2ωt)/2,   q = -β A² π/8 (1 - cos 2ωt - π c t sin 2ωt).
+/// At whole multiples of 1/c this q is zero, and the difference is of the third order in A (`nonlinear_error`). For
+/// S (46), where P = (λ ln F + μ(F² - 1))/F, 2β = -(3λ + 2G)/(λ + 2G). The order of a code with such a law cannot be
+/// told from errors near this difference.
 class Wave final : public ManufacturedSolution<2> {
  public:
   Wave(double amplitude, const Elasticity& material)
@@ -41,9 +41,10 @@ class Wave final : public ManufacturedSolution<2> {
   double displacement_scale() const override { return std::abs(A_); }
   expression::Formulas formulas() const override;
 
-  /// How far a neo-Hookean body, S (46), moves differently at time t, RMS over the body, at most, m. The second term
-  /// bounds the third order by four times the square of what q can have grown to: no less than the difference, from
-  /// ν = -0.3 to 0.49, up to A = 0.03 and ct = 6, by a solution in 16 harmonics.
+  /// Returns a bound of the distance, RMS over the body, m, between this wave and the motion of a neo-Hookean body,
+  /// S (46), at time t. The first term is |q|. The second bounds the third order by 4 |A| (q_max/A)², where q_max is
+  /// what q can have grown to. Compared with a solution in 16 harmonics, the bound was no less than the difference from
+  /// ν = -0.3 to 0.49, up to A = 0.03 and ct = 6.
   double nonlinear_error(double t) const {
     using std::numbers::pi;
     const double beta = (3 * lambda_ + 2 * mu_) / (2 * (lambda_ + 2 * mu_)), phase = 2 * omega() * t;

@@ -25,7 +25,7 @@ struct TrendKind {
 };
 
 constexpr TrendKind trend_kinds[] = {{Finding::Kind::order, "orders", "observed order", false},
-                                     {Finding::Kind::error, "errors", "error at the finest level", true},
+                                     {Finding::Kind::error, "errors", "error", true},
                                      {Finding::Kind::limit, "limits", "stability limit", false}};
 
 /// A commit, or what another code says of its version; its digest where that would read the same for several.
@@ -49,6 +49,10 @@ Axis version_axis(const History& history) {
   return axis;
 }
 
+bool is_unstable(const std::string& remark) {
+  return remark == to_string(records::Status::unstable);
+}
+
 Curve trend_curve(const Trend& trend, int style, bool log) {
   Curve curve{label(trend), label(trend), style, true, true, true, {}};
   for (std::size_t v = 0; v < trend.numbers.size(); ++v) {
@@ -56,7 +60,7 @@ Curve trend_curve(const Trend& trend, int style, bool log) {
     const bool drawable = std::isfinite(number) && (!log || number > 0);
     const std::string remark = v < trend.remarks.size() ? trend.remarks[v] : "";
     const Mark mark = drawable ? (remark.empty() ? Mark::inside : Mark::outside)
-                               : (remark == to_string(records::Status::unstable) ? Mark::unstable : Mark::absent);
+                               : (is_unstable(remark) ? Mark::unstable : Mark::absent);
     curve.dots.push_back({static_cast<double>(v + 1), number, number, mark});
   }
   return curve;
@@ -76,11 +80,13 @@ void place_marks(Chart& chart) {
       if (dot.mark == Mark::unstable) dot.drawn = chart.y.value(1 - 0.03 - 0.05 * at_x[dot.x]++);
   if (marks(chart, Mark::outside)) chart.caption += " Hollow: a run of the window is unstable or failed.";
   if (marks(chart, Mark::unstable)) chart.caption += " Crosses at the upper edge: unstable.";
+  if (marks(chart, Mark::absent)) chart.caption += " Without a mark: not run, or failed.";
 }
 
-/// Whether the trend has two numbers or more: one number has no course.
+/// Whether the trend has two numbers or more, or one and an unstable run: one number alone has no course.
 bool has_course(const Trend& trend) {
-  return std::ranges::count_if(trend.numbers, [](double number) { return std::isfinite(number); }) >= 2;
+  const auto numbers = std::ranges::count_if(trend.numbers, [](double number) { return std::isfinite(number); });
+  return numbers >= 2 || (numbers == 1 && std::ranges::any_of(trend.remarks, is_unstable));
 }
 
 /// What a name says around the series between their first and last quote: "error of '" and "' in l2".

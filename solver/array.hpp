@@ -8,9 +8,9 @@
 
 namespace mpmvv::solver {
 
-/// Memory of an array. Where it fills huge pages (2 MiB) they are asked for: a sweep over large arrays then misses the
-/// TLB, where the processor keeps the translation of addresses, less often. The system gives them if
-/// /sys/kernel/mm/transparent_hugepage/enabled says `madvise` or `always`.
+/// An allocator that asks the system for huge pages (2 MiB) where an array fills at least one: a sweep over large
+/// arrays then misses the TLB, where the processor keeps the translation of addresses, less often. The system grants
+/// them if /sys/kernel/mm/transparent_hugepage/enabled says `madvise` or `always`.
 template <class T>
 struct HugePages {
   using value_type = T;
@@ -41,7 +41,7 @@ struct HugePages {
   }
 };
 
-/// A std::vector in such memory: a field's value for each particle or node.
+/// A std::vector with this allocator: holds a field's value for each particle or node.
 template <class T>
 using Array = std::vector<T, HugePages<T>>;
 

@@ -8,10 +8,10 @@ namespace mpmvv::solver {
 /// How F follows the velocity gradient L through a step.
 enum class Deformation {
   linear,      ///< F' = (I + Δt L) F       S (7), (8), W (11)
-  exponential  ///< F' = exp(Δt L) F        N table 1, task 5: a rigid rotation stays one, a trace of zero keeps J
+  exponential  ///< F' = exp(Δt L) F        N table 1, task 5: keeps rigid rotations rigid, and J where tr L = 0
 };
 
-/// The c_j of A^D = Σ_{j<D} c_j A^j, by the theorem of Cayley and Hamilton.
+/// Returns the coefficients c_j of A^D = Σ_{j<D} c_j A^j, by the theorem of Cayley and Hamilton.
 template <class Number, int D>
 std::array<Number, D> characteristic(const Eigen::Matrix<Number, D, D>& A) {
   const auto minor = [&A](int i, int j) { return A(i, i) * A(j, j) - A(i, j) * A(j, i); };
@@ -23,8 +23,8 @@ std::array<Number, D> characteristic(const Eigen::Matrix<Number, D, D>& A) {
     return {A.determinant(), -(minor(0, 1) + minor(0, 2) + minor(1, 2)), A(0, 0) + A(1, 1) + A(2, 2)};
 }
 
-/// exp(A) - I by twelve terms, Horner's scheme on the multiples of I, A and A² that powers come down to: the rest,
-/// |A|¹³/13!, is round-off up to |A| = 0.4, and 2e-13 at 0.6.
+/// Returns exp(A) - I, summed to twelve terms. Every power of A is a sum of multiples of I, A and A², and Horner's
+/// scheme works on these multiples alone. The remainder, |A|¹³/13!, is round-off up to |A| = 0.4, and 2e-13 at 0.6.
 template <class Number, int D>
 [[gnu::noinline, gnu::flatten]] Eigen::Matrix<Number, D, D> exponential_less_identity(
     const Eigen::Matrix<Number, D, D>& A) {
@@ -46,12 +46,13 @@ template <class Number, int D>
   return sum;
 }
 
-/// A step of F, of a length of its own.
+/// The update of F over a time `dt`, which may be a part of the time step.
 struct DeformationStep {
   double dt;
   Deformation rule = Deformation::linear;
 
-  /// F' by the rule `that`, which the caller has found `rule` to be: known to the compiler, it costs no branch.
+  /// Returns F' by the rule `that`. The caller has checked that `rule` is `that`: as a template parameter it costs no
+  /// branch.
   template <Deformation that, class Matrix>
   [[gnu::always_inline]] Matrix by(const Matrix& F, const Matrix& L) const {
     Matrix increment = dt * L;

@@ -2,7 +2,7 @@
 
 namespace mpmvv::solver {
 
-/// Why a run has blown up. Bits, since several particles can fail in one sweep.
+/// Why a run has blown up. The values are bits, since several particles can fail in one sweep.
 enum class Fault : unsigned { none = 0, outside = 1, outgrown = 2, inverted = 4 };
 
 constexpr Fault operator|(Fault a, Fault b) {

@@ -7,9 +7,9 @@
 
 namespace mpmvv::solver {
 
-/// The background grid: a Cartesian lattice of cells of width h over the domain, and per direction one line of
-/// degrees of freedom ("nodes"): `inside` of them belong to the domain, `ghost` more lie beyond each face.
-/// Node-centred bases have cells + 1 inside; an open-knot spline of degree q has cells + q and no ghosts.
+/// The background grid: a Cartesian lattice of cells of width h over the domain, and along each axis a line of degrees
+/// of freedom ("nodes"). Of these, `inside` belong to the domain, and `ghost` more lie beyond each face. Node-centred
+/// bases have cells + 1 inside; an open-knot spline of degree q has cells + q and no ghosts.
 template <int D>
 class Grid {
  public:
@@ -36,22 +36,22 @@ class Grid {
   int nodes(int axis) const { return inside_[axis] + 2 * ghost_; }
   std::size_t size() const { return p.size(); }
 
-  /// Storage index of the node `i`, whose ghosts have negative indices or indices from inside(axis) on.
+  /// Returns the storage index of the node with indices `i`, which on ghosts are negative or from inside(axis) on.
   int node(const Index<D>& i) const {
     int n = 0;
     for (int d = 0; d < D; ++d) n += (i[d] + ghost_) * stride_[d];
     return n;
   }
 
-  /// The node at a storage index: the inverse of `node`.
+  /// Returns the indices of the node at a storage index: the inverse of `node`.
   Index<D> index(std::size_t n) const {
     Index<D> i;
     for (int d = 0; d < D; ++d) i[d] = static_cast<int>(n) / stride_[d] % nodes(d) - ghost_;
     return i;
   }
 
-  /// Calls visit(n, m) for every node n whose index along `axis` is i and the node m that differs from it in being on
-  /// the plane `partner`.
+  /// Calls visit(n, m) for every node n whose index along `axis` is i. The node m has the index `partner` along `axis`,
+  /// and the other indices of n.
   template <class Visit>
   void for_plane(int axis, int i, int partner, const Visit& visit) const {
     const int step = stride_[axis];

@@ -12,7 +12,7 @@ namespace mpmvv::solver {
 
 namespace {
 
-/// A block kernel.
+/// A block kernel that adds the couplings by a block's particles to the matrix.
 template <int D>
 struct AddCouplings {
   const Particles<D>& particles;
@@ -58,8 +58,8 @@ bool MassMatrix<D>::assemble(Step<D>& s) {
   return fits_;
 }
 
-/// Puts all couplings of a node, those to earlier lines from the rows there, beside those of the other nodes of its
-/// eight.
+/// Copies all couplings of a node to `couplings_`, side by side with those of the other nodes of its group of eight. M
+/// is symmetric: couplings to nodes on earlier lines come from the rows of these.
 template <int D>
 void MassMatrix<D>::complete(std::size_t n) {
   const double* const row = &rows_[(margin_ + n) * row_size_];
@@ -85,7 +85,7 @@ void MassMatrix<D>::add_block(const Shape& block, const Grid<D>& grid, const Arr
   });
 }
 
-/// m_p N_ip N_jp for each node i of the box, and all j of a line at once.
+/// Adds m_p N_ip N_jp to the row of each node i of the box, for its own line and later ones: all j of a line at once.
 template <int D>
 template <int W>
 void MassMatrix<D>::add_particle(const double* N, double m, std::size_t first, const Grid<D>& grid) {

@@ -10,9 +10,9 @@ namespace mpmvv::solver {
 
 namespace {
 
-/// Whether so many products take less time with the matrix than by sweeps, each of which evaluates stencils anew. With
-/// four particles a cell in the plane one of them takes, in ns,
-///                     a sweep   the matrix   a product with it
+/// Whether this many products take less time with an assembled matrix than by sweeps, each of which evaluates stencils
+/// anew. Time per particle in ns, in the plane with four particles a cell:
+///                     a sweep   assembling   then each product
 ///   W = 3                   9           28                   3
 ///   W = 4                  13           50                   6
 ///   W = 3, domains         29           53                   4

@@ -10,28 +10,29 @@ namespace mpmvv::solver {
 template <int D>
 class Step;
 
-/// The consistent mass matrix SᵀMS of N §2.1 times fields of nodes, many times by the same positions: assembled where
-/// that is worth it, and else by a sweep over the particles each, to them and back.
+/// Multiplies fields of nodes by the consistent mass matrix SᵀMS of N §2.1, many times for the same particle positions.
+/// The matrix is assembled where that saves time. Otherwise each product is a sweep over the particles, which gathers
+/// the field on them and maps it back.
 template <int D>
 class MassProduct {
  public:
   using Field = Array<Padded<D>>;
 
-  /// `most` is how many products there are at most while particles stay where they are: it decides whether assembling
-  /// is worth it.
+  /// `most` is the largest number of products while particles stay where they are. It decides whether the matrix is
+  /// assembled.
   MassProduct(const Step<D>& s, int most);
 
-  /// To be called before the first call of `add` after particles have moved.
+  /// Assembles the matrix, if there is one. To be called before the first call of `add` after particles have moved.
   void prepare(Step<D>& s);
 
-  /// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j
+  /// Adds the product to `field`: φ_i += Σ_p N_ip m_p Σ_j N_jp u_j
   void add(Step<D>& s, const Field& u, Field& field);
 
   bool is_assembled() const { return is_assembled_; }
 
  private:
-  /// In space rows are long and what they couple lies far apart in memory: 73 products took 1.0 to 1.9 times the
-  /// sweeps.
+  /// Whether a matrix may be assembled: not in space, where rows are long and the nodes that they couple lie far apart
+  /// in memory. There 73 products took 1.0 to 1.9 times as long as by sweeps.
   static constexpr bool may_assemble = D < 3;
 
   std::optional<MassMatrix<D>> matrix_;

@@ -12,30 +12,32 @@ namespace mpmvv::solver {
 template <int D>
 class Step;
 
-/// The Material Point Method for its users: made from a scene, advanced step by step, and read. Integrators are written
-/// in `Step` (step.hpp).
+/// The material point method as users of the solver see it: made from a scene, advanced step by step, and read.
+/// Integrators are written with the operations of `Step` (step.hpp).
 template <int D>
 class Mpm {
  public:
-  /// Throws std::invalid_argument on what makes no scene: an unknown integrator, no particles or threads, particles
-  /// without the widths that the basis takes, a wall without a motion.
+  /// Throws std::invalid_argument for a scene that cannot be run: an unknown integrator, no particles, no threads,
+  /// particles without the widths or domains that the basis takes, images that the grid or the boundaries do not share,
+  /// a wall without a motion.
   explicit Mpm(Scene<D> scene);
   ~Mpm();
   Mpm(Mpm&&) noexcept;
 
-  /// Advances by dt. False when the run has blown up: `fault` then says why, the state is of no use, and further steps
-  /// do nothing.
+  /// Advances by dt. Returns false when the run has blown up: `fault` then says why, the state is of no use, and
+  /// further steps do nothing.
   bool step(double dt);
-  /// Advances by so many steps, or until the run blows up; returns how many it took, that one included. As a rule
-  /// faster than one by one, to the same results: the end of a step and the start of the next visit particles together.
+  /// Advances by this number of steps, or until the run blows up. Returns how many steps were taken, including the one
+  /// that blew up. As a rule this is faster than single steps, with the same results: the last sweep of a step and the
+  /// first of the next visit particles together.
   std::int64_t advance(double dt, std::int64_t steps);
   std::string fault() const;
 
-  const Particles<D>& particles() const;        ///< in the order of their places; ids are in that of creation
+  const Particles<D>& particles() const;        ///< sorted by place; `id` is the order of creation
   const Grid<D>& grid() const;                  ///< as the last step or `map_acceleration` has left it
-  const std::array<bool, D>& periodic() const;  ///< by axis
+  const std::array<bool, D>& periodic() const;  ///< whether each axis is periodic
   double time() const;
-  std::int64_t steps() const;  ///< finished ones
+  std::int64_t steps() const;  ///< number of finished steps
 
   // Sums over the particles and the scene's images of them.
   double mass() const;            ///< Σ m_p
@@ -44,11 +46,11 @@ class Mpm {
 
   Mat<D> stress(std::size_t p) const;  ///< Cauchy stress of a particle
 
-  /// Maps the particles as they are now: the grid then holds m_i and a_i = f_i/m_i, constrained, of this very time,
-  /// where a step leaves those of its start.
+  /// Maps the particles in their current state: the grid then holds m_i and a_i = f_i/m_i, constrained, of the current
+  /// time. A step leaves on the grid those of its start.
   void map_acceleration();
-  Vec<D> node_position(std::size_t n) const;  ///< of the node at a storage index
-  bool is_accelerated(std::size_t n) const;   ///< whether its mass exceeds the scene's `mass_cutoff`
+  Vec<D> node_position(std::size_t n) const;  ///< position of the node at a storage index
+  bool is_accelerated(std::size_t n) const;   ///< whether the mass of a node exceeds the scene's `mass_cutoff`
 
  private:
   double with_images(double sum) const;

@@ -10,7 +10,7 @@
 
 namespace mpmvv::solver {
 
-/// What a step advances.
+/// The fields that a step advances: position, velocity and deformation gradient.
 template <int D>
 struct Motion {
   Array<Vec<D>> x, v;
@@ -37,22 +37,22 @@ struct Particles {
 
   Array<ThermalState> thermal;  ///< for materials with a history
 
-  Array<Vec<D>> rate;  ///< of position within a step, for those that end with a velocity mapped anew
+  Array<Vec<D>> rate;  ///< (x' - x)/Δt of the step, for integrators that move particles after mapping a velocity anew
 
   struct {
     Motion<D> start;  ///< at the start of the step
-    Motion<D> sum;    ///< that and the weighted rates of the stages so far
-  } stages;           ///< for integrators that have some
+    Motion<D> sum;    ///< `start` plus the weighted rates of the stages so far
+  } stages;           ///< for integrators that have stages
 
   std::size_t size() const { return x.size(); }
 
-  /// Makes room in every field but the widths and edges.
+  /// Resizes the fields that every scheme has (id, x, v, F, m, V0) and numbers the particles in `id`.
   void resize(std::size_t n) {
     id.resize(n), x.resize(n), v.resize(n), F.resize(n), m.resize(n), V0.resize(n);
     std::iota(id.begin(), id.end(), 0U);
   }
 
-  /// Widths and edges that follow the deformation, of the particles from `begin` to before `end`.
+  /// Updates widths and edges that follow the deformation, of the particles from `begin` to before `end`.
   void update_widths(std::size_t begin, std::size_t end) {
     if (!l0.empty())
       for (std::size_t p = begin; p < end; ++p) l[p] = l0[p].cwiseProduct(F[p].diagonal());
@@ -60,12 +60,13 @@ struct Particles {
       for (std::size_t p = begin; p < end; ++p) R[p].noalias() = F[p] * R0[p];
   }
 
-  /// The current state becomes both fields of `stages`.
+  /// Copies the current state to both fields of `stages`.
   void start_stages() {
     for (Motion<D>* motion : {&stages.start, &stages.sum}) motion->x = x, motion->v = v, motion->F = F;
   }
 
-  /// Reorders every field that is in use: new k = old order[k].
+  /// Reorders every field that is in use: new k = old order[k]. Leaves out `rate`, which is only read in the step that
+  /// has set it.
   void permute(const Array<std::uint32_t>& order, ThreadPool& pool) {
     const auto reorder = [&](auto& sorted, auto&... fields) { (permute(fields, order, pool, sorted), ...); };
     auto& [start, sum] = stages;
@@ -93,7 +94,7 @@ struct Particles {
     Array<Vec<D>> vectors;
     Array<Mat<D>> matrices;
     Array<ThermalState> states;
-  } spare_;  ///< what fields are sorted into, kept: new memory takes the system longer than the sort
+  } spare_;  ///< arrays that fields are sorted into. They are kept: new memory takes the system longer than the sort
 };
 
 }  // namespace mpmvv::solver

@@ -22,12 +22,12 @@ enum class BodyForceOn {
   grid        ///< f_i = m_i b(x_i)
 };
 
-/// How walls hold velocities found by the expanded inverse, N §2.4.
+/// Which velocities faces and walls hold where the expanded inverse is applied, N §2.4.
 enum class WallMethod {
-  velocity,    ///< those found
-  lumped,      ///< those that the expansion starts from
+  velocity,    ///< those that come out of the expansion
+  lumped,      ///< the lumped ones that the expansion starts from
   combined,    ///< both
-  elimination  ///< throughout: the expansion is that of the matrix without the nodes held
+  elimination  ///< both, and every term between: the expansion is that of the matrix without the nodes held
 };
 
 /// Everything a run is made from. Faces are ordered xmin, xmax, ymin, ...
@@ -40,24 +40,25 @@ struct Scene {
   AnyBasis basis;
   AnyMaterial material;
   std::array<AnyBoundary, 2 * D> boundary;
-  Images images = Images::none;        ///< of the particles, which make the body with them
+  Images images = Images::none;        ///< how their images continue the particles to the whole body
   BodyForce<D>* body_force = nullptr;  ///< none when null; must outlive the run
   BodyForceOn body_force_on = BodyForceOn::particles;
   const SurfaceLoad<D>* surface_load = nullptr;  ///< none when null; must outlive the run
   bool difference_acceleration = false;          ///< wall acceleration by S (30) instead of zero
-  bool half_start = false;                       ///< the first grid acceleration halved, W §4
+  bool half_start = false;                       ///< halves the first grid acceleration, W §4
   std::string_view integrator = "usl";
   AnyVelocityUpdate velocity_update;
   Deformation deformation = Deformation::linear;
   WallMethod wall_method = WallMethod::combined;
   int threads = 1;
-  /// A node is accelerated when its mass exceeds this fraction of a full cell's (the mean particle mass density times
-  /// h^D), by default `mass_cutoff_of` the basis; every node with mass has a velocity. Up to 1e-10 it does not decide a
-  /// result where the motion meets the walls squarely (tests show it). GIMP sheared along a symmetry wall does depend
-  /// on it: a particle that overlaps the wall by e gives a ghost node a mass of order e² and a shear force of order e.
-  /// With CPDI both are of order e, and the cutoff changes results in proportion to itself.
+  /// A node has an acceleration if its mass exceeds this fraction of a full cell's mass (the mean mass density of the
+  /// particles at rest times h^D). The default is `mass_cutoff_of` the basis. Every node with mass has a velocity. Up
+  /// to 1e-10 the cutoff does not change a result where the motion does not shear the body along walls (tests show it).
+  /// Where a body is sheared along a symmetry wall, results of GIMP depend on it: a particle that overlaps the wall by
+  /// e cells gives a ghost node a mass of order e² and a shear force of order e. With CPDI both are of order e, and
+  /// results change in proportion to the cutoff.
   std::optional<double> mass_cutoff;
-  std::optional<ConsistentMassSettings> consistent_mass;  ///< lumped when empty
+  std::optional<ConsistentMassSettings> consistent_mass;  ///< lumped mass when empty
 };
 
 }  // namespace mpmvv::solver

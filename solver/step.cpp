@@ -18,9 +18,10 @@ Grid<D> make_grid(const Scene<D>& scene) {
       scene.basis);
 }
 
-/// Whether the grid and the boundaries have these images. On both sides of a plane of the middle they are of one kind;
-/// images that exchange the first two axes ask for the same cells and boundaries along both, turns about the origin. A
-/// wall moves as it will: no other face is its image.
+/// Whether the grid and the boundaries are unchanged by the scene's images. With `middle` the plane y = 0 is in the
+/// middle of the domain, and both faces of that axis have the same kind of boundary. With `diagonal` and
+/// `quarter_turns` the first two axes have the same cells, lower ends and kinds of boundary, and for `quarter_turns`
+/// the origin is in the middle of both. No face that has another as its image may be a wall, which moves on its own.
 template <int D>
 bool are_shared(const Scene<D>& scene) {
   if constexpr (D > 1) {
@@ -57,7 +58,7 @@ Scene<D> validated(Scene<D> scene) {
   return scene;
 }
 
-/// Mean particle mass density times the volume of a cell.
+/// Returns the mean mass density of the particles at rest times the volume of a cell.
 template <int D>
 double full_cell_mass(const Particles<D>& particles, double h) {
   double mass = 0, volume = 0;
@@ -93,7 +94,7 @@ Step<D>::Step(Scene<D> scene)
 template <int D>
 Step<D>::~Step() = default;
 
-/// For the fields that only some schemes have.
+/// Makes room for the fields that only some schemes have.
 template <int D>
 void Step<D>::make_room() {
   const std::size_t n = particles_.size();

@@ -27,20 +27,21 @@ template <int D>
 class ExpandedInverse;
 struct Integrator;
 
-/// What the page of an integrator is written in: sweeps over the particles and operations on the grid, each an equation
-/// or a few. Users of the solver take `Mpm` (mpm.hpp).
+/// The operations with which the page of an integrator is written: sweeps over the particles and operations on the
+/// grid, each of them one equation or a few. Users of the solver take `Mpm` (mpm.hpp).
 ///
-/// Positions and widths change once in a step or a stage of it, last: what is mapped before has the weights of its
-/// start.
+/// Positions and widths change only in the last sweep of a step, or of each stage of a step. All that is mapped before
+/// uses the weights at the start of the step or stage.
 template <int D>
 class Step {
  public:
   using Field = Array<Padded<D>>;
 
-  explicit Step(Scene<D> scene);  ///< throws as `Mpm` does
+  explicit Step(Scene<D> scene);  ///< throws what the constructor of `Mpm` throws
   ~Step();
 
-  /// Makes so many steps, by the integrator's page, or until one finds a fault; returns how many, that one included.
+  /// Makes this number of steps by the integrator's page, or ends with the first that has a fault. Returns how many
+  /// steps were made, including that one.
   std::int64_t advance(double dt, std::int64_t steps = 1);
 
   Particles<D>& particles() {
@@ -49,48 +50,52 @@ class Step {
   }
   Grid<D>& grid() { return grid_; }
   const Grid<D>& grid() const { return grid_; }
-  const Scene<D>& scene() const { return scene_; }  ///< but for its particles
+  const Scene<D>& scene() const { return scene_; }  ///< without its particles, which have moved to `particles`
   const std::array<bool, D>& periodic() const { return periodic_; }
   double time() const { return time_; }
-  void set_time(double t) { time_ = t; }         ///< of the body force, for stages within a step
-  std::int64_t steps() const { return steps_; }  ///< finished ones
+  void set_time(double t) { time_ = t; }         ///< sets the time of body and surface forces, for a stage in a step
+  std::int64_t steps() const { return steps_; }  ///< number of finished steps
   std::int64_t moves() const { return moves_; }  ///< how often particles have moved or been sorted
-  Fault fault() const { return fault_; }         ///< the first one found
-  Vec<D> node_position(std::size_t n) const;     ///< of the node at a storage index
+  Fault fault() const { return fault_; }         ///< the first fault found
+  Vec<D> node_position(std::size_t n) const;     ///< position of the node at a storage index
   bool is_accelerated(std::size_t n) const { return grid_.m(n) > least_mass_; }
 
-  // From particles to the grid; images are summed, those that the boundaries identify among them.
+  // From particles to the grid. These also sum over images, and over nodes that boundaries identify.
   void map_momentum();             ///< m_i, p_i                                    S (1), (2), W (8), (9)
-  void map_momentum_and_forces();  ///< and τ_p = τ(F_p), f_i                       S (3), (4), (16), W (12), (14)
+  void map_momentum_and_forces();  ///< also τ_p = τ(F_p), f_i                      S (3), (4), (16), W (12), (14)
   void deform_and_map_forces(const DeformationStep& deform);  ///< F_p by the grid's v, then τ_p = τ(F_p), f_i
-  /// v_p by the velocity update and the rate at which positions will follow, then m_i, p_i of these.
+  /// Sets v_p by the velocity update, and the rate at which positions will follow. Then maps m_i, p_i of the new v_p.
   void update_velocities_and_map_momentum(double dt);
 
-  // On the grid. With the consistent mass, M̂⁻¹ takes the place of 1/m_i.
+  // On the grid. With the consistent mass, M̂⁻¹ takes the place of 1/m_i. Where velocities are expanded afterwards and
+  // the wall method is `velocity`, v_i and a_i are not constrained here.
   void set_velocity();               ///< v_i = p_i / m_i, constrained                             S (2), W (9)
   void set_stress_velocity();        ///< v_i as the stress updates take it: expanded for `fmpm`   N §2.2
-  void restore_velocity();           ///< v_i = p_i / m_i again, if it has been expanded since
+  void restore_velocity();           ///< v_i = p_i / m_i again, if v_i has been expanded
   void set_acceleration();           ///< a_i = f_i / m_i, constrained unless S (30) will set it   S (5), W (15), W §4
   void advance_velocity(double dt);  ///< v_i += a_i Δt, constrained                               S (6), W (16), S (30)
 
-  // From the grid to particles: the last sweep of a step, after which all is ready for the next. A page changes nothing
-  // on the grid after it (see `sweep_and_settle`).
+  // From the grid to particles: the last sweep of a step, after which particles are ready for the next one. After it a
+  // page must not change the grid (see `sweep_and_settle`).
   void update_particles(double dt);                                          ///< v_p, x_p by the velocity update
-  void update_particles(double dt, const DeformationStep& deform);           ///< and F_p by the grid's v
-  void move_particles_and_deform(double dt, const DeformationStep& deform);  ///< x_p at its rate, F_p by v
+  void update_particles(double dt, const DeformationStep& deform);           ///< also F_p by the grid's v
+  void move_particles_and_deform(double dt, const DeformationStep& deform);  ///< x_p at the rate set before, F_p by v
 
-  /// How F follows the grid's velocity gradient for so long.
+  /// Returns how F follows the grid's velocity gradient over a time dt.
   DeformationStep deformation(double dt) const { return {dt, scene_.deformation}; }
 
-  // What the above is made from, for a page with a sweep of its own.
+  // The parts of which the operations above are made, for pages that write a sweep of their own.
 
-  /// One visit to all particles by these kernels.
+  /// Visits all particles once, with these kernels in turn on each block.
   void sweep(std::initializer_list<AnyKernel<D>> kernels);
 
-  /// The last one of a step or of a stage: by these, then what must be ready for the next. What sets F in a step checks
-  /// it, too: UpdateDeformation, or CheckDeformation beside a kernel of a page's own. It waits until particles are next
-  /// asked for: where they are mapped to p and f then, both are one visit to them. Of the grid its kernels may read v
-  /// and a, which stay until then. p and f are cleared before.
+  /// Makes the last sweep of a step or of a stage: these kernels, then those that update widths and bring particles
+  /// back in through periodic faces. Whatever sets F in a step must also check it. `UpdateDeformation` does so itself;
+  /// a page whose own kernel sets F adds `CheckDeformation`.
+  ///
+  /// The sweep waits until particles are next asked for. If they are mapped to p and f then, both sweeps are one visit
+  /// to the particles. Of the grid the kernels may read only v and a, which stay as they are until then. p and f are
+  /// cleared before the visit.
   template <class... Kernels>
   void sweep_and_settle(const Kernels&... kernels) {
     settle();
@@ -98,31 +103,32 @@ class Step {
     waiting_since_ = steps_;
   }
 
-  /// Calls visit(n) for every node with mass. Those without have no velocity and acceleration but what boundaries hold.
+  /// Calls visit(n) for every node with mass. On nodes without mass velocity and acceleration are zero, except where
+  /// boundaries set them.
   template <class Visit>
   void for_nodes(const Visit& visit) {
     active_nodes_.visit(pool_, visit);
   }
 
-  /// Calls visit(first, end) for each span of such nodes along the storage.
+  /// Calls visit(first, end) for each span of nodes with mass along the storage.
   template <class Visit>
   void for_spans_of_nodes(const Visit& visit) {
     active_nodes_.visit_spans(pool_, visit);
   }
 
   template <class V>
-  void clear(Array<V>& field);  ///< to zero, before particles are mapped to it
-  /// Adds up what images and boundaries identify, after particles have been mapped.
+  void clear(Array<V>& field);  ///< sets a field to zero, before particles are mapped to it
+  /// Adds up the values of nodes that images and boundaries identify, after particles have been mapped.
   template <class V>
   void sum_images(Array<V>& field);
-  void sum_momentum_images();    ///< that of momenta and masses; the masses decide what `for_nodes` visits from then on
-  void constrain(Field& field);  ///< v = C v, where walls stand still
-  void constrain_transposed(Field& field);  ///< f = Cᵀ f
+  void sum_momentum_images();               ///< `sum_images` of p; then `for_nodes` visits the nodes that have mass now
+  void constrain(Field& field);             ///< v = C v: makes a field obey faces, and walls as if these stood still
+  void constrain_transposed(Field& field);  ///< f = Cᵀ f, for forces
 
   // For velocity updates.
-  void expand_velocity();                ///< v_i by the expanded inverse, on a step on which the update does so
-  void expand_inverse(Field& velocity);  ///< velocities by the expanded inverse from lumped ones, as walls have it
-  void hold_expanded(Field& velocity);   ///< makes what comes of it obey the faces, unless the wall method leaves it
+  void expand_velocity();                ///< v_i by the expanded inverse, on steps on which the update expands it
+  void expand_inverse(Field& velocity);  ///< expands lumped velocities, on free nodes alone with `elimination`
+  void hold_expanded(Field& velocity);   ///< holds expanded velocities at faces, unless the wall method is `lumped`
 
  private:
   void make_room();
@@ -158,17 +164,17 @@ class Step {
   std::unique_ptr<ExpandedInverse<D>> expanded_inverse_;
   double least_mass_ = 0;
   double time_ = 0;
-  double dt_ = 0;  ///< of the step under way
+  double dt_ = 0;  ///< length of the current step
   std::int64_t steps_ = 0;
   std::int64_t moves_ = 0;
   bool has_expanded_velocity_ = false;
   WaitingSweep<D> waiting_;
-  std::int64_t waiting_since_ = 0;  ///< finished steps when it was asked for
+  std::int64_t waiting_since_ = 0;  ///< `steps_` when the sweep that waits was asked for
   std::atomic<bool> must_sort_{false};
   Fault fault_ = Fault::none;
-  bool is_late_ = false;        ///< the fault is of the last step, found in this one
-  Array<std::uint32_t> place_;  ///< of the particle with each id, for the surface load
-  std::vector<Vec<D>> load_;    ///< its forces
+  bool is_late_ = false;        ///< whether the fault is of the previous step, and was found in this one
+  Array<std::uint32_t> place_;  ///< index of the particle with each id, for the surface load
+  std::vector<Vec<D>> load_;    ///< forces of the surface load
 };
 
 template <int D>

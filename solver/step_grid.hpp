@@ -29,7 +29,7 @@ void Step<D>::constrain(Field& field) {
   for (const auto& wall : walls_) wall.clear(grid_, field);
 }
 
-/// Makes velocities obey the faces, moving walls among them.
+/// Makes velocities obey the faces and the moving walls.
 template <int D>
 void Step<D>::hold(Field& velocity) {
   constrain(velocity);
@@ -44,7 +44,7 @@ void Step<D>::constrain_transposed(Field& field) {
   for (const auto& wall : walls_) wall.clear(grid_, field);
 }
 
-/// quotient = field / m_i where a node's mass exceeds `least_mass`, else zero.
+/// Sets quotient = field / m_i on nodes whose mass exceeds `least_mass`, and zero on the other nodes with mass.
 template <int D>
 void Step<D>::divide_by_mass(const auto& field, double least_mass, Field& quotient) {
   for_nodes([&](std::size_t n) {
@@ -89,7 +89,8 @@ void Step<D>::advance_velocity(double dt) {
   for (const auto& wall : walls_) wall.set_acceleration(grid_, dt);
 }
 
-/// Whether walls hold lumped velocities and accelerations: always, but for those that are expanded first.
+/// Whether faces and walls hold lumped velocities and accelerations: always, except on a step that expands the grid
+/// velocity with the wall method `velocity`.
 template <int D>
 bool Step<D>::holds_lumped() const {
   return !expanded_inverse_ || !expands_grid_velocity(scene_.velocity_update, steps_) ||
@@ -130,7 +131,7 @@ VelocityFields<D> Step<D>::velocity_fields(double dt) {
   return std::visit([&](const auto& update) { return update.fields(*this, dt); }, scene_.velocity_update);
 }
 
-/// Of nodes that boundaries hold. Moving walls set theirs in any case: MovingWall.
+/// Sets the acceleration of nodes that boundaries hold. Moving walls set theirs in any case, by `MovingWall`.
 template <int D>
 void Step<D>::set_difference_acceleration(double dt) {
   const auto difference = [&](int n, int) {  // a_i = (v_i^{k+1} - v_i^k)/Δt, v^k as mapped                     S (30)

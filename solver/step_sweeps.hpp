@@ -25,9 +25,10 @@ void Step<D>::settle() {
   if (must_sort_.exchange(false)) sort();
 }
 
-/// To p and f, which are clear, by kernels that leave particles as they are: in one visit with the sweep that waits.
-/// Where that finds that particles must be sorted they are, and mapped anew. A material with a history would take that
-/// for another step.
+/// Maps particles to p and f, which have been cleared, in one visit with the sweep that waits, if there is one. If that
+/// sweep finds that particles must be sorted, they are sorted and mapped anew: the kernels must then leave particles as
+/// they are. A material with a history would take the second mapping for another step. With it the sweep that waits is
+/// made first, on its own.
 template <int D>
 void Step<D>::map(std::initializer_list<AnyKernel<D>> kernels) {
   const bool may_map_anew = particles_.thermal.empty();
@@ -75,11 +76,11 @@ void Step<D>::map_momentum_and_forces() {
 
 template <int D>
 void Step<D>::deform_and_map_forces(const DeformationStep& deform) {
-  settle();  // F must not be updated anew
+  settle();  // a mapping anew would update F twice
   map_forces(std::identity{}, EvaluateVelocityGradient<D>{grid_}, UpdateDeformation<D>{particles_, deform});
 }
 
-/// By these kernels, then of stress, then by what `with` makes of that of forces.
+/// Maps f: by the kernels `before`, those of stress and body force, and then the one that `with` makes of `MapForces`.
 template <int D>
 void Step<D>::map_forces(const auto& with, const auto&... before) {
   BodyForce<D>* const force = scene_.body_force_on == BodyForceOn::particles ? scene_.body_force : nullptr;
@@ -113,7 +114,7 @@ void Step<D>::update_particles(double dt) {
     sweep_and_settle(affine, UpdateVelocityAndPosition<D, true>{particles_, grid_, fields, dt});
   else
     sweep_and_settle(affine, UpdateVelocityAndPosition<D, false>{particles_, grid_, fields, dt});
-  if (fields.include(grid_.f)) settle();  // the next mapping clears it first
+  if (fields.include(grid_.f)) settle();  // the next mapping clears f before a sweep that waits
 }
 
 template <int D>
@@ -125,7 +126,7 @@ void Step<D>::update_particles(double dt, const DeformationStep& deform) {
     sweep_and_settle(affine, UpdateParticle<D, true>{particles_, grid_, fields, dt}, deformation);
   else
     sweep_and_settle(affine, UpdateParticle<D, false>{particles_, grid_, fields, dt}, deformation);
-  if (fields.include(grid_.f)) settle();  // the next mapping clears it first
+  if (fields.include(grid_.f)) settle();  // the next mapping clears f before a sweep that waits
 }
 
 template <int D>

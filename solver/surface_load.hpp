@@ -11,13 +11,13 @@ template <int D>
 class SurfaceLoad {
  public:
   struct Part {
-    std::uint32_t particle;  ///< id
-    Vec<D> offset;           ///< of its middle from the particle, at rest
+    std::uint32_t particle;  ///< id of the particle
+    Vec<D> offset;           ///< from the particle to the middle of the part, at rest, m
   };
 
   virtual ~SurfaceLoad() = default;
   virtual std::span<const Part> parts() const = 0;
-  virtual void forces(double t, Vec<D>* f) const = 0;  ///< N, one per part
+  virtual void forces(double t, Vec<D>* f) const = 0;  ///< writes the force on each part, N
 };
 
 }  // namespace mpmvv::solver

@@ -4,10 +4,11 @@
 #include <string_view>
 #include <variant>
 
-/// Names become types by the lists of bases, boundaries, materials and velocity updates, variants all of them.
+/// Turns names into types. The lists of bases, boundaries, materials and velocity updates are variants, each of whose
+/// alternatives has a `word`, its name.
 namespace mpmvv::solver {
 
-/// The words of the alternatives of a variant, in its order.
+/// Returns the words of the alternatives of a variant, in its order.
 template <class... Types>
 constexpr std::array<std::string_view, sizeof...(Types)> words_of(const std::variant<Types...>*) {
   return {Types::word...};
@@ -18,7 +19,7 @@ constexpr auto words() {
   return words_of(static_cast<const Any*>(nullptr));
 }
 
-/// The alternative with this word, default-constructed; false when there is none.
+/// Sets `any` to the alternative with this word, default-constructed. Returns false when there is none.
 template <class Any, std::size_t k = 0>
 bool from_word(std::string_view word, Any& any) {
   if constexpr (k < std::variant_size_v<Any>) {

@@ -1,5 +1,5 @@
 # Run by `cmake -P` with NAME, PROGRAM and FILE: writes to FILE a test of CTest for each suite of a test program, named
-# after both ("solver/Kernels/gimp"). A process for each case would take as long to start as the median case to run.
+# after both ("solver/Kernels"). A process for each case would take as long to start as the median case to run.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests --gtest_filter=-*Nightly.* OUTPUT_VARIABLE list
   COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "\n[^ \n]+[.]( |\n)" suites "\n${list}")

@@ -8,7 +8,7 @@
 
 #include "mms/catalogue.hpp"
 
-/// The C interface over the catalogue: nothing thrown leaves a function.
+/// The C interface to the catalogue. No exception leaves a function.
 
 struct mpmvv_solution {
   template <int D>
@@ -29,13 +29,13 @@ mpmvv_status failed(mpmvv_status status, const std::string& why) {
   return status;
 }
 
-/// What `work` returns, or the status of what it throws.
+/// Returns what `work` returns, or the status for the exception that it throws.
 template <class Work>
 mpmvv_status guarded(const Work& work) noexcept {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    message = "no memory";  // short enough to need none
+    message = "no memory";  // short enough to be stored without an allocation
     return MPMVV_NO_MEMORY;
   } catch (const std::domain_error& error) {
     return failed(MPMVV_NOT_FINITE, error.what());
@@ -46,7 +46,7 @@ mpmvv_status guarded(const Work& work) noexcept {
   }
 }
 
-/// Those of the catalogue; none where there is no memory for it.
+/// Returns the entries of the catalogue, or none where there is no memory for it.
 const std::vector<Entry>& entries() noexcept {
   static const std::vector<Entry> none;
   const std::vector<Entry>* all = &none;
@@ -74,7 +74,8 @@ bool all_finite(const double* numbers, std::size_t count) {
 template <int D>
 using Rows = Eigen::Matrix<double, D, D, D == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
-/// Puts `at(solution, p)`, a vector or matrix of each of n points at X, into `out`.
+/// Calls `at(fields, p)` for each of n points at X. It writes a vector (`rank` 1) or matrix (`rank` 2) into `out`.
+/// Fails where the time, a coordinate or a result is not finite; `what` begins the message.
 template <class At>
 mpmvv_status evaluate(const mpmvv_solution* solution, std::size_t n, const double* X, double t, const double* out,
                       int rank, const char* what, const At& at) {
@@ -120,7 +121,7 @@ mpmvv_status matrices(const mpmvv_solution* solution, std::size_t n, const doubl
   });
 }
 
-/// The solution of a name with these values.
+/// Makes the solution of the entry with the values of `made`.
 void make_fields(const Entry& of, mpmvv_solution& made) {
   std::visit([&]<int D>(Make<D> make) { made.fields = make(made.values); }, of.make);
 }

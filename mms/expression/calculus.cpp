@@ -4,7 +4,7 @@ namespace mpmvv::mms::expression {
 
 namespace {
 
-/// The same operation on other operands.
+/// Returns the same operation on the operands that `replaced` makes of its own.
 Traced redone(const Traced& expression, const auto& replaced) {
   const auto one = [&] { return replaced(expression.operand()); };
   const auto other = [&] { return replaced(expression.right()); };
@@ -27,7 +27,7 @@ Traced redone(const Traced& expression, const auto& replaced) {
   }
 }
 
-/// f' of a function f at x.
+/// Returns f' of a function f at x.
 Traced slope(Operation function, const Traced& x) {
   switch (function) {
     case Operation::sin:

@@ -13,7 +13,7 @@ Variable current(std::size_t d) {
   return static_cast<Variable>(static_cast<std::size_t>(Variable::x) + d);
 }
 
-/// Without the row i and the column j.
+/// Returns the matrix without row i and column j.
 Tensor minor_of(const Tensor& matrix, std::size_t i, std::size_t j) {
   Tensor minor;
   for (std::size_t row = 0; row < matrix.size(); ++row) {
@@ -25,7 +25,7 @@ Tensor minor_of(const Tensor& matrix, std::size_t i, std::size_t j) {
   return minor;
 }
 
-/// By Laplace's formula along the first row.
+/// Uses Laplace's formula along the first row.
 Traced determinant(const Tensor& matrix) {
   if (matrix.empty()) return 1;
   Traced sum = 0;
@@ -34,7 +34,7 @@ Traced determinant(const Tensor& matrix) {
   return sum;
 }
 
-/// By Cramer's rule.
+/// Uses Cramer's rule.
 Tensor inverse(const Tensor& matrix) {
   const Traced whole = determinant(matrix);
   Tensor result(matrix.size(), Vector(matrix.size()));
@@ -44,7 +44,7 @@ Tensor inverse(const Tensor& matrix) {
   return result;
 }
 
-/// The entries of F as variables of their own.
+/// Returns the variable that stands for the entry F_iJ.
 Variable entry(std::size_t i, std::size_t J) {
   return static_cast<Variable>(static_cast<std::size_t>(Variable::F) + 3 * i + J);
 }
@@ -56,7 +56,7 @@ Tensor entries(std::size_t n) {
   return F;
 }
 
-/// Of an expression of the entries.
+/// Returns an expression of the entries of F with the entries of this F in their places.
 Traced with_entries(Traced expression, const Tensor& F) {
   for (std::size_t i = 0; i < F.size(); ++i)
     for (std::size_t J = 0; J < F.size(); ++J) expression = substitute(expression, entry(i, J), F[i][J]);
@@ -76,7 +76,7 @@ Fields motion(const Vector& u, const Vector& b) {
   return fields;
 }
 
-/// Div P_i = Σ ∂P_iJ/∂F_kL ∂F_kL/∂X_J
+/// Uses Div P_i = Σ ∂P_iJ/∂F_kL ∂F_kL/∂X_J.
 Fields motion(const Vector& u, const std::function<Traced(const Tensor&)>& energy, double density) {
   const std::size_t n = u.size();
   Fields fields = motion(u, {});

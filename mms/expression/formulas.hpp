@@ -13,12 +13,13 @@ struct Fields {
   Tensor F = {};
 };
 
-/// Of X and t, of x and t, or neither: where there is a formula that is closed.
+/// The fields of a solution as expressions of X and t (`reference`) and of x and t (`inverse`), each where it has a
+/// closed form.
 struct Formulas {
   std::optional<Fields> reference = {}, inverse = {};
 };
 
-/// The coordinates as they are.
+/// Return the coordinates as expressions: the variables X, Y, Z or x, y, z.
 template <std::size_t D>
 std::array<Traced, D> reference_place() {
   std::array<Traced, D> X;
@@ -40,16 +41,16 @@ Vector vector(const std::array<Traced, D>& components) {
   return {components.begin(), components.end()};
 }
 
-/// From u(X, t): v = ∂u/∂t, F = I + ∂u/∂X.
+/// Derives v = ∂u/∂t and F = I + ∂u/∂X from u(X, t).
 Fields motion(const Vector& u, const Vector& b);
 
-/// From X(x, t): u = x - X, F the inverse of ∂X/∂x, v = -F ∂X/∂t.
+/// Derives u = x - X, F as the inverse of ∂X/∂x, and v = -F ∂X/∂t from X(x, t).
 Fields inverse_motion(const Vector& X, const Vector& b);
 
-/// From u(X, t) and an energy W(F): b = a - Div P/ρ₀ with P = ∂W/∂F, too.
+/// Derives v and F from u(X, t), and with the energy W(F) also b = a - Div P/ρ₀, P = ∂W/∂F.
 Fields motion(const Vector& u, const std::function<Traced(const Tensor& F)>& energy, double density);
 
-/// Of a displacement functor at X and t, for any scalar type.
+/// Evaluates a displacement functor, which takes any scalar type, at the variables X and t.
 template <std::size_t D>
 Vector displacement(const auto& functor) {
   return vector<D>(functor(reference_place<D>(), time()));

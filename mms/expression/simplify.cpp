@@ -2,12 +2,12 @@
 
 #include "mms/expression/traced.hpp"
 
-/// The operators of `Traced`: sums and products in a form in which constants stand in front and meet.
+/// The operators of `Traced`. They simplify: in sums and products constants move to the front, where they are combined.
 namespace mpmvv::mms::expression {
 
 namespace {
 
-/// factor * rest, with the factor a number.
+/// An expression as factor * rest, where the factor is a number.
 struct Scaled {
   double factor;
   Traced rest;
@@ -19,7 +19,7 @@ Scaled scaled(const Traced& a) {
   return {1, a};
 }
 
-/// Base and exponent, 1 where it is no power.
+/// An expression as base and exponent; the exponent is 1 where it is not a power.
 struct Powered {
   Traced base;
   int exponent;
@@ -124,7 +124,7 @@ Traced fabs(const Traced& a) {
   return abs(a);
 }
 Traced pow(const Traced& base, const Traced& exponent) {
-  constexpr double most = 64;  // that is still written as a power
+  constexpr double most = 64;  // the largest exponent of a power; beyond it exp(exponent * log(base)) is used
   const bool is_whole =
       exponent.is_number() && std::abs(exponent.number()) <= most && std::floor(exponent.number()) == exponent.number();
   return is_whole ? Traced::power(base, static_cast<int>(exponent.number())) : exp(exponent * log(base));

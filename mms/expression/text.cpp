@@ -6,14 +6,14 @@ namespace mpmvv::mms::expression {
 
 namespace {
 
-/// What binds a text together: its loosest operator.
+/// How tightly a text binds: as its loosest operator does.
 enum class Binding { sum, product, power, word };
 
 struct Written {
   std::string text;
   Binding binding;
 
-  /// In parentheses where it binds less.
+  /// Returns the text, in parentheses where it binds less tightly than needed.
   std::string binding_at_least(Binding needed) const { return binding < needed ? '(' + text + ')' : text; }
 };
 

@@ -41,7 +41,7 @@ double value_of(Operation function, double x) {
   }
 }
 
-/// A sine or cosine that is not zero only as its argument, a multiple of π/2, is rounded.
+/// Whether this is a sine or cosine that would be zero, if its argument, a multiple of π/2, were not rounded.
 bool is_rounded_zero(Operation function, double x, double value) {
   const bool is_wave = function == Operation::sin || function == Operation::cos;
   return is_wave && std::abs(value) <= std::numeric_limits<double>::epsilon() * std::abs(x);

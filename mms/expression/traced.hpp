@@ -6,22 +6,23 @@
 #include <string>
 #include <vector>
 
-/// Formulas written down by the code that evaluates them: a function template called with this type of number gives its
-/// own expression.
+/// Writes formulas down by running the code that evaluates them: a function template that is called with the number
+/// type `Traced` returns its own expression.
 namespace mpmvv::mms::expression {
 
-/// X, Y, Z are reference coordinates, x, y, z current ones; from F on there are the entries of F, row by row, which
-/// stand in derivations alone.
+/// X, Y, Z are reference coordinates, x, y, z current ones. The values from F on are the entries of F, row by row. They
+/// occur only within derivations.
 enum class Variable { X, Y, Z, x, y, z, t, F };
 
 enum class Operation { number, variable, add, subtract, multiply, divide, power, sin, cos, tan, exp, log, sqrt, abs };
 
-/// An expression that was never one of numbers: a function that branches on a value has no single formula.
+/// Thrown where expressions are compared that are not numbers: a function that branches on a value has no single
+/// formula.
 struct NoFormula : std::domain_error {
   using std::domain_error::domain_error;
 };
 
-/// A number that remembers how it came about. Constants are folded, and what is multiplied by 0 or 1 goes.
+/// A number that remembers the expression it comes from. Constants are folded, and products with 0 or 1 are simplified.
 class Traced {
  public:
   Traced() : Traced(0.0) {}
@@ -31,18 +32,18 @@ class Traced {
   Traced(Variable variable);
 
   Operation operation() const;
-  double number() const;          ///< of a `number`; of a `power` the exponent, a whole number above 1
-  Variable variable() const;      ///< of a `variable`
-  const Traced& operand() const;  ///< of a function, the base of a power, the left one of two
-  const Traced& right() const;    ///< of add, subtract, multiply and divide
+  double number() const;          ///< value of a `number`; exponent of a `power`, a whole number above 1
+  Variable variable() const;      ///< which one a `variable` is
+  const Traced& operand() const;  ///< argument of a function, base of a power, left one of two
+  const Traced& right() const;    ///< the right one of add, subtract, multiply and divide
   bool is_number() const { return operation() == Operation::number; }
   bool is(double value) const { return is_number() && number() == value; }
   std::size_t hash() const;
 
-  bool same_as(const Traced& other) const;  ///< the same expression, word by word
+  bool same_as(const Traced& other) const;  ///< whether both are the same tree of operations
   bool contains(Variable variable) const;
 
-  /// Of an operation with these operands, simplified.
+  /// Return a function of an operand and a power of a base, simplified.
   static Traced of(Operation function, const Traced& operand);
   static Traced power(const Traced& base, int exponent);
 
@@ -81,7 +82,7 @@ Traced abs(const Traced& a);
 Traced fabs(const Traced& a);
 Traced pow(const Traced& base, const Traced& exponent);
 
-// Of numbers alone; NoFormula otherwise.
+// Compare numbers. Throw NoFormula where either is not a number.
 bool operator<(const Traced& a, const Traced& b);
 bool operator>(const Traced& a, const Traced& b);
 bool operator<=(const Traced& a, const Traced& b);
@@ -91,10 +92,10 @@ bool operator==(const Traced& a, const Traced& b);
 using Vector = std::vector<Traced>;
 using Tensor = std::vector<Vector>;  ///< by rows
 
-/// With the variable replaced.
+/// Returns the expression with `value` in the place of the variable.
 Traced substitute(const Traced& expression, Variable variable, const Traced& value);
 
-/// ∂/∂variable
+/// Returns ∂expression/∂variable.
 Traced derivative(const Traced& expression, Variable variable);
 
 }  // namespace mpmvv::mms::expression

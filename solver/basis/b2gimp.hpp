@@ -7,9 +7,9 @@
 
 namespace mpmvv::solver {
 
-/// B2GIMP: quadratic B-splines averaged over the particle's box, of its reference width l <= h, N §2.1. The mean is
-/// exact: the box is cut at the knot inside it, and on either side two Gauss points integrate a quadratic. With l = h
-/// it is the cubic B-spline, whose four nodes it reaches.
+/// B2GIMP: quadratic B-splines averaged over a box of the particle's reference width l <= h, N §2.1. The mean is exact:
+/// the box is cut at the knot inside it, and two Gauss points integrate the quadratic on either side. With l = h the
+/// mean is the cubic B-spline; the basis therefore has four nodes.
 struct B2Gimp {
   static constexpr std::string_view word = "b2gimp";
   static constexpr int support = 4;
@@ -21,7 +21,7 @@ struct B2Gimp {
 
   int evaluate(const AxisPoint& at, double* N, double* dN) const {
     const double cell = std::floor(at.xi), knot = cell + 0.5;
-    const double cut = std::clamp((knot - at.xi) / at.width, -0.5, 0.5);  // from the particle, in widths
+    const double cut = std::clamp((knot - at.xi) / at.width, -0.5, 0.5);  // distance from the particle, in widths
     std::fill_n(N, support, 0.0);
     std::fill_n(dN, support, 0.0);
     add_share(-0.5, cut, at, knot - 1, N, dN);
@@ -30,8 +30,8 @@ struct B2Gimp {
   }
 
  private:
-  /// Adds the means of N and dN, times the box's share, over its part between these widths from the particle, which
-  /// lies on the span that begins at `knot`.
+  /// Adds the contribution of one part of the box to the means N and dN. The part lies between `from` and `to`, in
+  /// widths from the particle, on the span that begins at `knot`.
   static void add_share(double from, double to, const AxisPoint& at, double knot, double* N, double* dN) {
     const double share = to - from;
     const double middle = at.xi - knot + 0.5 * (from + to) * at.width, half = 0.5 * share * at.width;

@@ -30,10 +30,11 @@ inline ParticleWidth width_of(const AnyBasis& basis) {
   return std::visit([]<class B>(const B&) { return B::width; }, basis);
 }
 
-/// The mass, as a fraction of a full cell's, up to which a node has no acceleration: the force on it is then lost to
-/// the body's momentum. A particle whose support overlaps a node by e cells gives it a mass of order e² and a force of
-/// order e, or of higher powers, by which at most 1e-8 of a force is lost and that seldom. The hats' mass is of order e
-/// and their force of order one: they say another, well above the round-off of a position.
+/// Returns the mass, as a fraction of a full cell's, up to which a node has no acceleration. The force on such a node
+/// is lost to the body's momentum. A particle whose support overlaps a node by e cells gives the node a mass of order
+/// e² and a force of order e, or of higher powers. So the cutoff loses at most 1e-8 of a force, and that seldom. Hats
+/// give a mass of order e and a force of order one. A basis of hats therefore has its own `mass_cutoff`, well above the
+/// round-off of a position.
 inline double mass_cutoff_of(const AnyBasis& basis) {
   return std::visit(
       []<class B>(const B&) {

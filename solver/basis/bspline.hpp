@@ -5,7 +5,8 @@
 
 namespace mpmvv::solver {
 
-/// The quadratic pieces on one knot span, t in [0, 1] from its left knot: S (21) about the middle node.
+/// Evaluates the three quadratic B-splines that do not vanish on a knot span, and their slopes, at t in [0, 1] from the
+/// left knot: S (21), seen from the middle one of the three nodes.
 inline void quadratic_pieces(double t, double* N, double* dN) {
   N[0] = 0.5 * (1 - t) * (1 - t);
   N[1] = 0.75 - (t - 0.5) * (t - 0.5);
@@ -15,7 +16,8 @@ inline void quadratic_pieces(double t, double* N, double* dN) {
   dN[2] = t;
 }
 
-/// The cubic pieces on one knot span, t in [0, 1] from its left knot.
+/// Evaluates the four cubic B-splines that do not vanish on a knot span, and their slopes, at t in [0, 1] from the left
+/// knot.
 inline void cubic_pieces(double t, double* N, double* dN) {
   const double s = 1 - t, ss = s * s, tt = t * t;
   N[0] = ss * (1. / 6 * s);

@@ -6,9 +6,10 @@
 
 namespace mpmvv::solver {
 
-/// Hats averaged over a box of full width l <= h around the point, S (29) with its gradient. With d the
-/// distance from the nearest node and c its part within ±l/2, the two outer weights are
-/// (l/2 ∓ c)²/2l plus what of d lies beyond the box; this is (29) without its case distinction.
+/// Evaluates hats averaged over a box of full width l <= 1 around the point, and their gradients, S (29); xi and l are
+/// in units of h. Let d be the signed distance from the nearest node, and c this distance clamped to ±l/2. The weights
+/// of the two outer nodes are (l/2 ∓ c)²/2l + max(0, ±(c - d)), with the upper signs for the left node. This is (29)
+/// without its case distinction. Returns the index of the left node.
 inline int gimp_weights(double xi, double l, double* N, double* dN) {
   const double nearest = std::floor(xi + 0.5);
   const double d = xi - nearest;
@@ -24,7 +25,8 @@ inline int gimp_weights(double xi, double l, double* N, double* dN) {
   return static_cast<int>(nearest) - 1;
 }
 
-/// uGIMP: one smoothing length for all particles and all times, free in (0, h]; l = h is the quadratic B-spline.
+/// uGIMP: the box has one width, the smoothing length, for all particles and all times. It may be any length in (0, h];
+/// with h the basis is the quadratic B-spline.
 struct UGimp {
   static constexpr std::string_view word = "ugimp";
   static constexpr int support = 3;

@@ -6,10 +6,11 @@
 
 namespace mpmvv::solver {
 
-/// The `order` B-splines that do not vanish on a knot span, by the recursion of Cox and de Boor, S (22), (23),
-/// on the open uniform knot vector 0, ..., 0, 1, 2, ..., cells, ..., cells: end knots of multiplicity `order`, which
-/// gives cells + order - 1 functions (the text's multiplicity order - 1 does not: docs/misprints.md, M1).
-/// `span` is the cell, first function's index = span. N and dN have `order` entries.
+/// Evaluates the `order` B-splines that do not vanish on a knot span, and their gradients, by the recursion of Cox and
+/// de Boor, S (22), (23). The open uniform knot vector is 0, ..., 0, 1, 2, ..., cells, ..., cells. Its end knots have
+/// multiplicity `order`, which gives cells + order - 1 functions (the text's multiplicity order - 1 does not:
+/// docs/misprints.md, M1). `span` is the index of the cell, and also that of the first function. N and dN have `order`
+/// entries.
 template <int order>
 void cox_de_boor(double xi, int span, int cells, double* N, double* dN) {
   const auto knot = [cells](int i) { return static_cast<double>(std::clamp(i, 0, cells)); };
@@ -30,8 +31,8 @@ void cox_de_boor(double xi, int span, int cells, double* N, double* dN) {
   }
 }
 
-/// B-splines on an open knot vector: no ghosts, one function equals 1 on each face. S §3.2.
-/// Away from the faces they are the uniform pieces.
+/// B-splines on an open knot vector, S §3.2: there are no ghost nodes, and on each face one function equals 1. Away
+/// from the faces they are the uniform B-splines.
 template <int degree>
 struct OpenBSpline {
   static_assert(degree == 2 || degree == 3);
@@ -41,7 +42,7 @@ struct OpenBSpline {
   static constexpr int ghost = 0;
   static constexpr ParticleWidth width = ParticleWidth::none;
 
-  /// The Greville abscissa: the mean of the function's inner knots.
+  /// Returns the Greville abscissa of a function, the mean of its inner knots, in cells.
   static double position(int i, int cells) {
     double sum = 0;
     for (int k = i - degree + 1; k <= i; ++k) sum += std::clamp(k, 0, cells);

@@ -12,7 +12,8 @@ struct Face {
   bool upper;
 };
 
-/// The nodes at and beyond a face: its plane, and per ghost layer the plane and its mirror image inside.
+/// The planes of nodes at and beyond a face, by index along its axis: that of the face itself, and for each ghost layer
+/// that of the layer and its mirror image inside the domain.
 template <int D>
 struct FaceNodes {
   const Grid<D>& grid;
@@ -27,10 +28,10 @@ struct FaceNodes {
 /// What a boundary treatment must offer, on one face.
 ///   word                 its name
 ///   holds                true when it overwrites velocities, so that S (30) has a meaning
-///   sum_images           adds up what belongs together in a field mapped from particles: momentum, mass, force
+///   sum_images           adds up the nodes that it makes one, in a field mapped from particles: momentum, mass, force
 ///   constrain            makes a field of vectors (velocity, acceleration) obey the face
-/// and one that holds velocities
-///   constrain_transposed takes the part of a field of forces that drives what it leaves free
+/// A boundary that holds velocities also offers
+///   constrain_transposed reduces a field of forces to those that drive what it leaves free
 template <class B>
 concept Boundary = requires(const B boundary, Grid<2>& grid, Face face, Array<Padded<3>>& momentum,
                             Array<Padded<2>>& vectors) {

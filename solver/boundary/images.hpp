@@ -8,22 +8,23 @@
 
 namespace mpmvv::solver {
 
-/// How a body goes on beyond the particles that are run, besides at faces: by images that its motion, the grid and the
-/// boundaries share. They leave the third axis as it is.
+/// The images by which a body continues beyond the particles that are run, besides those that boundaries make at faces.
+/// The body's motion, the grid and the boundaries must be unchanged by them. They leave the third axis as it is.
 enum class Images {
   none,
-  middle,        ///< the mirror image at the plane y = 0, in the middle of the domain
-  diagonal,      ///< the mirror image at the plane x = y
-  quarter_turns  ///< three, by quarter turns from x to y about the origin, in the middle of the domain
+  middle,        ///< the mirror image in the plane y = 0, which is in the middle of the domain
+  diagonal,      ///< the mirror image in the plane x = y
+  quarter_turns  ///< three images, by quarter turns from x to y about the origin, the middle of the domain
 };
 
-/// The particles that are run and their images.
+/// Returns how many particles of the body each particle that is run stands for: itself and its images.
 constexpr int count(Images images) {
   return images == Images::none ? 1 : images == Images::quarter_turns ? 4 : 2;
 }
 
-/// A vector with its second component the other way, or with its first two exchanged, after quarter turns the one at
-/// `reversed` the other way. Further components, such as a mass, stay as they are.
+/// Returns the vector with its second component reversed (`middle`), or with its first two exchanged. For
+/// `quarter_turns` the component at `reversed` is reversed afterwards. Further components, such as a mass, stay as they
+/// are.
 template <class V>
 V turned(Images images, V vector, [[maybe_unused]] int reversed) {
   if constexpr (V::SizeAtCompileTime > 1) {
@@ -34,21 +35,21 @@ V turned(Images images, V vector, [[maybe_unused]] int reversed) {
   return vector;
 }
 
-/// The next image of a vector.
+/// Returns the next image of a vector.
 template <class V>
 V next_image(Images images, const V& vector) {
   return turned(images, vector, 0);
 }
 
-/// The one whose next image it is.
+/// Returns the vector whose next image is `vector`.
 template <class V>
 V previous_image(Images images, const V& vector) {
   return turned(images, vector, 1);
 }
 
-/// Gives the nodes that are each other's images, `orbit` in this order, the sum of what particles and their images add:
-/// F_0 = Σ_k g^-k f_k and F_k = g^k F_0, where g leads to the next image. By component: a processor waits where what
-/// was written as single numbers is read as a register of them.
+/// Gives nodes that are each other's images the sum of what particles and their images add. `orbit` has these nodes in
+/// the order of the images: F_0 = Σ_k g^-k f_k and F_k = g^k F_0, where g leads to the next image. Components are added
+/// one by one: a processor has to wait where a register is read from memory that was written as single numbers.
 template <std::size_t count, class T>
 void sum_orbit(Images images, const std::array<T*, count>& orbit) {
   T sum = *orbit.back();
@@ -72,14 +73,14 @@ void sum_over_middle(const Grid<D>& grid, T* nodes) {
     });
 }
 
-/// Adds up a plane of so many nodes along either axis over the mirror images at the diagonal.
+/// Adds up a plane, with the same number of nodes along both axes, over the mirror images at the diagonal.
 template <class T>
 void sum_over_diagonal(int nodes, T* plane) {
   for (int j = 0; j < nodes; ++j)
     for (int i = 0; i <= j; ++i) sum_orbit<2, T>(Images::diagonal, {plane + j * nodes + i, plane + i * nodes + j});
 }
 
-/// Adds up such a plane over its quarter turns. A node in the middle belongs to the quadrant that is gone through.
+/// Adds up such a plane over its quarter turns. The quadrant visited includes the node in the middle, if there is one.
 template <class T>
 void sum_over_quarter_turns(int nodes, T* plane) {
   const auto at = [=](int i, int j) { return plane + j * nodes + i; };

@@ -5,7 +5,7 @@ namespace mpmvv::solver {
 
 /// The body continued by its mirror image. Ghost nodes are added to their images (mass, tangential momentum and
 /// force as they are, normal ones reversed); afterwards the ghosts carry the mirrored field. A node on the plane is its
-/// own image, with the mass that it has within the whole body.
+/// own image, and gets the mass that it has within the whole body.
 struct Mirror {
   static constexpr std::string_view word = "mirror";
   static constexpr bool holds = false;
@@ -29,8 +29,9 @@ struct Mirror {
   void constrain(Grid<D>&, Face, Array<Padded<D>>&) const {}
 
  private:
-  /// What a field's components are multiplied with: all at once, where a change of one of them in place had every node
-  /// wait for memory (6 % of a step of the shell).
+  /// Returns the factors of the components in a mirror image: -1 for the normal one, 1 for the others. All components
+  /// are multiplied at once: when only one was changed in place, every node waited for memory (6 % of a step of the
+  /// shell).
   template <class V>
   static V reversed_along(int normal) {
     V signs = V::Ones();

@@ -22,7 +22,7 @@ struct Symmetry {
                      [&](int ghost, int image) { field[ghost][normal] = -field[image][normal]; });
   }
 
-  /// A normal force on a ghost node is one the other way on its image.
+  /// Adds the normal force on a ghost node, reversed, to that on its image. On the plane the normal force becomes zero.
   template <int D>
   void constrain_transposed(Grid<D>& grid, Face face, Array<Padded<D>>& field) const {
     const FaceNodes<D> nodes{grid, face};

@@ -12,19 +12,19 @@ namespace mpmvv::solver {
 /// Where the velocity gradient at a wall comes from.
 enum class WallGradient {
   zero,
-  given,     ///< by the motion
+  given,     ///< given by the motion
   estimated  ///< from the particles, N (4)
 };
 
-/// A face from which a wall moves through the grid, N §2.5. What it holds changes with time, and so a MovingWall does
-/// it: the face itself holds nothing. How velocities that are expanded obey faces and walls is the scene's
-/// `wall_method`; `lumped` and the others stand in step_grid.hpp.
+/// A face from which a wall moves through the grid, N §2.5. The nodes held change with time, so a MovingWall holds
+/// them, and the face itself holds nothing. Which velocities faces and walls hold where some are expanded is the
+/// scene's `wall_method`, which step_grid.hpp applies.
 struct Wall {
   static constexpr std::string_view word = "wall";
   static constexpr bool holds = false;
 
   const WallMotion* motion = nullptr;  ///< must outlive the run
-  double depth = 1;                    ///< d, in cells
+  double depth = 1;                    ///< d, in cells: how far inside the wall nodes are held
   WallGradient gradient = WallGradient::given;
 
   template <int D, class T>
@@ -33,19 +33,19 @@ struct Wall {
   void constrain(Grid<D>&, Face, Array<Padded<D>>&) const {}
 };
 
-/// A wall in motion. In the direction of its normal alone it holds the nodes that lie at most d cells inside it, and
-/// those with mass outside it (as far as they follow each other without a gap), at
+/// A wall in motion. It holds the planes of nodes that lie at most d cells inside it, and those outside it that have
+/// mass, as far as these follow each other without a gap. It holds only the velocity along its normal, at
 ///   v_i = v_b + ∇v_b (x_i - x_wall),                                                N §2.5
-/// whatever the tangential velocity. Within a step x_wall and ∇v_b are those of t^n, where the weights are taken, and
-/// v_b that of t^n + Δt, to which the held velocity leads: motion at constant rate, v = rate X, is then kept exactly on
-/// the nodes held. N does not say; with all three of t^n + Δt the nodes get velocities that particles there have a step
-/// later.
+/// and leaves tangential ones as they are. Within a step x_wall and ∇v_b are those of t^n, as the weights are, and v_b
+/// is that of t^n + Δt, the time of the velocity that is held. A motion at constant rate, v = rate X, is then kept
+/// exactly on the nodes held. N does not give these times; with all three at t^n + Δt the nodes would get velocities
+/// that particles there have a step later.
 template <int D>
 class MovingWall {
  public:
   using Field = Array<Padded<D>>;
 
-  /// `places` are the coordinates of the grid's planes of nodes across the wall's axis, ghosts included, m.
+  /// `places` are the coordinates along the wall's axis of the planes of nodes across it, ghosts included, m.
   MovingWall(const Wall& wall, Face face, const Grid<D>& grid, std::vector<double> places)
       : wall_(wall),
         face_(face),
@@ -54,7 +54,7 @@ class MovingWall {
         gradient_(grid.size() / static_cast<std::size_t>(grid.nodes(face.axis))),
         squares_(gradient_.size()) {}
 
-  /// To be called at the start of a step.
+  /// Sets where the wall is in the step from t on, and how far inside nodes are held. To be called at the step's start.
   void move(double t, double dt, double h) {
     position_ = wall_.motion->position(t);
     velocity_ = wall_.motion->velocity(t + dt);
@@ -64,8 +64,8 @@ class MovingWall {
     while (is_plane(inmost_ + inward()) && inside(inmost_ + inward()) <= depth) inmost_ += inward();
   }
 
-  /// To be called when masses and velocities v_i = p_i / m_i have been mapped: finds the outmost nodes with mass, and
-  /// the gradients where they are to be estimated.
+  /// Finds the outermost plane of nodes held, and the gradients where they are to be estimated. To be called when
+  /// masses and velocities v_i = p_i / m_i have been mapped.
   void meet(const Grid<D>& grid) {
     const auto is_held = [&](int k) { return is_plane(k) && (inside(k) >= 0 || has_mass(grid, k)); };
     outmost_ = inmost_;
@@ -73,19 +73,20 @@ class MovingWall {
     if (wall_.gradient == WallGradient::estimated) estimate_gradient(grid);
   }
 
-  /// v_i of the nodes held.
+  /// Sets the normal component of v_i on the nodes held.
   void hold(const Grid<D>& grid, Field& velocity) const {
     for_held(grid, [&](int n, double distance, double gradient) {
       velocity[static_cast<std::size_t>(n)][face_.axis] = velocity_ + gradient * distance;
     });
   }
 
-  /// Zero on the nodes held: of what is added to held velocities, and of forces that they do not follow.
+  /// Sets the normal component of a field to zero on the nodes held: for increments of velocities, which these do not
+  /// take, and for forces, which they do not follow.
   void clear(const Grid<D>& grid, Field& field) const {
     for_held(grid, [&](int n, double, double) { field[static_cast<std::size_t>(n)][face_.axis] = 0; });
   }
 
-  /// a_i = (v_i^{n+1} - p_i / m_i) / Δt on the nodes held, N §2.4; the grid's v is v^{n+1}.
+  /// Sets a_i = (v_i^{n+1} - p_i / m_i) / Δt along the normal on the nodes held, N §2.4; the grid's v is v^{n+1}.
   void set_acceleration(Grid<D>& grid, double dt) const {
     for_held(grid, [&](int node, double, double) {
       const auto n = static_cast<std::size_t>(node);
@@ -95,14 +96,15 @@ class MovingWall {
   }
 
  private:
-  static constexpr double round_off = 1e-9;  ///< cells: a node at depth d counts as inside it
+  static constexpr double round_off = 1e-9;  ///< in cells: a node at depth d counts as held
 
   int inward() const { return face_.upper ? -1 : 1; }
   bool is_plane(int k) const { return k >= 0 && k < static_cast<int>(places_.size()); }
   double distance(int k) const { return places_[static_cast<std::size_t>(k)] - position_; }
   double inside(int k) const { return inward() * distance(k); }
 
-  /// Calls visit(n, line) for every node of a plane; the nodes of different planes across from each other share a line.
+  /// Calls visit(n, line) for every node of a plane. Nodes of different planes have the same `line` if they differ only
+  /// along the wall's axis.
   template <class Visit>
   void for_plane(const Grid<D>& grid, int plane, const Visit& visit) const {
     std::size_t line = 0;
@@ -122,8 +124,8 @@ class MovingWall {
     return found;
   }
 
-  /// ∇v_b = Σ Δv Δx / Σ Δx² over the last node that is free and the first one held inside, across the wall from each
-  /// other and where they have mass, Δv = v_i - v_b, Δx = x_i - x_wall                                         N (4)
+  /// Estimates ∇v_b = Σ Δv Δx / Σ Δx² on each line of nodes, over the innermost node held and the free one next to it
+  /// as far as they lie inside the wall and have mass, Δv = v_i - v_b, Δx = x_i - x_wall                       N (4)
   void estimate_gradient(const Grid<D>& grid) {
     std::fill(gradient_.begin(), gradient_.end(), 0.0);
     std::fill(squares_.begin(), squares_.end(), 0.0);
@@ -143,9 +145,9 @@ class MovingWall {
   Face face_;
   int ghost_;
   std::vector<double> places_;
-  std::vector<double> gradient_, squares_;  ///< by line of nodes across the wall: ∇v_b, Σ Δx²
+  std::vector<double> gradient_, squares_;  ///< on each line of nodes along the wall's axis: ∇v_b, Σ Δx²
   double position_ = 0, velocity_ = 0;
-  int inmost_ = -1, outmost_ = -1;  ///< planes held, ghosts counted
+  int inmost_ = -1, outmost_ = -1;  ///< the innermost and outermost plane held, as indices of `places_`
 };
 
 }  // namespace mpmvv::solver

@@ -16,7 +16,7 @@ Integrator cd_integrator();
 Integrator uvf_integrator();
 Integrator rk4_integrator();
 
-/// The one place where integrators are named: add a line here for a new one, beside its declaration.
+/// The one place where integrators are named: add a line here for a new one, and a declaration above.
 std::span<const Integrator> integrators() {
   static const std::array all{usf_integrator(),         //
                               usl_integrator(),         //

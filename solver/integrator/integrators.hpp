@@ -8,8 +8,8 @@ namespace mpmvv::solver {
 template <int D>
 class Step;
 
-/// How a step advances particles and grid, in the order of its equations: a page of sweeps and grid operations, and
-/// what it says of itself.
+/// A time integrator: its word, its page, and its properties. The page is a function that makes a step, as sweeps and
+/// grid operations in the order of the equations.
 struct Integrator {
   template <int D>
   using Page = void (*)(Step<D>&, double dt);
@@ -18,10 +18,10 @@ struct Integrator {
   Page<1> in_1d;
   Page<2> in_2d;
   Page<3> in_3d;
-  bool is_staggered = false;          ///< particle velocities live half a step before the positions
-  bool is_remapped = false;           ///< positions move at a rate that particles keep until the step's last sweep
+  bool is_staggered = false;          ///< particle velocities are half a step behind the positions
+  bool is_remapped = false;           ///< positions move in the step's last sweep, at a rate that particles have kept
   bool is_staged = false;             ///< keeps states of the particles beside the current one
-  bool is_accelerated_first = false;  ///< maps velocities after accelerations: these are no difference of velocities
+  bool is_accelerated_first = false;  ///< finds a_i before v_i: it cannot be a difference of velocities, S (30)
 
   template <int D>
   Page<D> page() const {
@@ -31,10 +31,10 @@ struct Integrator {
   }
 };
 
-/// All of them, by integrators.cpp.
+/// Returns all integrators, listed in integrators.cpp.
 std::span<const Integrator> integrators();
 
-/// Throws std::invalid_argument on a word that is none's.
+/// Returns the integrator with this word. Throws std::invalid_argument when there is none.
 const Integrator& integrator_named(std::string_view word);
 std::vector<std::string_view> integrator_words();
 

@@ -9,18 +9,18 @@ namespace mpmvv::solver {
 
 namespace {
 
-/// The classical Runge-Kutta method of fourth order for MPM as a system of ordinary differential equations. The state
-/// is y = (x_p, v_p, F_p), with l_p = l_p⁰ diag F_p for a basis that follows it; its rates at time t those that
-/// particles find on the grid by the weights at x_p,
+/// The classical Runge-Kutta method of fourth order, for MPM as a system of ordinary differential equations. The state
+/// is y = (x_p, v_p, F_p), with l_p = l_p⁰ diag F_p for a basis whose width follows F. Its rates g at time t are those
+/// that particles find on the grid by the weights at x_p,
 ///   m_i = Σ_p N_ip m_p,   v_i = Σ_p N_ip m_p v_p / m_i,   a_i = f_i(x, F, t) / m_i,   both constrained,
 ///   x_p' = Σ_i N_ip v_i,  v_p' = Σ_i N_ip a_i,            F_p' = (Σ_i v_i ⊗ ∇N_ip) F_p,
 /// which is what every integrator here tends to as Δt -> 0: S (1) to (10) divided by Δt. Then
 ///   k_1 = g(t, y), k_2 = g(t + Δt/2, y + Δt/2 k_1), k_3 = g(t + Δt/2, y + Δt/2 k_2), k_4 = g(t + Δt, y + Δt k_3),
 ///   y += Δt (k_1 + 2 k_2 + 2 k_3 + k_4)/6.
-/// The rates are only as smooth as ∇N: the order is four while no particle crosses a knot of the basis. On a fixed grid
-/// all others are of first order towards this limit, cd too, since they keep the weights of t^n through the step and
-/// let x follow v_i + Δt a_i where the new particle velocities map to v_i + Δt (S⁺S a)_i. In cd these terms are of
-/// order h² Δt, so that it is of second order when the time step is refined with the grid.
+/// The rates are only as smooth as ∇N: the order is four as long as no particle crosses a knot of the basis. On a fixed
+/// grid all other integrators converge to this limit with first order, also cd. They keep the weights of t^n through
+/// the step, and x follows v_i + Δt a_i although the new particle velocities map to v_i + Δt (S⁺S a)_i. In cd these
+/// terms are of order h² Δt, so that it is of second order when the time step is refined with the grid.
 template <int D>
 void rk4(Step<D>& s, double dt) {
   struct Stage {

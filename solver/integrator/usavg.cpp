@@ -5,7 +5,7 @@ namespace mpmvv::solver {
 
 namespace {
 
-/// Up to the grid velocity of the step's end, with the first half of the stress update.
+/// Makes the first half of the stress update, and advances the grid velocity to the end of the step.
 template <int D>
 void deform_half_way_and_advance_grid(Step<D>& s, double dt) {
   s.map_momentum();                                // m_i, p_i
@@ -16,23 +16,26 @@ void deform_half_way_and_advance_grid(Step<D>& s, double dt) {
   s.advance_velocity(dt);                          // v_i⁺ = v_i + Δt a_i
 }
 
-/// Update stress averaged: N's task 5 done in both places, of `usf` and of `usl`, by half the time step each (N §2.3).
-/// With FLIP both gradients belong to the one configuration x_p^n of the step, L = Σ_i v_i ⊗ ∇N_ip(x^n), so that
+/// Update stress averaged, N §2.3: task 5 is done in both places, where `usf` and where `usl` does it, over half the
+/// time step each. With FLIP both gradients are those at the positions x_p^n of the step's start,
+/// L = Σ_i v_i ⊗ ∇N_ip(x^n), so that
 ///   F' = (I + Δt/2 L(v)) F^n,   f = f(F'),   F^{n+1} = (I + Δt/2 L(v⁺)) F',
 ///   F^{n+1} = (I + Δt (L(v) + L(v⁺))/2 + Δt²/4 L(v⁺) L(v)) F^n:
-/// the mean of the updates of usf and usl, and a product of their halves that neither has; its sum over a run is of
-/// first order in Δt. So is what positions, S (10), and the body force, of t^n, bring in as in usf and usl. Energy: usf
-/// keeps it, usl loses it to the part of a that the product S⁺S of both mappings filters out, for v⁺ = v + Δt a where
-/// the new particle velocities map to v + Δt S⁺S a; usavg loses half of that.
+/// the mean of the updates of usf and usl, and a product of their halves that neither has. The sum of this product over
+/// a run is of first order in Δt. So are the errors from positions, S (10), and from the body force, which is that of
+/// t^n; usf and usl have these, too.
+///
+/// Energy: usf keeps it. usl loses it to the part of a that the product S⁺S of both mappings filters out, because
+/// v⁺ = v + Δt a, whereas the new particle velocities map to v + Δt S⁺S a. usavg loses half as much as usl.
 template <int D>
 void usavg(Step<D>& s, double dt) {
   deform_half_way_and_advance_grid(s, dt);
   s.update_particles(dt, s.deformation(dt / 2));  // v_p, x_p; F_p by v⁺
 }
 
-/// Update stress averaged with re-extrapolated momenta, N §2.3: `usavg` but for the velocity of the second half, which
-/// is that of `usl+`. For small motions that is leapfrog in (v, F), half drift, kick, half drift: the energy errors of
-/// usf and usl+, of first order and opposite sign, cancel.
+/// Update stress averaged with re-extrapolated momenta, N §2.3: `usavg`, except that the velocity of the second half is
+/// that of `usl+`. For small motions this is leapfrog in (v, F), half drift, kick, half drift: the energy errors of usf
+/// and usl+, of first order and opposite sign, cancel.
 template <int D>
 void usavg_plus(Step<D>& s, double dt) {
   deform_half_way_and_advance_grid(s, dt);

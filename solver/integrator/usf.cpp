@@ -5,7 +5,7 @@ namespace mpmvv::solver {
 
 namespace {
 
-/// Update stress first: W (8) to (18) in that order; F and stress by the mapped velocity, then the forces.
+/// Update stress first: W (8) to (18) in that order. F and stress follow the mapped velocity, then forces are mapped.
 template <int D>
 void usf(Step<D>& s, double dt) {
   s.map_momentum();                            // m_i, p_i                            W (8), (9)

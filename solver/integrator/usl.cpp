@@ -5,7 +5,7 @@ namespace mpmvv::solver {
 
 namespace {
 
-/// Up to the grid velocity of the step's end.
+/// Advances the grid velocity to the end of the step.
 template <int D>
 void advance_grid(Step<D>& s, double dt) {
   s.map_momentum_and_forces();  // m_i, p_i; τ_p = τ(F_p), f_i         S (1), (3), (4), (16), W (8), (12), (14)
@@ -15,20 +15,20 @@ void advance_grid(Step<D>& s, double dt) {
 }
 
 /// Update stress last: S (1) to (10), W (8), (9), (14) to (19). With particle velocities half a step behind it is `cd`,
-/// the staggered central difference, S (11) to (15), W (40) to (50). N table 1 with its velocity update.
+/// the staggered central difference, S (11) to (15), W (40) to (50). With the scene's velocity update it is N table 1.
 template <int D>
 void usl(Step<D>& s, double dt) {
   advance_grid(s, dt);
   s.update_particles(dt, s.deformation(dt));  // v_p, x_p; F_p by v⁺      S (7) to (10), W (17) to (19)
 }
 
-/// Update stress last with re-extrapolated momenta, N §2.3: the updated momenta are mapped once more, and F follows
-/// what is found there,
+/// Update stress last with re-extrapolated momenta, N §2.3: the updated particle momenta are mapped once more, and F
+/// follows the velocity v̄ of these,
 ///   v_p += Δt Σ_i N_ip a_i,   v̄_i = Σ_p N_ip m_p v_p / m_i,   F_p = (I + Δt Σ_i v̄_i ⊗ ∇N_ip) F_p.
-/// N does not say by which shape functions; Sulsky, Zhou and Schreyer (1995) and Nairn's code keep those of the step's
-/// start, and so does this. Positions follow v⁺, S (10). In N's notation v̄ = v + Δt S⁺S a where v⁺ = v + Δt a: what the
-/// product S⁺S filters out of the acceleration never reaches F. With another velocity update V' and X' are its own, and
-/// v̄ is m⁻¹ p, for `fmpm` m̃_k⁻¹ p, of those V'.
+/// N does not say with which shape functions; Sulsky, Zhou and Schreyer (1995) and Nairn's code keep those of the
+/// step's start, and so does this. Positions follow v⁺, S (10). In N's notation v̄ = v + Δt S⁺S a, whereas
+/// v⁺ = v + Δt a: the part of the acceleration that the product S⁺S filters out never reaches F. Other velocity updates
+/// than FLIP set V' and X' in their own way; v̄ is then m⁻¹ p of those V', or m̃_k⁻¹ p for `fmpm`.
 template <int D>
 void usl_plus(Step<D>& s, double dt) {
   advance_grid(s, dt);

@@ -7,8 +7,8 @@ namespace mpmvv::solver {
 
 namespace {
 
-/// Update velocity first: the central difference with (47) replaced by W (51), the grid velocity mapped anew from the
-/// updated particle velocities.
+/// Update velocity first: the central difference with W (47) replaced by W (51), in which the grid velocity is mapped
+/// anew from the updated particle velocities.
 template <int D>
 void uvf(Step<D>& s, double dt) {
   s.map_momentum_and_forces();  // m_i; τ_p = τ(F_p), f_i                   W (8), (12), (14)

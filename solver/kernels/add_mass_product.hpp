@@ -5,7 +5,8 @@
 
 namespace mpmvv::solver {
 
-/// φ_i += Σ_p N_ip m_p Σ_j N_jp u_j, a node kernel: to the particles, and their momenta back to the nodes.
+/// A node kernel: φ_i += Σ_p N_ip m_p Σ_j N_jp u_j. Gathers u on each particle, and its momentum m_p u_p is mapped back
+/// to the nodes.
 template <int D, class V = Padded<D>>
 struct AddMassProduct {
   const Particles<D>& particles;

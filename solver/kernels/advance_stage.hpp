@@ -7,15 +7,15 @@
 
 namespace mpmvv::solver {
 
-/// A node kernel of `rk4`: adds a stage's rate k to the step's sum and sets the state of the next stage, y = y^n +
-/// `next` k, or, where none follows, that of the step's end, y = y^{n+1}, the sum.
+/// A node kernel of `rk4`. Adds `weight` times the rate k of a stage to the step's sum. Then sets the state of the next
+/// stage, y = y^n + `next` k, or after the last stage that of the step's end, y = y^{n+1}, which is the sum.
 template <int D>
 struct AdvanceStage {
   static constexpr bool uses_gradients = true;
   Particles<D>& particles;
   const Grid<D>& grid;
-  double weight;               ///< s
-  std::optional<double> next;  ///< s
+  double weight;               ///< factor of k in the sum, s
+  std::optional<double> next;  ///< factor of k in the state of the next stage, s; empty for the last stage
 
   [[gnu::always_inline]] void operator()(std::size_t p, const auto& nodes, const auto&) const {
     auto& [start, sum] = particles.stages;

@@ -16,10 +16,11 @@
 #include "solver/stencils/extent.hpp"
 #include "solver/stencils/particle_pack.hpp"
 
-/// Block kernels (stencils/kernel.hpp): stress, body force, the update of F, and what follows a move.
+/// Block kernels (stencils/kernel.hpp): stress, body force, the update of F, moves, and what has to follow a move.
 namespace mpmvv::solver {
 
-/// τ_p = τ(F_p)                                                S (3), W (12); with a history, of Δt since the last time
+/// τ_p = τ(F_p)                                                S (3), W (12)
+/// A material with a history is advanced by `dt`, the time since its last evaluation.
 template <int D>
 struct EvaluateStress {
   Particles<D>& particles;
@@ -54,8 +55,8 @@ struct EvaluateStress {
   }
 };
 
-/// b_p = b(X_p, t), or zero without a body force: kernels for those scenes alone would cost more time to compile than
-/// adding zeros costs to run.
+/// b_p = b(X_p, t), or zero without a body force. Separate kernels for scenes without one would cost more time to
+/// compile than adding zeros costs to run.
 template <int D>
 struct EvaluateBodyForce {
   const Particles<D>& particles;
@@ -91,7 +92,7 @@ struct CheckDeformation {
   }
 };
 
-/// F_p follows L_p; inverted particles are found                S (8), W (11)
+/// Updates F_p by L_p, and finds inverted particles             S (8), W (11)
 template <int D>
 struct UpdateDeformation {
   Particles<D>& particles;
@@ -138,8 +139,8 @@ struct MoveByRate {
   }
 };
 
-/// Brings particles that left through a periodic face back in on the other side, and notes whether one has strayed so
-/// far from its slab that the particles must be sorted. A position that is NaN is a fault of the next sweep.
+/// Brings particles that left through a periodic face back in on the other side. Sets `must_sort` if one has strayed so
+/// far from its slab that the particles must be sorted. A position that is NaN passes here: the next sweep finds it.
 template <int D>
 struct SettlePosition {
   Particles<D>& particles;
@@ -157,7 +158,7 @@ struct SettlePosition {
   }
 
  private:
-  /// Whether one had left.
+  /// Brings particles back in through periodic faces. Returns whether one had left.
   bool wrap(const Block<D>& block, const Grid<D>& grid, const Extent<D>& extent) const {
     bool some = false;
     for (int d = 0; d < D; ++d) {

@@ -7,9 +7,11 @@
 
 namespace mpmvv::solver {
 
-/// f_i += Σ (N_ip + F_p offset · ∇N_ip) force: the weights at the part's middle, continued from its particle's. As
-/// those add up to one and are exact on linear fields, force and moment reach the grid whole; and they do on nodes that
-/// the particle gives mass, where weights of the middle itself would load nodes beyond the body.
+/// Maps the forces on parts of the surface, f_i += Σ (N_ip + F_p offset · ∇N_ip) force. The weights are those at the
+/// particle of each part, extrapolated to the middle of the part. They add up to one and are exact on linear fields, so
+/// force and moment reach the grid whole. They load only nodes that the particle gives mass; the weights at the middle
+/// itself would also load nodes beyond the body. `force` has one entry per part, and `place` the index of the particle
+/// with each id. Returns the faults found at the particles.
 template <int D>
 Fault map_surface_load(const AnyBasis& basis, const SurfaceLoad<D>& load, const Vec<D>* force,
                        const Array<std::uint32_t>& place, const Particles<D>& particles, Grid<D>& grid) {

@@ -10,7 +10,7 @@
 /// Node kernels (stencils/kernel.hpp) that update particles from the grid.
 namespace mpmvv::solver {
 
-/// V' and (X' - X)/Δt of a particle, N table 1, task 4; `v` is S v.
+/// V' and (X' - X)/Δt of a particle, N table 1, task 4. The constructor takes its V, and S v as `v`.
 template <int D>
 struct Advance {
   Vec<D> velocity, rate;
@@ -27,14 +27,14 @@ struct Advance {
       rate += nodes.gather(*fields.drift).template head<D>();
   }
 };
-/// Whether the fields are those of `flip` with positions of first order: most cases have these, and a step of the bar
-/// took 1.2 times as long where every particle asked which there are.
+/// Whether the fields are those of `flip` with positions of first order. Most cases have these, and a step of the bar
+/// took 1.2 times as long when it was asked for every particle which fields there are.
 template <int D>
 bool are_flip(const VelocityFields<D>& fields, const Grid<D>& grid) {
   return fields.acceleration && !fields.velocity && fields.drift == &grid.v && fields.before == 0 && fields.after == 0;
 }
 
-/// Task 4 of N table 1; `v` is S v.
+/// Updates velocity and position, task 4 of N table 1; `v` is S v.
 template <bool is_flip, int D>
 [[gnu::always_inline]] inline void update_velocity_and_position(Particles<D>& particles, const Grid<D>& grid,
                                                                 const VelocityFields<D>& fields, double dt,
@@ -49,7 +49,7 @@ template <bool is_flip, int D>
   }
 }
 
-/// L_p = Σ_i v_i ⊗ ∇N_ip, which F_p follows                    S (7), W (10)
+/// L_p = Σ_i v_i ⊗ ∇N_ip, for the update of F_p                S (7), W (10)
 template <int D>
 struct EvaluateVelocityGradient {
   static constexpr bool uses_gradients = true;
@@ -60,7 +60,7 @@ struct EvaluateVelocityGradient {
   }
 };
 
-/// Velocity and position, task 4 of N table 1, and L_p for task 5: S (7), (9), (10).
+/// Updates velocity and position, task 4 of N table 1, and evaluates L_p for task 5: S (7), (9), (10).
 template <int D, bool is_flip>
 struct UpdateParticle {
   static constexpr bool takes_packs = is_flip;
@@ -77,7 +77,7 @@ struct UpdateParticle {
   }
 };
 
-/// Velocity and position, where F has gone before: task 4 of N table 1, W (17), (18).
+/// Updates velocity and position where F has been updated before: task 4 of N table 1, W (17), (18).
 template <int D, bool is_flip>
 struct UpdateVelocityAndPosition {
   Particles<D>& particles;
@@ -90,7 +90,7 @@ struct UpdateVelocityAndPosition {
   }
 };
 
-/// Velocity, and the rate at which the position will follow in a later sweep of the step.
+/// Updates the velocity, and sets the rate at which a later sweep of the step moves the particle.
 template <int D>
 struct UpdateVelocityAndRate {
   Particles<D>& particles;

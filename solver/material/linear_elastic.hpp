@@ -5,16 +5,17 @@
 
 namespace mpmvv::solver {
 
-/// Linear elasticity for small displacement gradients, N §3.3: P = λ tr ε I + 2 G ε with ε = (F + Fᵀ)/2 - I, taken as
-/// stress per reference area, so that it has a potential and the equation of motion is linear in reference coordinates.
-/// Rotations strain it: they must be small too. In 1D and 2D the missing directions are held.
+/// Linear elasticity for small displacement gradients, N §3.3: P = λ tr ε I + 2 G ε with ε = (F + Fᵀ)/2 - I. P is taken
+/// as stress per reference area, so that it has a potential and the equation of motion is linear in reference
+/// coordinates. Rotations cause strain, so they must be small, too. In 1D and 2D the missing directions are held
+/// (uniaxial strain, plane strain).
 struct LinearElastic {
   static constexpr std::string_view word = "linear-elastic";
 
   double lambda = 0;  ///< first Lamé constant, Pa
   double mu = 0;      ///< shear modulus G, Pa
 
-  /// Kirchhoff stress τ = P Fᵀ; symmetric for a symmetric F alone.
+  /// Kirchhoff stress τ = P Fᵀ. In general it is symmetric only if F is symmetric.
   template <class Scalar, int D>
   Eigen::Matrix<Scalar, D, D> kirchhoff(const Eigen::Matrix<Scalar, D, D>& F) const {
     const auto strain = small_strain(F);

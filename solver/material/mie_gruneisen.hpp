@@ -12,8 +12,8 @@ namespace mpmvv::solver {
 
 /// A solid under shock as a fluid without shear strength, N §3.5: the Mie-Grüneisen equation of state about a linear
 /// Hugoniot U_s = c₀ + S₁ u_p with c₀² = K/ρ₀ and ργ = ρ₀γ₀, in the compression η = 1 - J,
-///   p = K η (1 - γ₀η/2)/(1 - S₁η)² + γ₀ρ₀ e,   linear in η in tension,
-/// and Wilkins' artificial viscosity q = ρ Δx |D_kk| (A₁ c + A₂ Δx |D_kk|) while it is compressed. Energy and
+///   p = K η (1 - γ₀η/2)/(1 - S₁η)² + γ₀ρ₀ e   (in tension K η + γ₀ρ₀ e),
+/// and, while it is being compressed, Wilkins' artificial viscosity q = ρ Δx |D_kk| (A₁ c + A₂ Δx |D_kk|). Energy and
 /// temperature follow adiabatically: ρ₀ de = -(p + q) dJ and C dT = -γ₀ C T dJ - q dJ/ρ₀. No heat is conducted: in the
 /// microseconds of a shock it would spread over a few hundredths of a millimetre.
 struct MieGruneisen {
@@ -25,11 +25,11 @@ struct MieGruneisen {
   double gamma = 0;           ///< γ₀
   double heat_capacity = 1;   ///< C at constant volume, J/(kg K)
   double temperature = 0;     ///< at rest, K
-  double A1 = 0, A2 = 0;      ///< artificial viscosity, linear and quadratic
+  double A1 = 0, A2 = 0;      ///< A₁ and A₂, linear and quadratic coefficients of the artificial viscosity
 
   ThermalState state_at_rest() const { return {.temperature = temperature}; }
 
-  /// p at e = 0, Pa; infinite from the Hugoniot's pole on, which ends a run.
+  /// Returns p at e = 0, Pa. From the Hugoniot's pole η = 1/S₁ on it is infinite, which ends a run.
   double cold_pressure(double eta) const {
     if (eta <= 0) return bulk_modulus * eta;
     const double room = 1 - hugoniot_slope * eta;
@@ -43,19 +43,20 @@ struct MieGruneisen {
            (room * room * room);
   }
 
-  /// c² = (∂p/∂ρ) at constant entropy = J²/ρ₀ (dp/dη + γ₀ p).
+  /// Returns c in m/s, from c² = (∂p/∂ρ) at constant entropy = J²/ρ₀ (dp/dη + γ₀ p). It is zero where c² would be
+  /// negative.
   double wave_speed(const ThermalState& s) const {
     return s.J * std::sqrt(std::max(0.0, (cold_slope(1 - s.J) + gamma * s.pressure) / density));
   }
 
-  /// q of a volume ratio that has fallen by `fall` since the last evaluation, Pa.
+  /// Returns q in Pa, if the volume ratio has fallen by `fall` since the last evaluation; zero if it has not fallen.
   double viscous_pressure(const ThermalState& s, double fall, const StressStep& step) const {
     if (!(fall > 0)) return 0;
     const double J = s.J - 0.5 * fall, width_rate = step.h * fall / (J * step.dt);  // Δx |D_kk|
     return density / J * width_rate * (A1 * wave_speed(s) + A2 * width_rate);
   }
 
-  /// Brings the state to the volume ratio J, by the trapezoidal rule in p.
+  /// Advances the state to the volume ratio J by the trapezoidal rule in p.
   void advance(ThermalState& s, double J, const StressStep& step) const {
     const double fall = s.J - J, q = viscous_pressure(s, fall, step);
     const double cold = cold_pressure(1 - J), heating = gamma * density;
@@ -69,7 +70,7 @@ struct MieGruneisen {
     s.J = J;
   }
 
-  /// Kirchhoff stress τ = -J (p + q) I; the state goes along.
+  /// Returns the Kirchhoff stress τ = -J (p + q) I, and advances the state to J = det F first.
   template <int D>
   Mat<D> kirchhoff(const Mat<D>& F, ThermalState& state, const StressStep& step) const {
     const double J = F.determinant();

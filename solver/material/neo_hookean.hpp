@@ -3,7 +3,7 @@
 
 namespace mpmvv::solver {
 
-/// τ = μ F Fᵀ + s I: the Kirchhoff stress of every neo-Hookean law, which differ in s.
+/// Returns τ = μ F Fᵀ + s I, the Kirchhoff stress of every neo-Hookean law. The laws differ in s.
 template <class Scalar, int D>
 [[gnu::always_inline]] inline Eigen::Matrix<Scalar, D, D> neo_hookean_stress(const Eigen::Matrix<Scalar, D, D>& F,
                                                                              double mu, const Scalar& s) {

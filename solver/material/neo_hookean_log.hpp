@@ -16,7 +16,7 @@ struct NeoHookeanLog {
   double lambda = 0;  ///< first Lamé constant, Pa
   double mu = 0;      ///< shear modulus, Pa
 
-  /// Kirchhoff stress τ = J σ = μ F Fᵀ + (λ ln J - μ) I. No logarithm when λ = 0.
+  /// Kirchhoff stress τ = J σ = μ F Fᵀ + (λ ln J - μ) I. The logarithm is not computed when λ = 0.
   template <class Scalar, int D>
   Eigen::Matrix<Scalar, D, D> kirchhoff(const Eigen::Matrix<Scalar, D, D>& F) const {
     using std::log;

@@ -2,21 +2,21 @@
 
 namespace mpmvv::solver {
 
-/// What a material with a history keeps on each particle, as of the last evaluation of its stress.
+/// The state that each particle of a material with a history keeps, as of the last evaluation of its stress.
 struct ThermalState {
   double J = 1;            ///< volume ratio
-  double pressure = 0;     ///< Pa, without artificial viscosity
-  double viscous = 0;      ///< Pa, artificial
-  double energy = 0;       ///< internal, J/kg, from the reference state on
+  double pressure = 0;     ///< p, without artificial viscosity, Pa
+  double viscous = 0;      ///< q, the artificial viscosity, Pa
+  double energy = 0;       ///< internal energy since the reference state, J/kg
   double temperature = 0;  ///< K
 
   double total_pressure() const { return pressure + viscous; }
 };
 
-/// Over which time and length a stress with a history takes rates.
+/// The time and the length by which the stress of a material with a history computes rates.
 struct StressStep {
-  double dt;  ///< s, since the last evaluation
-  double h;   ///< m, the cell width
+  double dt;  ///< the time step, taken as the time since the last evaluation, s
+  double h;   ///< the cell width, m
 };
 
 template <class Material>

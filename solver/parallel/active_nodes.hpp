@@ -9,8 +9,8 @@
 
 namespace mpmvv::solver {
 
-/// The nodes that have mass, as spans along the storage: all that a step has to visit. They are found and visited by
-/// all threads where there are many.
+/// The nodes that have mass, kept as spans along the storage. They are all that a step has to visit. The threads share
+/// the search for them and the visits, chunk by chunk.
 class ActiveNodes {
  public:
   explicit ActiveNodes(std::size_t nodes) : nodes_(nodes), spans_(count_chunks(nodes)) {
@@ -31,7 +31,7 @@ class ActiveNodes {
     });
   }
 
-  /// Calls visit(n) for each.
+  /// Calls visit(n) for each node with mass.
   template <class Visit>
   void visit(ThreadPool& pool, const Visit& visit) const {
     visit_spans(pool, [visit](std::size_t first, std::size_t end) {
@@ -39,7 +39,7 @@ class ActiveNodes {
     });
   }
 
-  /// Calls visit(first, end) for each span of them.
+  /// Calls visit(first, end) for each span of nodes with mass; `end` is one past the last of them.
   template <class Visit>
   void visit_spans(ThreadPool& pool, const Visit& visit) const {
     pool.run(static_cast<int>(spans_.size()), [&](int task) {
@@ -50,7 +50,7 @@ class ActiveNodes {
  private:
   std::size_t nodes_;
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>>
-      spans_;  ///< of each chunk: the first, past the last
+      spans_;  ///< of each chunk its spans: first node, one past the last
 };
 
 }  // namespace mpmvv::solver

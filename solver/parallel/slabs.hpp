@@ -15,22 +15,25 @@
 
 namespace mpmvv::solver {
 
-/// Whether the kernels of a sweep add to nodes: slabs that share some then have to take turns.
+/// Whether the kernels of a sweep add to nodes. If they do, slabs that share nodes have to take turns.
 enum class Adds { nothing, to_nodes };
 
-/// The domain cut into slabs across its last axis with about as many particles each, and the particles sorted so that
-/// each slab's are contiguous, and in it those that reach the same nodes. A particle may stray one cell out of its slab
-/// before it must be sorted again; slabs are so thick that even then two with one between them share no node. Depends
-/// on the grid, the basis and the particles alone.
+/// Cuts the domain across its last axis into slabs with about equally many particles. Sorts the particles so that those
+/// of a slab are contiguous and, within a slab, those that reach the same nodes. A particle may stray up to one cell
+/// out of its slab before the particles must be sorted again. Slabs are so thick that even then two slabs with another
+/// one between them share no node. The slabs depend on the grid, the basis and the particles alone, not on the number
+/// of threads.
 template <int D>
 class Slabs {
  public:
   static constexpr int most = 32;
 
-  /// Of any slab, in cells; on average they have one more at least. A particle may stray into it by a cell on either
-  /// side and is evaluated up to `reach` cells further in. Between there the first of the `support` nodes that a point
-  /// reaches moves on by one a cell, or by one less in all where an edge is missed by round-off. A basis of less than
-  /// four nodes takes the slabs of one that has four.
+  /// The least thickness of a slab, in cells. Where there are several slabs, they are on average at least one cell
+  /// thicker. Particles of the two neighbours of a slab may stray into it by one cell from either side, and their basis
+  /// is evaluated up to `reach` cells further in. Over the cells between, the first of the `support` nodes that a point
+  /// reaches moves on by one node per cell, or by one node fewer in total where round-off misses an edge. So the
+  /// neighbours share no node if `support` and one more cells lie between. A basis with fewer than four nodes takes the
+  /// slabs of a basis with four.
   template <class B>
   static constexpr int least_thickness = 2 * (1 + solver::reach(B::width)) + std::max(B::support, 4) + 1;
 
@@ -51,8 +54,9 @@ class Slabs {
     return {first_[static_cast<std::size_t>(slab)], first_[static_cast<std::size_t>(slab) + 1]};
   }
 
-  /// Between which positions along the last axis a particle of this slab is near enough to it. The outermost slabs
-  /// have no outer bound.
+  /// Returns the positions along the last axis, in m, between which a particle of this slab may lie before the
+  /// particles must be sorted again: the bounds of the slab and one cell more on either side. The outermost slabs have
+  /// no outer bound.
   std::pair<double, double> reach(int slab, const Grid<D>& grid) const {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     const auto bound = [this, &grid](int s) {
@@ -62,7 +66,8 @@ class Slabs {
             slab + 1 == count() ? unbounded : bound(slab + 1) + grid.h()};
   }
 
-  /// Sorts the particles by bin (the last axis slowest, so by slab), keeping the order of those in one.
+  /// Sorts the particles by bin, keeping the order of those in one bin, and sets the bounds of the slabs. The number of
+  /// a bin changes slowest along the last axis, so the particles are sorted by slab, too.
   void sort(Particles<D>& particles, const Grid<D>& grid, ThreadPool& pool) {
     const std::size_t n = particles.size();
     bin_.resize(n);
@@ -87,9 +92,10 @@ class Slabs {
     return bins;
   }
 
-  /// Sets the bounds where the particles are divided most evenly, with so many bins to a layer.
+  /// Sets the bounds of the slabs where they divide the particles most evenly, as far as the least thickness allows.
+  /// `layer` is the number of bins in a layer.
   void cut(std::size_t layer) {
-    std::vector<std::size_t> before(bounds_.back() + 1);  // particles in the layers before each
+    std::vector<std::size_t> before(bounds_.back() + 1);  // for each layer, how many particles lie before it
     for (const std::uint32_t b : bin_) ++before[b / layer + 1];
     std::partial_sum(before.begin(), before.end(), before.begin());
     for (std::size_t s = 1; s < count_; ++s) {
@@ -105,7 +111,8 @@ class Slabs {
     first_.back() = bin_.size();
   }
 
-  /// Bins are cells, or where the nodes that a particle reaches change half-way between nodes, what lies between there.
+  /// Returns the bin of a position. Bins are cells. If the nodes that a particle reaches change half-way between nodes
+  /// (`changes_between_nodes`), bins are shifted by half a cell, so that they lie between the places of change.
   std::uint32_t bin_of(const Vec<D>& x, const Grid<D>& grid) const {
     std::uint32_t bin = 0;
     for (int d = D - 1; d >= 0; --d) {
@@ -117,18 +124,19 @@ class Slabs {
   }
 
   std::size_t least_thickness_, count_;
-  double offset_;                    ///< of the bins from the cells, in cells
-  Index<D> bins_;                    ///< along each axis
-  std::vector<std::size_t> bounds_;  ///< layer of bins where each slab begins, and the end
-  std::vector<std::size_t> first_;   ///< first particle of each slab, and the end
+  double offset_;                    ///< by how much the bins lie below the cells, in cells
+  Index<D> bins_;                    ///< number of bins along each axis
+  std::vector<std::size_t> bounds_;  ///< the layer of bins where each slab begins, and the number of layers
+  std::vector<std::size_t> first_;   ///< the first particle of each slab, and the number of particles
 
-  Array<std::uint32_t> bin_;          ///< of each particle, before the last sort
-  std::vector<std::uint32_t> place_;  ///< where the next particle of each bin goes
-  Array<std::uint32_t> order_;        ///< of the particles, old ones in their new places
+  Array<std::uint32_t> bin_;          ///< the bin of each particle, in the order before the last sort
+  std::vector<std::uint32_t> place_;  ///< the place where the next particle of each bin goes
+  Array<std::uint32_t> order_;        ///< the old index of the particle in each new place
 };
 
-/// Visits all slabs. Where that adds to nodes, those of one colour, which share none, run at once: the order of
-/// additions on a node does not depend on the number of threads.
+/// Visits all slabs. If the visits add to nodes, the slabs with even numbers run first and those with odd numbers after
+/// them. Slabs of such a colour share no node and may run at once, so the order of additions on a node does not depend
+/// on the number of threads.
 template <int D>
 void for_slabs(Adds adds, const Slabs<D>& slabs, ThreadPool& pool, const Task& visit) {
   const int colours = adds == Adds::to_nodes ? 2 : 1;

@@ -9,11 +9,12 @@
 
 namespace mpmvv::solver {
 
-/// A fixed number of threads that takes numbered tasks, each the next one left. Which thread runs a task never decides
-/// a result: the tasks of one `run` are independent of each other.
+/// A fixed number of threads that carry out numbered tasks: each thread takes the next task that is left. Which thread
+/// runs a task has no influence on the result, because the tasks of one `run` are independent of each other.
 class ThreadPool {
  public:
-  /// Of so many threads, or of fewer where the system grants no more.
+  /// Starts `size` - 1 threads, as the thread that calls `run` takes tasks, too. Starts fewer where the system grants
+  /// no more.
   explicit ThreadPool(int size) {
     for (int t = 1; t < size; ++t) try {
         threads_.emplace_back([this] {
@@ -28,8 +29,8 @@ class ThreadPool {
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  /// Calls task(k) for every k in [0, count); returns when all are done. What a task throws comes out
-  /// of it, of several the one of the least k.
+  /// Calls task(k) for every k in [0, count), and returns when all are done. Rethrows what a task throws; of several,
+  /// that of the least k.
   void run(int count, const Task& task) {
     if (threads_.empty() || count < 2) {
       for (int k = 0; k < count; ++k) task(k);
@@ -45,7 +46,7 @@ class ThreadPool {
   std::vector<std::jthread> threads_;
 };
 
-inline constexpr std::size_t chunk = 16384;  ///< of a range that threads share
+inline constexpr std::size_t chunk = 16384;  ///< elements of a range that a thread takes at a time
 
 constexpr std::size_t count_chunks(std::size_t count) {
   return (count + chunk - 1) / chunk;

@@ -6,10 +6,10 @@
 
 namespace mpmvv::solver {
 
-/// So many numbers, an even number of them, in registers of four and one of two where two are left. For the components
-/// of neighbouring nodes, which lie side by side. Registers of eight, where there are such (AVX-512), took fewer
-/// instructions and no less time, in whole cases 0.97 to 1.09 of it: what is read of nodes straddles what was written
-/// to them just before.
+/// n numbers, n even, in vector registers of four numbers, with one register of two numbers at the end where n is not a
+/// multiple of four. They hold the components of neighbouring nodes, which lie side by side in memory. Registers of
+/// eight numbers, which AVX-512 has, took fewer instructions and no less time, in whole cases 0.97 to 1.09 of it: a
+/// read from nodes then straddles what was written to them shortly before.
 template <int n>
 struct Doubles {
   static_assert(n > 0 && n % 2 == 0);
@@ -30,7 +30,7 @@ struct Doubles {
     rest.store(to + in_front);
   }
 
-  /// The numbers of(first), of(first + 1), ...
+  /// Returns the n numbers of(first), of(first + 1), ...
   template <int first = 0, class Of>
   [[gnu::always_inline]] static Doubles each(const Of& of) {
     const auto front_of = [&of]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
@@ -63,7 +63,7 @@ struct Doubles<0> {
   [[gnu::always_inline]] Doubles& operator+=(const Doubles&) { return *this; }
 };
 
-/// The last two, where their number is no multiple of four.
+/// Returns the last two numbers, where n is not a multiple of four.
 template <int n>
 [[gnu::always_inline]] inline Double2 last_of(const Doubles<n>& all) {
   if constexpr (n == 2)
@@ -72,7 +72,7 @@ template <int n>
     return last_of(all.rest);
 }
 
-/// sum + Σ a b over the registers of a and b that are as wide as it.
+/// Returns sum + Σ a b over the registers of a and b that are as wide as `sum`; a narrower last register is left out.
 template <class Register, int n>
 [[gnu::always_inline]] inline Register add_products(const Register& sum, const Doubles<n>& a, const Doubles<n>& b) {
   if constexpr (n * sizeof(double) >= sizeof(Register))
@@ -81,7 +81,7 @@ template <class Register, int n>
     return sum;
 }
 
-/// Σ a b over the nodes, for each of the C components that a node has side by side.
+/// Returns Σ a b over the nodes, for each of the C components that a node has side by side.
 template <int C, int n>
 [[gnu::always_inline]] inline auto sum_of_products(const Doubles<n>& a, const Doubles<n>& b) {
   const auto sum = add_products(a.front * b.front, a.rest, b.rest);

@@ -7,7 +7,8 @@
 
 namespace mpmvv::solver {
 
-/// A number of each of four particles: a scalar for Eigen, whose vectors and matrices then hold four of theirs.
+/// One number for each of four particles. It is a scalar type for Eigen: a vector or matrix of packs holds the vectors
+/// or matrices of four particles.
 struct Pack {
   Double4 of;
 
@@ -27,17 +28,18 @@ struct Pack {
   [[gnu::always_inline]] Pack& operator*=(const Pack& b) { return of *= b.of, *this; }
 };
 
-/// Whether all are true.
+/// Whether all four entries are true.
 [[gnu::always_inline]] inline bool all(const Mask4& mask) {
   return (mask[0] & mask[1] & mask[2] & mask[3]) != 0;
 }
 
-/// Whether one is true.
+/// Whether at least one of the four entries is true.
 inline bool any(const Mask4& mask) {
   return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 }
 
-/// Each moved into [least, most], a NaN to `least`; true in `strays` for those that had to be moved.
+/// Returns the four numbers, each moved into [least, most], a NaN to `least`. Sets `strays` to true for the numbers
+/// that had to be moved, and leaves its other entries as they are.
 [[gnu::always_inline]] inline Pack confined(const Pack& four, double least, double most, Mask4& strays) {
   const Double4 low = Pack(least).of, high = Pack(most).of;
   const Double4 raised = four.of > low ? four.of : low;
@@ -46,8 +48,9 @@ inline bool any(const Mask4& mask) {
   return Pack(inside);
 }
 
-/// ln x of four x in [1/2, 2]. With f = x - 1 and s = f/(2 + f) it is 2 artanh s = f - s (f - R), where R = 2 (artanh s
-/// - s)/s is s² times the polynomial in s² that is nearest to it on [0, 1/9], to 2^-59 of ln x.
+/// Returns ln x for four x in [1/2, 2]. With f = x - 1 and s = f/(2 + f), ln x = 2 artanh s = f - s (f - R), where R =
+/// 2 (artanh s - s)/s. R is computed as s² times a polynomial in s², the one nearest to R/s² for s² in [0, 1/9]. The
+/// error is at most 2^-59 of ln x.
 [[gnu::always_inline]] inline Double4 log_near_one(const Double4& x) {
   const Double4 f = x - 1., s = f / (f + 2.), z = s * s, w = z * z;
   const Double4 even =
@@ -66,7 +69,7 @@ inline bool any(const Mask4& mask) {
   return result;
 }
 
-/// ln x of four. Determinants of F are most often near one, where the polynomial serves.
+/// Returns ln x for four x. Determinants of F are most often near one, where the polynomial is enough.
 [[gnu::always_inline]] inline Pack log(const Pack& four) {
   if (all((four.of >= 0.5) & (four.of <= 2.))) return Pack(log_near_one(four.of));
   return log_of_any(four);
@@ -78,7 +81,7 @@ using PackVec = Eigen::Matrix<Pack, D, 1>;
 template <int D>
 using PackMat = Eigen::Matrix<Pack, D, D>;
 
-/// Four particles' n numbers each, entry by entry.
+/// Loads the n numbers of each of four particles: packs[k] holds the k-th number of all four.
 template <int n>
 [[gnu::always_inline]] inline void load_packs(const std::array<const double*, 4>& from, Pack* packs) {
   int k = 0;
@@ -88,7 +91,7 @@ template <int n>
   }
   for (; k < n; ++k) packs[k].of = Double4{from[0][k], from[1][k], from[2][k], from[3][k]};
 }
-/// Stores entry by entry what `load_packs` loads.
+/// Stores n packs for four particles: the inverse of `load_packs`.
 template <int n>
 [[gnu::always_inline]] inline void store_packs(const Pack* packs, const std::array<double*, 4>& to) {
   int k = 0;

@@ -2,8 +2,8 @@
 #include "solver/simd/double4.hpp"
 #include "solver/types.hpp"
 
-/// Vectors padded to whole vector registers, as the grid keeps them and the particle loops use them. What the padding
-/// holds does not matter.
+/// Vectors as the grid keeps them and the loops over particles use them: one of three components is padded to four, so
+/// that it fills a vector register. What the padding holds does not matter.
 namespace mpmvv::solver {
 
 template <int N>
@@ -16,7 +16,7 @@ using Padded = Eigen::Matrix<double, padded_size<N>, 1>;
 template <int D>
 using PaddedMat = Eigen::Matrix<double, padded_size<D>, D>;
 
-/// Four components put together in a register, where Eigen would go through memory.
+/// Returns a vector of four components. It is put together in a register, where Eigen would go through memory.
 inline Padded<4> padded_of(double a, double b, double c, double d) {
   const Double4 together{a, b, c, d};
   return Padded<4>::Map(reinterpret_cast<const double*>(&together));
@@ -30,7 +30,7 @@ auto padded(const Vector& vector) {
     return typename Vector::PlainObject(vector);
 }
 
-/// The vector with one more component.
+/// Returns the vector with `last` as one more component.
 template <int D>
 Padded<D + 1> padded(const Vec<D>& vector, double last) {
   if constexpr (D == 1)
@@ -41,7 +41,7 @@ Padded<D + 1> padded(const Vec<D>& vector, double last) {
     return padded_of(vector[0], vector[1], vector[2], last);
 }
 
-/// Zero with one more component.
+/// Returns D zeros, with `last` as one more component.
 template <int D>
 Padded<D + 1> padded_alone(double last) {
   return padded<D>(Vec<D>(Vec<D>::Zero()), last);

@@ -8,14 +8,14 @@
 
 namespace mpmvv::solver {
 
-/// The block of a basis.
+/// The type of block that a basis takes.
 template <int D, class B>
 using BlockOf =
     std::conditional_t<B::width == ParticleWidth::domain, CpdiBlock<D, B::support>, PointBlock<D, B::support>>;
 
 namespace detail {
 
-/// A variant of the types without their repetitions.
+/// Appends to a std::variant those of the types that it does not hold yet, each once.
 template <class Variant, class... Types>
 struct Distinct {
   using type = Variant;
@@ -32,7 +32,8 @@ struct BlocksOf<D, std::variant<B...>> : Distinct<std::variant<>, BlockOf<D, B>.
 
 }  // namespace detail
 
-/// A block of any basis. Bases with the same support share a type, and so all that a sweep does with it.
+/// A block of any basis. Bases of points share one type of block if they have the same support, and so do bases of
+/// domains. The code by which a sweep handles a block is then shared, too.
 template <int D>
 using AnyBlock = typename detail::BlocksOf<D, AnyBasis>::type;
 

@@ -7,8 +7,8 @@
 
 namespace mpmvv::solver {
 
-/// Fewer particles than other blocks have: each has the nodes of 2^D corners, and all of a block should fit in the
-/// nearest cache.
+/// The most particles in a block of particles with domains. In space they are fewer than in other blocks: each particle
+/// has the nodes of 2^D corners, and the whole block should fit in the nearest cache.
 template <int D>
 inline constexpr int cpdi_block_size = std::min(256 >> D, block_size<D>);
 
@@ -16,17 +16,17 @@ inline constexpr int cpdi_block_size = std::min(256 >> D, block_size<D>);
 template <int D, int K>
 struct CpdiBlock : Block<D> {
   static constexpr int corners = CpdiStencil<D, K>::corners;
-  static constexpr int most = cpdi_block_size<D>;  ///< particles
+  static constexpr int most = cpdi_block_size<D>;  ///< the most particles that a block holds
   static_assert(has_room_for_packs(most));
 
   using Block<D>::Block;
 
-  int node[corners][D][most];              ///< first node along each axis
-  int first[corners][most];                ///< its storage index
-  double S[corners][D][K][most];           ///< weights per axis
-  PaddedMat<D> slope[cpdi_block_size<D>];  ///< 2^(1-D) R^-T, per length, where a kernel of the sweep uses gradients
+  int node[corners][D][most];              ///< index along each axis of the first node that a corner reaches
+  int first[corners][most];                ///< storage index of that node
+  double S[corners][D][K][most];           ///< weights S_i(x_c), per axis
+  PaddedMat<D> slope[cpdi_block_size<D>];  ///< 2^(1-D) R^-T, per length, set if a kernel of the sweep uses gradients
 
-  /// Of the k-th particle.
+  /// Returns the stencil of the k-th particle.
   template <bool with_gradients = true>
   CpdiStencil<D, K> stencil(int k, const Grid<D>& grid) const {
     CpdiStencil<D, K> s;

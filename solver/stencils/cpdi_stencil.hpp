@@ -4,25 +4,26 @@
 namespace mpmvv::solver {
 
 /// The nodes of a particle whose domain is a parallelepiped with the columns of R as edges, by convected particle
-/// domain interpolation: Sadeghirad, Brannon and Burghardt, Int. J. Numer. Meth. Engng 86 (2011) 1435, N §2.1. Within
-/// the domain each grid function S_i gives way to the multilinear interpolant of its values at the corners,
-///   x_c = x_p + R s_c/2, s_c in {-1, 1}^D,
-/// whose mean, and the mean of whose gradient, are the particle's,
+/// domain interpolation: Sadeghirad, Brannon and Burghardt, Int. J. Numer. Meth. Engng 86 (2011) 1435, N §2.1. In the
+/// domain each grid function S_i is replaced by the multilinear interpolant of its values at the corners,
+///   x_c = x_p + R s_c/2, s_c in {-1, 1}^D.
+/// The particle takes the mean of the interpolant, and the mean of its gradient,
 ///   N_ip = 2^-D Σ_c S_i(x_c),   ∇N_ip = 2^(1-D) R^-T Σ_c s_c S_i(x_c).
-/// With S_i they add up to one and zero, and are exact on linear fields. ∇N is not the derivative of N. Corner by
-/// corner: the nodes of all corners put together, each with its N_ip and ∇N_ip, are visited in 0.7 of the time, but to
-/// find them takes longer than that saves.
+/// As the S_i add up to one and are exact on linear fields, Σ_i N_ip = 1, Σ_i ∇N_ip = 0, and both are exact on linear
+/// fields. ∇N is not the derivative of N. Nodes are visited corner by corner. If the nodes of all corners are put
+/// together, each with its N_ip and ∇N_ip, visiting them takes 0.7 of the time, but finding them takes longer than that
+/// saves.
 template <int D, int K>
 struct CpdiStencil {
   static constexpr int corners = 1 << D;
 
-  /// Component d of s_c
+  /// Returns component d of s_c.
   static constexpr int sign(int c, int d) { return (c >> d & 1) != 0 ? 1 : -1; }
 
-  std::array<Weights<D, K>, corners> at;  ///< S_i(x_c)
+  std::array<Weights<D, K>, corners> at;  ///< the nodes of each corner, with S_i(x_c)
   PaddedMat<D> slope;                     ///< 2^(1-D) R^-T, per length, by columns: ∇N_ip = slope Σ_c s_c S_i(x_c)
 
-  /// Σ_i N_ip φ_i
+  /// Returns Σ_i N_ip φ_i.
   template <class V>
   V gather(const Array<V>& field) const {
     V sum = at[0].gather(field);
@@ -30,7 +31,7 @@ struct CpdiStencil {
     return share * sum;
   }
 
-  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
+  /// Returns Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip.
   ValueAndGradient<D> gather_with_gradient(const Array<Padded<D>>& field) const {
     Padded<D> sum = Padded<D>::Zero();
     PaddedMat<D> differences = PaddedMat<D>::Zero();  // Σ_c φ(x_c) ⊗ s_c

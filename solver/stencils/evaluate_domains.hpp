@@ -12,14 +12,15 @@
 /// Evaluates the stencils of particles that have domains.
 namespace mpmvv::solver {
 
-/// A block's particles in cells: where they are, and half of each edge of their domains, along each axis. The last
-/// particle is repeated until the last pack is full.
+/// The particles of a block in units of cells, by axis: the centres of their domains, from the grid's lower faces, and
+/// half of each edge of the domains. The last particle is repeated until the last pack is full.
 template <int D>
 struct DomainsByAxis {
   alignas(32) double centre[D][cpdi_block_size<D>], half[D][D][cpdi_block_size<D>];
 };
 
-/// A particle out of reach of the grid, a corner more than `domain_reach` cells from its particle, or a NaN is a fault.
+/// Finds the domains of a block's particles. Returns a fault if a particle is out of reach of the grid, if a corner
+/// lies more than `domain_reach` cells from its particle along an axis, or if a number is NaN.
 template <class B, int D>
 [[gnu::flatten]] Fault find_domains(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
                                     DomainsByAxis<D>& domains) {
@@ -42,7 +43,7 @@ template <class B, int D>
   return (any(outside) ? Fault::outside : Fault::none) | (all(inside) ? Fault::none : Fault::outgrown);
 }
 
-/// 2^(1-D) R^-T of a block's particles, per length.
+/// Computes 2^(1-D) R^-T of a block's particles, per length.
 template <int D>
 [[gnu::flatten]] void find_slopes(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
                                   PaddedMat<D>* slope) {
@@ -54,8 +55,8 @@ template <int D>
   });
 }
 
-/// Evaluates the basis at the corners of the domains of a block's particles. With a fault the stencils concerned lie
-/// somewhere inside storage, and the caller stops the run.
+/// Evaluates the basis at the corners of the domains of a block's particles. If it returns a fault, the stencils of the
+/// particles concerned lie somewhere inside storage, and the caller stops the run.
 template <int D, class B>
 Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid, bool with_gradients,
                         CpdiBlock<D, B::support>& block) {

@@ -14,14 +14,16 @@
 /// Evaluates the stencils of particles that are points.
 namespace mpmvv::solver {
 
-/// The positions of a block's particles from the lower faces, in cells, moved to where a basis may be evaluated, and
-/// their widths, by axis. The last particle is repeated until the last pack is full.
+/// The positions of a block's particles, from the grid's lower faces, and their widths, both in cells and by axis.
+/// Values that a basis cannot take are moved to the nearest that it can. The last particle is repeated until the last
+/// pack is full.
 template <int D>
 struct PointsByAxis {
   alignas(32) double xi[D][block_size<D>], width[D][block_size<D>];
 };
 
-/// Where a basis may be evaluated along an axis of so many cells, in cells.
+/// Returns the least and the greatest position, in cells, at which a basis may be evaluated along an axis of so many
+/// cells.
 template <class B>
 std::pair<double, double> range_of(int cells) {
   if (B::ghost == 0) return {0, cells};
@@ -29,7 +31,8 @@ std::pair<double, double> range_of(int cells) {
   return {least, std::nextafter(cells - least, 0.0)};
 }
 
-/// A particle out of reach of the grid, one whose width is no part of a cell, or a NaN is a fault.
+/// Finds the positions and widths of a block's particles. Returns a fault if a particle is out of reach of the grid, if
+/// a width that the basis takes lies outside (0, h], or if a number is NaN.
 template <class B, int D>
 [[gnu::flatten]] Fault find_points(const Block<D>& block, const Particles<D>& particles, const Grid<D>& grid,
                                    PointsByAxis<D>& points) {
@@ -53,7 +56,7 @@ template <class B, int D>
   return (any(outside) ? Fault::outside : Fault::none) | (any(outgrown) ? Fault::outgrown : Fault::none);
 }
 
-/// Weights of the first `padded` points, and their gradients if these are asked for.
+/// Evaluates the weights of the first `padded` points, and their gradients if asked for.
 template <bool with_gradients, int D, class B>
 void evaluate_axes(const B& basis, const PointsByAxis<D>& points, const Grid<D>& grid, int padded,
                    PointBlock<D, B::support>& block) {
@@ -75,8 +78,8 @@ void evaluate_axes(const B& basis, const PointsByAxis<D>& points, const Grid<D>&
   }
 }
 
-/// Evaluates the stencils of a block at its particles' positions. With a fault the stencils concerned lie somewhere
-/// inside storage, and the caller stops the run.
+/// Evaluates the stencils of a block at its particles' positions. If it returns a fault, the stencils of the particles
+/// concerned lie somewhere inside storage, and the caller stops the run.
 template <int D, class B>
 Fault evaluate_stencils(const B& basis, const Particles<D>& particles, const Grid<D>& grid, bool with_gradients,
                         PointBlock<D, B::support>& block) {

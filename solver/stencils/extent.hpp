@@ -7,7 +7,7 @@
 
 namespace mpmvv::solver {
 
-/// Between which coordinates the particles of a block lie; those that are NaN do not count.
+/// The least and the greatest coordinates of the particles of a block. Coordinates that are NaN do not count.
 template <int D>
 struct Extent {
   Vec<D> least, most;

@@ -5,12 +5,14 @@
 
 /// Kernels: what a sweep does to a block of particles. There are two kinds.
 ///
-/// A *block kernel* is called once a block, kernel(block, grid), and returns nothing or the faults that it found.
+/// A *block kernel* is called once for each block, kernel(block, grid), and returns nothing or the faults that it
+/// found.
 ///
-/// A *node kernel* is called for each particle with its nodes: kernel(p, nodes, block), and may leave in its block what
-/// block kernels after it take up (L). It may say `uses_gradients`, and `takes_packs` where `p` may be four particles
-/// of a bar at once (stencils/particle_pack.hpp). One that maps to nodes returns what the particle adds to those of its
-/// `field()`.
+/// A *node kernel* is called for each particle with the nodes that it reaches, kernel(p, nodes, block). It may store in
+/// the block what later block kernels use (L). It declares `uses_gradients` if it uses the gradients of the weights,
+/// and `takes_packs` if `p` may stand for four particles of a bar at once (stencils/particle_pack.hpp). A node kernel
+/// that maps to nodes offers the `field()` that it adds to, and returns what the particle adds to it: a value, which is
+/// multiplied by the weights of the nodes, or a `ValueAndGradient` (stencils/stencil.hpp) if gradients take part.
 namespace mpmvv::solver {
 
 template <class Kernel>
@@ -23,8 +25,8 @@ inline constexpr bool takes_packs = false;
 template <class Kernel>
 requires(Kernel::takes_packs) inline constexpr bool takes_packs<Kernel> = true;
 
-/// Two node kernels in one loop over the particles, where neither reads on nodes what the other changes: a step that
-/// maps momentum and forces so takes 1 to 3 % fewer instructions.
+/// Two node kernels that run in one loop over the particles. Neither may read from nodes what the other changes. A step
+/// that maps momentum and forces in this way takes 1 to 3 % fewer instructions.
 template <class First, class Second>
 struct Fused {
   static constexpr bool uses_gradients = solver::uses_gradients<First> || solver::uses_gradients<Second>;
@@ -34,12 +36,12 @@ struct Fused {
 template <class First, class Second>
 Fused(const First&, const Second&) -> Fused<First, Second>;
 
-/// Runs a kernel on a block: defined in stencils/node_loop.hpp. Kernels that several files run are listed
-/// in solver/kernels/compiled.hpp; a file with a kernel of its own includes the definition.
+/// Runs a kernel on a block. It is defined in stencils/node_loop.hpp. Kernels that several files run are listed in
+/// solver/kernels/compiled.hpp; a file with a kernel of its own includes the definition.
 template <int D, class Kernel>
 Fault run_kernel(const Kernel& kernel, AnyBlock<D>& block, const Grid<D>& grid);
 
-/// A kernel of any type, called once per block of particles. Valid as long as the kernel.
+/// Refers to a kernel of any type, to be called once for each block of particles. Valid as long as that kernel exists.
 template <int D>
 class AnyKernel {
  public:

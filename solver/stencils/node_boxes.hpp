@@ -10,8 +10,9 @@
 
 namespace mpmvv::solver {
 
-/// The nodes that each particle of a block reaches as a box, W along each axis, with N_ip on each. Those of a line
-/// along the first axis lie side by side, filled up with zeros to an even number.
+/// For each particle of a block, a box of nodes, W along each axis, that holds the nodes that the particle reaches,
+/// with N_ip on each. The weights of a line of nodes along the first axis lie side by side, filled up with zeros to an
+/// even number.
 template <int D, int W>
 struct NodeBoxes {
   static constexpr int line = W + W % 2, lines = power(W, D - 1);
@@ -19,7 +20,8 @@ struct NodeBoxes {
   int first[block_size<D>];  ///< storage index of the first node
   double N[block_size<D>][line * lines];
 
-  /// N_ip = of_node(i), by axis and for the four particles from the k-th on.
+  /// Sets N_ip = of_node(i) for the four particles from the k-th on, where i is the index of a node in the box, by
+  /// axis.
   template <class OfNode>
   [[gnu::always_inline]] void set_four(int k, const OfNode& of_node) {
     Pack four[line * lines];
@@ -29,8 +31,8 @@ struct NodeBoxes {
   }
 };
 
-/// How many nodes wide the boxes of a block are. Those of particles with domains are one wider than the nodes of a
-/// corner: enough while no two corners of a particle lie more than a cell apart along an axis.
+/// The width of a block's boxes, in nodes. For a particle with a domain, a box is one node wider than the nodes of a
+/// corner. That is enough as long as no two corners of a particle lie more than a cell apart along an axis.
 template <class Shape>
 inline constexpr int box_width = 0;
 template <int D, int K>
@@ -38,7 +40,7 @@ inline constexpr int box_width<PointBlock<D, K>> = K;
 template <int D, int K>
 inline constexpr int box_width<CpdiBlock<D, K>> = K + 1;
 
-/// Products of the weights per axis. True: they always fit.
+/// Sets the boxes to the products of the weights per axis. Returns true: the nodes of points always fit.
 template <int D, int K>
 bool find_boxes(const PointBlock<D, K>& block, const Grid<D>&, NodeBoxes<D, K>& boxes) {
   std::copy_n(block.first, block.count, boxes.first);
@@ -53,7 +55,8 @@ bool find_boxes(const PointBlock<D, K>& block, const Grid<D>&, NodeBoxes<D, K>& 
 
 namespace detail {
 
-/// The first node of four particles' corners along an axis; false when some reach too far for a box.
+/// Finds the first node along axis d that a corner reaches, for each of four particles. Returns false if the corners of
+/// some reach too far for a box.
 template <int D, int K>
 [[gnu::always_inline]] inline bool find_lowest(const CpdiBlock<D, K>& block, std::size_t d, int k, Int4& lowest) {
   Int4 highest = lowest = load4(&block.node[0][d][k]);
@@ -65,7 +68,8 @@ template <int D, int K>
   return all(__builtin_convertvector(highest - lowest < 2, Mask4));
 }
 
-/// Weights per axis of the nodes of four particles' boxes, by corner: those that a corner does not reach have none.
+/// Weights per axis of the nodes in the boxes of four particles, for each corner: zero on nodes that the corner does
+/// not reach.
 template <int D, int K>
 using CornerWeights = std::array<std::array<std::array<Pack, K + 1>, D>, 1 << D>;
 
@@ -84,7 +88,8 @@ template <int D, int K>
 
 }  // namespace detail
 
-/// The nodes of all corners put together. False, and no boxes, where those of some particle do not fit.
+/// Puts the nodes of all corners of a particle together in its box. Returns false, and boxes that cannot be used, if
+/// the nodes of some particle do not fit.
 template <int D, int K>
 bool find_boxes(const CpdiBlock<D, K>& block, const Grid<D>& grid, NodeBoxes<D, K + 1>& boxes) {
   for (int k = 0; k < block.count; k += 4) {

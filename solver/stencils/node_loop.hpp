@@ -9,8 +9,8 @@
 /// Runs kernels on blocks, and node kernels on the particles of a block.
 namespace mpmvv::solver {
 
-/// Visits the particles of a block in four interleaved parts: neighbours add to the same nodes, and one would have to
-/// wait for the other.
+/// Calls visit(k) for every k in [0, count), one from each quarter of that range in turn. Neighbouring particles add
+/// to the same nodes: visited one right after the other, the second would have to wait for the first.
 template <class Visit>
 [[gnu::always_inline]] inline void for_interleaved(int count, const Visit& visit) {
   const int stride = (count + 3) / 4;
@@ -18,7 +18,7 @@ template <class Visit>
     for (int k = start; k < count; k += stride) visit(k);
 }
 
-/// Calls a node kernel for a particle, or for four at once.
+/// Calls a node kernel for a particle, or for four at once, and adds what it returns to its field if it has one.
 template <class Kernel>
 [[gnu::always_inline]] inline void visit(const Kernel& kernel, const auto& p, const auto& nodes, auto& block) {
   if constexpr (requires { kernel.field(); })
@@ -37,8 +37,8 @@ template <int D, class Shape, class... Kernels>
   });
 }
 
-/// Visits particles of a bar by four with their nodes, where the four share most of these; returns how many of a block
-/// are visited, four to each pack.
+/// Visits the particles of a bar in packs of four. The four of a pack are visited at once if they share most of their
+/// nodes, else one by one. Returns the number of particles visited: those in whole packs.
 template <int K, class... Kernels>
 [[gnu::noinline, gnu::flatten]] int visit_packs(PointBlock<1, K>& block, const Grid<1>& grid,
                                                 const Kernels&... kernels) {

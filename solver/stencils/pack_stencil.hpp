@@ -11,27 +11,27 @@
 
 namespace mpmvv::solver {
 
-/// The nodes of four particles of a bar, side by side in their block: the first one's K, and `more` that others reach
-/// beyond them. A node has a pack of weights, zero for those particles that do not reach it, and is read and written
-/// once for all four.
+/// The nodes of four particles of a bar that are neighbours in their block: the K nodes of the first particle, and
+/// `more` nodes beyond them that others reach. Each node has a pack of weights, zero for the particles that do not
+/// reach it, and is read and written once for all four.
 template <int K, int more>
 struct PackStencil {
   static constexpr int nodes = K + more;
-  /// Which of the four begin s nodes after the first one.
+  /// For each s: which of the four particles have their first node s nodes after that of the first particle.
   using Starts = std::array<Mask4, more + 1>;
 
   std::size_t first;  ///< storage index of the first node
   std::array<Pack, nodes> N, dN;
 
-  /// Of the particles from the k-th on.
+  /// Puts together the stencils of the four particles of the block from the k-th on.
   [[gnu::always_inline]] PackStencil(const PointBlock<1, K>& block, int k, const Starts& starts)
       : first(static_cast<std::size_t>(block.first[k])),
         N(on_nodes(block.N[0], k, starts, std::make_integer_sequence<int, nodes>{})),
         dN(on_nodes(block.dN[0], k, starts, std::make_integer_sequence<int, nodes>{})) {}
 
-  /// Σ_i N_ip φ_i
+  /// Returns Σ_i N_ip φ_i.
   [[gnu::always_inline]] PackVec<1> gather(const Array<Padded<1>>& field) const { return PackVec<1>(sum(N, field)); }
-  /// Σ_i N_ip φ_i and Σ_i φ_i ∇N_ip
+  /// Returns Σ_i N_ip φ_i and Σ_i φ_i ∇N_ip.
   [[gnu::always_inline]] ValueAndGradient<1, Pack> gather_with_gradient(const Array<Padded<1>>& field) const {
     return {PackVec<1>(sum(N, field)), PackVec<1>(sum(dN, field))};
   }
@@ -61,7 +61,7 @@ struct PackStencil {
   }
   template <int i>
   [[gnu::always_inline]] static Pack on_node(const Rows& weights, int k, const Starts& starts) {
-    constexpr int nearest = std::max(0, i - K + 1), farthest = std::min(i, more);  // of the starts that reach it
+    constexpr int nearest = std::max(0, i - K + 1), farthest = std::min(i, more);  // starts s that reach node i
     constexpr bool by_all = nearest == 0 && farthest == more;
     Double4 weight = by_all ? load4(&weights[i][k]) : Double4{};
     for (int s = nearest + by_all; s <= farthest; ++s)
@@ -88,14 +88,14 @@ struct PackStencil {
   }
 };
 
-/// Whether a block's particles lie on a line, each with its nodes along it.
+/// Whether the particles of a block are points of a bar, so that four can be visited at once.
 template <class Shape>
 inline constexpr bool is_line = false;
 template <int K>
 inline constexpr bool is_line<PointBlock<1, K>> = true;
 
-/// Calls visit(nodes) for the four particles from the k-th on, unless they lie too far apart or not in their order
-/// along the bar; returns whether it did.
+/// Calls visit(nodes) once for the four particles from the k-th on, if the first node of each lies 0 to 2 nodes after
+/// that of the k-th particle. Returns whether it did.
 template <int K>
 [[gnu::always_inline]] inline bool visit_together(const PointBlock<1, K>& block, int k, const auto& visit) {
   const Int4 nodes = load4(block.first + k) - block.first[k];

@@ -11,8 +11,8 @@
 
 namespace mpmvv::solver {
 
-/// Up to four particles, one after the other, whose fields are read and written at once. Where fewer are left the last
-/// is read again in the place of each that is missing, and written again.
+/// Up to four consecutive particles, whose fields are read and written at once. If there are fewer than four, the last
+/// particle takes the place of each missing one: it is read again, and written again.
 struct ParticlePack {
   std::size_t first;
   int count;
@@ -48,7 +48,7 @@ struct ParticlePack {
   }
 };
 
-/// The same ones, counted from `begin`.
+/// Returns the same particles with indices counted from `begin`.
 [[gnu::always_inline]] inline ParticlePack operator-(const ParticlePack& p, std::size_t begin) {
   return {p.first - begin, p.count};
 }
@@ -58,7 +58,7 @@ requires(D == 1) PackVec<2> padded(const PackVec<1>& vector, const Pack& last) {
   return {vector[0], last};
 }
 
-/// A field's value on a particle, or its values on four of a bar, a number each.
+/// Returns the value of a field on a particle, or its values on four particles of a bar, where each is one number.
 template <class T>
 [[gnu::always_inline]] inline const T& read(const T* field, std::size_t p) {
   return field[p];
@@ -77,7 +77,7 @@ template <class T>
 /// field_p = value
 template <class T>
 [[gnu::always_inline]] inline void write(T value, T* field, std::size_t p) {
-  field[p] = std::move(value);  // to copy it g++ goes through memory
+  field[p] = std::move(value);  // g++ would copy it through memory
 }
 [[gnu::always_inline]] inline void write(const PackVec<1>& value, Eigen::Matrix<double, 1, 1>* field,
                                          const ParticlePack& p) {
@@ -94,7 +94,8 @@ template <class T>
   write(PackVec<1>(read(field, p) + value), field.data(), p);
 }
 
-/// Calls visit(pack, k) for every four particles of a block, the first of them at place k.
+/// Calls visit(pack, k) for every four particles of a block, and for those that remain; k is the place of the first of
+/// them in the block.
 template <int D, class Visit>
 [[gnu::always_inline]] inline void for_packs(const Block<D>& block, const Visit& visit) {
   int k = 0;

@@ -11,15 +11,15 @@ namespace mpmvv::solver {
 /// axis; a `Stencil` forms their products.
 template <int D, int K>
 struct PointBlock : Block<D> {
-  static constexpr int most = block_size<D>;  ///< particles
+  static constexpr int most = block_size<D>;  ///< the most particles that a block holds
 
   using Block<D>::Block;
 
   int first[most];                    ///< storage index of the first node
-  alignas(32) double N[D][K][most];   ///< weights
-  alignas(32) double dN[D][K][most];  ///< gradients, per length, where a kernel of the sweep uses them
+  alignas(32) double N[D][K][most];   ///< weights, per axis
+  alignas(32) double dN[D][K][most];  ///< gradients, per length, set if a kernel of the sweep uses them
 
-  /// Of the k-th particle.
+  /// Returns the stencil of the k-th particle, or its weights alone.
   template <bool with_gradients = true>
   auto stencil(int k, const Grid<D>& grid) const {
     std::conditional_t<with_gradients, Stencil<D, K>, Weights<D, K>> s;

@@ -10,7 +10,8 @@
 
 namespace mpmvv::solver {
 
-/// A value on a particle, or a pack of them on four, and its derivatives: column J is the one along x_J.
+/// A value on a particle, or a pack of the values on four particles, and its gradient, whose column J is the derivative
+/// along x_J.
 template <int D, class Number = double>
 struct ValueAndGradient {
   Eigen::Matrix<Number, padded_size<D>, 1> value;
@@ -20,48 +21,49 @@ template <class Value, class Gradient>
 ValueAndGradient(const Value&, const Gradient&)
     -> ValueAndGradient<Gradient::ColsAtCompileTime, typename Gradient::Scalar>;
 
-/// An address that counts as known only here. Left to itself g++ keeps one index of a node for all fields and makes
-/// each address of it anew, three instructions more; those of a line's nodes lie at fixed distances from the first.
+/// Returns the address of the first node of a line, which the empty asm hides from the optimiser. Left to itself g++
+/// keeps one index of a node for all fields and computes each address from it anew, which takes three instructions
+/// more. The other nodes of the line lie at fixed distances from the address returned here.
 template <class V>
 [[gnu::always_inline]] inline V* start_of_line(V* nodes) {
   asm("" : "+r"(nodes));
   return nodes;
 }
 
-/// Numbers of doubles in a field's value.
+/// The number of doubles in the value of a field.
 template <class V>
 inline constexpr int components = sizeof(V) / sizeof(double);
 
-/// N_i for every component of node i.
+/// Returns N_i for every component of each node i of a line: K nodes of C components.
 template <int K, int C>
 [[gnu::always_inline]] inline Doubles<K * C> along_line(const double* N) {
   return Doubles<K * C>::each([N](int k) __attribute__((always_inline)) { return N[k / C]; });
 }
-/// The same value on every node.
+/// Returns the same value on each of K nodes.
 template <int K, class V>
 [[gnu::always_inline]] inline Doubles<K * components<V>> on_each_node(const V& value) {
   return Doubles<K * components<V>>::each([&](int k)
                                               __attribute__((always_inline)) { return value[k % components<V>]; });
 }
-/// Σ_i N_i φ_i over the nodes of a line.
+/// Returns Σ_i N_i φ_i over the nodes of a line.
 template <class V, int n>
 [[gnu::always_inline]] inline V sum_of_nodes(const Doubles<n>& N, const Doubles<n>& line) {
   const auto sum = sum_of_products<components<V>>(N, line);
   return V::Map(reinterpret_cast<const double*>(&sum));
 }
 
-/// The nodes of one point: K along each axis, with weights per axis, copied out of their block so that the compiler
-/// knows that no addition to a node changes them: read where they lie, a step in space takes 1.09 times as long.
-/// Weights of nodes are tensor products, S (18), and sums with them are formed axis by axis: what the nodes of a line
-/// or a plane share is multiplied once. Inlined by decree: called as functions, the additions take half as long again,
-/// and g++ decides now one way, now the other.
+/// The nodes of one point, K along each axis, with weights per axis. The weights are copied out of their block so that
+/// the compiler knows that no addition to a node changes them; if they are read where they lie, a step in space takes
+/// 1.09 times as long. Weights of nodes are tensor products, S (18), and sums with them are formed axis by axis: what
+/// the nodes of a line or a plane share is multiplied once. The functions are always_inline: when they are called as
+/// functions, the additions take half as long again, and whether g++ inlines them of its own accord varies.
 template <int D, int K>
 struct Weights {
   std::size_t first;  ///< storage index of the first node
   std::array<std::ptrdiff_t, D> stride;
   double N[D][K];
 
-  /// Σ_i N_i φ_i
+  /// Returns Σ_i N_i φ_i.
   template <class V>
   [[gnu::always_inline]] V gather(const Array<V>& field) const {
     const V* const nodes = field.data() + first;
@@ -85,7 +87,7 @@ struct Weights {
   }
 
  private:
-  /// Σ_i N_i φ_i over the axes from the second up to `axis`
+  /// Returns Σ_i N_i φ_i over the axes from the second up to `axis`, for each node of a line along the first axis.
   template <int axis, class V>
   [[gnu::always_inline]] Doubles<K * components<V>> line(const V* nodes) const {
     if constexpr (axis == 0) {
@@ -96,15 +98,16 @@ struct Weights {
       return sum;
     }
   }
-  /// N_i value for the nodes of a line
+  /// N_i value for the nodes of a line along the first axis.
   template <int C>
   using Line = std::array<Doubles<C>, K>;
   template <int C, std::size_t... i>
   [[gnu::always_inline]] Line<C> each_node_of_line(const Doubles<C>& value, std::index_sequence<i...>) const {
     return {N[0][i] * value...};
   }
-  /// Node by node: the corners of a particle's domain often lie a node apart, and what is read from two nodes at once,
-  /// of which one has just been written, has to wait until it is in the cache.
+  /// Adds `value`, multiplied by the weights along the axes from `axis` down to the second, to one node after the
+  /// other. Two nodes at once would take longer: the corners of a particle's domain often lie a node apart, and a read
+  /// of two nodes, one of which has just been written, has to wait until that is in the cache.
   template <int axis, class V>
   [[gnu::always_inline]] void add_line(const Line<components<V>>& value, V* nodes) const {
     for (int i = 0; i < K; ++i) {
@@ -123,13 +126,13 @@ struct Weights {
   }
 };
 
-/// The nodes of a particle that is a point: their weights with the gradients, per axis as well.
+/// The nodes of a particle that is a point, with their weights and the gradients of these, both per axis.
 template <int D, int K>
 struct Stencil : Weights<D, K> {
   using Weights<D, K>::first, Weights<D, K>::stride, Weights<D, K>::N, Weights<D, K>::scatter;
   double dN[D][K];
 
-  /// Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip
+  /// Returns Σ_i N_ip φ_i and Σ_i φ_i ⊗ ∇N_ip.
   [[gnu::always_inline]] ValueAndGradient<D> gather_with_gradient(const Array<Padded<D>>& field) const {
     const Padded<D>* const nodes = field.data() + first;
     ValueAndGradient<D> sum;
@@ -158,20 +161,20 @@ struct Stencil : Weights<D, K> {
 
  private:
   static constexpr int C = components<Padded<D>>;
-  /// Nodes of a line that are taken at once: in space five times as many components are at work, and four nodes of them
-  /// have no room in sixteen registers, and in 32 take no less time.
+  /// How many nodes of a line are handled at once. In space each node has five vectors in use at a time; those of four
+  /// nodes do not fit in sixteen registers, and with 32 registers four nodes take no less time.
   static constexpr int at_once = std::min(K, D == 3 && K > 3 ? 2 : 8);
   template <int begin>
   static constexpr int nodes_from = std::min(at_once, K - begin);
 
-  /// Of n nodes along the first axis: a value, and its gradients along the other axes.
+  /// A value on each of n nodes along the first axis, and its gradients along the other axes.
   template <int n>
   struct LineSums {
     Doubles<n * C> value;
     std::array<Doubles<n * C>, D - 1> slope;
   };
 
-  /// The sums over the nodes from the one at `begin` of each line on.
+  /// Returns the sums over the nodes of each line from the one at `begin` to the last.
   template <int begin>
   [[gnu::always_inline]] ValueAndGradient<D> gather_part(const Padded<D>* nodes) const {
     constexpr int n = nodes_from<begin>;
@@ -199,7 +202,7 @@ struct Stencil : Weights<D, K> {
     if constexpr (begin + n < K) scatter_part<begin + n>(source, nodes);
   }
 
-  /// Sums over the axes from the second up to `axis`; of the slopes, those along these axes.
+  /// Returns the sums over the axes from the second up to `axis`, and of the slopes those along these axes.
   template <int axis, int n>
   [[gnu::always_inline]] LineSums<n> sum_lines(const Padded<D>* nodes) const {
     LineSums<n> sum;
@@ -220,7 +223,7 @@ struct Stencil : Weights<D, K> {
     return sum;
   }
 
-  /// Adds to nodes along the axes from `axis` down: the transpose of `sum_lines`.
+  /// Adds to the nodes, along the axes from `axis` down to the second: the transpose of `sum_lines`.
   template <int axis, int n>
   [[gnu::always_inline]] void add_lines(const LineSums<n>& source, Padded<D>* nodes) const {
     for (int i = 0; i < K; ++i) {

@@ -37,7 +37,8 @@ class SlabVisit {
   SlabVisit(int slab, const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid)
       : basis_(basis), particles_(particles), grid_(grid), any_(make_block<D>(basis, slab)), block_(common<D>(any_)) {}
 
-  /// The particles from `begin` to before `end`: of each block the stencils once, then every kernel in turn.
+  /// Visits the particles from `begin` to before `end`: for each block it evaluates the stencils, and then runs every
+  /// kernel in turn. Returns the faults found.
   Fault run(std::size_t begin, std::size_t end, std::span<const AnyKernel<D>> kernels) {
     const bool with_gradients =
         std::any_of(kernels.begin(), kernels.end(), [](const AnyKernel<D>& kernel) { return kernel.uses_gradients(); });
@@ -47,7 +48,7 @@ class SlabVisit {
       block_.count = static_cast<int>(std::min(most, end - block_.begin));
       const Fault unreached = evaluate(basis_, particles_, grid_, with_gradients, any_);
       found = found | unreached;
-      if (unreached != Fault::none) continue;  // the run is over, and these nodes may be another slab's
+      if (unreached != Fault::none) continue;  // the run is over, and these nodes may be those of another slab
       for (const AnyKernel<D>& kernel : kernels) found = found | kernel(any_, grid_);
     }
     return found;
@@ -61,8 +62,9 @@ class SlabVisit {
   Block<D>& block_;
 };
 
-/// Particles that two sweeps visit in turn: few enough that a cache near the core still has them for the second, enough
-/// that the processor does not always change from the code of one to that of the other.
+/// How many particles one of the two sweeps visits before the other has its turn: few enough that a cache near the core
+/// still holds them for the second sweep, and enough that the processor does not keep changing between the code of the
+/// two.
 constexpr std::size_t at_a_time = 512;
 template <int... D>
 constexpr bool are_whole_blocks = ((at_a_time % block_size<D> == 0 && at_a_time % cpdi_block_size<D> == 0) && ...);
@@ -87,7 +89,7 @@ std::pair<Fault, Fault> sweep_twice(const AnyBasis& basis, const Particles<D>& p
                                     const std::atomic<bool>& must_sort, std::span<const AnyKernel<D>> second) {
   std::atomic<unsigned> of_first{0}, of_second{0};
   for_slabs(Adds::to_nodes, slabs, pool, [&](int slab) {
-    SlabVisit<D> visit(slab, basis, particles, grid);  // in the blocks of one sweep, so that sums have their order
+    SlabVisit<D> visit(slab, basis, particles, grid);  // with the blocks of a single sweep, so sums keep their order
     const auto [begin, end] = slabs.particles(slab);
     Fault in_first = Fault::none, in_second = Fault::none;
     for (std::size_t p = begin; p < end; p += at_a_time) {

@@ -8,26 +8,28 @@
 
 namespace mpmvv::solver {
 
-/// A block of a basis, of this slab.
+/// Makes a block for the particles of a slab, of the type that the basis takes.
 template <int D>
 AnyBlock<D> make_block(const AnyBasis& basis, int slab);
 
-/// Evaluates the basis at the particles of a block, made by `make_block` of the same basis: weights, and gradients if
-/// asked for. A particle out of reach of the grid, one with a width or a domain that the basis cannot take, or a NaN is
-/// a fault; its stencil then lies somewhere inside storage.
+/// Evaluates the basis at the particles of a block that `make_block` made for the same basis: its weights, and its
+/// gradients if asked for. Returns a fault if a particle is out of reach of the grid or has a width or a domain that
+/// the basis cannot take, or if a number is NaN. The stencil of such a particle lies somewhere inside storage.
 template <int D>
 Fault evaluate(const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid, bool with_gradients,
                AnyBlock<D>& block);
 
-/// One visit to all particles: block by block the stencils once, then every kernel in turn. No kernel may read on nodes
-/// what another one of the sweep changes, nor a later block's particles.
+/// Visits all particles once: for each block it evaluates the stencils, and then runs every kernel in turn. Returns the
+/// faults found. No kernel may read from nodes what another kernel of the sweep changes, or read the particles of a
+/// later block.
 template <int D>
 Fault sweep(Adds adds, const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid, const Slabs<D>& slabs,
             ThreadPool& pool, std::span<const AnyKernel<D>> kernels);
 
-/// Two sweeps in one visit, some blocks at a time, so that particles come from memory once: the first moves them, the
-/// second takes the stencils that they have then and adds to nodes, none of which the first may read. What follows a
-/// fault of the first, or its setting `must_sort`, the second leaves out. Returns the faults of each.
+/// Makes two sweeps in one visit, some blocks at a time, so that particles come from memory once. The first sweep moves
+/// the particles. The second takes the stencils that they have then and adds to fields on nodes, which the first may
+/// not read. If the first finds a fault, the second leaves out what follows in that slab; if the first sets
+/// `must_sort`, the second leaves out what follows in all slabs. Returns the faults of each sweep.
 template <int D>
 std::pair<Fault, Fault> sweep_twice(const AnyBasis& basis, const Particles<D>& particles, const Grid<D>& grid,
                                     const Slabs<D>& slabs, ThreadPool& pool, std::span<const AnyKernel<D>> first,

@@ -9,7 +9,8 @@
 
 namespace mpmvv::solver {
 
-/// The kernels of a sweep that is to be made later, in order. They are copied: what they refer to has to stay.
+/// Holds the kernels of a sweep that is to be made later, in order. The kernels are copied, but what they refer to has
+/// to stay until then.
 template <int D>
 class WaitingSweep {
  public:
@@ -29,7 +30,7 @@ class WaitingSweep {
   std::span<const AnyKernel<D>> kernels() const { return kernels_; }
 
  private:
-  static constexpr std::size_t most = 8, room = 128;  ///< kernels, and bytes for each
+  static constexpr std::size_t most = 8, room = 128;  ///< the most kernels, and the bytes for each
 
   template <class Kernel>
   void keep(const Kernel& kernel, std::size_t& used) {
@@ -38,7 +39,7 @@ class WaitingSweep {
   }
 
   alignas(std::max_align_t) std::byte copies_[most * room];
-  std::vector<AnyKernel<D>> kernels_;  ///< of the copies
+  std::vector<AnyKernel<D>> kernels_;  ///< refer to the copies
 };
 
 }  // namespace mpmvv::solver

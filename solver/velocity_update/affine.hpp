@@ -7,15 +7,16 @@
 #include "solver/stencils/point_block.hpp"
 
 /// The affine velocity field about a particle, v_p + C_p (x - x_p), that APIC carries: Jiang, Schroeder, Selle, Teran,
-/// Stomakhin 2015, equations (6) to (8) there, and N §2.6. For bases with nodes a cell apart and weights that spread,
-/// so that D_p = Σ_i N_ip (x_i - x_p)(x_i - x_p)ᵀ, diagonal for tensor products, can be inverted.
+/// Stomakhin 2015, equations (6) to (8) there, and N §2.6. It needs a basis with nodes a cell apart and weights on
+/// several of them wherever the particle is. Then D_p = Σ_i N_ip (x_i - x_p)(x_i - x_p)ᵀ, which is diagonal for tensor
+/// products, can be inverted.
 namespace mpmvv::solver {
 
-/// Whether a basis has such stencils.
+/// Whether a basis has the nodes and weights that affine fields need.
 template <class B>
 inline constexpr bool has_affine_fields = B::ghost > 0 && B::support > 2 && B::width != ParticleWidth::domain;
 
-/// A particle's stencil with N_ip (x_i - x_p) in the place of the gradients, and D_p.
+/// A particle's stencil with N_ip (x_i - x_p) in the place of the gradients, and the diagonal of D_p as `inertia`.
 template <int D, int K>
 struct ArmStencil : Stencil<D, K> {
   Vec<D> inertia;
@@ -32,7 +33,7 @@ struct ArmStencil : Stencil<D, K> {
   }
 };
 
-/// p_i += N_ip m_p C_p (x_i - x_p), where particles have such fields: a block kernel.
+/// A block kernel: p_i += N_ip m_p C_p (x_i - x_p), where the velocity update keeps C.
 template <int D>
 struct MapAffineMomentum {
   const Particles<D>& particles;
@@ -59,7 +60,7 @@ struct MapAffineMomentum {
   }
 };
 
-/// C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹, where the velocity update keeps C.
+/// A block kernel: C_p = Σ_i N_ip v_i (x_i - x_p)ᵀ D_p⁻¹, where the velocity update keeps C.
 template <int D>
 struct UpdateAffineField {
   Particles<D>& particles;

@@ -5,8 +5,8 @@
 
 namespace mpmvv::solver {
 
-/// V' = S v⁺, X' = X + Δt V', as `pic`; particles carry an affine field beside (see affine.hpp), which is zero at the
-/// start: what `pic` filters out of linear fields it keeps. N §2.6, for comparison.
+/// V' = S v⁺, X' = X + Δt V', as `pic`. Particles also carry an affine field (see affine.hpp), which is zero at the
+/// start. It keeps the part of linear fields that `pic` filters out. N §2.6, for comparison.
 struct Apic : VelocityUpdate {
   static constexpr std::string_view word = "apic";
   static constexpr bool has_affine_field = true;

@@ -8,21 +8,23 @@
 namespace mpmvv::solver {
 
 /// The inverse of the consistent mass matrix expanded to k terms, N §2.2, m̃_k⁻¹ = Σ_{l<k} (I - S⁺S)^l m⁻¹ with the
-/// lumped m. Applied by its Horner form
+/// lumped m. It is applied in Horner's form,
 ///   w = w₁, then k - 1 times w ← w₁ + w - S⁺S w,   S⁺S w = m⁻¹ SᵀM S w,
-/// which keeps round-off at 1e-16, where the sum that N prints alternates: 2e-13 lost at k = 16. S⁺S w on a node is a
-/// mean over its particles with weights m_p N_ip / m_i however small its mass is: no node has to be left out.
+/// which keeps round-off at 1e-16. The sum that N prints alternates in sign and loses digits: 2e-13 at k = 16. On a
+/// node S⁺S w is a mean over its particles with weights m_p N_ip / m_i, however small its mass is: no node has to be
+/// left out.
 template <int D>
 class ExpandedInverse {
  public:
   using Field = Array<Padded<D>>;
 
-  /// Of so many terms.
+  /// `order` is the number k of terms.
   ExpandedInverse(const Step<D>& s, int order)
       : order_(order), product_(s, order - 1), start_(s.grid().size()), image_(s.grid().size(), Padded<D>::Zero()) {}
 
-  /// w = m̃_k⁻¹ m w₁, from the lumped velocities w₁ given. Walls hold nothing meanwhile; or, held nodes eliminated, they
-  /// keep w₁ there, and the rest of w tends to the solution of (m̃ w)_i = m_i w₁_i on the nodes i that are free.
+  /// Sets w = m̃_k⁻¹ m w₁, where w₁ are the lumped velocities that w holds before. Faces and walls hold nothing
+  /// meanwhile, unless `eliminates` is true: held nodes then keep w₁, and the rest of w tends to the solution of
+  /// (m̃ w)_i = m_i w₁_i on the nodes i that are free.
   void apply(Step<D>& s, bool eliminates, Field& w) {
     Padded<D>*const start = start_.data(), *const image = image_.data(), *const sum = w.data();
     const Padded<D + 1>* const lumped = s.grid().p.data();
@@ -51,7 +53,7 @@ class ExpandedInverse {
  private:
   int order_;
   MassProduct<D> product_;
-  Field start_, image_;  ///< w₁; w₁ - S⁺S w, zero before that
+  Field start_, image_;  ///< w₁, and w₁ - S⁺S w; the latter is zero before each product
 };
 
 }  // namespace mpmvv::solver

@@ -5,7 +5,8 @@
 
 namespace mpmvv::solver {
 
-/// V' = V + Δt S a: particles keep their velocity and take the grid's acceleration. How positions follow:
+/// How positions follow with FLIP, V' = V + Δt S a, in which particles keep their velocity and take the grid's
+/// acceleration.
 enum class FlipPosition {
   first_order,   ///< X' = X + Δt S v⁺                    S (10), W (17)
   second_order,  ///< X' = X + Δt S (v + Δt a/2)          N §2.3, where the last term is printed with Δt for Δt²
@@ -24,7 +25,7 @@ struct Flip : VelocityUpdate {
     auto& grid = s.grid();
     if (position == FlipPosition::particle) return {.acceleration = &grid.a, .before = 0.5, .after = 0.5};
     if (position == FlipPosition::first_order) return {.acceleration = &grid.a, .drift = &grid.v};
-    s.for_nodes([&](std::size_t n) { grid.f[n] = grid.v[n] - 0.5 * dt * grid.a[n]; });  // forces have served
+    s.for_nodes([&](std::size_t n) { grid.f[n] = grid.v[n] - 0.5 * dt * grid.a[n]; });  // forces are no longer needed
     return {.acceleration = &grid.a, .drift = &grid.f};
   }
 };

@@ -5,13 +5,13 @@
 
 namespace mpmvv::solver {
 
-/// v⁺ = m̃_k⁻¹ p⁺, V' = S v⁺, X' = X + Δt (V + V')/2, N table 1: grid velocities by the expanded inverse, those of the
-/// stress updates too. With the consistent mass, v⁺ is its limit k -> infinity already.
+/// v⁺ = m̃_k⁻¹ p⁺, V' = S v⁺, X' = X + Δt (V + V')/2, N table 1. Grid velocities come from the expanded inverse, also
+/// those of the stress updates. With the consistent mass nothing is expanded: v⁺ is already the limit k -> infinity.
 struct Fmpm : VelocityUpdate {
   static constexpr std::string_view word = "fmpm";
   static constexpr bool takes_consistent_mass = true;
   int order;              ///< k
-  std::int64_t interval;  ///< steps; those between are `flip` with second-order positions: periodic FMPM, N §3.1
+  std::int64_t interval;  ///< in steps; steps between are `flip` with second-order positions: periodic FMPM, N §3.1
 
   explicit Fmpm(int k = 2, std::int64_t every = 1) : order(k), interval(every) {}
 

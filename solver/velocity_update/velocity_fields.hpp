@@ -9,10 +9,11 @@ namespace mpmvv::solver {
 template <int D>
 class Step;
 
-/// What a velocity update makes of the grid's fields on a particle, task 4 of N table 1:
-///   V' = V + Δt S `acceleration`, or S `velocity`, or where both are null S v,
+/// The grid's fields and the factors by which a velocity update advances a particle, task 4 of N table 1:
+///   V' = V + Δt S `acceleration`, or S `velocity`, or S v where both are null,
 ///   X' = X + Δt (S `drift` + `before` V + `after` V'),
-/// and the velocity gradient of task 5 is that of v. The fields are the grid's own.
+/// without the first term where `drift` is null. The velocity gradient of task 5 is that of v. The fields are the
+/// grid's own.
 template <int D>
 struct VelocityFields {
   using Field = Array<Padded<D>>;
@@ -24,14 +25,15 @@ struct VelocityFields {
   bool include(const Field& field) const { return acceleration == &field || velocity == &field || drift == &field; }
 };
 
-/// What a velocity update is beside its `word`, its name in study files and on the command line, and its
-/// fields(step, dt), asked for once the grid's v is that of the step's end. It declares anew what is otherwise for it.
+/// The base of velocity updates: the properties that they have unless they redeclare them. Besides these a velocity
+/// update has a `word`, its name in study files and on the command line, and fields(step, dt), which returns its
+/// `VelocityFields` when the grid's v is that of the step's end.
 struct VelocityUpdate {
-  static constexpr bool adds_accelerations = false;     ///< particles keep their velocity and take an acceleration
+  static constexpr bool adds_accelerations = false;     ///< particles keep their velocity and add an acceleration
   static constexpr bool takes_consistent_mass = false;  ///< is defined with the consistent mass, too
-  static constexpr bool has_affine_field = false;       ///< particles carry the gradient of a field of their own
-  int expansion_order() const { return 0; }             ///< terms of the expanded inverse that it takes
-  /// Whether the step after so many expands the grid velocity itself, that of the stress updates, too.
+  static constexpr bool has_affine_field = false;       ///< particles carry the gradient of an affine velocity field
+  int expansion_order() const { return 0; }             ///< number of terms of the expanded inverse; 0: it takes none
+  /// Whether the step after this number of finished ones expands the grid velocity itself, also for the stress updates.
   bool expands_grid_velocity(std::int64_t) const { return false; }
 };
 

@@ -5,8 +5,8 @@
 
 namespace mpmvv::solver {
 
-/// V' = S (m̃_k⁻¹ p + Δt a), X' = X + Δt (S v + (V' - V)/2): the particles' own velocity without the part that the grid
-/// does not see, then FLIP with lumped masses, N §2.3.
+/// V' = S (m̃_k⁻¹ p + Δt a), X' = X + Δt (S v + (V' - V)/2), N §2.3: particle velocities lose the part that the grid
+/// does not see, then follow FLIP with lumped masses.
 struct Xpic : VelocityUpdate {
   static constexpr std::string_view word = "xpic";
   int order;  ///< k
@@ -15,7 +15,8 @@ struct Xpic : VelocityUpdate {
 
   int expansion_order() const { return order; }
 
-  /// Forces and accelerations have served: f then holds m̃_k⁻¹ p + Δt a and a holds v.
+  /// Overwrites the grid's forces and accelerations, which are no longer needed: f then holds m̃_k⁻¹ p + Δt a, and a
+  /// holds v.
   template <int D>
   VelocityFields<D> fields(Step<D>& s, double dt) const {
     auto& grid = s.grid();

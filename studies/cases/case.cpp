@@ -14,7 +14,7 @@ Method method_of(const Scheme& scheme) {
 std::string canonical_text(const Case& c) {
   std::string text = "problem=" + c.problem.name;
   const auto add = [&text](const std::string& key, const Value& value) { text += " " + key + "=" + text_of(value); };
-  for (const auto& [key, value] : c.problem.parameters) add("param." + key, value + 0.0);  // -0 equals 0: one text
+  for (const auto& [key, value] : c.problem.parameters) add("param." + key, value + 0.0);  // -0 becomes 0: one text
   add("end_time", c.problem.end_time + 0.0);
   for (const SettingKey& key : setting_keys())
     if (key.member && key.is_of(c.scheme.code)) add(key.key, key.member->value(c));

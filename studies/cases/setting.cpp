@@ -21,7 +21,7 @@ namespace {
   throw support::UsageError(fmt::format("{} = {} in {} ({})", setting.key, setting.value, setting.where, allowed));
 }
 
-/// Whether the whole text is a number that its type can hold.
+/// Reads a number. Returns whether the whole text is one that the type can hold.
 template <class Number>
 bool reads(const std::string& text, Number& value) {
   const char* end = text.data() + text.size();
@@ -29,7 +29,8 @@ bool reads(const std::string& text, Number& value) {
   return error == std::errc{} && stop == end;
 }
 
-/// `beside` what has a size: whether a message offers 0.
+/// Reads a finite number that is 0 or has a size. `beside` is what the message offers in addition to numbers with a
+/// size: 0 or nothing.
 double number(const Setting& setting, const char* beside) {
   double value = 0;
   if (!reads(setting.value, value) || !std::isfinite(value))

@@ -22,7 +22,7 @@ Value value_of(int value) {
   return std::int64_t{value};
 }
 Value value_of(double value) {
-  return value + 0.0;  // -0 equals 0: one text
+  return value + 0.0;  // -0 becomes 0, so that equal numbers have one text
 }
 Value value_of(const std::string& value) {
   return value;
@@ -44,13 +44,13 @@ constexpr CasePart part_of() {
   return std::is_same_v<Part, Resolution> ? CasePart::resolution : CasePart::measure;
 }
 
-/// What studies/settings sets by a rule.
+/// Returns a member that studies/settings sets by a rule of its own.
 template <class Part, class Type>
 Member by_rule(Type Part::*member) {
   return {part_of<Part>(), [member](const Case& c) { return value_of(std::get<const Part&>(parts(c)).*member); }, {}};
 }
 
-/// What `read` makes of a setting, whatever the rest of the case is.
+/// Returns a member that is set to `read(setting)`, whatever the rest of the case is.
 template <class Part, class Type, class Read>
 Member read_by(const Read& read, Type Part::*member) {
   Member result = by_rule(member);
@@ -67,7 +67,7 @@ Member flag(bool Part::*member) {
   return result;
 }
 
-/// One of the enum's words; nobody asks for `none`, but for no body force.
+/// Returns a member that takes one of the enum's words. `none` cannot be given, except as a ForceForm: no body force.
 template <class Part, support::HasWords Enum>
 Member word(Enum Part::*member) {
   std::vector<std::string> words;
@@ -95,7 +95,7 @@ double part_of_a_cell(const Setting& setting) {
   return value;
 }
 
-/// A word of an adapter. In a case's text it stands between spaces.
+/// Reads a word of an adapter. In a case's text it stands between spaces, so it must not have any.
 std::string word_of_a_code(const Setting& setting) {
   const bool is_word = support::is_file_stem(setting.value);
   if (!is_word)

@@ -13,7 +13,8 @@ namespace {
 
 using namespace solver;
 
-/// ∫ f over [a, b], exact for piecewise polynomials of degree <= 13 whose pieces join at multiples of 1/2 or at ±kink.
+/// Returns ∫ f over [a, b], exact for piecewise polynomials of degree <= 13 whose pieces join at multiples of 1/2
+/// between -4 and 4.
 template <class F>
 double integral(const F& f, double a, double b) {
   std::vector<double> joints{a, b};
@@ -26,7 +27,8 @@ double integral(const F& f, double a, double b) {
   return sum;
 }
 
-/// Largest |f * box of width l - g| over the support, S (19), (31).
+/// Returns the largest |f * b - g| over [-2.5, 2.5], which contains all supports, S (19), (31). Here * is convolution,
+/// and b is the box of width l and integral one.
 template <class F, class G>
 double convolution_misfit(const F& f, const G& g, double l) {
   double worst = 0;
@@ -53,7 +55,8 @@ auto weight_of(const B& basis) {
 
 }  // namespace
 
-/// S-basis, §4.1: every basis is made by convolving boxes, so that uGIMP is a family from linear to quadratic.
+/// Measures claim S-basis, S §4.1: every basis is made by convolving boxes, so that uGIMP is a family from linear to
+/// quadratic.
 CheckResult check_bases() {
   CheckResult result;
   const auto linear = weight_of(Linear{});

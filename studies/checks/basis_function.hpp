@@ -17,7 +17,7 @@ class BasisFunction {
   double weight(double x) const { return evaluate(x).first; }
   double gradient(double x) const { return evaluate(x).second; }
 
-  /// Both at once; the width is that of the particle for bases that take one.
+  /// Returns weight and gradient at x. `width` is the width of the particle in cells, for bases that take one.
   std::pair<double, double> evaluate(double x, double width = 1) const {
     constexpr int node = 100;
     double N[B::support], dN[B::support];
@@ -31,7 +31,7 @@ class BasisFunction {
   B basis_;
 };
 
-/// n + 1 equally spaced numbers from a to b.
+/// Returns n + 1 equally spaced numbers from a to b.
 inline std::vector<double> linspace(double a, double b, int n) {
   std::vector<double> x;
   for (int k = 0; k <= n; ++k) x.push_back(a + (b - a) * k / n);

@@ -17,16 +17,17 @@ struct CheckResult {
   void add_curve(const std::string& name, const std::vector<double>& x, const std::vector<double>& y);
 };
 
-/// A claim that is a property rather than convergence: one function, one file in studies/checks/, one line here.
+/// A measurement for claims about a property rather than about convergence. Each is a function in a file of
+/// studies/checks/, is declared below, and has a line in checks.cpp.
 struct Check {
   std::string name;
-  std::string abscissa;  ///< what the curves' x is; "h" where it is a step size
+  std::string abscissa;  ///< the name of the curves' x; "h" where x is a step size
   CheckResult (*run)();
 };
 
 const std::vector<Check>& checks();
 
-/// UsageError with the known names otherwise.
+/// Returns the check with this name. Throws a UsageError with the known names where there is none.
 const Check& find_check(const std::string& name, const std::string& where);
 
 CheckResult check_bases();

@@ -28,7 +28,7 @@ Voxels voxels_of(const solver::Mpm<3>& mpm, int cells) {
   return voxels;
 }
 
-/// The voxels that positions and deformation gradients of the exact solution give.
+/// Returns the voxels that follow from the positions and deformation gradients of the exact solution.
 Voxels exact_voxels_of(const profiles::MovingBody<3>& motion, int cells) {
   Voxels voxels{static_cast<std::size_t>(cells * per_cell), {}, {}};
   for (const Vec& X : motion.X()) {
@@ -40,9 +40,9 @@ Voxels exact_voxels_of(const profiles::MovingBody<3>& motion, int cells) {
 
 /// How far the voxels are from tiling the body, which fills the unit cube.
 struct Tiling {
-  double volume_error = 0;  ///< of the voxels' volumes together, against the body's
-  double gap = 0;           ///< largest gap or overlap between neighbours, and to a face, along the axis between them
-  double offset = 0;        ///< largest offset of neighbours across that axis
+  double volume_error = 0;  ///< difference of the total volume of the voxels and the volume of the body
+  double gap = 0;           ///< largest gap or overlap of neighbours along the axis between them, or to a face
+  double offset = 0;        ///< largest offset of the centres of neighbours across the axis between them
 };
 
 Tiling tiling_of(const Voxels& voxels) {
@@ -73,7 +73,7 @@ Tiling tiling_of(const Voxels& voxels) {
 
 }  // namespace
 
-/// S Fig. 13: the voxels of the cube at t = 0.005, when the displacement along x is largest.
+/// Measures how well the voxels of the cube tile it at t = 0.005, when the displacement along x is largest, S Fig. 13.
 CheckResult check_cube_voxels() {
   CheckResult result;
   double coarse_gap = 0;

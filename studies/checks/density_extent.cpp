@@ -32,11 +32,11 @@ class Density {
     double N[B::support], dN[B::support];
     const int first = basis_.evaluate({offset + x, cells, ugimp_length}, N, dN);
     double density = 0;
-    for (int j = 0; j < B::support; ++j) density += active_[first + j] ? N[j] : 0;  // ρ_i = 1 where any mass is
+    for (int j = 0; j < B::support; ++j) density += active_[first + j] ? N[j] : 0;  // ρ_i = 1 on nodes with mass
     return density;
   }
 
-  /// How far the last node that gets mass lies beyond the body.
+  /// Returns how far the last node with mass lies beyond the body, in cells.
   double node_extent() const {
     int last = 0;
     for (int i = 0; i < cells; ++i)
@@ -44,7 +44,7 @@ class Density {
     return last - offset - body_end_;
   }
 
-  /// How far the density field reaches beyond the body.
+  /// Returns how far the density field reaches beyond the body, in cells.
   double field_extent() const {
     double x = body_end_ + 5;
     while (x > body_end_ && !(at(x) > 0)) x -= 1e-3;
@@ -58,7 +58,8 @@ class Density {
   bool active_[cells] = {};
 };
 
-/// Largest extents over the body's position in a cell.
+/// Adds the largest extents over the position of the body in a cell, divided by the printed `reach`, and a curve of the
+/// density.
 template <class B>
 void add_extents(CheckResult& result, const B& basis, const std::string& name, double reach) {
   double nodes = 0, field = 0;
@@ -80,7 +81,7 @@ void add_extents(CheckResult& result, const B& basis, const std::string& name, d
 
 }  // namespace
 
-/// S-fig7: how far mapped density spreads beyond the body.
+/// Measures how far mapped density spreads beyond the body, claim S-fig7.
 CheckResult check_density_extent() {
   CheckResult result;
   add_extents(result, Linear{}, "linear", 1);

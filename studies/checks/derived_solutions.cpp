@@ -14,7 +14,7 @@ namespace mpmvv::checks {
 
 namespace {
 
-/// How far one field of two solutions differs, and how large it is.
+/// The largest difference of one field between two solutions, and the largest norm of the field.
 struct Field {
   const char* name;
   double difference = 0, scale = 0;
@@ -26,7 +26,7 @@ struct Field {
   }
 };
 
-/// A random reference point of a body.
+/// Returns a random reference point of a body.
 template <int D>
 using Place = std::function<mms::Vec<D>(Random&)>;
 
@@ -48,8 +48,8 @@ Place<D> between(const mms::Radii& radii) {
   };
 }
 
-/// Largest difference of each field from the derived one over random points and times, over the largest value of that
-/// field.
+/// Adds, for each field, the largest difference between closed form and derived solution over random points and times,
+/// divided by the largest norm of that field.
 template <int D, class Displacement>
 void compare(CheckResult& result, const std::string& name, const mms::ManufacturedSolution<D>& closed,
              const Displacement& displacement, const mms::Elasticity& material, double period, const Place<D>& place) {
@@ -102,7 +102,7 @@ void compare_vortex(CheckResult& result) {
 
 }  // namespace
 
-/// X-derive: closed forms against derivation from the displacement and an energy alone.
+/// Compares closed forms with solutions derived from the displacement and a stored energy alone, claim X-derive.
 CheckResult check_derived_solutions() {
   CheckResult result;
   compare_in_unit_cell<1, mms::Bar, mms::BarDisplacement>(result, "bar", 0.05, 0);

@@ -13,8 +13,8 @@ using settings::Setting;
 
 namespace {
 
-/// The bar of N §3.4, in one dimension, stretched until it separates: two neighbours are half as far apart again as
-/// the elongation alone makes them.
+/// The bar of N §3.4 in one dimension, stretched until it separates. It counts as separated when two neighbours are
+/// half as far apart again as the elongation alone makes them.
 class PulledBar {
  public:
   explicit PulledBar(const std::vector<Setting>& scheme) : c_(settings::make_case(settings(scheme))) {
@@ -62,7 +62,7 @@ class PulledBar {
   }
 
   cases::Case c_;
-  std::vector<double> x_;  ///< by id, which is the order along the bar
+  std::vector<double> x_;  ///< positions by particle id, which is the order along the bar
   double elongation_ = 0;
   bool separated_ = false;
   std::vector<double> elongations_, errors_;
@@ -70,7 +70,8 @@ class PulledBar {
 
 }  // namespace
 
-/// N §3.4, fourth observation. N's walls are 1 cell deep for CPDI and 1.5 for B2CPDI by its own advice.
+/// Measures the elongation at which the bar separates, N §3.4, fourth observation. The walls are as deep as N advises:
+/// 1 cell for CPDI and 1.5 for B2CPDI.
 CheckResult check_elongation() {
   CheckResult result;
   const Setting cpdi{"basis", "cpdi", ""}, splines{"basis", "b2cpdi", ""};

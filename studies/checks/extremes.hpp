@@ -4,7 +4,8 @@
 
 namespace mpmvv::checks {
 
-// The worst of many numbers. It is NaN once one of them is: what is no number must not pass for a small one.
+// These functions find the worst of many numbers. The result is NaN once one of the numbers is NaN, because a NaN must
+// not pass for a small number.
 
 inline void keep_larger(double& so_far, double value) {
   if (!(value <= so_far) && !std::isnan(so_far)) so_far = value;

@@ -10,8 +10,9 @@ namespace {
 
 constexpr int tilings = 400;
 
-/// Σ_p ∇N(x_p) V_p over one random tiling of the node's support by particles of mean width dx (widths drawn
-/// from dx/2 to 3dx/2, a random start): the internal force of a constant unit stress, S (42), exactly 0. h = 1.
+/// Returns Σ_p ∇N(x_p) V_p over one random tiling of the node's support by particles of mean width dx (widths drawn
+/// from dx/2 to 3dx/2, a random start), with h = 1. This is the internal force of a constant unit stress, S (42), which
+/// is exactly 0.
 double force(const BasisFunction<solver::UGimp>& gimp, double l, double dx, Random& random) {
   const double end = 1 + l / 2 + 2 * dx;
   double sum = 0;
@@ -25,7 +26,7 @@ double force(const BasisFunction<solver::UGimp>& gimp, double l, double dx, Rand
 
 }  // namespace
 
-/// S-fig6: root mean square of that force over random tilings against dx, for two smoothing lengths.
+/// Measures the root mean square of `force` over random tilings against dx, for two smoothing lengths, claim S-fig6.
 CheckResult check_force_quadrature() {
   CheckResult result;
   for (const auto& [l, name] : {std::pair{0.1, "l = h/10"}, std::pair{0.002, "l = h/500"}}) {

@@ -17,8 +17,8 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// N §2.1 and §2.2 as matrices: particles of random sizes and masses in a block inside a wider grid, velocities without
-/// a pattern.
+/// The matrices of N §2.1 and §2.2 for particles of random sizes and masses, which fill a block inside a wider grid.
+/// Their velocities have no pattern.
 class MassMatrices {
  public:
   Matrix S, round_trip;  ///< S, S⁺S
@@ -42,10 +42,11 @@ class MassMatrices {
 
   Vector lumped() const { return p.cwiseQuotient(m); }
 
-  /// m̃_k⁻¹ p by N (1)
+  /// Returns m̃_k⁻¹ p by N's recursion, started from k m⁻¹p.
   Vector binomial(int order) const { return alternating(order, order); }
 
-  /// By the recursion for v*_l, from v*_1 = `start` m⁻¹p: k, where N prints 1
+  /// Returns Σ_l (-1)^(l+1) v*_l by N's recursion for v*_l from v*_1 = `start` m⁻¹p. A start of k gives m̃_k⁻¹ p; N
+  /// prints 1.
   Vector alternating(int order, double start) const {
     Vector term = start * lumped(), sum = term;
     for (int l = 2; l <= order; ++l) {
@@ -55,7 +56,7 @@ class MassMatrices {
     return sum;
   }
 
-  /// Σ_l (-1)^(l+1) C(k, l) (S⁺S)^(l-1) m⁻¹p with the powers as matrices
+  /// Returns m̃_k⁻¹ p by N (1), Σ_l (-1)^(l+1) C(k, l) (S⁺S)^(l-1) m⁻¹p, with the powers as matrices.
   Vector by_powers(int order) const {
     Vector sum = Vector::Zero(m.size());
     Matrix power = Matrix::Identity(m.size(), m.size());
@@ -100,7 +101,8 @@ void add_inverse(const MassMatrices& s, CheckResult& result) {
   result.add("printed_start_times_k", printed, "k times that against (1), k to 16, relative");
 }
 
-/// Where S⁺S has no eigenvalue near zero the series converges; the distance is measured as N's mass does, sqrt(vᵀ m̃ v).
+/// Adds the distance of the expansion from the exact solve for k up to 512. The series converges where S⁺S has no
+/// eigenvalue near zero. Distances are taken in the norm of the consistent mass m̃ = SᵀMS, sqrt(vᵀ m̃ v).
 void add_limit(const MassMatrices& s, const char* name, CheckResult& result) {
   const Vector exact = s.exact();
   const auto distance = [&](const Vector& v) {
@@ -120,7 +122,7 @@ void add_limit(const MassMatrices& s, const char* name, CheckResult& result) {
   result.add(std::string("distance_") + name, distances.back(), "distance from the exact solve at k = 512, relative");
 }
 
-/// P_X V = S m̃_k⁻¹ SᵀM V, with P_X = I - (I - SS⁺)^k.
+/// Compares P_X V, where P_X = I - (I - SS⁺)^k, with S m̃_k⁻¹ SᵀM V.
 void add_projection(const MassMatrices& s, CheckResult& result) {
   double largest = 0;
   for (const int k : {1, 2, 4, 8, 16}) {
@@ -134,7 +136,8 @@ void add_projection(const MassMatrices& s, CheckResult& result) {
   result.add("projection", largest, "P_X V against S m̃_k⁻¹SᵀM V, k to 16, relative");
 }
 
-/// The first step of the bar from velocities without a pattern, which all velocity updates share.
+/// The first step of the bar with one velocity update. It starts from velocities without a pattern, which are the same
+/// for all updates.
 struct Step {
   Vector V, V_new, rate;  ///< V, V', (X' - X)/Δt
 
@@ -145,7 +148,7 @@ struct Step {
     settings.insert(settings.end(), update.begin(), update.end());
     const cases::Case c = settings::make_case(settings);
     runs::PreparedCase<1> prepared = runs::prepare_case<1>(c, problems::find_problem("bar", ""), 1);
-    auto& velocities = prepared.scene.particles.v;  // the bar starts at rest
+    auto& velocities = prepared.scene.particles.v;  // the bar of the problem starts at rest
     for (std::size_t p = 0; p < velocities.size(); ++p)
       velocities[p][0] = 5 * std::sin(7.0 * static_cast<double>(p * p));
     solver::Mpm<1> mpm(std::move(prepared.scene));
@@ -166,7 +169,7 @@ struct Step {
 
 }  // namespace
 
-/// N-inverse and N-equal on matrices.
+/// Measures claims N-inverse and N-equal on matrices.
 CheckResult check_full_mass_inverse() {
   CheckResult result;
   const MassMatrices splines(solver::BSpline2{}), boxes(solver::Gimp{});
@@ -177,7 +180,8 @@ CheckResult check_full_mass_inverse() {
   return result;
 }
 
-/// N (2): V' of the three, and their effective velocities 𝕍 = (X' - X)/Δt - (V' - V)/2 against what it says.
+/// Compares V' of MPM-PIC, XPIC(1) and FMPM(1) with each other. Compares their effective velocities, 𝕍 = (X' - X)/Δt -
+/// (V' - V)/2, with N (2).
 CheckResult check_pic_updates() {
   CheckResult result;
   const Step pic({{"velocity_update", "pic", ""}});

@@ -21,7 +21,7 @@ struct GhostMass {
   double at_rest = 0, deformed = 0, in_motion = 0;
 };
 
-/// Largest mass on a node beyond a face, an edge or a corner of the domain.
+/// Returns the largest mass on a node beyond a face, an edge or a corner of the domain, divided by h^D.
 template <int D>
 double ghost_mass(const solver::Grid<D>& grid) {
   double worst = 0;
@@ -34,7 +34,8 @@ double ghost_mass(const solver::Grid<D>& grid) {
   return worst / std::pow(grid.h(), D);
 }
 
-/// With the default density of one a full cell's mass is h^D; with amplitude 0 the body stays at rest.
+/// Runs the body with amplitude 0, with which it stays at rest, and with its own amplitude. As the default density is
+/// one, the mass of a full cell is h^D.
 template <int D>
 GhostMass measure(const WalledBody& body, const std::string& basis) {
   GhostMass result;
@@ -75,7 +76,7 @@ void add(CheckResult& result, const WalledBody& body, const std::string& basis, 
 
 }  // namespace
 
-/// S-ghost, §4.3: mass on ghost nodes of an aligned body.
+/// Measures the mass on ghost nodes of an aligned body, claim S-ghost, S §4.3.
 CheckResult check_ghost_mass() {
   const WalledBody bar{"bar", "dirichlet", "0.05", 64, 4, "0.2"};
   const WalledBody square{"square", "symmetry", "0.1", 32, 2, "0.4"};

@@ -10,7 +10,8 @@ namespace {
 
 using namespace solver;
 
-/// Where a function's slope jumps: its second difference over a step stands out.
+/// Returns the number of places in [-2, 2] at which the slope of f jumps: there its second difference, divided by the
+/// step, exceeds 0.1.
 template <class F>
 int kinks(const F& f) {
   constexpr double step = 1e-4;
@@ -25,7 +26,8 @@ int kinks(const F& f) {
   return count;
 }
 
-/// Velocities mapped to the grid and back, as drawn in S Fig. 2: v(x) = Σ_i N_i(x) Σ_p N_ip v_p / Σ_p N_ip.
+/// Returns the velocities sin(1.3 x_p) mapped to the grid and back, at the points `at`, as drawn in S Fig. 2:
+///   v(x) = Σ_i N_i(x) Σ_p N_ip v_p / Σ_p N_ip
 template <class B>
 std::vector<double> mapped_field(const B& basis, const std::vector<double>& particles, const std::vector<double>& at) {
   constexpr int cells = 5, ghost = B::ghost, nodes = cells + 1 + 2 * ghost;
@@ -48,7 +50,7 @@ std::vector<double> mapped_field(const B& basis, const std::vector<double>& part
 
 }  // namespace
 
-/// S-fig4 with S Figs. 2 and 4: the GIMP weight looks smooth, its gradient has kinks.
+/// Measures claim S-fig4, with the curves of S Figs. 2 and 4: the GIMP weight looks smooth, its gradient has kinks.
 CheckResult check_gimp_kinks() {
   constexpr double l = 0.5;
   const BasisFunction<UGimp> gimp(UGimp{l});

@@ -9,7 +9,8 @@ namespace mpmvv::checks {
 
 namespace {
 
-/// A continuous, piecewise-linear function with slopes a1, a2, a3 and breaks at 0 and l, b at the first break.
+/// A continuous, piecewise-linear function with slopes a1, a2, a3, breaks at 0 and l, and the value b at the first
+/// break.
 struct ThreePieces {
   double a1, a2, a3, b, l;
 
@@ -19,7 +20,7 @@ struct ThreePieces {
     return b + a2 * l + a3 * (x - l);
   }
 
-  /// ∫ from 0 to x.
+  /// Returns ∫ f from 0 to x.
   double antiderivative(double x) const {
     if (x < 0) return b * x + a1 * x * x / 2;
     if (x < l) return b * x + a2 * x * x / 2;
@@ -27,7 +28,7 @@ struct ThreePieces {
   }
 };
 
-/// Integral over the particle less its midpoint value times its width, S (37).
+/// Returns the integral of f over a particle of width dx at `delta`, less its value at the middle times dx, S (37).
 double direct(const ThreePieces& f, double delta, double dx) {
   return f.antiderivative(delta + dx / 2) - f.antiderivative(delta - dx / 2) - f(delta) * dx;
 }
@@ -37,7 +38,8 @@ double equation_39(const ThreePieces& f, double delta, double dx) {
          (f.a3 - f.a1) * delta * delta / 2 + (f.a1 - 2 * f.a2 + f.a3) * delta * dx / 2 + (f.a3 - f.a1) * dx * dx / 8;
 }
 
-/// The same integral of the solver's own uGIMP gradient (node at l/2 from the break) by its weight, h = 1.
+/// Returns the same difference for the gradient of the solver's uGIMP, whose integral is its weight. The node lies l/2
+/// from the first break, h = 1.
 double direct_gimp(double l, double delta, double dx) {
   const BasisFunction<solver::UGimp> gimp(solver::UGimp{l});
   const double x = delta - l / 2;
@@ -46,7 +48,7 @@ double direct_gimp(double l, double delta, double dx) {
 
 }  // namespace
 
-/// S-jump: S (39) to (41) against the error computed directly, over random pieces and particles.
+/// Compares S (39) to (41) with the error computed directly, over random pieces and particles, claim S-jump.
 CheckResult check_jump_errors() {
   Random random(20081);
   double worst_39 = 0, worst_40 = 0, worst_41 = 0;

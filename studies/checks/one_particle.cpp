@@ -11,7 +11,7 @@ namespace mpmvv::checks {
 
 namespace {
 
-/// W §3 in one cell of width h: position, velocity, deformation gradient.
+/// The particle of W §3 in one cell of width h: position, velocity, deformation gradient.
 struct OneParticle {
   double x, v, F;
 };
@@ -20,14 +20,14 @@ struct Constants {
   double E, h, V0, m, sign;  ///< sign -1 as W (14) has it, +1 as W (27) is printed
 };
 
-/// W (34) to (36)
+/// Returns the state after a step of USF, W (34) to (36).
 OneParticle usf_step(const OneParticle& s, const Constants& c, double dt) {
   const double F = (1 + s.v / c.h * dt) * s.F;
   const double kick = c.sign * c.E / (2 * c.h) * (F * F - 1) * (c.V0 / c.m) * dt;
   return {s.x + s.v * (s.x / c.h) * dt + kick * dt, s.v + kick, F};
 }
 
-/// W (37) to (39)
+/// Returns the state after a step of USL, W (37) to (39).
 OneParticle usl_step(const OneParticle& s, const Constants& c, double dt) {
   const double force = c.sign * c.E / 2 * (s.F * s.F - 1) * c.V0;
   const double kick = force / (c.h * c.m) * dt;
@@ -40,7 +40,7 @@ struct Comparison {
   std::vector<double> steps, solver_F, recursion_F, printed_F;
 };
 
-/// The solver beside the recursion over some three oscillations (20 h/C).
+/// Runs the solver beside the recursion over some three oscillations (20 h/C).
 Comparison compare(const std::string& integrator,
                    OneParticle (*advance)(const OneParticle&, const Constants&, double)) {
   const std::vector<settings::Setting> settings{{"problem", "one-particle", ""},
@@ -81,7 +81,7 @@ Comparison compare(const std::string& integrator,
 
 }  // namespace
 
-/// W-one: the solver against the recursions of W §3 with the sign of W (14).
+/// Compares the solver with the recursions of W §3 with the sign of W (14), claim W-one.
 CheckResult check_one_particle() {
   CheckResult result;
   for (const auto& [name, advance] : {std::pair{"usf", &usf_step}, std::pair{"usl", &usl_step}}) {

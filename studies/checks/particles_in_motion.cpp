@@ -24,7 +24,7 @@ CheckResult particles_at(const std::vector<Moment>& moments, const std::vector<s
 
 }  // namespace
 
-/// W Fig. 2: the square on 8 x 8 cells with four particles each, at three times of a period T.
+/// Returns the particles of W Fig. 2: the square on 8 x 8 cells with four particles each, at three times of a period T.
 CheckResult check_square_particles() {
   return particles_at({{"t = T/8", 1}, {"t = 3T/8", 3}, {"t = 5T/8", 5}}, {{"problem", "square", ""},
                                                                            {"basis", "cpgimp", ""},
@@ -35,7 +35,7 @@ CheckResult check_square_particles() {
                                                                            {"cfl", "0.4", ""}});
 }
 
-/// W Fig. 5: the ring at three times of a period T, from its widest to its narrowest.
+/// Returns the particles of W Fig. 5: the ring at three times of a period T, from its widest to its narrowest.
 CheckResult check_ring_particles() {
   return particles_at({{"t = 0", 0}, {"t = T/4", 2}, {"t = T/2", 4}}, {{"problem", "ring", ""},
                                                                        {"quarter", "true", ""},
@@ -46,7 +46,7 @@ CheckResult check_ring_particles() {
                                                                        {"cfl", "0.4", ""}});
 }
 
-/// The ring of X-ring, its particles in rows along the surfaces.
+/// Returns the particles of the ring of claim X-ring, which lie in rows along the surfaces.
 CheckResult check_ring_rows() {
   return particles_at({{"t = 0", 0}, {"t = T/4", 2}, {"t = T/2", 4}}, {{"problem", "ring", ""},
                                                                        {"quarter", "true", ""},
@@ -58,7 +58,7 @@ CheckResult check_ring_rows() {
                                                                        {"cfl", "0.2", ""}});
 }
 
-/// The vortex on its way out and at its farthest.
+/// Returns the particles of the vortex at the start, on their way out and at their farthest.
 CheckResult check_vortex_particles() {
   return particles_at({{"t = 0", 0}, {"t = 1/8", 1}, {"t = 1/2", 4}}, {{"problem", "vortex", ""},
                                                                        {"basis", "bspline3", ""},

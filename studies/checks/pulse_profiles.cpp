@@ -9,7 +9,8 @@ namespace mpmvv::checks {
 
 namespace {
 
-/// The place of the highest stress and its height, by the parabola through the highest column and its neighbours.
+/// The place of the highest stress and its height, by the parabola through the highest column of particles and its
+/// neighbours.
 struct Peak {
   double x = 0, height = 0;
 
@@ -24,7 +25,8 @@ struct Peak {
   }
 };
 
-/// The largest |σ| where theory has none yet: behind the pulse, more than two cells from its end.
+/// Returns the largest |σ| between two places. The caller takes the part where theory has no stress any more: behind
+/// the pulse, more than two cells from its end.
 double ringing_behind(const profiles::Profile& profile, double from, double to) {
   double largest = 0;
   for (std::size_t k = 0; k < profile.x.size(); ++k)
@@ -34,8 +36,8 @@ double ringing_behind(const profiles::Profile& profile, double from, double to) 
 
 }  // namespace
 
-/// N Fig. 6B: σ_xx along the bar at 1.5 ms with cells of 1 mm; the pulse lies between 50 and 150 mm, its peak at 100
-/// mm.
+/// Measures the profiles of N Fig. 6B: σ_xx along the bar at 1.5 ms with cells of 1 mm. The pulse then lies between 50
+/// and 150 mm, with its peak at 100 mm.
 CheckResult check_pulse_profiles() {
   constexpr double stress = 500, h = 1e-3;
   CheckResult result;

@@ -4,8 +4,9 @@ namespace mpmvv::checks {
 
 namespace {
 
-/// How far apart neighbouring columns of the plateau's particles are, over det F of the particles between them: 1 where
-/// positions and deformation gradients tell of one motion.
+/// Returns the mean over the plateau of a ratio: the spacing of neighbouring columns of particles, over their spacing
+/// at rest times det F of the particles between them. It is 1 where positions and deformation gradients describe the
+/// same motion.
 double spacing_over_volume_ratio(const profiles::ShockedBar& bar) {
   const auto& particles = bar.body.mpm().particles();
   const profiles::Profile J = profiles::profile(bar.body, [&](std::size_t p) { return particles.thermal[p].J; });

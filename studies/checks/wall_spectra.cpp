@@ -22,8 +22,8 @@ struct Standing final : solver::WallMotion {
   double gradient(double) const override { return 0; }
 };
 
-/// A line of 8 cells with two particles each, without stress, between walls at rest; its ends lie `offset` cells
-/// beyond nodes.
+/// A bar of 8 cells with two particles each, without stress, between walls at rest. Its ends lie `offset` cells to the
+/// right of nodes.
 class ForceFreeBar {
  public:
   ForceFreeBar(const solver::AnyBasis& basis, double offset, double depth) : left_(4 + offset), right_(12 + offset) {
@@ -42,7 +42,8 @@ class ForceFreeBar {
     particles.R0 = particles.R;
   }
 
-  /// V' = `map` V of one step, column by column from the solver itself.
+  /// Returns the matrix that takes V to V' in one step. Its column q comes from a step of the solver in which particle
+  /// q alone moves, at velocity one.
   Eigen::MatrixXd map(WallMethod method, int order) {
     scene_.velocity_update = solver::Fmpm{order};
     scene_.wall_method = method;
@@ -64,7 +65,7 @@ class ForceFreeBar {
   solver::Scene<1> scene_;
 };
 
-/// The largest over walls at several places in their cells.
+/// Returns the largest spectral radius over five places of the walls in their cells.
 double largest_radius(const solver::AnyBasis& basis, double depth, WallMethod method, int order) {
   double largest = 0;
   for (const double offset : {0.0, 0.2, 0.4, 0.6, 0.8})
@@ -80,11 +81,13 @@ struct BarBetweenWalls {
 
 }  // namespace
 
-/// The spectral radius of FMPM's step without forces, particle velocities to particle velocities, between walls at
-/// rest. With C zero on the nodes held and one elsewhere, Q = C S⁺S C and the sum E = Σ_{l<k} (I - S⁺S)^l it is that of
-///   C (I - (I - S⁺S)^k) C   velocity and lumped,   C E C Q   combined,   I - (I - Q)^k   elimination,
-/// on the nodes. In the product of the masses S⁺S is symmetric with eigenvalues in [0, 1], and Q with it: all but
-/// the combined method's lie in [0, 1] for every k. Its are 2Q - Q² for k = 2, and have no such bound beyond.
+/// Measures the spectral radius of a step of FMPM without forces between walls at rest, as a map from particle
+/// velocities to particle velocities. Let C be the diagonal matrix that is zero on the held nodes and one elsewhere.
+/// With Q = C S⁺S C and E = Σ_{l<k} (I - S⁺S)^l the radius is that of these matrices on the nodes:
+///   C (I - (I - S⁺S)^k) C   velocity and lumped,   C E C Q   combined,   I - (I - Q)^k   elimination.
+/// In the inner product weighted by the masses, S⁺S is symmetric with eigenvalues in [0, 1], and so is Q. The
+/// eigenvalues of all methods but the combined one therefore lie in [0, 1] for every k. The combined method has those
+/// of 2Q - Q² for k = 2, and for larger k they have no such bound.
 CheckResult check_wall_spectra() {
   CheckResult result;
   const std::vector<BarBetweenWalls> settings{{"cpdi_d1", "CPDI, d = 1", solver::Cpdi{}, 1},

@@ -30,7 +30,7 @@ TomlTable required_table(const TomlTable& root, const std::string& name, const s
   return *table;
 }
 
-/// Texts that must be there.
+/// Returns the texts of a key; UsageError if there are none.
 std::vector<std::string> some_texts(const TomlTable& table, const std::string& key, const char* wanted) {
   std::vector<std::string> texts = table.texts(key);
   if (texts.empty()) throw UsageError(fmt::format("no '{}' in {} ({})", key, table.where(key), wanted));
@@ -81,7 +81,7 @@ void read_command(const TomlTable& root, Adapter& adapter) {
   adapter.time_limit = std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(1000 * seconds)));
 }
 
-/// Names of columns, and one of the file's units in m, s and kg.
+/// Reads the names of the columns, and how many m, s and kg the file's units of length, time and mass are.
 Columns read_columns(const TomlTable& output) {
   Columns columns;
   if (const auto names = output.table("columns")) {
@@ -152,7 +152,7 @@ Capabilities read_capabilities(const TomlTable& root) {
   return able;
 }
 
-/// What a command's words name of the adapter's folder, as `{{adapter}}/convert.py`.
+/// Returns the contents of the files in the adapter's folder that a command names, as in `{{adapter}}/convert.py`.
 std::string files_named_by(const std::vector<std::string>& command, const std::filesystem::path& folder) {
   const std::string prefix = "{{adapter}}/";
   std::string contents;
@@ -161,7 +161,8 @@ std::string files_named_by(const std::vector<std::string>& command, const std::f
   return contents;
 }
 
-/// Of all that the adapter's folder says of a run: the file, the templates, and what its commands name.
+/// Returns the digest of all that the adapter's folder determines of a run: the adapter's file (`text`), the templates,
+/// and the files that its commands name.
 std::string digest_of(const std::string& text, const Adapter& adapter) {
   std::string all = text;
   for (const InputFile& input : adapter.inputs) all += fmt::format("\n{}\n{}", input.file, input.text);

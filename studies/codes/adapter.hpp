@@ -12,36 +12,36 @@ namespace mpmvv::codes {
 /// A file of the code's input: the name under which it is written into a run's folder, and its mustache template.
 struct InputFile {
   std::string file, text;
-  std::filesystem::path source;  ///< of the template
+  std::filesystem::path source;  ///< the file of the template
 };
 
 /// A value that an adapter gives to its templates.
 using FieldValues = std::map<std::string, std::string>;
 
-/// How a program is found.
+/// How the program of a code, and its version, are found.
 struct ProgramNames {
-  std::string variable;  ///< of the environment, which names it
-  std::string command;   ///< without that: on PATH, or with a '/' relative to the adapter's folder; may be empty
-  std::vector<std::string> version;  ///< the command whose last output word is the version; empty: the file's digest
-  std::string page;                  ///< where it says how to get and build it
+  std::string variable;  ///< the environment variable that names the program
+  std::string command;   ///< the default program: on PATH, or with a '/' from the adapter's folder; may be empty
+  std::vector<std::string> version;  ///< command whose last output word is the version; empty: the file's digest is it
+  std::string page;                  ///< the page that says how to get and build the program
 };
 
-/// What a code writes, and where. Names are templates.
+/// The files that a code writes. Names of files are templates.
 struct OutputFiles {
-  std::string format;                             ///< a word of `formats()`; empty: as the name's ending says
-  std::string end;                                ///< file of the end time
-  std::string start;                              ///< of time zero; empty: none
-  std::vector<std::vector<std::string>> convert;  ///< commands that run after the code, each with its words
+  std::string format;  ///< a word of `formats()`; empty: the format that the file name's ending says
+  std::string end;     ///< the file with the particles at the end time
+  std::string start;   ///< the file with the particles at time zero; empty: none
+  std::vector<std::vector<std::string>> convert;  ///< the words of each command that runs after the code
   Columns columns;
 };
 
-/// How a code comes to the end time.
+/// How a code steps to the end time.
 struct Stepping {
-  bool is_given = true;          ///< it takes the time step as it is told; else it chooses one of its own
-  double time_tolerance = 1e-9;  ///< by which the time reached may differ from the end time, over that
+  bool is_given = true;          ///< whether it takes the given time step; if not, it chooses its own
+  double time_tolerance = 1e-9;  ///< largest |time reached - end time| over the end time
 };
 
-/// What a code can do.
+/// The cases that a code can run.
 struct Capabilities {
   std::vector<int> dimensions;
   std::vector<std::string> force_forms, boundaries, materials;
@@ -57,17 +57,17 @@ struct Adapter {
   std::vector<std::string> command;  ///< words, each a template
   std::map<std::string, std::string> environment;
   std::chrono::milliseconds time_limit{};
-  std::vector<std::string> unstable;  ///< what the code says when the motion blew up; it is then no failure
+  std::vector<std::string> unstable;  ///< texts that the code prints when the motion blew up, which is no failure
   OutputFiles output;
   Stepping stepping;
-  std::string dialect;                          ///< of expressions in the templates
-  FieldValues fields;                           ///< of all variants
-  std::map<std::string, FieldValues> variants;  ///< by their words
+  std::string dialect;                          ///< the dialect of expressions in the templates; empty: they have none
+  FieldValues fields;                           ///< values for the templates, the same for all variants
+  std::map<std::string, FieldValues> variants;  ///< further values, by the word of the variant
   Capabilities capabilities;
-  std::string digest;  ///< of the file, all templates, and what commands name as `{{adapter}}/...`
+  std::string digest;  ///< digest of this file, all templates, and files that commands name as `{{adapter}}/...`
 };
 
-/// Reads an adapter; every mistake is a UsageError with file and line.
+/// Reads an adapter. Throws UsageError with file and line for any mistake in it.
 Adapter read_adapter(const std::filesystem::path& file);
 
 }  // namespace mpmvv::codes

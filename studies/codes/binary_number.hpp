@@ -6,18 +6,19 @@
 
 namespace mpmvv::codes {
 
-/// How a number is stored.
+/// The binary type of a number.
 struct NumberType {
-  char kind;         ///< 'i' signed and 'u' unsigned whole numbers, 'f' others
-  std::size_t size;  ///< bytes
+  char kind;         ///< 'i': signed whole number, 'u': unsigned whole number, 'f': floating point
+  std::size_t size;  ///< its size in bytes
 
-  int bits() const { return kind != 'f' ? 0 : size == 4 ? 24 : 53; }  ///< of the mantissa
+  int bits() const { return kind != 'f' ? 0 : size == 4 ? 24 : 53; }  ///< bits of the mantissa; 0 for whole numbers
 };
 
-/// Int8, UInt8, ..., Float32, Float64 as VTK says, and as PLY says: char, uchar, ..., int8, ..., float, double.
+/// Returns the type with this name, in small or capital letters: Int8, UInt8, ..., Float32, Float64 as VTK writes it,
+/// or char, uchar, ..., int8, ..., float, double as PLY does. Returns nullopt for any other name.
 std::optional<NumberType> number_type(std::string_view name);
 
-/// The number that is stored from there on.
+/// Returns the number whose first byte is at `place`.
 double number_at(const char* place, NumberType type, bool is_big_endian);
 
 }  // namespace mpmvv::codes

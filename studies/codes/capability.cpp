@@ -22,8 +22,7 @@ bool has(const List& list, const Value& value) {
   return std::ranges::find(list, value) != list.end();
 }
 
-/// The boundaries with which the case moves as its solution does: of a periodic problem with planes of symmetry on its
-/// faces these, too.
+/// Returns the boundary words of the case's faces, each once.
 std::vector<std::string> boundaries_of(const Case& c, const Problem& problem) {
   std::vector<std::string> words;
   for (const std::string& face : settings::boundary_faces(c.scheme.boundary, problem.dimension(), "the case"))
@@ -31,12 +30,14 @@ std::vector<std::string> boundaries_of(const Case& c, const Problem& problem) {
   return words;
 }
 
+/// Whether the code has this boundary, or one with which the case moves in the same way: `symmetry` for `periodic`
+/// where the problem has planes of symmetry on its faces.
 bool is_met(const std::string& word, const Problem& problem, const Capabilities& able) {
   const bool has_planes = word == solver::Periodic::word && problem.has_quarter();
   return has(able.boundaries, word) || (has_planes && has(able.boundaries, std::string(solver::Symmetry::word)));
 }
 
-/// The case on few cells, for what does not depend on their number.
+/// Returns the case on few cells, for questions whose answer does not depend on their number.
 Case on_few_cells(Case c) {
   c.resolution.cells = std::min(c.resolution.cells, 4);
   c.resolution.ppc = 2;

@@ -20,7 +20,7 @@ using support::UsageError;
 
 namespace {
 
-/// The settings that every case must be given, parameters among them.
+/// Returns the settings that no case can do without, among them all parameters of the problem.
 std::vector<Setting> necessary_settings(const Case& c, const std::string& where) {
   std::vector<Setting> given{{"problem", c.problem.name, where},
                              {"end_time", fmt::format("{}", c.problem.end_time), where},
@@ -32,7 +32,8 @@ std::vector<Setting> necessary_settings(const Case& c, const std::string& where)
   return given;
 }
 
-/// Settings that make the case: beside the necessary ones those that are not what would stand there without them.
+/// Returns settings from which `make_case` makes the case: the necessary ones, and those whose value is not the one
+/// that it fills in. A setting may change what others are filled in with, so this goes on until no value differs.
 std::vector<Setting> settings_of(const Case& c) {
   const std::string where = "the case";
   std::vector<Setting> given = necessary_settings(c, where);

@@ -23,7 +23,7 @@ using support::UsageError;
 
 namespace {
 
-/// Of what the environment names.
+/// Says why the program that the environment variable names cannot be run.
 std::string why_not_run(const std::string& text) {
   if (fs::is_regular_file(text))
     return text.find('/') == std::string::npos ? "a file here is ./" + text : "it is not executable, chmod +x";
@@ -48,7 +48,7 @@ fs::path program_of(const Adapter& adapter) {
   return support::is_program(file) ? file : fs::path();
 }
 
-/// As a word of a case's text.
+/// Returns the version as one word of a case's text: cut to 60 characters, with _ for all but letters, digits and ._+-
 std::string as_word(const std::string& version) {
   std::string word;
   for (const char c : version.substr(0, 60))
@@ -86,7 +86,7 @@ std::string version_of(const Adapter& adapter, const fs::path& program, const st
 std::optional<Code> find_code(const Adapter& adapter) {
   const fs::path program = program_of(adapter);
   if (program.empty()) return std::nullopt;
-  const std::string content =  // one that may be run may be closed to readers
+  const std::string content =  // a program that can be run need not be readable
       adapter.program.version.empty() ? support::require_file(program, fmt::format("code '{}'", adapter.name))
                                       : support::read_file(program).value_or("");
   return Code{adapter, program, version_of(adapter, program, content), cases::fingerprint(adapter.digest + content)};

@@ -9,25 +9,25 @@
 
 namespace mpmvv::codes {
 
-/// A code that is there.
+/// Another code whose program was found.
 struct Code {
   Adapter adapter;
   std::filesystem::path program;
-  std::string version;  ///< that the program gives, or a digest of its file
-  std::string digest;   ///< of the adapter and the program's file: it decides results, as a version may be forgotten
+  std::string version;  ///< the version that the program prints, or a digest of its file
+  std::string digest;   ///< digest of adapter and program file; it tells results apart, as a version may be forgotten
 };
 
 /// The codes that a command has found, by name.
 using Codes = std::map<std::string, Code>;
 
-/// The program that the environment names, or the adapter; none where it is not there. UsageError where the environment
-/// names what cannot be run, or the program gives no version.
+/// Finds the program that the environment names, else that of the adapter; nullopt if there is none. Throws UsageError
+/// if the program that the environment names cannot be run, or if a program that was found gives no version.
 std::optional<Code> find_code(const Adapter& adapter);
 
-/// What to do where it is not there.
+/// Says how to get a code whose program was not found.
 std::string how_to_get(const Adapter& adapter);
 
-/// UsageError that says why the code cannot carry out the case, where it cannot.
+/// Throws UsageError, which says why, if the case is beyond the capabilities of the code.
 void require_able(const Adapter& adapter, const cases::Case& c);
 
 }  // namespace mpmvv::codes

@@ -24,13 +24,13 @@ std::vector<std::string> known_columns(const ParticleTable& table) {
   return names;
 }
 
-/// Looks columns up by quantities.
+/// Finds the column of a quantity.
 class Lookup {
  public:
   Lookup(const ParticleTable& table, const Columns& columns, const std::string& file)
       : table_(table), columns_(columns), file_(file) {}
 
-  /// The components of an array that the case has.
+  /// Returns the components of an array that the case has; all of them if its dimension is not known.
   std::vector<Quantity> needed(const std::string& array) const {
     std::vector<Quantity> all = quantities_of(array);
     if (const std::size_t D = columns_.dimensions; D > 0)
@@ -38,7 +38,8 @@ class Lookup {
     return all;
   }
 
-  /// Of an array that the case needs whole: words of a component that is there and of one that is not, if any.
+  /// Throws UsageError if the file has some components of an array that the case has, but not all. `found` is the word
+  /// of a component that the file has, `missing` of one that it lacks; empty if there is none.
   void require_whole(const std::string& found, const std::string& missing) const {
     if (columns_.dimensions == 0 || found.empty() || missing.empty()) return;
     throw UsageError(
@@ -47,14 +48,15 @@ class Lookup {
                     missing, file_, found, fmt::join(known_columns(table_), ", ")));
   }
 
-  /// The column of a quantity; null when the file has none and nobody named one.
+  /// Returns the column of a quantity; null if the file has none. Throws UsageError if a column that was named, or the
+  /// first component of an array that was named, is not in the file.
   const TableColumn* find(const Quantity& quantity) const {
     if (const auto given = columns_.names.find(quantity.word); given != columns_.names.end())
       if (const TableColumn* column = named(given->second, quantity)) return column;
     if (const auto given = columns_.names.find(quantity.array); given != columns_.names.end()) {
       const TableColumn* column = column_of(fmt::format("{}:{}", given->second, quantity.component));
       if (!column && quantity.component == 0) fail(given->second, quantity.array);
-      return column;
+      if (column || column_of(given->second + ":0")) return column;  // else it is the column of the first component
     }
     for (const std::string& name : quantity.usual)
       if (const TableColumn* column = column_of(name)) return column;
@@ -64,7 +66,8 @@ class Lookup {
  private:
   const TableColumn* column_of(const std::string& name) const { return only_column(table_, name, file_); }
 
-  /// By name or number; null for a name that stands for an array.
+  /// Returns the column with this name, else with this number; null if it is the name of an array, with columns
+  /// `NAME:0`, ... Throws UsageError otherwise.
   const TableColumn* named(const std::string& name, const Quantity& quantity) const {
     if (const TableColumn* column = column_of(name)) return column;
     std::size_t number = 0;
@@ -85,7 +88,8 @@ class Lookup {
   const std::string& file_;
 };
 
-/// The components of an array that the case has, each times `scale`; none where the file has none of them.
+/// Returns the components of an array of each particle, times `scale`; 0 for those that the case or the file lacks.
+/// Empty if the file has none of them.
 template <std::size_t N>
 std::vector<std::array<double, N>> components(const Lookup& lookup, const std::string& array, double scale) {
   std::vector<std::array<double, N>> all;
@@ -120,7 +124,7 @@ std::vector<std::int64_t> ids(const Lookup& lookup, const std::string& file) {
   return all;
 }
 
-/// A time that stands in every line.
+/// Returns the time in s, from a header or comment, or else from a column, where every row must say the same.
 std::optional<double> time_of(const ParticleTable& table, const Lookup& lookup, double scale, const std::string& file) {
   if (table.time) return scale * *table.time;
   const std::vector<double> times = scalars(lookup, "time", scale);
@@ -130,7 +134,7 @@ std::optional<double> time_of(const ParticleTable& table, const Lookup& lookup, 
   return times.front();
 }
 
-/// Words of quantities and arrays.
+/// Returns the words of all quantities and arrays, each once.
 std::vector<std::string> known_words() {
   std::vector<std::string> words;
   for (const Quantity& quantity : all_quantities())
@@ -139,7 +143,8 @@ std::vector<std::string> known_words() {
   return words;
 }
 
-/// Where nothing of a particle is a number it is lost, which is a result.
+/// Throws UsageError if a particle's position and displacement are finite but its reference position is not. A particle
+/// of which these are not finite either is lost, which is a result.
 void require_reference_positions(const Snapshot& s, const std::string& file) {
   const auto is_number = [](const std::vector<Point>& all, std::size_t row) {
     return all.empty() || std::ranges::all_of(all[row], [](double d) { return std::isfinite(d); });

@@ -9,26 +9,28 @@
 
 namespace mpmvv::codes {
 
-/// Where a code's file keeps what, and in which units.
+/// Which columns of a code's file have which quantities, and the file's units.
 struct Columns {
-  /// The column of a quantity, by name or by number from 1 on. Quantities are words of `all_quantities()`; names of
-  /// arrays (X, x, u, v, F, s) stand for all components of an array. What is not named here is looked for by usual
-  /// names.
+  /// For a quantity, the name or the number (from 1) of its column. Quantities are words of `all_quantities()`; the
+  /// names of arrays (X, x, u, v, F, s) stand for all their components. Quantities that are not named here are looked
+  /// for by their usual names.
   std::map<std::string, std::string> names = {};
-  std::string where = "--columns";        ///< what names them
-  double length = 1, time = 1, mass = 1;  ///< m, s and kg to the file's unit
-  std::optional<std::int64_t> step = {};  ///< which one, where a file has several; none: the last
-  std::size_t dimensions = 0;  ///< of the case: it needs as many components, and no others; 0: as many as there are
+  std::string where = "--columns";        ///< what gave the names, for messages
+  double length = 1, time = 1, mass = 1;  ///< the file's units in m, s and kg
+  std::optional<std::int64_t> step = {};  ///< the time step to read if the file has several; nullopt: the last
+  std::size_t dimensions = 0;  ///< axes of the case: only their components are read, all are needed; 0: not known
 };
 
-/// "id=tag,x=px" as pairs; UsageError, with `where`, of what is none or names no quantity.
+/// Returns the pairs of a text such as "id=tag,x=px". Throws UsageError, which says `where`, for a part that is no pair
+/// or names no quantity.
 std::map<std::string, std::string> parse_columns(const std::string& text, const std::string& where);
 
-/// The column of this name; null where there is none, UsageError where there are two.
+/// Returns the column with this name, null if there is none. Throws UsageError if there are several.
 const TableColumn* only_column(const ParticleTable& table, const std::string& name, const std::string& file);
 
-/// The table's columns by their quantities. UsageError when a column that was named is not there, when there is neither
-/// position nor displacement, or not every component of something that there is.
+/// Returns the table's columns by their quantities, in SI units. Throws UsageError if a column that was named is
+/// missing, if there is neither position nor displacement, if an array lacks a component that the case has, if an id is
+/// no whole number, if rows have different times, or if a reference position alone is no number.
 Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const std::string& file);
 
 }  // namespace mpmvv::codes

@@ -7,7 +7,7 @@ namespace mpmvv::codes {
 
 namespace {
 
-/// Body and grid.
+/// Fills in the body, its density and the background grid.
 template <int D>
 void place(Conditions& all, const cases::Case& c, const problems::Problem& problem) {
   const auto setup = problems::make_setup<D>(problem, c.problem, all.h);

@@ -17,7 +17,7 @@ bool are_numbers(const std::vector<std::string_view>& fields) {
   return true;
 }
 
-/// The character that separates fields; a blank where blanks do.
+/// Returns the character that separates the fields of the line: a comma, semicolon or tab if it has one, else a blank.
 char separator_of(std::string_view line) {
   for (const char c : {',', ';', '\t'})
     if (line.find(c) != std::string_view::npos) return c;
@@ -26,8 +26,9 @@ char separator_of(std::string_view line) {
 
 }  // namespace
 
-/// Lines of numbers, separated by commas, semicolons, tabs or blanks. The first line names the columns where it is not
-/// of numbers, or a comment above does; otherwise they have their numbers for names. Comments begin with #.
+/// Reads lines of numbers, separated by commas, semicolons, tabs or blanks. The first line names the columns unless it
+/// has only numbers. In that case the last comment above it names them if it has as many words; else their names are 1,
+/// 2, ... Comments begin with #.
 ParticleTable read_csv(const Source& source) {
   ParticleTable table;
   std::vector<std::string_view> comment_names;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view item = "ITEM: ";
 
-/// A line with a whole number.
+/// Reads a line that is a whole number. Throws UsageError if it is anything else.
 std::int64_t whole_line(TextLines& lines, const char* what) {
   const std::string_view text = trimmed(lines.next().value_or(""));
   std::int64_t value = 0;
@@ -27,16 +27,16 @@ std::int64_t whole_line(TextLines& lines, const char* what) {
   return value;
 }
 
-/// What stands between two ITEM: TIMESTEP.
+/// The lines from one ITEM: TIMESTEP to the next: the state after one time step.
 class Frame {
  public:
   std::int64_t step = 0;
   std::optional<double> time;
   std::int64_t atoms = -1;
   std::vector<std::string_view> names;
-  std::optional<TextLines> rows;  ///< from the first one on; read once it is known that they are asked for
+  std::optional<TextLines> rows;  ///< the lines from the first atom on, parsed only for the step asked for
 
-  /// Takes in an item, with the lines that belong to it; others are skipped line by line.
+  /// Reads the lines of an item. For an item that is not known it reads none: the caller skips them one by one.
   void read(std::string_view title, TextLines& lines) {
     if (title == "TIMESTEP") step = whole_line(lines, "the number of a step");
     if (title == "NUMBER OF ATOMS") atoms = whole_line(lines, "how many there are");
@@ -71,7 +71,8 @@ std::vector<Frame> read_frames(TextLines& lines) {
   return frames;
 }
 
-/// The frame of a step, the last one where it stands there several times; without a step the last of all.
+/// Returns the frame of the step asked for, the last one if there are several, or without a step the last of all.
+/// Throws UsageError if there is none.
 const Frame& frame_of(const std::vector<Frame>& frames, const Source& source) {
   for (const Frame& frame : std::views::reverse(frames))
     if (!source.step || frame.step == *source.step) return frame;
@@ -82,7 +83,8 @@ const Frame& frame_of(const std::vector<Frame>& frames, const Source& source) {
 
 }  // namespace
 
-/// As LAMMPS dumps atoms: ITEM: TIMESTEP, ITEM: NUMBER OF ATOMS, ITEM: ATOMS id x y ..., several times in a file.
+/// Reads atoms as LAMMPS dumps them: ITEM: TIMESTEP, ITEM: NUMBER OF ATOMS, ITEM: ATOMS id x y ..., once or several
+/// times in a file.
 ParticleTable read_dump(const Source& source) {
   TextLines lines(source);
   const std::vector<Frame> frames = read_frames(lines);

@@ -3,10 +3,10 @@
 
 namespace mpmvv::codes {
 
-/// How far the exact solution is from where it starts, RMS over the particles, in m.
+/// How far the exact solution is from where it starts: RMS over the particles, or a sample of 250 or more, in m.
 struct Excursion {
-  double farthest = 0;  ///< until the end time
-  double time = 0;      ///< of that, s
+  double farthest = 0;  ///< the largest at 20 times up to the end time
+  double time = 0;      ///< the time of that, s
   double at_end = 0;
 };
 

@@ -38,7 +38,7 @@ bool depends_on_place(const expression::Vector& b) {
   return std::ranges::any_of(b, has_place);
 }
 
-/// Whether the body force is an expression of what the form says; b = 0 is one of anything.
+/// Whether the formulas give the body force in this form. For `none`, b = 0, any formulas do.
 bool has_form(const expression::Formulas& formulas, ForceForm form) {
   const auto& [reference, inverse] = formulas;
   const bool is_of_time = reference && !depends_on_place(reference->b);
@@ -61,7 +61,7 @@ std::string problems_with(ForceForm form) {
       fmt::format("form '{}' of problem '{}': {} ({})", to_string(form), problem, why, problems_with(form)));
 }
 
-/// X by the letter x.
+/// Replaces the variables X, Y, Z by x, y, z, without regard to the motion.
 expression::Vector misplaced(expression::Vector b) {
   for (std::size_t d = 0; d < reference_axes.size(); ++d)
     for (expression::Traced& component : b) component = substitute(component, reference_axes[d], current_axes[d]);
@@ -110,7 +110,7 @@ std::vector<std::string> written(const expression::Vector& components, const Dia
   return texts;
 }
 
-/// Empty where the dialect cannot say it.
+/// Returns the components in the dialect; empty if it cannot write one of them.
 std::vector<std::string> written_if_possible(const expression::Vector& components, const Dialect& dialect) {
   try {
     return written(components, dialect);
@@ -128,7 +128,7 @@ std::vector<std::string> written_force(const expression::Vector& b, const Dialec
   }
 }
 
-/// In the coordinates that the dialect has, where nothing is displaced at t = 0.
+/// Returns the expressions as functions of x if the dialect has no X and nothing is displaced at t = 0; else unchanged.
 expression::Vector in_any_place(const expression::Vector& start, const expression::Fields& fields,
                                 const Dialect& dialect) {
   const expression::Vector moved = at_start(fields.u);

@@ -33,7 +33,7 @@ void write_input_files(const Case& c, const Code& code, const fs::path& folder) 
     support::write_if_changed(folder / input.file, filled_input(input, fields));
 }
 
-/// What the code wrote; where it cannot be read, the message has the last that the code said, too.
+/// Reads what the code wrote. If it cannot be read, the UsageError also quotes the end of what the code printed.
 Output output_of(const Case& c, const Code& code, const TemplateFields& fields, const fs::path& folder,
                  const std::string& log) {
   try {
@@ -43,7 +43,7 @@ Output output_of(const Case& c, const Code& code, const TemplateFields& fields, 
   }
 }
 
-/// The record of what the code makes of the case in this folder.
+/// Runs the code on the case in this folder and returns the record of the scored output.
 Record carry_out(const Case& c, const Code& code, const fs::path& folder) {
   write_input_files(c, code, folder);
   const TemplateFields fields = fields_of(c, code);
@@ -56,7 +56,7 @@ Record carry_out(const Case& c, const Code& code, const fs::path& folder) {
   return record;
 }
 
-/// The record of a case that did not come to its end.
+/// Returns the record of a run that did not come to its end.
 Record without_end(const Case& c, Status status, Failure failure, const std::string& reason) {
   Record record;
   record.the_case = c;
@@ -77,7 +77,8 @@ bool is_full(const fs::path& folder) {
   return fs::space(folder, failed).available < little && !failed;
 }
 
-/// Keeps the folder of a run that failed and says where it is.
+/// Keeps the folder of a failed run and adds its place to the record's reason. If the disk is full, the machine is at
+/// fault.
 void explain(RunFolder& folder, Record& record) {
   if (is_full(folder.path())) {
     record.failure = Failure::of_machine;
@@ -85,7 +86,7 @@ void explain(RunFolder& folder, Record& record) {
   }
   try {
     record.reason += fmt::format("; its folder: {}", folder.keep().string());
-  } catch (const support::WriteError& e) {  // somebody has removed it
+  } catch (const support::WriteError& e) {  // for example because somebody has removed the folder
     record.reason += fmt::format("; {}", e.what());
   }
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* axes = "xyz";
 
-/// With all digits.
+/// Returns the number with 17 digits, -0 as 0.
 std::string text(double value) {
   return fmt::format("{:.17g}", value + 0.0);
 }
@@ -26,7 +26,7 @@ void set(TemplateFields& fields, const std::string& name, double value) {
   fields.set(name, text(value));
 }
 
-/// Those of an adapter: `true` and `false` are conditions, all else is text.
+/// Sets the values of an adapter: `true` and `false` are conditions, all others are texts.
 void set_values(TemplateFields& fields, const FieldValues& values) {
   for (const auto& [name, value] : values) {
     if (value == "true" || value == "false")
@@ -36,7 +36,7 @@ void set_values(TemplateFields& fields, const FieldValues& values) {
   }
 }
 
-/// `word` is true of these words: is_plane of line, plane, solid.
+/// Sets a condition `is_WORD` for each of the words, true only for `word`: is_line, is_plane, is_solid.
 void set_words(TemplateFields& fields, const std::vector<std::string>& words, const std::string& word) {
   for (std::string each : words) {
     const bool is_it = each == word;
@@ -93,7 +93,7 @@ void set_components(TemplateFields& fields, const std::string& name, const std::
   for (std::size_t d = 0; d < texts.size(); ++d) fields.set(fmt::format("{}_{}", name, axes[d]), texts[d]);
 }
 
-/// Body force, and what the motion starts with, in the adapter's dialect.
+/// Sets body force, initial velocity and deformation, and displacement as expressions in the adapter's dialect.
 void add_expressions(const Case& c, const Dialect& dialect, TemplateFields& fields) {
   const Expressions all = expressions(c.problem, c.scheme.force_form, dialect);
   set_components(fields, "b", all.b);
@@ -102,8 +102,8 @@ void add_expressions(const Case& c, const Dialect& dialect, TemplateFields& fiel
   for (std::size_t d = 0; d < all.F0.size(); ++d) set_components(fields, fmt::format("F0_{}", axes[d]), all.F0[d]);
 }
 
-/// `width` is a particle's in the reference. Boxes of half of it about x hold one particle each where the start is
-/// compressed by less than a half.
+/// Returns the fields of one particle. `width` is the width of a particle in the reference configuration. The boxes
+/// from `x_below` to `x_above`, half as wide, hold one particle each where the start is compressed by less than a half.
 TemplateFields particle_of(const StartState& state, std::size_t p, double width) {
   TemplateFields one;
   one.set("id", fmt::format("{}", state.id[p]));

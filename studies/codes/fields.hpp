@@ -4,19 +4,19 @@
 
 namespace mpmvv::codes {
 
-/// What the words of a command may name: numbers and words of the case, what the adapter's variant says.
+/// Returns the fields for words of commands and names of files: those of the case, the adapter and its variant.
 TemplateFields fields_of(const cases::Case& c, const Code& code);
 
-/// The same, and what templates of input files may name besides: particles and expressions.
+/// Returns the fields for templates of input files: the same, with particles and expressions.
 TemplateFields input_fields_of(const cases::Case& c, const Code& code);
 
-/// A word of a command, or a file's name, with its fields in place.
+/// Returns a word of a command, or the name of a file, with its fields filled in.
 std::string filled_word(const std::string& word, const TemplateFields& fields, const Code& code);
 
-/// The text of an input file.
+/// Returns the text of an input file.
 std::string filled_input(const InputFile& input, const TemplateFields& fields);
 
-/// UsageError where a template of the adapter names what it does not have, or is none.
+/// Throws UsageError if a template of the adapter names a field that does not exist, or is no valid template.
 void require_sound_templates(const cases::Case& c, const Code& code);
 
 }  // namespace mpmvv::codes

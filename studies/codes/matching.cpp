@@ -14,9 +14,9 @@ namespace mpmvv::codes {
 
 namespace {
 
-using Lines = std::vector<std::size_t>;  ///< of each line its particle
+using Lines = std::vector<std::size_t>;  ///< the particle of each line, by its place in the case
 
-/// The first of those that no line has, for messages.
+/// Returns the ids of the first three particles that no line has, for messages.
 std::string missing(const std::vector<bool>& taken) {
   std::vector<std::size_t> ids;
   const auto all = static_cast<std::size_t>(std::count(taken.begin(), taken.end(), false));
@@ -32,7 +32,7 @@ void require_count(const Snapshot& s, std::size_t particles, const std::vector<b
   if (s.size() > particles) fail_output("{} particles in {}, the case has {}", s.size(), s.file, particles);
 }
 
-/// Ids count from 1 in the order in which particles fill the body.
+/// Returns the particles by the ids of the lines, which count from 1 in the order in which particles fill the body.
 Lines by_case_id(const Snapshot& s, std::size_t particles) {
   Lines found;
   std::vector<bool> taken(particles, false);
@@ -51,7 +51,7 @@ Lines by_case_id(const Snapshot& s, std::size_t particles) {
   return found;
 }
 
-/// The particles of the lines of the end by those of the lines of the start with the same ids.
+/// Returns the particles of the lines at the end: each is that of the line of the start with the same id.
 Lines by_start_id(const Snapshot& end, const Snapshot& start, const Lines& of_start) {
   std::unordered_map<std::int64_t, std::size_t> lines;
   for (std::size_t line = 0; line < start.size(); ++line)
@@ -70,7 +70,8 @@ Lines by_start_id(const Snapshot& end, const Snapshot& start, const Lines& of_st
   return found;
 }
 
-/// The particle at each place: that which is nearest in `at`, one to one.
+/// Returns for each place the particle whose position in `at` is nearest, one to one. It has to be within a hundredth
+/// of the particle spacing plus ten units of rounding.
 template <int D>
 Lines by_place(const CaseParticles<D>& particles, const std::vector<Vec<D>>& places, const std::vector<Vec<D>>& at,
                const Snapshot& s) {
@@ -95,8 +96,8 @@ Lines by_place(const CaseParticles<D>& particles, const std::vector<Vec<D>>& pla
   return found;
 }
 
-/// Where the particles are at rest: what is written, else x - u, across periodic faces inside the grid; none where
-/// neither is there.
+/// Returns the reference positions of the lines: X if it is written, else x - u, moved into a periodic grid by whole
+/// periods. Empty if the file has neither.
 template <int D>
 std::vector<Vec<D>> reference_places(const CaseParticles<D>& particles, const Snapshot& s) {
   std::vector<Vec<D>> places = vecs<D>(s.X);
@@ -114,7 +115,7 @@ Lines of_start(const CaseParticles<D>& particles, const Snapshot& start) {
   return by_place(particles, vecs<D>(start.x), particles.x0, start);
 }
 
-/// How many particles are half a spacing or more from where they should be, if line after line is one of these.
+/// Counts the lines that are half a spacing or more from the exact position, if `lines` are their particles.
 template <int D>
 std::size_t strayed(const CaseParticles<D>& particles, const Snapshot& end, const Lines& lines) {
   std::size_t count = 0;
@@ -125,7 +126,8 @@ std::size_t strayed(const CaseParticles<D>& particles, const Snapshot& end, cons
   return count;
 }
 
-/// The particles that are nearest at time zero; none unless all are within half a spacing, one to one.
+/// Returns for each line the particle whose position at time zero is nearest to it. Empty unless all are within half a
+/// spacing and no particle is taken twice.
 template <int D>
 Lines by_nearest_start(const CaseParticles<D>& particles, const Snapshot& end) {
   const NearestPoint<D> nearest(particles.x0);
@@ -140,7 +142,8 @@ Lines by_nearest_start(const CaseParticles<D>& particles, const Snapshot& end) {
   return found;
 }
 
-/// Neither id nor reference position: the order of the file, where it is borne out, or the nearest at time zero.
+/// Returns the particles of an end that has neither ids to go by nor reference positions: those of `order` if the exact
+/// solution confirms it, else those nearest at time zero. `whose` order it is goes into the message.
 template <int D>
 Lines by_order(const CaseParticles<D>& particles, const Snapshot& end, const Lines& order, const std::string& whose) {
   require_count(end, order.size(), std::vector<bool>(order.size(), true));

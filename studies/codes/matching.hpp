@@ -6,14 +6,15 @@
 
 namespace mpmvv::codes {
 
-/// Which of the case's particles each line of the output's end is, one to one, by what is there:
-///   - its reference position, that which is written or x - u, which lies at that of a particle of the case;
-///   - its id, which names a line of the start, or else the case's particles from 1 on;
-///   - its place in the file, which is that of the start, or else that of the case's particles; or the nearest position
-///     at time zero. Of these one is taken only where every particle bears it out: by less than half a particle spacing
-///     from where the exact solution has it, or from where it was.
-/// A start's lines are found by reference position, else by where they are at time zero. OutputFault where particles
-/// are missing or doubled or start elsewhere than the case's, or where nothing tells which is which.
+/// Returns for each line of the output's end which of the case's particles it is, one to one. It goes by the first of
+/// these that the output has:
+///   - the reference position, X or x - u, which has to be that of a particle of the case;
+///   - the id: that of a line of the start if there is a start, else the case's own, which count from 1;
+///   - the order of the lines, which is that of the start if there is one, else that of the case's particles. It counts
+///     only if every particle is less than half a particle spacing from its exact position;
+///   - the position: each is the particle that was nearest at time zero, if all are less than half a spacing from it.
+/// The lines of the start are matched by reference position, else by their position at time zero. Throws OutputFault if
+/// particles are missing, doubled or start elsewhere than those of the case, or if nothing tells which is which.
 template <int D>
 std::vector<std::size_t> match(const CaseParticles<D>& particles, const Output& output);
 

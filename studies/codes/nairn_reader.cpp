@@ -14,8 +14,9 @@ namespace {
 
 constexpr std::size_t header_size = 64;
 
-/// The header: "ver6"; a length and as many letters that say what particles have, the first one 'i' with the least
-/// significant byte first; the same of cracks; the dimension; the kind of grid; the time.
+/// The header of an archive. In the file it is: "ver6"; a length and so many letters that say what particles have, of
+/// which the first is 'i' if numbers have their least significant byte first; the same for cracks; the dimension; the
+/// kind of grid; the time.
 struct ArchiveHeader {
   std::string particles, cracks;
   std::size_t dimension;
@@ -44,7 +45,8 @@ ArchiveHeader read_header(const Source& source) {
   return header;
 }
 
-/// How many of a material's history numbers are asked for: Y for the first one, or a bit for each.
+/// Returns how many of a material's history numbers are in the file. The letter is Y for the first one, N for none,
+/// else it has a bit for each.
 std::size_t history_numbers(char letter) {
   if (letter == 'Y' || letter == 'N') return letter == 'Y' ? 1 : 0;
   std::size_t count = 0;
@@ -52,7 +54,7 @@ std::size_t history_numbers(char letter) {
   return count;
 }
 
-/// The bytes that a letter stands for, by its place.
+/// Returns how many bytes of a record belong to the letter at this place of the header.
 std::size_t size_of_item(std::size_t place, char letter, std::size_t dimension) {
   const std::size_t vector = 8 * dimension, tensor = dimension == 3 ? 48 : 32, rotation = dimension == 3 ? 24 : 8;
   const std::vector<std::size_t> sizes{0,      0,        vector,   tensor, tensor, tensor,     0,     8, 8,
@@ -64,7 +66,8 @@ std::size_t size_of_item(std::size_t place, char letter, std::size_t dimension) 
   return letter == 'Y' && place < sizes.size() ? sizes[place] : 0;
 }
 
-/// What a particle's record begins with, and the size of a record, which cracks share.
+/// The fields with which a particle's record begins, and the size of all records: that of a particle or of a crack,
+/// whichever is larger.
 struct ArchiveRecord {
   std::vector<RecordField> fields;
   std::size_t size = 0;
@@ -109,8 +112,8 @@ struct ArchiveRecord {
 
 }  // namespace
 
-/// A binary particle archive of nairn-mpm-fea, whose names end in the number of a step. Its text extracts have six
-/// digits, this has doubles, and every particle's original position.
+/// Reads a binary particle archive of nairn-mpm-fea. The names of these files end in the number of a step. The archive
+/// has doubles and the original position of every particle; the code's text extracts have only six digits.
 ParticleTable read_nairn(const Source& source) {
   const ArchiveHeader header = read_header(source);
   const ArchiveRecord record(header);
@@ -124,7 +127,8 @@ ParticleTable read_nairn(const Source& source) {
   return table;
 }
 
-/// Of a run without `ConsistentUnits`: in mm, g, s, but for the header's time in ms.
+/// Reads an archive of a run without `ConsistentUnits`. Its units are mm, g and s, but the header's time is in ms: it
+/// is converted to s.
 ParticleTable read_nairn_legacy(const Source& source) {
   ParticleTable table = read_nairn(source);
   *table.time *= 1e-3;

@@ -7,7 +7,7 @@ namespace mpmvv::codes {
 
 template <int D>
 struct NearestPoint<D>::Tree {
-  /// The points as nanoflann asks for them.
+  /// Gives nanoflann access to the points.
   struct Points {
     const std::vector<solver::Vec<D>>& all;
 

@@ -8,7 +8,7 @@
 namespace mpmvv::codes {
 
 struct Neighbour {
-  std::size_t point;  ///< by its place in the list
+  std::size_t point;  ///< its index in the list
   double distance;
 };
 
@@ -16,7 +16,7 @@ struct Neighbour {
 template <int D>
 class NearestPoint {
  public:
-  explicit NearestPoint(const std::vector<solver::Vec<D>>& points);  ///< which must outlive this; at least one
+  explicit NearestPoint(const std::vector<solver::Vec<D>>& points);  ///< not empty; it must outlive this
   ~NearestPoint();
 
   Neighbour operator()(const solver::Vec<D>& place) const;

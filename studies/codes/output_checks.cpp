@@ -19,14 +19,14 @@ using records::Status;
 
 namespace {
 
-/// Whether two texts are the same, as numbers to a relative 1e-6 where both are some.
+/// Whether two texts are the same, or both are numbers and differ by at most 1e-6 of the second.
 bool are_same(const std::string& a, const std::string& b) {
   TableColumn numbers;
   if (!add_text(numbers, a) || !add_text(numbers, b)) return a == b;
   return std::abs(numbers.values[0] - numbers.values[1]) <= 1e-6 * std::abs(numbers.values[1]);
 }
 
-/// What the case has for a key as files say it; empty where it is none of its keys.
+/// Returns the value that the case has for a key of a file; empty if the case has no such key.
 std::string value_of(const cases::Case& c, const std::string& key) {
   if (key == "problem") return c.problem.name;
   if (key == "end_time") return fmt::format("{}", c.problem.end_time);
@@ -38,7 +38,7 @@ std::string value_of(const cases::Case& c, const std::string& key) {
   return "";
 }
 
-/// By which a particle is found again in the file: its id, else its place.
+/// Names a particle so that it is found in the file: by its id, else by its row.
 std::string name_of(const Snapshot& s, std::ptrdiff_t place) {
   return s.id.empty() ? fmt::format("row {}", place + 1)
                       : fmt::format("particle {}", s.id[static_cast<std::size_t>(place)]);
@@ -60,7 +60,7 @@ void require_finite(const std::vector<std::array<double, N>>& all, const char* w
                                 all.size(), what, s.file, name_of(s, first - all.begin())));
 }
 
-/// RMS error of every `stride`th line against the exact solution of a time.
+/// Returns the RMS error of every `stride`th line against the exact solution at time t.
 template <int D>
 double error_at(const MatchedEnd<D>& end, double t, std::size_t stride) {
   double squares = 0;
@@ -157,7 +157,7 @@ void require_time(const MatchedEnd<D>& end) {
   const std::size_t stride = (end.size() + lines - 1) / lines;
   const double error = error_at(end, T, stride);
   if (!(error > 0.02 * end.particles.setup.solution->displacement_scale())) return;
-  const double least = std::max(1.5 * end.particles.dt, 0.08 * T);  // less is a phase that lags, an error like others
+  const double least = std::max(1.5 * end.particles.dt, 0.08 * T);  // a smaller shift is a phase lag, which is an error
   double best = error, when = T;
   for (int k = 0; k <= times; ++k) {
     const double t = 2 * T * k / times;

@@ -4,64 +4,70 @@
 #include "studies/codes/case_particles.hpp"
 #include "studies/codes/score.hpp"
 
-/// What can be wrong with an output though every file of it can be read; each an OutputFault.
+/// Checks of an output whose files could all be read. A function `require_...` throws an OutputFault if they fail.
 namespace mpmvv::codes {
 
-/// What files say of their run is what the case has: problem, parameters, resolution, form of the body force.
+/// Requires that what a file says of its run agrees with the case: problem, parameters, resolution, form of the body
+/// force.
 void require_same_case(const cases::Case& c, const Snapshot& s);
 
-/// The file says no other time than the case's end time.
+/// Requires that the time in the file, if it has one, is the case's end time.
 void require_end_time(const cases::Case& c, const Snapshot& s);
 
-/// All numbers are finite; `unstable` otherwise, where none of so many particles is missing.
+/// Requires that all positions, displacements and velocities are finite. The fault is `unstable` if the file has no
+/// fewer than `particles` particles, else `failed`.
 void require_finite(const Snapshot& s, std::size_t particles);
 
-/// An end as far as it is known which particle each line is.
+/// The end of an output with the particle that each line is.
 template <int D>
 struct MatchedEnd {
   const CaseParticles<D>& particles;
   const Snapshot& snapshot;
-  std::vector<std::size_t> particle;  ///< of each line
-  std::vector<Vec<D>> u;              ///< of each line
+  std::vector<std::size_t> particle;  ///< the particle of each line
+  std::vector<Vec<D>> u;              ///< the displacement of each line
 
   std::size_t size() const { return particle.size(); }
   Vec<D> x(std::size_t line) const {
     return snapshot.x.empty() ? Vec<D>(particles.X[particle[line]] + u[line]) : vec<D>(snapshot.x[line]);
   }
-  /// The way from where the particle should be at time t.
+  /// Returns the displacement of the line less the exact one at time t, the shortest such vector in a periodic grid.
   Vec<D> error(std::size_t line, double t) const {
     const Vec<D>& X = particles.X[particle[line]];
     return particles.difference(u[line], particles.setup.solution->u(X, t));
   }
 };
 
-/// Positions and displacements are no thousand times, or so, those of the exact solution.
+/// Requires that positions and displacements are in the right unit: not about 1000, 100, 0.01 or 0.001 times those of
+/// the exact solution.
 template <int D>
 void require_length_units(const MatchedEnd<D>& end);
 
-/// Nor are velocities, where the file has some.
+/// Requires the same of velocities, if the file has any.
 template <int D>
 void require_velocity_units(const MatchedEnd<D>& end);
 
-/// For behind the reason of an unstable end: the vector by which its particles are all off, where nearly all that is
-/// wrong with them is one; empty otherwise.
+/// Returns a text to add to the reason of an unstable end, which asks whether the code has another origin: if all
+/// particles are off by about the same vector (to 10 per cent of its length), it gives the vector. Empty otherwise.
 template <int D>
 std::string common_offset(const MatchedEnd<D>& end);
 
-/// No particle is a cell or more outside the grid; `unstable` otherwise.
+/// Requires that every particle is inside the grid or less than a cell outside. Axes along which the grid is periodic
+/// are not looked at. The fault is `unstable`.
 template <int D>
 void require_inside(const MatchedEnd<D>& end);
 
-/// There is no other time, up to twice the end time and 8 per cent of it away, whose exact solution fits five times
-/// better, where the error is more than a fiftieth of the displacements.
+/// Requires that the output is not of another time: where its error is more than a fiftieth of the displacements, the
+/// exact solution must not fit it more than five times better at any time up to twice the end time that is more than 8
+/// per cent of the end time, and 1.5 time steps, from the end time.
 template <int D>
 void require_time(const MatchedEnd<D>& end);
 
-/// Particles have moved since time zero, beyond the file's digits, where those of the exact solution do.
+/// Requires that the particles are not where they were at time zero, to the file's rounding, if the exact solution
+/// moves before the end time. It is a fault, too, if the exact solution is back at its start: then nothing can be told.
 template <int D>
 void require_motion(const MatchedEnd<D>& end);
 
-/// The mass is that of the case's particles, within two per cent.
+/// Requires that masses, if the file has any, are positive and their sum is that of the case within two per cent.
 template <int D>
 void require_mass(const MatchedEnd<D>& end);
 

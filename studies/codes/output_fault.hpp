@@ -9,7 +9,8 @@
 
 namespace mpmvv::codes {
 
-/// What is wrong with a code's output: the reason of its record, and whether it is the method that blew up.
+/// A fault of a code's output: the reason for its record, and its status, `unstable` if the motion blew up, else
+/// `failed`.
 struct OutputFault : std::runtime_error {
   OutputFault(records::Status what, const std::string& reason) : std::runtime_error(reason), status(what) {}
 

@@ -19,13 +19,13 @@ using support::UsageError;
 
 namespace {
 
-/// So that step 10 comes after step 9: shorter names first.
+/// Orders files by name, shorter names first, so that step 10 comes after step 9.
 bool comes_before(const fs::path& a, const fs::path& b) {
   const std::string first = a.filename().string(), second = b.filename().string();
   return std::tuple(first.size(), first) < std::tuple(second.size(), second);
 }
 
-/// The last thing in the folder with such a name, which may be a pattern.
+/// Returns the last file in the folder with this name, which may be a pattern. Throws UsageError if there is none.
 fs::path last_file(const fs::path& folder, const std::string& name) {
   const fs::path pattern = fs::path(name);
   std::vector<fs::path> found;
@@ -53,7 +53,7 @@ Output read_output(const cases::Case& c, const Code& code, const TemplateFields&
   Output output{{}, read(c, code, fields, folder, adapter.output.end)};
   if (!adapter.output.start.empty()) output.start = read(c, code, fields, folder, adapter.output.start);
   const std::int64_t steps = c.resolution.steps;
-  const std::int64_t step = output.end.step.value_or(0);  // Karamelo's dumps are all of step 0
+  const std::int64_t step = output.end.step.value_or(0);  // Karamelo writes step 0 into all its dumps
   if (adapter.stepping.is_given && step != 0 && step != steps)
     throw UsageError(fmt::format("its output is of step {} and not of the last one, {}", step, steps));
   const double end_time = static_cast<double>(c.resolution.steps) * c.resolution.dt;

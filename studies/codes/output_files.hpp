@@ -5,9 +5,10 @@
 
 namespace mpmvv::codes {
 
-/// What a code left in the folder of a case's run. UsageError where it is not as the adapter says, or of another time
-/// than the end time. Of a planted mistake that does not say its time, the time is not put to the question: its errors
-/// are meant to be large.
+/// Reads what a code left in the folder of a case's run. Throws UsageError if it is not as the adapter says, or of
+/// another step or time than the last. If it says no time, `score` judges by its errors whether it is of another
+/// time. A planted mistake is meant to have large errors: there the end time is filled in, so that `score` does not
+/// judge.
 Output read_output(const cases::Case& c, const Code& code, const TemplateFields& fields,
                    const std::filesystem::path& folder);
 

@@ -48,7 +48,7 @@ void read_property(PlyHeader& header, const std::vector<std::string_view>& words
   header.record_size += type->size;
 }
 
-/// The first lines, to end_header; comments go to the table.
+/// Reads the lines up to end_header. What comments say goes into the table.
 PlyHeader read_header(TextLines& lines, ParticleTable& table) {
   PlyHeader header;
   if (const auto magic = lines.next(); magic != "ply") fail(lines, magic.value_or(""), "ply in the first line");
@@ -74,7 +74,7 @@ void read_lines(TextLines& lines, const PlyHeader& header, ParticleTable& table)
 
 }  // namespace
 
-/// Its vertices, as text or binary numbers in either order of bytes.
+/// Reads the vertices of a PLY file, as text or as binary numbers in either byte order.
 ParticleTable read_ply(const Source& source) {
   ParticleTable table;
   TextLines lines(source);

@@ -9,12 +9,12 @@ namespace mpmvv::codes {
 
 namespace {
 
-/// The names of a component, where {c} is its axes in letters, {C} the same in capitals, {n} counted from 1 and {k} its
-/// place in the array.
+/// An array and the names of its components, as patterns: {c} stands for the axes of a component in letters, {C} for
+/// the same in capitals, {n} for their numbers from 1, {k} for the component's place in the array from 0.
 struct Family {
   std::string array;
   std::size_t rank;
-  std::vector<std::string> names;  ///< first its word
+  std::vector<std::string> names;  ///< the first one is the word of the quantity
 };
 
 const std::vector<Family>& families() {
@@ -33,7 +33,7 @@ const std::vector<Family>& families() {
   return all;
 }
 
-/// A name of one component; of tensors also that with the axes the other way round, as symmetric ones are written.
+/// Returns the name of component i, j of a tensor, j of a vector.
 std::string name_of(const std::string& pattern, std::size_t rank, std::size_t i, std::size_t j) {
   std::string c, C, n;
   for (const std::size_t axis : rank == 2 ? std::vector{i, j} : std::vector{j}) {

@@ -8,23 +8,24 @@
 
 namespace mpmvv::codes {
 
-/// What a reader is given: the whole content of a file, its name for messages, and which step is asked for.
+/// What a reader gets: the whole content of a file, its name for messages, and the step asked for, or none for the
+/// last.
 struct Source {
   const std::string& content;
   std::string file;
   std::optional<std::int64_t> step = {};
 };
 
-/// A kind of file. A reader trusts nothing: what is not as the format says, or ends early, is a UsageError, and no
-/// memory is taken that the size of the file does not bear out.
+/// A file format. Its reader trusts nothing: it throws UsageError for a file that breaks the format or ends early, and
+/// takes no more memory than the size of the file justifies.
 struct Format {
   std::string word;
-  std::vector<std::string> endings;  ///< of names, by which it is known: ".csv"
+  std::vector<std::string> endings;  ///< file name endings by which the format is recognised: ".csv"
   ParticleTable (*read)(const Source&);
-  bool has_steps = false;  ///< whether a file may hold several
+  bool has_steps = false;  ///< whether a file may hold several steps
 };
 
-/// All formats: a reader's file and a line here for each.
+/// Returns all formats. Each has a reader in a file of its own and a line in the list.
 const std::vector<Format>& formats();
 
 // The readers, each defined in its own file.
@@ -35,11 +36,12 @@ ParticleTable read_dump(const Source& source);
 ParticleTable read_nairn(const Source& source);
 ParticleTable read_nairn_legacy(const Source& source);
 
-/// What the file holds. `format` is a word of `formats()`; empty: as the name's ending says. UsageError when it cannot
-/// be read.
+/// Reads a file. `format` is a word of `formats()`; if it is empty, the ending of the name says the format. Throws
+/// UsageError if the file cannot be read.
 Snapshot read_snapshot(const std::filesystem::path& file, const Columns& columns, const std::string& format = "");
 
-/// Several files as one state, as each process of a code writes one. They must have the same fields and say the same.
+/// Reads several files as one state, of which each process of a parallel code wrote one. Throws UsageError unless they
+/// have the same fields and say the same of time, step and run.
 Snapshot read_snapshot(const std::vector<std::filesystem::path>& parts, const Columns& columns,
                        const std::string& format = "");
 

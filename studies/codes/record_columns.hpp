@@ -7,14 +7,14 @@
 
 namespace mpmvv::codes {
 
-/// A number in each of a file's records.
+/// A number that each record of a file has.
 struct RecordField {
   std::string name;
   NumberType type;
-  std::size_t offset;  ///< from the begin of the record, bytes
+  std::size_t offset;  ///< from the beginning of the record, in bytes
 };
 
-/// A column for each field, from records of `size` bytes that fill `bytes`.
+/// Returns a column for each field. `bytes` has records of `size` bytes, one after the other.
 std::vector<TableColumn> columns_of(std::string_view bytes, std::size_t size, const std::vector<RecordField>& fields,
                                     bool is_big_endian);
 

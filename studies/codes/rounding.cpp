@@ -7,14 +7,15 @@ namespace mpmvv::codes {
 
 namespace {
 
-/// What the last place of a number in a text or in binary form stands for.
+/// Returns the unit in the last place of a number: from the bits of its mantissa if it is binary (`bits` > 0), else
+/// from the decimals of its text if they count (`decimals` >= 0), else from its significant digits.
 double unit_of(double value, int digits, int decimals, int bits) {
   if (bits > 0) return value == 0 ? 0 : std::ldexp(1.0, std::ilogb(value) - bits + 1);
   if (decimals >= 0) return std::pow(10.0, -decimals);
   return value == 0 ? 0 : std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
 }
 
-/// The decimals that all columns show; -1 when they differ.
+/// Returns the number of decimals that all columns show; -1 if they differ.
 int common_decimals(const std::vector<const TableColumn*>& columns) {
   const int first = columns.front()->decimals;
   const auto other = [first](const TableColumn* column) { return column->decimals != first; };
@@ -29,7 +30,7 @@ Rounding rounding_of(const ParticleTable& table, const std::vector<const TableCo
   Rounding rounding;
   int decimals = common_decimals(coordinates), shown = 0;
   for (const TableColumn* column : coordinates) shown = std::max(shown, column->digits);
-  if (digits_of_text > shown + 2) decimals = -1;  // coordinates that need few digits, on a lattice
+  if (digits_of_text > shown + 2) decimals = -1;  // on a lattice coordinates need few digits
   for (const TableColumn* column : coordinates) {
     const int digits = column->bits == 24   ? 7
                        : column->bits == 53 ? 16

@@ -5,18 +5,20 @@
 
 namespace mpmvv::codes {
 
-/// How a file's numbers are rounded.
+/// How the points in a file are rounded.
 struct Rounding {
-  int digits = 17;  ///< that they carry; of binary ones 7 and 16
-  double unit = 0;  ///< of a point's last place, in the file's unit: RMS over the points of its length
+  int digits = 17;  ///< significant digits of the coordinates; 7 and 16 for binary numbers of 4 and 8 bytes
+  double unit = 0;  ///< unit in the last place: RMS over points of its length as a vector, in the file's unit
 };
 
-/// That of the points with these coordinates. All columns of a text count, as a coordinate that does not change may
-/// need few digits: it is rounded to as many digits as any number shows, or, where all coordinates show as many
-/// decimals and no exponent, to these.
+/// Returns the rounding of the points with these coordinates. Coordinates in a text are rounded to the largest number
+/// of digits that any column of the table shows, because a coordinate that does not change may need few. If all
+/// coordinates show the same number of decimals and no exponent, they are rounded to these instead, unless other
+/// columns show over two digits more than they do.
 Rounding rounding_of(const ParticleTable& table, const std::vector<const TableColumn*>& coordinates);
 
-/// RMS of the error that rounding alone makes of points with this unit: rounding errors are even within half a unit.
+/// Returns the RMS error that rounding alone makes in points with this unit. Rounding errors are uniform within half a
+/// unit, so it is unit/√12.
 double rounding_error(double unit);
 
 }  // namespace mpmvv::codes

@@ -29,7 +29,7 @@ template <class... T>
   throw CommandFault(Status::failed, whose, fmt::format(format, std::forward<T>(values)...));
 }
 
-/// Whether nothing in a program itself raises the signal.
+/// Whether the signal is one that a program does not raise by itself.
 bool is_from_outside(int signal) {
   return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
 }
@@ -50,7 +50,7 @@ void require_good(const Adapter& adapter, const std::string& program, const supp
   if (end.exit_code != 0) fail_command(Failure::of_case, "{} ended with status {}: {}", program, end.exit_code, said);
 }
 
-/// Variable of the environment by which what a run has started is known, with the run's folder.
+/// Returns the name of the environment variable that marks the processes of a run. Its value is the run's folder.
 std::string run_mark() {
   return fmt::format("MPMVV_RUN_OF_{}", getpid());
 }

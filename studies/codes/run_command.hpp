@@ -10,7 +10,7 @@
 
 namespace mpmvv::codes {
 
-/// What went wrong with a command: status and reason of its case's record.
+/// A command that went wrong: status, failure and reason for the record of its case.
 struct CommandFault : std::runtime_error {
   CommandFault(records::Status what, records::Failure whose, const std::string& reason)
       : std::runtime_error(reason), status(what), failure(whose) {}
@@ -19,16 +19,18 @@ struct CommandFault : std::runtime_error {
   records::Failure failure;
 };
 
-/// The last lines of what a program wrote, in one.
+/// Returns the last 300 characters of what a program printed, on one line.
 std::string tail_of(const std::string& log);
 
-/// Runs a command of the adapter in the folder; the seconds that it took. What it wrote is in `log.txt` there, and
-/// added to the log. Nothing that it started goes on, but what has cleared its environment and left the group of the
-/// command, and what runs as another user.
+/// Runs a command of the adapter in the folder and returns the seconds that it took. Appends what it printed to `log`
+/// and writes the log to `log.txt` in the folder. Kills all processes that the command has started, except those that
+/// have cleared their environment and left its process group, and those of another user. Throws CommandFault if the
+/// command could not be started, printed a text of the adapter's `unstable`, reached the time limit, was ended by a
+/// signal or ended with a status other than 0.
 double run_command(const Code& code, const std::vector<std::string>& templates, const TemplateFields& fields,
                    const std::filesystem::path& folder, std::string& log);
 
-/// Ends all commands that run, on whatever thread, with all that they have started; none can start any more.
+/// Kills all commands that run, on whatever thread, with all that they have started. No command can run after this.
 void end_commands();
 
 }  // namespace mpmvv::codes

@@ -19,12 +19,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Beginning of the paths of this process's folders: of the runs that go on, or of those that failed.
+/// Returns the beginning of the paths of this process's folders. `what` is run for runs that go on, failed for others.
 std::string beginning(const char* what) {
   return (place_of_runs() / fmt::format("mpmvv-{}-{}-", what, getpid())).string();
 }
 
-/// A path at which nothing is yet: another machine or container may have had a process of this number.
+/// Returns a path that is still free: a process with the same number, on another machine or in another
+/// container, may have left some.
 fs::path free_path(const char* what) {
   static std::atomic<int> count = 0;
   const std::string begin = beginning(what);
@@ -35,7 +36,7 @@ fs::path free_path(const char* what) {
   return path;
 }
 
-/// A folder that nobody else has.
+/// Makes a folder that nobody else has. If it cannot, there is no folder at the path that it returns.
 fs::path new_folder() {
   std::error_code failed;
   fs::path path;
@@ -44,7 +45,7 @@ fs::path new_folder() {
   return path;
 }
 
-/// The temporary folders of this process. One comes and goes under this lock.
+/// The temporary folders of this process. They are made and removed under the lock.
 struct Temporary {
   std::mutex mutex;
   std::set<fs::path> folders;
@@ -55,7 +56,8 @@ Temporary& temporary() {
   return all;
 }
 
-/// Of what has been killed a process may write a last file into a folder that is being removed.
+/// Removes the folder, if need be in several tries: a process that has been killed may write a last file while it is
+/// being removed.
 void remove_surely(const fs::path& folder) {
   constexpr std::chrono::milliseconds wait{10};
   std::error_code failed;
@@ -71,7 +73,7 @@ void remove_surely(const fs::path& folder) {
 RunFolder::RunFolder(const fs::path& named) : is_temporary_(named.empty()) {
   const std::lock_guard lock(temporary().mutex);
   path_ = is_temporary_ ? new_folder() : fs::absolute(named);
-  support::make_folder(path_);  // of a new one that could not be made it says why
+  support::make_folder(path_);  // throws, with the reason, if the new folder could not be made
   if (is_temporary_) temporary().folders.insert(path_);
 }
 

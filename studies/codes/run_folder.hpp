@@ -4,7 +4,7 @@
 
 namespace mpmvv::codes {
 
-/// The folder of a run: one named, or a temporary one, which goes unless it is kept.
+/// The folder of a run: the named one, or a temporary one, which the destructor removes unless it is kept.
 class RunFolder {
  public:
   explicit RunFolder(const std::filesystem::path& named);
@@ -14,7 +14,7 @@ class RunFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Gives it a place among those that have failed, and returns that.
+  /// Keeps the folder and returns its path. A temporary one is renamed to `mpmvv-failed-...`.
   std::filesystem::path keep();
 
  private:
@@ -22,11 +22,11 @@ class RunFolder {
   bool is_temporary_;
 };
 
-/// Where the environment says that temporary files belong (`TMPDIR`). UsageError where that is no folder.
+/// Returns the folder for temporary files, which `TMPDIR` names. Throws UsageError if that is no folder.
 std::filesystem::path place_of_runs();
 
-/// Removes the temporary folders of this process, which is about to end. As long as the lock is held, threads that
-/// would make another one, or keep theirs, wait.
+/// Removes the temporary folders of this process, which is about to end. Threads that want to make another one, or to
+/// keep theirs, wait as long as the lock is held.
 [[nodiscard]] std::unique_lock<std::mutex> remove_run_folders();
 
 }  // namespace mpmvv::codes

@@ -20,7 +20,7 @@ using solver::Mat;
 
 namespace {
 
-/// The end with its particles and their displacements, which are those that are written, else x - X.
+/// Finds the particles of the lines at the end, and their displacements: those that are written, else x - X.
 template <int D>
 MatchedEnd<D> matched(const CaseParticles<D>& particles, const Output& output) {
   MatchedEnd<D> end{particles, output.end, match(particles, output), {}};
@@ -30,7 +30,7 @@ MatchedEnd<D> matched(const CaseParticles<D>& particles, const Output& output) {
   return end;
 }
 
-/// Of each line what `error` says, as norms over all.
+/// Returns the norms over all lines of what `error` gives for each.
 template <int D, class Error>
 runs::ErrorNorms norms_of(const MatchedEnd<D>& end, const Error& error) {
   runs::ErrorNorms norms;
@@ -38,7 +38,7 @@ runs::ErrorNorms norms_of(const MatchedEnd<D>& end, const Error& error) {
   return norms;
 }
 
-/// RMS over the particles of |σ - σ(X, T)|.
+/// Returns the RMS over the particles of |σ - σ(X, T)|, in Pa.
 template <int D>
 double stress_error(const MatchedEnd<D>& end) {
   const auto& solution = *end.particles.setup.solution;
@@ -55,7 +55,7 @@ double stress_error(const MatchedEnd<D>& end) {
       .l2();
 }
 
-/// In per cent of the problem's speed, at the end.
+/// Returns the RMS velocity error at the end, in per cent of the problem's speed.
 template <int D>
 double velocity_error(const MatchedEnd<D>& end) {
   const auto& setup = end.particles.setup;
@@ -65,7 +65,7 @@ double velocity_error(const MatchedEnd<D>& end) {
   return 100 / setup.speed * norms.l2();
 }
 
-/// Of an end with velocities: its particles with their masses, those of the case where none are written.
+/// Returns the particles of an end with velocities. Their masses are those of the case if none are written.
 template <int D>
 solver::Particles<D> moving_particles(const MatchedEnd<D>& end) {
   solver::Particles<D> all;
@@ -78,7 +78,7 @@ solver::Particles<D> moving_particles(const MatchedEnd<D>& end) {
   return all;
 }
 
-/// Energy and balance, as far as velocities and masses are written.
+/// Measures kinetic energy and balance as far as the output has velocities and masses.
 template <int D>
 void measure_balance(const MatchedEnd<D>& end, Record& record) {
   const CaseParticles<D>& particles = end.particles;
@@ -123,7 +123,7 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   require_inside(end);
   const bool says_when = output.end.time || output.end.step == c.resolution.steps;
   if (!says_when) require_time(end);
-  const bool may_rest = c.scheme.force_form == cases::ForceForm::none;  // a planted mistake
+  const bool may_rest = c.scheme.force_form == cases::ForceForm::none;  // a planted mistake: the body may rest
   if (!may_rest) require_motion(end);
   require_mass(end);
   const runs::BlowUp<D> blow_up(c, particles.setup, particles.is_driven, particles.energy);
@@ -143,7 +143,7 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   if (c.measure.velocity_error && !output.end.v.empty()) record.error.velocity = velocity_error(end);
 }
 
-/// The output measured by the case; an OutputFault where that cannot be.
+/// Measures the output against the case. Throws OutputFault if that is not possible.
 void measure(const problems::Problem& problem, const Output& output, Record& record) {
   const cases::Case& c = record.the_case;
   for (const Snapshot* s : {output.start ? &*output.start : nullptr, &output.end})

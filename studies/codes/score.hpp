@@ -7,18 +7,18 @@
 
 namespace mpmvv::codes {
 
-/// What a code wrote of a run.
+/// The particles that a code wrote of a run.
 struct Output {
-  std::optional<Snapshot> start = {};  ///< at time zero, where the end alone does not say which particle is which
-  Snapshot end;                        ///< at the case's end time
+  std::optional<Snapshot> start = {};  ///< those at time zero, if the end alone does not say which particle is which
+  Snapshot end;                        ///< those at the case's end time
 };
 
-/// The record of a case from another code's output: as `runs::run_case` makes it, as far as the output goes. Whatever
-/// is wrong with the output is a record too, with status `unstable` or `failed` and the reason. Its costs are the
-/// caller's to fill in.
+/// Measures another code's output and returns the record of the case, as `runs::run_case` makes it, with the numbers
+/// that the output allows. An output with a fault gives a record with status `unstable` or `failed` and the reason. The
+/// caller fills in the costs. Throws UsageError if the problem has no exact solution.
 records::Record score(const cases::Case& c, const Output& output);
 
-/// What to know of any score of the case: that its exact end is its start. Empty where there is nothing to.
+/// Returns a warning if the exact solution of the case ends where it starts, so that a score says little; else empty.
 std::string caution(const cases::Case& c);
 
 }  // namespace mpmvv::codes

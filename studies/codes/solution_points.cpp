@@ -106,7 +106,7 @@ class PointTable {
   }
 
   Point reference_point(std::size_t row) const {
-    constexpr double round_off = 1e-12;  // m; for points on the surface
+    constexpr double round_off = 1e-12;  // m; a point so little outside the body counts as on its surface
     Point X = vector(X_, row);
     if (std::visit([&X](const auto& body) { return problems::contains(body, X, round_off); }, setup_.body)) return X;
     throw UsageError(

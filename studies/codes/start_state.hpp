@@ -7,13 +7,13 @@
 
 namespace mpmvv::codes {
 
-/// The particles with which a case starts, in the order in which it starts with them. SI units. Of coordinates beyond
-/// the problem's dimension X, x and v are 0, and F is that of the identity; volume and mass are then per metre (or
-/// square metre) across.
+/// The particles with which a case starts, in the order in which it starts with them. SI units. Beyond the problem's
+/// dimension the components of X, x and v are 0, and those of F are those of the identity; volume and mass are then per
+/// metre, or per square metre, across the axes that the problem lacks.
 struct StartState {
   int dimension = 0;
   std::vector<std::int64_t> id;  ///< 1, 2, ... in the order in which they fill the body
-  std::vector<Point> X, x, v;    ///< reference position, position, velocity; v is that of -Δt/2 with start `exact`
+  std::vector<Point> X, x, v;    ///< reference position, position, velocity; with start `exact` v is that at t = -Δt/2
   std::vector<double> m, V;      ///< mass and reference volume
   std::vector<Tensor> F;         ///< deformation gradient
 
@@ -22,7 +22,8 @@ struct StartState {
 
 StartState start_state(const cases::Case& c);
 
-// Up to round-off, for codes that take no velocity, or no deformation, to start with.
+// Whether all velocities are 0, or all F the identity, up to round-off: the start that codes without an initial
+// velocity, or deformation, can take.
 bool is_at_rest(const StartState& state, double wave_speed);
 bool is_undeformed(const StartState& state);
 

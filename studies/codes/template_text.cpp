@@ -12,7 +12,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-/// Notes the first field that is asked for and not there.
+/// A context that notes the first field that a template names and that does not exist.
 class StrictContext : public mustache::context<std::string> {
  public:
   using context::context;
@@ -29,7 +29,7 @@ class StrictContext : public mustache::context<std::string> {
   mutable std::string missing_;
 };
 
-/// `where`, with the line of the first tag of this name in a text of several.
+/// Returns `where`, with the line of the first tag of this name if the text has several lines.
 std::string place_of(const std::string& name, const std::string& text, const std::string& where) {
   if (text.find('\n') == std::string::npos) return where;
   for (auto tag = text.find("{{"); tag != std::string::npos; tag = text.find("{{", tag + 2)) {
@@ -42,7 +42,7 @@ std::string place_of(const std::string& name, const std::string& text, const std
   return where;
 }
 
-/// Of a component across an axis that the case does not have: the x axis has it.
+/// Whether the name is that of a component along an axis that the case lacks: with x in the place of y or z it exists.
 bool is_of_more_dimensions(std::string name, const TemplateFields& fields) {
   const auto axis = std::string_view("yzYZ").find(name.back());
   if (axis == std::string_view::npos) return false;

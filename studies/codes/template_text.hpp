@@ -6,8 +6,8 @@ namespace mpmvv::codes {
 
 using TemplateFields = kainjow::mustache::data;
 
-/// The template with its fields in place. UsageError, with `where`, of a template that is none and of an unknown field,
-/// of that with its line in a text of several.
+/// Returns the template with its fields filled in. Throws UsageError, which says `where`, for an invalid template and
+/// for an unknown field. For the field it also says the line, if the template has several.
 std::string filled(const std::string& text, const TemplateFields& fields, const std::string& where);
 
 }  // namespace mpmvv::codes

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdlib>
 #include <string>
 
 namespace mpmvv::codes {
 
 namespace {
 
-/// What a number's text shows of its rounding.
+/// What the text of a number shows of its rounding.
 struct Shown {
   int digits = 0, decimals = 0;
   bool has_exponent = false;
@@ -42,6 +43,7 @@ bool add_text(TableColumn& column, std::string_view text) {
   const char* end = plain.data() + plain.size();
   const auto [stop, error] = std::from_chars(plain.data(), end, value);
   if (stop != end || error == std::errc::invalid_argument) return false;
+  if (error == std::errc::result_out_of_range) value = std::strtod(plain.c_str(), nullptr);  // infinite, or nearly 0
   const Shown shown = shown_by(plain);
   const int decimals = shown.has_exponent ? -1 : shown.decimals;
   if (column.values.empty()) column.decimals = decimals;

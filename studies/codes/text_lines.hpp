@@ -11,13 +11,13 @@ namespace mpmvv::codes {
 /// The lines of a source, one after the other.
 class TextLines {
  public:
-  explicit TextLines(const Source& source);  ///< a byte-order mark before the first is skipped
+  explicit TextLines(const Source& source);  ///< skips a byte-order mark before the first line
 
-  std::optional<std::string_view> next();  ///< without its end; none behind the last one
+  std::optional<std::string_view> next();  ///< the next line without its end; nullopt after the last
   std::string_view left() const { return left_; }
 
-  std::size_t number() const { return number_; }  ///< of the last one, from 1
-  std::string place() const;                      ///< "FILE:LINE" of it
+  std::size_t number() const { return number_; }  ///< number of the line that was read last, from 1
+  std::string place() const;                      ///< "FILE:LINE" of that line
 
  private:
   std::string_view left_;
@@ -25,15 +25,17 @@ class TextLines {
   std::size_t number_ = 0;
 };
 
-std::string_view trimmed(std::string_view text);  ///< without blanks around it
+std::string_view trimmed(std::string_view text);  ///< the text without blanks around it
 
-/// What stands between separators, without blanks and quotes around it; between blanks when that is the separator.
+/// Splits the line at the separator and returns the parts, without blanks and quotes around them. A blank as separator
+/// stands for any number of blanks and tabs.
 std::vector<std::string_view> fields_of(std::string_view line, char separator);
 
-/// A number for each column; UsageError with the line's place otherwise.
+/// Adds a row to the table. Throws UsageError with the line's place unless the fields are a number for each column.
 void add_row(ParticleTable& table, const std::vector<std::string_view>& fields, const TextLines& lines);
 
-/// Takes in what a comment says: `key = value` or `key: value`, among others the time.
+/// Notes in the table what a comment says, `key = value` or `key: value`. The key `time` sets the time of the table,
+/// too.
 void note_comment(ParticleTable& table, std::string_view comment);
 
 }  // namespace mpmvv::codes

@@ -9,20 +9,20 @@
 
 namespace mpmvv::codes {
 
-/// The factor between units that the ratio of two sizes is, within 5 per cent: 1000, 100, 0.01 or 0.001; else 1.
+/// Returns the factor between units that is within 5 per cent of the ratio: 1000, 100, 0.01 or 0.001; 1 if none is.
 inline double unit_factor(double ratio) {
   for (const double factor : {1000.0, 100.0, 0.01, 0.001})
     if (std::abs(ratio / factor - 1) < 0.05) return factor;
   return 1;
 }
 
-/// OutputFault that names the factor.
+/// Throws an OutputFault that names the factor.
 [[noreturn]] inline void fail_units(const char* what, double factor, const std::string& file) {
   fail_output("{} in {} are {:g} times those of the case (another unit? --length-unit {:g}, or units of the adapter)",
               what, file, factor, 1 / factor);
 }
 
-/// The points as seen from their middle.
+/// Returns the points relative to their mean.
 template <int D>
 std::vector<solver::Vec<D>> from_middle(std::vector<solver::Vec<D>> points) {
   solver::Vec<D> middle = solver::Vec<D>::Zero();
@@ -31,7 +31,7 @@ std::vector<solver::Vec<D>> from_middle(std::vector<solver::Vec<D>> points) {
   return points;
 }
 
-/// RMS distance from their middle.
+/// Returns the RMS distance of the points from their mean.
 template <int D>
 double extent(const std::vector<solver::Vec<D>>& points) {
   double squares = 0;
@@ -39,8 +39,8 @@ double extent(const std::vector<solver::Vec<D>>& points) {
   return std::sqrt(squares / static_cast<double>(points.size()));
 }
 
-/// The factor between units by which vectors differ from those that they should be, if it is nearly all by which they
-/// do; else 1.
+/// Returns the factor between units by which vectors differ from those that they should be, if they are nearly
+/// proportional to these; else 1.
 template <int D>
 double factor_between(const std::vector<solver::Vec<D>>& found, const std::vector<solver::Vec<D>>& wanted) {
   double ours = 0, both = 0, theirs = 0;
@@ -53,7 +53,8 @@ double factor_between(const std::vector<solver::Vec<D>>& found, const std::vecto
   return is_alike ? unit_factor(both / ours) : 1;
 }
 
-/// OutputFault where the places are spread a thousand times as far as they should be, or the like.
+/// Throws an OutputFault if the RMS distance of the places from their mean is about 1000, 100, 0.01 or 0.001 times what
+/// it should be.
 template <int D>
 void require_units(const std::vector<solver::Vec<D>>& places, const std::vector<solver::Vec<D>>& wanted,
                    const std::string& file) {

@@ -13,7 +13,7 @@ namespace mpmvv::codes {
 
 namespace {
 
-/// Its six bits; -1 of what is no character of base64.
+/// Returns the six bits of a character of base64; -1 for any other character.
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -22,7 +22,7 @@ int base64_digit(char c) {
   return c == '/' ? 63 : -1;
 }
 
-/// Numbers of a header and what lies behind them.
+/// Reads the bytes of an array: the numbers of its header, then what is behind them.
 class Headed {
  public:
   Headed(std::string_view bytes, const VtkPacking& packing) : left_(bytes), packing_(packing) {}
@@ -50,9 +50,10 @@ class Headed {
   const VtkPacking& packing_;
 };
 
-/// The number of blocks, their size, that of the last where it differs, and what each takes when compressed.
+/// Inflates a compressed array. Its header has the number of blocks, their size, the size of the last block if it
+/// differs (else 0), and the compressed size of each block.
 std::string inflated(Headed& data, const VtkPacking& packing) {
-  constexpr std::size_t most_by_zlib = 1040;  // bytes that become of one
+  constexpr std::size_t most_by_zlib = 1040;  // bytes that come from one compressed byte
   const std::size_t blocks = data.number(), size = data.number(), last = data.number();
   if (blocks > data.size() / packing.header_size) data.fail("an array ends early");
   std::string all;

@@ -7,16 +7,17 @@ namespace mpmvv::codes {
 /// How VTK's XML files pack the bytes of their arrays.
 struct VtkPacking {
   bool is_big_endian = false;
-  std::size_t header_size = 4;  ///< bytes of a number in headers
-  bool is_compressed = false;   ///< by zlib, in blocks
+  std::size_t header_size = 4;  ///< bytes of a number in the header of an array
+  bool is_compressed = false;   ///< whether arrays are compressed by zlib, in blocks
   std::string file;             ///< for messages
 };
 
-/// The bytes of base64; blanks are skipped. Several pieces, each padded, may follow each other. What is none ends it.
+/// Decodes base64 and skips blanks. Several pieces, each padded, may follow each other. Any other character ends the
+/// text.
 std::string from_base64(std::string_view text);
 
-/// The content of the array that begins there: behind its header, unpacked. UsageError where it ends early or is
-/// damaged.
+/// Returns the content of the array that begins with the first of the bytes, without its header and uncompressed.
+/// Throws UsageError if it ends early or is damaged.
 std::string unpacked(std::string_view bytes, const VtkPacking& packing);
 
 }  // namespace mpmvv::codes

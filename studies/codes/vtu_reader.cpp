@@ -15,7 +15,7 @@ using support::UsageError;
 
 namespace {
 
-/// A file's XML, and the data behind it that may be none.
+/// The XML of a file and its appended data, which may be binary and so no XML.
 class VtkFile {
  public:
   explicit VtkFile(const Source& source) : file_(source.file) {
@@ -41,9 +41,9 @@ class VtkFile {
     if (!data_) fail("no Piece");
   }
 
-  pugi::xml_node data() const { return data_; }  ///< UnstructuredGrid or PolyData: what has the pieces
+  pugi::xml_node data() const { return data_; }  ///< the element that has the pieces: UnstructuredGrid or PolyData
 
-  /// An array's numbers as columns, one for each component.
+  /// Returns the numbers of an array as columns, one for each component.
   std::vector<TableColumn> columns(pugi::xml_node array, const std::string& name) const {
     const std::size_t components = array.attribute("NumberOfComponents").as_uint(1);
     if (components == 0 || components > 100) fail(fmt::format("{} components of '{}'", components, name));
@@ -103,7 +103,7 @@ class VtkFile {
   bool is_base64_ = false;
 };
 
-/// Adds the arrays of a piece to those of the pieces before.
+/// Appends the arrays of a piece to those of the pieces before it.
 void add_piece(const VtkFile& file, pugi::xml_node piece, ParticleTable& table) {
   const bool is_first = table.columns.empty();
   std::vector<TableColumn> columns = file.columns(piece.child("Points").child("DataArray"), "Points");
@@ -129,7 +129,7 @@ void add_piece(const VtkFile& file, pugi::xml_node piece, ParticleTable& table) 
 
 }  // namespace
 
-/// The points of an unstructured grid or of poly data, in text, base64 or appended binary form, with zlib or without.
+/// Reads the points of an unstructured grid or of poly data, as text, base64 or appended data, with zlib or without.
 ParticleTable read_vtu(const Source& source) {
   const VtkFile file(source);
   ParticleTable table;

@@ -77,7 +77,7 @@ double CasePool::seconds(const std::vector<Case>& cases) {
 bool CasePool::load_known(const Case& c) {
   if (records_.contains(c)) return true;
   const auto stored = store_.find(c, provenance_.digest);
-  if (!stored || records::is_worth_another_try(*stored)) return false;
+  if (!stored || (options_.retries && records::is_worth_another_try(*stored))) return false;
   records_.emplace(c, *stored);
   from_store_.insert(c);
   counts_.reused = from_store_.size();

@@ -25,6 +25,7 @@ struct RunnerOptions {
   std::stop_token stop = {};                              ///< asks to stop before the end
   std::function<void(const RunnerCounts&)> on_stop = {};  ///< then ends the program, while no thread uses the store
   codes::Codes codes = {};                                ///< those of all series
+  bool retries = true;  ///< whether failed cases that are worth another try (record.hpp) are run again
 };
 
 struct StudyOutcome {

@@ -20,30 +20,31 @@ struct Cuboid {
   double reach = 0;   ///< how far its motion takes it beyond its faces, m
 };
 
-/// What lies between two circles or spheres around the origin, or its part where no coordinate is negative.
+/// The region between two circles or spheres around the origin, or the part of it where no coordinate is negative.
 template <int D>
 struct Annulus {
   double inner, outer;   ///< radii, m
   double reach;          ///< how far from the origin its motion takes it, m
-  bool quarter = false;  ///< one quadrant, or octant
+  bool quarter = false;  ///< whether it is only that part, a quadrant or octant
 };
 
-/// Two equal blocks beside each other along x, the first with its lower corner at the origin, and free room around.
+/// Two equal blocks beside each other along x, with free room around them. The lower corner of the first one is the
+/// origin.
 template <int D>
 struct Blocks {
-  solver::Vec<D> size;   ///< of each, m: whole cells
-  int gap_cells;         ///< between them
-  double room;           ///< m
-  double gap = 0;        ///< m: `gap_cells` h
-  bool quarter = false;  ///< the lower half of the first block
+  solver::Vec<D> size;   ///< of each block, m; a whole number of cells
+  int gap_cells;         ///< number of cells between the blocks
+  double room;           ///< free room beyond the outer faces of the blocks, m
+  double gap = 0;        ///< distance between the blocks, `gap_cells` h, m
+  bool quarter = false;  ///< whether it is only the lower half of the first block
 };
 
-/// A box whose ends along x move apart.
+/// A box whose ends along x may move.
 template <int D>
 struct Box {
-  solver::Vec<D> lower, size;  ///< m: whole cells
-  double end_speed = 0;        ///< of either end, m/s
-  double reach = 0;            ///< how far each gets until the end time, m
+  solver::Vec<D> lower, size;  ///< m; `size` is a whole number of cells
+  double end_speed = 0;        ///< largest outward speed of an end, as far as the grid has to make room for it, m/s
+  double reach = 0;            ///< how far each end gets until the end time at this speed, m
 };
 
 /// The region that a problem's body fills at rest.
@@ -51,7 +52,7 @@ template <int D>
 using Body =
     std::conditional_t<D == 1, std::variant<Cuboid<D>, Box<D>>, std::variant<Cuboid<D>, Annulus<D>, Blocks<D>, Box<D>>>;
 
-/// The cells of width h of the background grid.
+/// The background grid: its lower corner and the number of its cells, of width h, along each axis.
 template <int D>
 struct Domain {
   solver::Vec<D> lower;
@@ -102,13 +103,13 @@ double volume(const Box<D>& box) {
   return box.size.prod();
 }
 
+/// Whether X lies in the body or at most `slack` away from it.
 template <int D>
 bool contains(const Box<D>& box, const solver::Vec<D>& X, double slack = 0) {
   const auto inside = (X - box.lower).array();
   return (inside >= -slack).all() && (inside <= box.size.array() + slack).all();
 }
 
-/// Whether X lies in the body or at most `slack` away from it.
 template <int D>
 bool contains(const Blocks<D>& blocks, const solver::Vec<D>& X, double slack = 0) {
   const auto in_first = [&](const solver::Vec<D>& Y) {
@@ -131,7 +132,7 @@ bool contains(const Annulus<D>& annulus, const solver::Vec<D>& X, double slack =
   return R >= annulus.inner - slack && R <= annulus.outer + slack;
 }
 
-/// The fewest cells that hold `length`; UsageError beyond what grids can number.
+/// Returns the fewest cells that hold `length`. Throws UsageError above 1e8, which grids cannot number.
 inline int cells_in(double length, double h) {
   const double cells = std::ceil(length / h - 1e-9);
   if (!(cells <= 1e8))
@@ -140,7 +141,7 @@ inline int cells_in(double length, double h) {
   return static_cast<int>(cells);
 }
 
-/// Faces of the cuboid lie on nodes.
+/// Returns a grid with nodes on the faces of the cuboid.
 template <int D>
 Domain<D> domain(const Cuboid<D>& cuboid, double h) {
   const int margin = cells_in(cuboid.reach, h);
@@ -149,7 +150,7 @@ Domain<D> domain(const Cuboid<D>& cuboid, double h) {
   return d;
 }
 
-/// Faces of the blocks lie on nodes.
+/// Returns a grid with nodes on the faces of the blocks.
 template <int D>
 Domain<D> domain(const Blocks<D>& blocks, double h) {
   const int margin = cells_in(blocks.room, h);
@@ -162,7 +163,8 @@ Domain<D> domain(const Blocks<D>& blocks, double h) {
   return d;
 }
 
-/// Faces of the box lie on nodes, its sides on the domain's; beyond the ends a cell is left for errors of the motion.
+/// Returns a grid with nodes on the faces of the box. The sides of the box are faces of the grid. Beyond the reach of
+/// its ends one cell is left for errors of the motion.
 template <int D>
 Domain<D> domain(const Box<D>& box, double h) {
   const int margin = cells_in(box.reach, h) + 1;
@@ -172,7 +174,7 @@ Domain<D> domain(const Box<D>& box, double h) {
   return d;
 }
 
-/// The origin lies on a node, and a cell is left for errors of the motion.
+/// Returns a grid with a node at the origin. Beyond the reach of the body one cell is left for errors of the motion.
 template <int D>
 Domain<D> domain(const Annulus<D>& annulus, double h) {
   const int outward = cells_in(annulus.reach, h) + 1;

@@ -18,7 +18,8 @@ Problem cube_problem() {
                         [](const Parameters& p) { return setup_of<3>("cube", p); });
 }
 
-/// From rest: for codes that take no initial velocity and deformation. At the end time it has gone farthest.
+/// The cube in motion from rest, for codes that take no initial velocity or deformation. At the end time its
+/// displacement is largest.
 Problem cube_rest_problem() {
   return cube_in_motion("cube-rest", "as Steffen et al. 2008, section 5.3, from rest",
                         [](const Parameters& p) { return setup_of<3>("cube-rest", p); });

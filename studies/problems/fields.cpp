@@ -9,7 +9,7 @@ namespace mpmvv::problems {
 
 namespace {
 
-constexpr double round_off = 1e-12;  ///< m; for points on the surface
+constexpr double round_off = 1e-12;  ///< m; points of the surface may lie this far outside
 
 template <int D>
 std::vector<std::vector<double>> rows(const mms::Mat<D>& m) {

@@ -22,7 +22,8 @@ double impact_time(const Parameters& p) {
   return 3 * length / p_wave_speed(p);
 }
 
-/// Until the blocks meet, and on to a whole multiple of 10 us, which time steps can divide.
+/// Returns the time until the blocks meet, rounded up so that the end time is a whole multiple of 10 us, which time
+/// steps can divide.
 double lead_time(const Parameters& p, double h) {
   constexpr double grain = 1e-5;
   const double end = impact_time(p) + gap * h / (2 * p.at("velocity"));
@@ -32,8 +33,8 @@ double lead_time(const Parameters& p, double h) {
 }  // namespace
 
 /// Two elastic blocks of 50 by 20 mm in plane strain, 4 cells apart, that run into each other and part again, N §3.1.
-/// Their speed is 10 % of sqrt(E/ρ₀) with ρ₀ = 1500, which is not printed. The impact takes two passages of the
-/// pressure wave through a block; the end time leaves half as much again, and the time until the blocks meet.
+/// Their speed is 10 % of sqrt(E/ρ₀), with ρ₀ = 1500, which N does not print. The impact takes two passages of the
+/// pressure wave through a block. The end time is three passages and the time until the blocks meet.
 Problem impact_problem() {
   return {.name = "impact",
           .source = "Nairn and Hammerquist 2021, section 3.1",

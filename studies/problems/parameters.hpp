@@ -12,19 +12,19 @@ inline double unit_length(const Parameters&) {
   return 1;
 }
 
-/// sqrt(E/ρ₀), the wave speed of the S and W problems.
+/// Returns sqrt(E/ρ₀), the wave speed of the problems of S and W.
 inline double bar_wave_speed(const Parameters& p) {
   return std::sqrt(p.at("youngs_modulus") / p.at("density"));
 }
 
-/// sqrt((λ + 2μ)/ρ₀), of the P wave.
+/// Returns sqrt((λ + 2μ)/ρ₀), the speed of the P wave.
 inline double p_wave_speed(const Parameters& p) {
   const mms::Elasticity material = mms::elasticity(p);
   return std::sqrt((material.lambda() + 2 * material.mu()) / material.density);
 }
 
-/// The solver's material from the elastic constants of the parameters, by formulas of its own: a mistake in those of
-/// the solution does not cancel.
+/// Returns the solver's material for the elastic constants of the parameters. Its formulas are not those of the
+/// solution, so that a mistake in those does not cancel.
 template <class Material = solver::NeoHookeanLog>
 Material material_of(const Parameters& p) {
   const auto nu = p.find("poissons_ratio");
@@ -33,7 +33,7 @@ Material material_of(const Parameters& p) {
           youngs_modulus / (2 * (1 + poissons_ratio))};
 }
 
-/// A periodic body of length 1 that moves for half a period, as those of S do.
+/// Returns a problem with a periodic body of length 1 that moves for half a period, as in S.
 template <int D>
 Problem periodic_body(const char* name, const std::string& source, SetupFunction<D> setup) {
   return {.name = name,
@@ -49,7 +49,7 @@ Problem periodic_body(const char* name, const std::string& source, SetupFunction
           .setup = setup};
 }
 
-/// What solution and parameters say of a setup: the rest is the body's.
+/// Returns a setup with the density, material and solution that belong to these parameters, and the default body.
 template <int D>
 Setup<D> setup_of(const char* solution, const Parameters& p) {
   return {.density = p.at("density"), .material = material_of(p), .solution = mms::make<D>(solution, p)};

@@ -9,7 +9,8 @@
 
 namespace mpmvv::problems {
 
-using Parameters = decltype(cases::ProblemChoice::parameters);  ///< by name, all of a problem's parameters present
+using Parameters =
+    decltype(cases::ProblemChoice::parameters);  ///< by name; functions of a problem need all of its parameters
 
 using mms::Parameter;
 
@@ -19,32 +20,34 @@ struct Setup;  // setup.hpp
 template <int D>
 using SetupFunction = Setup<D> (*)(const Parameters&);
 
-/// Where the planes of symmetry lie about a quarter of a body.
+/// On which faces of a quarter of a body the planes of symmetry lie.
 enum class SymmetryPlanes { none, at_lower_faces, at_upper_faces };
 
-/// A problem: domain, solution, material, end time, boundary kinds. One file in studies/problems/ and one line
-/// in `problems()` each.
+/// A problem: domain, solution, material, end time, boundary kinds. Each has a file in studies/problems/ and a line in
+/// `problems()`.
 struct Problem {
   std::string name;
   std::string source;  ///< where it is defined: paper and section
   std::string length_formula;
-  double (*length)(const Parameters&);  ///< L, m: h = L/cells
+  double (*length)(const Parameters&);  ///< L, m; h = L/cells
   std::vector<Parameter> parameters;
-  /// Why the parameters do not go together, though each is allowed; empty when they do.
+  /// Returns why the parameters do not go together, though each is allowed; empty when they do. Null: they always do.
   std::string (*objection)(const Parameters&) = nullptr;
   std::string wave_speed_formula;
-  double (*wave_speed)(const Parameters&);  ///< m/s, of the CFL number
+  double (*wave_speed)(const Parameters&);  ///< the speed in the CFL number, m/s
   std::string end_time_formula;
-  double (*end_time)(const Parameters&);  ///< s, the default
-  /// s, until what it is about begins, where that depends on h; the default end time is so much later.
+  double (*end_time)(const Parameters&);  ///< the default, s
+  /// Returns the time, s, until the event of interest begins, in problems where it depends on h. It is added to the
+  /// default end time.
   double (*lead_time)(const Parameters&, double h) = nullptr;
-  std::string boundary;                      ///< default
-  std::string material = "neo-hookean-log";  ///< its law
-  std::string other_material = {};           ///< that its body may be of instead: `Setup::other_law`; empty: none
-  bool is_one_particle = false;              ///< whether it is one particle in one cell, at no other resolution
-  /// Of its quarter, the part on one side of a plane of symmetry across each axis; `quarter` has no meaning without.
+  std::string boundary;                      ///< the default
+  std::string material = "neo-hookean-log";  ///< the word of its law
+  std::string other_material = {};           ///< word of `Setup::other_law`, which its body may have; empty: none
+  bool is_one_particle = false;              ///< whether it is one particle in one cell, with no other resolution
+  /// The planes of symmetry of its quarter, which is the part on one side of such a plane across each axis. With `none`
+  /// the setting `quarter` has no meaning.
   SymmetryPlanes symmetry_planes = SymmetryPlanes::none;
-  /// What besides maps its body, or its quarter, and their motion onto themselves.
+  /// The further images that map its body, or its quarter, and the motion onto themselves.
   solver::Images images = solver::Images::none;
   /// Whether the solution needs a traction on the body's surface.
   bool (*is_loaded)(const Parameters&) = nullptr;
@@ -53,36 +56,38 @@ struct Problem {
   int dimension() const { return static_cast<int>(setup.index()) + 1; }
   bool has_quarter() const { return symmetry_planes != SymmetryPlanes::none; }
   std::string default_boundary(bool quarter) const;
-  /// The boundary with which a quarter moves as the whole body does with this word on all faces: continued by its
-  /// mirror images at the planes of symmetry, and everywhere where the whole is periodic.
+  /// Returns the boundary with which a quarter moves as the whole body does with this word on all faces: `mirror` at
+  /// the planes of symmetry, and on the other faces the word, or `mirror` if the word is `periodic`.
   std::string quarter_boundary(const std::string& word) const;
   bool has_solution(const Parameters& values) const;
   bool has_speed(const Parameters& values) const;
   bool has_wall(const Parameters& values, std::size_t face) const;
-  bool is_curved(const Parameters& values) const;  ///< whether `fill` conforming has a meaning
+  bool is_curved(const Parameters& values) const;  ///< whether `fill` may be `conforming`
 };
 
 /// All problems, in the order in which `list` shows them.
 const std::vector<Problem>& problems();
 
-/// The problem with this name; UsageError with the known names otherwise. `where` goes into the message.
+/// Returns the problem with this name. Throws UsageError, with the known names, where there is none; `where` goes into
+/// the message.
 const Problem& find_problem(const std::string& name, const std::string& where);
 
-/// UsageError of a problem without an exact solution, with the names of those that have one.
+/// Throws the UsageError for a problem without an exact solution, with the names of the problems that have one.
 [[noreturn]] void refuse_without_solution(const Problem& problem);
 
-/// Defaults overwritten by the given ones.
+/// Returns all parameters of the problem: the given ones, and defaults for the rest.
 Parameters complete_parameters(const Problem& problem, const Parameters& given);
 
-/// Its body's volume over that of a cell, and the cells of its domain.
+/// The size of a case: the volume of its body over that of a cell, and the number of cells of its domain.
 struct Extent {
   double cells_of_body, cells_of_domain;
 };
 Extent extent(const cases::Case& c);
 
-std::vector<int> domain_cells(const cases::Case& c);  ///< along each axis
+std::vector<int> domain_cells(const cases::Case& c);  ///< their number along each axis
 
-/// Between the problem's walls at the two faces of an axis, at a time; infinite where there are no two.
+/// Returns the distance at time t, in cells, between the problem's walls at the two faces of an axis; infinity where it
+/// does not have both.
 double cells_between_walls(const cases::Case& c, std::size_t axis, double t);
 
 double cfl_number(const cases::Case& c);  ///< wave speed × time step / cell width

@@ -92,7 +92,7 @@ bool Problem::is_curved(const Parameters& values) const {
 
 namespace {
 
-/// What `of` says of a case's body and its cell width.
+/// Returns of(body, h) for the body of a case and its cell width.
 template <class Of>
 auto of_body(const cases::Case& c, const Of& of) {
   const Problem& problem = find_problem(c.problem.name, "the case");

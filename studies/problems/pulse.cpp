@@ -16,9 +16,9 @@ Setup<2> pulse_setup(const Parameters& p) {
 
 }  // namespace
 
-/// A bar whose left end is pulled by a triangle of tension, N §3.3, in plane stress, which without a Poisson's ratio is
-/// plane strain. N's bar is 198 mm long, here 200, whole cells of every size: until the end time the wave does not meet
-/// the other end.
+/// A bar whose left end is pulled by a triangular pulse of tension, N §3.3, in plane stress, which is plane strain
+/// without a Poisson's ratio. N's bar is 198 mm long. This one is 200 mm long, a whole number of cells at every
+/// resolution; the wave does not meet its other end before the end time.
 Problem pulse_problem() {
   return {.name = "pulse",
           .source = "Nairn and Hammerquist 2021, section 3.3",

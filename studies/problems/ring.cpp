@@ -13,8 +13,8 @@ Setup<2> ring_setup(const Parameters& p) {
 
 }  // namespace
 
-/// The ring that expands and contracts, W §5.2, in plane strain; the radii are not printed. The end time is one full
-/// period. With a Poisson's ratio, which W leaves at zero, its surfaces are loaded.
+/// The ring that expands and contracts, W §5.2, in plane strain. W does not print the radii. The end time is one full
+/// period. In W Poisson's ratio is zero. With another one the surfaces are loaded.
 Problem ring_problem() {
   return {.name = "ring",
           .source = "Wallstedt and Guilkey 2008, section 5.2",

@@ -14,26 +14,26 @@
 
 namespace mpmvv::problems {
 
-/// A law that the body may be of instead of the problem's own, by which it moves nearly as the solution says.
+/// A law that the body may have instead of the problem's own. With it the body moves nearly as the solution.
 struct OtherLaw {
   solver::AnyMaterial material;
-  std::function<double(double t)> solution_error;  ///< RMS displacement error of the solution, m, at most
+  std::function<double(double t)> solution_error;  ///< bound of the RMS displacement error of the solution, m
 };
 
-/// What a problem hands to the runner: the body at rest in its domain and how it starts.
+/// The data of a problem for its runs: the body at rest, its material, its motion and its walls.
 template <int D>
 struct Setup {
   Body<D> body = Cuboid<D>{};
   double density = 0;  ///< kg/m³
   solver::AnyMaterial material;
   std::shared_ptr<mms::ManufacturedSolution<D>> solution = nullptr;  ///< null where no exact solution is known
-  std::function<solver::Vec<D>(const solver::Vec<D>&)> start_velocity = nullptr;  ///< used when there is no solution
-  std::array<std::shared_ptr<solver::WallMotion>, 2 * D> walls = {};              ///< by face; null where none can be
-  double speed = 0;  ///< of the problem, m/s, which velocity errors are measured by; 0: it has none
+  std::function<solver::Vec<D>(const solver::Vec<D>&)> start_velocity = nullptr;  ///< m/s; used without a solution
+  std::array<std::shared_ptr<solver::WallMotion>, 2 * D> walls = {};  ///< by face; null: the problem has none there
+  double speed = 0;  ///< m/s, what velocity errors are relative to; 0: the problem has none
   std::optional<OtherLaw> other_law = {};
 };
 
-/// Makes the body of this law; `other_law` stays only where it is that one.
+/// Gives the body the law with this word. Removes `other_law` where it is not the law chosen.
 template <int D>
 void choose_law(Setup<D>& setup, const Problem& problem, const std::string& material) {
   if (material == problem.material)
@@ -42,14 +42,15 @@ void choose_law(Setup<D>& setup, const Problem& problem, const std::string& mate
     setup.material = setup.other_law->material;
 }
 
-/// RMS displacement error of the solution itself by time t, m, at most; not measured where it is exact for the law that
-/// was chosen.
+/// Returns a bound of the RMS displacement error of the solution itself at time t, m; `not_measured` where the solution
+/// is exact for the law that `choose_law` has set.
 template <int D>
 double solution_floor(const Setup<D>& setup, double t) {
   return setup.other_law ? setup.other_law->solution_error(t) : support::not_measured;
 }
 
-/// The setup of a choice: the whole body, or its quarter. `h` is the cell width, for bodies that depend on it.
+/// Returns the setup of a choice, with the whole body or its quarter. `h` is the cell width, for bodies that depend on
+/// it.
 template <int D>
 Setup<D> make_setup(const Problem& problem, const cases::ProblemChoice& choice, double h) {
   Setup<D> setup = std::get<SetupFunction<D>>(problem.setup)(choice.parameters);

@@ -13,7 +13,7 @@ Setup<3> shell_setup(const Parameters& p) {
 
 }  // namespace
 
-/// The spherical shell that moves as the ring does: its sister in three dimensions.
+/// The spherical shell with the radial motion of the ring.
 Problem shell_problem() {
   return {.name = "shell",
           .source = "as Wallstedt and Guilkey 2008, section 5.2, in three dimensions",

@@ -18,7 +18,7 @@ double bulk_speed(const Parameters& p) {
   return std::sqrt(p.at("bulk_modulus") / p.at("density"));
 }
 
-/// A wall at the bar's end that moves at a constant velocity from the start.
+/// A wall at an end of the bar that moves at a constant velocity from the start.
 class Piston final : public solver::WallMotion {
  public:
   Piston(double X, double velocity) : X_(X), velocity_(velocity) {}
@@ -57,10 +57,11 @@ std::string shock_objection(const Parameters& p) {
 
 }  // namespace
 
-/// A bar of nickel, 50 by 2.5 mm in plane strain, run into by a wall from the right at 40 % of the bulk wave speed, N
-/// §3.5. Its sides are planes of symmetry (N: walls at rest), its left end is held by a wall. The material is a fluid
-/// without shear strength: N's shear modulus and yield stress are not printed. Heat capacity of nickel at 25 °C: CRC
-/// Handbook of Chemistry and Physics. The end time, not printed, leaves the front some 21 mm from the left end.
+/// A bar of nickel, 50 by 2.5 mm in plane strain. A wall runs into it from the right at 40 % of the bulk wave speed,
+/// N §3.5. Its sides are planes of symmetry (N: walls at rest), and a wall holds its left end. The material is a fluid
+/// without shear strength, because N does not print the shear modulus and the yield stress. The heat capacity is that
+/// of nickel at 25 °C in the CRC Handbook of Chemistry and Physics. N does not print the end time. At the one
+/// chosen here the front is some 21 mm from the left end.
 Problem shock_problem() {
   return {
       .name = "shock",

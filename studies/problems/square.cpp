@@ -20,19 +20,21 @@ Problem square_in_motion(const char* name, const std::string& source, SetupFunct
 
 }  // namespace
 
-/// The unit square in plane strain, W §5.1; E, ν and ρ₀ are not printed. The end time is one full period.
+/// The unit square in plane strain, W §5.1. W does not print E, ν and ρ₀. The end time is one full period.
 Problem square_problem() {
   return square_in_motion("square", "Wallstedt and Guilkey 2008, section 5.1",
                           [](const Parameters& p) { return setup_of<2>("square", p); });
 }
 
-/// From rest: for codes that take no initial velocity and deformation. At the end time it is back at rest.
+/// The square in motion from rest, for codes that take no initial velocity or deformation. At the end time it is at
+/// rest again.
 Problem square_rest_problem() {
   return square_in_motion("square-rest", "as Wallstedt and Guilkey 2008, section 5.1, from rest",
                           [](const Parameters& p) { return setup_of<2>("square-rest", p); });
 }
 
-/// From rest, with a body force that is an expression of the current position: for codes that evaluate it there.
+/// A square in motion from rest whose body force is an expression of the current position, for codes that evaluate it
+/// there.
 Problem square_inverse_problem() {
   return square_in_motion("square-inverse", "made for codes that evaluate body forces at current positions",
                           [](const Parameters& p) { return setup_of<2>("square-inverse", p); });

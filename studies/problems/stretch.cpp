@@ -6,7 +6,7 @@ namespace {
 
 constexpr double bar_length = 20, bar_height = 4;  // m
 
-/// The end of the bar at X, which keeps its velocity.
+/// The wall at the end X of the bar, which moves at a constant velocity.
 class BarEnd final : public solver::WallMotion {
  public:
   BarEnd(double X, double rate) : X_(X), rate_(rate) {}
@@ -53,8 +53,9 @@ Problem stretch_in(const std::string& name, const std::string& sides) {
 
 }  // namespace
 
-/// A bar of 20 by 4 m (by 4 m in three dimensions, a line in one) centred at the origin, that walls at its ends stretch
-/// by a fifth; its Poisson's ratio is zero, its sides are free. L is its height: N's cells of 0.25 m are 16.
+/// A bar of 20 by 4 m (by 4 m in three dimensions, a line in one) centred at the origin. Walls at its ends stretch it
+/// by a fifth. Its Poisson's ratio is zero, and its sides are free. L is its height, so that N's cells of 0.25 m are
+/// `cells` = 16.
 Problem stretch_problem() {
   return stretch_in<2>("stretch", ",ymin=free,ymax=free");
 }

@@ -7,7 +7,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// u_x = A cos πX sin Cπt,   u_y = Vt + A sin 2πY sin Cπt:   at X = 0 and 1 there is no strain along x.
+/// u_x = A cos πX sin Cπt,   u_y = Vt + A sin 2πY sin Cπt.   At X = 0 and 1 there is no strain along x.
 struct Swing {
   double amplitude, wave_speed, drift;
 
@@ -19,7 +19,7 @@ struct Swing {
   }
 };
 
-/// The wall on the end of the square that was at X = 0 or 1: it is A sin Cπt away from there.
+/// The wall at the end X of the square. Its displacement is `amplitude` sin Cπt; the amplitude is A at 0 and -A at 1.
 class SwingingWall final : public solver::WallMotion {
  public:
   SwingingWall(double X, double amplitude, double wave_speed) : X_(X), amplitude_(amplitude), rate_(pi * wave_speed) {}
@@ -49,9 +49,9 @@ Setup<2> swing_setup(const Parameters& p) {
 
 }  // namespace
 
-/// The unit square in plane strain between walls that swing at the frequency of its first mode along x, while it drifts
-/// through its periodic sides. No paper's: no other problem has walls that accelerate, particles that leave through a
-/// periodic face, or faces of both kinds. The end time is half a period.
+/// The unit square in plane strain between walls that swing at the frequency C/2, while it drifts through its periodic
+/// sides. It is from no paper. No other problem has walls that accelerate, or both walls and periodic faces. The end
+/// time is half a period.
 Problem swing_problem() {
   return {
       .name = "swing",

@@ -2,9 +2,8 @@
 
 namespace mpmvv::problems {
 
-/// The periodic unit square, undeformed, that moves as a whole across its cells. Errors are round-off, or the method's
-/// own on particles that change cells. By the end time it has moved by half its length
-/// along x.
+/// The undeformed periodic unit square, which moves as a whole across its cells. Errors are round-off, or come from
+/// particles that change cells. By the end time it has moved by about half its length along x.
 Problem translation_problem() {
   return {.name = "translation",
           .source = "made for codes without body forces",

@@ -13,8 +13,8 @@ Setup<2> vortex_setup(const Parameters& p) {
 
 }  // namespace
 
-/// The generalized vortex: an annulus whose circles turn by angles of their own, those of the surfaces not at all. The
-/// end time takes it out and back.
+/// The generalized vortex: an annulus in which each circle turns by an angle of its own, and those of the surfaces stay
+/// at rest. At the end time it has turned out and back.
 Problem vortex_problem() {
   return {.name = "vortex",
           .source = "Kamojjala, Brannon, Sadeghirad and Guilkey 2015",

@@ -17,9 +17,9 @@ Setup<2> wave_setup(const Parameters& p) {
 
 }  // namespace
 
-/// A standing wave along x in the unit square, without a body force: for codes that have none. It is exact for small
-/// strain; of a body of a finite law it is the solution but for an error that `mms/wave.hpp` states. The end time is
-/// one full period.
+/// A standing wave along x in the unit square without a body force, for codes that have none. It is the exact solution
+/// for small strain. For a body with a law of finite strain it has an error, which `mms/wave.hpp` bounds. The end time
+/// is one full period.
 Problem wave_problem() {
   return {.name = "wave",
           .source = "made for codes without body forces",

@@ -6,11 +6,11 @@
 
 namespace mpmvv::runs {
 
-/// Momenta of the particles and their images, and the sizes that their changes are measured by.
+/// The momenta of the particles and their images, and the sums that changes of the momenta are divided by.
 template <int D>
 struct Momenta {
   solver::Vec<D> linear = solver::Vec<D>::Zero();   ///< Σ m v
-  solver::Mat<D> angular = solver::Mat<D>::Zero();  ///< Σ m (x vᵀ - v xᵀ), about the origin; without APIC's own
+  solver::Mat<D> angular = solver::Mat<D>::Zero();  ///< Σ m (x vᵀ - v xᵀ), about the origin; without APIC's C_p
   double speed = 0;                                 ///< Σ m |v|
   double swing = 0;                                 ///< Σ m |x| |v|
 
@@ -34,7 +34,7 @@ struct Momenta {
   }
 };
 
-/// NaN when nothing moves.
+/// Returns the relative changes from start to end; those of momenta are NaN when nothing moves.
 template <int D>
 records::Balance balance(const Momenta<D>& start, const Momenta<D>& end, double mass_of_particles,
                          double mass_of_body) {

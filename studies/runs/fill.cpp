@@ -13,7 +13,7 @@ using solver::Vec;
 
 namespace {
 
-/// Visits the middles of a lattice of cubes of the given width, so many along each axis, first axis fastest.
+/// Visits the middles of a lattice of cubes of the given width, `count` along each axis, the first axis fastest.
 template <int D, class Visit>
 void for_lattice(const Vec<D>& lower, double width, const solver::Index<D>& count, const Visit& visit) {
   std::size_t cubes = 1;
@@ -42,7 +42,8 @@ struct Rows {
         thickness((annulus.outer - annulus.inner) / count) {}
 
   double bottom(int row) const { return inner + row * thickness; }
-  /// Spacing along a row as an angle: about its thickness at its middle.
+  /// Returns the spacing along a row as an angle, so that at the middle of the row it is about the thickness of the
+  /// row.
   double spacing(int row) const { return thickness / (bottom(row) + thickness / 2); }
 };
 
@@ -63,7 +64,7 @@ std::vector<SurfacePatch<D>> annulus_surface(const Annulus<D>& annulus, FillDens
   return patches;
 }
 
-/// The surface of a body whose faces are planes of the lattice.
+/// Returns the surface of a body whose faces are planes of the lattice.
 template <int D>
 std::vector<SurfacePatch<D>> flat_surface(const auto& body, FillDensity density) {
   std::vector<SurfacePatch<D>> patches;

@@ -12,15 +12,15 @@ template <int D>
 struct Voxel {
   solver::Vec<D> X;      ///< centroid
   double V;              ///< volume
-  solver::Mat<D> edges;  ///< as columns, of the parallelepiped of that volume around X that stands for it
+  solver::Mat<D> edges;  ///< columns: edges of the parallelepiped around X, of volume V, that stands for the voxel
 };
 
 /// A part of a body's surface.
 template <int D>
 struct SurfacePatch {
-  std::uint32_t voxel;    ///< the one that it bounds, by its place in the fill
-  solver::Vec<D> X;       ///< middle
-  solver::Vec<D> normal;  ///< outward, as long as the patch is large: ∫ N dA
+  std::uint32_t voxel;    ///< the voxel that the patch bounds, by its place in the order of the fill
+  solver::Vec<D> X;       ///< middle of the patch
+  solver::Vec<D> normal;  ///< ∫ N dA over the patch, with N outward; where the patch is flat, its length is the area
 };
 
 struct FillDensity {
@@ -31,17 +31,19 @@ struct FillDensity {
 template <int D>
 using PlaceVoxel = std::function<void(const Voxel<D>&)>;
 
-/// Equal cubes of width h/ppc, in line with the grid: all of a cuboid; of an annulus those whose middle lies inside,
-/// which leaves stairs where it is curved. First axis fastest.
+/// Fills a body with equal cubes of width h/ppc, in line with the grid: those whose middle lies inside. They fill a
+/// cuboid wholly, and leave stairs where an annulus is curved. The first axis is fastest. A `grid_offset` does not move
+/// the cubes.
 template <int D>
 void fill_lattice(const problems::Body<D>& body, FillDensity density, const PlaceVoxel<D>& place);
 
-/// Rows that follow the surfaces of an annulus, ppc per h, from the inner one outwards; along a row the spacing is
-/// about its thickness, and the same in every quadrant.
+/// Fills an annulus with rows that follow its surfaces, ppc per h, from the inner one outwards. Along a row the spacing
+/// is about the thickness of the row, and the same in every quadrant.
 template <int D>
 void fill_conforming(const problems::Annulus<D>& annulus, FillDensity density, const PlaceVoxel<D>& place);
 
-/// The surface of a body that its fill follows: a cuboid on its lattice, an annulus in conforming rows.
+/// Returns the surface of a body where its fill follows it: of a cuboid or box on its lattice, and of an annulus in
+/// conforming rows; empty for blocks.
 template <int D>
 std::vector<SurfacePatch<D>> surface(const problems::Body<D>& body, FillDensity density);
 

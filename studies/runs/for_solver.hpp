@@ -5,7 +5,8 @@
 #include "solver/scene.hpp"
 #include "studies/cases/scheme.hpp"
 
-/// What a scheme chooses, as the solver names it. A new choice does not compile until it stands here, too.
+/// Functions that turn the choices of a scheme into the enumerations of the solver. A new choice does not compile until
+/// it is added here, too.
 namespace mpmvv::runs {
 
 [[noreturn]] inline void fail_without(const std::string& what) {

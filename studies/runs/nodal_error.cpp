@@ -7,7 +7,7 @@ namespace mpmvv::runs {
 
 namespace {
 
-/// Whether the node belongs to the domain, and is not the second image of one across periodic faces.
+/// Whether the node lies in the domain, is not the second image of one across periodic faces, and is accelerated.
 template <int D>
 bool counts(const solver::Mpm<D>& mpm, std::size_t n) {
   const auto i = mpm.grid().index(n);
@@ -18,11 +18,11 @@ bool counts(const solver::Mpm<D>& mpm, std::size_t n) {
   return mpm.is_accelerated(n);
 }
 
-/// The material point at x; none when no part of the body is there.
+/// Returns the reference position of the material point at x; none when no part of the body is there.
 template <int D>
 std::optional<mms::Vec<D>> reference_point(const mms::ManufacturedSolution<D>& solution, const problems::Body<D>& body,
                                            const mms::Vec<D>& x, double t) {
-  constexpr double round_off = 1e-12;  // m; for nodes on a face
+  constexpr double round_off = 1e-12;  // in m, for nodes on a face
   try {
     auto X = solution.reference_point(x, t);
     if (std::visit([&X](const auto& shape) { return problems::contains(shape, X, round_off); }, body)) return X;

@@ -6,11 +6,11 @@
 
 namespace mpmvv::runs {
 
-/// δ_i = |a_i - a(X_i, t)| with X_i + u(X_i, t) = x_i, W (A.1) and (A.2), over the nodes i that lie in the body. The
-/// a_i are mapped anew from the particles at the solver's time t, for a step leaves those of its start. Nodes on a wall
-/// count: the component that the wall holds is exact there, the others are the method's own. Of the images of a node
-/// across periodic faces one counts, ghost nodes do not, nor do nodes too light to be accelerated. A control point of
-/// an open-knot basis counts as the node at its abscissa.
+/// Returns the norms of δ_i = |a_i - a(X_i, t)| with X_i + u(X_i, t) = x_i, W (A.1) and (A.2), over the nodes i that
+/// lie in the body. The a_i are mapped anew from the particles at the solver's time t, because a step leaves those of
+/// its start. Nodes on a wall count: the component that the wall holds is exact there, the others are the method's own.
+/// Of the images of a node across periodic faces one counts. Ghost nodes do not count, nor do nodes too light to be
+/// accelerated. A control point of an open-knot basis counts as the node at its abscissa.
 template <int D>
 ErrorNorms acceleration_errors(solver::Mpm<D>& mpm, const mms::ManufacturedSolution<D>& solution,
                                const problems::Body<D>& body);

@@ -7,10 +7,11 @@
 
 namespace mpmvv::runs {
 
-/// Mean, root mean square and maximum of the particles' displacement errors δ_p, W (64). One NaN makes all three NaN.
+/// Mean, root mean square and maximum of errors, such as the displacement errors δ_p of the particles, W (64). One NaN
+/// makes all three NaN.
 class ErrorNorms {
  public:
-  /// The error δ of a particle, which counts for as many as it stands for with its mirror images.
+  /// Adds the error δ of a particle. It counts for as many particles as this one stands for, itself and its images.
   void add(double delta, int particles = 1) {
     sum_ += particles * delta;
     sum_of_squares_ += particles * delta * delta;

@@ -22,7 +22,7 @@ std::vector<ParticleError> ParticleErrors::reduced() const {
 
 std::vector<ParticleError> ParticleErrors::in_squares(double width) const {
   struct Square {
-    One first;  ///< by its reference position
+    One first;  ///< the particle with the least reference position
     double squares = 0;
     std::size_t count = 0;
   };

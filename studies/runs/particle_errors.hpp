@@ -8,12 +8,13 @@
 
 namespace mpmvv::runs {
 
-/// Displacement errors of particles with their places, few enough to be kept and drawn.
+/// The displacement errors of particles with their places, reduced to at most `most` so that they can be kept and
+/// drawn.
 class ParticleErrors {
  public:
   static constexpr std::size_t most = 1600;
 
-  /// `spacing`: what particles are apart at rest.
+  /// `spacing` is the distance between neighbouring particles at rest.
   ParticleErrors(int dimension, double spacing) : dimension_(dimension), spacing_(spacing) {}
 
   template <int D>
@@ -22,8 +23,8 @@ class ParticleErrors {
     all_.push_back({{X[0], D < 2 ? 0 : X[across]}, {x[0], D < 2 ? 0 : x[across], error}});
   }
 
-  /// Each, where they are few and none hides another. Else the RMS of neighbours in squares of the body at rest, at the
-  /// place of one of them.
+  /// Returns each error where they are few and, in fewer than three dimensions, none hides another. Otherwise it
+  /// returns the RMS of neighbours in squares of the body at rest, at the place of one of them.
   std::vector<records::ParticleError> reduced() const;
 
  private:

@@ -20,8 +20,8 @@ namespace {
 
 using solver::Vec;
 
-/// Fills the body: reference positions, volumes, and the widths that the basis takes. Returns which of its voxels are
-/// kept.
+/// Fills the body: sets the reference positions, the volumes, and the widths that the basis takes. Returns which voxels
+/// of the fill are kept.
 template <int D>
 WithoutImages<D> fill(PreparedCase<D>& prepared, const Case& c) {
   auto& scene = prepared.scene;
@@ -53,7 +53,8 @@ WithoutImages<D> fill(PreparedCase<D>& prepared, const Case& c) {
   return kept;
 }
 
-/// Position, velocity and deformation gradient at t = 0; with start `exact` the velocity of -Δt/2, W §4.
+/// Sets position, velocity, deformation gradient and mass at t = 0. With start `exact` it takes the velocity of -Δt/2,
+/// W §4.
 template <int D>
 void set_initial_state(PreparedCase<D>& prepared, const Case& c) {
   auto& particles = prepared.scene.particles;
@@ -69,7 +70,7 @@ void set_initial_state(PreparedCase<D>& prepared, const Case& c) {
   }
 }
 
-/// Widths and edges that follow the particles' deformation.
+/// Stores the reference widths and edges, and sets those that follow the deformation of the particles.
 template <int D>
 void set_current_widths(solver::Particles<D>& particles, const solver::AnyBasis& basis) {
   if (width_of(basis) == solver::ParticleWidth::current) particles.l0 = particles.l;
@@ -77,8 +78,8 @@ void set_current_widths(solver::Particles<D>& particles, const solver::AnyBasis&
   particles.update_widths(0, particles.size());
 }
 
-/// The velocity update with the order, interval and positions of the scheme, where it takes them. `cfl` is the Courant
-/// number of a step.
+/// Returns the velocity update with the order, interval and positions of the scheme, where it takes them. `cfl` is the
+/// Courant number of a step.
 solver::AnyVelocityUpdate velocity_update(const cases::Scheme& scheme, double cfl) {
   auto update = settings::named<solver::AnyVelocityUpdate>(scheme.velocity_update);
   const auto choose = [&](auto& u) {
@@ -91,7 +92,7 @@ solver::AnyVelocityUpdate velocity_update(const cases::Scheme& scheme, double cf
   return update;
 }
 
-/// The faces' boundaries, walls with their motions.
+/// Sets the boundaries of the faces, and for walls their motion, depth and gradient.
 template <int D>
 void set_boundaries(PreparedCase<D>& prepared, const cases::Scheme& scheme) {
   const auto faces = settings::boundary_faces(scheme.boundary, D, "the case");
@@ -106,7 +107,8 @@ void set_boundaries(PreparedCase<D>& prepared, const cases::Scheme& scheme) {
   }
 }
 
-/// A permutation of the particles by Fisher and Yates, the same on every machine.
+/// Shuffles the particles by the method of Fisher and Yates, in the same way on every machine; seed 0 leaves their
+/// order.
 template <int D>
 void shuffle(solver::Particles<D>& particles, int seed) {
   if (seed == 0) return;

@@ -11,7 +11,7 @@
 
 namespace mpmvv::runs {
 
-/// The manufactured solution's body force as the solver takes it.
+/// Gives the solver the body force of the manufactured solution.
 template <int D>
 class SolutionBodyForce final : public solver::BodyForce<D> {
  public:
@@ -32,7 +32,7 @@ class SolutionBodyForce final : public solver::BodyForce<D> {
   mms::PointwiseSolution<D>& points_;
 };
 
-/// The manufactured solution's traction on the body's surface as the solver takes it.
+/// Gives the solver the traction of the manufactured solution on the surface of the body.
 template <int D>
 class SolutionTraction final : public solver::SurfaceLoad<D> {
  public:
@@ -55,7 +55,7 @@ class SolutionTraction final : public solver::SurfaceLoad<D> {
   std::vector<Part> parts_;
 };
 
-// Compiled with the runs, whatever the options of those that see them.
+// Compiled once, with the options of the runs, whatever the options of the files that include this one.
 extern template class SolutionBodyForce<1>;
 extern template class SolutionBodyForce<2>;
 extern template class SolutionBodyForce<3>;
@@ -63,40 +63,41 @@ extern template class SolutionTraction<1>;
 extern template class SolutionTraction<2>;
 extern template class SolutionTraction<3>;
 
-/// A case ready to run: the problem's solution sampled at the particles, and the scene made from it.
+/// A case ready to run: the solution of the problem sampled at the particles, and the scene made from it.
 template <int D>
 struct PreparedCase {
   problems::Setup<D> setup;
   std::vector<solver::Vec<D>> X;  ///< reference positions by particle id
   solver::Images images = solver::Images::none;
-  std::vector<std::uint8_t> with_images;  ///< particles of the body that each is with its images, by id; empty: one
+  std::vector<std::uint8_t> with_images;  ///< `count_of` of each particle, by id; empty where it is one for all
   std::unique_ptr<mms::PointwiseSolution<D>> points;
   std::unique_ptr<SolutionBodyForce<D>> body_force;
   std::unique_ptr<SolutionTraction<D>> traction;  ///< null where the surface is free or held
   solver::Scene<D> scene;
 
-  /// Particles of the body that one is with its images.
+  /// Returns how many particles of the body a particle stands for, itself and its images.
   int count_of(std::uint32_t id) const { return with_images.empty() ? 1 : with_images[id]; }
 
-  /// Whether walls put energy in, so that it has no bound.
+  /// Whether the problem has walls: they put energy in, so that the energy has no bound.
   bool is_driven() const {
     const auto is_wall = [](const auto& wall) { return wall != nullptr; };
     return std::any_of(setup.walls.begin(), setup.walls.end(), is_wall);
   }
 };
 
-/// ρ₀ times the volume of the body.
+/// Returns the mass of the body: ρ₀ times its volume.
 template <int D>
 double mass_of(const problems::Setup<D>& setup) {
   return setup.density * std::visit([](const auto& body) { return problems::volume(body); }, setup.body);
 }
 
-/// The background grid: around the body, moved down by the case's offset along the axes where nothing holds it, with a
-/// cell more where the body ends.
+/// Returns the background grid, which surrounds the body. Along each axis that no face holds, it is moved down by the
+/// grid offset of the case. Between free faces it then has a cell more, so that it still covers the body.
 template <int D>
 problems::Domain<D> background_grid(const cases::Case& c, const problems::Setup<D>& setup, double h);
 
-/// The body filled with particles in their state at t = 0, but for those that are images of others.
+/// Makes a case ready to run: fills the body with particles in their state at t = 0, without those that are images of
+/// others.
 template <int D>
 PreparedCase<D> prepare_case(const cases::Case& c, const problems::Problem& problem, int threads,
                              solver::Images images = solver::Images::none);

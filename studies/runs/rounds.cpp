@@ -11,7 +11,7 @@ using records::Record;
 
 namespace {
 
-/// Takes the median of a record's costs, in ns per particle and step.
+/// Sets the cost of a record to the median of `costs`, in ns per particle and step; does nothing without any.
 void set_cost(Record& record, const std::vector<double>& costs) {
   if (costs.empty()) return;
   const auto [least, most] = std::minmax_element(costs.begin(), costs.end());

@@ -28,7 +28,8 @@ using records::Status;
 
 namespace {
 
-/// Seconds of this thread on a processor: what steps cost on one core, whatever else the machine does meanwhile.
+/// Returns the processor time of this thread in seconds: what steps cost on one core, whatever else the machine does
+/// meanwhile.
 double processor_seconds() {
   timespec spent{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
@@ -39,10 +40,10 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// A run is looked at every so many steps and at its end.
+/// A run is checked for instability after every so many steps and at its end.
 constexpr std::int64_t watch_interval = 32;
 
-/// Why the run counts as unstable; empty while it does not.
+/// Returns why the run counts as unstable; empty while it does not.
 template <int D>
 std::string judge(const BlowUp<D>& blow_up, const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) {
   const std::string reason = blow_up.judge_energy(mpm.kinetic_energy() + mpm.strain_energy());
@@ -50,13 +51,14 @@ std::string judge(const BlowUp<D>& blow_up, const solver::Mpm<D>& mpm, const Pre
 }
 
 void note_errors_over_steps(records::Errors& errors, const ErrorNorms& now) {
-  const auto larger = [](double so_far, double value) { return value <= so_far ? so_far : value; };  // takes NaN over
+  // A NaN value replaces a number.
+  const auto larger = [](double so_far, double value) { return value <= so_far ? so_far : value; };
   errors.l1_all_steps = larger(errors.l1_all_steps, now.l1());
   errors.l2_all_steps = larger(errors.l2_all_steps, now.l2());
   errors.linf_all_steps = larger(errors.linf_all_steps, now.linf());
 }
 
-/// Steps to the end or until the run blows up, and calls `observe` after every `stride` sound steps; returns the
+/// Runs steps to the end or until the run blows up, and calls `observe` after every `stride` sound steps. Returns the
 /// seconds spent in the steps alone.
 template <int D, class Observe>
 double advance(solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Case& c, std::int64_t stride, Record& record,
@@ -104,7 +106,7 @@ void measure_end(const Case& c, solver::Mpm<D>& mpm, const PreparedCase<D>& prep
   }
 }
 
-/// How a case is run, of which nothing but the cost depends.
+/// How a case is run. Nothing but the cost depends on it.
 struct Manner {
   int threads = 1;
   solver::Images images = solver::Images::none;
@@ -144,7 +146,8 @@ void run(const Case& c, const problems::Problem& problem, const Manner& manner, 
   record.wall_seconds = wall_seconds() - start;
 }
 
-/// What the steps of a sound case cost once more, in ns per particle and step: nothing else is done in between.
+/// Runs the steps of a sound case once more, with nothing else in between, and returns their cost in ns per particle
+/// and step.
 template <int D>
 double cost_of_steps(const Case& c, const problems::Problem& problem) {
   PreparedCase<D> prepared = prepare_case<D>(c, problem, 1);
@@ -155,7 +158,7 @@ double cost_of_steps(const Case& c, const problems::Problem& problem) {
   return 1e9 * seconds / (static_cast<double>(mpm.particles().size()) * static_cast<double>(c.resolution.steps));
 }
 
-/// One run of the case, whatever its dimension.
+/// Runs the case once, whatever its dimension.
 Record run_once(const Case& c, const Manner& manner, VtuSeries* vtu) {
   const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
   Record record;

@@ -9,19 +9,20 @@
 
 namespace mpmvv::runs {
 
-/// What a run gives on its way, where it is asked for.
+/// What a run puts out on its way, where it is asked for.
 struct Output {
-  std::filesystem::path vtu = {};                     ///< folder of the particle states
-  std::function<void(std::int64_t)> steps = nullptr;  ///< called now and then with the steps that are done
+  std::filesystem::path vtu = {};                     ///< folder for the particle states; empty: none are written
+  std::function<void(std::int64_t)> steps = nullptr;  ///< called now and then with the number of steps done
 };
 
-/// Runs one case to its end, or until it blows up. What goes wrong on the way (memory, say) is a record with status
+/// Runs one case to its end, or until it blows up. An error on the way (no memory, say) gives a record with status
 /// `failed`. Apart from the cost, records do not depend on `threads`. A case that asks for its cost goes to
-/// `run_timed`, which gives nothing on its way. UsageError when the states cannot be written.
+/// `run_timed`, which uses neither `threads` nor `output`. Throws UsageError when the states cannot be written.
 records::Record run_case(const cases::Case& c, int threads, const Output& output = {});
 
-/// The same where the body, its motion, boundary, grid and particles have such images: only the particles of which the
-/// others are images are run. The record is the body's but for the cost, which is theirs.
+/// Runs a case whose body, motion, boundary, grid and particles have the given images: it runs only the particles of
+/// which the others are images. The record is that of the whole body but for the cost, which is that of the particles
+/// run.
 records::Record run_without_images(const cases::Case& c, solver::Images images, int threads,
                                    const std::function<void(std::int64_t)>& tell_steps = nullptr);
 

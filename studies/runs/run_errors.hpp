@@ -11,13 +11,13 @@
 /// Errors of a run's particles against the exact solution.
 namespace mpmvv::runs {
 
-/// x moved by whole periods to the smallest distance from 0.
+/// Returns x moved by whole periods to the smallest distance from 0.
 inline double nearest_image(double x, double period) {
   return x - period * std::round(x / period);
 }
 
-/// Calls visit(p, δ_p) with δ_p = |(x_p - X_p) - u(X_p, t)| of every particle, W (64); across periodic faces by the
-/// nearest image.
+/// Calls visit(p, δ_p) with δ_p = |(x_p - X_p) - u(X_p, t)| for every particle, W (64); across periodic faces δ_p is
+/// that of the nearest image.
 template <int D, class Visit>
 void for_displacement_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Visit& visit) {
   constexpr std::size_t chunk = 256;
@@ -48,7 +48,7 @@ ErrorNorms displacement_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>&
   return norms;
 }
 
-/// The same with the particles' places, and those of their images.
+/// Returns the displacement errors with the places of the particles and of their images.
 template <int D>
 std::vector<records::ParticleError> particle_errors(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared,
                                                     int ppc) {
@@ -64,7 +64,7 @@ std::vector<records::ParticleError> particle_errors(const solver::Mpm<D>& mpm, c
   return errors.reduced();
 }
 
-/// Root mean square over the particles of `error(p, X_p)`.
+/// Returns the root mean square over the particles of `error(p, X_p)`.
 template <int D, class Error>
 double rms_over_particles(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Error& error) {
   ErrorNorms norms;
@@ -75,7 +75,7 @@ double rms_over_particles(const solver::Mpm<D>& mpm, const PreparedCase<D>& prep
   return norms.l2();
 }
 
-/// The mean over the steps noted of the particles' RMS velocity error.
+/// The mean, over the steps noted, of the RMS velocity error of the particles.
 template <int D>
 class VelocityError {
  public:
@@ -92,7 +92,7 @@ class VelocityError {
   std::int64_t steps_ = 0;
 };
 
-/// RMS over the particles of |σ_p - σ(X_p, t)|.
+/// Returns the RMS over the particles of |σ_p - σ(X_p, t)|.
 template <int D>
 double stress_error(const solver::Mpm<D>& mpm, const PreparedCase<D>& prepared) {
   return rms_over_particles(mpm, prepared, [&](std::size_t p, const solver::Vec<D>& X) {

@@ -6,7 +6,8 @@ namespace mpmvv::runs {
 
 namespace {
 
-/// Of the whole from those of one of so many mirror images, the momenta of which cancel.
+/// Turns the numbers of a part into those of the whole, which consists of so many mirror images of the part, itself
+/// included. Their momenta cancel.
 void add_mirror_images(int images, records::Record& r) {
   r.particles *= images;
   for (double* energy : {&r.energy.kinetic, &r.energy.strain, &r.energy.initial_total}) *energy *= images;

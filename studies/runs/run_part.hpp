@@ -8,9 +8,9 @@
 
 namespace mpmvv::runs {
 
-/// The record of a case from a run of its part (`settings::part_of`), of which images make the rest. None when the part
-/// did not come to its end: that says little of the whole, where round-off does not grow alike in all images, so the
-/// whole must run.
+/// Returns the record of a case from a run of its part (`settings::part_of`), of which images make the rest. Returns
+/// none when the part did not come to its end. This says little of the whole, where round-off does not grow alike in
+/// all images, so the whole must be run.
 std::optional<records::Record> run_part(const cases::Case& whole, const settings::Part& part, int threads,
                                         const std::function<void(std::int64_t)>& tell_steps = nullptr);
 

@@ -7,21 +7,22 @@
 
 namespace mpmvv::runs {
 
-/// A part of the unit circle (D = 2) or sphere (D = 3). With e the unit vector from the origin, everything that a shell
-/// of any thickness needs of it:
+/// A part of the unit circle (D = 2) or sphere (D = 3): all that the voxels of a shell of any thickness need of it.
+/// Here e is the unit vector from the origin.
 template <int D>
 struct SpherePatch {
   double measure;          ///< ∫ dΩ, angle or solid angle
   solver::Vec<D> moment;   ///< ∫ e dΩ
-  solver::Mat<D> tangent;  ///< columns 1 to D - 1: its edges; column 0: e at its middle
+  solver::Mat<D> tangent;  ///< column 0: e at the middle of the patch; columns 1 to D - 1: its edges
 };
 
-/// How many parts of about `spacing` a quarter turn of the given radius has.
-inline int parts_of_quarter(double spacing, double radius = 1) {
-  return std::max(1, static_cast<int>(std::lround(std::numbers::pi / 2 * radius / spacing)));
+/// Returns how many parts of about `spacing` a quarter of the unit circle has.
+inline int parts_of_quarter(double spacing) {
+  return std::max(1, static_cast<int>(std::lround(std::numbers::pi / 2 / spacing)));
 }
 
-/// The circle in equal arcs of about `spacing`, anticlockwise from the x axis.
+/// Visits the arcs of the circle, or of its first quarter: equal ones of about `spacing`, anticlockwise from the x
+/// axis.
 template <class Visit>
 void for_circle(double spacing, bool quarter, const Visit& visit) {
   const int parts = parts_of_quarter(spacing);
@@ -35,7 +36,8 @@ void for_circle(double spacing, bool quarter, const Visit& visit) {
   }
 }
 
-/// The sphere in bands of latitude, each in equal parts of about `spacing`, from the north pole down.
+/// Visits the patches of the sphere, or of its first octant: bands of latitude, each in equal parts of about `spacing`,
+/// from the north pole down.
 template <class Visit>
 void for_sphere(double spacing, bool quarter, const Visit& visit) {
   const int bands = parts_of_quarter(spacing);

@@ -14,7 +14,7 @@ namespace mpmvv::runs {
 
 namespace {
 
-/// Whether it is named as one of a series' files: particles.pvd or particles-0000.vtu, with four digits or more.
+/// Whether a file has a name of the series: particles.pvd or particles-0000.vtu, with four digits or more.
 bool is_of_series(std::string_view name) {
   constexpr std::string_view before = "particles-", after = ".vtu";
   if (name == "particles.pvd") return true;

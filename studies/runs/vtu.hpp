@@ -13,9 +13,9 @@ namespace mpmvv::runs {
 /// deformation_gradient (row by row), mass. ASCII, 17 digits.
 class VtuSeries {
  public:
-  static constexpr std::int64_t frames = 10;  ///< states after the first one
+  static constexpr std::int64_t frames = 10;  ///< number of states written after the first one, at most
 
-  /// Makes the directory. UsageError when it cannot be written to.
+  /// Makes the directory. Throws UsageError when it cannot be made.
   explicit VtuSeries(std::filesystem::path dir);
 
   /// Whether the state after `step` of `steps` steps is one of the frames.
@@ -23,8 +23,8 @@ class VtuSeries {
     return step * frames / steps != (step - 1) * frames / steps;
   }
 
-  /// Writes the present state, the first in the place of an earlier series. `X` are the reference positions by particle
-  /// id.
+  /// Writes the present state. The first call removes the files of an earlier series. `X` holds the reference positions
+  /// by particle id. Throws WriteError, a UsageError, when a file cannot be written.
   template <int D>
   void write(const solver::Mpm<D>& mpm, const std::vector<solver::Vec<D>>& X);
 
@@ -32,7 +32,7 @@ class VtuSeries {
   void remove_earlier() const;
 
   std::filesystem::path dir_;
-  std::string entries_;  ///< of the collection
+  std::string entries_;  ///< the lines of particles.pvd that list the states
   int count_ = 0;
 };
 

@@ -7,8 +7,8 @@
 
 namespace mpmvv::runs {
 
-/// Particles as a VTK file, each a cell of its own: ASCII, 17 digits. A number of theirs is given as a function of
-/// particle and component.
+/// The text of a VTK file in which each particle is a cell of its own: ASCII, 17 digits. The values of a field are
+/// given as a function of particle and component.
 class VtuText {
  public:
   using Component = std::function<double(std::size_t p, int k)>;

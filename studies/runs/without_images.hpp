@@ -7,25 +7,26 @@
 
 namespace mpmvv::runs {
 
-/// Of a body's fill, the voxels that are kept: the rest is images of them.
+/// Selects the voxels of a body's fill that are kept; the others are images of them.
 template <int D>
 class WithoutImages {
  public:
   WithoutImages(solver::Images images, double h) : images_(images), round_off_(1e-9 * h) {}
 
-  /// Takes the next voxel of the fill. Particles that it and its images are; none where another of them is kept. No
-  /// particle lies on an axis about which a body turns.
+  /// Takes the next voxel of the fill. Returns how many particles it and its images are, or 0 where it is the image of
+  /// a voxel that is kept. With quarter turns no voxel may have its middle on x = 0 or y = 0.
   int take(const Voxel<D>& voxel) {
     const int found = count_of(voxel.X);
     if (images_ != solver::Images::none) counts_.push_back(static_cast<std::uint8_t>(found));
     return found;
   }
 
-  /// Of the volume or the surface of so many particles, that of the one that is kept: one that is its own image is
-  /// summed with it.
+  /// Returns the share of its volume and surface that a kept voxel gets; `particles` is what `take` returned for it. A
+  /// voxel on the mirror plane is its own image and gets half, because the sum over images adds it twice.
   double share(int particles) const { return static_cast<double>(particles) / count(images_); }
 
-  /// The patches of the voxels that are kept, by their places among these.
+  /// Returns the patches of the voxels that are kept. Their `voxel` counts kept voxels alone, and their normals are
+  /// multiplied by `share`.
   std::vector<SurfacePatch<D>> patches(const std::vector<SurfacePatch<D>>& all) const {
     if (images_ == solver::Images::none) return all;
     std::vector<std::uint32_t> places;
@@ -51,7 +52,7 @@ class WithoutImages {
 
   solver::Images images_;
   double round_off_;
-  std::vector<std::uint8_t> counts_;  ///< by voxel, where there are images
+  std::vector<std::uint8_t> counts_;  ///< what `take` returned, by voxel of the fill; empty without images
 };
 
 }  // namespace mpmvv::runs

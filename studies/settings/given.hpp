@@ -9,13 +9,14 @@ namespace mpmvv::settings {
 
 using Settings = std::map<std::string, Setting>;
 
-/// Settings by their keys, later ones in the place of earlier ones; UsageError on an unknown key.
+/// Returns the settings by their keys; later ones replace earlier ones. Throws UsageError on an unknown key.
 Settings by_key(std::span<const Setting> given);
 
-/// UsageError where the key is not given.
+/// Returns the setting with this key. Throws UsageError where it is not given.
 const Setting& required(const Settings& settings, const std::string& key);
 
-/// " with KEY = VALUE in WHERE" of the number furthest from 1, of which an overflow is the likeliest; or nothing.
+/// Returns " with KEY = VALUE in WHERE" for the number whose magnitude is furthest from 1, the likeliest cause of an
+/// overflow; empty where no number is given.
 std::string most_extreme(std::span<const Setting> given);
 
 }  // namespace mpmvv::settings

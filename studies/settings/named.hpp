@@ -5,10 +5,11 @@
 
 #include "solver/words.hpp"
 
-/// From words to the solver's types and back, so that a rule can ask for a property of a type and need not list words.
+/// Converts words into the solver's types and back, so that a rule can ask for a property of a type and need not list
+/// words.
 namespace mpmvv::settings {
 
-/// The alternative with this word, which must be one.
+/// Returns the alternative with this word. There must be one.
 template <class Any>
 Any named(std::string_view word) {
   Any any;
@@ -16,7 +17,7 @@ Any named(std::string_view word) {
   return any;
 }
 
-/// The words of the alternatives that have a property: what a message offers.
+/// Returns the words of the alternatives that have a property, which a message offers to the user.
 template <class Any, class Property>
 std::vector<std::string> words_with(const Property& property) {
   std::vector<std::string> words;

@@ -2,13 +2,14 @@
 #include "studies/problems/problem.hpp"
 #include "studies/settings/given.hpp"
 
-/// Cases that another code solves (`code`), which know nothing of our own solver's choices.
+/// Rules for cases that another code solves (`code`). Such cases do not have the settings of our own solver.
 namespace mpmvv::settings {
 
-/// UsageError on a key that cases of the chosen code do not have, and on one that belongs to another code without one.
+/// Throws UsageError on a key that cases of the chosen code do not have. Where no code is chosen, these are the keys of
+/// other codes.
 void require_keys_of_code(const Settings& settings);
 
-/// Throws UsageError with what is wrong where the code could not carry out a case, or nothing could be measured in it.
+/// Throws UsageError, with the reason, where no other code can run a case, or nothing can be measured in it.
 void validate_other_code(const cases::Case& c, const problems::Problem& problem);
 
 }  // namespace mpmvv::settings

@@ -16,15 +16,16 @@ std::string boundary_of(const std::string& given, const problems::Problem& probl
   return canonical_boundary(given, problem.dimension(), "its part");
 }
 
-/// Whether tests/studies/runs have shown that such a scheme gives the same errors by its part, whatever the boundary.
+/// Whether tests/studies/runs have shown that with such a scheme a part gives the same errors as the whole, whatever
+/// the boundary.
 bool is_shown(const Scheme& scheme) {
   return scheme.body_force == cases::BodyForce::particles && scheme.mass == cases::Mass::lumped &&
          scheme.wall_acceleration == cases::WallAcceleration::zero;
 }
 
-/// Whether the time step is well below the stability limit: near it round-off grows, and what is unstable of the whole
-/// need not be so of its part. Many terms of an expanded inverse lower the limit, those of two blocks with GIMP from 14
-/// terms on to a Courant number of 0.2. That of a vortex is about 0.4, with CPDI 0.18.
+/// Whether the time step is well below the stability limit. Near the limit round-off grows, and the part may be stable
+/// where the whole is unstable. Many terms of an expanded inverse lower the limit: that of two blocks with GIMP to a
+/// Courant number of 0.2 from 14 terms on. The limit of a vortex is about 0.4, with CPDI 0.18.
 bool is_stable(const Case& c, const problems::Problem& problem) {
   const bool has_domains = width_of(named<solver::AnyBasis>(c.scheme.basis)) == solver::ParticleWidth::domain;
   if (c.scheme.order > 8 && !has_domains) return false;
@@ -33,7 +34,7 @@ bool is_stable(const Case& c, const problems::Problem& problem) {
   return problems::cfl_number(c) <= largest_cfl * (1 + 1e-9);
 }
 
-/// The case of the quarter, whose mirror images make the body.
+/// Returns the case of the quarter whose mirror images make up the body; none where there is no such quarter.
 std::optional<Case> quarter_of(const Case& c, const problems::Problem& problem) {
   const std::string& boundary = c.scheme.boundary;
   const bool is_mirrored =
@@ -47,7 +48,7 @@ std::optional<Case> quarter_of(const Case& c, const problems::Problem& problem) 
   return quarter;
 }
 
-/// The images that the body of the case consists of.
+/// Returns the images that make up the body of the case. Only the problem's default boundary is taken to share them.
 solver::Images images_of(const Case& c, const problems::Problem& problem) {
   const bool are_shared = c.scheme.boundary == boundary_of(problem.default_boundary(c.problem.quarter), problem);
   return are_shared ? problem.images : solver::Images::none;

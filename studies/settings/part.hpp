@@ -6,20 +6,22 @@
 
 namespace mpmvv::settings {
 
-/// What may be run of a case, as the rest is images of it.
+/// The part of a case's body that is run in place of the whole, because the rest consists of its images.
 struct Part {
-  cases::Case body;                              ///< the case's, or the one of its quarter
-  int mirror_images = 1;                         ///< quarters that make the case's body
-  solver::Images images = solver::Images::none;  ///< of the particles of `body` that are run
+  cases::Case body;                              ///< the case itself, or that of its quarter
+  int mirror_images = 1;                         ///< number of quarters that make up the case's body
+  solver::Images images = solver::Images::none;  ///< images that make `body` out of the particles that are run
 
   int count() const { return mirror_images * solver::count(images); }
 };
 
-/// None where the case, or the problem, the boundary, the grid or what is measured does not allow it, and where no test
-/// has shown that the numbers are the same (tests/studies/runs/part_test.cpp).
+/// Returns the part of this case. There is none where the case, the problem, the boundary, the grid or the numbers to
+/// be measured do not allow it, and where no test has shown that the numbers are the same
+/// (tests/studies/runs/part_test.cpp).
 std::optional<Part> part_of(const cases::Case& c);
 
-/// The case that runs the whole body; where nothing else is possible, the case as it is.
+/// Returns the case with `whole` set where it could also be run by a part, and not set where the whole body is run
+/// anyway.
 cases::Case as_whole(cases::Case c);
 
 }  // namespace mpmvv::settings

@@ -23,7 +23,7 @@ std::string size_text(double value) {
   return std::isinf(value) ? "infinite" : fmt::format("{:.3g}", value);
 }
 
-/// Holds what follows from a problem's values to the sizes that a run can work with.
+/// Throws UsageError where a quantity that follows from a problem's values has no size that a run can work with.
 class Scales {
  public:
   Scales(const Problem& problem, const std::string& given) : problem_(problem), given_(given) {}
@@ -34,7 +34,7 @@ class Scales {
   void require_or_none(const std::string& what, double value, const char* unit) const {
     if (value != 0) require(what, value, unit);
   }
-  /// For what may pass through zero.
+  /// For quantities that may pass through zero: refuses only too large ones.
   void require_bounded(const std::string& what, double value, const char* unit) const {
     if (!(value <= largest_size)) refuse(what, value, unit);
   }
@@ -49,7 +49,7 @@ class Scales {
   const std::string& given_;
 };
 
-// A point of the body where nothing vanishes by symmetry.
+// Return a point of the body where no field vanishes by symmetry.
 template <int D>
 Vec<D> point_in(const problems::Cuboid<D>& cuboid) {
   return cuboid.lower + Vec<D>::Constant(0.3 * cuboid.length);
@@ -116,7 +116,7 @@ void require_scales(const cases::Case& c, const Problem& problem, const std::str
   const double volume_of_particle = std::pow(h / c.resolution.ppc, D);
   scales.require("volume of a particle", volume_of_particle, "m3");
   scales.require("mass of a particle", density * volume_of_particle, "kg");
-  problems::extent(c);  // a domain of more cells than there are numbers for is refused there
+  problems::extent(c);  // throws where the domain has more cells than grids can number
 }
 
 }  // namespace mpmvv::settings

@@ -20,7 +20,7 @@ namespace {
 
 using Takes = bool (*)(const solver::AnyVelocityUpdate&);
 
-/// Refuses a key that the scheme's velocity update does not take.
+/// Throws UsageError where a key is given that the scheme's velocity update does not take.
 void require_taken(const Settings& settings, const std::string& key, const Scheme& scheme, Takes takes) {
   const auto it = settings.find(key);
   if (it == settings.end() || takes(named<solver::AnyVelocityUpdate>(scheme.velocity_update))) return;
@@ -29,7 +29,7 @@ void require_taken(const Settings& settings, const std::string& key, const Schem
                                fmt::join(words_with<solver::AnyVelocityUpdate>(takes), " or ")));
 }
 
-/// The smoothing length, where the basis has one.
+/// Sets the smoothing length, where the basis has one.
 void set_smoothing_length(const Settings& settings, Scheme& scheme) {
   const auto it = settings.find("smoothing_length");
   if (takes_smoothing_length(named<solver::AnyBasis>(scheme.basis))) {
@@ -46,7 +46,8 @@ void set_smoothing_length(const Settings& settings, Scheme& scheme) {
   }
 }
 
-/// What goes with the velocity update: k, periodic FMPM, positions, walls.
+/// Sets what depends on the velocity update: how positions follow, the order k, the wall method, and `cfl_x` of
+/// periodic FMPM.
 void set_velocity_update(const Settings& settings, Scheme& scheme) {
   const auto update = named<solver::AnyVelocityUpdate>(scheme.velocity_update);
   require_taken(settings, "position", scheme, takes_position);
@@ -64,7 +65,7 @@ void set_velocity_update(const Settings& settings, Scheme& scheme) {
   if (const auto it = settings.find("cfl_x"); it != settings.end()) scheme.cfl_x = positive(it->second);
 }
 
-/// The problem's own law, or the other one that its body may be of.
+/// Sets the law: the problem's own, or the other one that its body may have.
 void set_material(const Settings& settings, const Problem& problem, Scheme& scheme) {
   const auto it = settings.find("material");
   if (it == settings.end()) {
@@ -77,7 +78,7 @@ void set_material(const Settings& settings, const Problem& problem, Scheme& sche
                                problem.other_material.empty() ? "" : " or " + problem.other_material));
 }
 
-/// What goes with moving walls.
+/// Sets the depth and the velocity gradient of moving walls.
 void set_walls(const Settings& settings, Scheme& scheme) {
   if (scheme.boundary.find(solver::Wall::word) != std::string::npos) {
     scheme.wall_depth = 1;

@@ -4,7 +4,8 @@
 
 namespace mpmvv::settings {
 
-/// Sets what of the scheme has a rule of its own: the solver's words, and what only some of them take.
+/// Sets those members of the scheme that have a rule of their own: the solver's words, and the values that only some of
+/// these words take.
 void complete_scheme(const Settings& settings, const problems::Problem& problem, bool quarter, cases::Scheme& scheme);
 
 }  // namespace mpmvv::settings

@@ -66,7 +66,7 @@ ProblemChoice make_choice(const Settings& settings, const Problem& problem) {
   return choice;
 }
 
-/// Δt from `cfl` or `dt`, and the number of steps.
+/// Sets Δt from `cfl` or `dt`, and the number of steps; where `steps` is given, also the end time that they reach.
 void set_time_step(const Settings& settings, const Problem& problem, Case& c) {
   const bool has_cfl = settings.contains("cfl"), has_dt = settings.contains("dt");
   if (has_cfl == has_dt)

@@ -13,17 +13,18 @@ using cases::Setting;
 using cases::setting_keys;
 using cases::SettingKey;
 
-/// The words that a key takes, empty for numbers.
+/// Returns the words that a key takes; empty for numbers.
 std::vector<std::string> words_of_key(const std::string& key);
 
-/// Throws UsageError on an unknown key, with the known ones.
+/// Throws UsageError, with the known keys, on an unknown key.
 void require_known_key(const std::string& key, const std::string& where);
 
-/// The problem that these settings choose, and its values; other keys are not looked at. Throws as make_case does.
+/// Returns the problem that these settings choose, with its parameters, end time and `quarter`. The values of other
+/// keys are not checked. Throws as make_case does.
 cases::ProblemChoice make_choice(std::span<const Setting> settings);
 
-/// The case that these settings describe, later ones overwriting earlier ones. Every value is checked here, alone
-/// and in combination; a UsageError says what is wrong, where, and what would be right.
+/// Returns the case that these settings describe; later settings replace earlier ones. Every value is checked here,
+/// alone and in combination. Throws UsageError that says what is wrong, where, and what would be right.
 cases::Case make_case(std::span<const Setting> settings);
 
 }  // namespace mpmvv::settings

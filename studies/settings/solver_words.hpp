@@ -6,14 +6,14 @@
 
 namespace mpmvv::settings {
 
-/// A key whose words are those of a list of the solver's.
+/// A key whose words come from a list of the solver.
 struct SolverWords {
   std::string key;
   std::string cases::Scheme::*member;
   std::vector<std::string> words;
 };
 
-/// All but `boundary`, which may have a word for each face.
+/// Returns all such keys but `boundary`, which may have a word for each face.
 const std::vector<SolverWords>& solver_words();
 
 template <class Words>

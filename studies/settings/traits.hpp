@@ -9,7 +9,8 @@
 #include "solver/velocity_update/velocity_updates.hpp"
 #include "studies/settings/named.hpp"
 
-/// What bases, integrators, velocity updates and materials say of themselves: rules ask for this and name none of them.
+/// Properties of bases, integrators, velocity updates and materials. Rules ask for these and so need not name any of
+/// them.
 namespace mpmvv::settings {
 
 inline bool takes_smoothing_length(const solver::AnyBasis& basis) {
@@ -46,12 +47,12 @@ inline bool keeps_history(const solver::AnyMaterial& material) {
   return std::visit([]<class M>(const M&) { return solver::has_history<M>; }, material);
 }
 
-/// Whether positions and velocities of its steps are those of their ends.
+/// Whether its steps have both positions and velocities at their ends: it is neither staggered nor staged.
 inline bool has_whole_steps(const solver::Integrator& integrator) {
   return !integrator.is_staggered && !integrator.is_staged;
 }
 
-/// The words of the integrators that have a property: what a message offers.
+/// Returns the words of the integrators that have a property, which a message offers to the user.
 template <class Property>
 std::vector<std::string> integrators_with(const Property& property) {
   std::vector<std::string> words;

@@ -22,17 +22,17 @@ using problems::Problem;
 
 namespace {
 
-/// Nodes a cell apart, whose weights spread wherever the particle is.
+/// Whether nodes lie a cell apart and a particle has weights on several of them, wherever it is.
 bool is_affine(const solver::AnyBasis& basis) {
   return std::visit([]<class B>(const B&) { return solver::has_affine_fields<B>; }, basis);
 }
 
-/// Takes velocities of the consistent mass matrix where others add accelerations.
+/// Whether the update takes velocities of the consistent mass matrix and adds no accelerations.
 bool takes_consistent_velocity(const solver::AnyVelocityUpdate& update) {
   return takes_consistent_mass(update) && !adds_accelerations(update);
 }
 
-/// A case as the rules ask for it.
+/// A case, with the properties that the rules ask for.
 struct Asked {
   const Case& c;
   const Problem& problem;
@@ -62,7 +62,7 @@ struct Asked {
     return false;
   }
 
-  /// A face with a wall of which the problem has no motion; empty when there is none.
+  /// Returns a face with `wall` for which the problem has no wall motion; empty when there is none.
   std::string wall_at_rest() const {
     for (std::size_t k = 0; k < faces.size(); ++k)
       if (faces[k] == solver::Wall::word && !problem.has_wall(parameters, k)) return face_name(k);
@@ -71,8 +71,8 @@ struct Asked {
 
   static std::string face_name(std::size_t k) { return fmt::format("{}{}", "xyz"[k / 2], k % 2 == 0 ? "min" : "max"); }
 
-  /// A face where a quarter was cut and whose boundary does not stand for the rest, as one that holds tangential
-  /// velocities, too; empty without one.
+  /// Returns a face where a quarter was cut and whose boundary does not stand for the rest of the body, for example
+  /// because it also holds tangential velocities; empty when there is none.
   std::string open_cut() const {
     const std::size_t side = problem.symmetry_planes == problems::SymmetryPlanes::at_lower_faces ? 0 : 1;
     for (std::size_t k = side; c.problem.quarter && k < faces.size(); k += 2)
@@ -80,7 +80,8 @@ struct Asked {
     return "";
   }
 
-  /// Between the problem's walls, of which the case may have one alone: at the start or at the end, the fewer.
+  /// Returns the distance between the problem's walls in cells, at the start or at the end of the run, whichever is
+  /// less; 0 for a case without walls. The case may have only one of the two.
   double cells_between_walls() const {
     const auto wall = std::ranges::find(faces, solver::Wall::word);
     if (wall == faces.end()) return 0;
@@ -92,12 +93,12 @@ struct Asked {
     return s.wall_depth * static_cast<double>(std::ranges::count(faces, solver::Wall::word)) >= cells_between_walls();
   }
 
-  /// Cells between two faces; of the whole body along L.
+  /// Returns the number of cells between two faces: of a quarter along its shortest axis, of a whole body along L.
   int cells_across() const {
     return c.problem.quarter ? std::ranges::min(problems::domain_cells(c)) : c.resolution.cells;
   }
 
-  /// A quarter ends at planes through the middle of the whole body's domain.
+  /// Whether a quarter ends between nodes. It ends at planes through the middle of the whole body's domain.
   bool has_plane_between_nodes() const {
     Case whole = c;
     whole.problem.quarter = false;
@@ -113,7 +114,7 @@ struct Asked {
   int least_cells() const { return std::max(4, 2 * ghosts); }
 };
 
-/// What may not be, and what is said of it: {names} stand for values of the case, see `text_of`.
+/// What a case must not be, and the message where it is: {names} in it stand for values of the case, see `text_of`.
 struct Rule {
   bool (*is_broken)(const Asked&);
   const char* message;
@@ -237,7 +238,7 @@ constexpr Rule rules[]{
      "blowup_error and blowup_energy must be > 0"},
 };
 
-/// "flip or fmpm": the velocity updates that have a property.
+/// Returns the velocity updates that have a property, as in "flip or fmpm".
 template <class Property>
 std::string updates(const Property& property) {
   return fmt::format("{}", fmt::join(words_with<solver::AnyVelocityUpdate>(property), " or "));

@@ -7,12 +7,13 @@
 
 namespace mpmvv::settings {
 
-/// Throws UsageError on a combination of choices that makes no sense, and says why. Each rule is an entry of one table.
+/// Throws UsageError, with the reason, on a combination of choices that makes no sense. Each rule is an entry of one
+/// table.
 void validate(const cases::Case& c, const problems::Problem& problem);
 
 bool is_valid(const cases::Case& c, const problems::Problem& problem);
 
-/// What each rule would say of this case.
+/// Returns the message of every rule, broken or not, as it would read for this case.
 std::vector<std::string> objections(const cases::Case& c, const problems::Problem& problem);
 
 }  // namespace mpmvv::settings

@@ -3,7 +3,6 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "studies/store/particle_errors.hpp"
 #include "studies/store/run_rows.hpp"
@@ -253,13 +252,19 @@ std::vector<StoredStudy> load_studies_of_code(const Database& database, const st
 
 void copy_studies(const Database& from, Database& to) {
   using Key = std::array<std::string, 3>;
-  std::set<Key> present;
-  to.each("SELECT name, digest, coalesce(codes, '') AS codes FROM studies", {}, [&](const Row& row) {
-    present.insert({row["name"].text(), row["digest"].text(), row["codes"].text()});
+  std::map<Key, std::string> kept_at;
+  to.each("SELECT name, digest, coalesce(codes, '') AS codes, kept_at FROM studies", {}, [&](const Row& row) {
+    kept_at[{row["name"].text(), row["digest"].text(), row["codes"].text()}] = row["kept_at"].text();
   });
   from.each("SELECT id FROM studies ORDER BY id", {}, [&](const Row& row) {
-    for (const StoredStudy& study : load_where(from, "studies.id = ?1", row["id"]))
-      if (!present.contains({study.result.name, study.provenance.digest, study.codes})) insert_study(to, study);
+    for (const StoredStudy& study : load_where(from, "studies.id = ?1", row["id"])) {
+      const std::string &name = study.result.name, &digest = study.provenance.digest;
+      const auto known = kept_at.find({name, digest, study.codes});
+      if (known != kept_at.end() && known->second >= study.provenance.time) continue;
+      to.change("DELETE FROM studies WHERE name = ? AND digest = ? AND coalesce(codes, '') = ?",
+                {name, digest, study.codes});
+      insert_study(to, study);
+    }
   });
 }
 

@@ -41,7 +41,7 @@ inline constexpr const char* is_newest =
 /// The code that ran the series of this row; none: our own solver, or a check.
 std::optional<records::OtherCode> other_code(const Row& series);
 
-/// Copies the studies that `to` lacks, in their order; their runs must be there.
+/// Copies the studies that `to` lacks or has only from an earlier time, in their order; their runs must be there.
 void copy_studies(const Database& from, Database& to);
 
 }  // namespace mpmvv::store

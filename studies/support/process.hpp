@@ -24,7 +24,8 @@ struct ProcessEnd {
 
 /// Runs a program found on PATH in a folder, with empty standard input and the variables of `environment` set, until it
 /// ends, the time limit is reached or `stop` asks for it. In each case its whole process group is killed then, so that
-/// it leaves nothing behind. Of the caller's own variables the program sees those that `kept` names; all without `kept`.
+/// it leaves nothing behind. Of the caller's own variables the program sees those that `kept` names; all without
+/// `kept`.
 ProcessEnd run_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
                        const std::map<std::string, std::string>& environment, std::chrono::milliseconds limit,
                        const std::optional<std::set<std::string>>& kept = std::nullopt,

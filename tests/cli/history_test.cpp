@@ -116,6 +116,20 @@ TEST_F(History, TrendFollowsTheTime) {
                 "\n +version +version\nstudy +1 +2 +result\nbar +2 +1 +order of 'linear' in l2 over .8, 16.\n")));
 }
 
+TEST_F(History, TrendSaysWhichNumbersRestOnRunsThatAreNotOk) {
+  records::StudyResult broken = bar_study(1.5, not_measured);
+  broken.series[0].points[1].status = records::Status::unstable;
+  keep(db_, broken, "00cc33", "badbad", "2026-01-03T00:00:00Z");
+  const auto trends = ask("trend --json").json()["trends"];
+  EXPECT_EQ(trends[0]["remarks"], nlohmann::json::parse(R"(["", "", "unstable"])"));
+  EXPECT_EQ(trends[1]["at"], 16);
+  EXPECT_EQ(trends[1]["remarks"][2], "unstable");
+  EXPECT_FALSE(trends.back().contains("remarks"));
+  EXPECT_THAT(ask("trend").out, AllOf(ContainsRegex("\nbar +2 +1 +1[.]5\\* +order of"),
+                                      ContainsRegex("unstable +error of 'linear' in l2 at 16\n"),
+                                      HasSubstr("* of runs that are not all ok: some are unstable or failed")));
+}
+
 /// A series that another code ran, and one of ours.
 void keep_of_code(const std::string& db, const std::string& version, const std::string& digest, double order) {
   records::StudyResult study = bar_study(order, 2.5e-3);

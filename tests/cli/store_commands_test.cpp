@@ -224,6 +224,8 @@ TEST(GateCommand, DoesNotPassWhatIsOlderThanAsked) {
   const Answer old = carry_out(folder, "mpmvv gate --db r.db --max-age 12");
   EXPECT_EQ(old.code, 3);
   EXPECT_THAT(old.out, HasSubstr("last run 2001-01-01T00:00:00Z, more than 12 h ago"));
+  ASSERT_EQ(carry_out(folder, "mpmvv report --db r.db --max-age 12 --out report").code, 0);
+  EXPECT_THAT(read_text(folder / "report/gate.html"), HasSubstr("last run 2001-01-01T00:00:00Z, more than 12 h ago"));
   ASSERT_EQ(carry_out(folder, "mpmvv study small.toml --db r.db").code, 0) << "nothing is run, and it is looked at";
   EXPECT_EQ(carry_out(folder, "mpmvv gate --db r.db --max-age 12").code, 0);
 }

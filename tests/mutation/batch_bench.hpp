@@ -13,7 +13,7 @@ namespace mpmvv::mutation {
 /// is, once more, one that is caught by nothing but goldens that cannot judge. The nightly gate is always met alone.
 class BatchBench final : public Bench {
  public:
-  static constexpr std::size_t least = 2, most = 40;  ///< mutants in one build
+  static constexpr std::size_t least = 2, most = 100;  ///< mutants in one build
 
   /// coming: the edits that will be asked for, in their order. tell: progress, a line.
   BatchBench(Bench& alone, SchemataBench& together, std::vector<Edit> coming,

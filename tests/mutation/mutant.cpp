@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
+
+#include "tests/mutation/anchor.hpp"
 
 namespace mpmvv::mutation {
 
@@ -26,8 +27,10 @@ bool Mutant::caught_by(GateStage stage) const {
 }
 
 const Mutant* find_mutant(const std::vector<Mutant>& mutants, const Mutant& wanted) {
-  const auto identity = [](const Mutant& m) { return std::tie(m.name, m.gate, m.file, m.line, m.before, m.after); };
-  const auto found = std::ranges::find_if(mutants, [&](const Mutant& m) { return identity(m) == identity(wanted); });
+  const auto found = std::ranges::find_if(mutants, [&](const Mutant& m) {
+    return m.name == wanted.name && m.gate == wanted.gate && m.file == wanted.file &&
+           is_same_code(m.before, wanted.before) && is_same_code(m.after, wanted.after);
+  });
   return found == mutants.end() ? nullptr : &*found;
 }
 

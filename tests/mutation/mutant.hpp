@@ -55,7 +55,8 @@ constexpr std::array<const char*, 3> words_of(Mutant::Kind) {
   return {"baseline", "planted", "random"};
 }
 
-/// The mutant with the same name, gate and edit; null when there is none.
+/// The mutant with the same name, gate and edited code; null when there is none. The line of the edit, its layout and
+/// comments do not count.
 const Mutant* find_mutant(const std::vector<Mutant>& mutants, const Mutant& wanted);
 
 }  // namespace mpmvv::mutation

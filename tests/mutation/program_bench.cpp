@@ -149,7 +149,7 @@ Trial ProgramBench::meet(GateStage stage, seconds limit) {
 
 support::ProcessEnd ProgramBench::run(const std::vector<std::string>& command, seconds limit,
                                       std::map<std::string, std::string> environment,
-                                   const std::stop_token& stop) const {
+                                      const std::stop_token& stop) const {
   environment[choice_variable] = std::to_string(chosen_);
   return scratch_.run(command, limit, environment, stop);
 }

@@ -33,7 +33,8 @@ class ProgramBench final : public SchemataBench {
   std::chrono::seconds limit_of(const std::string& name, std::chrono::seconds stage_limit) const;
   void learn(const std::string& name, const support::ProcessEnd& end, double took);  ///< remembers what is usual
   support::ProcessEnd run_confined(const std::vector<std::string>& command, std::chrono::seconds limit,
-                                   std::map<std::string, std::string> environment = {}, const std::stop_token& stop = {}) const;
+                                   std::map<std::string, std::string> environment = {},
+                                   const std::stop_token& stop = {}) const;
   /// A test program in parts, as many as there are jobs; the end of the first that does not pass.
   support::ProcessEnd run_test(const std::string& test, std::chrono::seconds limit);
   Trial run_unit_tests(std::chrono::seconds stage_limit);

@@ -57,6 +57,19 @@ TEST(TrendChart, ANumberWithoutAllOfItsRunsIsHollowAndAnUnstableRunACross) {
   EXPECT_NE(charts[1].caption.find("Crosses at the upper edge: unstable."), std::string::npos);
 }
 
+TEST(TrendChart, ALevelThatHasJustBecomeUnstableIsDrawn) {
+  const double none = support::not_measured;
+  const History history{"",
+                        versions,
+                        {{"bars", Finding::Kind::error, "of 'a'", {1, none}, 32, {"", "unstable"}},
+                         {"bars", Finding::Kind::error, "of 'b'", {1, none}, 32, {"", ""}},
+                         {"bars", Finding::Kind::error, "of 'c'", {none, none}, 32, {"unstable", "unstable"}}}};
+  const auto charts = trend_charts("bars", history);
+  ASSERT_EQ(charts.size(), 1);
+  ASSERT_EQ(charts[0].curves.size(), 1);
+  EXPECT_EQ(charts[0].curves[0].dots[1].mark, Mark::unstable);
+}
+
 TEST(TrendChart, VersionsOfACodeThatSayTheSameHaveTheirDigests) {
   EXPECT_EQ(names_of({{"0a1b2c3d4e", {"1.3"}, ""}, {"5f6a7b8c9d", {"1.3"}, ""}, {"aabbccddee", {"1.4"}, ""}}),
             (std::vector<std::string>{"0a1b2c3", "5f6a7b8", "1.4"}));

@@ -4,7 +4,7 @@ namespace mpmvv::mms::expression {
 
 namespace {
 
-/// In double precision: 2d0, 1.5d-3.
+/// Writes a constant in double precision: 2d0, 1.5d-3.
 std::string in_double_precision(double value) {
   std::string digits = shortest(value);
   const auto exponent = digits.find('e');

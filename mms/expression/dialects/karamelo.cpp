@@ -7,7 +7,8 @@ namespace mpmvv::mms::expression {
 
 namespace {
 
-/// Karamelo keeps constants as texts with 15 decimals, and reads them in single precision.
+/// Karamelo keeps constants as texts with 15 decimals and reads them in single precision, so they must not be too small
+/// or too large.
 std::string with_decimals(double value) {
   constexpr double least = 1e-6, most = 1e12;
   if (value != 0 && (value < least || value > most))
@@ -17,7 +18,7 @@ std::string with_decimals(double value) {
           std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed).ptr};
 }
 
-/// At its nodes x0, y0 and z0 are set alone, which in an updated Lagrangian grid is the current position.
+/// At Karamelo's nodes only x0, y0 and z0 are set. In an updated Lagrangian grid they are the current position.
 std::string_view initial_variable(Variable variable) {
   constexpr std::array<std::string_view, 7> names{"x0", "y0", "z0", "x0", "y0", "z0", "time"};
   return names[static_cast<std::size_t>(variable)];
@@ -27,7 +28,7 @@ std::string_view function_it_has(Operation operation) {
   return operation == Operation::abs ? "" : plain_function(operation);
 }
 
-/// A sign before a function would be taken to hold for a later number, too.
+/// Karamelo would apply a sign before a function to a later number, too.
 std::string from_zero(const std::string& term) {
   return "0 - " + term;
 }

@@ -4,7 +4,7 @@ namespace mpmvv::mms::expression {
 
 namespace {
 
-/// There log is to the base of ten in some versions.
+/// In some versions of muParser log has the base ten, so the natural logarithm is written as ln.
 std::string_view function_with_ln(Operation operation) {
   return operation == Operation::log ? "ln" : plain_function(operation);
 }

@@ -4,15 +4,15 @@ namespace mpmvv::mms::expression {
 
 namespace {
 
-/// Its functions know the current position and time alone.
+/// Functions in nairn-mpm-fea's input know only the current position and the time.
 std::string_view current_variable(Variable variable) {
   return variable < Variable::x ? "" : plain_variable(variable);
 }
 
 }  // namespace
 
-/// A sign may stand at the start of an expression or group alone, and is applied after powers: what `minus` and `text`
-/// make is that anyway.
+/// In this input a sign may stand only at the start of an expression or group, and is applied after powers. All that
+/// `minus` and `text` write obeys this.
 Dialect nairn_dialect() {
   return {.name = "nairn",
           .what = "functions in the input of nairn-mpm-fea, of the current x, y, z and t, in the units of its input",

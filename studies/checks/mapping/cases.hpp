@@ -3,7 +3,7 @@
 
 #include "studies/checks/mapping/mapped_body.hpp"
 
-/// The bodies on which the properties are measured: a block of particles amid a wider grid of unit cells.
+/// The bodies on which the properties are measured: blocks of particles inside a wider grid of unit cells.
 namespace mpmvv::checks::mapping {
 
 enum class Placement { uniform, translated, random };
@@ -12,9 +12,10 @@ inline constexpr std::array placements{Placement::uniform, Placement::translated
 
 inline const std::array<Weighting, 3> weightings{dirac, gimp, spline};
 
-/// 12 cells of 3 particles in one dimension, 8 x 8 cells of 2 x 2 in two, and four empty cells on either side. Uniform:
-/// aligned with the grid, unit density; translated: the same, moved by a part of a cell; random: boxes of random sizes,
-/// aligned at the block's faces, density growing to the three- or fivefold.
+/// A block of 12 cells of 3 particles in one dimension, or of 8 x 8 cells of 2 x 2 in two, with four empty cells on
+/// either side. `uniform` is aligned with the grid and has unit density. `translated` is the same, moved by a part of a
+/// cell. `random` has boxes of random sizes, is aligned at the faces of the block, and its density grows to three times
+/// (1D) or five times (2D) its least value.
 template <int D>
 struct BlockOfParticles {
   static constexpr int cells = D == 1 ? 12 : 8, ppc = D == 1 ? 3 : 2, empty = 4;

@@ -9,29 +9,30 @@
 #include "studies/checks/mapping/shape_properties.hpp"
 #include "studies/checks/mapping/sum_properties.hpp"
 
-/// The smallest bodies that settle a claim, each with the number that does.
+/// The smallest bodies that settle a claim, each with the number that settles it.
 namespace mpmvv::checks::mapping {
 
-/// A line of unit cells with particles of the given widths from `lower` on.
+/// Returns a line of 20 unit cells with particles of the given widths side by side, which begin at `lower`.
 inline MappedBody<1> line_of(double lower, const std::vector<double>& widths, const Weighting& weighting) {
   return MappedBody<1>({solver::Vec<1>::Zero(), solver::Vec<1>::Ones(), {20}}, tiling_of_widths(lower, widths),
                        weighting);
 }
 
-/// (i) Largest |Φ_p(x_q) - δ_pq| of one particle on each node, lumped: then v_ip = δ_ip and Φ_p = N_p.
+/// (i) Returns the largest |Φ_p(x_q) - δ_pq| of one particle on each node, lumped. Then v_ip = δ_ip and Φ_p = N_p.
 inline double interpolation_of_particles_on_nodes() {
   const auto body = line_of(3.5, std::vector<double>(12, 1.0), dirac);
   return interpolation(Subject<1>(body, MassKind::lumped));
 }
 
-/// (i) The same of two particles in one cell, the mass matrix being their quadrature: v is square, ψ = v⁻ᵀ.
+/// (i) Returns the largest |Φ_p(x_q) - δ_pq| of two particles in one cell. The mass matrix is their quadrature, so v is
+/// square and ψ = v⁻ᵀ.
 inline double interpolation_of_two_particles() {
   const auto body = line_of(5, {0.5, 0.5}, dirac);
   return interpolation(Subject<1>(body, MassKind::quadrature));
 }
 
-/// (vi) Shape difference of two particles of one size, each in the middle of its cell, with other neighbours: boxes of
-/// 2, 2, 3, 1, 2 and 2 sixths of a cell, repeated every other cell; lumped.
+/// (vi) Returns the shape difference of two particles of one size, each in the middle of its cell, whose neighbours
+/// differ in size. The boxes are 2, 2, 3, 1, 2 and 2 sixths of a cell wide, which repeats every two cells; lumped.
 inline double shape_difference_by_neighbours(const Weighting& weighting) {
   std::vector<double> widths;
   for (int k = 0; k < 5; ++k)
@@ -43,8 +44,9 @@ inline double shape_difference_by_neighbours(const Weighting& weighting) {
   return largest_of((s.around(p, offsets) - s.around(q, offsets)).cwiseAbs()) / s.peak(p);
 }
 
-/// (ix) Valley between opposite corners of the cell of a particle in its middle, with particles a hundred times as
-/// heavy on the two other corners; lumped. ψ is 1 on the corners that it has for itself and 0.0025 on the others.
+/// (ix) Returns the valley of Φ_p on the diagonal of a cell. The particle is in the middle of the cell, and particles a
+/// hundred times as heavy sit on the two corners beside the diagonal; lumped. ψ is 1 on the corners that no other
+/// particle reaches and 0.0025 on the others.
 inline double valley_between_corners() {
   const OverlayGrid<2> grid{solver::Vec<2>::Zero(), solver::Vec<2>::Ones(), {5, 5}};
   const NodalBasis<2> nodal(solver::Linear{}, grid);
@@ -56,7 +58,7 @@ inline double valley_between_corners() {
   return valley_of({phi.begin(), phi.end()});
 }
 
-/// The hat functions of a line of nodes at any places, nodes x points.
+/// Returns the hat functions of a line of nodes at any places, at the points x: nodes x points.
 inline Eigen::MatrixXd hats(const std::vector<double>& nodes, const std::vector<double>& x) {
   Eigen::MatrixXd N =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(nodes.size()), static_cast<Eigen::Index>(x.size()));
@@ -69,8 +71,8 @@ inline Eigen::MatrixXd hats(const std::vector<double>& nodes, const std::vector<
   return N;
 }
 
-/// (xiii) Largest change of Φ_p on material points when a grid carries its particles and points through a deformation
-/// that is not homogeneous, as in every step of MPM; lumped, Dirac.
+/// (xiii) Returns the largest change of Φ_p on material points when a grid carries its particles and points through a
+/// deformation that is not homogeneous, as in every step of MPM; lumped, Dirac.
 inline double change_carried_by_grid() {
   constexpr int cells = 6;
   std::vector<double> nodes, moved_nodes, particles, points;

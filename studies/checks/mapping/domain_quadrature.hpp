@@ -9,8 +9,9 @@
 
 namespace mpmvv::checks::mapping {
 
-/// Gauss points of the particles' boxes, cut where pieces of nodal functions join (at nodes and midway): exact for
-/// polynomials of degree 5 along each axis on every piece, so for a linear density times two basis functions.
+/// Gauss points in the boxes of the particles. The boxes are cut where pieces of nodal functions join (at nodes and
+/// midway between them). So the quadrature is exact for polynomials of degree 5 along each axis on every piece. A
+/// linear density times two basis functions is such a polynomial.
 template <int D>
 struct DomainQuadrature {
   Points<D> x;
@@ -31,7 +32,7 @@ struct DomainQuadrature {
  private:
   using Line = std::vector<std::pair<double, double>>;  ///< abscissas and weights
 
-  /// Three points on each part of [a, b] between multiples of `step` from `origin`.
+  /// Returns three Gauss points on each part of [a, b] between multiples of `step` from `origin`.
   static Line cut_line(double a, double b, double origin, double step) {
     std::vector<double> ends{a};
     for (double k = std::ceil((a - origin) / step); origin + k * step < b; ++k) ends.push_back(origin + k * step);

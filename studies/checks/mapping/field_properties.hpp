@@ -4,10 +4,11 @@
 #include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/subject.hpp"
 
-/// Properties of the particle basis as a field, each as a number that measures by how much a subject departs from it.
+/// Properties of the particle basis as a field. Each function returns a number that measures by how much a subject
+/// departs from a property.
 namespace mpmvv::checks::mapping {
 
-/// Random values for the particles, the same on every machine.
+/// Returns random values in [-1, 1] for the particles, the same on every machine.
 inline Eigen::VectorXd random_data(Eigen::Index count) {
   Random random(16);
   Eigen::VectorXd f(count);
@@ -15,7 +16,8 @@ inline Eigen::VectorXd random_data(Eigen::Index count) {
   return f;
 }
 
-/// Points inside the pieces of all nodal functions, each half a cell wide, moved by `shift` cells along an axis.
+/// Returns one point inside each piece of the nodal functions, moved by `shift` cells along an axis. Pieces are half a
+/// cell wide along each axis. Those in the outermost cells are left out.
 template <int D>
 Points<D> points_inside_pieces(const OverlayGrid<D>& grid, int axis, double shift) {
   constexpr double place[] = {0.29, 0.21};
@@ -31,7 +33,8 @@ Points<D> points_inside_pieces(const OverlayGrid<D>& grid, int axis, double shif
   return points;
 }
 
-/// Largest difference of Σ_i F_i N_i and Σ_p f_p Φ_p, B (16.26) to (16.31), over the largest |Φ_p|; f_p random up to 1.
+/// Returns the largest difference of Σ_i F_i N_i and Σ_p f_p Φ_p, B (16.26) to (16.31), over the largest |Φ_p|. The f_p
+/// are random in [-1, 1].
 template <int D>
 double two_fields(const Subject<D>& s) {
   const Eigen::VectorXd f = random_data(s.body().M().size());
@@ -39,11 +42,11 @@ double two_fields(const Subject<D>& s) {
   return largest_of((F.transpose() * s.N() - f.transpose() * s.phi()).cwiseAbs()) / s.largest();
 }
 
-/// (iv) Largest difference of a central difference and h Σ_i ψ_ip ∇N_i inside the pieces of the nodal functions, over
-/// the largest |Φ_p|.
+/// (iv) Returns the largest difference of a central difference and h Σ_i ψ_ip ∇N_i inside the pieces of the nodal
+/// functions, over the largest |Φ_p|.
 template <int D>
 double piecewise_gradient(const Subject<D>& s) {
-  constexpr double step = 1e-3;  // cells: the pieces are at most quadratic, so only round-off is left
+  constexpr double step = 1e-3;  // in cells; the pieces are at most quadratic, so only round-off is left
   double worst = 0;
   for (int axis = 0; axis < D; ++axis) {
     const auto field_at = [&](double shift) {
@@ -56,7 +59,8 @@ double piecewise_gradient(const Subject<D>& s) {
   return worst / s.largest();
 }
 
-/// (xiv) Largest difference of Φ_p and the field of f_p = 1 and 0 at all others, over the largest |Φ_p|.
+/// (xiv) Returns the largest difference of Φ_p and the field of data that are 1 on particle p and 0 on all others, over
+/// the largest |Φ_p|.
 template <int D>
 double field_of_one(const Subject<D>& s) {
   const Eigen::MatrixXd ones = Eigen::MatrixXd::Identity(s.phi().rows(), s.phi().rows());

@@ -11,8 +11,8 @@ namespace mpmvv::checks::mapping {
 
 namespace {
 
-/// The particle basis of B Fig. 16.5: a line of equal particles, three to a cell, Dirac weights, lumped mass, `shift`
-/// cells from where it is aligned with the grid.
+/// The particle basis of B Fig. 16.5, with Dirac weights and the lumped mass: a line of particles, three to a cell (on
+/// average, if placed at random), moved by `shift` cells from their `placement`.
 class ShiftedLine {
  public:
   ShiftedLine(Placement placement, double shift)
@@ -23,7 +23,7 @@ class ShiftedLine {
   double x(std::size_t p) const { return body_.tiling().x[p][0]; }
   double width(std::size_t p) const { return body_.tiling().width[p][0]; }
 
-  /// Φ_p(x_p + s)
+  /// Returns Φ_p(x_p + s) for each offset s.
   std::vector<double> shape(std::size_t p, const std::vector<double>& offsets) const {
     Points<1> at;
     for (const double s : offsets) at.emplace_back(x(p) + s);
@@ -31,7 +31,7 @@ class ShiftedLine {
     return {phi.begin(), phi.end()};
   }
 
-  /// ∫Φ_p dx / V_p
+  /// Returns ∫Φ_p dx / V_p.
   double integral(std::size_t p) const { return basis_.psi().col(static_cast<Eigen::Index>(p)).sum() / width(p); }
 
  private:
@@ -41,7 +41,8 @@ class ShiftedLine {
 
 constexpr std::size_t middle_particle = 18, end_particle = 0;
 
-/// B Fig. 16.5: one particle's basis function at seven places in its cell, and the hat between its neighbours.
+/// Adds the curves of B Fig. 16.5: the basis function of one particle at seven places in its cell, and the hat between
+/// its neighbours.
 void add_shapes(CheckResult& result) {
   const auto offsets = linspace(-2, 2, 480);
   const auto unshifted = ShiftedLine(Placement::uniform, 0).shape(middle_particle, offsets);
@@ -81,7 +82,7 @@ void add_integrals(CheckResult& result) {
 
 using Corner = solver::Vec<2>;
 
-/// The outline of a rectangle as a curve of so many points that it is drawn without markers.
+/// Adds the outline of a rectangle as a curve. It has so many points that it is drawn without markers.
 void add_outline(CheckResult& result, const std::string& name, const Corner& lower, const Corner& upper) {
   constexpr int steps = 15;
   const Corner corners[] = {lower, {upper[0], lower[1]}, upper, {lower[0], upper[1]}, lower};
@@ -94,7 +95,7 @@ void add_outline(CheckResult& result, const std::string& name, const Corner& low
   result.add_curve(name, x, y);
 }
 
-/// Two-dimensional particles in a picture: their boxes and, from the values of Φ_p, their influence domains.
+/// The particles of a two-dimensional picture: their boxes and, from the values of Φ_p, their influence domains.
 class Picture {
  public:
   explicit Picture(const Weighting& weighting)
@@ -113,7 +114,8 @@ class Picture {
     return {particles()[p] - half, particles()[p] + half};
   }
 
-  /// The elements in which Φ_p is not zero fill a rectangle, as the functions are products.
+  /// Returns the lower and upper corner of the rectangle that the elements with Φ_p ≠ 0 fill. It is a rectangle because
+  /// the nodal functions are products.
   std::pair<Corner, Corner> influence(std::size_t p) const {
     Corner lower{cells, cells}, upper{0, 0};
     for (int e = 0; e < cells * cells; ++e) {
@@ -129,7 +131,7 @@ class Picture {
 
   static Corner element_corner(int e) { return {e % cells, e / cells}; }
 
-  /// Nodal functions at one point inside each element.
+  /// Returns the nodal functions at one point inside each element.
   Eigen::SparseMatrix<double> weights_in_elements() const {
     Points<2> points;
     for (int e = 0; e < cells * cells; ++e) points.emplace_back(element_corner(e) + Corner(0.37, 0.41));
@@ -140,7 +142,8 @@ class Picture {
   Eigen::MatrixXd phi_;
 };
 
-/// A rectangle, drawn `inset` cells inside its sides where several share them.
+/// Adds the outline of a rectangle, drawn `inset` cells inside its sides so that rectangles with common sides stay
+/// apart.
 void add_rectangle(CheckResult& result, const std::string& name, const std::pair<Corner, Corner>& corners,
                    double inset = 0) {
   const Corner step(inset, inset);
@@ -153,7 +156,7 @@ void add_points(CheckResult& result, const std::string& name, const Points<2>& p
   result.add_curve(name, x, y);
 }
 
-/// B Figs. 16.2 to 16.4.
+/// Adds the physical and influence domains of B Figs. 16.2 to 16.4.
 void add_domains(CheckResult& result) {
   const Picture with_boxes(gimp), with_points(dirac);
   int number = 0;
@@ -188,7 +191,7 @@ void add_domains(CheckResult& result) {
 
 namespace mpmvv::checks {
 
-/// B-fig16.5, and B Figs. 16.2 to 16.4.
+/// Measures claim B-fig16.5, and adds the curves of B Figs. 16.2 to 16.4.
 CheckResult check_mapping_figures() {
   CheckResult result;
   mapping::add_shapes(result);

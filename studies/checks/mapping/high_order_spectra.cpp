@@ -18,7 +18,7 @@ using Vector = Eigen::VectorXd;
 constexpr int most_terms = 64;
 
 /// A free elastic bar of ten cells in one dimension, linear about its state of rest, with h = E = ρ = 1 (then the CFL
-/// number is Δt): the matrices of FMPM(k), USL, with GIMP, N table 1.
+/// number is Δt). It holds the matrices of FMPM(k) with USL and GIMP, N table 1.
 class LinearBar {
  public:
   explicit LinearBar(const ParticleTiling<1>& tiling) : volumes_(tiling.volumes()) {
@@ -36,7 +36,8 @@ class LinearBar {
     round_trip_ = m_.cwiseInverse().asDiagonal() * matrix_product(S_.transpose() * volumes_.asDiagonal(), S_);
   }
 
-  /// The largest of (1 - (1 - s)^k)/s over the eigenvalues s of S⁺S: what the expansion makes of a lumped velocity.
+  /// Returns the largest of (1 - (1 - s)^k)/s over the eigenvalues s of S⁺S. By this factor the expansion multiplies a
+  /// mode of the lumped velocity.
   double gain(int order) const {
     const Vector root = m_.cwiseSqrt();
     const Matrix symmetric = root.asDiagonal() * round_trip_ * root.cwiseInverse().asDiagonal();
@@ -46,8 +47,8 @@ class LinearBar {
     return largest;
   }
 
-  /// Of the map of a step from the particles' velocities and strains to the next ones: v⁺ = m̃_k⁻¹ (SᵀMV - Δt Gᵀ V⁰ e),
-  /// V' = S v⁺, e' = e + Δt G v⁺.
+  /// Returns the spectral radius of the map of a step from the velocities V and strains e of the particles to the next
+  /// ones: v⁺ = m̃_k⁻¹ (SᵀMV - Δt Gᵀ V⁰ e), V' = S v⁺, e' = e + Δt G v⁺.
   double spectral_radius(int order, double dt) const {
     const Eigen::Index n = volumes_.size();
     Matrix from_particles(m_.size(), 2 * n);
@@ -62,7 +63,8 @@ class LinearBar {
     return mapping::spectral_radius(map);
   }
 
-  /// The CFL number up to which no mode grows, to a thousandth: the first of a fine scan that does, then halved in on.
+  /// Returns the CFL number up to which no mode grows, to a thousandth. A scan in steps of 0.05 finds the first number
+  /// at which a mode grows, and bisection narrows the last step.
   double limit(int order) const {
     double stable = 0, unstable = 0.05;
     while (unstable < 4 && is_stable(order, unstable)) stable = unstable, unstable += 0.05;
@@ -78,7 +80,7 @@ class LinearBar {
   Matrix S_, G_, round_trip_;
 };
 
-/// Two particles per cell, at ten places in a cell; and bars of particles of uneven widths.
+/// Returns bars with two particles per cell, at ten places in a cell.
 std::vector<LinearBar> bars_in_motion() {
   std::vector<LinearBar> bars;
   for (int place = 0; place < 10; ++place)
@@ -86,6 +88,7 @@ std::vector<LinearBar> bars_in_motion() {
   return bars;
 }
 
+/// Returns bars of particles of uneven widths.
 std::vector<LinearBar> uneven_bars() {
   std::vector<LinearBar> bars;
   for (std::uint64_t seed = 0; seed < 5; ++seed)

@@ -11,19 +11,19 @@ namespace mpmvv::checks::mapping {
 
 using support::to_string;
 
-/// Where a mapping's nodal functions are weighed over a particle: N_j(x_p) itself, a Dirac formulation, or their
-/// average over its box, B (16.16).
+/// How a mapping weighs nodal functions over a particle: by their values N_j(x_p) (a Dirac formulation), or by their
+/// averages over its box, B (16.16).
 struct Weighting {
   const char* name;
-  GridBasis field;     ///< N_i(x) of B (16.1)
-  GridBasis particle;  ///< v_ip
+  GridBasis field;     ///< the basis of the field, N_i(x) of B (16.1)
+  GridBasis particle;  ///< the basis that gives the weights v_ip
 };
 
 inline const Weighting dirac{"dirac", solver::Linear{}, solver::Linear{}};
 inline const Weighting spline{"spline", solver::BSpline2{}, solver::BSpline2{}};
 inline const Weighting gimp{"gimp", solver::Linear{}, solver::Gimp{}};
 
-/// What stands on the left of the mapping. B's three consistent matrices differ:
+/// The mass matrix on the left of the mapping. B has three consistent matrices, which differ:
 ///   lumped      Σ_p M_p v_ip on the diagonal, B (16.22)
 ///   exact       ∫ N_i N_j ρ dV with the material's density, B (16.7)
 ///   piecewise   the same with ρ = M_p/V_p on each box, B (16.19) and (16.20) under the assumption of (16.15)
@@ -38,7 +38,8 @@ constexpr std::array<const char*, 4> words_of(MassKind) {
 
 enum class WeightedBy { mass, volume };
 
-/// Particles on a grid, mapped with a weighting by mass or by volume (masses are then volumes, the density is 1).
+/// Particles on a grid, mapped with a weighting by mass or by volume. With `volume` the volumes take the place of the
+/// masses M_p, and the density is 1.
 template <int D>
 class MappedBody {
  public:
@@ -52,7 +53,7 @@ class MappedBody {
         M_(weighted_by == WeightedBy::mass ? tiling.masses() : tiling.volumes()),
         v_(NodalBasis<D>(weighting.particle, grid).weights(tiling.x, tiling.width)) {}
 
-  /// The same mapping of a body that has moved, on a grid that may have.
+  /// Returns the same mapping of the moved particles `tiling` on `grid`, which may have moved too.
   MappedBody moved(const OverlayGrid<D>& grid, const ParticleTiling<D>& tiling) const {
     return MappedBody(grid, tiling, weighting_, weighted_by_);
   }
@@ -70,7 +71,8 @@ class MappedBody {
                                     : ParticleBasis::consistent(mass_matrix(kind), v_, M_);
   }
 
-  /// Weights ρ dV of the quadrature's points, ρ being the material's density or each particle's own.
+  /// Returns the weights ρ dV of the quadrature's points. ρ is the material's density if `density` is `exact` and the
+  /// mapping is by mass, and M_p/V_p otherwise.
   Eigen::VectorXd weights_of(const DomainQuadrature<D>& points, MassKind density) const;
 
  private:

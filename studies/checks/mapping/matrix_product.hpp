@@ -3,7 +3,8 @@
 
 namespace mpmvv::checks::mapping {
 
-/// a b. Expressions become matrices first: Eigen's product of each kind of them would compile for half a second.
+/// Returns a b. Expressions are turned into matrices first, because for each kind of expression Eigen's product would
+/// take half a second to compile.
 Eigen::MatrixXd matrix_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 }  // namespace mpmvv::checks::mapping

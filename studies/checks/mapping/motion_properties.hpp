@@ -3,10 +3,12 @@
 #include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/subject.hpp"
 
-/// Motion of particles and grid, each as a number that measures by how much a subject departs from a property of B.
+/// Properties under motion of particles and grid. Each function returns a number that measures by how much a subject
+/// departs from a property of B.
 namespace mpmvv::checks::mapping {
 
-/// Φ_p of the moved body at the places to which `place` takes the lattice's points, less Φ_p before.
+/// Returns Φ_p of the moved body at the places to which `place` takes the lattice's points, less Φ_p of `s` at these
+/// points: particles x points.
 template <int D, class Place>
 Eigen::MatrixXd change_at(const Subject<D>& s, const MappedBody<D>& moved, const Place& place) {
   Points<D> points;
@@ -14,7 +16,7 @@ Eigen::MatrixXd change_at(const Subject<D>& s, const MappedBody<D>& moved, const
   return moved.basis(s.mass()).at(moved.field().weights(points)) - s.phi();
 }
 
-/// A vector that is (a, b) in two dimensions.
+/// Returns (a, b) in two dimensions, and (a) in one.
 template <int D>
 solver::Vec<D> vec(double a, double b) {
   solver::Vec<D> v;
@@ -22,7 +24,7 @@ solver::Vec<D> vec(double a, double b) {
   return v;
 }
 
-/// (x) Largest change of Φ_p when grid and particles translate together, over the largest |Φ_p|.
+/// (x) Returns the largest change of Φ_p when grid and particles translate together, over the largest |Φ_p|.
 template <int D>
 double change_with_grid(const Subject<D>& s) {
   const solver::Vec<D> u = vec<D>(2.345, -0.678);
@@ -33,8 +35,8 @@ double change_with_grid(const Subject<D>& s) {
   return largest_of(change_at(s, moved, place).cwiseAbs()) / s.largest();
 }
 
-/// (xi) Largest change of a shape, over the peak in the body, of an interior particle when all translate by 0.3 (0.2)
-/// cells.
+/// (xi) Returns the largest change of the shape of an interior particle, over its peak in the body, when all particles
+/// translate by 0.3 cells along the first axis and 0.2 along the second.
 template <int D>
 double change_on_grid(const Subject<D>& s) {
   const auto& grid = s.body().grid();
@@ -48,8 +50,8 @@ double change_on_grid(const Subject<D>& s) {
   return worst;
 }
 
-/// Largest variation over the particles chosen, over `scale`, of what `integrals(body, basis)` gives for each of them
-/// while all translate over a cell.
+/// Returns the largest variation, over `scale`, of what `integrals(body, basis)` gives for each of the `chosen`
+/// particles while all particles translate over a cell.
 template <int D, class Integrals>
 double largest_variation(const Subject<D>& s, const std::vector<std::size_t>& chosen, const Eigen::VectorXd& scale,
                          const Integrals& integrals) {
@@ -73,26 +75,27 @@ std::vector<std::size_t> all_particles(const Subject<D>& s) {
   return all;
 }
 
-/// ∫Φ_p dV: a nodal function's integral is a cell's volume.
+/// Returns ∫Φ_p dV of each particle. The integral of a nodal function is the volume of a cell.
 template <int D>
 Eigen::VectorXd integrals_of(const MappedBody<D>& body, const ParticleBasis& basis) {
   return body.grid().h.prod() * basis.psi().colwise().sum().transpose();
 }
 
-/// (xii) Largest variation of ∫Φ_p dV / V_p while the particles translate over a cell.
+/// (xii) Returns the largest variation of ∫Φ_p dV / V_p while the particles translate over a cell.
 template <int D>
 double integral_variation(const Subject<D>& s) {
   return largest_variation(s, all_particles(s), s.body().tiling().volumes(), &integrals_of<D>);
 }
 
-/// (xii) The same of interior particles; NaN unless boxes are alike.
+/// (xii) Returns the same variation over interior particles; `no_meaning` unless boxes are alike.
 template <int D>
 double integral_variation_inside(const Subject<D>& s) {
   if (!s.body().tiling().boxes_are_alike()) return no_meaning;
   return largest_variation(s, s.interior(), s.body().tiling().volumes(), &integrals_of<D>);
 }
 
-/// (xii) The same of Σ_ij m_ij ψ_jp / M_p, the integral weighted with the mapping's own mass.
+/// (xii) Returns the same variation, over all particles, of Σ_ij m_ij ψ_jp / M_p: the integral weighted with the
+/// mapping's own mass.
 template <int D>
 double weighted_integral_variation(const Subject<D>& s) {
   const auto weighted = [&s](const MappedBody<D>& body, const ParticleBasis& basis) {
@@ -101,7 +104,8 @@ double weighted_integral_variation(const Subject<D>& s) {
   return largest_variation(s, all_particles(s), s.body().M(), weighted);
 }
 
-/// (xiii) Largest change of Φ_p on material points when grid and particles stretch together, over the largest |Φ_p|.
+/// (xiii) Returns the largest change of Φ_p on material points when grid and particles stretch together, over the
+/// largest |Φ_p|.
 template <int D>
 double change_stretched_with_grid(const Subject<D>& s) {
   const solver::Vec<D> factor = vec<D>(1.3, 0.7);
@@ -112,8 +116,8 @@ double change_stretched_with_grid(const Subject<D>& s) {
   return largest_of(change_at(s, moved, place).cwiseAbs()) / s.largest();
 }
 
-/// (xiii) Largest change of an interior particle's Φ_p on material points of the body, over its peak, when the
-/// particles stretch by a tenth on a grid that stays.
+/// (xiii) Returns the largest change of an interior particle's Φ_p on material points of the body, over its peak in the
+/// body, when the particles stretch by a tenth on a grid that stays.
 template <int D>
 double change_stretched_on_grid(const Subject<D>& s) {
   const auto& tiling = s.body().tiling();
@@ -128,8 +132,8 @@ double change_stretched_on_grid(const Subject<D>& s) {
   return worst;
 }
 
-/// (xi) Largest h |v̇_ip - Ḡ_i| of particles that move with unit velocity along an axis, Ḡ_i being the average gradient
-/// over the particle's box, or for Dirac weights the gradient at the particle.
+/// (xi) Returns the largest h |v̇_ip - Ḡ_i| of particles that move with unit velocity along an axis. Ḡ_i is the average
+/// gradient over the box of the particle for GIMP weights, and the gradient at the particle otherwise.
 template <int D>
 double rate_misfit(const MappedBody<D>& body) {
   constexpr double step = 1e-5;

@@ -39,16 +39,17 @@ class NodalBasis {
 
   NodalBasis(const GridBasis& basis, const OverlayGrid<D>& grid) : basis_(basis), grid_(grid) {}
 
-  /// N_i at points, or v_ip of particles with widths, B (16.16). Throws std::out_of_range.
+  /// Returns N_i at points, or v_ip of particles with widths, B (16.16). Throws std::out_of_range where a stencil does
+  /// not lie inside the grid.
   Matrix weights(const Points<D>& x, const Points<D>& widths = {}) const { return evaluate(x, widths, -1); }
 
-  /// ∂N_i/∂x_axis at the same points or of the same particles.
+  /// Returns ∂N_i/∂x_axis at the same points or of the same particles.
   Matrix gradients(int axis, const Points<D>& x, const Points<D>& widths = {}) const {
     return evaluate(x, widths, axis);
   }
 
  private:
-  static constexpr double least_weight = 1e-20;  ///< less is round-off, or what the linear basis puts on the far node
+  static constexpr double least_weight = 1e-20;  ///< less is round-off, or what Linear puts on a node a cell away
 
   Matrix evaluate(const Points<D>& x, const Points<D>& widths, int derived_axis) const {
     std::vector<Eigen::Triplet<double>> entries;
@@ -74,7 +75,7 @@ class NodalBasis {
     return matrix;
   }
 
-  /// The tensor products of one point's K functions along each axis.
+  /// Adds the tensor products of one point's K functions along each axis.
   template <int K>
   void add_products(std::vector<Eigen::Triplet<double>>& entries, int point, const solver::Index<D>& first,
                     const double (&N)[D][K]) const {

@@ -9,7 +9,7 @@ namespace mpmvv::checks::mapping {
 
 namespace {
 
-constexpr double least_mass = 1e-14;  ///< of the largest node's: below is round-off
+constexpr double least_mass = 1e-14;  ///< as a fraction of the largest nodal mass; less is round-off
 
 std::vector<Eigen::Index> nodes_with_mass(const Eigen::VectorXd& masses) {
   std::vector<Eigen::Index> nodes;
@@ -18,8 +18,8 @@ std::vector<Eigen::Index> nodes_with_mass(const Eigen::VectorXd& masses) {
   return nodes;
 }
 
-/// The mass matrix of the nodes with mass, scaled to ones on its diagonal (how small a node's mass is does not matter),
-/// and factored.
+/// The mass matrix of the nodes with mass, factored. It is first scaled to ones on its diagonal, so that it does not
+/// matter how small the mass of a node is.
 struct ScaledMass {
   std::vector<Eigen::Index> nodes;
   Eigen::VectorXd scale;  ///< one over the square roots of the diagonal
@@ -45,7 +45,7 @@ ParticleBasis ParticleBasis::consistent(const Eigen::MatrixXd& m, const Eigen::M
   const ScaledMass mass(m);
   const auto n = static_cast<Eigen::Index>(mass.nodes.size());
   const Eigen::MatrixXd unit =
-      Eigen::MatrixXd::Identity(n, n);  // so that `solve` compiles once; the pseudoinverse is it
+      Eigen::MatrixXd::Identity(n, n);  // a matrix, so that `solve` compiles once; its solution is the pseudoinverse
   const Eigen::MatrixXd inverse = mass.scale.asDiagonal() * mass.factors.solve(unit) * mass.scale.asDiagonal();
   Eigen::MatrixXd psi = Eigen::MatrixXd::Zero(v.rows(), v.cols());
   psi(mass.nodes, Eigen::all) = matrix_product(inverse, v(mass.nodes, Eigen::all)) * M.asDiagonal();

@@ -4,21 +4,22 @@
 
 namespace mpmvv::checks::mapping {
 
-/// The implied particle basis functions Φ_p(x) = Σ_i N_i(x) ψ_ip, B (16.30). Matrices: v is nodes x particles, v_ip;
-/// M holds the particles' masses (or volumes); m is the consistent mass matrix, nodes x nodes. Nodes without mass take
-/// no part: their ψ_ip is 0.
+/// The implied particle basis functions Φ_p(x) = Σ_i N_i(x) ψ_ip, B (16.30). Here v (nodes x particles) holds the v_ip,
+/// M the masses (or volumes) of the particles, and m (nodes x nodes) is the consistent mass matrix. Nodes without mass
+/// take no part: their ψ_ip is 0.
 class ParticleBasis {
  public:
-  /// ψ_ip = M_p v_ip / Σ_q M_q v_iq, B (16.31)
+  /// Makes the basis of the lumped mass, ψ_ip = M_p v_ip / Σ_q M_q v_iq, B (16.31).
   static ParticleBasis lumped(const Eigen::MatrixXd& v, const Eigen::VectorXd& M);
 
-  /// ψ_ip = Σ_j m⁻¹_ij M_p v_jp, B (16.30); where m is singular, the solution of least norm.
+  /// Makes the basis of a consistent mass, ψ_ip = Σ_j m⁻¹_ij M_p v_jp, B (16.30). Where m is singular, ψ is the
+  /// solution of least norm.
   static ParticleBasis consistent(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v, const Eigen::VectorXd& M);
 
   const Eigen::MatrixXd& psi() const { return psi_; }  ///< nodes x particles
   bool reaches(Eigen::Index node) const { return psi_.row(node).cwiseAbs().maxCoeff() > 0; }
 
-  /// Φ_p, particles x points, from the nodal functions there, nodes x points.
+  /// Returns Φ_p at some points (particles x points) from the nodal functions N at them (nodes x points).
   Eigen::MatrixXd at(const Eigen::SparseMatrix<double>& N) const { return Eigen::MatrixXd(psi_.transpose()) * N; }
 
  private:
@@ -27,8 +28,8 @@ class ParticleBasis {
   Eigen::MatrixXd psi_;
 };
 
-/// The nodal values F_i of Σ_j m_ij F_j = Σ_p f_p M_p v_ip, B (16.17), solved without an inverse, for each column of f;
-/// 0 on nodes without mass.
+/// Returns the nodal values F_i of Σ_j m_ij F_j = Σ_p f_p M_p v_ip, B (16.17), for each column of f. The system is
+/// solved without an inverse. Nodes without mass have 0.
 Eigen::MatrixXd nodal_values(const Eigen::MatrixXd& m, const Eigen::MatrixXd& v, const Eigen::VectorXd& M,
                              const Eigen::MatrixXd& f);
 

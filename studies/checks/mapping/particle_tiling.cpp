@@ -9,7 +9,7 @@ namespace mpmvv::checks::mapping {
 
 namespace {
 
-constexpr double slack = 1e-9;  ///< for points and boxes on faces
+constexpr double slack = 1e-9;  ///< tolerance for points and boxes on faces, and for boxes of one size
 
 std::vector<double> equal_parts(double whole, int count) {
   return std::vector<double>(static_cast<std::size_t>(count), whole / count);
@@ -23,7 +23,8 @@ std::vector<double> random_parts(double whole, int count, Random& random) {
   return parts;
 }
 
-/// Boxes, along the last axis in rows, whose sizes are `parts(whole, count)`.
+/// Returns boxes whose sizes along an axis are `parts(whole, count)`. In two dimensions they lie in rows, one above the
+/// other, and each row is divided anew.
 template <int D, class Parts>
 ParticleTiling<D> tiling_of_parts(const solver::Vec<D>& lower, const solver::Vec<D>& extent,
                                   const solver::Index<D>& count, const Parts& parts) {

@@ -17,9 +17,9 @@ namespace {
 
 enum class Extreme { largest, least };
 
-/// One measure of a property, and which of its values over all bodies matters to the claim.
+/// One measure of a property, and whether its largest or its least value over all bodies matters to the claim.
 struct PropertyMeasure {
-  int property;  ///< its number in the table, 0 for B-phi; aside: not in the table
+  int property;  ///< its number in the table, 0 for B-phi; `aside` if it is not in the table
   const char* name;
   Extreme extreme;
   const char* meaning;
@@ -82,11 +82,11 @@ const std::vector<PropertyMeasure>& property_measures() {
   return all;
 }
 
-/// Collects every number for the table, and the extreme of each measure over the bodies of a group, with each mass
-/// matrix.
+/// Collects every number for the table, and for each mass matrix the extreme of each measure over the bodies of a
+/// group.
 class PropertyTable {
  public:
-  /// A body with one mass matrix. Of groups with a name only the measures of the table are kept.
+  /// Measures a body with one mass matrix. In groups with a name only the measures that are in the table are taken.
   template <int D>
   void measure(const Subject<D>& subject, const std::string& group, const std::string& body) {
     const std::string mass = to_string(subject.mass());
@@ -130,7 +130,9 @@ class PropertyTable {
   std::map<std::string, std::map<int, std::map<std::string, double>>> cells_;
 };
 
-/// Splines are a group of their own, as B speaks of a linear basis; volumes matter where the density is not constant.
+/// Measures all blocks. Those with splines are a group of their own, as B speaks of a linear basis. Weighting by volume
+/// is measured with the linear basis where the density is not constant; with constant density it is the same as by
+/// mass.
 template <int D>
 void measure_blocks(PropertyTable& table) {
   using Block = BlockOfParticles<D>;
@@ -162,13 +164,14 @@ void add_counterexamples(CheckResult& result) {
              "change of phi_p on material points carried by a grid that deforms inhomogeneously, lumped, Dirac");
 }
 
-/// A difference quotient would be wrong across a kink: no face of a box may be on a node.
+/// Returns a block moved so that no face of a box is on a node, because a difference quotient would be wrong across a
+/// kink.
 template <int D>
 ParticleTiling<D> off_nodes(Placement placement) {
   return BlockOfParticles<D>::tiling(placement).translated(solver::Vec<D>::Constant(0.037));
 }
 
-/// (xi) The rate at which weights change, for every weighting: it does not depend on the mass matrix.
+/// (xi) Adds the error of the rate at which weights change, for every weighting. It does not depend on the mass matrix.
 void add_rates(CheckResult& result) {
   for (const Weighting& weighting : weightings) {
     double worst = 0;
@@ -189,7 +192,7 @@ void add_rates(CheckResult& result) {
 
 namespace mpmvv::checks {
 
-/// B (i) to (xiv), B-phi and B-vol.
+/// Measures claims B-i to B-xiv, B-phi and B-vol.
 CheckResult check_mapping_properties() {
   CheckResult result;
   mapping::PropertyTable table;

@@ -13,8 +13,8 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// A weighted sum of squares E(F) = Σ_k w_k (Σ_i N_ik F_i - f_k)², and its least value by an iteration in which no mass
-/// matrix enters.
+/// A weighted sum of squares E(F) = Σ_k w_k (Σ_i N_ik F_i - f_k)², and its least value. The iteration that finds the
+/// least value uses no mass matrix.
 class Residual {
  public:
   Residual(const Sparse& N, const Eigen::VectorXd& weights, const Eigen::VectorXd& f)
@@ -33,7 +33,7 @@ class Residual {
   double least_ = 0;
 };
 
-/// The field that is mapped: smooth, with a wave length of some five cells.
+/// Returns the value at x of the field that is mapped. The field is smooth, with a wave length of some five cells.
 template <int D>
 double field_at(const solver::Vec<D>& x) {
   double f = 1;
@@ -52,7 +52,7 @@ Eigen::VectorXd values_at(const Points<D>& x) {
 /// asked to minimise:
 ///   field  ∫ (F - f)² ρ dV with the field and the density themselves, B (16.2)
 ///   data   the same with f_p and M_p/V_p on each box: all that the particles know
-///   sum    Σ_p M_p (Σ_i v_ip F_i - f_p)², their own quadrature of it
+///   sum    Σ_p M_p (Σ_i v_ip F_i - f_p)², the integral by the particles' own quadrature
 template <int D>
 class MappedField {
  public:
@@ -66,13 +66,15 @@ class MappedField {
                    Residual(N_, body.weights_of(points_, MassKind::piecewise), f_p_(points_.particle)),
                    Residual(body.v().sparseView(), body.M(), f_p_)} {}
 
-  /// By how much the field that is mapped with both sides integrated, B (16.6) to (16.8), exceeds the least residual.
+  /// Returns the relative excess over the least residual `field` when the field itself is mapped, with both sides of
+  /// the mapping integrated, B (16.6) to (16.8).
   double excess_of_integrals() const {
     const Eigen::VectorXd weights = body_.weights_of(points_, MassKind::exact);
     return residuals_[0].excess(nodal_values(body_.mass_matrix(MassKind::exact), N_, weights, f_));
   }
 
-  /// The same of the particles' data, B (16.17) or (16.23), for each of the residuals.
+  /// Returns the relative excess over the least value of each residual when the particles' data are mapped, B (16.17)
+  /// or (16.23).
   std::array<double, 3> excesses(MassKind mass) const {
     const Eigen::VectorXd F = body_.basis(mass).psi() * f_p_;
     return {residuals_[0].excess(F), residuals_[1].excess(F), residuals_[2].excess(F)};
@@ -88,7 +90,7 @@ class MappedField {
 
 constexpr std::array residual_names{"field", "data", "sum"};
 
-/// Excesses over all bodies with one weighting: the largest, but for the lumped mass the least.
+/// The largest excesses over all bodies with one weighting; for the lumped mass the least.
 struct Excesses {
   double integrals = 0;
   std::array<std::array<double, 3>, mass_kinds.size()> of{};
@@ -138,7 +140,7 @@ void add_residuals(CheckResult& result, WeightedBy weighted_by, const std::strin
 
 namespace mpmvv::checks {
 
-/// B-lsq, and its part of B-vol.
+/// Measures claim B-lsq, and the part of claim B-vol that is about residuals.
 CheckResult check_mapping_residuals() {
   CheckResult result;
   mapping::add_residuals(result, mapping::WeightedBy::mass, "");

@@ -3,7 +3,8 @@
 
 namespace mpmvv::checks::mapping {
 
-/// Points all over a grid but its outermost cells, `per_cell` to a cell along each axis; nodes are among them.
+/// A lattice of points in all cells of a grid but the outermost, `per_cell` to a cell along each axis. Nodes are among
+/// them.
 template <int D>
 class SampleLattice {
  public:
@@ -38,7 +39,7 @@ class SampleLattice {
     return i;
   }
 
-  /// The element that holds a point in its interior; -1 for points on its sides.
+  /// Returns the element that holds a point in its interior; -1 for points on the sides of elements.
   int element(std::size_t number) const {
     const auto i = index(number);
     int element = 0;
@@ -55,7 +56,7 @@ class SampleLattice {
   }
 
  private:
-  solver::Index<D> side_{};  ///< points along each axis
+  solver::Index<D> side_{};  ///< number of points along each axis
   Points<D> points_;
 };
 

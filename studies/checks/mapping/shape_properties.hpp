@@ -4,17 +4,18 @@
 #include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/subject.hpp"
 
-/// Shapes, each as a number that measures by how much a subject departs from a property of B.
+/// Properties of shapes. Each function returns a number that measures by how much a subject departs from a property of
+/// B.
 namespace mpmvv::checks::mapping {
 
-/// Largest |Φ_p(x_p + s) - Φ_p(x_p - s)| over the peak in the body.
+/// Returns the largest |Φ_p(x_p + s) - Φ_p(x_p - s)| over the peak of Φ_p in the body.
 template <int D>
 double asymmetry_of(const Subject<D>& s, std::size_t p) {
   const Eigen::RowVectorXd phi = s.around(p, symmetric_offsets(s.body().grid()));
   return largest_of((phi - phi.reverse()).cwiseAbs()) / s.peak(p);
 }
 
-/// (v) Asymmetry of the least symmetric interior particle.
+/// (v) Returns the asymmetry of the least symmetric interior particle.
 template <int D>
 double asymmetry(const Subject<D>& s) {
   double worst = 0;
@@ -22,7 +23,7 @@ double asymmetry(const Subject<D>& s) {
   return worst;
 }
 
-/// (v) Asymmetry of the most symmetric interior particle.
+/// (v) Returns the asymmetry of the most symmetric interior particle.
 template <int D>
 double least_asymmetry(const Subject<D>& s) {
   double least = asymmetry(s);
@@ -30,8 +31,8 @@ double least_asymmetry(const Subject<D>& s) {
   return least;
 }
 
-/// Largest difference of two shapes Φ_p(x_p + s) and Φ_q(x_q + s), over the peak in the body, of interior particles
-/// that are whole cells apart, or of all others. NaN unless boxes are alike.
+/// Returns the largest difference of two shapes Φ_p(x_p + s) and Φ_q(x_q + s) of interior particles, over the peak in
+/// the body. The pairs are those whole cells apart, or all others. `no_meaning` unless boxes are alike.
 template <int D>
 double largest_shape_difference(const Subject<D>& s, bool whole_cells_apart) {
   if (!s.body().tiling().boxes_are_alike()) return no_meaning;
@@ -48,19 +49,20 @@ double largest_shape_difference(const Subject<D>& s, bool whole_cells_apart) {
   return worst;
 }
 
-/// (vi) Shape difference of particles at different places in their cells.
+/// (vi) Returns the shape difference of particles at different places in their cells.
 template <int D>
 double shape_difference(const Subject<D>& s) {
   return largest_shape_difference(s, false);
 }
 
-/// (vi) Shape difference of particles at the same place in their cells.
+/// (vi) Returns the shape difference of particles at the same place in their cells.
 template <int D>
 double shape_difference_in_phase(const Subject<D>& s) {
   return largest_shape_difference(s, true);
 }
 
-/// For each element whether some sample of a row in its interior is larger than round-off of those in the body.
+/// Returns for each element whether a row of `values`, taken at the points of the lattice, differs from zero at some
+/// point in its interior by more than round-off of the largest value in the body.
 template <int D>
 std::vector<bool> elements_reached(const Subject<D>& s, const Eigen::RowVectorXd& values) {
   const double least = 1e-12 * values(s.in_body()).cwiseAbs().maxCoeff();
@@ -71,14 +73,14 @@ std::vector<bool> elements_reached(const Subject<D>& s, const Eigen::RowVectorXd
   return reached;
 }
 
-/// Elements that are in one but not in the other.
+/// Returns the number of elements that are in one set but not in the other.
 inline int count_unshared(const std::vector<bool>& a, const std::vector<bool>& b) {
   int count = 0;
   for (std::size_t e = 0; e < a.size(); ++e) count += a[e] != b[e] ? 1 : 0;
   return count;
 }
 
-/// The element that holds a particle's whole box; -1 if none does.
+/// Returns the element that holds a particle's whole box; -1 if none does.
 template <int D>
 int element_of_box(const Subject<D>& s, std::size_t p) {
   const auto& grid = s.body().grid();
@@ -93,8 +95,8 @@ int element_of_box(const Subject<D>& s, std::size_t p) {
   return element;
 }
 
-/// (vii) Largest number of elements in the influence domain of only one of two particles whose boxes lie in one
-/// element.
+/// (vii) Returns the largest number of elements that lie in the influence domain of only one of two particles, where
+/// the boxes of both lie in one element.
 template <int D>
 double unshared_influence(const Subject<D>& s) {
   std::vector<std::vector<bool>> reached;
@@ -107,8 +109,8 @@ double unshared_influence(const Subject<D>& s) {
   return worst;
 }
 
-/// (vii) Largest number of elements in which an influence domain and the union of the supports of the nodes with v_ip >
-/// 0 differ.
+/// (vii) Returns the largest number of elements in which the influence domain of a particle and the union of the
+/// supports of its nodes, those with v_ip > 0, differ.
 template <int D>
 double influence_beyond_support(const Subject<D>& s) {
   const Eigen::MatrixXd weighed = (s.body().v().array() > 1e-12).template cast<double>().matrix();
@@ -120,7 +122,8 @@ double influence_beyond_support(const Subject<D>& s) {
   return worst;
 }
 
-/// How far a function rises again along a line that starts near its maximum; not above where it started.
+/// Returns how far a function rises again after its lowest value along a line that starts near its maximum. A rise
+/// above the first value does not count.
 inline double valley_of(const std::vector<double>& values) {
   double low = values.front(), valley = 0;
   for (const double value : values) {
@@ -130,8 +133,8 @@ inline double valley_of(const std::vector<double>& values) {
   return valley;
 }
 
-/// (ix) Deepest valley of Φ_p on rays from its maximum along sixteen directions (in one dimension two), over that
-/// maximum.
+/// (ix) Returns the deepest valley of Φ_p on rays from its maximum along sixteen directions (in one dimension two),
+/// over that maximum.
 template <int D>
 double valley(const Subject<D>& s) {
   constexpr int directions[][2] = {{1, 0}, {1, 1}, {0, 1}, {2, 1}, {1, 2}, {-1, 1}, {-2, 1}, {-1, 2}};

@@ -3,10 +3,10 @@
 
 namespace mpmvv::checks::mapping {
 
-/// The largest modulus of an eigenvalue.
+/// Returns the largest modulus of an eigenvalue.
 double spectral_radius(const Eigen::MatrixXd& map);
 
-/// In ascending order.
+/// Returns the eigenvalues of a symmetric matrix in ascending order.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& symmetric);
 
 }  // namespace mpmvv::checks::mapping

@@ -7,10 +7,11 @@
 
 namespace mpmvv::checks::mapping {
 
-/// Measured where a property has no meaning for a subject.
+/// The value of a measure where its property has no meaning for a subject.
 inline constexpr double no_meaning = -std::numeric_limits<double>::infinity();
 
-/// A mapped body with one of its mass matrices and its particle basis sampled: what a property is measured on.
+/// A mapped body with one of its mass matrices, and its particle basis sampled on a lattice. Properties are measured on
+/// it.
 template <int D>
 class Subject {
  public:
@@ -35,17 +36,17 @@ class Subject {
   const SampleLattice<D>& lattice() const { return lattice_; }
   const typename NodalBasis<D>::Matrix& N() const { return N_; }  ///< nodal functions on the lattice
   const Eigen::MatrixXd& phi() const { return phi_; }             ///< Φ_p on the lattice, particles x points
-  double largest() const { return phi_.cwiseAbs().maxCoeff(); }   ///< |Φ_p| of all particles
+  double largest() const { return phi_.cwiseAbs().maxCoeff(); }   ///< the largest |Φ_p| of all particles
 
-  /// Largest |Φ_p| in the body. With a consistent mass it may be far larger outside, at nodes that the body hardly
-  /// reaches.
+  /// Returns the largest |Φ_p| in the body. With a consistent mass it may be far larger outside, at nodes that the body
+  /// hardly reaches.
   double peak(std::size_t p) const { return peaks_[static_cast<Eigen::Index>(p)]; }
-  const std::vector<Eigen::Index>& in_body() const { return in_body_; }  ///< points of the lattice
+  const std::vector<Eigen::Index>& in_body() const { return in_body_; }  ///< indices of lattice points in the body
 
-  /// Particles at least three cells from every face of the block.
+  /// Returns the particles whose boxes lie at least three cells from every face of the block.
   const std::vector<std::size_t>& interior() const { return interior_; }
 
-  /// The same particles on their way over a cell of the fixed grid, and their bases there.
+  /// The body at one of three places on its way over a cell of the fixed grid, and the particle basis there.
   struct Translated {
     MappedBody<D> body;
     ParticleBasis basis;
@@ -60,7 +61,7 @@ class Subject {
     return way_;
   }
 
-  /// Φ_p(x_p + s)
+  /// Returns Φ_p(x_p + s) for each offset s.
   Eigen::RowVectorXd around(std::size_t p, const Points<D>& offsets) const {
     Points<D> at;
     for (const auto& s : offsets) at.push_back(body_.tiling().x[p] + s);
@@ -77,10 +78,11 @@ class Subject {
   std::vector<Eigen::Index> in_body_;
   Eigen::VectorXd peaks_;
   std::vector<std::size_t> interior_;
-  mutable std::vector<Translated> way_;  ///< made when it is first asked for
+  mutable std::vector<Translated> way_;  ///< filled at the first call of `way`
 };
 
-/// Offsets up to two cells from a particle along each axis, symmetric about 0: the k-th from the end is minus the k-th.
+/// Returns offsets up to two cells from a particle along each axis, symmetric about 0: the k-th from the end is minus
+/// the k-th.
 template <int D>
 Points<D> symmetric_offsets(const OverlayGrid<D>& grid) {
   constexpr int half = D == 1 ? 24 : 8;

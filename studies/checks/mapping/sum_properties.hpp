@@ -4,10 +4,11 @@
 #include "studies/checks/extremes.hpp"
 #include "studies/checks/mapping/subject.hpp"
 
-/// Sums over particles and bounds, each as a number that measures by how much a subject departs from a property of B.
+/// Properties of sums over particles, and bounds. Each function returns a number that measures by how much a subject
+/// departs from a property of B.
 namespace mpmvv::checks::mapping {
 
-/// Σ_i N_i over the nodes that take part, on the lattice.
+/// Returns Σ_i N_i over the nodes that take part, at the lattice's points.
 template <int D>
 Eigen::RowVectorXd coverage(const Subject<D>& s) {
   Eigen::RowVectorXd takes_part(s.basis().psi().rows());
@@ -15,8 +16,8 @@ Eigen::RowVectorXd coverage(const Subject<D>& s) {
   return takes_part * s.N();
 }
 
-/// Largest value of a row over the lattice's points in the body at least `depth` cells from its faces; with `covered`
-/// only where every node takes part.
+/// Returns the largest of the `values` at the lattice's points that lie in the body, at least `depth` cells from its
+/// faces. With `covered` only points count where every node takes part.
 template <int D>
 double largest_in_body(const Subject<D>& s, const Eigen::RowVectorXd& values, bool covered, double depth) {
   const Eigen::RowVectorXd cover = coverage(s);
@@ -29,7 +30,7 @@ double largest_in_body(const Subject<D>& s, const Eigen::RowVectorXd& values, bo
   return worst;
 }
 
-/// |Σ_p x_p Φ_p - x| / h, the largest component.
+/// Returns |Σ_p x_p Φ_p - x| / h at the lattice's points, the largest component.
 template <int D>
 Eigen::RowVectorXd position_misfits(const Subject<D>& s) {
   Eigen::RowVectorXd misfits = Eigen::RowVectorXd::Zero(s.phi().cols());
@@ -42,15 +43,15 @@ Eigen::RowVectorXd position_misfits(const Subject<D>& s) {
   return misfits;
 }
 
-/// (i) Largest |Φ_p(x_q) - δ_pq|.
+/// (i) Returns the largest |Φ_p(x_q) - δ_pq|.
 template <int D>
 double interpolation(const Subject<D>& s) {
   const Eigen::MatrixXd at_particles = s.basis().at(s.body().field().weights(s.body().tiling().x));
   return largest_of((at_particles - Eigen::MatrixXd::Identity(at_particles.rows(), at_particles.cols())).cwiseAbs());
 }
 
-/// (i) Root mean square over interior particles of ∫Φ_p dV / V_p - 1, over that of point-to-point interpolation. NaN
-/// but in one dimension with boxes that differ (interpolation is exact on equal ones).
+/// (i) Returns the root mean square over interior particles of ∫Φ_p dV / V_p - 1, over that of point-to-point
+/// interpolation. `no_meaning` but in one dimension with boxes that differ (interpolation is exact on equal ones).
 template <int D>
 double integrals_over_interpolation(const Subject<D>& s) {
   const auto& tiling = s.body().tiling();
@@ -65,37 +66,37 @@ double integrals_over_interpolation(const Subject<D>& s) {
   return std::sqrt(mapped / interpolated);
 }
 
-/// (ii) Largest |Σ_p Φ_p - 1| in the body where every node takes part.
+/// (ii) Returns the largest |Σ_p Φ_p - 1| in the body where every node takes part.
 template <int D>
 double unity(const Subject<D>& s) {
   return largest_in_body(s, (s.phi().colwise().sum().array() - 1).abs().matrix(), true, 0);
 }
 
-/// (ii) `unity` with GIMP weights, NaN with others.
+/// (ii) Returns `unity` with GIMP weights, `no_meaning` with others.
 template <int D>
 double unity_of_gimp(const Subject<D>& s) {
   return std::holds_alternative<solver::Gimp>(s.body().weighting().particle) ? unity(s) : no_meaning;
 }
 
-/// (ii) The same as `unity` in the whole body.
+/// (ii) Returns the largest |Σ_p Φ_p - 1| in the whole body.
 template <int D>
 double unity_in_body(const Subject<D>& s) {
   return largest_in_body(s, (s.phi().colwise().sum().array() - 1).abs().matrix(), false, 0);
 }
 
-/// (iii) Largest |Σ_p x_p Φ_p - x| / h in the body where every node takes part.
+/// (iii) Returns the largest |Σ_p x_p Φ_p - x| / h in the body where every node takes part.
 template <int D>
 double linear_completeness(const Subject<D>& s) {
   return largest_in_body(s, position_misfits(s), true, 0);
 }
 
-/// (iii) The same three cells from its faces; NaN unless boxes are alike.
+/// (iii) Returns the same error at least three cells from the faces of the body; `no_meaning` unless boxes are alike.
 template <int D>
 double linear_completeness_inside(const Subject<D>& s) {
   return s.body().tiling().boxes_are_alike() ? largest_in_body(s, position_misfits(s), true, 3) : no_meaning;
 }
 
-/// (viii) Largest excess of Φ_p over 1 or of 0 over Φ_p.
+/// (viii) Returns the largest excess of Φ_p over 1 or of 0 over Φ_p.
 template <int D>
 double positivity(const Subject<D>& s) {
   double excess = 0;

@@ -10,8 +10,7 @@
 
 namespace mpmvv::checks::profiles {
 
-/// A run of a problem with a solution that a check looks at on its way: of all particles, or without those that are
-/// images of others.
+/// A run that a check looks at while it proceeds, of all particles or without those that are images of others.
 template <int D>
 class MovingBody {
  public:
@@ -24,10 +23,10 @@ class MovingBody {
   const solver::Mpm<D>& mpm() const { return mpm_; }
   const mms::ManufacturedSolution<D>& solution() const { return *stage_.setup.solution; }
   const std::vector<solver::Vec<D>>& X() const { return stage_.X; }  ///< reference positions by particle id
-  /// Particles of the body that one is with its images.
+  /// Returns how many particles of the body a particle stands for, itself and its images.
   int count_of(std::uint32_t id) const { return stage_.count_of(id); }
 
-  /// Throws std::runtime_error when the run blows up.
+  /// Advances the run until `step` steps are done. Throws std::runtime_error when the run blows up.
   void step_to(std::int64_t step) {
     for (; step_ < step; ++step_)
       if (!mpm_.step(case_.resolution.dt)) throw std::runtime_error(case_.problem.name + ": " + mpm_.fault());
@@ -40,7 +39,8 @@ class MovingBody {
   std::int64_t step_ = 0;
 };
 
-/// The particles that `wanted(id)` chooses, seen along z: positions, and the voxels' widths where the basis has any.
+/// Returns the particles that `wanted(id)` chooses, seen along z: positions, and the widths of their voxels where the
+/// basis takes widths.
 template <int D, class Wanted>
 records::Series particle_panel(const std::string& name, const solver::Mpm<D>& mpm, const Wanted& wanted) {
   const auto& particles = mpm.particles();

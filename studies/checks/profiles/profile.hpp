@@ -8,13 +8,13 @@
 
 namespace mpmvv::checks::profiles {
 
-/// A quantity along x: means over the particles of each column of the lattice.
+/// A quantity along x, with a point for each column of particles of the lattice: means over the column.
 struct Profile {
-  std::vector<double> x;  ///< current positions
+  std::vector<double> x;  ///< mean current positions
   std::vector<double> y;
 };
 
-/// value(p) of the particles of a body filled by a lattice.
+/// Returns the profile of value(p) over the particles p of a body filled by a lattice.
 template <int D, class Value>
 Profile profile(const MovingBody<D>& body, const Value& value) {
   struct Column {

@@ -16,7 +16,7 @@ struct ShockMethod {
 
   std::string label() const { return std::string(name) + (viscous ? "" : ", no artificial viscosity"); }
 
-  /// `cells` per 2.5 mm; the end time in s
+  /// Returns the settings of a run with `cells` cells per 2.5 mm and the end time in s.
   std::vector<settings::Setting> settings(int cells, const char* end_time) const {
     std::vector<settings::Setting> all{{"problem", "shock", ""},
                                        {"basis", "b2cpdi", ""},
@@ -39,7 +39,7 @@ struct ShockMethod {
   }
 };
 
-/// The shock of the problem's defaults.
+/// Returns the theoretical shock for the default parameters of the problem `shock`.
 inline mms::Hugoniot theoretical_shock() {
   const problems::Parameters p = problems::complete_parameters(problems::find_problem("shock", "the check"), {});
   return {{p.at("bulk_modulus"), p.at("density"), p.at("hugoniot_slope"), p.at("gamma"), p.at("heat_capacity"),
@@ -47,7 +47,7 @@ inline mms::Hugoniot theoretical_shock() {
           p.at("velocity")};
 }
 
-/// Where the profile first rises through `level`, seen from the left.
+/// Returns the first place, from the left, where the profile rises through `level`; its last place where it does not.
 inline double rise_through(const Profile& profile, double level) {
   for (std::size_t k = 1; k < profile.x.size(); ++k) {
     const double before = profile.y[k - 1], after = profile.y[k];
@@ -57,7 +57,7 @@ inline double rise_through(const Profile& profile, double level) {
   return profile.x.back();
 }
 
-/// Of the values between two places.
+/// The mean and the largest of the values of a profile between two places.
 struct PlateauRange {
   double mean = 0, largest = 0;
 
@@ -69,15 +69,15 @@ struct PlateauRange {
   }
 };
 
-/// A bar under shock and what it shows: the plateau from 24 cells behind the theoretical front to 12 before the wall,
-/// and the ringing in the 24 cells.
+/// A bar under shock and what is measured on it. The plateau reaches from 24 cells behind the theoretical front to 12
+/// cells before the wall. The ringing is measured in the 24 cells behind that front.
 struct ShockedBar {
-  static constexpr double end = 0.05;  ///< where the driving wall starts, m
+  static constexpr double end = 0.05;  ///< the place where the driving wall starts, m
 
   MovingBody<2> body;
   Profile pressure, temperature;
-  double plateau_pressure;                    ///< by theory, Pa
-  double front, expected_front, first, last;  ///< m
+  double plateau_pressure;                    ///< the pressure of the plateau by theory, Pa
+  double front, expected_front, first, last;  ///< ways of the front, measured and by theory, and ends of the plateau, m
 
   ShockedBar(const ShockMethod& method, int cells, const char* end_time, const mms::Hugoniot& shock)
       : body(method.settings(cells, end_time), solver::Images::middle), plateau_pressure(shock.pressure()) {
@@ -92,7 +92,7 @@ struct ShockedBar {
     last = end - std::sqrt(2 * shock.energy()) * t - 12 * h;
   }
 
-  /// How far the pressure has come that is this share of the plateau's, m.
+  /// Returns how far from the start of the driving wall the pressure rises through this share of the plateau's, m.
   double way_of(double share) const { return end - rise_through(pressure, share * plateau_pressure); }
 
   PlateauRange plateau(const Profile& profile) const { return {profile, first, last}; }

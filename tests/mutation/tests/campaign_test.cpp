@@ -238,6 +238,8 @@ TEST_F(ScratchTrees, CommentsAndLayoutOfCodeDoNotChangeTheDigest) {
   EXPECT_EQ(digest("// One\n// \"half\" of four.\n\n  int a = 4 / 2;  // https://two\n"), first);
   EXPECT_NE(digest("int a = 4 / 3;\n"), first);
   EXPECT_NE(digest("const char* a = \"http://a\";\n"), digest("const char* a = \"http://b\";\n"));
+  for (const char* before : {"/* // four */ ", "auto b = R\"(\n// )\"; ", "#define B \\\n//\n"})
+    EXPECT_NE(digest(before + std::string("int a = 4;\n")), digest(before + std::string("int a = 5;\n"))) << before;
 }
 
 TEST_F(ScratchTrees, ProgramsOfTheTreeRunInTheCopy) {

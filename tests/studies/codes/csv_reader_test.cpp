@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 
 #include "studies/codes/readers.hpp"
 #include "studies/support/error.hpp"
@@ -46,6 +47,7 @@ TEST(CsvReader, TakesColumnsByNameAndNumber) {
   EXPECT_EQ(read("7 0.5\n8 0.25\n", "id=1,x=2").id, (std::vector<std::int64_t>{7, 8}));
   EXPECT_EQ(read("a;b\n7;0.5\n", "x=b").x.front()[0], 0.5);
   EXPECT_EQ(read("p:0,p:1\n1.5,2.5\n", "x=p").x.front(), (Point{1.5, 2.5, 0}));
+  EXPECT_EQ(read("px,y\n1.5,2.5\n", "x=px", 2).x.front(), (Point{1.5, 2.5, 0})) << "one component, and not all of x";
 }
 
 TEST(CsvReader, CommentsSayTimeAndNames) {
@@ -53,6 +55,12 @@ TEST(CsvReader, CommentsSayTimeAndNames) {
   EXPECT_EQ(s.time, 0.5);
   EXPECT_EQ(s.says.at("problem"), "bar");
   EXPECT_EQ(s.x.front()[0], 1.25);
+}
+
+TEST(CsvReader, ReadsNumbersBeyondTheRangeOfDoubles) {
+  const Snapshot s = read("x,y,v_x,v_y\n1e-400,0,-1e400,inf\n", "", 2);
+  EXPECT_EQ(s.x.front()[0], 0);
+  EXPECT_EQ(s.v.front()[0], -std::numeric_limits<double>::infinity());
 }
 
 /// As spreadsheets write it.

@@ -99,6 +99,26 @@ TEST_F(ExternalSeries, TheirCasesAreKeptAndFoundAgain) {
   EXPECT_EQ(counts.ran, 3U) << "another program runs anew";
 }
 
+TEST_F(ExternalSeries, FailedRunsAreTriedAgainUnlessThatIsRefused) {
+  const std::filesystem::path licence = mover_.top() / "licence";
+  mover_.script("test -e '" + licence.string() + "' || exit 1\n" + codes::Mover::moving);
+  StudyPlan read = plan(both);
+  CodeFinder finder("");
+  ASSERT_EQ(complete_series(read, file(), finder), "");
+  RunnerOptions options;
+  options.codes = finder.codes();
+  store::Store store(mover_.top() / "r.db", store::Store::Mode::create_or_write);
+  RunnerCounts counts;
+  EXPECT_EQ(run_studies({read}, store, options, counts)[0].failed, 3U);
+  std::ofstream(licence) << "valid";
+  options.retries = false;
+  EXPECT_EQ(run_studies({read}, store, options, counts)[0].failed, 3U);
+  EXPECT_EQ(counts.ran, 0U);
+  options.retries = true;
+  EXPECT_EQ(run_studies({read}, store, options, counts)[0].failed, 0U);
+  EXPECT_EQ(counts.ran, 3U);
+}
+
 TEST_F(ExternalSeries, StabilityLimitsAreSearchedWithTheirRuns) {
   mover_.script(std::string("awk -v c=\"$2\" 'BEGIN { exit !(c > 0.7) }' && { echo blown up; exit 1; }\n") +
                 codes::Mover::moving);

@@ -139,6 +139,9 @@ TEST_F(BuildInfo, DigestFollowsCodeButNotCommentsAndLayout) {
   EXPECT_NE(with("/// Two.\nint a = 4 / 3;\nint b;"), first);
   EXPECT_NE(with("/// Two.\nint a = 4 / 2;int b;"), first);
   EXPECT_NE(with("auto a = \"http://a\";"), with("auto a = \"http://b\";"));
+  EXPECT_NE(with("/* // two */ int a = 4;"), with("/* // two */ int a = 5;"));
+  EXPECT_NE(with("auto a = R\"(b\n  c // d)\";"), with("auto a = R\"(b\n  c // e)\";"));
+  EXPECT_NE(with("#define A 1 \\\n\n+ 1"), with("#define A 1 \\\n+ 1"));
 }
 
 TEST_F(BuildInfo, DigestFollowsFlagsButNotWarningsAndFolders) {

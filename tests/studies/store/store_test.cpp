@@ -222,12 +222,16 @@ TEST_F(StoreTest, MergeCopiesWhatIsMissing) {
   theirs.wall_seconds = 2;
   here.keep(ours, provenance());
   here.keep_study(study("both", "ours"), {}, provenance());
+  here.keep_study(study("later", "ours"), {}, provenance());
+  Provenance later = provenance();
+  later.time = "2999-01-01T00:00:00Z";
   {
     Store there(other, Store::Mode::create_or_write);
     there.keep(theirs, provenance());
     there.keep(record(16), provenance());
     there.keep(record(8), provenance("d2"));
     there.keep_study(study("both", "theirs"), {}, provenance());
+    there.keep_study(study("later", "theirs"), {}, later);
     there.keep_study(study("new", "", {series("a", {point(8), point(16)})}), {{bar(8), bar(16)}}, provenance());
   }
   EXPECT_EQ(Store::merge(file_, other), 2);
@@ -235,9 +239,10 @@ TEST_F(StoreTest, MergeCopiesWhatIsMissing) {
   EXPECT_EQ(describe(here.find(bar(16), "d1").value()), describe(record(16)));
   EXPECT_EQ(describe(here.find(bar(8), "d2").value()), describe(record(8)));
   const std::vector<records::StudyResult> studies = here.studies("d1");
-  ASSERT_THAT(studies, SizeIs(2));
+  ASSERT_THAT(studies, SizeIs(3));
   EXPECT_EQ(studies[0].title, "ours");
-  EXPECT_EQ(studies[1].series[0].points[1].y.at("l2"), 0.2 / 16);
+  EXPECT_EQ(studies[1].title, "theirs") << "made later";
+  EXPECT_EQ(studies[2].series[0].points[1].y.at("l2"), 0.2 / 16);
   EXPECT_EQ(Store::merge(file_, other), 0);
   EXPECT_THAT(complaint([&] { Store::merge(file_, file_); }), HasSubstr("merged into itself"));
   EXPECT_THAT(here.check(), IsEmpty());

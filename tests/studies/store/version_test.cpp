@@ -113,11 +113,12 @@ TEST_F(CodeVersions, AreMerged) {
     keep_by(there, "1.3", "aa", 2, 1.0);
     keep_by(there, "1.4", "cc", 3, 2.1);
   }
+  keep_by(*store_, "1.4", "cc", 4, 1.9);
   Store::merge(file_, other);
   const auto versions = store_->versions_of_code("my-code");
   ASSERT_EQ(versions.size(), 2U);
-  EXPECT_EQ(order_of(versions[0]), 2.0) << "the first one stays";
-  EXPECT_EQ(order_of(versions[1]), 2.1);
+  EXPECT_EQ(order_of(versions[0]), 1.0) << "what was kept last stays";
+  EXPECT_EQ(order_of(versions[1]), 1.9);
 }
 
 /// As on a night on which the code was not there.
