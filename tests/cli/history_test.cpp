@@ -117,7 +117,7 @@ TEST_F(History, TrendFollowsTheTime) {
 }
 
 TEST_F(History, TrendSaysWhichNumbersRestOnRunsThatAreNotOk) {
-  records::StudyResult broken = bar_study(1.5, not_measured);
+  records::StudyResult broken = bar_study(1.5, support::not_measured);
   broken.series[0].points[1].status = records::Status::unstable;
   keep(db_, broken, "00cc33", "badbad", "2026-01-03T00:00:00Z");
   const auto trends = ask("trend --json").json()["trends"];
@@ -157,6 +157,11 @@ TEST_F(History, VersionsOfAnotherCode) {
   keep_of_code(db_, "1.6", "cc33", 1.0);
   EXPECT_EQ(ask("compare 1.5 --code my-code --json").json()["changed"], 1) << "another version of the same file";
   EXPECT_THAT(ask("compare 1.5 1.6 --code my-code").out, Not(HasSubstr("one version")));
+  const auto codes = ask("db info --json").json()["codes"];
+  ASSERT_EQ(codes.size(), 1U);
+  EXPECT_EQ(codes[0]["code"], "my-code");
+  EXPECT_EQ(codes[0]["versions"][1]["version"], "1.4");
+  EXPECT_THAT(ask("db info").out, ContainsRegex("code my-code\n +1[.]3 [(]digest aa11[)], last study 2026-02-03T"));
   const Answer answer = ask("trend --code other");
   EXPECT_EQ(answer.code, 2);
   EXPECT_THAT(answer.err, HasSubstr("of other codes: my-code"));

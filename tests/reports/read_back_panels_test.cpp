@@ -77,7 +77,7 @@ TEST(ReadBackFigures, TrendsStandAboveTheCommitsOfTheirVersions) {
                    {"d3c", {"third3"}, "2026-01-03"}},
                   {}};
   const std::vector<std::pair<Finding::Kind, std::string>> kinds{{Finding::Kind::order, "observed order"},
-                                                                 {Finding::Kind::error, "error at the finest level"},
+                                                                 {Finding::Kind::error, "error"},
                                                                  {Finding::Kind::limit, "stability limit"}};
   for (std::size_t i = 0; i < numbers.size(); ++i)
     history.trends.push_back({"s", kinds[i / 2].first, fmt::format("trend {}", i), numbers[i]});
