@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <system_error>
@@ -41,27 +42,37 @@ std::string option_text(const std::string& key, const std::string& value) {
 }
 
 /// Whether a search asks for the whole body where a run would take a part of it.
-bool probes_whole_bodies(const plan::StudyPlan& plan, const plan::SeriesPlan& series) {
-  const auto probes = plan::scan_cases(plan, plan::replicates_of(plan, series).front());
+bool probes_whole_bodies(const plan::StudyPlan& plan, const plan::SeriesPlan& replicate) {
+  const auto probes = plan::scan_cases(plan, replicate);
   return std::ranges::any_of(probes, [](const cases::Case& c) { return c.measure.whole; });
 }
 
-SeriesCommand command_of(const plan::StudyPlan& plan, const plan::SeriesPlan& series) {
-  const bool is_searched = plan.searches(series);
-  const std::string varied = is_searched ? plan.limit->search.key : plan.sweep;
-  std::vector<settings::Setting> settings = series.settings;
-  SeriesCommand command{series.name, "mpmvv run", ""};
-  if (plan.replicates) {
-    settings = plan::replicates_of(plan, series).front().settings;
-    command.note = fmt::format("the first of {} replicates", plan.replicates->values.size());
-  }
+/// A run of the series at a value of this key, for which {} stands. A setting of the key gives way to the value.
+std::string run_command(const plan::SeriesPlan& series, const std::string& key) {
+  const bool is_varied = plan::varies_with(series, key);
   std::map<std::string, std::string> last;
-  for (const settings::Setting& setting : settings) last[setting.key] = setting.value;
-  for (const settings::Setting& setting : settings)
-    if (const auto value = last.extract(setting.key)) command.text += option_text(setting.key, value.mapped());
-  if (!varied.empty() && plan::varies_with(series, varied)) command.text += option_text(varied, "{}");
-  if (is_searched && probes_whole_bodies(plan, series)) command.text += " --whole";
-  return command;
+  for (const settings::Setting& setting : series.settings) last[setting.key] = setting.value;
+  if (is_varied) last.erase(key);
+  std::string text = "mpmvv run";
+  for (const settings::Setting& setting : series.settings)
+    if (const auto value = last.extract(setting.key)) text += option_text(setting.key, value.mapped());
+  return is_varied ? text + option_text(key, "{}") : text;
+}
+
+/// The commands of a series: of its sweep, of the search of its limit, or both.
+std::vector<SeriesCommand> commands_of(const plan::StudyPlan& plan, const plan::SeriesPlan& series) {
+  const plan::SeriesPlan run = plan::replicates_of(plan, series).front();
+  const std::string note =
+      plan.replicates ? fmt::format("the first of {} replicates", plan.replicates->values.size()) : "";
+  std::vector<SeriesCommand> commands;
+  if (!plan.sweep.empty()) commands.push_back({series.name, run_command(run, plan.sweep), note});
+  if (!plan.searches(series)) return commands;
+  const std::string whole = probes_whole_bodies(plan, run) ? " --whole" : "";
+  commands.push_back({.series = series.name,
+                      .text = run_command(run, plan.limit->search.key) + whole,
+                      .note = "for its limit" + (note.empty() ? "" : ", " + note),
+                      .is_probe = true});
+  return commands;
 }
 
 /// The options that repeat a trial. "shuffle = 3 in 2 of 2 series" was given by --set; what fewer series took, by
@@ -101,7 +112,8 @@ std::vector<SeriesCommand> case_commands(const records::StudyResult& study) {
   std::vector<SeriesCommand> commands;
   try {
     const plan::StudyPlan plan = plan::parse_study(study.text, study.name + ".toml");
-    for (const plan::SeriesPlan& series : plan.series) commands.push_back(command_of(plan, series));
+    for (const plan::SeriesPlan& series : plan.series)
+      std::ranges::move(commands_of(plan, series), std::back_inserter(commands));
   } catch (const support::UsageError&) {
     return {};
   }

@@ -5,8 +5,8 @@
 
 namespace mpmvv::cli {
 
-/// How to repeat the runs of a study's series with `mpmvv run`. None for a check, and for a study that this program
-/// would not read any more.
+/// How to repeat the runs of a study's series with `mpmvv run`: those of its sweep and those of the search of its
+/// limit. None for a check, and for a study that this program would not read any more.
 std::vector<reports::SeriesCommand> case_commands(const records::StudyResult& study);
 
 /// How to repeat a study: by its name where it comes with the program, else by its file; with the options of a trial.

@@ -20,13 +20,23 @@ const store::Version* version_before(const std::vector<store::Version>& versions
   return now == versions.begin() || now == versions.end() ? nullptr : &*(now - 1);
 }
 
+/// The goldens of these studies by verdict.
 std::map<records::Verdict, int> gate_counts(const std::vector<goldens::Golden>& goldens,
-                                            const std::vector<records::StudyResult>& then) {
+                                            const std::vector<records::StudyResult>& studies) {
   std::map<records::Verdict, int> counts;
   if (goldens.empty()) return counts;
-  for (const goldens::GateResult& r : goldens::run_gate(goldens, then).results)
-    if (std::ranges::find(then, r.study, &records::StudyResult::name) != then.end()) ++counts[r.verdict];
+  for (const goldens::GateResult& r : goldens::run_gate(goldens, studies).results)
+    if (!r.is_absent) ++counts[r.verdict];
   return counts;
+}
+
+/// How many more goldens have each verdict now than then.
+std::map<records::Verdict, int> gate_change(const std::vector<goldens::Golden>& goldens,
+                                            const std::vector<records::StudyResult>& then,
+                                            const std::vector<records::StudyResult>& now) {
+  std::map<records::Verdict, int> change = gate_counts(goldens, now);
+  for (const auto& [verdict, count] : gate_counts(goldens, then)) change[verdict] -= count;
+  return change;
 }
 
 double median_ratio(const std::vector<goldens::Change>& costs) {
@@ -51,12 +61,13 @@ std::optional<reports::Earlier> earlier_version(const store::Store& store, const
   const auto versions = store.versions();
   const store::Version* version = version_before(versions, store::current_provenance().digest);
   if (version == nullptr) return std::nullopt;
-  const auto then = own_evidence(store.studies(version->digest));
+  const auto all_then = without_trials(store.studies(version->digest));
+  const auto then = own_evidence(all_then);
   const goldens::Comparison comparison =
       goldens::compare(claims::findings_of(then), claims::findings_of(own_evidence(now)));
   reports::Earlier earlier;
   earlier.label = version->commits.front().substr(0, 12);
-  earlier.gate = gate_counts(goldens, then);
+  earlier.gate_change = gate_change(goldens, all_then, without_trials(now));
   for (const claims::Claim& claim : claims::judge_claims(then)) earlier.claims[claim.id] = claim.verdict;
   earlier.changes = changes_of(comparison);
   earlier.cost_ratio = median_ratio(comparison.costs);

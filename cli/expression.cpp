@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdint>
 #include <memory>
 
 #include "cli/case_options.hpp"
@@ -8,6 +9,7 @@
 #include "cli/console.hpp"
 #include "cli/help.hpp"
 #include "studies/codes/expressions.hpp"
+#include "studies/codes/start_state.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/words.hpp"
 
@@ -39,21 +41,23 @@ void print_expressions(const codes::Expressions& all, const codes::Dialect& dial
 }
 
 /// A line for each particle, the expressions in quotes, as they may have commas.
-void print_particle_forces(const std::vector<Components>& forces) {
+void print_particle_forces(const std::vector<std::int64_t>& ids, const std::vector<Components>& forces) {
   std::string text = "id";
   for (std::size_t d = 0; d < forces.front().size(); ++d) text += fmt::format(",b_{}", "xyz"[d]);
   text += '\n';
   for (std::size_t p = 0; p < forces.size(); ++p)
-    text += fmt::format("{},\"{}\"\n", p + 1, fmt::join(forces[p], "\",\""));
+    text += fmt::format("{},\"{}\"\n", ids[p], fmt::join(forces[p], "\",\""));
   print_text(text);
 }
 
 void print_force_of_particles(const ExpressionOptions& options, const codes::Dialect& dialect) {
-  const auto forces = codes::particle_forces(options.of_case.the_case(), dialect);
+  const cases::Case c = options.of_case.the_case();
+  const auto forces = codes::particle_forces(c, dialect);
+  const auto ids = codes::start_state(c).id;
   if (options.json)
-    print_json({{"form", options.form}, {"dialect", dialect.name}, {"b", forces}});
+    print_json({{"form", options.form}, {"dialect", dialect.name}, {"id", ids}, {"b", forces}});
   else
-    print_particle_forces(forces);
+    print_particle_forces(ids, forces);
 }
 
 int expression(const ExpressionOptions& options) {

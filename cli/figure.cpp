@@ -15,6 +15,7 @@
 #include "reports/figure_choice.hpp"
 #include "reports/picture_file.hpp"
 #include "reports/plot.hpp"
+#include "reports/text.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
@@ -99,8 +100,9 @@ void print_drawn(const std::vector<fs::path>& drawn, const Sheet& sheet) {
   for (const fs::path& file : drawn) print("{}\n", file.string());
   if (sheet.format != Format::tex) return;
   const fs::path folder = drawn[0].parent_path();
-  const std::string path = folder.empty() ? "" : fmt::format("\\graphicspath{{{{{}/}}}}", folder.string());
-  print("  {}\\input{{{}}} with \\usepackage{{graphicx,xcolor}}\n", path, (folder / drawn[0].stem()).string());
+  const std::string path = folder.empty() ? "" : fmt::format("\\graphicspath{{{{{}/}}}}", reports::latex_file(folder));
+  print("  {}\\input{{{}}} with \\usepackage{{graphicx,xcolor}}\n", path,
+        reports::latex_file(folder / drawn[0].stem()));
 }
 
 int figure(const FigureOptions& options) {

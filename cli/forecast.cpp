@@ -45,12 +45,13 @@ void print_studies(const std::vector<plan::StudyForecast>& studies) {
 
 }  // namespace
 
-void print_forecast(const std::vector<plan::StudyPlan>& plans, const plan::Work& work, const std::string& db, int jobs,
-                    bool as_json) {
+void print_forecast(const std::vector<plan::StudyPlan>& plans, const plan::Work& work, const std::string& db,
+                    const store::Store* costs, int jobs, bool as_json) {
   store::require_place(db);
-  std::optional<store::Store> store;
-  if (std::filesystem::exists(db)) store.emplace(db, store::Store::Mode::read);
-  const plan::Forecast all = plan::forecast(plans, work, store ? &*store : nullptr, jobs);
+  std::optional<store::Store> held;
+  if (std::filesystem::exists(db)) held.emplace(db, store::Store::Mode::read);
+  const store::Store* store = held ? &*held : nullptr;
+  const plan::Forecast all = plan::forecast(plans, work, store, plan::CostModel(costs ? costs : store), jobs);
   if (as_json) {
     nlohmann::json json{{"jobs", jobs},
                         {"core_seconds", all.core_seconds},

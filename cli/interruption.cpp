@@ -16,17 +16,18 @@ bool is_ignored(int signal) {
 
 Interruption::Interruption() {
   sigemptyset(&awaited_);
-  sigaddset(&awaited_, SIGUSR1);  // the destructor sends it, to end the wait
+  sigaddset(&awaited_, SIGUSR1);  // the destructor sends it, so that the thread looks whether it has to end
   for (const int signal : {SIGINT, SIGTERM})
     if (!is_ignored(signal)) sigaddset(&awaited_, signal);
   pthread_sigmask(SIG_BLOCK, &awaited_, &before_);
-  waiting_ = std::jthread([this] {
-    int signal = 0;
-    if (sigwait(&awaited_, &signal) == 0 && signal != SIGUSR1) source_.request_stop();
+  waiting_ = std::jthread([this](const std::stop_token& end) {
+    for (int signal = 0; !end.stop_requested();)
+      if (sigwait(&awaited_, &signal) == 0 && signal != SIGUSR1) source_.request_stop();
   });
 }
 
 Interruption::~Interruption() {
+  waiting_.request_stop();
   pthread_kill(waiting_.native_handle(), SIGUSR1);
   waiting_.join();
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);

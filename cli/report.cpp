@@ -68,13 +68,16 @@ void add_gate_lines(reports::ReportInput& input, const std::vector<goldens::Gold
     input.gate.push_back({r.study, r.name, r.verdict, r.expected, r.measured, r.reason});
 }
 
-/// The time of the newest of these studies.
-std::string newest_result(const store::Store& store, const reports::ReportInput& input) {
-  std::string newest;
-  for (const records::StudyResult& study : input.studies)
-    if (const auto kept = store.study_provenance(study.name, input.provenance.digest))
-      newest = std::max(newest, kept->time);
-  return newest;
+/// Adds when the studies were kept, and which of their series other codes ran. The series are those of the studies as
+/// they were read: the store may have others by now, where a study is being kept at the same time.
+void add_times_and_codes(reports::ReportInput& input, const store::Store& store) {
+  for (const records::StudyResult& study : input.studies) {
+    const auto kept = store.study_provenance(study.name, input.provenance.digest);
+    if (!kept) continue;
+    input.newest_result = std::max(input.newest_result, kept->time);
+    for (const records::Series& series : study.series)
+      if (series.code) input.codes.push_back({study.name, series.name, *series.code, kept->time});
+  }
 }
 
 /// The history of the program and of each other code, where the store has at least two versions: a trend needs two.
@@ -112,8 +115,7 @@ reports::ReportInput report_input(const ReportOptions& options) {
   input.alarms = own_alarms();
   input.histories = histories_in(store);
   input.earlier = earlier_version(store, goldens, input.studies);
-  input.codes = store.code_series(input.provenance.digest);
-  input.newest_result = newest_result(store, input);
+  add_times_and_codes(input, store);
   for (const records::StudyResult& study : input.studies) {
     if (auto commands = case_commands(study); !commands.empty()) input.commands[study.name] = std::move(commands);
     input.calls[study.name] = study_call(study);

@@ -81,10 +81,15 @@ inline std::vector<claims::Claim> judged_claims(std::vector<records::StudyResult
   return claims::judge_claims(studies);
 }
 
+inline std::vector<records::StudyResult> without_trials(std::vector<records::StudyResult> studies) {
+  std::erase_if(studies, is_trial);
+  return studies;
+}
+
 /// The studies by which versions of our own program are compared: those that are no trials, without the series of other
 /// codes, which have versions of their own.
 inline std::vector<records::StudyResult> own_evidence(std::vector<records::StudyResult> studies) {
-  std::erase_if(studies, is_trial);
+  studies = without_trials(std::move(studies));
   for (records::StudyResult& study : studies)
     std::erase_if(study.series, [](const records::Series& series) { return series.code.has_value(); });
   return studies;

@@ -38,9 +38,12 @@ struct RunOptions {
   std::string vtu, keep;
 };
 
-/// Refuses options that only runs of our own solver have.
-void require_no_own_options(const RunOptions& options, const std::string& code) {
+/// Refuses options that only runs of our own solver have, or that go with a single run alone.
+void require_options_of_code(const RunOptions& options, const cases::Case& c) {
+  const std::string& code = c.scheme.code;
   if (options.threads > 1) throw UsageError(fmt::format("--threads for code '{}' (it takes one)", code));
+  if (c.measure.repeat > 0 && !options.keep.empty())
+    throw UsageError("--keep beside --repeat (each repetition has a folder of its own; run twice)");
   if (!options.vtu.empty())
     throw UsageError(fmt::format("--vtu for code '{}' (what it writes itself is kept with --keep FOLDER)", code));
 }
@@ -51,7 +54,7 @@ records::Record run_by_other_code(const std::vector<settings::Setting>& given, c
   plan::CodeFinder finder(shipped("adapters"));
   const std::string absent = finder.complete(settings, ".");
   const cases::Case c = settings::make_case(settings);
-  require_no_own_options(options, c.scheme.code);
+  require_options_of_code(options, c);
   if (!absent.empty()) throw UsageError(absent);
   const codes::Code& code = finder.codes().at(c.scheme.code);
   codes::require_able(code.adapter, c);
@@ -124,7 +127,8 @@ void add_run(CLI::App& app, int& exit_code) {
       ->type_name("NUMBER");
   command->add_option("--vtu", options->vtu, "write eleven particle states for ParaView to this folder")
       ->type_name("FOLDER");
-  command->add_option("--keep", options->keep, "run another code in this folder, and leave all files there")
+  command
+      ->add_option("--keep", options->keep, "run another code in this folder, new or empty, and leave all files there")
       ->type_name("FOLDER");
   command->add_flag("--json", options->json, "print the record as one JSON object");
   add_examples(*command,

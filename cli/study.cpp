@@ -59,13 +59,11 @@ auto interruptible(const StudyOptions& options, const codes::Codes& codes, const
       plan::RunnerOptions{options.jobs, listener, listener, interruption.token(), on_stop, codes, !options.no_retry});
 }
 
-/// The part of the work that `--shard` names; all of it without one.
-plan::Work work_of(const StudyOptions& options, const std::vector<plan::StudyPlan>& plans) {
+/// The part of the work that `--shard` names; all of it without one. `costs` is null where times are guessed.
+plan::Work work_of(const StudyOptions& options, const std::vector<plan::StudyPlan>& plans, const store::Store* costs) {
   if (options.shard.empty()) return plan::work_of(plans);
   const plan::Shard shard = plan::shard_from(options.shard);
-  std::optional<store::Store> costs;
-  if (!options.costs.empty()) costs.emplace(options.costs, store::Store::Mode::read);
-  return plan::split(plans, plan::CostModel(costs ? &*costs : nullptr), shard.of)[shard.number - 1];
+  return plan::split(plans, plan::CostModel(costs), shard.of)[shard.number - 1];
 }
 
 int run_shard(const StudyOptions& options, const std::vector<plan::StudyPlan>& plans, const plan::Work& work,
@@ -117,9 +115,12 @@ int study(const StudyOptions& options) {
   const bool is_asked_for = !options.choice.names.empty() && !options.plan;
   const AbsentCode absent = is_asked_for || !options.shard.empty() ? AbsentCode::refused : AbsentCode::left_out;
   const std::vector<plan::StudyPlan> plans = read_plans(options.choice, options.db, finder, absent);
-  const plan::Work work = work_of(options, plans);
+  std::optional<store::Store> held;
+  if (!options.costs.empty()) held.emplace(options.costs, store::Store::Mode::read);
+  const store::Store* costs = held ? &*held : nullptr;
+  const plan::Work work = work_of(options, plans, costs);
   if (options.plan) {
-    print_forecast(plans, work, options.db, options.jobs, options.json);
+    print_forecast(plans, work, options.db, costs, options.jobs, options.json);
     return 0;
   }
   store::Store store(options.db, store::Store::Mode::create_or_write);

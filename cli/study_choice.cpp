@@ -40,13 +40,12 @@ std::vector<Overriding> overriding_settings(const StudyChoice& choice) {
   return all;
 }
 
-/// A setting of `--set-where-taken` that no series takes is a mistake of the user: UsageError with the refusal.
+/// A setting that no study takes is a mistake of the user: UsageError with the refusal.
 void require_taken(const std::vector<Overriding>& settings, const std::vector<plan::StudyPlan>& plans) {
   for (std::size_t k = 0; k < settings.size(); ++k) {
     std::string refusal;
     bool taken = false;
     for (const plan::StudyPlan& plan : plans) {
-      if (plan.overridden.empty()) continue;  // a check
       taken = taken || plan.overridden[k].series > 0;
       if (!plan.overridden[k].refusal.empty()) refusal = plan.overridden[k].refusal;
     }
@@ -96,13 +95,14 @@ std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::st
   std::vector<plan::StudyPlan> plans;
   for (const std::string& file : files) {
     plans.push_back(plan::read_study(file, overriding));
-    for (const plan::Overridden& done : plans.back().overridden) note("{}: {}\n", plans.back().name, done.what);
     for (std::size_t k = 0; k + 1 < plans.size(); ++k)
       if (plans[k].name == plans.back().name)
         throw support::UsageError(fmt::format("two study files named '{}' (stems must differ)", plans.back().name));
     if (is_left_out(plans.back(), file, codes, absent)) plans.pop_back();
   }
   require_taken(overriding, plans);
+  for (const plan::StudyPlan& plan : plans)
+    for (const plan::Overridden& done : plan.overridden) note("{}: {}\n", plan.name, done.what);
   plan::state_claims(plans, claim_folders(files));
   // A folder cannot be a store; opening it says so.
   if (!std::filesystem::is_directory(db)) require_apart("--db", db, {files.begin(), files.end()});

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <regex>
 
 #include "cli/checks.hpp"
 #include "cli/command.hpp"
@@ -48,6 +49,17 @@ void require_plain(const fs::path& folder) {
   if (folder.string().find_first_of("\"\\%\n") != std::string::npos)
     throw support::UsageError(fmt::format(
         "--folder '{}' (a name without quotes, backslashes, per cent signs and line breaks)", folder.string()));
+}
+
+/// Throws where the store of all results is one of the stores that a submission writes in its folder.
+void require_store_apart(const Submission& submission) {
+  static const std::regex written(R"((costs|shard-\d+)\.db)");
+  const fs::path db = fs::weakly_canonical(submission.db);
+  if (std::regex_match(db.filename().string(), written) &&
+      db == fs::weakly_canonical(submission.folder / db.filename()))
+    throw support::UsageError(
+        fmt::format("--db {} is a store that the submission in --folder {} writes for itself (another name, or folder)",
+                    submission.db.string(), submission.folder.string()));
 }
 
 /// Puts the largest time and memory of the shards into the submission.
@@ -131,6 +143,7 @@ int submit(const SubmitOptions& options) {
   const std::vector<plan::StudyPlan> plans = read_plans(options.choice, options.db, codes, AbsentCode::refused);
   store::require_place(options.db);
   Submission submission = submission_of(options);
+  require_store_apart(submission);
   std::optional<store::Store> learned;
   if (!options.costs.empty()) learned.emplace(options.costs, store::Store::Mode::read);
   ask_for(submission, plans, plan::CostModel(learned ? &*learned : nullptr));

@@ -61,22 +61,27 @@ void compare_levels(Change& change) {
     }
   }
   if (most == 0) return;
-  const bool better = change.before.better * (change.largest->after - change.largest->before) > 0;
+  // An energy loss is below 0 where energy was gained: of errors the sizes say which one is better.
+  const double growth = std::abs(change.largest->after) - std::abs(change.largest->before);
+  const bool better = change.before.better * growth > 0;
   change.bands = better ? -most : most;
 }
 
 /// How much a word (a status, a verdict) that differs counts, in bands: more than any number.
 constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
 
-bool is_improvement(const Finding& after) {
+/// Of limits the best lies beyond all that was tried and stable, the worst where nothing was stable.
+bool is_improvement(const Finding& before, const Finding& after) {
+  if (before.side != after.side) return after.side > before.side;
   return after.word.empty() || after.word == to_string(records::Status::ok) ||
          after.word == to_string(claims::Claim::Verdict::confirmed);
 }
 
 Change change_between(const Finding& before, const Finding& after) {
   Change change{before, after, {}, 0};
-  if (before.word != after.word) {
-    change.bands = is_improvement(after) ? -beyond_any_number : beyond_any_number;
+  const bool only_tried_elsewhere = before.side != 0 && before.side == after.side;
+  if (before.word != after.word && !only_tried_elsewhere) {
+    change.bands = is_improvement(before, after) ? -beyond_any_number : beyond_any_number;
   } else if (!before.levels.empty()) {
     compare_levels(change);
   } else if (before.word.empty()) {

@@ -58,8 +58,7 @@ std::string word(const TomlTable& table, const std::string& key) {
 }
 
 std::string norm(const TomlTable& table) {
-  std::vector<std::string> known = records::norm_words();
-  known.emplace_back("y");
+  const std::vector<std::string> known = golden_norms();
   const std::string text = table.text("norm");
   if (std::ranges::find(known, text) == known.end()) {
     reject(fmt::format("unknown norm '{}'", text), table.where("norm"),
@@ -215,6 +214,12 @@ std::set<std::filesystem::path> golden_files(const std::filesystem::path& direct
 }
 
 }  // namespace
+
+std::vector<std::string> golden_norms() {
+  std::vector<std::string> known = records::norm_words();
+  known.emplace_back("y");
+  return known;
+}
 
 std::vector<Golden> parse_goldens(const std::string& text, const std::string& file) {
   std::vector<Golden> goldens = goldens_of(TomlTable::parse(text, file));

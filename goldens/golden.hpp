@@ -30,7 +30,7 @@ inline constexpr double widest_interval = 1;
 ///   - when its whole interval lies outside the band, or the order more than 1 above it,
 ///   - when the run at the finest level is not ok,
 ///   - when the fit has fewer points than `points`, or, where that is 0, than the window has,
-///   - when the error at the finest level has grown by more than the band of errors, although the order holds.
+///   - when the error at the finest level has grown by more than the band of errors, whatever the order.
 /// It is inconclusive
 ///   - without a run at the finest level or at an end of the window, or with fewer than three points,
 ///   - when it lies outside the band and its interval reaches in,
@@ -79,6 +79,9 @@ struct Golden {
   std::variant<OrderGolden, ErrorGolden, LimitGolden, ValueGolden, StatusGolden> expectation;
   bool reviewed = true;  ///< else it cannot pass
 };
+
+/// The norms that a golden may have: those of runs, and the `y` of a check's curves.
+std::vector<std::string> golden_norms();
 
 /// What is judged, in words: "order of 'linear' in l2". Goldens of one study differ in it.
 std::string subject(const Golden& golden);

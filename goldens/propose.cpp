@@ -74,8 +74,16 @@ const Point* finest_stable(const std::string& sweep, const Series& series, const
   return finest;
 }
 
-/// Why a golden of this order could not pass; empty where it could.
+/// Why no golden may state this norm at this swept value; empty where one may.
+std::string no_golden_at(const std::string& norm, double x) {
+  const std::vector<std::string> known = golden_norms();
+  if (std::ranges::find(known, norm) == known.end()) return "goldens know no such norm";
+  return x > 0 ? "" : fmt::format("goldens know no level at {:g}, only above 0", x);
+}
+
+/// Why a golden of this order could not be read or pass; empty where it could.
 std::string no_golden(const Series& series, const ObservedOrder& fit) {
+  if (const std::string why = no_golden_at(fit.norm, fit.from); !why.empty()) return why;
   if (fit.points < 3) return fmt::format("{} usable points, at least 3 are needed", fit.points);
   if (!std::isfinite(fit.order)) return "none could be fitted";
   if (half_width(fit) > widest_interval) return fmt::format("known to ± {:.2f} only", half_width(fit));
@@ -91,15 +99,16 @@ void propose_order(Draft& draft, const std::string& sweep, const Series& series,
                               fit.to, why));
     return;
   }
-  const std::string interval = std::isnan(fit.half_width) ? "" : fmt::format(" ± {:.3f}", fit.half_width);
+  const double width = half_width(fit);
+  const std::string interval = width > 0 ? fmt::format(" ± {:.3f}", width) : "";
   draft.remark(fmt::format("Measured {:.4f}{} over [{:g}, {:g}], {} points, {}.", fit.order, interval, fit.from, fit.to,
                            fit.points, fit.asymptotic ? "asymptotic" : "not asymptotic"));
   const double expected = std::round(fit.order * 1000) / 1000;
   const Point* finest = finest_stable(sweep, series, fit.norm, {fit.from, fit.to});
   const std::string level = finest ? fmt::format("\nfinest = [{}, {:.4g}]", finest->x, finest->y.at(fit.norm)) : "";
   const std::string asymptotic = fit.asymptotic ? "\nasymptotic = true" : "";
-  const bool is_wide = interval_margin * half_width(fit) > 2 * order_band;
-  const std::string wide = is_wide ? fmt::format("\ninterval = {:.2f}", half_width(fit)) : "";
+  const bool is_wide = interval_margin * width > 2 * order_band;
+  const std::string wide = is_wide ? fmt::format("\ninterval = {:.2f}", width) : "";
   draft.table(
       "order",
       fmt::format("series = {}\nnorm = \"{}\"\nwindow = [{}, {}]\npoints = {}\nexpected = {:.3f}\nlower = {:.3f}\n"
@@ -110,12 +119,16 @@ void propose_order(Draft& draft, const std::string& sweep, const Series& series,
 
 void propose_error(Draft& draft, const std::string& sweep, const Series& series, const std::string& norm) {
   const Point* point = finest_stable(sweep, series, norm);
-  if (!point) {
-    draft.refusal(
-        fmt::format("No error of {} in {}: no stable point with an error above 0.", quoted(series.name), norm));
+  const std::string why = point ? no_golden_at(norm, point->x) : "no stable point with an error above 0";
+  if (!why.empty()) {
+    draft.refusal(fmt::format("No error of {} in {}: {}.", quoted(series.name), norm, why));
     return;
   }
-  draft.remark(fmt::format("The finest stable level in {}.", sweep));
+  const bool is_finest = std::ranges::none_of(series.points, [&](const Point& other) {
+    return other.status == records::Status::ok && claims::is_finer(other.x, point->x, sweep);
+  });
+  draft.remark(fmt::format("The finest stable level in {}{}.", sweep,
+                           is_finest ? "" : " with an error above 0, which finer ones lack"));
   draft.table("error", fmt::format("series = {}\nnorm = \"{}\"\nat = {}\nexpected = {:.4g}\nband = {}",
                                    quoted(series.name), norm, point->x, point->y.at(norm), error_band));
 }

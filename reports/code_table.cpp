@@ -19,10 +19,6 @@ std::string title_of(const store::CodeSeries& series) {
   return series.code.name + " " + series.code.version;
 }
 
-const StudyResult& study_of(const ReportInput& input, const store::CodeSeries& series) {
-  return *std::ranges::find(input.studies, series.study, &StudyResult::name);
-}
-
 /// Whether the criterion looked at the series: the first name in quotes is that of which a number was found.
 bool is_about(const ClaimPart& part, const std::string& series) {
   return std::ranges::any_of(part.found, [&](const records::Found& found) {
@@ -33,7 +29,7 @@ bool is_about(const ClaimPart& part, const std::string& series) {
 
 std::string order_and_window(const records::Series& series, const fits::ObservedOrder& o) {
   const std::string without = claims::left_out(series, o.norm);
-  return fmt::format("{} in {}, {} to {}{}", order_text(o.order, o.half_width), o.norm, brief(o.from), brief(o.to),
+  return fmt::format("{} in {}, {} to {}{}", order_text(o), o.norm, brief(o.from), brief(o.to),
                      without.empty() ? "" : " without " + without);
 }
 
@@ -43,11 +39,10 @@ std::string limit_and_bracket(const fits::StabilityLimit& limit) {
 }
 
 /// The orders and the limit that were found.
-std::string fitted_of(const StudyResult& study, const std::string& name) {
-  const auto series = std::ranges::find(study.series, name, &records::Series::name);
+std::string fitted_of(const records::Series& series) {
   std::vector<std::string> fitted;
-  for (const fits::ObservedOrder& order : series->orders) fitted.push_back(order_and_window(*series, order));
-  if (series->limit) fitted.push_back(limit_and_bracket(*series->limit));
+  for (const fits::ObservedOrder& order : series.orders) fitted.push_back(order_and_window(series, order));
+  if (series.limit) fitted.push_back(limit_and_bracket(*series.limit));
   return fitted.empty() ? "–" : fmt::format("{}", fmt::join(fitted, "; "));
 }
 
@@ -79,12 +74,15 @@ Table code_table(const ReportInput& input) {
   std::vector<store::CodeSeries> all = input.codes;
   std::ranges::stable_sort(all, {}, title_of);
   for (const store::CodeSeries& s : all) {
+    const auto study = std::ranges::find(input.studies, s.study, &StudyResult::name);
+    if (study == input.studies.end()) continue;
+    const auto series = std::ranges::find(study->series, s.series, &records::Series::name);
+    if (series == study->series.end()) continue;
     const std::string title = title_of(s);
     if (table.groups.empty() || table.groups.back().title != title) table.groups.push_back({title, {}});
-    const StudyResult& study = study_of(input, s);
     table.groups.back().rows.push_back({s.study, s.series, s.code.variant.empty() ? "–" : s.code.variant,
-                                        s.code.force_form, s.kept_at.substr(0, 10), fitted_of(study, s.series),
-                                        asked_of(study, s.series), findings_of(input, study, s.series)});
+                                        s.code.force_form, s.kept_at.substr(0, 10), fitted_of(*series),
+                                        asked_of(*study, s.series), findings_of(input, *study, s.series)});
   }
   return table;
 }

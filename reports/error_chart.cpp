@@ -62,7 +62,7 @@ class ErrorChart {
     std::string key = s.name, separator = "   ";
     for (const auto* o : orders_of(s, figure_.quantity))
       if (!std::isnan(o->order)) {
-        key += separator + order_text(o->order, o->half_width);
+        key += separator + order_text(*o);
         separator = ", ";
       }
     if (marks_limit(s))
@@ -194,7 +194,7 @@ class ErrorChart {
     };
     std::string aid;
     if (rules(Rule::Kind::fit))
-      aid += "Thick lines: fitted power laws over their windows, order ± 95 % half width in the key. ";
+      aid += "Thick lines: fitted power laws over their windows, order ± half of its interval in the key. ";
     if (marks(Mark::outside)) aid += "Hollow points lie outside the window, or are left out. ";
     if (rules(Rule::Kind::reference)) aid += "Grey, with a triangle: reference slopes. ";
     if (rules(Rule::Kind::floor)) aid += "Dotted: floor of the fit with a floor. ";

@@ -20,18 +20,22 @@ bool has_claim(const StudyResult& study, const std::string& id) {
   return std::ranges::find(study.claims, id) != study.claims.end();
 }
 
-template <class Belongs>
-std::vector<Chart> charts_where(const std::vector<StudyResult>& studies, const Belongs& belongs) {
-  std::vector<Chart> charts;
-  for (const StudyResult& study : studies)
-    if (belongs(study)) std::ranges::move(charts_of(study, paper_letter), std::back_inserter(charts));
-  return charts;
+/// A list of figures for each of the studies.
+using ChartsByStudy = std::vector<std::vector<Chart>>;
+
+/// The name of a figure in its own study: "errors" of "bar~errors".
+std::string own_name(const Chart& chart) {
+  return chart.name.substr(chart.name.find('~') + 1);
 }
 
-/// Whether the figure is one of the study's own or, by its name, a map that is added to them.
-bool may_have(const StudyResult& study, const std::string& figure) {
-  return figure.starts_with(study.name + "-map") ||
-         std::ranges::find(study.figures, figure, &records::Figure::name) != study.figures.end();
+template <class Belongs>
+std::vector<Chart> charts_where(const std::vector<StudyResult>& studies, const ChartsByStudy& charts,
+                                const Belongs& belongs) {
+  std::vector<Chart> chosen;
+  for (std::size_t i = 0; i < studies.size(); ++i)
+    std::ranges::copy_if(charts[i], std::back_inserter(chosen),
+                         [&](const Chart& chart) { return belongs(studies[i], chart); });
+  return chosen;
 }
 
 /// "s-fig9a" of "s-fig9".
@@ -43,8 +47,8 @@ bool is_panel(const std::string& figure, const std::string& name) {
 /// The figure of the claim's own name, or its panels, and the rest.
 FigureChoice choose_of_claim(std::vector<Chart> charts, const std::string& id) {
   const std::string name = lower_case(id);
-  const auto same = [&](const Chart& c) { return c.name == name; };
-  const auto panel = [&](const Chart& c) { return is_panel(c.name, name); };
+  const auto same = [&](const Chart& c) { return own_name(c) == name; };
+  const auto panel = [&](const Chart& c) { return is_panel(own_name(c), name); };
   const bool has_same = std::ranges::any_of(charts, same);
   if (!has_same && std::ranges::none_of(charts, panel)) return {std::move(charts), {}};
   FigureChoice choice;
@@ -61,12 +65,12 @@ FigureChoice choose_of_claim(std::vector<Chart> charts, const std::string& id) {
       fmt::format("{} '{}' has no figure in the store (a [[figure]] in its study file draws one)", what, name));
 }
 
-[[noreturn]] void fail_unknown_figure(const std::vector<StudyResult>& studies, const std::string& name) {
+[[noreturn]] void fail_unknown_figure(const std::vector<StudyResult>& studies, const ChartsByStudy& charts,
+                                      const std::string& name) {
   std::set<std::string> figures, claims;
-  for (const StudyResult& study : studies) {
-    const auto charts = charts_of(study, paper_letter);
-    for (const Chart& chart : charts) figures.insert(chart.name);
-    if (!charts.empty()) claims.insert(study.claims.begin(), study.claims.end());
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    for (const Chart& chart : charts[i]) figures.insert(chart.name);
+    if (!charts[i].empty()) claims.insert(studies[i].claims.begin(), studies[i].claims.end());
   }
   if (figures.empty())
     throw support::UsageError(
@@ -79,18 +83,20 @@ FigureChoice choose_of_claim(std::vector<Chart> charts, const std::string& id) {
 }  // namespace
 
 FigureChoice choose_figures(const std::vector<StudyResult>& studies, const std::string& name) {
-  FigureChoice named{charts_where(studies, [&](const StudyResult& s) { return may_have(s, name); }), {}};
-  std::erase_if(named.chosen, [&](const Chart& c) { return c.name != name; });
-  if (!named.chosen.empty()) return named;
-  auto of_claim = charts_where(studies, [&](const StudyResult& s) { return has_claim(s, name); });
+  const ChartsByStudy charts = charts_of_all(studies, paper_letter);
+  auto named = charts_where(studies, charts, [&](const StudyResult&, const Chart& chart) {
+    return chart.name == name || own_name(chart) == name;
+  });
+  if (!named.empty()) return {std::move(named), {}};
+  auto of_claim = charts_where(studies, charts, [&](const StudyResult& s, const Chart&) { return has_claim(s, name); });
   if (!of_claim.empty()) return choose_of_claim(std::move(of_claim), name);
-  auto of_study = charts_where(studies, [&](const StudyResult& s) { return s.name == name; });
+  auto of_study = charts_where(studies, charts, [&](const StudyResult& s, const Chart&) { return s.name == name; });
   if (!of_study.empty()) return {std::move(of_study), {}};
   for (const StudyResult& study : studies) {
     if (study.name == name) fail_without_figure("study", name);
     if (has_claim(study, name)) fail_without_figure("claim", name);
   }
-  fail_unknown_figure(studies, name);
+  fail_unknown_figure(studies, charts, name);
 }
 
 }  // namespace mpmvv::reports

@@ -9,6 +9,7 @@
 #include "reports/text.hpp"
 #include "reports/verdicts.hpp"
 #include "studies/claims/finding.hpp"
+#include "studies/fits/median.hpp"
 
 namespace mpmvv::reports {
 
@@ -35,10 +36,6 @@ data tile_data(const Tile& tile) {
                  {"is_time", tile.is_time}});
 }
 
-int number_of(const std::vector<GateLine>& lines, Verdict verdict) {
-  return static_cast<int>(std::ranges::count(lines, verdict, &GateLine::verdict));
-}
-
 Tile gate_tile(const ReportInput& input) {
   const GateSplit split = gate_split(input);
   const auto& lines = split.judged;
@@ -47,9 +44,9 @@ Tile gate_tile(const ReportInput& input) {
   if (!input.earlier) return tile;
   std::vector<std::string> changes;
   for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass}) {
-    const auto then = input.earlier->gate.find(verdict);
-    const int step = number_of(lines, verdict) - (then == input.earlier->gate.end() ? 0 : then->second);
-    if (step != 0) changes.push_back(fmt::format("{:+} {}", step, to_string(verdict)));
+    const auto step = input.earlier->gate_change.find(verdict);
+    if (step != input.earlier->gate_change.end() && step->second != 0)
+      changes.push_back(fmt::format("{:+} {}", step->second, to_string(verdict)));
   }
   tile.change = changes.empty() ? "as before" : fmt::format("{}", fmt::join(changes, ", "));
   return tile;
@@ -93,7 +90,7 @@ Tile cost_tile(const ReportInput& input) {
     tile.detail = "no study here was timed alone (repeat = 3 or more)";
     return tile;
   }
-  tile.number = three_digits(costs[costs.size() / 2]) + " ns";
+  tile.number = three_digits(fits::median_of(costs)) + " ns";
   tile.detail = fmt::format("per particle and step: median of {} timed series, {} to {} ns", costs.size(),
                             three_digits(costs.front()), three_digits(costs.back()));
   if (input.earlier && std::isfinite(input.earlier->cost_ratio))

@@ -15,7 +15,7 @@ Table::Rows orders_of(const records::StudyResult& study) {
   for (const auto& series : study.series)
     for (const auto& o : series.orders)
       rows.push_back({series.name, o.norm, fmt::format("{} to {}", brief(o.from), brief(o.to)),
-                      fmt::format("{}", o.points), order_text(o.order, o.half_width),
+                      fmt::format("{}", o.points), order_text(o),
                       o.floor && o.floor->accepted ? brief(o.floor->floor) : "–", o.asymptotic ? "yes" : "no"});
   return rows;
 }
@@ -31,7 +31,7 @@ std::string row_text(const std::vector<std::string>& cells) {
 }  // namespace
 
 Table orders_table(const std::vector<const records::StudyResult*>& studies) {
-  Table table{"Fitted orders with the half widths of their 95 % intervals; the window is in the swept key",
+  Table table{"Fitted orders ± half of their intervals; the window is in the swept key",
               {"series", "norm", "window", "points", "order", "floor", "asymptotic"},
               {}};
   for (const auto* study : studies)

@@ -172,7 +172,7 @@ data panels_data(const PrintedFigure& figure, const Sheet& column) {
   const std::size_t count = figure.panels.size();
   for (std::size_t i = 0; i < count; ++i)
     list << object({{"width", in_mm(panel_width(figure, column))},
-                    {"file", replace_all(figure.panels[i]->name, "~", "\\string~")},
+                    {"file", latex_file(figure.panels[i]->name)},
                     {"letter", count > 1 ? letter_of(i) + "\\\\" : ""},
                     {"gap", i + 1 == count ? ""
                             : i % 2 == 0   ? "\\hfill"

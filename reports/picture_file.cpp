@@ -53,7 +53,7 @@ void draw_picture(const Chart& chart, const Sheet& sheet, const fs::path& file) 
   for (std::size_t i = files.size(); i-- > 0;) {
     std::string picture = support::require_file(scratch.path() / (plot.name + plot.endings[i]), "a picture");
     if (plot.endings[i] == ending_of(Format::tex))
-      picture = replace_all(picture, "{" + plot.name + "}", "{" + files[1].stem().string() + "}");
+      picture = replace_all(picture, "{" + latex_file(plot.name) + "}", "{" + latex_file(files[1].stem()) + "}");
     support::write_if_changed(files[i], picture);
   }
 }

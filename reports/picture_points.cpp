@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
@@ -128,8 +129,11 @@ std::string points_of(const Chart& chart, const std::string& svg, const StudyRes
                       const std::vector<SeriesCommand>& commands) {
   const auto frame = frame_in(svg);
   if (!frame || chart.of_particles) return "";
-  Points points(chart, *frame, commands);
-  if (chart.y.names) {
+  const bool is_map = chart.y.names;
+  std::vector<SeriesCommand> own;
+  std::ranges::copy_if(commands, std::back_inserter(own), [&](const SeriesCommand& c) { return c.is_probe == is_map; });
+  Points points(chart, *frame, own);
+  if (is_map) {
     add_probes(chart, points);
     return points.text(probed_key(study), "");
   }

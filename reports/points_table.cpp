@@ -71,8 +71,8 @@ struct Column {
   }
   bool is_round_off() const { return quantity.ends_with("_change") && numbers.size() > 1 && largest() <= round_off; }
 
-  /// "images = 1", "mass_change at most 3.0e-16"; empty where the rows have to say it.
-  std::string in_all_rows() const {
+  /// What its numbers have in common: "images = 1", "mass_change at most 3.0e-16"; empty where the rows have to say it.
+  std::string in_common() const {
     const std::string unit = records::unit_of(quantity);
     if (is_constant())
       return fmt::format("{} = {}{}", quantity, brief(numbers.front()), unit.empty() ? "" : " " + unit);
@@ -101,6 +101,10 @@ int rank(const StudyResult& study, const std::set<std::string>& fitted, const st
   return is_count(quantity) || quantity == "dt" ? 400 : 2;
 }
 
+void add_to_note(std::string& note, const std::string& where, const std::vector<std::string>& what) {
+  if (!what.empty()) note += fmt::format("{}{}: {}.", note.empty() ? "" : " ", where, fmt::join(what, ", "));
+}
+
 class PointsTable {
  public:
   explicit PointsTable(const StudyResult& study) : study_(study), fitted_(fitted_norms(study)) {
@@ -119,10 +123,9 @@ class PointsTable {
     if (has_reasons_) table.columns.emplace_back("reason");
     for (const Series* series : series_)
       if (!series->points.empty()) table.groups.push_back({series->name, rows_of(*series)});
-    if (!same_.empty()) table.note = fmt::format("At every point: {}.", fmt::join(same_, ", "));
-    if (!aside_.empty())
-      table.note +=
-          fmt::format("{}Measured, too, and in the CSV file: {}.", same_.empty() ? "" : " ", fmt::join(aside_, ", "));
+    add_to_note(table.note, "At every point", same_);
+    add_to_note(table.note, "At every point that has the number", same_where_measured_);
+    add_to_note(table.note, "Measured, too, and in the CSV file", aside_);
     return table;
   }
 
@@ -143,8 +146,8 @@ class PointsTable {
     for (auto& [quantity, column] : columns) column.quantity = quantity, columns_.push_back(std::move(column));
     std::ranges::stable_sort(columns_, {}, [&](const Column& c) { return rank(study_, fitted_, c.quantity); });
     std::erase_if(columns_, [&](const Column& column) {
-      const std::string text = fitted_.contains(column.quantity) ? "" : column.in_all_rows();
-      if (!text.empty()) same_.push_back(text);
+      const std::string text = fitted_.contains(column.quantity) ? "" : column.in_common();
+      if (!text.empty()) (column.numbers.size() == points ? same_ : same_where_measured_).push_back(text);
       return !text.empty();
     });
     if (points < 2) return;
@@ -176,7 +179,7 @@ class PointsTable {
   const std::set<std::string> fitted_;
   std::vector<const Series*> series_;
   std::vector<Column> columns_;
-  std::vector<std::string> same_, aside_;
+  std::vector<std::string> same_, same_where_measured_, aside_;
   bool all_ok_ = true, has_reasons_ = false;
 };
 

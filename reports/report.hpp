@@ -41,17 +41,18 @@ struct Changes {
 /// What the store's version before this one says.
 struct Earlier {
   std::string label;                                     ///< of the version
-  std::map<records::Verdict, int> gate;                  ///< goldens by verdict
+  std::map<records::Verdict, int> gate_change;           ///< how many more goldens have this verdict now; no trials
   std::map<std::string, claims::Claim::Verdict> claims;  ///< verdicts by id
   Changes changes;                                       ///< since then
   double cost_ratio = support::not_measured;             ///< now over then, median
 };
 
-/// How to repeat the runs of a series.
+/// How to repeat the runs of a series: those of its sweep, or those of the search of its limit.
 struct SeriesCommand {
   std::string series;
-  std::string text;  ///< of a shell, with {} for the swept value
-  std::string note;  ///< what it leaves out; may be empty
+  std::string text;       ///< of a shell, with {} for the swept or probed value
+  std::string note;       ///< what it is of, and what it leaves out; may be empty
+  bool is_probe = false;  ///< of the search of the limit
 };
 
 /// The versions in a store, and how results changed over them.

@@ -16,7 +16,7 @@ std::vector<std::string> fitted_lines(const records::StudyResult& study) {
   std::vector<std::string> lines;
   for (const auto& series : study.series) {
     for (const auto& o : series.orders)
-      lines.push_back(fmt::format("order {} of {} in {}", order_text(o.order, o.half_width), series.name, o.norm));
+      lines.push_back(fmt::format("order {} of {} in {}", order_text(o), series.name, o.norm));
     if (series.limit && series.limit->found)
       lines.push_back(fmt::format("limit {} = {} of {}", series.limit->key, brief(series.limit->value()), series.name));
   }

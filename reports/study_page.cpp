@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include "page_template.hpp"
 #include "reports/gate_data.hpp"
@@ -36,22 +38,29 @@ data criteria_list(const ReportInput& input, const StudyResult& study) {
   });
 }
 
-/// The command of each series, at its last swept value.
+/// The value at which the page repeats a series: the last swept one, or the stable end of the limit's bracket and,
+/// where nothing is stable, the unstable one. NaN where there is none.
+double repeated_value(const records::Series& series, bool is_probe) {
+  if (!is_probe) return series.points.empty() ? support::not_measured : series.points.back().x;
+  if (!series.limit) return support::not_measured;
+  return std::isnan(series.limit->stable) ? series.limit->unstable : series.limit->stable;
+}
+
+/// The commands of each series that has a value to repeat.
 data command_list(const ReportInput& input, const StudyResult& study) {
+  data list{data::type::list};
   const auto of_study = input.commands.find(study.name);
-  if (of_study == input.commands.end()) return data{data::type::list};
-  return list_of(of_study->second, [&](const SeriesCommand& c) {
+  if (of_study == input.commands.end()) return list;
+  for (const SeriesCommand& c : of_study->second) {
     const auto series = std::ranges::find(study.series, c.series, &records::Series::name);
-    const bool is_swept = series != study.series.end() && !series->points.empty();
-    const bool is_searched = series != study.series.end() && series->limit;
-    const std::string value = is_swept      ? fmt::format("{}", series->points.back().x)
-                              : is_searched ? fmt::format("{}", series->limit->stable)
-                                            : "";
-    return object({{"series", c.series},
-                   {"text", replace_all(c.text, "{}", value)},
-                   {"note", c.note},
-                   {"has_note", !c.note.empty()}});
-  });
+    const double value = series == study.series.end() ? support::not_measured : repeated_value(*series, c.is_probe);
+    if (std::isnan(value)) continue;
+    list << object({{"series", c.series},
+                    {"text", replace_all(c.text, "{}", fmt::format("{}", value))},
+                    {"note", c.note},
+                    {"has_note", !c.note.empty()}});
+  }
+  return list;
 }
 
 std::vector<GateLine> goldens_of(const ReportInput& input, const StudyResult& study) {
@@ -73,6 +82,7 @@ data table_part(const StudyResult& study, bool is_fitted) {
 Page study_page(const ReportInput& input, const Section& section) {
   const StudyResult& study = *section.study;
   const auto goldens = goldens_of(input, study);
+  const data commands = command_list(input, study);
   return framed_page("studies/" + study.name + ".html", study.name + ": " + study.title, study_template, input,
                      object({{"study", study.name},
                              {"title", study.title},
@@ -89,8 +99,8 @@ Page study_page(const ReportInput& input, const Section& section) {
                              {"has_goldens", !goldens.empty()},
                              {"study_anchor", anchor(study.name)},
                              {"groups", failing_goldens(goldens)},
-                             {"commands", command_list(input, study)},
-                             {"has_commands", input.commands.contains(study.name)},
+                             {"commands", commands},
+                             {"has_commands", commands.is_non_empty_list()},
                              {"command", command_of(input, {study.name})},
                              {"study_file", study.text}}));
 }

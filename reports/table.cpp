@@ -74,8 +74,8 @@ Table fits_table(const StudyResult& study) {
     Table::Rows rows;
     for (const auto& o : series.orders) {
       const bool found = std::isfinite(o.asymptotic_from);
-      rows.push_back({o.norm, window_text(o), fmt::format("{}", o.points), order_text(o.order, o.half_width),
-                      brief(o.constant), five_decimals(o.r_squared), yes(o.asymptotic),
+      rows.push_back({o.norm, window_text(o), fmt::format("{}", o.points), order_text(o), brief(o.constant),
+                      five_decimals(o.r_squared), yes(o.asymptotic),
                       found ? fmt::format("{} to {}", brief(o.asymptotic_from), brief(o.asymptotic_to)) : "none",
                       o.floor ? floor_text(*o.floor) : "–"});
     }

@@ -39,6 +39,11 @@ std::string order_text(double order, double half_width) {
   return fmt::format("{0:.{2}f} ± {1:.{2}f}", order, half_width, decimals);
 }
 
+std::string order_text(const fits::ObservedOrder& fit) {
+  const double half_width = fits::half_width(fit);
+  return order_text(fit.order, half_width > 0 ? half_width : fits::not_measured);
+}
+
 namespace {
 
 const std::map<std::string_view, std::string_view>& latex_characters() {
@@ -188,6 +193,10 @@ std::string latex_text(const std::string& text) {
     i += character.size();
   }
   return result;
+}
+
+std::string latex_file(const std::string& name) {
+  return replace_all(name, "~", "\\string~");
 }
 
 std::string lower_case(std::string text) {

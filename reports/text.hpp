@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
 
+#include "studies/fits/observed_order.hpp"
+
 namespace mpmvv::reports {
 
 /// A number for machines: 17 significant digits, nothing for NaN.
@@ -18,9 +20,15 @@ bool is_number(const std::string& text);
 /// "2.01 ± 0.04"; without ± when the half width is NaN; a dash when the order is.
 std::string order_text(double order, double half_width);
 
+/// The same of a fit, with the half width by which criteria and goldens judge it.
+std::string order_text(const fits::ObservedOrder& fit);
+
 /// Text that LaTeX prints as it stands. Greek letters and the usual mathematical signs become mathematics; a character
 /// that plain pdflatex cannot set becomes its code point.
 std::string latex_text(const std::string& text);
+
+/// The name of a file in LaTeX, for which a tilde is a space.
+std::string latex_file(const std::string& name);
 
 /// The text without what HTML and XML cannot hold: control characters, but for tabs and ends of lines, noncharacters
 /// and bytes that are not UTF-8 become U+FFFD.

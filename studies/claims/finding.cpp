@@ -85,6 +85,13 @@ void add_errors(std::vector<Finding>& findings, const StudyResult& study, const 
   }
 }
 
+/// 1 where all values tried are stable, so that the limit lies beyond them; -1 where none is; else 0.
+int side_of_all_tried(const fits::StabilityLimit& limit) {
+  const int any_stable = std::ranges::any_of(limit.probes, &fits::Probe::stable);
+  const int any_unstable = !std::ranges::all_of(limit.probes, &fits::Probe::stable);
+  return any_stable - any_unstable;
+}
+
 Finding limit_finding(const StudyResult& study, const Series& series, const fits::StabilityLimit& limit) {
   Finding finding{study.name,
                   Finding::Kind::limit,
@@ -96,7 +103,7 @@ Finding limit_finding(const StudyResult& study, const Series& series, const fits
   if (limit.found)
     finding.number = limit.value();
   else
-    finding.word = "not found";
+    finding.word = text_without_limit(limit), finding.side = side_of_all_tried(limit);
   return finding;
 }
 

@@ -31,6 +31,7 @@ struct Finding {
   double uncertainty = not_measured;  ///< of an extrapolated value
   std::string series = {};            ///< of an order, error or status
   fits::Window window = {};           ///< of an order
+  int side = 0;  ///< of a limit that was not found: 1 where all values tried are stable, -1 where none is, else 0
 };
 
 constexpr std::array<const char*, 7> words_of(Finding::Kind) {

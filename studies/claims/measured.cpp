@@ -37,27 +37,44 @@ void measure_errors(const Criterion& c, const StudyResult& result, const Series&
       out.add(fmt::format("{} of '{}' {}", c.norm, series.name, at_point(result, point.x)), error_at(point, c.norm));
 }
 
+/// Says which number of a series makes no ratio: of one below 0 the sign would decide, and nothing is divided by 0.
+std::string no_ratio(const Criterion& c, const StudyResult& result, const Series& series, double x) {
+  return fmt::format("'{}' has {} = {:.4g} {}, and a ratio needs numbers above 0", series.name, c.norm,
+                     error_at(series, x, c.norm), at_point(result, x));
+}
+
 /// The ratio of two unstable runs is 1: W gives each of them the same error, one.
 void measure_ratios(const Criterion& c, const StudyResult& result, const Series& series, const Series& over,
                     Measured& out) {
   for (const Point& point : series.points) {
     if (!c.window.holds(point.x)) continue;
     const double own = error_at(point, c.norm), other = error_at(over, point.x, c.norm);
-    out.add(fmt::format("{} of '{}' over '{}' {}", c.norm, series.name, over.name, at_point(result, point.x)),
-            std::isinf(own) && std::isinf(other) ? 1 : own / other);
+    if (own < 0 || other <= 0)
+      out.missing = no_ratio(c, result, own < 0 ? series : over, point.x);
+    else
+      out.add(fmt::format("{} of '{}' over '{}' {}", c.norm, series.name, over.name, at_point(result, point.x)),
+              std::isinf(own) && std::isinf(other) ? 1 : own / other);
   }
 }
 
+/// An unstable run makes the spread infinite. Where all are unstable, this does not show how far apart they lie, so a
+/// lower bound alone cannot be judged.
 void measure_spread(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
   double least = std::numeric_limits<double>::infinity(), largest = 0;
   for (const Point& point : series.points) {
     if (!c.window.holds(point.x)) continue;
     const double error = error_at(point, c.norm);
-    if (std::isnan(error)) out.missing = fmt::format("'{}' has no {} at {}", series.name, c.norm, point.x);
+    if (!(error > 0)) {
+      out.missing = std::isnan(error) ? fmt::format("'{}' has no {} at {}", series.name, c.norm, point.x)
+                                      : no_ratio(c, result, series, point.x);
+      return;
+    }
     least = std::min(least, error), largest = std::max(largest, error);
   }
+  if (std::isinf(least) && !c.at_most)
+    out.missing = fmt::format("no run of '{}' is stable {}", series.name, over_window(c, result));
   out.add(fmt::format("largest over smallest {} of '{}' {}", c.norm, series.name, over_window(c, result)),
-          largest / least);
+          std::isinf(largest) ? largest : largest / least);
 }
 
 /// Slope of the least-squares line through the points in the window; NaN when there are no two, or when one is unstable
@@ -151,17 +168,25 @@ std::string never_there(const Series& series, double cost, const Series& over, d
   return std::isinf(other_cost) ? fmt::format("'{}' never reaches it", over.name) : "";
 }
 
+/// What a series has to pay for which error: nothing buys any where all its runs are unstable. `out.missing` says where
+/// it is not known.
+std::vector<fits::WorkPoint> front_of(const Series& series, const std::string& norm, Measured& out) {
+  auto front = fits::pareto_front(work_points(series, norm));
+  const auto is_unstable = [](const Point& point) { return point.status == Status::unstable; };
+  const bool never_stable = !series.points.empty() && std::ranges::all_of(series.points, is_unstable);
+  if (front.empty() && !never_stable) out.missing = fmt::format("no cost of '{}'", series.name);
+  return front;
+}
+
 /// A series that never gets down to an error costs infinitely much there, whatever the other one does. Where neither
-/// gets there, this does not show how much more it costs, so a lower bound cannot be judged.
+/// gets there, this does not show how much more it costs, so a lower bound alone cannot be judged.
 void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
-  const auto own = fits::pareto_front(work_points(series, c.norm)),
-             other = fits::pareto_front(work_points(over, c.norm));
-  if (own.empty() || other.empty()) out.missing = fmt::format("no cost of '{}'", own.empty() ? series.name : over.name);
+  const auto own = front_of(series, c.norm, out), other = front_of(over, c.norm, out);
   for (const double error : fits::decades(c.window.from, c.window.to)) {
     const double cost = fits::cost_to_reach(error, own), other_cost = fits::cost_to_reach(error, other);
     out.add(fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error),
             std::isinf(cost) ? cost : cost / other_cost, never_there(series, cost, over, other_cost));
-    if (std::isinf(cost) && std::isinf(other_cost) && c.at_least)
+    if (std::isinf(cost) && std::isinf(other_cost) && !c.at_most)
       out.missing = fmt::format("neither '{}' nor '{}' reaches {} {:.0e}", series.name, over.name, c.norm, error);
   }
 }

@@ -47,15 +47,8 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
   return fit;
 }
 
-/// Half-width of the 95 % interval of the order. Three points leave Student's t only one degree of freedom and get no
-/// such interval; half the difference of their two segment orders stands in, so that fewer points do not look more
-/// certain.
-double half_of_interval(const ObservedOrder& fit) {
-  return fit.points == 3 && !fit.replicates ? fits::segment_spread(fit) / 2 : fits::half_width(fit);
-}
-
 void add_order(const std::string& label, const ObservedOrder& fit, const std::string& remark, Measured& out) {
-  const double width = half_of_interval(fit);
+  const double width = fits::half_width(fit);
   const std::string interval = width > 0 ? fmt::format(" (±{:.2g})", width) : "";
   out.add(label, fit.order, Interval{fit.order - width, fit.order + width}, interval + remark);
 }
@@ -79,6 +72,8 @@ void measure_order(const Criterion& c, const StudyResult& result, const Series& 
   const ObservedOrder fit = stable_order(c, result, series, c.norm, out);
   const std::vector<double> unstable = values_with(Status::unstable, c, series);
   const bool is_decided = !unstable.empty() && c.at_least;  // a lower bound fails, whatever the order of the others
+  if (!unstable.empty() && !is_decided && fit.points < 3 && !fit.replicates && out.missing.empty())
+    out.missing = fmt::format("too few points of '{}' are stable: {} of at least 3", series.name, fit.points);
   const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
   if (!is_decided || !std::isnan(fit.order))
     add_order(fmt::format("order of '{}' in {} {}", series.name, c.norm, over_window(c, result)), fit, without, out);

@@ -4,7 +4,8 @@
 namespace mpmvv::claims {
 
 /// Measures the order of a series. An unstable point has not converged: with it every lower bound fails, and an upper
-/// bound is judged by the other points.
+/// bound is judged by the other points. Fewer than three of them have no interval without replicates, so they decide
+/// nothing; a window that has no more points by design is judged by what it has.
 void measure_order(const Criterion& c, const records::StudyResult& result, const records::Series& series,
                    Measured& out);
 

@@ -12,11 +12,11 @@ namespace mpmvv::claims {
 using fits::ErrorSample;
 
 double step_size(double x, const std::string& sweep) {
-  return sweep == "cells" ? 1 / x : x;
+  return sweep == "cells" || sweep == "ppc" ? 1 / x : x;
 }
 
 bool is_finer(double a, double b, const std::string& sweep) {
-  return sweep == "cells" || sweep == "ppc" ? a > b : a < b;
+  return step_size(a, sweep) < step_size(b, sweep);
 }
 
 namespace {

@@ -8,7 +8,7 @@
 
 namespace mpmvv::claims {
 
-/// The step size that goes with a swept value: h = 1/x for a sweep over `cells`, else x.
+/// The step size that goes with a swept value: h = 1/x for a sweep over `cells` or `ppc`, else x.
 double step_size(double x, const std::string& sweep);
 
 /// Whether the swept value `a` means a finer grid, a smaller step or more particles than `b`.

@@ -63,7 +63,7 @@ void add_version(Trend& trend, const std::string& series, const fits::Window& wi
   const Finding* finding = version.find(trend);
   trend.numbers.push_back(finding ? number_of(*finding, trend.at) : not_measured);
   trend.remarks.push_back(version.trouble_in(trend.study, series, window));
-  if (finding && finding->kind == Finding::Kind::limit) trend.remarks.back() = finding->word;
+  if (finding && finding->kind == Finding::Kind::limit) trend.remarks.back() = finding->word.empty() ? "" : "not found";
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "solver/material/materials.hpp"
 #include "solver/words.hpp"
 #include "studies/cases/case.hpp"
+#include "studies/codes/adapter_digest.hpp"
 #include "studies/codes/expressions.hpp"
 #include "studies/codes/readers.hpp"
 #include "studies/support/error.hpp"
@@ -73,6 +74,10 @@ void read_command(const TomlTable& root, Adapter& adapter) {
   const TomlTable table = required_table(root, "command", {"argv", "environment", "time_limit", "unstable"});
   adapter.command = some_texts(table, "argv", "the words of the command, the first of them \"{{program}}\"");
   adapter.unstable = table.texts("unstable");
+  if (std::ranges::find(adapter.unstable, "") != adapter.unstable.end())
+    throw UsageError(
+        fmt::format("an empty text of 'unstable' in {} (a text that the code prints when the motion blew up)",
+                    table.where("unstable")));
   if (const auto environment = table.table("environment")) adapter.environment = values_of(*environment);
   const double seconds = table.number("time_limit");
   if (!(seconds > 0 && seconds <= 1e6))
@@ -152,25 +157,6 @@ Capabilities read_capabilities(const TomlTable& root) {
   return able;
 }
 
-/// Returns the contents of the files in the adapter's folder that a command names, as in `{{adapter}}/convert.py`.
-std::string files_named_by(const std::vector<std::string>& command, const std::filesystem::path& folder) {
-  const std::string prefix = "{{adapter}}/";
-  std::string contents;
-  for (const std::string& word : command)
-    if (word.starts_with(prefix)) contents += support::read_file(folder / word.substr(prefix.size())).value_or("");
-  return contents;
-}
-
-/// Returns the digest of all that the adapter's folder determines of a run: the adapter's file (`text`), the templates,
-/// and the files that its commands name.
-std::string digest_of(const std::string& text, const Adapter& adapter) {
-  std::string all = text;
-  for (const InputFile& input : adapter.inputs) all += fmt::format("\n{}\n{}", input.file, input.text);
-  all += files_named_by(adapter.command, adapter.folder);
-  for (const auto& command : adapter.output.convert) all += files_named_by(command, adapter.folder);
-  return cases::fingerprint(all);
-}
-
 }  // namespace
 
 Adapter read_adapter(const std::filesystem::path& file) {
@@ -199,7 +185,7 @@ Adapter read_adapter(const std::filesystem::path& file) {
   if (const auto table = root.table("variants"))
     for (const std::string& word : table->keys()) adapter.variants[word] = values_of(*table->table(word));
   adapter.capabilities = read_capabilities(root);
-  adapter.digest = digest_of(text, adapter);
+  adapter.digest = adapter_digest(text, adapter);
   return adapter;
 }
 

@@ -194,7 +194,8 @@ Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const s
              .volume = scalars(lookup, "V", length * length * length),
              .F = components<9>(lookup, "F", 1),
              .stress = components<9>(lookup, "s", pressure),
-             .says = table.says};
+             .says = table.says,
+             .has_own_units = columns.length != 1 || columns.time != 1 || columns.mass != 1};
   if (s.x.empty() && s.u.empty()) {
     throw UsageError(fmt::format("no positions in {} (columns x, y, z, or --columns x=...; it has {})", file,
                                  fmt::join(known_columns(table), ", ")));

@@ -110,7 +110,7 @@ Record run_external(const Case& c, const Code& code, const fs::path& keep) {
 
 std::vector<Record> run_external_timed(const std::vector<Case>& cases, const Codes& codes) {
   const auto run = [&](const Case& c) { return run_external(c, codes.at(c.scheme.code)); };
-  return runs::run_in_rounds(cases, run, [&run](const Case& c) { return run(c).ns_per_particle_step; });
+  return runs::run_in_rounds(cases, run, run);
 }
 
 std::unique_lock<std::mutex> abandon_external_runs() {

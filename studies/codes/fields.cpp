@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/boundary/boundaries.hpp"
+#include "solver/words.hpp"
 #include "studies/codes/conditions.hpp"
 #include "studies/codes/expressions.hpp"
 #include "studies/codes/start_state.hpp"
@@ -52,7 +54,8 @@ void add_scheme(const Case& c, TemplateFields& fields) {
   fields.set("steps", fmt::format("{}", c.resolution.steps));
   fields.set("problem", c.problem.name);
   fields.set("boundary", c.scheme.boundary);
-  set_words(fields, {"periodic", "symmetry", "dirichlet", "free"}, c.scheme.boundary);
+  constexpr auto boundaries = solver::words<solver::AnyBoundary>();
+  set_words(fields, {boundaries.begin(), boundaries.end()}, c.scheme.boundary);
   fields.set("is_quarter", c.problem.quarter);
   fields.set("variant", c.scheme.variant);
   fields.set("force_form", to_string(c.scheme.force_form));

@@ -8,7 +8,7 @@
 namespace mpmvv::codes {
 
 /// Requires that what a file says of its run agrees with the case: problem, parameters, resolution, form of the body
-/// force.
+/// force. Values with a unit are not compared where the file has units of its own.
 void require_same_case(const cases::Case& c, const Snapshot& s);
 
 /// Requires that the time in the file, if it has one, is the case's end time.

@@ -13,9 +13,10 @@ namespace mpmvv::codes {
 struct TableColumn {
   std::string name;
   std::vector<double> values = {};
-  int digits = 0;     ///< the largest number of significant digits in a text; 0 for binary numbers
-  int decimals = -1;  ///< digits behind the point, if all texts show as many and no exponent; -1 otherwise
-  int bits = 0;       ///< size of the mantissa of binary numbers, 24 or 53; 0 for texts and whole numbers
+  int digits = 0;          ///< the largest number of significant digits in a text; 0 for binary numbers
+  int decimals = -1;       ///< digits behind the point, if all texts show as many and no exponent; -1 otherwise
+  bool is_padded = false;  ///< whether a text shows several decimals, the last of them 0: the shortest text has no such
+  int bits = 0;            ///< size of the mantissa of binary numbers, 24 or 53; 0 for texts and whole numbers
 };
 
 /// Appends the values of one column to those of another.
@@ -23,6 +24,7 @@ inline void append(TableColumn& all, const TableColumn& more) {
   all.values.insert(all.values.end(), more.values.begin(), more.values.end());
   all.digits = std::max(all.digits, more.digits);
   if (all.decimals != more.decimals) all.decimals = -1;
+  all.is_padded = all.is_padded || more.is_padded;
   if (more.bits > 0) all.bits = more.bits;
 }
 

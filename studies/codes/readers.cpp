@@ -72,6 +72,7 @@ void append(std::vector<T>& all, const std::vector<T>& more, const Snapshot& par
 Snapshot read_snapshot(const std::vector<std::filesystem::path>& parts, const Columns& columns,
                        const std::string& format) {
   Snapshot whole = read_snapshot(parts.at(0), columns, format);
+  if (parts.size() > 1) whole.parts.push_back({whole.file, whole.size()});
   for (std::size_t k = 1; k < parts.size(); ++k) {
     const Snapshot part = read_snapshot(parts[k], columns, format), before = whole;
     if (part.time != whole.time || part.step != whole.step || part.says != whole.says)
@@ -81,7 +82,9 @@ Snapshot read_snapshot(const std::vector<std::filesystem::path>& parts, const Co
     add(&Snapshot::mass), add(&Snapshot::volume), add(&Snapshot::F), add(&Snapshot::stress);
     whole.digits = std::min(whole.digits, part.digits);
     whole.rounding = std::max(whole.rounding, part.rounding);
+    whole.parts.push_back({part.file, part.size()});
   }
+  if (parts.size() > 1) whole.file += fmt::format(" and {} more", parts.size() - 1);
   return whole;
 }
 

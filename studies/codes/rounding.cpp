@@ -30,7 +30,9 @@ Rounding rounding_of(const ParticleTable& table, const std::vector<const TableCo
   Rounding rounding;
   int decimals = common_decimals(coordinates), shown = 0;
   for (const TableColumn* column : coordinates) shown = std::max(shown, column->digits);
-  if (digits_of_text > shown + 2) decimals = -1;  // on a lattice coordinates need few digits
+  // On a lattice coordinates need few digits; but where one is padded with zeros, the decimals are fixed.
+  const bool is_fixed = std::ranges::any_of(coordinates, [](const TableColumn* column) { return column->is_padded; });
+  if (digits_of_text > shown + 2 && !is_fixed) decimals = -1;
   for (const TableColumn* column : coordinates) {
     const int digits = column->bits == 24   ? 7
                        : column->bits == 53 ? 16

@@ -13,8 +13,9 @@ struct Rounding {
 
 /// Returns the rounding of the points with these coordinates. Coordinates in a text are rounded to the largest number
 /// of digits that any column of the table shows, because a coordinate that does not change may need few. If all
-/// coordinates show the same number of decimals and no exponent, they are rounded to these instead, unless other
-/// columns show over two digits more than they do.
+/// coordinates show the same number of decimals and no exponent, they are rounded to these instead. This does not hold
+/// if other columns show over two digits more and no coordinate is padded with zeros, as 0.2500 is: the texts may then
+/// be short because the numbers are.
 Rounding rounding_of(const ParticleTable& table, const std::vector<const TableColumn*>& coordinates);
 
 /// Returns the RMS error that rounding alone makes in points with this unit. Rounding errors are uniform within half a

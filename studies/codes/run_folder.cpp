@@ -74,7 +74,13 @@ RunFolder::RunFolder(const fs::path& named) : is_temporary_(named.empty()) {
   const std::lock_guard lock(temporary().mutex);
   path_ = is_temporary_ ? new_folder() : fs::absolute(named);
   support::make_folder(path_);  // throws, with the reason, if the new folder could not be made
-  if (is_temporary_) temporary().folders.insert(path_);
+  if (is_temporary_)
+    temporary().folders.insert(path_);
+  else if (!fs::is_empty(path_))
+    throw support::UsageError(
+        fmt::format("{} in --keep is not empty (a new folder, or an empty one: files of an earlier run would be taken "
+                    "for this one's)",
+                    named.string()));
 }
 
 RunFolder::~RunFolder() {

@@ -7,6 +7,7 @@ namespace mpmvv::codes {
 /// The folder of a run: the named one, or a temporary one, which the destructor removes unless it is kept.
 class RunFolder {
  public:
+  /// Makes the folder. Throws UsageError if the named one holds anything: it would be taken for output of this run.
   explicit RunFolder(const std::filesystem::path& named);
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;

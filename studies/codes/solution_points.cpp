@@ -116,9 +116,9 @@ class PointTable {
 
   Point normal(std::size_t row) const {
     const Point N = N_.empty() ? Point(Eigen::Map<const Point>(query_.normal->data())) : vector(N_, row);
-    if (!(N.norm() > 0) || !N.allFinite())
+    if (N.isZero(0) || !N.allFinite())
       throw UsageError(fmt::format("the normal for {} has no direction (numbers that are not all 0)", place(row)));
-    return N.normalized();
+    return (N / N.cwiseAbs().maxCoeff()).normalized();  // squares of N may be beyond the range of doubles
   }
 
   void add(std::string& text, std::size_t row) const {

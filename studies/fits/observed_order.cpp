@@ -144,7 +144,8 @@ ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, doubl
 
 double half_width(const ObservedOrder& fit) {
   const double width = fit.replicates ? fit.replicates->half_width : fit.half_width;
-  return std::isnan(width) ? 0 : width;
+  if (!std::isnan(width)) return width;
+  return fit.points == 3 ? segment_spread(fit) / 2 : 0;
 }
 
 double segment_spread(const ObservedOrder& fit) {

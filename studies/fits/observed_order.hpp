@@ -78,8 +78,10 @@ std::vector<ErrorSample> samples_within(std::span<const ErrorSample> samples, do
 /// finest; it is only reported. `norm` is left to the caller.
 ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, double to);
 
-/// Half-width of the 95 % interval of the order: by the replicates where there are some, else by the residuals; 0 where
-/// neither gives one.
+/// Half-width of the interval of the order that verdicts, goldens and tables take. It is that of the 95 % interval by
+/// the replicates where there are some, else by the residuals. Three points leave Student's t only one degree of
+/// freedom and get no such interval; half the difference of their two segment orders stands in, so that fewer points do
+/// not look more certain. 0 where there is none of these.
 double half_width(const ObservedOrder& fit);
 
 /// Highest less lowest order of the segments in the window; 0 with fewer than two segments.

@@ -101,9 +101,13 @@ void CasePool::expect(double seconds) {
   remaining_.expect(seconds);
 }
 
-void CasePool::finish(const Case& c, double core_seconds) {
+/// Notes how many threads have shared a case, and so what it took on one core.
+Record CasePool::finish(Record record, int threads) {
+  record.threads = threads;
+  const int runs = std::max(1, record.the_case.measure.repeat);
   const std::lock_guard lock(mutex_);
-  remaining_.finish(c, core_seconds);
+  remaining_.finish(record.the_case, runs * threads * record.wall_seconds);
+  return record;
 }
 
 void CasePool::report_to(const std::function<void(const Progress&)>& listener) {
@@ -124,10 +128,7 @@ void CasePool::time_all(const std::vector<Case>& cases) {
     records = runs::run_timed(own);
     for (Record& record : codes::run_external_timed(others, options_.codes)) records.push_back(std::move(record));
   }
-  for (const Record& record : records) {
-    finish(record.the_case, record.the_case.measure.repeat * record.wall_seconds);
-    keep(record);
-  }
+  for (const Record& record : records) keep(finish(record, 1));
 }
 
 void CasePool::run(const Case& c, double seconds_of_all) {
@@ -149,32 +150,24 @@ Record CasePool::record_of(const Case& c, double seconds_of_all) {
     const double memory = memory_estimate(part->body, solver::count(part->images));
     const int threads = threads_for(memory, about, seconds_of_all);
     const Admission::Place place(admission_, threads, memory);
-    if (const auto record = runs::run_part(c, *part, threads)) {
-      finish(c, threads * record->wall_seconds);
-      return *record;
-    }
+    if (const auto record = runs::run_part(c, *part, threads)) return finish(*record, threads);
   }
   const double memory = memory_estimate(c);
   const int threads = threads_for(memory, about, seconds_of_all);
   const Admission::Place place(admission_, threads, memory);
-  Record record = runs::run_case(c, threads);
-  finish(c, threads * record.wall_seconds);
-  return record;
+  return finish(runs::run_case(c, threads), threads);
 }
 
 /// Another code takes one thread.
 Record CasePool::external_record_of(const Case& c) {
   const Admission::Place place(admission_, 1, memory_estimate(c));
-  Record record = codes::run_external(c, options_.codes.at(c.scheme.code));
-  finish(c, record.wall_seconds);
-  return record;
+  return finish(codes::run_external(c, options_.codes.at(c.scheme.code)), 1);
 }
 
 /// All threads for a case that takes much memory, or that would still run when all others are done; else one.
 int CasePool::threads_for(double memory, double seconds, double seconds_of_all) const {
-  constexpr double much_memory = 1024.0 * 1024 * 1024, long_time = 5;
-  const bool is_big = memory > much_memory || (seconds > long_time && seconds * options_.jobs > seconds_of_all);
-  return is_big ? options_.jobs : 1;
+  constexpr double much_memory = 1024.0 * 1024 * 1024;
+  return memory > much_memory || outlasts_others(seconds, seconds_of_all, options_.jobs) ? options_.jobs : 1;
 }
 
 /// One thread at a time writes to the store, all that has finished in one transaction; the others go on running.

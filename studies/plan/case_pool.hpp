@@ -61,7 +61,7 @@ class CasePool {
   bool count_if_done(const cases::Case& c);
   records::Record record_of(const cases::Case& c, double seconds_of_all);
   records::Record external_record_of(const cases::Case& c);
-  void finish(const cases::Case& c, double core_seconds);
+  records::Record finish(records::Record record, int threads);
   void report_to(const std::function<void(const Progress&)>& listener);
   int threads_for(double memory, double seconds, double seconds_of_all) const;
   void time_all(const std::vector<cases::Case>& cases);

@@ -1,6 +1,7 @@
 #include "studies/plan/criterion_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "studies/fits/work_precision.hpp"
+#include "studies/plan/file_reference.hpp"
 #include "studies/plan/file_tables.hpp"
 #include "studies/plan/plan_rules.hpp"
 #include "studies/support/error.hpp"
@@ -27,6 +29,15 @@ bool is_ratio(Criterion::Kind kind) {
 bool is_fit(Criterion::Kind kind) {
   using enum claims::Criterion::Kind;
   return kind == order || kind == order_difference || kind == slope_ratio || kind == slope_share;
+}
+
+/// Throws where a key has no meaning for the measure: it would be left out of what is asked.
+void require_no_idle_keys(const support::TomlTable& table, Criterion::Kind kind) {
+  const std::vector<std::string> known = keys_of(kind);
+  for (const std::string& key : table.keys())
+    if (std::ranges::find(known, key) == known.end())
+      throw UsageError(fmt::format("'{}' in {} has no meaning for measure '{}' (known: {})", key, table.where(key),
+                                   support::to_string(kind), fmt::join(known, ", ")));
 }
 
 void read_bounds(const support::TomlTable& table, Criterion& c) {
@@ -81,6 +92,7 @@ Criterion read_criterion(const support::TomlTable& table, const StudyPlan& plan)
   require_word("claim of this study", c.claim, plan.claims, table.where("claim"));
   c.statement = table.text("statement");
   c.kind = support::from_word<Criterion::Kind>(table.text("measure"), "measure", table.where("measure"));
+  require_no_idle_keys(table, c.kind);
   c.reason = table.text("reason", "");
   if (c.kind == Criterion::Kind::shown || c.kind == Criterion::Kind::awaited) return c;
   read_bounds(table, c);

@@ -55,6 +55,11 @@ double work_estimate(const cases::Case& c) {
          static_cast<double>(c.resolution.steps);
 }
 
+bool outlasts_others(double seconds, double all, int jobs) {
+  constexpr double long_time = 5;
+  return seconds > long_time && seconds * jobs > all;
+}
+
 double memory_estimate(const cases::Case& c, int images) {
   const int D = problems::find_problem(c.problem.name, "the case").dimension();
   const auto [cells_of_body, cells_of_domain] = problems::extent(c);

@@ -30,6 +30,11 @@ std::string row(const std::vector<std::string>& cells) {
   return fmt::format("| {} |\n", fmt::join(cells, " | "));
 }
 
+/// "`series`, `norm`"; empty where there are no words.
+std::string in_code(const std::vector<std::string>& words) {
+  return words.empty() ? "" : fmt::format("`{}`", fmt::join(words, "`, `"));
+}
+
 std::string or_required(const std::string& absent) {
   return absent.empty() ? "**required**" : absent;
 }
@@ -45,42 +50,43 @@ std::string section(const FileTable& table) {
 }
 
 struct Measure {
-  const char *number, *needs;
+  const char* number;
+  std::vector<std::string> needs;
 };
 
 Measure measure_of(Criterion::Kind kind) {
   switch (kind) {
     case Criterion::Kind::order:
-      return {"order of `norm`, fitted over the window", "`series`, `norm`, `window`"};
+      return {"order of `norm`, fitted over the window", {"series", "norm", "window"}};
     case Criterion::Kind::order_difference:
-      return {"order in `norm` less that in `over_norm`", "`series`, `norm`, `over_norm`, `window`"};
+      return {"order in `norm` less that in `over_norm`", {"series", "norm", "over_norm", "window"}};
     case Criterion::Kind::error:
-      return {"`norm` at every swept value in the window", "`series`, `norm`, `window`"};
+      return {"`norm` at every swept value in the window", {"series", "norm", "window"}};
     case Criterion::Kind::error_ratio:
       return {"`norm` of `series` over that of `over`, at every swept value in the window; two unstable runs are equal",
-              "`series`, `over`, `norm`, `window`"};
+              {"series", "over", "norm", "window"}};
     case Criterion::Kind::spread:
-      return {"largest over smallest `norm` at the swept values in the window", "`series`, `norm`, `window`"};
+      return {"largest over smallest `norm` at the swept values in the window", {"series", "norm", "window"}};
     case Criterion::Kind::status:
-      return {"share of the points in the window whose run came to its end", "`series`, `window`"};
+      return {"share of the points in the window whose run came to its end", {"series", "window"}};
     case Criterion::Kind::limit:
-      return {"stability limit", "`series`"};
+      return {"stability limit", {"series"}};
     case Criterion::Kind::limit_ratio:
-      return {"stability limit of `series` over that of `over`", "`series`, `over`"};
+      return {"stability limit of `series` over that of `over`", {"series", "over"}};
     case Criterion::Kind::value:
-      return {"value of a check", "`name`"};
+      return {"value of a check", {"name"}};
     case Criterion::Kind::cost_ratio:
       return {
           "cost at which `series` reaches each power of ten in the window (of errors in `norm`), over that of `over`",
-          "`series`, `over`, `norm`, `window`"};
+          {"series", "over", "norm", "window"}};
     case Criterion::Kind::slope_ratio:
-      return {"slope of `norm` against the swept value, over that of `over`", "`series`, `over`, `norm`, `window`"};
+      return {"slope of `norm` against the swept value, over that of `over`", {"series", "over", "norm", "window"}};
     case Criterion::Kind::slope_share:
-      return {"that slope over the first value of `over` in the window", "`series`, `over`, `norm`, `window`"};
+      return {"that slope over the first value of `over` in the window", {"series", "over", "norm", "window"}};
     case Criterion::Kind::shown:
-      return {"none: the figure is the evidence", ""};
+      return {"none: the figure is the evidence", {}};
     case Criterion::Kind::awaited:
-      return {"none: no study can judge this part of the claim yet", ""};
+      return {"none: no study can judge this part of the claim yet", {}};
   }
   return {};
 }
@@ -88,11 +94,12 @@ Measure measure_of(Criterion::Kind kind) {
 std::string measures() {
   std::string text =
       "## Measures\n\nThe number that a criterion asks for, and the keys that it needs beside `at_least` and "
-      "`at_most`.\n\n"
+      "`at_most`. It takes no others; where there is no number, there are no bounds either.\n\n"
       "| measure | number | needs |\n|---|---|---|\n";
   for (std::size_t k = 0; k < words_of(Criterion::Kind{}).size(); ++k) {
     const auto kind = static_cast<Criterion::Kind>(k);
-    text += row({"`" + support::to_string(kind) + "`", measure_of(kind).number, measure_of(kind).needs});
+    const auto& [number, needs] = measure_of(kind);
+    text += row({"`" + support::to_string(kind) + "`", number, in_code(needs)});
   }
   return text + "\n";
 }
@@ -101,7 +108,7 @@ std::string takes(const SettingKey& key) {
   if (key.key == "problem") return "a word of `mpmvv list problems`";
   if (key.member && key.member->is_flag) return "true or false";
   const auto words = settings::words_of_key(key.key);
-  if (!words.empty()) return fmt::format("`{}`", fmt::join(words, "`, `"));
+  if (!words.empty()) return in_code(words);
   if (!key.member) return "number";
   if (std::holds_alternative<std::string>(key.member->value({}))) return "a word ([adapters.md](adapters.md))";
   return std::holds_alternative<double>(key.member->value({})) ? "number" : "whole number";
@@ -123,6 +130,14 @@ std::string without(const SettingKey& key) {
   if (key.absent) return key.absent->reference;
   const std::string value = cases::text_of(key.member->value({}));
   return settings::words_of_key(key.key).empty() ? value : "`" + value + "`";
+}
+
+std::vector<std::string> keys_of(Criterion::Kind kind) {
+  std::vector<std::string> keys{"claim", "statement", "measure", "reason"};
+  const std::vector<std::string> needs = measure_of(kind).needs;
+  keys.insert(keys.end(), needs.begin(), needs.end());
+  if (!needs.empty()) keys.insert(keys.end(), {"at_least", "at_most"});  // there is a number
+  return keys;
 }
 
 std::string study_file_reference() {

@@ -134,7 +134,8 @@ const std::vector<FileTable>& file_tables() {
        {{"name", "text", "", "what figures and tables call it"}}},
       {"sweep",
        "[sweep]",
-       "One numeric key of the [settings](#settings) with the values that it takes in turn.",
+       "One numeric key of the [settings](#settings) with the values that it takes in turn; "
+       "`param.amplitude = [0.01, 0.02]` varies a value of the problem.",
        true,
        {}},
       limit_table(),

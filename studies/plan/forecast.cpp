@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-#include "studies/plan/cost_model.hpp"
+#include "studies/plan/estimates.hpp"
 #include "studies/plan/study_inputs.hpp"
 #include "studies/records/record.hpp"
 #include "studies/settings/part.hpp"
@@ -23,12 +23,12 @@ namespace {
 
 class Forecaster {
  public:
-  Forecaster(const Work& work, const store::Store* store, int jobs)
+  Forecaster(const Work& work, const store::Store* store, const CostModel& costs, int jobs)
       : cases_(work.runs.begin(), work.runs.end()),
         checks_(work.checks.begin(), work.checks.end()),
         store_(store),
         jobs_(jobs),
-        costs_(store) {
+        costs_(costs) {
     for (const std::vector<Case>& timed : work.timed) cases_.insert(timed.begin(), timed.end());
     for (const LimitTask& limit : work.limits) limits_[limit.plan].push_back(limit);
     if (store) stored_studies_ = store->studies(digest_);
@@ -37,7 +37,7 @@ class Forecaster {
   Forecast of(const std::vector<StudyPlan>& plans) {
     for (std::size_t k = 0; k < plans.size(); ++k) add_study(plans, k);
     for (const StudyForecast& study : result_.studies) result_.core_seconds += study.seconds;
-    result_.seconds = seconds_on(jobs_, tasks_) + result_.timed_seconds;
+    result_.seconds = seconds_on(jobs_, loads_) + result_.timed_seconds;
     return result_;
   }
 
@@ -59,6 +59,7 @@ class Forecaster {
     study.cases = cases.size();
     for (const Case& c : cases) add_case(c, study);
     for (const LimitTask& limit : limits_[k]) add_scan(scan_cases(plans, limit), study);
+    if (checks_.contains(k) && !stored_check(plan, stored_studies_)) add_check(study);
     study.why = why(plan, study);
     result_.studies.push_back(study);
   }
@@ -76,12 +77,17 @@ class Forecaster {
         ++study.timed;
         result_.timed_seconds += seconds;
       } else {
-        tasks_.push_back(seconds);
+        loads_.push_back({seconds, c.scheme.code.empty()});
       }
     }
   }
 
-  /// The probes of a scan count as one task: what comes after them is not known yet.
+  void add_check(StudyForecast& study) {
+    study.seconds += about_check;
+    loads_.push_back({about_check, false});
+  }
+
+  /// The probes of a scan count as one load: what comes after them is not known yet.
   void add_scan(const std::vector<Case>& scan, StudyForecast& study) {
     double seconds = 0;
     for (const Case& c : scan) {
@@ -89,7 +95,7 @@ class Forecaster {
       ++study.probes;
       seconds += add_time(c, study);
     }
-    tasks_.push_back(seconds);
+    loads_.push_back({seconds});
   }
 
   double add_time(const Case& c, StudyForecast& study) {
@@ -106,8 +112,9 @@ class Forecaster {
       if (is_so) reasons.push_back(fmt::format(fmt::runtime(format), values...));
     };
     if (!plan.check.empty())
-      reasons.emplace_back(stored_check(plan, stored_studies_) ? "its check is in the store"
-                                                               : "its check has not been run by this program");
+      reasons.push_back(stored_check(plan, stored_studies_)
+                            ? "its check is in the store"
+                            : fmt::format("its check has not been run by this program, and counts {} s", about_check));
     const std::size_t all = study.runs + study.probes;
     add(all > 0, "{} not in the store for this program", all);
     add(plan.check.empty() && all == 0, "all there");
@@ -125,11 +132,11 @@ class Forecaster {
   std::map<std::size_t, std::vector<LimitTask>> limits_;  ///< by study
   const store::Store* store_;
   const int jobs_;
-  const CostModel costs_;
+  const CostModel& costs_;
   const std::string digest_ = store::current_provenance().digest;
   std::vector<records::StudyResult> stored_studies_;
-  std::set<Case> run_;         ///< cases that some study so far runs
-  std::vector<double> tasks_;  ///< seconds of the tasks that run in parallel
+  std::set<Case> run_;       ///< cases that some study so far runs
+  std::vector<Load> loads_;  ///< those that run in parallel
   Forecast result_;
   std::array<std::size_t, 3> sources_{};               ///< of the present study's times
   std::tuple<double, std::string, int> longest_ = {};  ///< of its cases: seconds, basis or code, cells
@@ -138,18 +145,22 @@ class Forecaster {
 }  // namespace
 
 Forecast forecast(const std::vector<StudyPlan>& plans, const store::Store* store, int jobs) {
-  return forecast(plans, work_of(plans), store, jobs);
+  return forecast(plans, work_of(plans), store, CostModel(store), jobs);
 }
 
-Forecast forecast(const std::vector<StudyPlan>& plans, const Work& work, const store::Store* store, int jobs) {
-  return Forecaster(work, store, jobs).of(plans);
+Forecast forecast(const std::vector<StudyPlan>& plans, const Work& work, const store::Store* store,
+                  const CostModel& costs, int jobs) {
+  return Forecaster(work, store, costs, jobs).of(plans);
 }
 
-double seconds_on(int jobs, std::vector<double> tasks) {
-  std::ranges::sort(tasks, std::greater{});
+double seconds_on(int jobs, std::vector<Load> loads) {
+  std::ranges::sort(loads, std::greater{}, &Load::seconds);
+  double all = 0, shared = 0;
+  for (const Load& load : loads) all += load.seconds;
   std::vector<double> busy(static_cast<std::size_t>(jobs), 0.0);
-  for (const double task : tasks) *std::ranges::min_element(busy) += task;
-  return std::ranges::max(busy);
+  for (const auto& [seconds, can_be_shared] : loads)
+    (can_be_shared && outlasts_others(seconds, all, jobs) ? shared : *std::ranges::min_element(busy)) += seconds;
+  return shared / jobs + std::ranges::max(busy);
 }
 
 }  // namespace mpmvv::plan

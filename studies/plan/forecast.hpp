@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "studies/plan/cost_model.hpp"
 #include "studies/plan/study.hpp"
 #include "studies/plan/work.hpp"
 #include "studies/store/store.hpp"
@@ -19,7 +20,7 @@ struct StudyForecast {
   std::size_t parts = 0;   ///< of these, runs of a part of the body
   std::size_t timed = 0;   ///< of these, runs alone on the machine, after all others
   std::size_t probes = 0;  ///< of the scans for limits, less what the store has
-  double seconds = 0;      ///< of all that it runs, one after the other on one core; without its check
+  double seconds = 0;      ///< of all that it runs, one after the other on one core; a check counts `about_check`
   std::string why;         ///< in words
 };
 
@@ -34,10 +35,19 @@ struct Forecast {
 /// Runs nothing and keeps nothing. `store` is null where there is none yet.
 Forecast forecast(const std::vector<StudyPlan>& plans, const store::Store* store, int jobs);
 
-/// The same for one machine's work; studies of which it does nothing are left out.
-Forecast forecast(const std::vector<StudyPlan>& plans, const Work& work, const store::Store* store, int jobs);
+/// The same for one machine's work, with other times than those of the store; studies of which it does nothing are left
+/// out.
+Forecast forecast(const std::vector<StudyPlan>& plans, const Work& work, const store::Store* store,
+                  const CostModel& costs, int jobs);
 
-/// Seconds until `jobs` workers are done, each taking the longest task that is left.
-double seconds_on(int jobs, std::vector<double> tasks);
+/// A part of some work: its seconds on one core, and whether all threads may share it.
+struct Load {
+  double seconds = 0;
+  bool can_be_shared = true;
+};
+
+/// Seconds until `jobs` workers are done, each taking the largest load that is left. All of them share those that would
+/// outlast the others.
+double seconds_on(int jobs, std::vector<Load> loads);
 
 }  // namespace mpmvv::plan

@@ -51,6 +51,11 @@ void try_cases(const StudyPlan& plan, const SeriesPlan& series) {
 void override_series(const std::vector<Overriding>& settings, StudyPlan& plan) {
   for (const auto& [setting, where_taken] : settings) {
     settings::require_known_key(setting.key, setting.where);
+    if (!plan.check.empty()) {
+      plan.overridden.push_back({.what = fmt::format("{} = {} changes nothing in a check", setting.key, setting.value),
+                                 .refusal = fmt::format("a check has no settings for {}", setting.where)});
+      continue;
+    }
     const bool is_varied = varies(plan, setting.key);
     if (is_varied && !where_taken)
       throw support::UsageError(fmt::format("{} in {} for study '{}', which varies it itself (another key)",

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "studies/plan/estimates.hpp"
+
 namespace mpmvv::plan {
 
 void Remaining::add(const cases::Case& c, double estimate) {
@@ -16,14 +18,15 @@ void Remaining::finish(const cases::Case& c, double measured) {
   estimates_.erase(left);
 }
 
-/// Cases that run in parallel take at least as long as the longest of them; timed cases come after them, one by one.
+/// Cases that run in parallel take at least as long as the longest that threads do not share; timed cases come after
+/// them, one by one.
 double Remaining::seconds(int jobs) const {
   constexpr double trust = 1;  // seconds for which the estimates are taken as they are
   double beside = std::max(0.0, expected_), longest = 0, alone = 0;
+  for (const auto& [c, estimate] : estimates_) (c.measure.repeat > 0 ? alone : beside) += estimate;
   for (const auto& [c, estimate] : estimates_) {
-    const bool is_timed = c.measure.repeat > 0;
-    (is_timed ? alone : beside) += estimate;
-    if (!is_timed) longest = std::max(longest, estimate);
+    const bool is_shared = c.scheme.code.empty() && outlasts_others(estimate, beside, jobs);
+    if (c.measure.repeat == 0 && !is_shared) longest = std::max(longest, estimate);
   }
   const double correction = (measured_ + trust) / (estimated_ + trust);
   return correction * (std::max(beside / jobs, longest) + alone);

@@ -29,11 +29,14 @@ struct Piece {
   std::int64_t microseconds = 0;
 };
 
-/// The key that a case shares with all cases that a search of its limit may probe.
+/// The key that a case shares with all cases that a search of its limit may probe. With a number of steps their end
+/// times differ, and only where a part could stand for the body they ask for the whole.
 Case family(Case c) {
+  c.problem.end_time = 0;
   c.resolution.dt = 0;
   c.resolution.steps = 0;
   c.scheme.smoothing_length = 0;
+  c.measure.whole = false;
   return c;
 }
 
@@ -152,16 +155,17 @@ std::vector<Work> split(const std::vector<StudyPlan>& plans, const CostModel& co
 }
 
 Demand demand(const std::vector<StudyPlan>& plans, const Work& work, const CostModel& costs, int jobs) {
-  std::vector<double> tasks(work.checks.size(), about_check), memories;
+  std::vector<Load> loads(work.checks.size(), {about_check, false});
+  std::vector<double> memories;
   const auto add = [&](const std::vector<Case>& cases) {
     for (const Case& c : cases) memories.push_back(memory_estimate(c));
   };
   add(work.runs);
-  for (const Case& c : work.runs) tasks.push_back(costs.time(c).seconds);
+  for (const Case& c : work.runs) loads.push_back({costs.time(c).seconds, c.scheme.code.empty()});
   for (const LimitTask& limit : work.limits) {
     const std::vector<Case> scan = scan_cases(plans, limit);
     add(scan);
-    tasks.push_back(seconds_of(scan, costs));
+    loads.push_back({seconds_of(scan, costs)});
   }
   double timed = 0;
   for (const std::vector<Case>& cases : work.timed) {
@@ -170,7 +174,7 @@ Demand demand(const std::vector<StudyPlan>& plans, const Work& work, const CostM
   }
   const auto at_once = std::min(static_cast<std::ptrdiff_t>(jobs), std::ssize(memories));
   std::ranges::partial_sort(memories, memories.begin() + at_once, std::greater{});
-  return {seconds_on(jobs, std::move(tasks)) + timed,
+  return {seconds_on(jobs, std::move(loads)) + timed,
           std::accumulate(memories.begin(), memories.begin() + at_once, 0.0)};
 }
 

@@ -63,7 +63,7 @@ struct Overriding {
 struct Overridden {
   std::size_t series = 0;  ///< that took it
   std::string what;        ///< "shuffle = 3 in 2 of 2 series"
-  std::string refusal;     ///< why the last series that refused it does not take it; else empty
+  std::string refusal;     ///< why a check, or the last series that refused it, does not take it; else empty
 };
 
 /// What a claim says, and the place in a study file.
@@ -103,7 +103,7 @@ struct StudyPlan {
 
 /// Reads and checks a study file: every mistake is a UsageError with file and line, also one in a case that only
 /// a combination of series and swept value makes wrong. Series get the `overriding` settings on top of their own;
-/// a check has none.
+/// a check takes none.
 StudyPlan read_study(const std::filesystem::path& file, const std::vector<Overriding>& overriding = {});
 
 /// The same from a text; `file` names the study and its places.

@@ -51,25 +51,27 @@ void read_claim_names(const TomlTable& root, StudyPlan& plan) {
 }
 
 void read_sweep(const TomlTable& root, StudyPlan& plan) {
-  const auto sweep = root.table("sweep");
+  auto sweep = root.table("sweep");
   if (!sweep) return;
+  const bool is_of_problem = sweep->keys() == std::vector<std::string>{"param"};  // param.amplitude = [0.01, 0.02]
+  if (is_of_problem) sweep = sweep->table("param");
   const auto keys = sweep->keys();
   if (keys.size() != 1)
     throw UsageError(fmt::format("sweep in {} has {} keys (one key with its values)", sweep->where(), keys.size()));
-  plan.sweep = keys[0];
-  settings::require_known_key(plan.sweep, sweep->where(plan.sweep));
+  const std::string& key = keys[0];
+  plan.sweep = is_of_problem ? "param." + key : key;
+  plan.sweep_where = sweep->where(key);
+  settings::require_known_key(plan.sweep, plan.sweep_where);
   if (!settings::words_of_key(plan.sweep).empty())
     throw UsageError(fmt::format("sweep over '{}' in {}, which takes words (a key that takes numbers)", plan.sweep,
-                                 sweep->where(plan.sweep)));
-  plan.sweep_where = sweep->where(plan.sweep);
-  plan.values = sweep->numbers(plan.sweep);
+                                 plan.sweep_where));
+  plan.values = sweep->numbers(key);
   if (plan.values.empty())
-    throw UsageError(
-        fmt::format("empty sweep over '{}' in {} (at least one value)", plan.sweep, sweep->where(plan.sweep)));
+    throw UsageError(fmt::format("empty sweep over '{}' in {} (at least one value)", plan.sweep, plan.sweep_where));
   auto sorted = plan.values;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    throw UsageError(fmt::format("a value twice in the sweep over '{}' in {}", plan.sweep, sweep->where(plan.sweep)));
+    throw UsageError(fmt::format("a value twice in the sweep over '{}' in {}", plan.sweep, plan.sweep_where));
 }
 
 /// The code that settings choose; empty: our own solver.
@@ -136,13 +138,10 @@ void read_replicates(const TomlTable& root, StudyPlan& plan) {
   const auto table = root.table("replicates");
   if (!table) return;
   const auto keys = table->keys();
-  const auto is_varied = [&plan](const std::string& key) {
-    return key == plan.sweep || (plan.limit && key == plan.limit->search.key);
-  };
-  if (keys.size() != 1 || (plan.sweep.empty() && !plan.limit) || is_varied(keys[0]))
-    throw UsageError(fmt::format("replicates in {} (one key with its values, beside a sweep or a limit of another)",
+  if (keys.size() != 1 || (plan.sweep.empty() && !plan.limit) || keys[0] == plan.sweep)
+    throw UsageError(fmt::format("replicates in {} (one key with its values, beside a limit or a sweep of another)",
                                  table->where()));
-  settings::require_known_key(keys[0], table->where(keys[0]));
+  require_word("key of replicates", keys[0], {"grid_offset", "shuffle"}, table->where(keys[0]));
   plan.replicates = ReplicatePlan{keys[0], table->numbers(keys[0]), table->where(keys[0])};
   if (plan.replicates->values.size() < 2)
     throw UsageError(fmt::format("fewer than two replicates in {}", plan.replicates->where));
@@ -264,7 +263,7 @@ StudyPlan parse_study(const std::string& text, const std::filesystem::path& file
   read_limit(root, plan);
   read_replicates(root, plan);
   for (const SeriesPlan& series : plan.series) require_no_idle_settings(plan, series);
-  if (plan.check.empty()) override_series(overriding, plan);
+  override_series(overriding, plan);
   if (plan.check.empty() && plan.series.empty())
     throw UsageError(
         fmt::format("{} describes nothing to run (series with a sweep or a limit, or a check)", file.string()));

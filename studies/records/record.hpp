@@ -86,6 +86,7 @@ struct Record {
   Energy energy;
   Balance balance;
   double wall_seconds = not_measured;          ///< of one run; other runs may have shared the machine
+  int threads = 1;                             ///< that shared it; runs in older stores have one
   double ns_per_particle_step = not_measured;  ///< step loop alone; the median where the case asks for its cost
   double output_floor = not_measured;    ///< RMS displacement error made by the rounding of another code's output, m
   double solution_floor = not_measured;  ///< RMS displacement error of a solution not exact for the body's law, m

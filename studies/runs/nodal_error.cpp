@@ -1,5 +1,6 @@
 #include "studies/runs/nodal_error.hpp"
 
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -18,13 +19,28 @@ bool counts(const solver::Mpm<D>& mpm, std::size_t n) {
   return mpm.is_accelerated(n);
 }
 
+constexpr double round_off = 1e-12;  // in m, for nodes on a face
+
+/// Moves X by whole periods into the grid that surrounds the body at rest: a body may drift through periodic faces.
+template <int D>
+mms::Vec<D> moved_home(mms::Vec<D> X, const solver::Mpm<D>& mpm, const problems::Body<D>& body) {
+  const double h = mpm.grid().h();
+  const auto lower = std::visit([h](const auto& shape) { return problems::domain(shape, h).lower; }, body);
+  for (std::size_t d = 0; d < D; ++d) {
+    if (!mpm.periodic()[d]) continue;
+    const auto axis = static_cast<int>(d);
+    const double period = h * mpm.grid().cells()[d];
+    X[axis] -= period * std::floor((X[axis] - lower[axis] + round_off) / period);
+  }
+  return X;
+}
+
 /// Returns the reference position of the material point at x; none when no part of the body is there.
 template <int D>
-std::optional<mms::Vec<D>> reference_point(const mms::ManufacturedSolution<D>& solution, const problems::Body<D>& body,
-                                           const mms::Vec<D>& x, double t) {
-  constexpr double round_off = 1e-12;  // in m, for nodes on a face
+std::optional<mms::Vec<D>> reference_point(const solver::Mpm<D>& mpm, const mms::ManufacturedSolution<D>& solution,
+                                           const problems::Body<D>& body, const mms::Vec<D>& x) {
   try {
-    auto X = solution.reference_point(x, t);
+    const mms::Vec<D> X = moved_home(solution.reference_point(x, mpm.time()), mpm, body);
     if (std::visit([&X](const auto& shape) { return problems::contains(shape, X, round_off); }, body)) return X;
     return std::nullopt;
   } catch (const std::domain_error&) {
@@ -41,7 +57,7 @@ ErrorNorms acceleration_errors(solver::Mpm<D>& mpm, const mms::ManufacturedSolut
   ErrorNorms norms;
   for (std::size_t n = 0; n < mpm.grid().size(); ++n) {
     if (!counts(mpm, n)) continue;
-    const auto X = reference_point(solution, body, mpm.node_position(n), mpm.time());
+    const auto X = reference_point(mpm, solution, body, mpm.node_position(n));
     if (!X) continue;
     norms.add((mpm.grid().a[n].template head<D>() - solution.a(*X, mpm.time())).norm());
   }

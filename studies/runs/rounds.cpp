@@ -8,6 +8,7 @@ namespace mpmvv::runs {
 
 using cases::Case;
 using records::Record;
+using records::Status;
 
 namespace {
 
@@ -23,7 +24,7 @@ void set_cost(Record& record, const std::vector<double>& costs) {
 }  // namespace
 
 std::vector<Record> run_in_rounds(const std::vector<Case>& cases, const std::function<Record(const Case&)>& run,
-                                  const std::function<double(const Case&)>& cost_of) {
+                                  const std::function<Record(const Case&)>& run_again) {
   std::vector<Record> records;
   for (const Case& c : cases) records.push_back(run(c));
   std::vector<std::vector<double>> costs(cases.size());
@@ -31,9 +32,13 @@ std::vector<Record> run_in_rounds(const std::vector<Case>& cases, const std::fun
   for (int round = 0; due; ++round) {
     due = false;
     for (std::size_t k = 0; k < cases.size(); ++k) {
-      if (records[k].status != records::Status::ok || round >= cases[k].measure.repeat) continue;
-      costs[k].push_back(round > 0 ? cost_of(cases[k]) : records[k].ns_per_particle_step);
+      if (records[k].status != Status::ok || round >= cases[k].measure.repeat) continue;
       due = true;
+      const Record now = round > 0 ? run_again(cases[k]) : records[k];
+      costs[k].push_back(now.ns_per_particle_step);
+      if (now.status == Status::ok) continue;
+      records[k] = now;
+      costs[k].clear();
     }
   }
   for (std::size_t k = 0; k < cases.size(); ++k) set_cost(records[k], costs[k]);

@@ -158,14 +158,15 @@ double cost_of_steps(const Case& c, const problems::Problem& problem) {
   return 1e9 * seconds / (static_cast<double>(mpm.particles().size()) * static_cast<double>(c.resolution.steps));
 }
 
-/// Runs the case once, whatever its dimension.
-Record run_once(const Case& c, const Manner& manner, VtuSeries* vtu) {
+/// Returns the record of a case that `work` fills in, whatever the dimension. It has failed where `work` throws.
+template <class Work>
+Record record_of(const Case& c, const Work& work) {
   const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
   Record record;
   record.the_case = c;
   record.cfl = problems::cfl_number(c);
   try {
-    std::visit([&]<int D>(problems::SetupFunction<D>) { run<D>(c, problem, manner, vtu, record); }, problem.setup);
+    std::visit([&]<int D>(problems::SetupFunction<D>) { work.template operator()<D>(problem, record); }, problem.setup);
   } catch (const support::UsageError&) {
     throw;
   } catch (const std::exception& e) {
@@ -174,6 +175,11 @@ Record run_once(const Case& c, const Manner& manner, VtuSeries* vtu) {
     record.reason = support::reason_of(e);
   }
   return record;
+}
+
+Record run_once(const Case& c, const Manner& manner, VtuSeries* vtu) {
+  return record_of(
+      c, [&]<int D>(const problems::Problem& problem, Record& record) { run<D>(c, problem, manner, vtu, record); });
 }
 
 }  // namespace
@@ -193,8 +199,9 @@ Record run_without_images(const Case& c, solver::Images images, int threads,
 std::vector<Record> run_timed(const std::vector<Case>& cases) {
   const auto run = [](const Case& c) { return run_once(c, {}, nullptr); };
   return run_in_rounds(cases, run, [](const Case& c) {
-    const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
-    return std::visit([&]<int D>(problems::SetupFunction<D>) { return cost_of_steps<D>(c, problem); }, problem.setup);
+    return record_of(c, [&c]<int D>(const problems::Problem& problem, Record& record) {
+      record.ns_per_particle_step = cost_of_steps<D>(c, problem);
+    });
   });
 }
 

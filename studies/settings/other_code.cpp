@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "studies/settings/validate.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::settings {
@@ -33,6 +34,9 @@ void validate_other_code(const cases::Case& c, const problems::Problem& problem)
     refuse("it needs a traction on its surface, which adapters do not give (another problem or parameters)");
   if (c.scheme.fill == cases::Fill::conforming && !problem.is_curved(c.problem.parameters))
     refuse("fill 'conforming' has no meaning for it, which a lattice fills (use lattice)");
+  if (ends_between_nodes(c))
+    refuse(fmt::format("its quarter on {} cells has planes of symmetry between nodes (an even number)",
+                       c.resolution.cells));
   if (problem.is_one_particle) refuse("it is of our own solver's single particle (another problem)");
   if (!(c.measure.blowup_error > 0)) refuse("blowup_error must be > 0");
 }

@@ -98,14 +98,6 @@ struct Asked {
     return c.problem.quarter ? std::ranges::min(problems::domain_cells(c)) : c.resolution.cells;
   }
 
-  /// Whether a quarter ends between nodes. It ends at planes through the middle of the whole body's domain.
-  bool has_plane_between_nodes() const {
-    Case whole = c;
-    whole.problem.quarter = false;
-    return c.problem.quarter &&
-           !std::ranges::all_of(problems::domain_cells(whole), [](int cells) { return cells % 2 == 0; });
-  }
-
   bool has_width_of_a_particle() const {
     const auto width = width_of(basis);
     return width == solver::ParticleWidth::reference || width == solver::ParticleWidth::current;
@@ -197,7 +189,7 @@ constexpr Rule rules[]{
     {[](const Asked& a) { return !a.open_cut().empty(); },
      "boundary '{boundary}' of a quarter of problem '{problem}', whose face {open_cut} was cut (symmetry or mirror "
      "there)"},
-    {[](const Asked& a) { return a.has_plane_between_nodes(); },
+    {[](const Asked& a) { return ends_between_nodes(a.c); },
      "quarter of problem '{problem}' on {cells} cells, whose planes of symmetry lie between nodes (an even number)"},
     {[](const Asked& a) {
        return (a.has<solver::Symmetry>() || a.has<solver::Mirror>()) && a.cells_across() < a.least_cells();
@@ -234,6 +226,8 @@ constexpr Rule rules[]{
      "exact (leave it out)"},
     {[](const Asked& a) { return a.c.measure.nodal_error && a.takes_difference; },
      "nodal_error with wall_acceleration 'difference', which belongs to a step and not to the end time (use zero)"},
+    {[](const Asked& a) { return a.c.measure.nodal_error && a.has<solver::Wall>(); },
+     "nodal_error with boundary 'wall', whose acceleration belongs to a step and not to the end time (leave it out)"},
     {[](const Asked& a) { return !(a.c.measure.blowup_error > 0) || !(a.c.measure.blowup_energy > 0); },
      "blowup_error and blowup_energy must be > 0"},
 };
@@ -261,6 +255,13 @@ std::string text_of(const Rule& rule, const Asked& a) {
 }
 
 }  // namespace
+
+bool ends_between_nodes(const Case& c) {
+  Case whole = c;
+  whole.problem.quarter = false;
+  return c.problem.quarter &&
+         !std::ranges::all_of(problems::domain_cells(whole), [](int cells) { return cells % 2 == 0; });
+}
 
 bool is_valid(const Case& c, const Problem& problem) {
   const Asked asked{c, problem};

@@ -35,6 +35,7 @@ Columns run_columns(const Record& r) {
                   {"end_time", problem.end_time},
                   {"particles", r.particles},
                   {"steps", r.steps},
+                  {"threads", r.threads},
                   {"status", to_string(r.status)},
                   {"reason", r.reason},
                   {"failure", r.failure == records::Failure::none ? Value() : Value(to_string(r.failure))}};
@@ -104,7 +105,7 @@ std::optional<Record> find_run(const Database& database, const cases::Case& c, c
     require_intact(database, Sealed::run, row["id"]);
     if (row["case_text"].text() != case_text || row["digest"].text() != digest)
       database.fail_damaged("an index leads to the run of another case");
-    const Value& failure = row["failure"];
+    const Value &failure = row["failure"], &threads = row["threads"];
     found = Record{.the_case = c,
                    .particles = row["particles"].integer(),
                    .steps = row["steps"].integer(),
@@ -114,7 +115,8 @@ std::optional<Record> find_run(const Database& database, const cases::Case& c, c
                    .reason = row["reason"].text(),
                    .error = {},
                    .energy = {},
-                   .balance = {}};
+                   .balance = {},
+                   .threads = threads.null() ? 1 : static_cast<int>(threads.integer())};
     for_numbers([&](const RunNumber& number) { number.set(*found) = row[number.name].real(); });
     found->particle_errors = particle_errors_of(row["particle_errors"]);
   });

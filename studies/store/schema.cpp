@@ -200,8 +200,13 @@ constexpr const char* schema_15 = R"sql(
   CREATE UNIQUE INDEX studies_by_codes ON studies (name, digest, coalesce(codes, ''));
 )sql";
 
-constexpr std::array written{schema_1, schema_2,  schema_3,  schema_4,  schema_5,  schema_6,  schema_7, schema_8,
-                             schema_9, schema_10, schema_11, schema_12, schema_13, schema_14, schema_15};
+/// How many threads shared the run; NULL in older stores.
+constexpr const char* schema_16 = R"sql(
+  ALTER TABLE runs ADD COLUMN threads INTEGER;
+)sql";
+
+constexpr std::array written{schema_1, schema_2,  schema_3,  schema_4,  schema_5,  schema_6,  schema_7,  schema_8,
+                             schema_9, schema_10, schema_11, schema_12, schema_13, schema_14, schema_15, schema_16};
 
 /// The statements for the run numbers whose schema is later than those written above. Before another schema is written
 /// above by hand, these statements must be written there as well.

@@ -63,9 +63,9 @@ std::optional<records::Record> Store::find(const Case& c, const std::string& dig
 std::optional<double> Store::last_seconds(const Case& c) const {
   std::optional<double> seconds;
   impl_->database.each(
-      "SELECT wall_seconds FROM runs WHERE case_text = ? AND status <> 'failed' AND wall_seconds IS NOT NULL "
-      "ORDER BY kept_at DESC LIMIT 1",
-      {cases::canonical_text(c)}, [&](const Row& row) { seconds = row["wall_seconds"].real(); });
+      "SELECT wall_seconds * coalesce(threads, 1) AS seconds FROM runs "
+      "WHERE case_text = ? AND status <> 'failed' AND wall_seconds IS NOT NULL ORDER BY kept_at DESC LIMIT 1",
+      {cases::canonical_text(c)}, [&](const Row& row) { seconds = row["seconds"].real(); });
   return seconds;
 }
 
@@ -73,7 +73,7 @@ StepCosts Store::step_costs() const {
   StepCosts costs;
   impl_->database.each(
       "SELECT problem, basis, integrator, velocity_update, "
-      "sum(wall_seconds) / sum(particles * steps / coalesce(images, 1.0)) AS cost FROM runs "
+      "sum(wall_seconds * coalesce(threads, 1)) / sum(particles * steps / coalesce(images, 1.0)) AS cost FROM runs "
       "WHERE status = 'ok' AND wall_seconds IS NOT NULL GROUP BY problem, basis, integrator, velocity_update",
       {}, [&](const Row& row) {
         costs[{row["problem"].text(), row["basis"].text(), row["integrator"].text(), row["velocity_update"].text()}] =

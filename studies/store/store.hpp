@@ -19,7 +19,7 @@
 
 namespace mpmvv::store {
 
-/// Seconds per particle and step by problem and method (`cases::method_of`).
+/// Seconds on one core per particle and step, by problem and method (`cases::method_of`).
 using StepCosts = std::map<std::array<std::string, 4>, double>;
 
 /// The results store: one SQLite file. Two processes may write it at once. Every message is a UsageError with
@@ -40,7 +40,8 @@ class Store {
   /// The record of this case made by this digest, if it is there.
   std::optional<records::Record> find(const cases::Case& c, const std::string& digest) const;
 
-  /// Seconds that the last run of this case took, whatever the digest; none when there was no run.
+  /// Seconds on one core that the last run of this case took, whatever the digest: its time, by the threads that shared
+  /// it. None when there was no run.
   std::optional<double> last_seconds(const cases::Case& c) const;
 
   /// Averages over all sound runs, whatever the digest. They include the preparation of the runs.

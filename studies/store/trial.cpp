@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <regex>
+#include <string_view>
 
 #include "studies/support/printable.hpp"
 
@@ -10,18 +13,34 @@ namespace mpmvv::store {
 
 namespace {
 
-constexpr std::string_view mark = "# Run with ";
+constexpr std::string_view mark = "# mpmvv study --set: ", mark_in_older_stores = "# Run with ";
 
-/// Where the marked lines at the end of the text begin; the end of the text without any.
-std::size_t begin_of_trial(const std::string& text) {
-  std::size_t begin = text.size();
-  while (begin > 0) {
-    const std::size_t newline = begin < 2 ? std::string::npos : text.rfind('\n', begin - 2);
-    const std::size_t line = newline == std::string::npos ? 0 : newline + 1;
-    if (text.compare(line, mark.size(), mark) != 0) break;
-    begin = line;
+/// What a line says that this program has put under a study; nothing where the line is the study's own. People write
+/// the older mark themselves ("# Run with care"), so there the whole line has to be as the program wrote it.
+std::optional<std::string> trial_in(const std::string& line) {
+  static const std::regex as_older_programs_wrote_it(R"(# Run with [\w.]+ = .* in \d+ of \d+ series)");
+  if (line.starts_with(mark)) return line.substr(mark.size());
+  if (std::regex_match(line, as_older_programs_wrote_it)) return line.substr(mark_in_older_stores.size());
+  return std::nullopt;
+}
+
+/// The marked lines at the end of a text.
+struct MarkedLines {
+  std::size_t begin = 0;  ///< where they begin; without any the end of the text
+  std::string trial;      ///< what they say
+};
+
+MarkedLines marked_lines_of(const std::string& text) {
+  MarkedLines marked{text.size(), ""};
+  while (marked.begin > 0) {
+    const std::size_t end = text[marked.begin - 1] == '\n' ? marked.begin - 1 : marked.begin;
+    const std::size_t newline = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
+    const std::size_t begin = newline == std::string::npos ? 0 : newline + 1;
+    const auto trial = trial_in(text.substr(begin, end - begin));
+    if (!trial) break;
+    marked = {begin, *trial + (marked.trial.empty() ? "" : "; " + marked.trial)};
   }
-  return begin;
+  return marked;
 }
 
 }  // namespace
@@ -32,17 +51,11 @@ std::string with_trial(std::string text, const std::string& what) {
 }
 
 std::string without_trial(const std::string& text) {
-  return text.substr(0, begin_of_trial(text));
+  return text.substr(0, marked_lines_of(text).begin);
 }
 
 std::string trial_of(const std::string& text) {
-  std::string trial;
-  for (std::size_t begin = begin_of_trial(text); begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    trial += (trial.empty() ? "" : "; ") + text.substr(begin + mark.size(), end - begin - mark.size());
-    begin = end + 1;
-  }
-  return trial;
+  return marked_lines_of(text).trial;
 }
 
 }  // namespace mpmvv::store

@@ -1,6 +1,8 @@
 #include "studies/support/file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -56,18 +58,39 @@ void write(const fs::path& place, const std::string& content, const fs::path& wa
   refuse_to_write(wanted, why);
 }
 
+/// What a symbolic link points to, and so on to the end.
+fs::path end_of_links(fs::path file) {
+  std::error_code absent;
+  while (fs::is_symlink(file, absent)) file = file.parent_path() / fs::read_symlink(file, absent);
+  return file;
+}
+
+/// Makes an empty file in the same folder under a name that nobody else has.
+fs::path new_file_beside(const fs::path& file, const fs::path& wanted) {
+  for (int k = 0;; ++k) {
+    fs::path part = fmt::format("{}.{}-{}.part", file.string(), getpid(), k);
+    const int descriptor = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno == EEXIST) continue;
+    if (descriptor < 0) refuse_to_write(wanted, std::strerror(errno));
+    close(descriptor);
+    return part;
+  }
+}
+
 }  // namespace
 
 bool write_if_changed(const fs::path& file, const std::string& content) {
   if (read_file(file) == content) return false;
   std::error_code failed;
-  if (fs::exists(file, failed) && !fs::is_regular_file(file, failed) && !fs::is_directory(file, failed)) {
+  const bool is_there = fs::exists(file, failed);
+  if (failed) refuse_to_write(file, failed.message());
+  if (is_there && !fs::is_regular_file(file, failed) && !fs::is_directory(file, failed)) {
     write(file, content, file);  // a pipe or a device is not replaced
     return true;
   }
-  const fs::path part = file.string() + ".part";
+  const fs::path target = end_of_links(file), part = new_file_beside(target, file);
   write(part, content, file);
-  fs::rename(part, file, failed);
+  fs::rename(part, target, failed);
   if (!failed) return true;
   const std::string why = failed.message();
   fs::remove(part, failed);

@@ -13,8 +13,8 @@ std::optional<std::string> read_file(const std::filesystem::path& file);
 /// file".
 std::string require_file(const std::filesystem::path& file, const std::string& wanted);
 
-/// Writes the file unless it already has this content; true when it was written. The file appears whole or not at
-/// all. Throws WriteError when it cannot be written.
+/// Writes the file, or what a symbolic link points to, unless it already has this content; true when it was written.
+/// The file appears whole or not at all, and no other file changes. Throws WriteError when it cannot be written.
 bool write_if_changed(const std::filesystem::path& file, const std::string& content);
 
 /// Renames a file or folder, replacing a file that has the new name. Throws WriteError when it cannot.

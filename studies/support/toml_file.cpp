@@ -51,7 +51,8 @@ struct TomlTable::Node {
 
   double number(const std::string& key, const toml::node& node) const {
     if (!node.is_number()) reject(key, node, a_number);
-    const double value = *node.value<double>();
+    const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get())  // the nearest one
+                                           : node.as_floating_point()->get();
     if (!std::isfinite(value)) {
       throw UsageError(fmt::format("'{}' is {} in {} ({})", key, value, where(node.source()), a_number));
     }

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,6 +43,23 @@ TEST(ExpressionCommand, GivesEachParticleItsLine) {
   EXPECT_THAT(answer.out, StartsWith("id,b_x,b_y\n1,\"0.07553"));
   EXPECT_EQ(std::count(answer.out.begin(), answer.out.end(), '\n'), 17);
   EXPECT_EQ(answer.out.find('X'), std::string::npos);
+}
+
+/// In whatever order the case starts with them.
+TEST(ExpressionCommand, NamesEachParticleByItsId) {
+  const Folder folder;
+  const std::string plain =
+      "expression --problem square-rest --cells 4 --ppc 1 --cfl 0.2 --form per-particle --dialect python";
+  const std::string shuffled = plain + " --shuffle 7", csv = call(folder, shuffled).out;
+  auto in_order = call(folder, plain + " --json").json(), json = call(folder, shuffled + " --json").json();
+  ASSERT_EQ(json["id"].size(), 16U);
+  EXPECT_NE(json["id"], in_order["id"]);
+  for (std::size_t p = 0; p < 16; ++p) {
+    const auto id = json["id"][p].get<std::size_t>();
+    EXPECT_EQ(in_order["id"][id - 1], id);
+    EXPECT_EQ(json["b"][p], in_order["b"][id - 1]);
+    EXPECT_THAT(csv, HasSubstr(fmt::format("\n{},\"{}\"", id, json["b"][p][0].get<std::string>())));
+  }
 }
 
 TEST(ExpressionCommand, RefusesInOneLine) {

@@ -45,6 +45,22 @@ TEST_F(Figure, TheFilesEndingSaysItsFormat) {
   EXPECT_EQ(draw("small --out made --format svg").out, "made/small.svg\n");
 }
 
+TEST_F(Figure, AFigureOfTwoStudiesIsNamedAfterBoth) {
+  std::string study = small_study;
+  study.replace(study.find("[[figure]]"), 10, "[[figure]]\nname = \"errors\"");
+  for (const std::string name : {"a", "b"}) {
+    folder_.write(name + ".toml", study);
+    ASSERT_EQ(call(folder_, "study " + name + ".toml --db r.db", there_).code, 0);
+  }
+  EXPECT_EQ(draw("errors --format svg --out figs").out, "figs/a~errors.svg\nfigs/b~errors.svg\n");
+  EXPECT_EQ(draw("errors --out one.svg").err,
+            "mpmvv: --out one.svg for 2 figures, a~errors, b~errors (a folder, or the name of one of them)\n");
+  EXPECT_EQ(draw("a~errors --out one.svg").out, "one.svg\n");
+  EXPECT_EQ(draw("b~errors --format tex").out,
+            "b~errors.tex\nb~errors-lines.pdf\n  \\input{b\\string~errors} with \\usepackage{graphicx,xcolor}\n");
+  EXPECT_THAT(read_text(folder_ / "b~errors.tex"), HasSubstr("{b\\string~errors-lines}"));
+}
+
 TEST_F(Figure, AFontThatTheMachineLacksIsNamed) {
   const Answer answer = draw("small --font 'No Such Family'");
   EXPECT_EQ(answer.code, 0);

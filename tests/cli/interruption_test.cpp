@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <thread>
+#include <vector>
 
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
@@ -12,7 +13,8 @@ namespace mpmvv::cli::interruption_test {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class Interrupted : public testing::TestWithParam<int> {
+/// The signals that are sent, one after the other.
+class Interrupted : public testing::TestWithParam<std::vector<int>> {
  protected:
   /// Starts a study of many short cases and a few long ones, its messages in a file.
   pid_t start() {
@@ -42,7 +44,10 @@ class Interrupted : public testing::TestWithParam<int> {
 TEST_P(Interrupted, AStudyKeepsWhatHasFinishedAndSaysHowToGoOn) {
   const pid_t child = start();
   for (int k = 0; k < 1000 && finished() < 3; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  kill(child, GetParam());
+  for (const int signal : GetParam()) {
+    kill(child, signal);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
   int status = 0;
   waitpid(child, &status, 0);
   ASSERT_TRUE(WIFEXITED(status));
@@ -55,6 +60,10 @@ TEST_P(Interrupted, AStudyKeepsWhatHasFinishedAndSaysHowToGoOn) {
   EXPECT_EQ(call(folder_, "db check --db " + db_).code, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(, Interrupted, testing::Values(SIGINT, SIGTERM));
+using Signals = std::vector<int>;
+
+/// SIGUSR1 alone, which a cluster may send, changes nothing.
+INSTANTIATE_TEST_SUITE_P(, Interrupted,
+                         testing::Values(Signals{SIGINT}, Signals{SIGTERM}, Signals{SIGUSR1, SIGUSR1, SIGTERM}));
 
 }  // namespace mpmvv::cli::interruption_test

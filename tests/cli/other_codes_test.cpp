@@ -106,7 +106,7 @@ TEST_F(OtherCodes, TheOnesOfTheProgramAreFoundByName) {
 }
 
 TEST_F(OtherCodes, OptionsOfOurOwnSolverAreRefused) {
-  for (const char* option : {"--basis linear", "--threads 2", "--vtu frames"}) {
+  for (const char* option : {"--basis linear", "--threads 2", "--vtu frames", "--repeat 3 --keep here"}) {
     const Answer answer = in_folder(
         "mpmvv run --code small-mpm --variant linear --problem bar --cells 4 --ppc 2 --cfl 0.5 " + std::string(option));
     EXPECT_EQ(answer.code, 2) << option;

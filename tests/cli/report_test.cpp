@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <regex>
 
 #include "studies/store/store.hpp"
+#include "studies/store/trial.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
@@ -121,6 +123,55 @@ to = 0.5
                     HasSubstr("--basis bspline2 --mass consistent --integrator usl --cfl 0.5<")));
 }
 
+/// The commands of runs that stand on a study's page.
+std::vector<std::string> run_commands(const std::string& page) {
+  static const std::regex command("<code>mpmvv (run [^<]*)</code>");
+  std::vector<std::string> commands;
+  for (std::sregex_iterator it(page.begin(), page.end(), command), end; it != end; ++it) commands.push_back((*it)[1]);
+  return commands;
+}
+
+/// The number of cells of the search is none for the sweep, and the CFL number of the sweep none for the search.
+/// Nothing that is searched here is stable.
+TEST_F(ReportCommand, ASweepAndASearchHaveACommandEach) {
+  const std::string file = folder_.write("both.toml", R"(title = "A sweep and a limit"
+[fixed]
+problem = "bar"
+integrator = "cd"
+boundary = "periodic"
+cells = 64
+ppc = 2
+cfl = 0.2
+[[series]]
+name = "a"
+basis = "bspline2"
+[sweep]
+cells = [8, 16]
+[limit]
+key = "cfl"
+from = 4
+to = 5
+[[figure]]
+caption = "Errors"
+xlabel = "cells"
+ylabel = "error"
+)");
+  const Answer study = call(folder_, "study " + file + " --db " + db_);
+  ASSERT_EQ(study.code, 0) << study.err;
+  ASSERT_EQ(report(none_).code, 0);
+  const auto commands = run_commands(page("studies/both.html"));
+  ASSERT_EQ(commands.size(), 2u);
+  EXPECT_THAT(commands[0], AllOf(HasSubstr("--cfl 0.2 --basis bspline2 --cells 16"), Not(HasSubstr("--cells 64"))));
+  EXPECT_THAT(commands[1], AllOf(HasSubstr("--cells 64 --ppc 2 --basis bspline2 --cfl "), Not(HasSubstr("--cfl 0.2"))));
+  for (const auto& [command, status] : {std::pair{commands[0], "ok"}, {commands[1], "unstable"}}) {
+    const Answer run = call(folder_, command + " --json");
+    ASSERT_EQ(run.code, 0) << command << ": " << run.err;
+    EXPECT_EQ(run.json()["status"], status) << command;
+  }
+  EXPECT_THAT(page("points/both.js"), AllOf(HasSubstr("--cells {}"), Not(HasSubstr("--cfl {}"))));
+  EXPECT_THAT(page("points/both-map.js"), AllOf(HasSubstr("--cfl {}"), Not(HasSubstr("--cells {}"))));
+}
+
 /// A store with studies of one's own alone: the goldens that it has nothing for are a line, and no verdict.
 TEST_F(ReportCommand, OfOwnStudiesIsAboutThese) {
   ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
@@ -175,6 +226,47 @@ TEST_F(ReportCommand, SaysWhatChangedSinceTheVersionBefore) {
   ASSERT_EQ(report(none_).code, 0);
   EXPECT_THAT(page("index.html"), AllOf(HasSubstr("results differ from c0ffee012345"),
                                         HasSubstr("order of &apos;bspline2&apos; in l2 over [8, 64]: ")));
+}
+
+/// A study of a series that another code ran and of one of ours, and the goldens of both.
+records::StudyResult study_of_another_code() {
+  records::StudyResult study;
+  study.name = "theirs";
+  study.kind = records::StudyKind::convergence;
+  study.sweep = "cells";
+  for (const char* name : {"theirs", "ours"})
+    study.series.push_back({name, {{8, records::Status::ok, "", {{"l2", 1e-2}}}}, {}, {}});
+  study.series[0].code = records::OtherCode{"my-code", "1.3", "", "reference", "aa11"};
+  return study;
+}
+
+void write_goldens(const Folder& folder, const records::StudyResult& study) {
+  std::filesystem::create_directories(folder / "goldens");
+  std::string text = "reviewed = \"now\"\nstudy = \"" + study.name + "\"\n";
+  for (const records::Series& series : study.series)
+    text += "[[status]]\nseries = \"" + series.name + "\"\nat = 8\nexpected = \"ok\"\n";
+  folder.write("goldens/" + study.name + ".toml", text);
+}
+
+/// A golden of another code's series counts in both, that of a trial in neither.
+TEST_F(ReportCommand, ComparesTheGateOfTwoVersionsByTheSameGoldens) {
+  const records::StudyResult study = study_of_another_code();
+  records::StudyResult trial = study;
+  trial.name = "tried", trial.text = store::with_trial("", "ppc = 4 in 1 of 1 series");
+  trial.series.erase(trial.series.begin());
+  const store::Provenance now = store::current_provenance();
+  store::Provenance then = now;
+  then.digest = "00ff", then.commit = "c0ffee0123456789", then.time = "2001-01-01T00:00:00Z";
+  {
+    store::Store store(db_, store::Store::Mode::create_or_write);
+    store.keep_study(study, {}, then);
+    for (const auto& kept : {study, trial}) store.keep_study(kept, {}, now);
+  }
+  for (const auto& judged : {study, trial}) write_goldens(folder_, judged);
+  const Answer answer = report("--goldens " + (folder_ / "goldens"));
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(page("index.html"), HasSubstr("goldens: 1 inconclusive, 2 pass</span> <span class=\"change\">Since the "
+                                            "version before: as before</span>"));
 }
 
 }  // namespace mpmvv::cli::report_test

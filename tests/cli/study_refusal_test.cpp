@@ -9,6 +9,7 @@
 
 namespace mpmvv::cli::study_refusal_test {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 struct BadFile {
@@ -60,18 +61,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "without every_step"},
         BadFile{"[sweep]\n", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nscan_ratio = 1.0000001\n[sweep]\n",
                 "scan_ratio"},
-        BadFile{"[[fit]]", "[replicates]\ncells = [1, 2]\n[[fit]]", "beside a sweep or a limit of another"},
-        BadFile{"[[fit]]", "[replicates]\n[[fit]]", "beside a sweep or a limit of another"},
-        BadFile{"[sweep]\n", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\n[replicates]\ncfl = [0.1, 0.2]\n[sweep]\n",
-                "beside a sweep or a limit of another"},
+        BadFile{"[[fit]]", "[replicates]\ncells = [1, 2]\n[[fit]]", "beside a limit or a sweep of another"},
+        BadFile{"[[fit]]", "[replicates]\n[[fit]]", "beside a limit or a sweep of another"},
+        BadFile{"[[fit]]", "[replicates]\nblowup_error = [1, 2]\n[[fit]]", "unknown key of replicates 'blowup_error'"},
         BadFile{"[[fit]]", "[replicates]\nshuffle = [1, 2, 1]\n[[fit]]",
                 "two replicates of series 'linear' are the same run in "},
-        BadFile{"cfl = 0.3", "[replicates]\ncfl = [0.3, 0.300001]",
-                "two replicates of series 'linear' are the same run"},
-        BadFile{"[[fit]]", "[replicates]\nblowup_error = [1, 2]\n[[fit]]", "are the same run in "},
         BadFile{"cfl = 0.3\n", "cfl = 0.3\nshuffle = 1\n[replicates]\nshuffle = [1, 2]\n", "beside its replicates in "},
         BadFile{"cells = [8, 16, 32, 64]", "steps = [4, 8, 16, 8.0]", "a value twice"},
-        BadFile{"cfl = 0.3\n", "cells = 8\n[replicates]\ncfl = [0.3, 0.4]\n", "beside the sweep over it in "},
+        BadFile{"cfl = 0.3\n", "cells = 8\n[replicates]\nshuffle = [1, 2]\n", "beside the sweep over it in "},
         BadFile{"basis = \"linear\"", "basis = \"linear\"\ncells = 8", "beside the sweep over it in "},
         BadFile{"[sweep]\ncells = [8, 16, 32, 64]", "[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1",
                 "beside the search of its limit in "},
@@ -85,7 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "basis = \"linear\"\ncells = 8\n[limit]\nkey = \"cfl\"\nfrom = 0.1\nto = 1\nseries = [\"linear\"]\n"
                 "[[series]]\nname = \"bspline2\"\ncells = 8\n",
                 "beside the sweep over it in "},
-        BadFile{"measure = \"order\"", "measure = \"limit\"", "which the study does not search"},
+        BadFile{"measure = \"order\"\nseries = [\"bspline2\"]\nnorm = \"l2\"\nwindow = [8, 64]",
+                "measure = \"limit\"\nseries = [\"bspline2\"]", "which the study does not search"},
+        BadFile{"measure = \"order\"", "measure = \"shown\"", "'series' in "},
         BadFile{"window = [8, 64]\n[[figure", "window = [8, 64]\nfloor_window = [128, 512]\n[[figure",
                 "holds 0 swept values"},
         BadFile{"[[fit]]", "[replicates]\nshuffle = [1]\n[[fit]]", "fewer than two replicates"},
@@ -103,6 +102,28 @@ INSTANTIATE_TEST_SUITE_P(
                 "beside replicates in "},
         BadFile{"measure = \"order\"", "measure = \"cost-ratio\"\nover = \"linear\"", "`repeat` in every series"},
         BadFile{"title = \"Small\"", "title = 'Small", "bad.toml"}));
+
+TEST(StudyCommand, ACheckHasNoSettings) {
+  const Folder folder;
+  const std::string check = folder.write("jump.toml", "title = \"Jump\"\nclaims = []\ncheck = \"jump-errors\"\n"),
+                    small = folder.write("small.toml", small_study);
+  const std::string db = folder / "r.db";
+  for (const char* option : {"--set", "--set-where-taken"}) {
+    const auto study = [&](const std::string& files, const std::string& setting) {
+      return call(folder, "study " + files + " " + option + " " + setting + " --db " + db);
+    };
+    EXPECT_THAT(study(check, "nonsense=1").err, HasSubstr(std::string("unknown key 'nonsense' in ") + option));
+    const Answer alone = study(check, "shuffle=3");
+    EXPECT_EQ(alone.code, 2);
+    EXPECT_EQ(alone.err,
+              std::string("mpmvv: no series takes shuffle = 3 (a check has no settings for ") + option + ")\n");
+    EXPECT_FALSE(std::filesystem::exists(db));
+    const Answer mixed = study(check + " " + small + " --plan", "shuffle=3");
+    EXPECT_EQ(mixed.code, 0);
+    EXPECT_THAT(mixed.err, AllOf(HasSubstr("jump: shuffle = 3 changes nothing in a check"),
+                                 HasSubstr("small: shuffle = 3 in 2 of 2 series")));
+  }
+}
 
 TEST(StudyCommand, RefusesStoresThatAreNone) {
   const Folder folder;

@@ -98,6 +98,8 @@ TEST(StudyCommand, PlanSaysWhatWouldRunAndRunsNothing) {
   ASSERT_EQ(call(folder, study).code, 0);
   const Answer after = call(folder, study + " --plan");
   EXPECT_THAT(after.out, AllOf(HasSubstr("small "), HasSubstr("all there"), HasSubstr("about 0.0 s on")));
+  const std::string elsewhere = " --shard 1/1 --costs " + db + " --db " + (folder / "none.db");
+  EXPECT_THAT(call(folder, "study " + file + elsewhere + " --plan --json").out, HasSubstr("8 known of the same case"));
   EXPECT_EQ(call(folder, study + " --json").code, 2) << "results have no such form";
   const Answer nowhere = call(folder, "study " + file + " --plan --db " + (folder / "none/r.db"));
   EXPECT_EQ(nowhere.code, 2);

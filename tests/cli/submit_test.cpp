@@ -134,6 +134,27 @@ TEST_F(Submit, TheLastJobGatesByTheGoldensThatItIsGiven) {
   EXPECT_THAT(merge.out, HasSubstr("gate: 0 pass, 1 fail"));
 }
 
+TEST_F(Submit, LeavesTheStoreOfAllResultsAlone) {
+  std::filesystem::create_directories(folder_ / "runs");
+  keep_slow_run(folder_ / "last.db");
+  for (const std::string db : {"runs/costs.db", "runs/shard-1.db"}) {
+    keep_slow_run(folder_ / db);
+    const std::string before = read_text(folder_ / db);
+    const Answer answer =
+        call(folder_,
+             "submit --engine slurm splines.toml --db " + db + " --folder runs --costs last.db --shards 2 --dry-run",
+             in_folder_);
+    EXPECT_EQ(answer.code, 2) << db;
+    EXPECT_THAT(answer.err, HasSubstr("--db " + (folder_ / db) + " is a store that the submission in --folder"));
+    EXPECT_EQ(read_text(folder_ / db), before);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "runs/submit.sh"));
+  EXPECT_EQ(call(folder_, "submit --engine slurm splines.toml --db runs/all.db --folder runs --shards 2 --dry-run",
+                 in_folder_)
+                .code,
+            0);
+}
+
 TEST_F(Submit, RefusesWhatNoClusterTakes) {
   EXPECT_THAT(submit("--shards 0 --dry-run").err, HasSubstr("--shards"));
   EXPECT_THAT(submit("--shards 2 --folder 'a%b' --dry-run").err, HasSubstr("per cent signs"));

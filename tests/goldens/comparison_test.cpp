@@ -79,6 +79,48 @@ TEST(Compare, KnowsTheBetterSideOfALimit) {
   EXPECT_NEAR(change("smoothing_length", 1.1), 2, 1e-12);
 }
 
+/// An energy loss of -0.5 is half of the energy gained.
+TEST(Compare, OfErrorsTheSmallerSizeIsBetter) {
+  EXPECT_NEAR(bands(error({{8, 0.01}}), error({{8, -0.5}})), 510, 1e-9);
+  EXPECT_NEAR(bands(error({{8, -0.5}}), error({{8, 0.01}})), -10.2, 1e-9);
+  EXPECT_NEAR(bands(error({{8, -0.5}}), error({{8, -0.55}})), 1, 1e-9);
+  EXPECT_NEAR(bands(error({{8, -0.5}}), error({{8, -0.45}})), -1, 1e-9);
+}
+
+/// What a search of two values finds, of which these are stable. The limit lies above what is stable, or below it.
+Finding limit(bool stable_below, bool low, bool high) {
+  const auto probe = [&](const std::vector<double>&) {
+    return std::vector<fits::Probe>{{0.6, low, ""}, {1, high, ""}};
+  };
+  records::StudyResult study;
+  study.series.resize(1);
+  study.series[0].limit = fits::find_limit({"k", 0.6, 1, 2, 0.9, stable_below}, probe);
+  return claims::findings_of(study).at(0);
+}
+
+TEST(Compare, ALimitIsBestBeyondAllThatIsStableAndWorstWhereNothingIs) {
+  for (const bool below : {true, false}) {
+    const Finding all = limit(below, true, true), none = limit(below, false, false),
+                  found = limit(below, below, !below), mixed = limit(below, !below, below);
+    ASSERT_EQ(found.word, "");
+    EXPECT_EQ(bands(all, found), INFINITY);
+    EXPECT_EQ(bands(all, none), INFINITY);
+    EXPECT_EQ(bands(found, none), INFINITY);
+    EXPECT_EQ(bands(found, mixed), INFINITY) << "lost";
+    EXPECT_EQ(bands(none, all), -INFINITY);
+    EXPECT_EQ(bands(none, found), -INFINITY);
+    EXPECT_EQ(bands(found, all), -INFINITY);
+    EXPECT_EQ(bands(mixed, found), -INFINITY);
+    for (const Finding& one : {all, none, found, mixed}) EXPECT_EQ(bands(one, one), 0);
+  }
+}
+
+TEST(Compare, ALimitBeyondOtherValuesTriedHasNotChanged) {
+  Finding near = limit(true, true, true), far = near;
+  far.word = "stable at all values tried, up to 2";
+  EXPECT_EQ(bands(near, far), 0);
+}
+
 TEST(Compare, MeasuresWhatIsExtrapolatedInItsUncertainty) {
   Finding before = number(Kind::value, "extrapolated", 1e-3), after = number(Kind::value, "extrapolated", -2e-3);
   before.uncertainty = 1e-3, after.uncertainty = 5;

@@ -61,6 +61,17 @@ TEST(Gate, ErrorsFailWhenWorseAndWhenBetter) {
   EXPECT_EQ(judge_error(not_measured).verdict, Verdict::inconclusive);
 }
 
+/// As an energy loss where energy was gained.
+TEST(Gate, AnErrorBelowZeroIsNoBetterOne) {
+  EXPECT_TRUE(judge_error(0).better);
+  for (const double error : {-1e-9, -4.48e-2, -double(INFINITY)}) {
+    const GateResult result = judge_error(error);
+    EXPECT_EQ(result.verdict, Verdict::fail) << error;
+    EXPECT_FALSE(result.better) << error;
+    EXPECT_THAT(result.reason, testing::StartsWith("below 0:")) << error;
+  }
+}
+
 TEST(Gate, AnUnstableOrFailedPointFailsAnErrorGolden) {
   for (const Status status : {Status::unstable, Status::failed}) {
     const GateResult result = judge(error_at_64, [&](StudyResult& s) {

@@ -22,7 +22,7 @@ TEST(Propose, WhatCannotBeProposedIsARemark) {
   StudyResult study = study_with(series);
   study.values = {{"gap", not_measured, ""}};
   EXPECT_EQ(proposed(study).size(), 2U);
-  const std::string text = propose_goldens(study, clean);
+  const std::string text = draft(study);
   EXPECT_THAT(text, HasSubstr("in linf over [16, 64]: 2 usable points"));
   EXPECT_THAT(text, HasSubstr("# No error of"));
   EXPECT_THAT(text, HasSubstr("stability is not monotone"));
@@ -41,8 +41,8 @@ TEST(Propose, ADirtyTreeIsNamedAndRefusedWhereACommitIsAsked) {
   store::Provenance dirty = clean;
   dirty.dirty = true;
   const StudyResult study = study_with(convergent());
-  EXPECT_THAT(propose_goldens(study, dirty), HasSubstr("commit abc with changes that are not committed, digest d1"));
-  EXPECT_THAT(propose_goldens(study, clean), HasSubstr("commit abc, digest d1"));
+  EXPECT_THAT(draft(study, dirty), HasSubstr("commit abc with changes that are not committed, digest d1"));
+  EXPECT_THAT(draft(study), HasSubstr("commit abc, digest d1"));
   EXPECT_THROW(require_committed(study, dirty), UsageError);
   require_committed(study, clean);
 }
@@ -64,6 +64,47 @@ TEST(Propose, WithoutAFitOrLimitTheFinestErrorsThatFiguresDraw) {
   EXPECT_EQ(error.expected, 17.25);
   study.series[0].limit = cfl_limit(0.7, 0.71);
   EXPECT_EQ(proposed(study).size(), 1U) << "the limit is what was asked";
+}
+
+/// What the gate would refuse, and with it the whole file.
+TEST(Propose, ANormThatGoldensDoNotKnowIsARemark) {
+  Series series = convergent();
+  for (records::Point& point : series.points) point.y["ns_per_particle_step"] = 20;
+  series.orders.push_back(fitted("ns_per_particle_step", 3, 1));
+  const std::string fits = draft(study_with(series));
+  EXPECT_THAT(fits, HasSubstr("in ns_per_particle_step over [16, 64]: goldens know no such norm."));
+  series.orders.clear();
+  StudyResult study = study_with(series);
+  study.figures.resize(1);
+  study.figures[0].quantity = "ns_per_particle_step";
+  EXPECT_THROW(propose_goldens(study, clean), UsageError) << "which leaves nothing";
+  study.figures.resize(2);
+  EXPECT_THAT(draft(study), HasSubstr("in ns_per_particle_step: goldens know no such norm."));
+  EXPECT_EQ(proposed(study).size(), 1U);
+}
+
+TEST(Propose, ALevelAtZeroIsARemark) {
+  Series series = convergent();
+  series.points[0].x = 0;
+  series.orders.clear();
+  StudyResult study = study_with(series, "grid_offset");
+  study.values = {{"gap", 1, ""}};
+  study.figures.resize(1);
+  EXPECT_THAT(draft(study), HasSubstr("in l2: goldens know no level at 0, only above 0."));
+  study.kind = records::StudyKind::check;
+  study.series[0].orders = {fitted("y", 3, 2)};
+  study.series[0].orders[0].from = 0;
+  EXPECT_THAT(draft(study), HasSubstr("in y over [0, 64]: goldens know no level at 0, only above 0."));
+}
+
+TEST(Propose, AnErrorSaysWhichFinerLevelsWerePassedOver) {
+  Series series = convergent();
+  series.points.pop_back();
+  EXPECT_THAT(draft(study_with(series)), HasSubstr("# The finest stable level in cells.\n"));
+  series.points[2].y["l2"] = -0.0448;
+  const std::string text = draft(study_with(series));
+  EXPECT_THAT(text, HasSubstr("# The finest stable level in cells with an error above 0, which finer ones lack.\n"));
+  EXPECT_THAT(text, HasSubstr("at = 32\n"));
 }
 
 TEST(Propose, NothingToProposeIsAnError) {

@@ -54,13 +54,20 @@ inline Series convergent() {
   return series;
 }
 
+/// The text of a proposal, which the reader of goldens has read.
+inline std::string draft(const StudyResult& study, const store::Provenance& provenance = clean) {
+  std::string text = propose_goldens(study, provenance);
+  parse_goldens(text, "new.toml");
+  return text;
+}
+
 inline std::vector<Golden> proposed(const StudyResult& study) {
-  return parse_goldens(propose_goldens(study, clean), "new.toml");
+  return parse_goldens(draft(study), "new.toml");
 }
 
 /// The same with a reviewer's mark.
 inline std::vector<Golden> reviewed(const StudyResult& study) {
-  return parse_goldens("reviewed = \"now\"\n" + propose_goldens(study, clean), "new.toml");
+  return parse_goldens("reviewed = \"now\"\n" + draft(study), "new.toml");
 }
 
 }  // namespace mpmvv::goldens::propose_samples

@@ -70,7 +70,7 @@ TEST(Propose, TheFinestLevelIsStableMeasuredAndAboveZero) {
 TEST(Propose, ItsHeadNamesTheVersionOfAnotherCode) {
   Series series = convergent();
   series.code = records::OtherCode{"tiny", "0.3", "", "reference"};
-  EXPECT_THAT(propose_goldens(study_with(series), clean), HasSubstr("\n# Of tiny 0.3.\n"));
+  EXPECT_THAT(draft(study_with(series)), HasSubstr("\n# Of tiny 0.3.\n"));
 }
 
 TEST(Propose, WhatCouldNotPassIsNoGolden) {
@@ -78,7 +78,7 @@ TEST(Propose, WhatCouldNotPassIsNoGolden) {
     Series series = convergent();
     series.limit = cfl_limit(1, 1.01);
     change(series);
-    return propose_goldens(study_with(series), clean);
+    return draft(study_with(series));
   };
   EXPECT_THAT(refused([](Series& s) { s.orders[0].from = 15; }), HasSubstr("over [15, 64]: no level at 15."));
   EXPECT_THAT(refused([](Series& s) { s.orders[0].to = 65; }), HasSubstr("over [16, 65]: no level at 65."));
@@ -94,6 +94,15 @@ TEST(Propose, TheIntervalIsTheOneThatTheGateTakes) {
   series.orders[0].half_width = 3;
   series.orders[0].replicates = fits::ReplicateFit{12, 0.01, 0.5, 0.5};
   EXPECT_EQ(std::get<OrderGolden>(proposed(study_with(series))[0].expectation).interval, 0.5);
+}
+
+TEST(Propose, ThreePointsReachFromSegmentToSegment) {
+  Series series = convergent();
+  series.orders[0].segments = {{16, 32, 1.75}, {32, 64, 2.25}};
+  EXPECT_EQ(std::get<OrderGolden>(proposed(study_with(series))[0].expectation).interval, 0.25);
+  EXPECT_THAT(draft(study_with(series)), HasSubstr("# Measured 1.9995 ± 0.250 over [16, 64], 3 points"));
+  series.orders[0].segments[1].order = 4.25;
+  EXPECT_THAT(draft(study_with(series)), HasSubstr("known to ± 1.25 only."));
 }
 
 TEST(Propose, AWindowIsCalledAsymptoticWhereItWas) {
@@ -114,7 +123,7 @@ TEST(Propose, ATrialIsRefused) {
 
 TEST(Propose, LeavesTheMarkToTheReviewer) {
   for (const Golden& golden : proposed(study_with(convergent()))) EXPECT_FALSE(golden.reviewed);
-  EXPECT_THAT(propose_goldens(study_with(convergent()), clean), HasSubstr("add reviewed = \"DATE: who"));
+  EXPECT_THAT(draft(study_with(convergent())), HasSubstr("add reviewed = \"DATE: who"));
 }
 
 TEST(Propose, AnErrorInEveryFittedNormOnce) {
@@ -145,11 +154,12 @@ TEST(Propose, AWorseResultTakesNoGoldensPlace) {
     Series series = convergent();
     series.orders[0].order = order;
     series.points[2].y["l2"] = error;
-    return propose_goldens(study_with(series), clean, standing);
+    return parse_goldens(propose_goldens(study_with(series), clean, standing), "again.toml");
   };
   EXPECT_NO_THROW(propose_again(2, 1e-4));
   EXPECT_NO_THROW(propose_again(2.5, 1e-5)) << "better";
   EXPECT_THROW(propose_again(1.5, 1e-4), UsageError);
+  EXPECT_THROW(propose_again(2, -0.05), UsageError) << "a number below 0 is no smaller error";
   try {
     propose_again(2, 2e-4);
     FAIL() << "accepted";
@@ -189,7 +199,7 @@ TEST(Propose, ALimitThatReplicatesDisagreeOnGetsAWiderBandAndSaysWhy) {
   ASSERT_EQ(goldens.size(), 1U);
   EXPECT_EQ(std::get<LimitGolden>(goldens[0].expectation).expected, 0.2);
   EXPECT_EQ(std::get<LimitGolden>(goldens[0].expectation).band, 0.1);
-  EXPECT_THAT(propose_goldens(study, clean), HasSubstr("why = \"it lies between 0.19 and 0.21"));
+  EXPECT_THAT(draft(study), HasSubstr("why = \"it lies between 0.19 and 0.21"));
   EXPECT_EQ(run_gate(reviewed(study), {study}).exit_code(), 0);
 }
 
@@ -206,7 +216,7 @@ TEST(Propose, WhatWasMeasuredPassesItsOwnProposal) {
     study.values = {{"a", std::pow(10, exponent(generator)), ""}, {"b", -std::pow(10, exponent(generator)), ""}};
     const GateReport report = run_gate(reviewed(study), {study});
     EXPECT_EQ(report.results.size(), 5U);
-    EXPECT_EQ(report.exit_code(), 0) << propose_goldens(study, clean);
+    EXPECT_EQ(report.exit_code(), 0) << draft(study);
   }
 }
 

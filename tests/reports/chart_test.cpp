@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/orders_table.hpp"
+#include "reports/table.hpp"
 #include "studies/support/error.hpp"
 #include "tests/reports/rules.hpp"
 #include "tests/reports/synthetic.hpp"
@@ -63,6 +65,17 @@ TEST(ErrorChart, UnstablePointsHangFromTheUpperEdgeOneBelowTheOther) {
 
 TEST(ErrorChart, KeyHasOrderAndInterval) {
   EXPECT_THAT(convergence_chart().curves[1].key, HasSubstr("bspline2, 4 PPC   2.01 ± 0.03"));
+}
+
+/// As criteria have it, and the other tables.
+TEST(ErrorChart, KeyHasTheIntervalOfReplicates) {
+  auto study = synthetic::convergence();
+  fits::ObservedOrder& order = study.series[1].orders[0];
+  order.replicates.emplace();
+  order.replicates->half_width = 0.31;
+  EXPECT_THAT(error_chart(study, study.figures[0]).curves[1].key, testing::EndsWith("2.01 ± 0.31"));
+  EXPECT_EQ(fits_table(study).groups[1].rows[0][3], "2.01 ± 0.31");
+  EXPECT_EQ(orders_table({&study}).groups[0].rows[1][4], "2.01 ± 0.31");
 }
 
 TEST(ErrorChart, KeyHasNoIntervalWithoutOne) {

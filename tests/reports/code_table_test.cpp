@@ -81,4 +81,17 @@ TEST(CodeTable, IsEmptyWithoutOne) {
   EXPECT_TRUE(code_table(ReportInput{}).empty());
 }
 
+/// A study may be kept anew in the store while a report is made.
+TEST(CodeTable, LeavesOutWhatNoStudyHas) {
+  ReportInput input = input_with_codes();
+  for (const auto& [study, series] : {std::pair{"gone", "tlmpm"}, {"theirs", "gone"}}) {
+    input.codes.push_back(input.codes[0]);
+    input.codes.back().study = study, input.codes.back().series = series, input.codes.back().code.version = "3.0";
+  }
+  const Table table = code_table(input);
+  ASSERT_EQ(table.groups.size(), 1U);
+  EXPECT_EQ(table.groups[0].title, "karamelo 2.0");
+  EXPECT_EQ(table.groups[0].rows.size(), 1U);
+}
+
 }  // namespace mpmvv::reports::code_table_test

@@ -28,9 +28,9 @@ const std::vector<records::StudyResult>& studies() {
   return all;
 }
 
-std::vector<std::string> chosen(const std::string& name) {
+std::vector<std::string> chosen(const std::string& name, const std::vector<records::StudyResult>& all = studies()) {
   std::vector<std::string> names;
-  for (const Chart& chart : choose_figures(studies(), name).chosen) names.push_back(chart.name);
+  for (const Chart& chart : choose_figures(all, name).chosen) names.push_back(chart.name);
   return names;
 }
 
@@ -56,6 +56,15 @@ TEST(FigureChoice, AClaimWithoutAFigureOfItsNameMeansAllOfItsStudies) {
 
 TEST(FigureChoice, AStudyMeansAllOfItsFigures) {
   EXPECT_THAT(chosen("x-many"), ElementsAre("one", "two"));
+}
+
+TEST(FigureChoice, WhatStudiesShareHasTheNameOfEach) {
+  const std::vector<records::StudyResult> all{study("a", "S-fig8", {"s-fig8", "own"}),
+                                              study("b", "S-fig8", {"s-fig8", "other"})};
+  for (const char* name : {"s-fig8", "S-fig8"}) EXPECT_THAT(chosen(name, all), ElementsAre("a~s-fig8", "b~s-fig8"));
+  EXPECT_THAT(choose_figures(all, "S-fig8").others, ElementsAre("own", "other"));
+  EXPECT_THAT(chosen("b~s-fig8", all), ElementsAre("b~s-fig8"));
+  EXPECT_THAT(chosen("a", all), ElementsAre("a~s-fig8", "own"));
 }
 
 TEST(FigureChoice, UnknownNamesAreAnsweredWithTheKnownOnes) {

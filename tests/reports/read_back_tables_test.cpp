@@ -192,7 +192,7 @@ ExpectedTable orders(const records::StudyResult& study) {
     table.add(s.name, {{"norm", o.norm},
                        {"window", range(o.from, o.to)},
                        {"points", std::to_string(o.points)},
-                       {"order", with_interval(o.order, o.half_width)},
+                       {"order", with_interval(o.order, o.replicates->half_width)},
                        {"C", brief(o.constant)},
                        {"R²", fmt::format("{:.5f}", o.r_squared)},
                        {"asymptotic", yes(o.asymptotic)},

@@ -111,6 +111,27 @@ TEST(Report, VerdictAndProvenanceStandOnTheFirstPage) {
   EXPECT_THAT(page, AllOf(HasSubstr("<title>mpmvv: fail</title>"), Not(HasSubstr("dirty: built from"))));
 }
 
+TEST(Report, SaysWhatChangedInTheGate) {
+  const TempFolder folder;
+  auto in = input();
+  in.earlier.emplace();
+  EXPECT_THAT(page_of(in, folder), HasSubstr("1 inconclusive, 1 pass</span> <span class=\"change\">Since the version "
+                                             "before: as before</span>"));
+  in.earlier->gate_change = {{records::Verdict::pass, -1}, {records::Verdict::inconclusive, 1}};
+  EXPECT_THAT(page_of(in, folder), HasSubstr("Since the version before: +1 inconclusive, -1 pass</span>"));
+}
+
+TEST(Report, TheCostIsTheMedianOfAnEvenNumberToo) {
+  const TempFolder folder;
+  auto in = input();
+  for (const auto& [series, cost] : {std::pair{0, 10.0}, {1, 30.0}}) {
+    auto& y = in.studies[0].series[static_cast<std::size_t>(series)].points.back().y;
+    y["step_seconds"] = 1, y["ns_per_particle_step"] = cost;
+  }
+  EXPECT_THAT(page_of(in, folder),
+              AllOf(HasSubstr("<strong>20.0 ns</strong>"), HasSubstr("median of 2 timed series, 10.0 to 30.0 ns")));
+}
+
 TEST(Report, SaysNoMoreThanTheGateWhereGoldensHaveNoResult) {
   const TempFolder folder;
   auto in = input();

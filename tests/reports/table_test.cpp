@@ -75,6 +75,19 @@ TEST(Table, WhatIsTheSameAtEveryPointStandsInTheNote) {
   EXPECT_EQ(points_table(study).note, "") << "a point by itself has nothing to be the same as";
 }
 
+TEST(Table, TheNoteSaysWhatOnlySomePointsHave) {
+  records::StudyResult study;
+  study.sweep = "cells";
+  study.series = {records::Series{"a", {}, {}, {}}};
+  for (const double n : {1.0, 2.0, 3.0})
+    study.series[0].points.push_back(
+        {n, records::Status::ok, "", {{"l2", 0.1 / n}, {"images", 4}, {"mass_change", 0}}});
+  study.series[0].points[2].status = records::Status::unstable;
+  study.series[0].points[2].y = {{"images", 4}};
+  EXPECT_EQ(points_table(study).note,
+            "At every point: images = 4. At every point that has the number: mass_change = 0.");
+}
+
 TEST(Table, FitsSayWindowIntervalAndFloor) {
   const auto table = fits_table(synthetic::convergence());
   EXPECT_THAT(table.groups[2].rows[0],

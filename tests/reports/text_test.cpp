@@ -39,6 +39,17 @@ TEST(Text, OrderHasAnIntervalOnlyWhenThereIsOne) {
   EXPECT_EQ(order_text(-0.3, 12.7), "-0.30 ± 12.70");
 }
 
+TEST(Text, AFitHasTheIntervalThatItIsJudgedBy) {
+  fits::ObservedOrder fit;
+  fit.order = 2;
+  EXPECT_EQ(order_text(fit), "2.00") << "neither of residuals nor of replicates";
+  fit.half_width = 0.05;
+  EXPECT_EQ(order_text(fit), "2.00 ± 0.05");
+  fit.replicates.emplace();
+  fit.replicates->half_width = 0.31;
+  EXPECT_EQ(order_text(fit), "2.00 ± 0.31");
+}
+
 TEST(Text, LatexSpecialCharactersAreEscaped) {
   EXPECT_EQ(latex_text("a_b & 10% of #1 {x} $y$ ~ ^ \\"),
             "a\\_b \\& 10\\% of \\#1 \\{x\\} \\$y\\$ \\textasciitilde{} \\textasciicircum{} \\textbackslash{}");

@@ -126,6 +126,38 @@ TEST(Criterion, AnOrderFailsHoweverManyPointsAreUnstable) {
   }
 }
 
+/// Second order on 8 to 128 cells; all but the first `stable` runs are unstable.
+StudyResult stable_at_first(std::size_t stable) {
+  StudyResult result = scattered(0);
+  for (std::size_t k = stable; k < 5; ++k) {
+    result.series[0].points[k].status = Status::unstable;
+    result.series[0].points[k].y = {};
+  }
+  return result;
+}
+
+TEST(Criterion, AnUpperBoundIsNotJudgedByTheLastTwoPointsThatAreStable) {
+  EXPECT_EQ(verdict_of_order(stable_at_first(3), {}, 2.5), PartVerdict::holds);
+  EXPECT_EQ(verdict_of_order(stable_at_first(2), {}, 2.5), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict_of_order(stable_at_first(2), {}, 1.5), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict_of_order(stable_at_first(2), 1.5, 2.5), PartVerdict::fails) << "by its lower bound";
+  Criterion c = criterion(Kind::order, "good", {}, 2.5);
+  c.window = {8, 128};
+  EXPECT_THAT(judge(c, stable_at_first(2)).evidence, HasSubstr("too few points of 'good' are stable: 2 of at least 3"));
+  StudyResult replicated = stable_at_first(2);
+  for (Point& point : replicated.series[0].points)
+    for (const double factor : {1 / 1.01, 1.01})
+      if (point.status == Status::ok) point.replicates["l2"].push_back(factor * point.y["l2"]);
+  EXPECT_EQ(verdict_of_order(replicated, {}, 2.5), PartVerdict::holds) << "which have an interval";
+}
+
+TEST(Criterion, AWindowOfTwoLevelsIsJudgedByBoth) {
+  StudyResult result = scattered(0);
+  result.series[0].points.resize(2);
+  EXPECT_EQ(verdict_of_order(result, {}, 2.5), PartVerdict::holds);
+  EXPECT_EQ(verdict_of_order(result, {}, 1.5), PartVerdict::fails);
+}
+
 TEST(Criterion, AnOrderSaysWhereRunsFailed) {
   StudyResult result = two_series();
   for (const std::size_t k : {1, 3}) {

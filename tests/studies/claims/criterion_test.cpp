@@ -123,6 +123,26 @@ TEST(Criterion, AnUnstableErrorIsInfinite) {
   EXPECT_EQ(judge(ratio, two_series()).verdict, PartVerdict::fails);
 }
 
+/// An energy loss lies below 0 where energy was gained.
+TEST(Criterion, NoRatioIsTakenWhereTheSignWouldDecide) {
+  const auto judged = [](Kind kind, double own, double other) {
+    StudyResult result = two_series();
+    result.series[0].points[1].y["l2"] = own, result.series[1].points[1].y["l2"] = other;
+    Criterion c = criterion(kind, "good", {}, 1e9);
+    c.over = "bad", c.window = {8, 32};
+    return judge(c, result);
+  };
+  for (const double own : {-0.02, 0.0}) EXPECT_EQ(judged(Kind::spread, own, 1).verdict, PartVerdict::inconclusive);
+  EXPECT_THAT(judged(Kind::spread, -0.02, 1).evidence,
+              HasSubstr("'good' has l2 = -0.02 at cells = 16, and a ratio needs numbers above 0"));
+  EXPECT_EQ(judged(Kind::error_ratio, 0, 0.01).verdict, PartVerdict::holds) << "nothing of something";
+  for (const auto& [own, other] : {std::pair{-0.02, 0.01}, {0.02, -0.01}, {-0.02, -0.01}, {0.02, 0.0}, {0.0, 0.0}})
+    EXPECT_EQ(judged(Kind::error_ratio, own, other).verdict, PartVerdict::inconclusive) << own << " " << other;
+  EXPECT_THAT(judged(Kind::error_ratio, -0.02, 0.01).evidence, HasSubstr("'good' has l2 = -0.02 at cells = 16, and"));
+  EXPECT_THAT(judged(Kind::error_ratio, 0.02, -0.01).evidence, HasSubstr("'bad' has l2 = -0.01 at cells = 16, and"));
+  EXPECT_EQ(judged(Kind::error_ratio, -0.02, INFINITY).verdict, PartVerdict::inconclusive) << "beside an unstable run";
+}
+
 TEST(Criterion, SlopesAgainstTheSweptValue) {  // 3 + 2 x over 3 + 4 x, and over 3 + 4 x at its first point
   StudyResult result;
   result.sweep = "order";
@@ -188,6 +208,51 @@ TEST(Criterion, CostRatioAtEachPowerOfTen) {
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive) << "but not so many times as much";
   result.series[2].points.clear();
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive);
+}
+
+/// Runs whose cost was measured, the last of "bad" unstable: `unstable` of them in all.
+StudyResult with_cost(std::size_t unstable) {
+  StudyResult result = two_series();
+  for (records::Series& series : result.series)
+    for (Point& point : series.points)
+      if (point.status == Status::ok) point.y["step_seconds"] = point.x;
+  for (std::size_t k = 4 - unstable; k < 4; ++k) {
+    result.series[1].points[k].status = Status::unstable;
+    result.series[1].points[k].y = {};
+  }
+  return result;
+}
+
+TEST(Criterion, ASpreadGetsNoMilderTheMoreRunsAreUnstable) {
+  for (std::size_t unstable = 1; unstable <= 4; ++unstable) {
+    const records::ClaimPart part = judge(criterion(Kind::spread, "bad", {}, 2), with_cost(unstable));
+    EXPECT_EQ(part.verdict, PartVerdict::fails) << unstable;
+    EXPECT_THAT(part.evidence, HasSubstr("= inf ")) << unstable;
+    EXPECT_EQ(judge(criterion(Kind::spread, "bad", 1, 2), with_cost(unstable)).verdict, PartVerdict::fails) << unstable;
+  }
+  EXPECT_EQ(judge(criterion(Kind::spread, "bad", 2, {}), with_cost(3)).verdict, PartVerdict::holds);
+  EXPECT_EQ(judge(criterion(Kind::spread, "bad", 2, {}), with_cost(4)).verdict, PartVerdict::inconclusive)
+      << "nothing shows how far apart they lie";
+}
+
+TEST(Criterion, ARatioOfCostsGetsNoMilderTheMoreRunsAreUnstable) {
+  const auto judged = [](const char* series, const char* over, std::optional<double> at_least,
+                         std::optional<double> at_most, const StudyResult& result) {
+    Criterion ratio = criterion(Kind::cost_ratio, series, at_least, at_most);
+    ratio.over = over, ratio.window = {1e-3, 1e-3};
+    return judge(ratio, result);
+  };
+  for (std::size_t unstable = 1; unstable <= 4; ++unstable) {
+    const StudyResult result = with_cost(unstable);
+    EXPECT_EQ(judged("bad", "good", {}, 1, result).verdict, PartVerdict::fails) << unstable;
+    EXPECT_EQ(judged("bad", "bad", 0.5, 2, result).verdict, PartVerdict::fails) << unstable;
+    EXPECT_EQ(judged("good", "bad", {}, 1, result).verdict, PartVerdict::holds) << unstable;
+  }
+  EXPECT_THAT(judged("bad", "good", {}, 1, with_cost(4)).evidence, HasSubstr("at l2 1e-03: 'bad' never reaches it"));
+  StudyResult unmeasured = with_cost(3);
+  unmeasured.series[1].points[0].y.erase("step_seconds");
+  EXPECT_EQ(judged("bad", "good", {}, 1, unmeasured).verdict, PartVerdict::inconclusive) << "a sound run has no cost";
+  EXPECT_THAT(judged("bad", "good", {}, 1, unmeasured).evidence, HasSubstr("no cost of 'bad'"));
 }
 
 TEST(Criterion, WhatIsAwaitedKeepsAClaimFromBeingConfirmed) {

@@ -57,6 +57,25 @@ TEST(Findings, OfEveryKind) {
   EXPECT_EQ(findings_of(study).size(), 7U) << "linf is neither fitted nor drawn, the energy is no error";
 }
 
+TEST(Findings, ALimitThatWasNotFoundSaysWhatWasSeen) {
+  StudyResult study = sample();
+  const auto limit = [&](const std::vector<fits::Probe>& probes, double stable, double unstable) {
+    fits::StabilityLimit unfound;
+    unfound.key = "cfl", unfound.probes = probes, unfound.stable = stable, unfound.unstable = unstable;
+    study.series[0].limit = unfound;
+    return found(study, "cfl limit of 'a'");
+  };
+  const Finding calm = limit({{0.5, true, ""}, {1, true, ""}}, 1, not_measured);
+  EXPECT_EQ(text(calm), "stable at all values tried, up to 1");
+  EXPECT_EQ(calm.side, 1);
+  const Finding wild = limit({{0.5, false, ""}, {1, false, ""}}, not_measured, 0.5);
+  EXPECT_EQ(text(wild), "unstable at all values tried, down to 0.5");
+  EXPECT_EQ(wild.side, -1);
+  EXPECT_EQ(limit({{0.5, false, ""}, {1, true, ""}}, not_measured, 0.5).side, 0);
+  EXPECT_EQ(limit({}, not_measured, not_measured).side, 0);
+  EXPECT_EQ(found(sample(), "cfl limit of 'a'").side, 0);
+}
+
 TEST(Findings, CostOnlyWhereItIsEvidence) {
   StudyResult study = sample();
   study.series[0].points[0].y["ns_per_particle_step"] = 20;
@@ -103,6 +122,16 @@ TEST(Trends, HaveANumberPerVersion) {
   EXPECT_THAT(trends[0].numbers, ElementsAre(2, NanSensitiveDoubleEq(NAN), 1.9));
   EXPECT_EQ(trends.back().name, "value 'late'");
   EXPECT_THAT(trends.back().numbers, ElementsAre(NanSensitiveDoubleEq(NAN), NanSensitiveDoubleEq(NAN), 1));
+}
+
+TEST(Trends, ALimitThatIsLostHasAShortRemark) {
+  StudyResult lost = sample();
+  lost.series[0].limit->found = false;
+  lost.series[0].limit->probes = {{0.5, false, ""}, {1, false, ""}};
+  const auto trends = trends_of({findings_of(sample()), findings_of(lost)});
+  const auto limit = std::ranges::find(trends, "cfl limit of 'a'", &Trend::name);
+  ASSERT_NE(limit, trends.end());
+  EXPECT_THAT(limit->remarks, ElementsAre("", "not found"));
 }
 
 TEST(Trends, AnErrorIsOfOneLevelInAllVersions) {

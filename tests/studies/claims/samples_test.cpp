@@ -34,6 +34,17 @@ TEST(Samples, NoOrderIsTakenNearTheErrorOfTheSolution) {
   EXPECT_EQ(claims::samples_of(series, "l2", "cells").size(), 1U);
 }
 
+/// h is the distance of particles: twice as many a cell halve it.
+TEST(Samples, MoreParticlesAreAFinerStep) {
+  for (const char* sweep : {"cells", "ppc"}) {
+    const auto fit = fits::fit_order(claims::samples_of(with_floor(), "l2", sweep), 8, 32);
+    EXPECT_NEAR(fit.order, 2, 1e-12) << sweep;
+    EXPECT_TRUE(claims::is_finer(32, 8, sweep)) << sweep;
+  }
+  EXPECT_NEAR(fits::fit_order(claims::samples_of(with_floor(), "l2", "cfl"), 8, 32).order, -2, 1e-12);
+  EXPECT_TRUE(claims::is_finer(8, 32, "cfl"));
+}
+
 TEST(Samples, OtherErrorsHaveNoFloor) {
   EXPECT_EQ(claims::samples_of(with_floor(), "stress_error", "cells").size(), 4U);
   EXPECT_TRUE(claims::left_out(with_floor(), "stress_error").empty());

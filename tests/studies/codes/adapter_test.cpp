@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -80,10 +81,37 @@ TEST_F(AdapterFile, ItsDigestIsOfItsTemplatesToo) {
   EXPECT_NE(read(text_).digest, with_template) << "a command names it";
 }
 
+TEST_F(AdapterFile, ItsDigestIsOfAllFilesThatACommandMayName) {
+  const auto depends = [this](const std::string& word, const std::string& file) {
+    std::string text = text_;
+    text.replace(text.find("{{adapter}}/convert.py"), 22, word);
+    support::make_folder((folder_ / file).parent_path());
+    support::write_if_changed(folder_ / file, "one\n");
+    const std::string before = read(text).digest;
+    support::write_if_changed(folder_ / file, "another\n");
+    return read(text).digest != before;
+  };
+  for (const auto& [word, file] : {std::pair{"{{adapter}}/linear.conf", "linear.conf"},
+                                   {"--conf={{adapter}}/linear.conf", "linear.conf"},
+                                   {"{{ adapter }}/linear.conf", "linear.conf"},
+                                   {"{{adapter}}/{{variant}}.conf", "linear.conf"},
+                                   {"{{adapter}}/{{#is_odd}}odd/{{/is_odd}}linear.conf", "odd/linear.conf"},
+                                   {"{{adapter}}/lib", "lib/move.py"},
+                                   {"{{adapter}}/lib/move.py:{{adapter}}/linear.conf", "lib/move.py"},
+                                   {"{{adapter}}/lib/move.py:{{adapter}}/linear.conf", "linear.conf"}})
+    EXPECT_TRUE(depends(word, file)) << word;
+  for (const auto& [word, file] : {std::pair{"{{adapter}}/linear.conf", "linear.conf.old"},
+                                   {"{{adapter}}/{{variant}}.conf", "notes.txt"},
+                                   {"{{adapter}}/", "goldens/orders.toml"},
+                                   {"{{program}}", "linear.conf"}})
+    EXPECT_FALSE(depends(word, file)) << word;
+}
+
 TEST_F(AdapterFile, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(complaint_without("\"small-mpm\"", "\"other\""), HasSubstr("name of the adapter's folder, small-mpm"));
   EXPECT_THAT(complaint_without("\"csv\"", "\"xml\""), HasSubstr("unknown format 'xml' in"));
   EXPECT_THAT(complaint_without("time_limit = 300", "time_limit = 0"), HasSubstr("adapter.toml:13"));
+  EXPECT_THAT(complaint_without("\"left the grid\"", "\"\""), HasSubstr("an empty text of 'unstable' in"));
   EXPECT_THAT(complaint_without("[capabilities]", "[ability]"), HasSubstr("unknown key 'ability'"));
   EXPECT_THAT(complaint_without("x = \"px\"", "q = \"px\""), HasSubstr("adapter.toml:20"));
   EXPECT_THAT(complaint_without("\"input.txt\"  ", "\"../a\"  "), HasSubstr("a name in the run's folder"));

@@ -57,6 +57,19 @@ TEST(CsvReader, CommentsSayTimeAndNames) {
   EXPECT_EQ(s.x.front()[0], 1.25);
 }
 
+TEST(CsvReader, KnowsTheFilesOfAStateAndTheirUnits) {
+  const WrittenFile a{written_run::write("a.csv", "x\n1\n2\n")}, b{written_run::write("b.csv", "x\n3\n")};
+  const Snapshot s = read_snapshot(std::vector{a.path, b.path}, {.length = 1e-3});
+  EXPECT_EQ(s.file, a.path.string() + " and 1 more");
+  ASSERT_EQ(s.parts.size(), 2U);
+  EXPECT_EQ(s.parts[1].file, b.path.string());
+  EXPECT_EQ(s.parts[0].rows, 2U);
+  EXPECT_TRUE(s.has_own_units);
+  const Snapshot alone = read_snapshot(std::vector{a.path}, {});
+  EXPECT_EQ(alone.file, a.path.string());
+  EXPECT_FALSE(alone.has_own_units);
+}
+
 TEST(CsvReader, ReadsNumbersBeyondTheRangeOfDoubles) {
   const Snapshot s = read("x,y,v_x,v_y\n1e-400,0,-1e400,inf\n", "", 2);
   EXPECT_EQ(s.x.front()[0], 0);
@@ -94,6 +107,15 @@ TEST(CsvReader, SeesTheDigitsOfTexts) {
   const Snapshot fixed = read("x,y\n0.1234,1.5000\n0.0123,0.2500\n");
   EXPECT_DOUBLE_EQ(fixed.rounding, 1e-4 * std::sqrt(2.0));
   EXPECT_EQ(read("x,y,m\n0.125,0.375,1\n0.125,0.625,0.33333333333333331\n").digits, 17);
+  EXPECT_EQ(read("x,y,m\n0.5,1.5,1\n1.0,0.5,0.33333333333333331\n").digits, 17)
+      << "1.0 is the shortest that some write";
+}
+
+/// Whatever the other columns show.
+TEST(CsvReader, SeesFixedDecimalsByTheirZeros) {
+  const Snapshot fixed = read("x,y,m\n0.125000,0.374391,1\n0.130432,0.625119,3.33333333333333315e-01\n");
+  EXPECT_EQ(fixed.digits, 6);
+  EXPECT_DOUBLE_EQ(fixed.rounding, 1e-6 * std::sqrt(2.0));
 }
 
 }  // namespace mpmvv::csv_reader_test

@@ -90,6 +90,19 @@ TEST_F(ExternalRun, TakesTheMedianOfTimedRuns) {
   EXPECT_GE(records.at(0).cost.spread, 0);
 }
 
+TEST_F(ExternalRun, ThatFailsInARepetitionHasFailed) {
+  const std::string starts = "'" + (mover_.top() / "starts").string() + "'";
+  mover_.script(std::string(Mover::moving) + "echo >> " + starts + "; test $(wc -l < " + starts +
+                ") -lt 3 || exit 3\n");
+  auto settings = Mover::settings();
+  settings.push_back({"repeat", "3", "test"});
+  const Record record = run_external_timed({settings::make_case(settings)}, {{"mover", mover_.code()}}).at(0);
+  EXPECT_EQ(record.status, Status::failed);
+  EXPECT_THAT(record.reason, HasSubstr("ended with status 3: it printed nothing; its folder: "));
+  EXPECT_EQ(record.the_case.measure.repeat, 3);
+  EXPECT_TRUE(std::isnan(record.cost.step_seconds));
+}
+
 TEST_F(ExternalRun, OfAnotherTimeHasFailed) {
   mover_.script(
       "echo id,x,y,m,time > particles.csv\n"
@@ -161,6 +174,18 @@ TEST_F(ExternalRun, TrueAndFalseOfAVariantAreConditions) {
   std::ifstream input(mover_.top() / "kept" / "input.txt");
   std::getline(input, line);
   EXPECT_EQ(line, "plain, not odd") << record.reason;
+}
+
+TEST_F(ExternalRun, EveryBoundaryIsACondition) {
+  mover_.write("input.mustache",
+               "{{#is_periodic}}periodic{{/is_periodic}}{{#is_dirichlet}}no{{/is_dirichlet}}"
+               "{{#is_symmetry}}no{{/is_symmetry}}{{#is_mirror}}no{{/is_mirror}}{{#is_free}}no{{/is_free}}"
+               "{{#is_wall}}no{{/is_wall}}\n");
+  const Record record = run_external(settings::make_case(Mover::settings()), mover_.code(), mover_.top() / "kept");
+  std::string line;
+  std::ifstream input(mover_.top() / "kept" / "input.txt");
+  std::getline(input, line);
+  EXPECT_EQ(line, "periodic") << record.reason;
 }
 
 TEST_F(ExternalRun, NumbersHaveAllTheirDigits) {

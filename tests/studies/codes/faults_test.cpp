@@ -88,6 +88,8 @@ TEST_F(OutputFaults, ParticlesThatBlewUp) {
          "1 of 256 particles with a position that is no number in end.csv (the first: particle 6)");
   s.id.clear();
   expect({.end = s}, Status::unstable, "in end.csv (the first: row 6)");
+  s.parts = {{"a.csv", 4}, {"b.csv", 252}};
+  expect({.end = s}, Status::unstable, "(the first: row 2 of b.csv)");
   s = end();
   s.x[5][1] = 3;
   expect({.end = s}, Status::unstable, "particle 6 has escaped: y = 3 m");
@@ -213,6 +215,17 @@ TEST_F(OutputFaults, AnotherCase) {
   expect_failed(s, "problem = ring in end.csv, the case has square");
   s.says = {{"amplitude", "0.07"}, {"cells", "8"}, {"anything", "else"}};
   expect_failed(s, "amplitude = 0.07 in end.csv, the case has");
+}
+
+/// The file may mean its numbers in these.
+TEST_F(OutputFaults, AnotherUnitOfCommentsIsNone) {
+  Snapshot s = end();
+  s.says = {{"dt", "0.125"}, {"end_time", "4"}, {"amplitude", "100"}};
+  expect_failed(s, "amplitude = 100 in end.csv, the case has");
+  s.has_own_units = true;
+  EXPECT_EQ(codes::score(c, {.end = s}).status, Status::ok);
+  s.says["cells"] = "9";
+  expect_failed(s, "cells = 9 in end.csv, the case has 8");
 }
 
 }  // namespace mpmvv::output_faults_test

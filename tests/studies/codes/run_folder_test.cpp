@@ -1,6 +1,6 @@
 #include "studies/codes/run_folder.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -11,6 +11,8 @@
 #include <string>
 #include <thread>
 #include <tuple>
+
+#include "studies/support/error.hpp"
 
 namespace mpmvv::codes::run_folder_test {
 
@@ -57,6 +59,17 @@ TEST_F(RunFolders, TakeNoPlaceOfOthers) {
   { const RunFolder good{{}}; }
   EXPECT_TRUE(is_foreign_whole("run"));
   EXPECT_TRUE(is_foreign_whole("failed"));
+}
+
+/// An output of an earlier run would be scored as that of this one.
+TEST_F(RunFolders, ANamedOneIsNewOrEmpty) {
+  const fs::path named = top_ / "trial";
+  { const RunFolder made(named); }
+  EXPECT_NO_THROW(RunFolder{named});
+  std::ofstream(named / "particles.csv") << "of another run";
+  EXPECT_THAT([&] { RunFolder{named}; }, testing::ThrowsMessage<support::UsageError>(testing::HasSubstr(
+                                             "trial in --keep is not empty (a new folder, or an empty one")));
+  EXPECT_TRUE(fs::exists(named / "particles.csv"));
 }
 
 TEST_F(RunFolders, AreRemovedTogetherAndNoOthers) {

@@ -1,9 +1,11 @@
 #include "studies/codes/solution_points.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "studies/settings/settings.hpp"
 #include "studies/support/error.hpp"
@@ -67,6 +69,15 @@ TEST(SolutionAtPoints, GivesTractionsOnALoadedSurface) {
   PointQuery query = with_fields({"traction"});
   query.normal = std::vector<double>{-1, 0};
   EXPECT_NEAR(numbers(lines_of(csv("pulse", "X,Y,t\n0,0,0.0005\n", query))[1])[3], -500, 1e-9);
+}
+
+/// Whatever its length: squares of these components are beyond the range of doubles.
+TEST(SolutionAtPoints, TakesOfANormalItsDirection) {
+  for (const auto& [N, traction] :
+       {std::pair{"-1e200,0", -500.0}, {"-1e-200,0", -500.0}, {"-1.7e308,-1.7e308", -500 / std::numbers::sqrt2}}) {
+    const std::string points = fmt::format("X,Y,t,NX,NY\n0,0,0.0005,{}\n", N);
+    EXPECT_NEAR(numbers(lines_of(csv("pulse", points, with_fields({"traction"})))[1])[3], traction, 1e-9) << N;
+  }
 }
 
 TEST(SolutionAtPoints, SaysWhichLineIsBad) {

@@ -116,6 +116,18 @@ TEST(ObservedOrder, FewPointsGiveNoInterval) {
   EXPECT_TRUE(std::isnan(none.asymptotic_from));
 }
 
+/// Segments of 1 and 2.
+TEST(ObservedOrder, ThreePointsReachFromSegmentToSegment) {
+  const std::vector<ErrorSample> samples = {{8, 1. / 8, 8}, {16, 1. / 16, 4}, {32, 1. / 32, 1}, {64, 1. / 64, 0.5}};
+  ObservedOrder fit = fit_order(samples, 8, 32);
+  EXPECT_NEAR(half_width(fit), 0.5, 1e-12);
+  fit.replicates = ReplicateFit{6, 0.01, 0.125, 0.5};
+  EXPECT_EQ(half_width(fit), 0.125) << "replicates know better";
+  EXPECT_EQ(half_width(fit_order(samples, 8, 16)), 0) << "of two points nothing is known";
+  const ObservedOrder four = fit_order(samples, 8, 64);
+  EXPECT_EQ(half_width(four), four.half_width) << "by their residuals";
+}
+
 TEST(ObservedOrder, EqualStepSizesHaveNoOrder) {
   const std::vector<ErrorSample> samples = {{1, 0.5, 1}, {2, 0.5, 2}, {3, 0.5, 3}};
   const auto fit = fit_order(samples, 1, 3);

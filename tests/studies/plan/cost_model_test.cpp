@@ -40,6 +40,16 @@ TEST_F(CostModels, LearnFromTheSameCaseElseFromLikeOnesElseGuess) {
   EXPECT_NEAR(model.time(cube("32", "3")).seconds, 3 * 8 * like.seconds, 1e-9) << "three times the whole";
 }
 
+TEST_F(CostModels, CountTheThreadsThatSharedARun) {
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  records::Record record;
+  record.the_case = cube("16"), record.particles = 32768, record.steps = 10, record.images = 8;
+  record.wall_seconds = 2, record.threads = 4;
+  store.keep(record, store::current_provenance());
+  EXPECT_DOUBLE_EQ(CostModel(&store).time(cube("16")).seconds, 8);
+  EXPECT_NEAR(CostModel(&store).time(cube("32")).seconds, 8 * 8, 1e-9);
+}
+
 TEST(CostModel, GuessesTheCostOfThePartThatIsRun) {
   for (const auto& [problem, images] : {std::pair("vortex", 4), std::pair("ring", 8)}) {
     std::vector<settings::Setting> settings{

@@ -145,14 +145,6 @@ to = 2
   EXPECT_EQ(store.code_series(store::current_provenance().digest).at(0).code.name, "mover");
 }
 
-TEST_F(ExternalSeries, WithReplicatesIsOneOfAnotherCode) {
-  std::string text = std::string(both) + "[replicates]\ncfl = [0.4, 0.5]\n";
-  text.erase(text.find("cfl = 0.5\n"), 10);
-  store::Store store(mover_.top() / "r.db", store::Store::Mode::create_or_write);
-  run(plan(text), store);
-  EXPECT_EQ(store.code_series(store::current_provenance().digest).at(0).series, "theirs");
-}
-
 TEST_F(ExternalSeries, WithoutTheProgramItSaysHowToGetIt) {
   std::filesystem::remove(mover_.folder() / "mover");
   StudyPlan read = plan(both);
@@ -167,6 +159,8 @@ TEST_F(ExternalSeries, MistakesAreNamed) {
   EXPECT_THAT(complaint(with("variant = \"fast\"\n")), HasSubstr("unknown variant 'fast' of code 'mover'"));
   EXPECT_THAT(complaint(with("code_version = \"9\"\n")), HasSubstr("code_version = '9'"));
   EXPECT_THAT(complaint(with("basis = \"linear\"\n")), HasSubstr("basis in"));
+  EXPECT_THAT(complaint(both + std::string("[replicates]\nshuffle = [1, 2]\n")),
+              HasSubstr("no meaning for code 'mover'"));
   EXPECT_THAT(complaint(with("force_form = \"misplaced\"\n")), HasSubstr("cannot run problem 'translation'"));
   std::string other = both;
   other.replace(other.find("\"mover\""), 7, "\"shaker\"");

@@ -59,8 +59,6 @@ std::map<std::string, Lines> every_key() {
         {"statement", "\"S\""},
         {"measure", "\"order-difference\""},
         {"series", names},
-        {"over", "\"one\""},
-        {"name", "\"value\""},
         {"norm", "\"l2\""},
         {"over_norm", "\"linf\""},
         {"window", "[0.01, 1]"},
@@ -118,28 +116,45 @@ TEST_F(FileTables, RefuseEveryOtherKey) {
   EXPECT_THAT(complaint_of("title = \"T\"\ncheck = \"jump-errors\"\n[fixed]\n"), HasSubstr("beside a check"));
 }
 
-/// The rows of the reference: "| `order` | its number | `series`, `norm` |".
-TEST_F(FileTables, SayWhatEveryMeasureNeeds) {
+/// The keys that the reference names in the row of each measure: "| `order` | its number | `series`, `norm` |".
+std::map<std::string, std::string> needs_by_measure() {
   const std::string reference = study_file_reference();
   const std::string rows = reference.substr(reference.find("## Measures"));
-  const std::regex row("\n\\| `([a-z-]+)` \\| [^|]* \\| ([^|]*) \\|"), key("`([a-z_]+)`");
+  const std::regex row("\n\\| `([a-z-]+)` \\| [^|]* \\| ([^|]*) \\|");
+  std::map<std::string, std::string> needs;
   for (const char* word : words_of(claims::Criterion::Kind{})) {
     std::smatch found;
     const std::string from = rows.substr(rows.find(std::string("\n| `") + word + "` |"));
-    ASSERT_TRUE(std::regex_search(from, found, row));
-    const std::string needs = found[2];
-    auto study = every_key();
-    Lines& criterion = study["criterion"];
-    criterion["measure"] = '"' + found[1].str() + '"';
-    if (found[1] == "cost-ratio") criterion["window"] = "[1e-6, 1e-3]";
-    for (const char* each : {"series", "over", "name", "norm", "over_norm", "window"})
-      if (needs.find("`" + std::string(each) + "`") == std::string::npos) criterion.erase(each);
-    EXPECT_EQ(complaint_of(text_of(study)), "") << found[1];
-    for (std::sregex_iterator it(needs.begin(), needs.end(), key), end; it != end; ++it) {
-      auto without_it = study;
-      without_it["criterion"].erase((*it)[1]);
-      EXPECT_NE(complaint_of(text_of(without_it)), "") << found[1] << " without " << (*it)[1];
+    if (std::regex_search(from, found, row)) needs[found[1]] = found[2];
+  }
+  return needs;
+}
+
+TEST_F(FileTables, SayWhatEveryMeasureNeedsAndItTakesNoOtherKey) {
+  ASSERT_EQ(needs_by_measure().size(), words_of(claims::Criterion::Kind{}).size());
+  for (const auto& [measure, needs] : needs_by_measure()) {
+    const std::string window = measure == "cost-ratio" ? "[1e-6, 1e-3]" : "[0.01, 1]";
+    const Lines keys{{"series", "[\"one\"]"}, {"over", "\"one\""},       {"name", "\"value\""},
+                     {"norm", "\"l2\""},      {"over_norm", "\"linf\""}, {"window", window}};
+    Lines given{{"claim", "\"C\""}, {"statement", "\"S\""}, {"measure", '"' + measure + '"'}, {"reason", "\"R\""}};
+    if (!needs.empty()) given["at_least"] = "1";
+    for (const auto& [key, value] : keys)
+      if (needs.find("`" + key + "`") != std::string::npos) given[key] = value;
+    const auto complaint_with = [&](const Lines& criterion) {
+      auto study = every_key();
+      study["criterion"] = criterion;
+      return complaint_of(text_of(study));
+    };
+    ASSERT_EQ(complaint_with(given), "") << measure;
+    for (const auto& [key, value] : keys) {
+      Lines other = given;
+      const bool was_needed = other.erase(key) == 1;
+      if (!was_needed) other[key] = value;
+      EXPECT_THAT(complaint_with(other), HasSubstr(was_needed ? key : "has no meaning for measure '" + measure + "'"));
     }
+    Lines bounded = given;
+    bounded["at_most"] = "2";
+    EXPECT_EQ(complaint_with(bounded).empty(), !needs.empty()) << measure;
   }
 }
 

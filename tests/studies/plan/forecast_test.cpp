@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "studies/plan/estimates.hpp"
 #include "studies/plan/study_runner.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
@@ -70,6 +71,40 @@ TEST_F(Forecasts, LetTheLongestStartFirstAndTimedOnesWait) {
   const double beside = one.seconds - one.timed_seconds;
   EXPECT_LT(two.seconds, one.seconds);
   EXPECT_GE(two.seconds - two.timed_seconds, beside / 2);
+}
+
+TEST_F(Forecasts, CountTheChecksThatAreNotThere) {
+  const auto file = folder_ / "jump.toml";
+  std::ofstream(file) << "title = \"Jump\"\nclaims = []\ncheck = \"jump-errors\"\n";
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  const Forecast before = forecast({read_study(file)}, &store, 2);
+  EXPECT_EQ(before.studies.at(0).seconds, about_check);
+  EXPECT_EQ(before.core_seconds, about_check);
+  EXPECT_EQ(before.seconds, about_check) << "on one thread";
+  RunnerCounts counts;
+  run_studies({read_study(file)}, store, {}, counts);
+  EXPECT_EQ(forecast({read_study(file)}, &store, 2).core_seconds, 0);
+}
+
+TEST_F(Forecasts, TakeTheTimesThatTheyAreGiven) {
+  const std::vector<StudyPlan> plans{study("cube", "[8]")};
+  Store costs(folder_ / "costs.db", Store::Mode::create_or_write);
+  records::Record record;
+  record.the_case = sweep_cases(plans[0]).at(0);
+  record.wall_seconds = 10, record.threads = 4;
+  costs.keep(record, store::current_provenance());
+  const auto on = [&](int jobs) { return forecast(plans, work_of(plans), nullptr, CostModel(&costs), jobs); };
+  EXPECT_EQ(on(1).studies.at(0).runs, 1U) << "another store has it";
+  EXPECT_THAT(on(1).studies[0].why, HasSubstr("1 known of the same case"));
+  EXPECT_DOUBLE_EQ(on(1).seconds, 40);
+  EXPECT_DOUBLE_EQ(on(8).seconds, 5);
+}
+
+TEST(SecondsOn, ManyCoresAreThoseOfTheLongestUnlessAllShareIt) {
+  EXPECT_DOUBLE_EQ(seconds_on(4, {{2}, {40}, {2}}), 40 / 4 + 2);
+  EXPECT_DOUBLE_EQ(seconds_on(4, {{2}, {40, false}, {2}}), 40);
+  EXPECT_DOUBLE_EQ(seconds_on(4, {{1}, {4}}), 4) << "too short to be shared";
+  EXPECT_DOUBLE_EQ(seconds_on(2, {{10}, {10}, {10}, {10}}), 20) << "each has a core";
 }
 
 }  // namespace mpmvv::plan::forecast_test

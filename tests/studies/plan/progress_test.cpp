@@ -19,19 +19,28 @@ cases::Case timed(int cells) {
 TEST(Remaining, SharesTheWorkButDoesNotDivideACase) {
   Remaining remaining;
   EXPECT_EQ(remaining.seconds(2), 0);
-  for (int cells : {1, 2, 3, 4}) remaining.add(sized(cells), 10);
-  EXPECT_DOUBLE_EQ(remaining.seconds(1), 40);
-  EXPECT_DOUBLE_EQ(remaining.seconds(2), 20);
-  EXPECT_DOUBLE_EQ(remaining.seconds(16), 10);
-  remaining.finish(sized(1), 10);
-  EXPECT_DOUBLE_EQ(remaining.seconds(1), 30);
+  for (int cells : {1, 2, 3, 4}) remaining.add(sized(cells), 4);
+  EXPECT_DOUBLE_EQ(remaining.seconds(1), 16);
+  EXPECT_DOUBLE_EQ(remaining.seconds(2), 8);
+  EXPECT_DOUBLE_EQ(remaining.seconds(16), 4);
+  remaining.finish(sized(1), 4);
+  EXPECT_DOUBLE_EQ(remaining.seconds(1), 12);
+}
+
+TEST(Remaining, DividesALongCaseUnlessAnotherCodeRunsIt) {
+  Remaining ours, theirs;
+  cases::Case of_another_code = sized(1);
+  of_another_code.scheme.code = "mover";
+  ours.add(sized(1), 40), theirs.add(of_another_code, 40);
+  EXPECT_DOUBLE_EQ(ours.seconds(4), 10);
+  EXPECT_DOUBLE_EQ(theirs.seconds(4), 40);
 }
 
 TEST(Remaining, WhatIsTimedComesAfterTheRest) {
   Remaining remaining;
-  remaining.add(sized(1), 10);
+  remaining.add(sized(1), 4);
   for (int cells : {1, 2}) remaining.add(timed(cells), 3);
-  EXPECT_DOUBLE_EQ(remaining.seconds(4), 16);
+  EXPECT_DOUBLE_EQ(remaining.seconds(4), 10);
 }
 
 TEST(Remaining, IsCorrectedByWhatHasFinished) {

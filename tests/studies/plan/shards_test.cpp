@@ -74,6 +74,23 @@ TEST(Shards, HaveAllOfTheWorkEachOnce) {
     for (const std::size_t shards : {1UL, 2UL, 9UL}) expect_each_once(plans, split(plans, CostModel(nullptr), shards));
 }
 
+/// Of the probes of this limit some have a part that could be run, others do not; and of each the end time differs.
+TEST(Shards, LeaveProbesOfALimitWithSweepsOverIt) {
+  const std::string cube =
+      "title = \"Cube\"\nclaims = []\n[fixed]\nproblem = \"cube\"\nbasis = \"bspline2\"\ncells = 8\nppc = 2\n";
+  for (const std::string steps : {"", "steps = 40\n"}) {
+    const std::vector<StudyPlan> plans{
+        parse_study(cube + steps + "[[series]]\nname = \"cubes\"\n[sweep]\ncfl = [0.3, 0.45, 0.55, 0.8, 1.0]\n" +
+                        "[limit]\nkey = \"cfl\"\nfrom = 0.2\nto = 1.0\n",
+                    "cube.toml"),
+        parse_study(cube + "whole = true\n" + steps + "[[series]]\nname = \"cubes\"\n[sweep]\ncfl = [0.2, 1.0]\n",
+                    "ends.toml")};
+    const std::vector<Work> works = split(plans, CostModel(nullptr), 2);
+    expect_each_once(plans, works);
+    for (const Work& work : works) EXPECT_EQ(work.runs.empty(), work.limits.empty());
+  }
+}
+
 TEST(Shards, LeaveTogetherWhatIsTimedInOneStudy) {
   const std::vector<StudyPlan> plans = all_kinds();
   const std::vector<Work> works = split(plans, CostModel(nullptr), 5);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <thread>
 
+#include "studies/settings/part.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
 namespace mpmvv::plan::study_runner_test {
@@ -150,11 +151,11 @@ basis = "bspline2"
 problem = "bar"
 integrator = "usl"
 ppc = 2
-end_time = 0.05
+cells = 8
 )";
 
 TEST_F(StudyRunner, ALimitIsOfItsSeriesAndOfTheCflNumbersThatWereRun) {  // 40/n with n steps on 8 cells
-  const StudyResult result = result_of(folder_, "limit", std::string(two_bars) + R"(cells = 8
+  const StudyResult result = result_of(folder_, "limit", std::string(two_bars) + R"(end_time = 0.05
 cfl = 0.5
 [sweep]
 cells = [4, 16]
@@ -178,22 +179,23 @@ series = ["quadratic"]
   EXPECT_NEAR(40 / limit.stable, 40 / limit.unstable + 1, 1e-9) << "one step more";
 }
 
+/// At an offset of 0.2 the error is beyond the bound.
 TEST_F(StudyRunner, AReplicateThatBlowsUpSpeaksForItsPoint) {
-  const auto replicated = [this](const std::string& cfl) {
+  const auto replicated = [this](const std::string& offsets) {
     return result_of(folder_, "replicates",
-                     fmt::format("{}[sweep]\ncells = [8, 16, 32]\n[replicates]\ncfl = [{}]\n"
-                                 "[[fit]]\nnorm = \"l2\"\nwindow = [8, 32]\n",
-                                 two_bars, cfl));
+                     fmt::format("{}end_time = 0.005\nblowup_error = 0.1325\n[sweep]\ncfl = [0.2, 0.25, 0.3]\n"
+                                 "[replicates]\ngrid_offset = [{}]\n[[fit]]\nnorm = \"l2\"\nwindow = [0.2, 0.3]\n",
+                                 two_bars, offsets));
   };
-  for (const char* cfl : {"3, 0.2, 0.25", "0.2, 3, 0.25", "0.2, 0.25, 3"}) {
-    const StudyResult result = replicated(cfl);
+  for (const char* offsets : {"0.2, 0, 0.5", "0, 0.2, 0.5", "0, 0.5, 0.2"}) {
+    const StudyResult result = replicated(offsets);
     for (const records::Point& point : result.series[1].points) {
-      EXPECT_EQ(point.status, records::Status::unstable) << cfl;
+      EXPECT_EQ(point.status, records::Status::unstable) << offsets;
       EXPECT_NE(point.reason, "");
       EXPECT_TRUE(point.y.empty() && point.replicates.empty());
     }
   }
-  const records::Series sound = replicated("0.2, 0.25, 0.3").series[1];
+  const records::Series sound = replicated("0, 0.5, 0.6").series[1];
   EXPECT_EQ(sound.orders[0].replicates->observations, 9);
   for (const records::Point& point : sound.points) {
     const std::vector<double>& l2 = point.replicates.at("l2");
@@ -233,6 +235,27 @@ TEST_F(StudyRunner, RunsTheWholeWhereThePartBlowsUp) {
   EXPECT_EQ(record->status, records::Status::unstable);
   EXPECT_EQ(record->images, 1);
   EXPECT_EQ(record->particles, 8000);
+}
+
+/// It took a minute before, and so all threads share it now.
+TEST_F(StudyRunner, KeepsHowManyThreadsSharedACase) {
+  std::ofstream(folder_ / "cube.toml") << cubes << "cfl = 0.4\nsteps = 4\n[sweep]\ncells = [8]\n";
+  const StudyPlan plan = read_study(folder_ / "cube.toml");
+  const cases::Case cube = sweep_cases(plan).front();
+  for (const bool whole : {false, true}) {
+    Store store(folder_ / fmt::format("{}.db", whole), Store::Mode::create_or_write);
+    records::Record before;
+    before.the_case = whole ? settings::as_whole(cube) : cube;
+    before.wall_seconds = 60;
+    StudyPlan now = plan;
+    if (whole) now.series[0].settings.push_back({"whole", "true", ""});
+    store.keep(before, store::store_samples::provenance("another"));
+    RunnerOptions options;
+    options.jobs = 3;
+    RunnerCounts counts;
+    run_studies({now}, store, options, counts);
+    EXPECT_EQ(store.find(before.the_case, store::current_provenance().digest).value().threads, 3);
+  }
 }
 
 TEST_F(StudyRunner, SearchesALimitOfTheWhole) {

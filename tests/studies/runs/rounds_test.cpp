@@ -31,7 +31,9 @@ TEST(Rounds, RunEachCaseOnceAndMeasureSoundOnesInTurns) {
       },
       [&](const cases::Case& c) {
         calls += "+" + c.problem.name;
-        return costs[measured++];
+        records::Record r;
+        r.ns_per_particle_step = costs[measured++];
+        return r;
       });
   EXPECT_EQ(calls, "abc+a+b+a+b+b");
   EXPECT_EQ(records[0].ns_per_particle_step, 50);  // of 50, 20 and 70
@@ -40,6 +42,31 @@ TEST(Rounds, RunEachCaseOnceAndMeasureSoundOnesInTurns) {
   EXPECT_DOUBLE_EQ(records[1].cost.spread, 60. / 45);
   EXPECT_EQ(records[2].ns_per_particle_step, 50);
   EXPECT_TRUE(std::isnan(records[2].cost.step_seconds));
+}
+
+TEST(Rounds, ARepetitionThatIsNotSoundReplacesTheRun) {
+  int repetitions = 0;
+  const auto records = run_in_rounds(
+      {repeated("a", 4), repeated("b", 3)},
+      [](const cases::Case& c) {
+        records::Record r;
+        r.the_case = c;
+        r.particles = 1000, r.steps = 100, r.ns_per_particle_step = 50;
+        return r;
+      },
+      [&](const cases::Case& c) {
+        records::Record r;
+        r.the_case = c;
+        r.ns_per_particle_step = 40;
+        if (c.problem.name == "a" && ++repetitions == 2) r.status = records::Status::failed, r.reason = "no licence";
+        return r;
+      });
+  EXPECT_EQ(repetitions, 2) << "and is the last";
+  EXPECT_EQ(records[0].status, records::Status::failed);
+  EXPECT_EQ(records[0].reason, "no licence");
+  EXPECT_TRUE(std::isnan(records[0].cost.step_seconds));
+  EXPECT_EQ(records[1].status, records::Status::ok);
+  EXPECT_EQ(records[1].ns_per_particle_step, 40);
 }
 
 }  // namespace mpmvv::runs::rounds_test

@@ -58,6 +58,14 @@ TEST(OtherCode, NeedsASolutionAndAFreeSurface) {
   EXPECT_EQ(complaint({{"problem", "ring"}, {"code", "nairn"}, {"quarter", "true"}}), "");
 }
 
+TEST(OtherCode, HasTheNodesOfAQuarterOnItsPlanes) {
+  const auto quarter = [](const char* cells) {
+    return complaint({{"problem", "cube-rest"}, {"code", "nairn"}, {"quarter", "true"}, {"cells", cells}});
+  };
+  EXPECT_THAT(quarter("5"), HasSubstr("its quarter on 5 cells has planes of symmetry between nodes (an even number)"));
+  EXPECT_EQ(quarter("6"), "");
+}
+
 TEST(OtherCode, MayHaveALawThatTheSolutionIsNotExactFor) {
   EXPECT_EQ(made({{"problem", "wave"}, {"code", "nairn"}}).scheme.material, "linear-elastic");
   EXPECT_EQ(made({{"problem", "wave"}, {"code", "nairn"}, {"material", "neo-hookean-log"}}).scheme.material,

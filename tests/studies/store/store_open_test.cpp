@@ -220,6 +220,25 @@ TEST_F(StoreOpen, AStoreOfSchema14KeepsItsStudies) {
   EXPECT_EQ(database.scalar("SELECT count(*) FROM points").integer(), 0) << "foreign keys are on again";
 }
 
+/// Which does not say how many threads shared a run.
+TEST_F(StoreOpen, ARunOfSchema15HadOneThread) {
+  open_store(file_, Mode::create_or_write, migrations().first(15))
+      .execute(fmt::format(
+          "INSERT INTO provenance VALUES (3, 'd1', 'c0ffee', 0, '', '', '', '');"
+          "INSERT INTO runs (case_text, digest, provenance, kept_at, problem, basis, integrator, velocity_update, "
+          "boundary, cells, ppc, dt, end_time, particles, steps, status, reason, wall_seconds) "
+          "VALUES ('{}', 'd1', 3, '', 'bar', 'bspline2', 'cd', 'flip', '', 8, 4, 0.1, 0.3, 32, 3, 'ok', '', 96)",
+          cases::canonical_text(bar(8))));
+  {
+    Database old(file_, Database::Access::write);
+    seal(old, Sealed::run, 1);
+  }
+  const Store store(file_, Mode::write);
+  EXPECT_EQ(store.find(bar(8), "d1").value().threads, 1);
+  EXPECT_EQ(store.last_seconds(bar(8)), 96);
+  EXPECT_EQ(store.step_costs().begin()->second, 1);
+}
+
 /// The page on a number of one's own says its schema: that it is an old one, the slow tests alone would find.
 TEST(Schema, OfANumberOfOnesOwnIsTheNextOne) {
   EXPECT_THAT(walk("number-entry"), HasSubstr(fmt::format("({}, ", migrations().size() + 1)));

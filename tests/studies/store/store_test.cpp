@@ -25,8 +25,8 @@ using testing::Pair;
 using testing::SizeIs;
 
 std::string describe(const Record& r) {
-  std::string text = fmt::format("{} {} {} {} {} '{}'", cases::canonical_text(r.the_case), r.particles, r.steps,
-                                 to_string(r.status), to_string(r.failure), r.reason);
+  std::string text = fmt::format("{} {} {} {} {} {} '{}'", cases::canonical_text(r.the_case), r.particles, r.steps,
+                                 r.threads, to_string(r.status), to_string(r.failure), r.reason);
   for (const auto* numbers : {&records::run_errors(), &records::run_by_products()})
     for (const records::RunNumber& number : *numbers) text += fmt::format(" {} = {}", number.name, number.get(r));
   return text;
@@ -38,8 +38,8 @@ TEST(RunNumbers, AreAllMembers) {
   EXPECT_EQ(std::ssize(run_errors()), count_members<Errors>() + count_members<Balance>());
   constexpr int of_the_record = 6;  // wall_seconds, ns_per_particle_step, cfl, images, output_floor, solution_floor
   EXPECT_EQ(std::ssize(run_by_products()), count_members<Energy>() + count_members<Cost>() + of_the_record);
-  // case, particles, steps, status, failure, reason, errors of particles; error, energy, balance, cost
-  constexpr int without_a_number = 11;
+  // case, particles, steps, threads, status, failure, reason, errors of particles; error, energy, balance, cost
+  constexpr int without_a_number = 12;
   EXPECT_EQ(count_members<Record>(), without_a_number + of_the_record);
 }
 
@@ -59,6 +59,7 @@ TEST_F(StoreTest, ARecordComesBackWhole) {
              .stress = 3e7};
   r.balance = {.mass = -1e-3, .momentum = 2e-16, .angular_momentum = 0.4};
   r.cost = {.step_seconds = 0.7, .spread = 0.02};
+  r.threads = 8;
   r.status = Status::unstable;
   r.reason = "det F <= 0 at step 7, 'particle' \"3\"\nα";
   store.keep(r, provenance());

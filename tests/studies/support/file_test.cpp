@@ -1,5 +1,6 @@
 #include "studies/support/file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -55,7 +56,36 @@ TEST_F(File, AppearsWholeOrNotAtAll) {
   EXPECT_EQ(require_file(folder / "new", "a text"), "text");
   for (const char* name : {"folder", "absent/new", "new/new", "full"})
     EXPECT_THAT(refusal([&] { write_if_changed(folder / name, "text"); }), HasSubstr("cannot write")) << name;
-  EXPECT_FALSE(fs::exists(folder / "folder.part"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 5) << "what SetUp made, and the new one";
+}
+
+TEST_F(File, TakesNoNameThatAnotherFileHas) {
+  write_if_changed(folder / "new.part", "another's");
+  const std::string next = fmt::format("new.{}-0.part", getpid());
+  fs::create_symlink(folder / "new.part", folder / next);
+  EXPECT_TRUE(write_if_changed(folder / "new", "text"));
+  for (const std::string& other : {std::string("new.part"), next})
+    EXPECT_EQ(read_file(folder / other), "another's") << other;
+}
+
+TEST_F(File, IsAsOpenToOthersAsAnyNewOne) {
+  const mode_t before = umask(027);
+  write_if_changed(folder / "new", "text");
+  umask(before);
+  using fs::perms;
+  EXPECT_EQ(fs::status(folder / "new").permissions(), perms::owner_read | perms::owner_write | perms::group_read);
+}
+
+TEST_F(File, IsWrittenThroughSymbolicLinks) {
+  fs::create_symlink("../target", folder / "folder/link");
+  fs::create_symlink(folder / "folder/link", folder / "link");
+  for (const char* text : {"first", "second"}) {
+    EXPECT_TRUE(write_if_changed(folder / "link", text));
+    EXPECT_EQ(read_file(folder / "target"), text);
+  }
+  EXPECT_TRUE(fs::is_symlink(folder / "link") && fs::is_symlink(folder / "folder/link"));
+  fs::create_symlink("round", folder / "round");
+  EXPECT_THAT(refusal([&] { write_if_changed(folder / "round", "text"); }), HasSubstr("cannot write"));
 }
 
 TEST_F(File, DoesNotTakeThePlaceOfADevice) {

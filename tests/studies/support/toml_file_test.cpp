@@ -75,6 +75,15 @@ TEST(TomlFile, NumbersThatAreNotFiniteAreErrors) {
   EXPECT_THAT(message([&] { t.scalar_text("a"); }), HasSubstr("'a' is nan"));
 }
 
+/// Beyond 2^53 not every integer is a double.
+TEST(TomlFile, AnIntegerIsTheNearestNumber) {
+  const TomlTable t = parse("a = -9007199254740993\nb = [10000000000000001, 9223372036854775807]\n");
+  EXPECT_EQ(t.number("a"), -9007199254740992.0);
+  EXPECT_EQ(t.number("a", 1), -9007199254740992.0);
+  EXPECT_THAT(t.numbers("b"), ElementsAre(1e16, 9223372036854775808.0));
+  EXPECT_EQ(t.scalar_text("a"), "-9007199254740993");
+}
+
 TEST(TomlFile, UnknownKeyIsNamedWithItsLineAndTheKnownOnes) {
   const TomlTable t = parse("basis = \"linear\"\n\nbase = 1\nanother = 2\n");
   EXPECT_EQ(message([&] {

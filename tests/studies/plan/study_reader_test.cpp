@@ -1,0 +1,56 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "studies/plan/study.hpp"
+#include "studies/plan/work.hpp"
+#include "tests/studies/store/store_samples.hpp"
+
+namespace mpmvv::plan::study_reader_test {
+
+using store::store_samples::complaint;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* bars =
+    "title = \"Bar\"\nclaims = []\n[fixed]\nproblem = \"bar\"\nboundary = \"periodic\"\ncells = 8\nppc = 2\ncfl = 0.2\n"
+    "[[series]]\nname = \"bars\"\n";
+
+StudyPlan swept(const std::string& line, const std::string& more = "") {
+  return parse_study(bars + ("[sweep]\n" + line) + more, "bar.toml");
+}
+
+TEST(StudyReader, SweepsOverAValueOfTheProblemHoweverItIsWritten) {
+  for (const char* line : {"param.amplitude = [0.01, 0.02]", "\"param.amplitude\" = [0.01, 0.02]",
+                           "param = { amplitude = [0.01, 0.02] }"}) {
+    const StudyPlan plan = swept(line);
+    EXPECT_EQ(plan.sweep, "param.amplitude") << line;
+    EXPECT_THAT(plan.values, ElementsAre(0.01, 0.02)) << line;
+    EXPECT_EQ(sweep_cases(plan).at(1).problem.parameters.at("amplitude"), 0.02) << line;
+  }
+  EXPECT_THAT(complaint([] { swept("param = 3"); }), HasSubstr("'param' is of type integer in bar.toml:12 (a table)"));
+  EXPECT_THAT(complaint([] { swept("param.amplitude = [0.01]\nparam.density = [1, 2]"); }), HasSubstr("2 keys"));
+  EXPECT_THAT(complaint([] { swept("param.amplitude = [0.01]\nend_time = [1, 2]"); }), HasSubstr("2 keys"));
+  EXPECT_THAT(complaint([] { swept("param.volume = [0.01, 0.02]"); }), HasSubstr("unknown parameter 'volume'"));
+}
+
+TEST(StudyReader, ReplicatesDifferInWhatShouldNotMatterAlone) {
+  for (const char* line : {"grid_offset = [0, 0.5]", "shuffle = [1, 2]"})
+    EXPECT_TRUE(swept("end_time = [0.01, 0.02]\n[replicates]\n", line).replicates) << line;
+  for (const char* line : {"cells = [8, 64]", "blowup_error = [1, 2]", "\"param.amplitude\" = [0.01, 0.02]"})
+    EXPECT_THAT(complaint([line] { swept("end_time = [0.01, 0.02]\n[replicates]\n", line); }),
+                HasSubstr("in bar.toml:14 (known: grid_offset, shuffle)"))
+        << line;
+}
+
+TEST(StudyReader, ChecksTheSettingsThatACheckDoesNotTake) {
+  const auto overridden = [](const std::string& key) {
+    return parse_study("title = \"T\"\nclaims = []\ncheck = \"jump-errors\"\n", "jump.toml", {{{key, "1", "--set"}}})
+        .overridden.at(0);
+  };
+  EXPECT_EQ(overridden("shuffle").series, 0U);
+  EXPECT_EQ(overridden("shuffle").what, "shuffle = 1 changes nothing in a check");
+  EXPECT_EQ(overridden("shuffle").refusal, "a check has no settings for --set");
+  EXPECT_THAT(complaint([&] { overridden("nonsense"); }), HasSubstr("unknown key 'nonsense' in --set"));
+}
+
+}  // namespace mpmvv::plan::study_reader_test
