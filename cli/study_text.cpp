@@ -21,7 +21,7 @@ using Kind = Table::Kind;
 namespace {
 
 void print_orders(const records::StudyResult& study) {
-  Table table({{"order of"}, {"in"}, {"over"}, {"order", Kind::number}, {"95 %", Kind::number}, {"asymptotic"}});
+  Table table({{"order of"}, {"in"}, {"over"}, {"order", Kind::number}, {"interval", Kind::number}, {"asymptotic"}});
   for (const Series& series : study.series)
     for (const fits::ObservedOrder& order : series.orders)
       table.add({series.name, order.norm, window_text(order.from, order.to), order_text(order.order),

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "studies/claims/samples.hpp"
+
 namespace mpmvv::reports {
 
 namespace {
@@ -119,7 +121,7 @@ std::optional<SlopeMark> best_mark(const Clearance& clear, double slope, double 
 }  // namespace
 
 void add_reference_slope(Chart& chart, double p, const std::string& sweep) {
-  const bool falling = sweep == "cells";
+  const bool falling = claims::is_finer(2, 1, sweep);
   const double decades_x = std::log10(chart.x.to / chart.x.from);
   const double decades_y = std::log10(chart.y.to / chart.y.from);
   const double slope = (falling ? -p : p) * decades_x / decades_y;
