@@ -27,7 +27,7 @@ nlohmann::json code_json(const std::filesystem::path& file) {
     else
       one["missing"] = codes::how_to_get(adapter);
   } catch (const support::UsageError& fault) {
-    one["missing"] = fault.what();
+    one["fault"] = fault.what();
   }
   return one;
 }
@@ -46,7 +46,8 @@ void print_codes(const nlohmann::json& codes) {
   Table variants({{"code"}, {"variants", Table::Kind::prose}}, 0);
   for (const nlohmann::json& code : codes) {
     const std::string name = code["code"];
-    programs.add({name, code.value("version", "-"), code.value("program", code.value("missing", ""))});
+    const std::string trouble = code.value("fault", code.value("missing", ""));
+    programs.add({name, code.value("version", "-"), code.value("program", trouble)});
     variants.add({name, fmt::format("{}", fmt::join(code["variants"].get<std::vector<std::string>>(), ", "))});
   }
   programs.print();

@@ -28,6 +28,11 @@ bool is_built_with(const char* flag) {
     refuse(
         "mpmvv: this processor lacks what the program is built for, AVX2 and FMA (x86-64-v3); built from its sources "
         "with -DMPMVV_ARCH=x86-64 it runs on every one\n");
+  if (is_built_with("-march=x86-64-v4") && !(__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
+                                             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd")))
+    refuse(
+        "mpmvv: this processor lacks what the program is built for, AVX-512 (x86-64-v4); built from its sources with "
+        "-DMPMVV_ARCH=x86-64 it runs on every one\n");
   if (is_built_with("-mavx512vl") && !__builtin_cpu_supports("avx512vl"))
     refuse(
         "mpmvv: this processor lacks what the program is built for, AVX-512; built from its sources with "

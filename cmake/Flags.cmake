@@ -22,6 +22,8 @@ if(MPMVV_ARCH STREQUAL "auto")
     endif()
   endif()
   unset(CMAKE_REQUIRED_FLAGS)
+elseif(MPMVV_ARCH STREQUAL "native")
+  message(FATAL_ERROR "MPMVV_ARCH=native: results of two processors could not be told apart (x86-64-v3 or another name)")
 elseif(MPMVV_ARCH)
   set(mpmvv_arch_flag -march=${MPMVV_ARCH})
 endif()
@@ -43,7 +45,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # The compiler collects garbage from 1 GiB on instead of 128 MiB: it takes a tenth less time, and 1.7 GiB at most
     # for a room.
     --param=ggc-min-heapsize=1000000)
-  if(mpmvv_arch_flag MATCHES "x86-64-v4|native")
+  if(mpmvv_arch_flag MATCHES "x86-64-v4")
     # g++ 12 warns of uninitialized variables in its own header for AVX-512 (GCC bug 105593).
     target_compile_options(mpmvv_flags INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized)
   endif()

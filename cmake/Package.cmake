@@ -8,8 +8,10 @@ endfunction()
 # A package made before a release counts as older than the release's, and one of a later commit as newer than one of an
 # earlier.
 ask(tags git tag --points-at HEAD)
-ask(commit git show --no-patch --format=%cd.%h --date=format:%Y%m%d%H%M)
-if(commit AND NOT tags MATCHES "v${CPACK_PACKAGE_VERSION}")
+ask(top git rev-parse --show-prefix)
+ask(commit env TZ=UTC git show --no-patch --format=%cd.%h --date=format-local:%Y%m%d%H%M)
+string(REPLACE "\n" ";" tags "${tags}")
+if(commit AND top STREQUAL "cmake/" AND NOT "v${CPACK_PACKAGE_VERSION}" IN_LIST tags)
   set(CPACK_DEBIAN_PACKAGE_VERSION "${CPACK_PACKAGE_VERSION}~git${commit}")
 endif()
 

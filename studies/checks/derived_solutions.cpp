@@ -1,8 +1,10 @@
 #include <functional>
 
+#include "mms/at_rest.hpp"
 #include "mms/bar.hpp"
 #include "mms/cube.hpp"
 #include "mms/derived.hpp"
+#include "mms/inverse.hpp"
 #include "mms/radial.hpp"
 #include "mms/square.hpp"
 #include "mms/vortex.hpp"
@@ -92,6 +94,21 @@ void compare_radial(CheckResult& result, const std::string& name, double amplitu
              mms::RadialDisplacement<D>{amplitude, radii, wave_speed}, material, period, between<D>(radii));
 }
 
+void compare_from_rest(CheckResult& result) {
+  using BarDisplacement = mms::AtRestDisplacement<1, 2>;
+  using SquareDisplacement = mms::AtRestDisplacement<2, 1>;
+  using CubeDisplacement = mms::AtRestDisplacement<3, 2>;
+  using InverseDisplacement = mms::SquareInverseDisplacement;
+  compare_in_unit_cell<1, mms::BarAtRest, BarDisplacement>(result, "bar_rest", 0.05, 0);
+  compare_in_unit_cell<1, mms::BarAtRest, BarDisplacement>(result, "bar_rest_large", 0.15, 0);
+  compare_in_unit_cell<2, mms::SquareAtRest, SquareDisplacement>(result, "square_rest", 0.02, 0.3);
+  compare_in_unit_cell<2, mms::SquareAtRest, SquareDisplacement>(result, "square_rest_large", 0.3, 0.3);
+  compare_in_unit_cell<3, mms::CubeAtRest, CubeDisplacement>(result, "cube_rest", 0.02, 0.3);
+  compare_in_unit_cell<3, mms::CubeAtRest, CubeDisplacement>(result, "cube_rest_large", 0.15, 0.3);
+  compare_in_unit_cell<2, mms::SquareInverse, InverseDisplacement>(result, "square_inverse", 0.02, 0.3);
+  compare_in_unit_cell<2, mms::SquareInverse, InverseDisplacement>(result, "square_inverse_large", 0.3, 0.3);
+}
+
 void compare_vortex(CheckResult& result) {
   const mms::Elasticity material{1000, 0.3, 1000};
   const mms::Radii radii(0.75, 1.25);
@@ -111,6 +128,7 @@ CheckResult check_derived_solutions() {
   compare_in_unit_cell<2, mms::Square, mms::SquareDisplacement>(result, "square_large", 0.3, 0.3);
   compare_in_unit_cell<3, mms::Cube, mms::CubeDisplacement>(result, "cube", 0.05, 0.3);
   compare_in_unit_cell<3, mms::Cube, mms::CubeDisplacement>(result, "cube_large", 0.15, 0.3);
+  compare_from_rest(result);
   compare_radial<2>(result, "ring", 0.1, 0);
   compare_radial<2>(result, "ring_nu", 0.1, 0.3);
   compare_radial<2>(result, "ring_large", 0.38, 0.3);

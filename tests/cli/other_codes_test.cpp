@@ -82,7 +82,7 @@ TEST_F(OtherCodes, ABrokenAdapterTakesItsOwnPlaceInTheListAlone) {
   std::map<std::string, nlohmann::json> codes;
   const nlohmann::json answer = list.json();
   for (const nlohmann::json& code : answer["codes"]) codes[code["code"]] = code;
-  EXPECT_THAT(codes.at("broken")["missing"], HasSubstr("adapters/broken/adapter.toml:1"));
+  EXPECT_THAT(codes.at("broken")["fault"], HasSubstr("adapters/broken/adapter.toml:1"));
   EXPECT_TRUE(codes.at("small-mpm").contains("program"));
 }
 

@@ -133,18 +133,28 @@ fs::path publish(const Results& results, const fs::path& folder) {
   return file;
 }
 
+namespace {
+
+/// Where the results of another program are set aside.
+fs::path aside(const fs::path& file, const std::string& digest) {
+  return fs::path(file).replace_filename(
+      fmt::format("{}-{}{}", file.stem().string(), digest.substr(0, 8), file.extension().string()));
+}
+
+}  // namespace
+
 ResultsFile::ResultsFile(fs::path file, Reasons reasons, const store::Provenance& own)
     : file_(std::move(file)), reasons_(std::move(reasons)), results_{own.digest, "", {}} {
   const fs::path folder = fs::absolute(file_).parent_path();
   if (access(folder.c_str(), W_OK) != 0)
     throw support::UsageError(fmt::format("no folder '{}' that may be written for results '{}' (make it first)",
                                           folder.string(), file_.string()));
-  if (auto kept = read_results(file_)) {
-    if (kept->digest == own.digest)
-      results_ = std::move(*kept);
-    else
-      other_digest_ = kept->digest;
+  auto kept = read_results(file_);
+  if (kept && kept->digest != own.digest) {
+    other_digest_ = kept->digest;
+    kept = read_results(aside(file_, own.digest));
   }
+  if (kept && kept->digest == own.digest) results_ = std::move(*kept);
   results_.commit = own.commit + (own.dirty ? " with changes" : "");
 }
 
@@ -161,9 +171,7 @@ void ResultsFile::keep(const Mutant& mutant) {
   else
     *same = mutant;
   if (other_digest_) {
-    support::move_file(
-        file_, fs::path(file_).replace_filename(fmt::format("{}-{}{}", file_.stem().string(),
-                                                            other_digest_->substr(0, 8), file_.extension().string())));
+    support::move_file(file_, aside(file_, *other_digest_));
     other_digest_.reset();
   }
   support::write_if_changed(file_, to_json(known()).dump(1) + "\n");

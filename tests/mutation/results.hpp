@@ -41,7 +41,7 @@ class ResultsFile {
   Results known() const;
 
   /// Puts a mutant in the place of the one with this name, kind and seed. Results of another program are first set
-  /// aside, in a file beside it that is named by their digest.
+  /// aside, in a file beside it that is named by their digest. That program goes on from there when it comes back.
   void keep(const Mutant& mutant);
 
  private:

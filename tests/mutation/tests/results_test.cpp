@@ -76,6 +76,25 @@ TEST_F(TriedFile, TheLastKeepingStays) {
   EXPECT_EQ(kept().size(), 3U) << "a draw with another seed is another mutant";
 }
 
+TEST_F(TriedFile, AProgramThatComesBackGoesOnFromWhatWasSetAside) {
+  open("d1").keep(mutant("a", {passes}));
+  open("d2").keep(mutant("b", {passes}));
+  EXPECT_EQ(open("d1").known().mutants.size(), 1U);
+  open("d1").keep(mutant("c", {passes}));
+  open("d2").keep(mutant("d", {passes}));
+  EXPECT_EQ(open("d1").known().mutants.size(), 2U);
+  EXPECT_EQ(open("d2").known().mutants.size(), 2U);
+}
+
+TEST_F(TriedFile, MakesOneMutantOfTwoLayouts) {
+  Mutant moved = sign;
+  moved.line += 3;
+  moved.before += "  // as before";
+  EXPECT_NE(find_mutant({moved}, sign), nullptr);
+  moved.before += "\nreturn 0;";
+  EXPECT_EQ(find_mutant({moved}, sign), nullptr);
+}
+
 TEST_F(TriedFile, GivesBackWhatWasPublished) {
   std::ofstream(file_) << to_json({"d1", "c0ffee", {sign, Mutant{}}});
   const Results tried = *read_results(file_);

@@ -1,3 +1,5 @@
+#include "studies/checks/profiles/particle_panel.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,6 +49,34 @@ TEST(ParticlePanel, TheSquaresParticlesFollowItsSolutionAndTheirVoxelsFillIt) {
     EXPECT_NEAR(x, 0.5 + 0.1 * mean_sine * std::cos(phase), error) << panel.name;
     EXPECT_NEAR(y, 0.5 + 0.1 * mean_sine * std::sin(phase), error) << panel.name;
     EXPECT_NEAR(area, 1, 0.01) << panel.name;
+  }
+}
+
+/// The vortex whose pictures are shown, in steps that reach the times named: 1/8 and 1/2 are not whole steps of CFL
+/// 0.2.
+TEST(ParticlePanel, TheVortexsParticlesAreShownAtTheTimesNamed) {
+  std::vector<settings::Setting> settings;
+  for (const auto& [key, value] : std::vector<std::pair<std::string, std::string>>{{"problem", "vortex"},
+                                                                                   {"basis", "bspline3"},
+                                                                                   {"integrator", "cd"},
+                                                                                   {"fill", "conforming"},
+                                                                                   {"cells", "16"},
+                                                                                   {"ppc", "2"},
+                                                                                   {"dt", "0.0125"}})
+    settings.push_back({key, value, ""});
+  profiles::MovingBody<2> motion(settings);
+  const CheckResult result = find_check("vortex-particles", "").run();
+  ASSERT_EQ(result.series.size(), 3U);
+  const std::vector<double> times{0, 1.0 / 8, 1.0 / 2};
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    motion.step_to(std::lround(times[k] / 0.0125));
+    ASSERT_NEAR(motion.mpm().time(), times[k], 1e-12);
+    const records::Series expected = profiles::particle_panel("", motion.mpm(), [](std::uint32_t) { return true; });
+    ASSERT_EQ(result.series[k].points.size(), expected.points.size());
+    for (std::size_t p = 0; p < expected.points.size(); ++p) {
+      EXPECT_EQ(result.series[k].points[p].x, expected.points[p].x) << result.series[k].name;
+      EXPECT_EQ(result.series[k].points[p].y, expected.points[p].y) << result.series[k].name;
+    }
   }
 }
 
