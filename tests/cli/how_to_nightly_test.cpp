@@ -55,7 +55,7 @@ TEST_F(HowToNightly, ASettingAndANumberAreAMemberAndAnEntry) {
   insert("studies/cases/case.hpp", "  int repeat = 0;", walk("setting-member"));
   insert("studies/cases/setting_keys.cpp", "      {\"repeat\",", walk("setting-entry"));
   insert(runs, "    if (!record.reason.empty()) {", walk("setting-use"));
-  insert("studies/records/record.hpp", "  /// Of the Cauchy stress at the end", walk("number-member"));
+  insert("studies/records/record.hpp", "  /// Error of the Cauchy stress at the end", walk("number-member"));
   insert("studies/records/record.cpp", "      number<&Record::balance, &Balance::mass>", walk("number-entry"));
   insert(runs, "  if (c.measure.nodal_error) {", walk("number-statement"));
   insert("docs/measuring.md", "| `energy_loss` |", walk("number-line"));
