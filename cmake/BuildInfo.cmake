@@ -18,8 +18,8 @@ endforeach()
 list(SORT sources)
 
 # The code of a C++ source: a comment, an empty line and indentation decide nothing. A line with a quotation mark before
-# its comment stays whole, because there `//` may be part of a text. So does a source with a raw text, a comment of the
-# other kind or a line that the next one continues.
+# its comment stays whole, because there `//` may be part of a text. So does a source with a raw text, a `/* */`
+# comment or a line that the next one continues.
 function(code_of source result)
   file(READ "${source}" text)
   if(NOT text MATCHES "R\"|/[*]|\\\\\n")

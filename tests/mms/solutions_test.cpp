@@ -200,7 +200,7 @@ TEST_P(Solution, PointwiseDependsOnThePointAlone) {
 TEST_P(Solution, PointwiseReadsPlacesOnlyWhereItSaysSo) {
   each([]<int D>(const Motion<D>& m) {
     const auto points = m.closed->at_points(m.points);
-    if (points->reads_places()) GTEST_SKIP() << "reads them";
+    if (points->reads_places()) GTEST_SKIP() << "its body force reads the places of points";
     const std::vector<std::uint32_t> ids{2, 0, 1};
     std::vector<Vec<D>> b(3), without(3);
     points->body_force(0.1, ids, places_of(ids, m.points), b.data());

@@ -46,7 +46,7 @@ bool is_code(const fs::path& file) {
 
 /// The lines of C++ code without indentation, without those that are empty and without comments. A line with a
 /// quotation mark before its comment stays whole, because there `//` may be part of a text. So does all of a text that
-/// has a raw string, a comment of the other kind or a line that the next one continues.
+/// has a raw string, a `/* */` comment or a line that the next one continues.
 std::string code_lines(const std::string& text) {
   const std::array<std::string, 3> beyond_lines{"R\"", "/*", "\\\n"};
   if (std::ranges::any_of(beyond_lines, [&](const std::string& mark) { return text.find(mark) != text.npos; }))
