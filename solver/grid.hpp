@@ -1,6 +1,8 @@
 #pragma once
 #include <algorithm>
+#include <climits>
 #include <cstddef>
+#include <stdexcept>
 
 #include "solver/array.hpp"
 #include "solver/simd/padded.hpp"
@@ -13,13 +15,16 @@ namespace mpmvv::solver {
 template <int D>
 class Grid {
  public:
+  /// Throws std::length_error if there are more nodes than an int counts.
   Grid(const Vec<D>& lower, double h, const Index<D>& cells, int extra_inside, int ghost)
       : lower_(lower), h_(h), cells_(cells), ghost_(ghost) {
     std::size_t count = 1;
     for (int d = 0; d < D; ++d) {
+      const std::size_t along = static_cast<std::size_t>(cells[d]) + static_cast<std::size_t>(extra_inside + 2 * ghost);
+      if (along > INT_MAX / count) throw std::length_error("more nodes than indices can count (fewer cells)");
       inside_[d] = cells[d] + extra_inside;
       stride_[d] = static_cast<int>(count);
-      count *= static_cast<std::size_t>(inside_[d] + 2 * ghost);
+      count *= along;
     }
     p.resize(count, Padded<D + 1>::Zero());
     f.resize(count, Padded<D>::Zero());

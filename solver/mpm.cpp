@@ -2,13 +2,17 @@
 
 #include <Eigen/LU>
 #include <numeric>
+#include <stdexcept>
 
+#include "solver/integrator/integrators.hpp"
 #include "solver/step.hpp"
 
 namespace mpmvv::solver {
 
 template <int D>
-Mpm<D>::Mpm(Scene<D> scene) : step_(std::make_unique<Step<D>>(std::move(scene))) {}
+Mpm<D>::Mpm(Scene<D> scene)
+    : step_(std::make_unique<Step<D>>(std::move(scene))),
+      share_after_stress_(integrator_named(step_->scene().integrator).share_after_stress) {}
 
 template <int D>
 Mpm<D>::~Mpm() = default;
@@ -24,7 +28,14 @@ bool Mpm<D>::step(double dt) {
 
 template <int D>
 std::int64_t Mpm<D>::advance(double dt, std::int64_t steps) {
+  if (steps > 0) dt_ = dt;
   return step_->advance(dt, steps);
+}
+
+template <int D>
+bool Mpm<D>::check() {
+  step_->check();
+  return step_->fault() == Fault::none;
 }
 
 template <int D>
@@ -79,9 +90,25 @@ Mat<D> Mpm<D>::stress(std::size_t p) const {
   return std::visit(
       [&]<class M>(const M& material) -> Mat<D> {
         if constexpr (has_history<M>)
-          return -particles().thermal[p].total_pressure() * Mat<D>::Identity();
+          return -thermal_state(p).total_pressure() * Mat<D>::Identity();
         else
           return material.kirchhoff(particles().F[p]) / particles().F[p].determinant();
+      },
+      step_->scene().material);
+}
+
+template <int D>
+ThermalState Mpm<D>::thermal_state(std::size_t p) const {
+  return std::visit(
+      [&]<class M>(const M& material) -> ThermalState {
+        if constexpr (has_history<M>) {
+          ThermalState state = particles().thermal[p];
+          const StressStep since{share_after_stress_ * dt_, grid().h()};
+          if (since.dt > 0) material.kirchhoff(particles().F[p], state, since);  // which advances the state
+          return state;
+        } else {
+          throw std::invalid_argument("the thermal state of a material without a history");
+        }
       },
       step_->scene().material);
 }
@@ -97,11 +124,11 @@ double Mpm<D>::kinetic_energy() const {
 template <int D>
 double Mpm<D>::strain_energy() const {
   return with_images(std::visit(
-      [&all = particles()]<class M>(const M& material) {
+      [&, &all = particles()]<class M>(const M& material) {
         double energy = 0;
         for (std::size_t p = 0; p < all.size(); ++p)
           if constexpr (has_history<M>)
-            energy += all.m[p] * all.thermal[p].energy;
+            energy += all.m[p] * thermal_state(p).energy;
           else
             energy += all.V0[p] * material.template energy<D>(all.F[p]);
         return energy;
@@ -111,8 +138,12 @@ double Mpm<D>::strain_energy() const {
 
 template <int D>
 void Mpm<D>::map_acceleration() {
+  if (!particles().thermal.empty())
+    throw std::invalid_argument("accelerations of a material with a history, outside of a step");
   step_->map_momentum_and_forces();
   step_->set_acceleration();
+  if (step_->scene().half_start && step_->steps() == 0)  // a step would want the half
+    for (auto& a : step_->grid().a) a *= 2;
 }
 
 template <int D>

@@ -19,7 +19,9 @@ class Mpm {
  public:
   /// Throws std::invalid_argument for a scene that cannot be run: an unknown integrator, no particles, no threads,
   /// particles without the widths or domains that the basis takes, images that the grid or the boundaries do not share,
-  /// a wall without a motion.
+  /// a wall without a motion, a mirror on an axis of too few cells for the images of ghost nodes, a periodic or
+  /// mirror face of a basis that has none, a material with a history in stages, an affine velocity field on a basis
+  /// without the weights for it. Throws std::length_error if the grid has more nodes than an int counts.
   explicit Mpm(Scene<D> scene);
   ~Mpm();
   Mpm(Mpm&&) noexcept;
@@ -31,9 +33,13 @@ class Mpm {
   /// that blew up. As a rule this is faster than single steps, with the same results: the last sweep of a step and the
   /// first of the next visit particles together.
   std::int64_t advance(double dt, std::int64_t steps);
+  /// Finds out whether particles have left the domain, or outgrown their widths, in the last step: steps find this when
+  /// they next map the particles. Returns false if so; `fault` then says what is wrong.
+  bool check();
   std::string fault() const;
 
-  const Particles<D>& particles() const;        ///< sorted by place; `id` is the order of creation
+  const Particles<D>& particles() const;        ///< sorted by place; `id` is the order of creation; for `thermal`,
+                                                ///< read `thermal_state`
   const Grid<D>& grid() const;                  ///< as the last step or `map_acceleration` has left it
   const std::array<bool, D>& periodic() const;  ///< whether each axis is periodic
   double time() const;
@@ -46,8 +52,14 @@ class Mpm {
 
   Mat<D> stress(std::size_t p) const;  ///< Cauchy stress of a particle
 
+  /// The state of a particle of a material with a history, at the same time as its x and F. What the particles keep is
+  /// as of the last evaluation of the stress, which most integrators make before they move particles; this is a copy of
+  /// that, advanced to det F_p. Throws std::invalid_argument for a material without a history.
+  ThermalState thermal_state(std::size_t p) const;
+
   /// Maps the particles in their current state: the grid then holds m_i and a_i = f_i/m_i, constrained, of the current
-  /// time. A step leaves on the grid those of its start.
+  /// time, and never halved for `half_start`. A step leaves on the grid those of its start. Throws
+  /// std::invalid_argument for a material with a history: to evaluate its stress is to advance its state.
   void map_acceleration();
   Vec<D> node_position(std::size_t n) const;  ///< position of the node at a storage index
   bool is_accelerated(std::size_t n) const;   ///< whether the mass of a node exceeds the scene's `mass_cutoff`
@@ -56,6 +68,8 @@ class Mpm {
   double with_images(double sum) const;
 
   std::unique_ptr<Step<D>> step_;
+  double share_after_stress_;  ///< the integrator's
+  double dt_ = 0;              ///< length of the last step
 };
 
 extern template class Mpm<1>;

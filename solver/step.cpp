@@ -1,5 +1,6 @@
 #include "solver/step.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <stdexcept>
 
@@ -39,11 +40,38 @@ bool are_shared(const Scene<D>& scene) {
   return false;
 }
 
+/// Throws std::invalid_argument, with this text, if something does not hold.
+void require(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(what);
+}
+
+/// Requires that the nodes are there on which faces act. The images of a mirror's ghosts must lie inside the domain:
+/// the other face acts on those that lie on it or beyond.
+template <int D>
+void require_nodes_for_faces(const Scene<D>& scene) {
+  const int ghosts = ghosts_of(scene.basis);
+  const int layers = ghosts - reach(width_of(scene.basis));  // without those for corners that stick out
+  for (std::size_t face = 0; face < scene.boundary.size(); ++face) {
+    const AnyBoundary& boundary = scene.boundary[face];
+    const bool is_mirror = std::holds_alternative<Mirror>(boundary);
+    require(ghosts > 0 || !(is_mirror || std::holds_alternative<Periodic>(boundary)),
+            "a periodic or mirror face of a basis without ghost nodes");
+    require(!is_mirror || scene.cells[face / 2] > layers, "a mirror on an axis of too few cells");
+  }
+}
+
+/// Requires that the parts of a scheme can work together.
+template <int D>
+void require_scheme(const Scene<D>& scene) {
+  const bool keeps_history = std::visit([]<class M>(const M&) { return has_history<M>; }, scene.material);
+  const bool has_affine = std::visit([]<class B>(const B&) { return has_affine_fields<B>; }, scene.basis);
+  require(!keeps_history || !integrator_named(scene.integrator).is_staged, "a material with a history in stages");
+  require(has_affine || !has_affine_field(scene.velocity_update),
+          "an affine velocity field on a basis without the weights for it");
+}
+
 template <int D>
 Scene<D> validated(Scene<D> scene) {
-  const auto require = [](bool holds, const char* what) {
-    if (!holds) throw std::invalid_argument(what);
-  };
   const Particles<D>& particles = scene.particles;
   const ParticleWidth width = width_of(scene.basis);
   const bool is_wide = width == ParticleWidth::reference || width == ParticleWidth::current;
@@ -55,6 +83,8 @@ Scene<D> validated(Scene<D> scene) {
   require(scene.images == Images::none || are_shared(scene), "images that the grid or the boundaries do not share");
   for (const AnyBoundary& boundary : scene.boundary)
     if (const auto* wall = std::get_if<Wall>(&boundary)) require(wall->motion, "a wall without a motion");
+  require_nodes_for_faces(scene);
+  require_scheme(scene);
   return scene;
 }
 
@@ -103,7 +133,10 @@ void Step<D>::make_room() {
   if (has_affine_field(scene_.velocity_update)) particles_.C.assign(n, Mat<D>::Zero());
   std::visit(
       [this, n]<class M>(const M& material) {
-        if constexpr (has_history<M>) particles_.thermal.assign(n, material.state_at_rest());
+        if constexpr (has_history<M>) {
+          particles_.thermal.resize(n);
+          for (std::size_t p = 0; p < n; ++p) particles_.thermal[p] = material.state_at(particles_.F[p].determinant());
+        }
       },
       scene_.material);
   if (!scene_.surface_load) return;

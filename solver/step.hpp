@@ -43,6 +43,7 @@ class Step {
   /// Makes this number of steps by the integrator's page, or ends with the first that has a fault. Returns how many
   /// steps were made, including that one.
   std::int64_t advance(double dt, std::int64_t steps = 1);
+  void check();  ///< finds the faults of the current positions and widths, which a step finds when it maps particles
 
   Particles<D>& particles() {
     settle();
@@ -71,7 +72,7 @@ class Step {
   // the wall method is `velocity`, v_i and a_i are not constrained here.
   void set_velocity();               ///< v_i = p_i / m_i, constrained                             S (2), W (9)
   void set_stress_velocity();        ///< v_i as the stress updates take it: expanded for `fmpm`   N §2.2
-  void restore_velocity();           ///< v_i = p_i / m_i again, if v_i has been expanded
+  void restore_velocity();           ///< v_i = p_i / m_i again, where the stress took another v_i: `fmpm`, walls
   void set_acceleration();           ///< a_i = f_i / m_i, constrained unless S (30) will set it   S (5), W (15), W §4
   void advance_velocity(double dt);  ///< v_i += a_i Δt, constrained                               S (6), W (16), S (30)
 
@@ -137,7 +138,8 @@ class Step {
   void settle();
   void sort();
   void note(Fault found);
-  void end_waiting(Fault found);
+  void note_waiting(Fault found);
+  auto end_waiting(const auto& visit);
   void map(std::initializer_list<AnyKernel<D>> kernels);
   void map_forces(const auto& with, const auto&... before);
   void add_surface_load();

@@ -82,6 +82,7 @@ void Step<D>::add_grid_body_force() {
 
 template <int D>
 void Step<D>::advance_velocity(double dt) {
+  for (auto& wall : walls_) wall.advance();
   for_nodes([&](std::size_t n) { grid_.v[n] += dt * grid_.a[n]; });
   if (!holds_lumped()) return;
   hold(grid_.v);
@@ -117,13 +118,20 @@ void Step<D>::expand_velocity() {
 
 template <int D>
 void Step<D>::set_stress_velocity() {
+  for (auto& wall : walls_) wall.hold_as_mapped();
   set_velocity();
   expand_velocity();
+  for (auto& wall : walls_) wall.hold_as_advanced();
 }
 
+/// With the consistent mass v has been solved for with walls at their velocity of t^n. On free nodes v⁺ = v + Δt a
+/// takes what walls at that of t^n + Δt make of them, because a is solved for with zero on held nodes. Lumped
+/// velocities of free nodes do not depend on those of held ones.
 template <int D>
 void Step<D>::restore_velocity() {
-  if (has_expanded_velocity_) set_velocity();
+  const bool is_solved_anew =
+      consistent_mass_ && std::ranges::any_of(walls_, [](const auto& wall) { return wall.accelerates(); });
+  if (has_expanded_velocity_ || is_solved_anew) set_velocity();
 }
 
 template <int D>

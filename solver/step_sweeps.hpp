@@ -19,9 +19,29 @@ void Step<D>::sweep(std::initializer_list<AnyKernel<D>> kernels) {
 }
 
 template <int D>
+void Step<D>::check() {
+  settle();
+  note(solver::sweep<D>(Adds::nothing, scene_.basis, particles_, grid_, slabs_, pool_, {}));
+}
+
+/// Makes a visit with the sweep that waits, which then waits no longer. That holds if a body force throws, too: the
+/// sweep would move particles a second time.
+template <int D>
+auto Step<D>::end_waiting(const auto& visit) {
+  struct Clear {
+    WaitingSweep<D>& waiting;
+    ~Clear() { waiting.clear(); }
+  } const at_end{waiting_};
+  ++moves_;
+  return visit(waiting_.kernels());
+}
+
+template <int D>
 void Step<D>::settle() {
   if (waiting_.empty()) return;
-  end_waiting(solver::sweep<D>(Adds::nothing, scene_.basis, particles_, grid_, slabs_, pool_, waiting_.kernels()));
+  note_waiting(end_waiting([this](const auto& kernels) {
+    return solver::sweep<D>(Adds::nothing, scene_.basis, particles_, grid_, slabs_, pool_, kernels);
+  }));
   if (must_sort_.exchange(false)) sort();
 }
 
@@ -33,9 +53,10 @@ template <int D>
 void Step<D>::map(std::initializer_list<AnyKernel<D>> kernels) {
   const bool may_map_anew = particles_.thermal.empty();
   if (!waiting_.empty() && may_map_anew) {
-    const auto [in_waiting, in_kernels] =
-        sweep_twice<D>(scene_.basis, particles_, grid_, slabs_, pool_, waiting_.kernels(), must_sort_, kernels);
-    end_waiting(in_waiting);
+    const auto [in_waiting, in_kernels] = end_waiting([&](const auto& waiting) {
+      return sweep_twice<D>(scene_.basis, particles_, grid_, slabs_, pool_, waiting, must_sort_, kernels);
+    });
+    note_waiting(in_waiting);
     if (!must_sort_.exchange(false)) return note(in_kernels);
     sort();
     clear_grid();
@@ -49,9 +70,7 @@ void Step<D>::note(Fault found) {
 }
 
 template <int D>
-void Step<D>::end_waiting(Fault found) {
-  waiting_.clear();
-  ++moves_;
+void Step<D>::note_waiting(Fault found) {
   if (fault_ == Fault::none && found != Fault::none) is_late_ = waiting_since_ < steps_;
   note(found);
 }

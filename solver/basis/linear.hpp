@@ -6,9 +6,10 @@
 namespace mpmvv::solver {
 
 /// Piecewise-linear hats, S (17). A point on a node takes the gradient of the cell to its right, but on the domain's
-/// last face that of the last cell. So a particle on either face of the domain reaches no ghost node. As the gradient
-/// on a node is one-sided, it needs a velocity on the far node of that cell, even if no other particle gives that node
-/// mass. `least_weight` gives it some, too little to matter otherwise.
+/// last face that of the last cell. So a particle on either face of the domain reaches no ghost node. This holds where
+/// (x - lower)/h is exact in floating point; on other grids its rounding decides on which side of a node a point is. As
+/// the gradient on a node is one-sided, it needs a velocity on the far node of that cell, even if no other particle
+/// gives that node mass. `least_weight` gives it some, too little to matter otherwise.
 struct Linear {
   static constexpr std::string_view word = "linear";
   static constexpr int support = 2;

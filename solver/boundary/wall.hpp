@@ -37,9 +37,10 @@ struct Wall {
 /// mass, as far as these follow each other without a gap. It holds only the velocity along its normal, at
 ///   v_i = v_b + ∇v_b (x_i - x_wall),                                                N §2.5
 /// and leaves tangential ones as they are. Within a step x_wall and ∇v_b are those of t^n, as the weights are, and v_b
-/// is that of t^n + Δt, the time of the velocity that is held. A motion at constant rate, v = rate X, is then kept
-/// exactly on the nodes held. N does not give these times; with all three at t^n + Δt the nodes would get velocities
-/// that particles there have a step later.
+/// is that of t^n + Δt, the time of v⁺. A motion at constant rate, v = rate X, is then kept exactly on the nodes held.
+/// N does not give these times; with all three at t^n + Δt the nodes would get velocities that particles there have a
+/// step later. Where F or ∇v_b follows momenta of t^n, v_b is that of t^n, too: between free nodes of t^n and held ones
+/// of t^n + Δt a wall that accelerates would make a strain rate that no motion has.
 template <int D>
 class MovingWall {
  public:
@@ -57,7 +58,9 @@ class MovingWall {
   /// Sets where the wall is in the step from t on, and how far inside nodes are held. To be called at the step's start.
   void move(double t, double dt, double h) {
     position_ = wall_.motion->position(t);
-    velocity_ = wall_.motion->velocity(t + dt);
+    mapped_velocity_ = wall_.motion->velocity(t);
+    end_velocity_ = wall_.motion->velocity(t + dt);
+    velocity_ = end_velocity_;
     if (wall_.gradient == WallGradient::given) std::fill(gradient_.begin(), gradient_.end(), wall_.motion->gradient(t));
     const double depth = (wall_.depth + round_off) * h;
     inmost_ = face_.upper ? static_cast<int>(places_.size()) : -1;
@@ -72,6 +75,19 @@ class MovingWall {
     while (is_held(outmost_ - inward())) outmost_ -= inward();
     if (wall_.gradient == WallGradient::estimated) estimate_gradient(grid);
   }
+
+  /// Says that momenta mapped from now on are those of t^n + Δt. Before, they are those of t^n.
+  void advance() { mapped_velocity_ = end_velocity_; }
+
+  /// Whether it makes a difference at which end of the step v_b is taken.
+  bool accelerates() const { return mapped_velocity_ != end_velocity_; }
+
+  /// Lets `hold` take v_b at the time of the mapped momenta, for the velocities that F follows.
+  void hold_as_mapped() { velocity_ = mapped_velocity_; }
+
+  /// Lets `hold` take v_b at t^n + Δt again, as after `move`: for v⁺, and for a v that v⁺ = v + Δt a starts from, as a
+  /// is zero on the nodes held.
+  void hold_as_advanced() { velocity_ = end_velocity_; }
 
   /// Sets the normal component of v_i on the nodes held.
   void hold(const Grid<D>& grid, Field& velocity) const {
@@ -125,7 +141,7 @@ class MovingWall {
   }
 
   /// Estimates ∇v_b = Σ Δv Δx / Σ Δx² on each line of nodes, over the innermost node held and the free one next to it
-  /// as far as they lie inside the wall and have mass, Δv = v_i - v_b, Δx = x_i - x_wall                       N (4)
+  /// as far as they lie inside the wall and have mass, Δv = v_i - v_b at the time of v_i, Δx = x_i - x_wall     N (4)
   void estimate_gradient(const Grid<D>& grid) {
     std::fill(gradient_.begin(), gradient_.end(), 0.0);
     std::fill(squares_.begin(), squares_.end(), 0.0);
@@ -134,7 +150,7 @@ class MovingWall {
         for_plane(grid, plane, [&](int node, std::size_t line) {
           const auto n = static_cast<std::size_t>(node);
           if (!(grid.m(n) > 0)) return;
-          gradient_[line] += (grid.v[n][face_.axis] - velocity_) * distance(plane);
+          gradient_[line] += (grid.v[n][face_.axis] - mapped_velocity_) * distance(plane);
           squares_[line] += distance(plane) * distance(plane);
         });
     for (std::size_t line = 0; line < gradient_.size(); ++line)
@@ -146,8 +162,10 @@ class MovingWall {
   int ghost_;
   std::vector<double> places_;
   std::vector<double> gradient_, squares_;  ///< on each line of nodes along the wall's axis: ∇v_b, Σ Δx²
-  double position_ = 0, velocity_ = 0;
-  int inmost_ = -1, outmost_ = -1;  ///< the innermost and outermost plane held, as indices of `places_`
+  double position_ = 0;
+  double mapped_velocity_ = 0, end_velocity_ = 0;  ///< v_b at the time of the mapped momenta, and at t^n + Δt
+  double velocity_ = 0;                            ///< the one of these that `hold` takes
+  int inmost_ = -1, outmost_ = -1;                 ///< the innermost and outermost plane held, as indices of `places_`
 };
 
 }  // namespace mpmvv::solver

@@ -2,7 +2,8 @@
 
 namespace mpmvv::solver {
 
-/// How a wall moves along its axis, which the caller of the solver supplies. A step calls each function at most once.
+/// How a wall moves along its axis, which the caller of the solver supplies. A step calls each function at most once,
+/// `velocity` twice: at the step's start and end.
 class WallMotion {
  public:
   virtual ~WallMotion() = default;

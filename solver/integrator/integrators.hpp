@@ -22,6 +22,7 @@ struct Integrator {
   bool is_remapped = false;           ///< positions move in the step's last sweep, at a rate that particles have kept
   bool is_staged = false;             ///< keeps states of the particles beside the current one
   bool is_accelerated_first = false;  ///< finds a_i before v_i: it cannot be a difference of velocities, S (30)
+  double share_after_stress = 1;      ///< how much of the step is still to come for F when the stress is evaluated
 
   template <int D>
   Page<D> page() const {

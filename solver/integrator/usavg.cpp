@@ -11,7 +11,7 @@ void deform_half_way_and_advance_grid(Step<D>& s, double dt) {
   s.map_momentum();                                // m_i, p_i
   s.set_stress_velocity();                         // v_i = p_i / m_i
   s.deform_and_map_forces(s.deformation(dt / 2));  // F_p' by v; τ_p = τ(F_p'), f_i
-  s.restore_velocity();                            // v_i = p_i / m_i, where `fmpm` has expanded it
+  s.restore_velocity();                            // v_i = p_i / m_i, where F followed another v_i
   s.set_acceleration();                            // a_i = f_i / m_i
   s.advance_velocity(dt);                          // v_i⁺ = v_i + Δt a_i
 }
@@ -47,12 +47,16 @@ void usavg_plus(Step<D>& s, double dt) {
 }  // namespace
 
 Integrator usavg_integrator() {
-  return {.word = "usavg", .in_1d = &usavg<1>, .in_2d = &usavg<2>, .in_3d = &usavg<3>};
+  return {.word = "usavg", .in_1d = &usavg<1>, .in_2d = &usavg<2>, .in_3d = &usavg<3>, .share_after_stress = 0.5};
 }
 
 Integrator usavg_plus_integrator() {
-  return {
-      .word = "usavg+", .in_1d = &usavg_plus<1>, .in_2d = &usavg_plus<2>, .in_3d = &usavg_plus<3>, .is_remapped = true};
+  return {.word = "usavg+",
+          .in_1d = &usavg_plus<1>,
+          .in_2d = &usavg_plus<2>,
+          .in_3d = &usavg_plus<3>,
+          .is_remapped = true,
+          .share_after_stress = 0.5};
 }
 
 }  // namespace mpmvv::solver

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <span>
 #include <variant>
@@ -167,10 +168,15 @@ struct SettlePosition {
       some = true;
       for (std::size_t p = block.begin; p < block.begin + static_cast<std::size_t>(block.count); ++p) {
         double& x = particles.x[p][d];
-        x = x < lower ? x + period : x >= upper ? x - period : x;
+        if (!(x >= lower && x < upper)) x = wrapped(x, lower, period);
       }
     }
     return some;
+  }
+  /// Moves x by whole periods to where it is at least `lower` and less than a period beyond, after rounding too.
+  static double wrapped(double x, double lower, double period) {
+    const double back = x - period * std::floor((x - lower) / period);
+    return back < lower || back >= lower + period ? lower : back;
   }
 };
 

@@ -19,6 +19,8 @@ struct StressStep {
   double h;   ///< the cell width, m
 };
 
+/// A material with a history has `state_at_rest`, `state_at` (a volume ratio at which a body starts), and a `kirchhoff`
+/// that advances a state.
 template <class Material>
 inline constexpr bool has_history = requires(const Material& material) {
   material.state_at_rest();

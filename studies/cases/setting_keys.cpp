@@ -172,7 +172,7 @@ const std::vector<SettingKey>& setting_keys() {
       {"every_step", "errors over all steps, too", flag(&Measure::every_step)},
       {"nodal_error", "error of the nodal accelerations at the end, too", flag(&Measure::nodal_error)},
       {"velocity_error", "mean over all steps of the RMS velocity error, too", flag(&Measure::velocity_error)},
-      {"stress_error", "RMS error of the stresses at the end, too", flag(&Measure::stress_error)},
+      {"stress_error", "RMS error of the stresses at the end, too", flag(&Measure::stress_error), KeyOf::every},
       {"particle_errors", "displacement errors of the particles at the end by their places, too",
        flag(&Measure::particle_errors), KeyOf::every},
       {"blowup_error", "unstable beyond this error, in displacement amplitudes",

@@ -69,9 +69,10 @@ CheckResult check_pulse_profiles() {
   };
   for (const int order : {2, 4, 8}) {
     const std::string name = ", FMPM(" + std::to_string(order) + ")";
-    result.add("place over FLIP" + name, value("place" + name) / value("place, FLIP"), "the same, over FLIP's" + name);
+    result.add("place over FLIP" + name, value("place" + name) / value("place, FLIP"),
+               "distance of the peak from 100 mm over FLIP's" + name);
     result.add("ringing over FLIP" + name, value("ringing" + name) / value("ringing, FLIP"),
-               "the same, over FLIP's" + name);
+               "largest stress behind the pulse over FLIP's" + name);
   }
   return result;
 }

@@ -8,8 +8,8 @@ namespace {
 /// at rest times det F of the particles between them. It is 1 where positions and deformation gradients describe the
 /// same motion.
 double spacing_over_volume_ratio(const profiles::ShockedBar& bar) {
-  const auto& particles = bar.body.mpm().particles();
-  const profiles::Profile J = profiles::profile(bar.body, [&](std::size_t p) { return particles.thermal[p].J; });
+  const profiles::Profile J =
+      profiles::profile(bar.body, [&](std::size_t p) { return bar.body.mpm().thermal_state(p).J; });
   const double column = bar.body.mpm().grid().h() / bar.body.resolution().ppc;
   profiles::Profile ratio;
   for (std::size_t k = 1; k + 1 < J.x.size(); ++k)

@@ -59,21 +59,35 @@ class Lookup {
       if (column || column_of(given->second + ":0")) return column;  // else it is the column of the first component
     }
     for (const std::string& name : quantity.usual)
-      if (const TableColumn* column = column_of(name)) return column;
+      if (const TableColumn* column = column_of(name); column && !is_of_another(*column, quantity)) return column;
     return nullptr;
   }
 
  private:
   const TableColumn* column_of(const std::string& name) const { return only_column(table_, name, file_); }
 
-  /// Returns the column with this name, else with this number; null if it is the name of an array, with columns
-  /// `NAME:0`, ... Throws UsageError otherwise.
-  const TableColumn* named(const std::string& name, const Quantity& quantity) const {
+  /// Returns the column with this name, else with this number; null if there is none.
+  const TableColumn* by_name_or_number(const std::string& name) const {
     if (const TableColumn* column = column_of(name)) return column;
     std::size_t number = 0;
     const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-    if (stop == name.data() + name.size() && number >= 1 && number <= table_.columns.size())
-      return &table_.columns[number - 1];
+    const bool is_number = stop == name.data() + name.size() && number >= 1 && number <= table_.columns.size();
+    return is_number ? &table_.columns[number - 1] : nullptr;
+  }
+
+  /// Whether a column was named for another quantity: it then is not this one, whatever it is called.
+  bool is_of_another(const TableColumn& column, const Quantity& quantity) const {
+    return std::ranges::any_of(columns_.names, [&](const auto& given) {
+      const auto& [word, name] = given;
+      if (word == quantity.word || word == quantity.array) return false;
+      return by_name_or_number(name) == &column || column.name.starts_with(name + ":");
+    });
+  }
+
+  /// Returns the column with this name, else with this number; null if it is the name of an array, with columns
+  /// `NAME:0`, ... Throws UsageError otherwise.
+  const TableColumn* named(const std::string& name, const Quantity& quantity) const {
+    if (const TableColumn* column = by_name_or_number(name)) return column;
     if (quantity.word == quantity.array && column_of(name + ":0")) return nullptr;
     fail(name, quantity.word);
   }
@@ -124,14 +138,19 @@ std::vector<std::int64_t> ids(const Lookup& lookup, const std::string& file) {
   return all;
 }
 
-/// Returns the time in s, from a header or comment, or else from a column, where every row must say the same.
+/// Returns the time in s, from a header or comment, or else from a column. All of them and every row must say the same,
+/// to the digits that a comment may have. Beside a header a column `t` may be a temperature.
 std::optional<double> time_of(const ParticleTable& table, const Lookup& lookup, double scale, const std::string& file) {
-  if (table.time) return scale * *table.time;
-  const std::vector<double> times = scalars(lookup, "time", scale);
-  if (times.empty()) return std::nullopt;
-  if (std::any_of(times.begin(), times.end(), [&](double t) { return t != times.front(); }))
+  const TableColumn* column = lookup.find(quantities_of("time").front());
+  if (column && table.time && column->name == "t") column = nullptr;
+  if (!column || column->values.empty()) return table.time ? std::optional(scale * *table.time) : std::nullopt;
+  const double first = column->values.front(), time = table.time.value_or(first);
+  if (std::ranges::any_of(column->values, [first](double t) { return t != first; }))
     throw UsageError(fmt::format("several times in {} (one)", file));
-  return times.front();
+  if (!(std::abs(first - time) <= 1e-4 * std::abs(time)))
+    throw UsageError(
+        fmt::format("time {} in {}, and {} in its column '{}' (one time)", time, file, first, column->name));
+  return scale * time;
 }
 
 /// Returns the words of all quantities and arrays, each once.

@@ -24,6 +24,14 @@ char separator_of(std::string_view line) {
   return ' ';
 }
 
+/// Requires that commas separate fields and are no decimal ones: of 1;0,25;0,5 they would make 1;0 and 25;0 and 5.
+void require_no_decimal_commas(const std::vector<std::string_view>& fields, const TextLines& lines) {
+  for (const std::string_view field : fields)
+    if (field.find_first_of("; \t") != std::string_view::npos && are_numbers(fields_of(field, separator_of(field))))
+      throw UsageError(
+          fmt::format("'{}' between commas in {} (decimal commas? Write points)", field.substr(0, 40), lines.place()));
+}
+
 }  // namespace
 
 /// Reads lines of numbers, separated by commas, semicolons, tabs or blanks. The first line names the columns unless it
@@ -51,6 +59,7 @@ ParticleTable read_csv(const Source& source) {
         table.columns.push_back({.name = is_named ? std::string(names[k]) : std::to_string(k + 1)});
       if (has_header) continue;
     }
+    require_no_decimal_commas(fields, lines);
     add_row(table, fields, lines);
   }
   if (table.columns.empty() || table.columns.front().values.empty())

@@ -126,15 +126,18 @@ std::size_t strayed(const CaseParticles<D>& particles, const Snapshot& end, cons
   return count;
 }
 
-/// Returns for each line the particle whose position at time zero is nearest to it. Empty unless all are within half a
-/// spacing and no particle is taken twice.
+/// Returns for each line the particle whose place in `at` is nearest to it. Empty unless all are within half a spacing
+/// and no particle is taken twice.
 template <int D>
-Lines by_nearest_start(const CaseParticles<D>& particles, const Snapshot& end) {
-  const NearestPoint<D> nearest(particles.x0);
+Lines by_nearest(const CaseParticles<D>& particles, std::vector<Vec<D>> at, const Snapshot& end) {
+  const Vec<D> middle = (particles.lower + particles.upper) / 2;
+  const auto inside = [&](const Vec<D>& x) -> Vec<D> { return middle + particles.difference(x, middle); };
+  for (Vec<D>& place : at) place = inside(place);
+  const NearestPoint<D> nearest(at);
   std::vector<bool> taken(particles.size(), false);
   Lines found;
   for (const Point& x : end.x) {
-    const Neighbour neighbour = nearest(vec<D>(x));
+    const Neighbour neighbour = nearest(inside(vec<D>(x)));
     if (!(neighbour.distance < particles.spacing / 2) || taken[neighbour.point]) return {};
     taken[neighbour.point] = true;
     found.push_back(neighbour.point);
@@ -151,11 +154,51 @@ Lines by_order(const CaseParticles<D>& particles, const Snapshot& end, const Lin
     fail_output("{} has displacements alone, which do not say which particle is which (write id, X or x)", end.file);
   const std::size_t others = strayed(particles, end, order);
   if (others == 0) return order;
-  if (Lines nearest = by_nearest_start(particles, end); !nearest.empty()) return nearest;
+  if (Lines nearest = by_nearest(particles, particles.x0, end); !nearest.empty()) return nearest;
   fail_output(
       "the order of {} cannot be verified: in that of {}, {} of {} particles are half a particle spacing or more from "
       "the exact solution (write id or X)",
       end.file, whose, others, order.size());
+}
+
+/// Whether most particles are where a neighbour along one of the axes could not be: the two are off their exact places
+/// by vectors that differ by a spacing or more. Errors of a method, even large ones, are much the same for neighbours.
+template <int D>
+bool is_torn(const CaseParticles<D>& particles, const Snapshot& end, const Lines& lines) {
+  std::vector<Vec<D>> off(particles.size());
+  for (std::size_t line = 0; line < lines.size(); ++line)
+    off[lines[line]] = vec<D>(end.x[line]) - particles.exact(lines[line], particles.end_time);
+  const NearestPoint<D> nearest(particles.X);
+  const auto is_off = [&](std::size_t p, int axis) {
+    const Neighbour next = nearest(particles.X[p] + particles.spacing * Vec<D>::Unit(axis));
+    return next.distance < particles.spacing / 2 &&
+           !(particles.difference(off[next.point], off[p]).norm() < particles.spacing);
+  };
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < off.size(); ++p) {
+    bool is_any = false;
+    for (int axis = 0; axis < D; ++axis) is_any = is_any || is_off(p, axis);
+    if (is_any) ++count;
+  }
+  return 2 * count > off.size();
+}
+
+/// Requires that ids are those of the case: a state that fits the exact solution, or the start, particle by particle
+/// must not do so only with other ids. One that fits neither has blown up, which is a result.
+template <int D>
+void require_ids_of_case(const CaseParticles<D>& particles, const Snapshot& end, const Lines& by_id) {
+  if (end.x.empty() || 2 * strayed(particles, end, by_id) <= by_id.size() || !is_torn(particles, end, by_id)) return;
+  std::vector<Vec<D>> exact;
+  for (std::size_t p = 0; p < particles.size(); ++p) exact.push_back(particles.exact(p, particles.end_time));
+  const Lines at_start = by_nearest(particles, particles.x0, end);
+  if (at_start == by_id) return;  // a body that has not moved
+  const Lines at_end = by_nearest(particles, exact, end), &found = at_end.empty() ? at_start : at_end;
+  for (std::size_t line = 0; line < found.size(); ++line)
+    if (found[line] != by_id[line])
+      fail_output(
+          "ids of {} are not those of `mpmvv particles`: particle {} is where {} should be (give --start, or "
+          "start of the adapter, or write X)",
+          end.file, by_id[line] + 1, found[line] + 1);
 }
 
 }  // namespace
@@ -165,7 +208,11 @@ Lines match(const CaseParticles<D>& particles, const Output& output) {
   const Snapshot& end = output.end;
   if (const auto X = reference_places(particles, end); !X.empty()) return by_place(particles, X, particles.X, end);
   if (!output.start) {
-    if (!end.id.empty()) return by_case_id(end, particles.size());
+    if (!end.id.empty()) {
+      const Lines by_id = by_case_id(end, particles.size());
+      require_ids_of_case(particles, end, by_id);
+      return by_id;
+    }
     Lines order(particles.size());
     std::iota(order.begin(), order.end(), 0U);
     return by_order(particles, end, order, "the case's particles");

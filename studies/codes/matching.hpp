@@ -9,7 +9,9 @@ namespace mpmvv::codes {
 /// Returns for each line of the output's end which of the case's particles it is, one to one. It goes by the first of
 /// these that the output has:
 ///   - the reference position, X or x - u, which has to be that of a particle of the case;
-///   - the id: that of a line of the start if there is a start, else the case's own, which count from 1;
+///   - the id: that of a line of the start if there is a start, else the case's own, which count from 1. The latter
+///   must
+///     not be contradicted by the positions: that these fit the exact solution, but only with other ids;
 ///   - the order of the lines, which is that of the start if there is one, else that of the case's particles. It counts
 ///     only if every particle is less than half a particle spacing from its exact position;
 ///   - the position: each is the particle that was nearest at time zero, if all are less than half a spacing from it.

@@ -7,8 +7,9 @@
 /// Checks of an output whose files could all be read. A function `require_...` throws an OutputFault if they fail.
 namespace mpmvv::codes {
 
-/// Requires that what a file says of its run agrees with the case: problem, parameters, resolution, form of the body
-/// force. Values with a unit are not compared where the file has units of its own.
+/// Requires that what a file says of its run agrees with the case: problem, parameters, resolution, boundary, material,
+/// form of the body force. Methods are the code's own, and so are its words for them. Values with a unit are not
+/// compared where the file has units of its own.
 void require_same_case(const cases::Case& c, const Snapshot& s);
 
 /// Requires that the time in the file, if it has one, is the case's end time.
@@ -38,11 +39,13 @@ struct MatchedEnd {
 };
 
 /// Requires that positions and displacements are in the right unit: not about 1000, 100, 0.01 or 0.001 times those of
-/// the exact solution.
+/// the exact solution, to five per cent; displacements that are written without positions to a quarter.
 template <int D>
 void require_length_units(const MatchedEnd<D>& end);
 
-/// Requires the same of velocities, if the file has any.
+/// Requires the same of velocities, if the file has any, to a factor of two: a coarse grid may be far off. Where those
+/// of the exact solution are small at the end, nothing is required. Displacements should have been found to be right,
+/// as those of a run that blows up may be of any size.
 template <int D>
 void require_velocity_units(const MatchedEnd<D>& end);
 

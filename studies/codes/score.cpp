@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "studies/codes/excursion.hpp"
 #include "studies/codes/matching.hpp"
 #include "studies/codes/output_checks.hpp"
@@ -55,6 +58,15 @@ double stress_error(const MatchedEnd<D>& end) {
       .l2();
 }
 
+/// Requires stresses that are numbers. A study that compares their errors would otherwise find a gap and no reason.
+void require_stresses(const Snapshot& end) {
+  if (end.stress.empty())
+    fail_output("no stresses in {} for stress_error (columns s_xx, ..., or leave it out)", end.file);
+  for (const Tensor& stress : end.stress)
+    if (!std::ranges::all_of(stress, [](double component) { return std::isfinite(component); }))
+      fail_output("stresses that are no numbers in {}", end.file);
+}
+
 /// Returns the RMS velocity error at the end, in per cent of the problem's speed.
 template <int D>
 double velocity_error(const MatchedEnd<D>& end) {
@@ -90,7 +102,7 @@ void measure_balance(const MatchedEnd<D>& end, Record& record) {
     return;
   }
   const solver::Particles<D> moving = moving_particles(end);
-  record.balance = runs::balance(particles.momenta, runs::Momenta<D>(moving), mass, body);
+  record.balance = runs::balance(particles.momenta, runs::Momenta<D>(moving), mass, body, !particles.period.isZero(0));
   if (end.snapshot.mass.empty()) record.balance.mass = records::not_measured;
   record.energy.kinetic = 0;
   for (std::size_t line = 0; line < end.size(); ++line)
@@ -119,7 +131,6 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   require_end_time(c, output.end);
   const MatchedEnd<D> end = matched(particles, output);
   require_length_units(end);
-  require_velocity_units(end);
   require_inside(end);
   const bool says_when = output.end.time || output.end.step == c.resolution.steps;
   if (!says_when) require_time(end);
@@ -131,8 +142,10 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
       norms_of(end, [&](std::size_t line, const Vec<D>&) { return end.error(line, particles.end_time).norm(); });
   const std::string beyond = blow_up.judge_error(norms.linf());
   require_stable(beyond.empty() ? beyond : beyond + common_offset(end));
+  require_velocity_units(end);
   measure_balance(end, record);
   if (!output.end.v.empty()) require_stable(blow_up.judge_energy(record.energy.kinetic));
+  if (c.measure.stress_error && !c.scheme.code.empty()) require_stresses(output.end);
   record.error.l1 = norms.l1();
   record.error.l2 = norms.l2();
   record.error.linf = norms.linf();

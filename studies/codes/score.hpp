@@ -14,8 +14,9 @@ struct Output {
 };
 
 /// Measures another code's output and returns the record of the case, as `runs::run_case` makes it, with the numbers
-/// that the output allows. An output with a fault gives a record with status `unstable` or `failed` and the reason. The
-/// caller fills in the costs. Throws UsageError if the problem has no exact solution.
+/// that the output allows. An output with a fault gives a record with status `unstable` or `failed` and the reason. So
+/// does one without stresses if a case of a code asks for their error. The caller fills in the costs. Throws UsageError
+/// if the problem has no exact solution.
 records::Record score(const cases::Case& c, const Output& output);
 
 /// Returns a warning if the exact solution of the case ends where it starts, so that a score says little; else empty.

@@ -9,10 +9,11 @@
 
 namespace mpmvv::codes {
 
-/// Returns the factor between units that is within 5 per cent of the ratio: 1000, 100, 0.01 or 0.001; 1 if none is.
-inline double unit_factor(double ratio) {
+/// Returns the factor between units that differs from the ratio by a factor below `band`: 1000, 100, 0.01 or 0.001; 1
+/// if none does.
+inline double unit_factor(double ratio, double band = 1.05) {
   for (const double factor : {1000.0, 100.0, 0.01, 0.001})
-    if (std::abs(ratio / factor - 1) < 0.05) return factor;
+    if (ratio < factor * band && ratio * band > factor) return factor;
   return 1;
 }
 
@@ -42,7 +43,8 @@ double extent(const std::vector<solver::Vec<D>>& points) {
 /// Returns the factor between units by which vectors differ from those that they should be, if they are nearly
 /// proportional to these; else 1.
 template <int D>
-double factor_between(const std::vector<solver::Vec<D>>& found, const std::vector<solver::Vec<D>>& wanted) {
+double factor_between(const std::vector<solver::Vec<D>>& found, const std::vector<solver::Vec<D>>& wanted,
+                      double band = 1.05) {
   double ours = 0, both = 0, theirs = 0;
   for (std::size_t k = 0; k < found.size(); ++k) {
     ours += wanted[k].squaredNorm();
@@ -50,7 +52,7 @@ double factor_between(const std::vector<solver::Vec<D>>& found, const std::vecto
     theirs += found[k].squaredNorm();
   }
   const bool is_alike = both > 0 && both * both > 0.9 * ours * theirs;
-  return is_alike ? unit_factor(both / ours) : 1;
+  return is_alike ? unit_factor(both / ours, band) : 1;
 }
 
 /// Throws an OutputFault if the RMS distance of the places from their mean is about 1000, 100, 0.01 or 0.001 times what

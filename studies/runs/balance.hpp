@@ -34,13 +34,15 @@ struct Momenta {
   }
 };
 
-/// Returns the relative changes from start to end; those of momenta are NaN when nothing moves.
+/// Returns the relative changes from start to end. Those of momenta are NaN when nothing moves; that of the angular
+/// momentum is also NaN with a periodic axis, where a particle that comes back in on the other side changes its moment.
 template <int D>
-records::Balance balance(const Momenta<D>& start, const Momenta<D>& end, double mass_of_particles,
-                         double mass_of_body) {
+records::Balance balance(const Momenta<D>& start, const Momenta<D>& end, double mass_of_particles, double mass_of_body,
+                         bool is_periodic) {
   return {.mass = mass_of_particles / mass_of_body - 1,
           .momentum = (end.linear - start.linear).norm() / std::max(start.speed, end.speed),
-          .angular_momentum = (end.angular - start.angular).norm() / std::max(start.swing, end.swing)};
+          .angular_momentum = is_periodic ? records::not_measured
+                                          : (end.angular - start.angular).norm() / std::max(start.swing, end.swing)};
 }
 
 }  // namespace mpmvv::runs

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace mpmvv::runs {
 
@@ -54,6 +55,7 @@ template <int D>
 ErrorNorms acceleration_errors(solver::Mpm<D>& mpm, const mms::ManufacturedSolution<D>& solution,
                                const problems::Body<D>& body) {
   mpm.map_acceleration();
+  if (const std::string fault = mpm.fault(); !fault.empty()) throw std::runtime_error(fault);  // parts are not mapped
   ErrorNorms norms;
   for (std::size_t n = 0; n < mpm.grid().size(); ++n) {
     if (!counts(mpm, n)) continue;

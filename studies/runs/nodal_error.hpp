@@ -12,6 +12,7 @@ namespace mpmvv::runs {
 /// it holds is exact there, the others are the method's own. The nodes of a moving wall get its acceleration in a step
 /// alone, so there must be none. Of the images of a node across periodic faces one counts. Ghost nodes do not count,
 /// nor do nodes too light to be accelerated. A control point of an open-knot basis counts as the node at its abscissa.
+/// Throws std::runtime_error where the particles cannot be mapped (`Mpm::fault`).
 template <int D>
 ErrorNorms acceleration_errors(solver::Mpm<D>& mpm, const mms::ManufacturedSolution<D>& solution,
                                const problems::Body<D>& body);

@@ -74,6 +74,7 @@ double advance(solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Case&
     record.reason = mpm.fault();
     const bool due = record.steps % watch_interval == 0 || record.steps == c.resolution.steps;
     if (record.reason.empty() && due) record.reason = judge(blow_up, mpm, prepared);
+    if (record.reason.empty() && record.steps == c.resolution.steps && !mpm.check()) record.reason = mpm.fault();
     if (!record.reason.empty()) {
       record.status = Status::unstable;
       record.reason += fmt::format(" at step {} of {}", record.steps, c.resolution.steps);
@@ -134,8 +135,8 @@ void run(const Case& c, const problems::Problem& problem, const Manner& manner, 
     if (manner.tell_steps) manner.tell_steps(record.steps);
   });
   if (record.status == Status::ok) {
-    record.balance =
-        balance(start_momenta, Momenta<D>(mpm.particles(), prepared.images), mpm.mass(), mass_of(prepared.setup));
+    record.balance = balance(start_momenta, Momenta<D>(mpm.particles(), prepared.images), mpm.mass(),
+                             mass_of(prepared.setup), std::ranges::find(mpm.periodic(), true) != mpm.periodic().end());
     if (c.measure.velocity_error) record.error.velocity = 100 / prepared.setup.speed * velocity_error.mean();
     measure_end(c, mpm, prepared, record);
   } else {

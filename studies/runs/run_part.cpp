@@ -1,5 +1,6 @@
 #include "studies/runs/run_part.hpp"
 
+#include "solver/boundary/boundaries.hpp"
 #include "studies/runs/run_case.hpp"
 
 namespace mpmvv::runs {
@@ -21,6 +22,9 @@ std::optional<records::Record> run_part(const cases::Case& whole, const settings
   records::Record r = run_without_images(part.body, part.images, threads, tell_steps);
   if (r.status != records::Status::ok) return std::nullopt;
   if (part.mirror_images > 1) add_mirror_images(part.mirror_images, r);
+  // The part has planes of symmetry in the place of periodic faces, across which the whole has no such change.
+  if (whole.scheme.boundary.find(solver::Periodic::word) != std::string::npos)
+    r.balance.angular_momentum = records::not_measured;
   r.the_case = whole;
   r.images = part.count();
   return r;

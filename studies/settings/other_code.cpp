@@ -37,6 +37,9 @@ void validate_other_code(const cases::Case& c, const problems::Problem& problem)
   if (ends_between_nodes(c))
     refuse(fmt::format("its quarter on {} cells has planes of symmetry between nodes (an even number)",
                        c.resolution.cells));
+  if (c.measure.stress_error && c.scheme.material != problem.material)
+    refuse(fmt::format("stress_error with material '{}', of which its solution is not exact (leave it out)",
+                       c.scheme.material));
   if (problem.is_one_particle) refuse("it is of our own solver's single particle (another problem)");
   if (!(c.measure.blowup_error > 0)) refuse("blowup_error must be > 0");
 }

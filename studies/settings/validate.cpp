@@ -226,6 +226,9 @@ constexpr Rule rules[]{
      "exact (leave it out)"},
     {[](const Asked& a) { return a.c.measure.nodal_error && a.takes_difference; },
      "nodal_error with wall_acceleration 'difference', which belongs to a step and not to the end time (use zero)"},
+    {[](const Asked& a) { return a.c.measure.nodal_error && a.s.wall_method == cases::WallMethod::velocity; },
+     "nodal_error with wall_method 'velocity', which holds expanded velocities and no accelerations (use lumped, "
+     "combined or elimination)"},
     {[](const Asked& a) { return a.c.measure.nodal_error && a.has<solver::Wall>(); },
      "nodal_error with boundary 'wall', whose acceleration belongs to a step and not to the end time (leave it out)"},
     {[](const Asked& a) { return !(a.c.measure.blowup_error > 0) || !(a.c.measure.blowup_energy > 0); },

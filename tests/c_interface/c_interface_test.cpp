@@ -140,6 +140,10 @@ TEST(CInterface, SaysWhatIsWrongAtAPoint) {
   const Solution inverse = solution_named("square-inverse");
   EXPECT_EQ(mpmvv_displacement(inverse.get(), 2, astray, 1e-3, b), MPMVV_BAD_ARGUMENT);
   EXPECT_STREQ(mpmvv_message(), "mpmvv_displacement: a coordinate of point 1 is not a finite number");
+  const double beyond[]{9, 9};
+  EXPECT_EQ(mpmvv_reference_point(ring.get(), 1, beyond, 0.01, b), MPMVV_NOT_FINITE) << "out of reach";
+  EXPECT_STREQ(mpmvv_message(), "no reference point found: the position is outside the body");
+  EXPECT_EQ(mpmvv_traction(ring.get(), 1, X, nullptr, 0, b), MPMVV_BAD_ARGUMENT);
   EXPECT_EQ(mpmvv_body_force(nullptr, 1, X, 0, b), MPMVV_BAD_ARGUMENT);
   EXPECT_EQ(mpmvv_body_force(ring.get(), 1, nullptr, 0, b), MPMVV_BAD_ARGUMENT);
   EXPECT_EQ(mpmvv_body_force(ring.get(), 0, nullptr, 0, nullptr), MPMVV_OK) << "no points, no arrays";
@@ -174,7 +178,7 @@ TEST(CInterfaceNightly, ManyPointsCostWhatTheyDoInCpp) {
     for (std::size_t p = 0; p < X.size(); ++p) b[p] = own->b(X[p], 1e-3);
   });
   const double in_c = least_time([&] { mpmvv_body_force(ring.get(), X.size(), X[0].data(), 1e-3, b[0].data()); });
-  EXPECT_LT(in_c, 1.2 * in_cpp);
+  EXPECT_LT(in_c, 1.5 * in_cpp);
 }
 
 }  // namespace mpmvv::c_interface_test

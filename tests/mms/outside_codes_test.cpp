@@ -48,6 +48,7 @@ TEST(Wave, BalancesMomentumWithoutABodyForce) {
     EXPECT_NEAR((wave.v(at, t + dt) - wave.v(at, t - dt))[0] / (2 * dt), wave.a(at, t)[0], 1e-1);
     EXPECT_NEAR((wave.u(at + step, t) - wave.u(at - step, t))[0] / (2 * s), wave.F(at, t)(0, 0) - 1, 1e-6);
     EXPECT_NEAR(wave.P(at, t)(0, 0), (material.lambda() + 2 * material.mu()) * (wave.F(at, t)(0, 0) - 1), 1e-9);
+    EXPECT_NEAR(wave.P(at, t)(1, 1), material.lambda() * (wave.F(at, t)(0, 0) - 1), 1e-9);
     EXPECT_EQ(wave.b(at, t), (Vec<2>::Zero()));
   }
   EXPECT_EQ(wave.u({0.3, 0.2}, 0), (Vec<2>::Zero()));

@@ -65,10 +65,12 @@ std::vector<std::string> studies_with_goldens(const std::vector<std::string>& fi
 }
 
 std::vector<std::string> test_programs(const std::string& file) {
+  if (file.starts_with("mms/c/")) return {"test_c_interface"};
   if (file.starts_with("mms/")) return {"test_mms", "test_solver", "test_studies", "test_cli"};
   if (file.starts_with("solver/")) return {"test_solver", "test_studies", "test_cli"};
   if (file.starts_with("reports/")) return {"test_reports", "test_cli"};
-  std::vector<std::string> all{"test_studies", "test_goldens", "test_reports", "test_cli", "test_mms", "test_solver"};
+  std::vector<std::string> all{"test_studies", "test_goldens", "test_reports",    "test_cli",
+                               "test_mms",     "test_solver",  "test_c_interface"};
   const std::string own = "test_" + file.substr(0, file.find('/'));
   std::ranges::stable_partition(all, [&](const std::string& program) { return program == own; });
   return all;

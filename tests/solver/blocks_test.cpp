@@ -5,6 +5,7 @@
 #include <random>
 
 #include "solver/stencils/extent.hpp"
+#include "solver/step.hpp"
 #include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
@@ -78,6 +79,22 @@ TEST(Slabs, SortParticlesByTheirNodes) {
   expect_sorted_by_nodes<BSpline2Open>();
   expect_sorted_by_nodes<Gimp>();
   expect_sorted_by_nodes<B2Gimp>();
+}
+
+/// In a periodic box particles that come back through a face ask for a sort before others have strayed far.
+TEST(Slabs, AreSortedAnewWhicheverWayParticlesStray) {
+  for (const double way : {15.0, -15.0}) {  // in cells
+    Scene<1> scene = full_scene<1>(BSpline2{}, 50, 2, Free{});
+    scene.particles = particles_at<1>(lattice<1>(Vec<1>(way > 0 ? 0.04 : 0.56), scene.h / 2, {40}), scene.h / 2);
+    constexpr int steps = 100;
+    const double dt = 0.2 * scene.h / 120;
+    for (auto& v : scene.particles.v) v[0] = way * scene.h / (steps * dt);
+    Step<1> s(scene);
+    const std::int64_t before = s.moves();
+    s.advance(dt, steps);
+    EXPECT_EQ(s.fault(), Fault::none);
+    EXPECT_GE(s.moves() - before, steps + 5) << way << ": a step moves them once, and a sort counts once more";
+  }
 }
 
 template <int n>

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <stdexcept>
 
 #include "tests/solver/scenes.hpp"
 
@@ -37,6 +39,30 @@ TEST(BodyForce, HasTheReferencePositionsOfItsParticlesThroughSorts) {
   EXPECT_NE(mpm.particles().id, first);
   EXPECT_EQ(force.asked, 40 * first.size());
   EXPECT_EQ(force.wrong, 0U);
+}
+
+/// Throws when it is asked for the second time.
+struct Throwing final : BodyForce<1> {
+  void on_particles(double, std::span<const std::uint32_t> ids, std::span<const Vec<1>>, Vec<1>* b) const override {
+    if (++asked == 2) throw std::domain_error("no force here");
+    std::fill_n(b, ids.size(), Vec<1>::Zero());
+  }
+  Vec<1> at_position(const Vec<1>&, double) const override { return Vec<1>::Zero(); }
+
+  mutable int asked = 0;
+};
+
+TEST(BodyForce, ThatThrowsLeavesParticlesWhereTheLastStepHasMovedThem) {
+  Scene<1> scene = full_scene<1>(BSpline2{}, 8, 1);
+  for (auto& v : scene.particles.v) v[0] = 3;
+  const double dt = 0.1 * scene.h / 120;
+  Mpm<1> sound(scene);
+  ASSERT_TRUE(sound.step(dt));
+  Throwing force;
+  scene.body_force = &force;
+  Mpm<1> mpm(scene);
+  EXPECT_THROW(mpm.advance(dt, 3), std::domain_error);  // in the visit that also moves particles
+  EXPECT_EQ(mpm.particles().x, sound.particles().x);
 }
 
 }  // namespace mpmvv::solver::body_force_test

@@ -19,19 +19,24 @@ double largest(const Matrix& difference) {
   return difference.lpNorm<Eigen::Infinity>();
 }
 
-std::mt19937 random_numbers(11);
-double random_number() {
-  return std::uniform_real_distribution<double>(-1, 1)(random_numbers);
-}
+/// The same numbers in whichever order tests run, and alone.
+class RandomNumbers {
+ public:
+  double next() { return std::uniform_real_distribution<double>(-1, 1)(engine_); }
+
+ private:
+  std::mt19937 engine_{11};
+};
 
 /// The box filled with particles that have left their lattice, at random velocities.
 template <int D>
 Scene<D> jumbled_box(const AnyBasis& basis, int cells, const AnyBoundary& boundary) {
   Scene<D> scene = full_scene<D>(basis, cells, 2, boundary);
+  RandomNumbers random;
   for (auto& x : scene.particles.x)
-    for (int d = 0; d < D; ++d) x[d] += 0.2 * scene.h * random_number();
+    for (int d = 0; d < D; ++d) x[d] += 0.2 * scene.h * random.next();
   for (auto& v : scene.particles.v)
-    for (int d = 0; d < D; ++d) v[d] = random_number();
+    for (int d = 0; d < D; ++d) v[d] = random.next();
   return scene;
 }
 
@@ -209,7 +214,8 @@ TEST_P(ConsistentMassMatrix, IsSolvedForWhatTheWallsLeaveFree) {
 TEST_P(ConsistentMassMatrix, BoundsAccelerationsWhereItIsSingular) {
   Scene<2> scene = full_scene<2>(basis, 6, 1, has_open_knots ? AnyBoundary{Free{}} : Periodic{});
   set_widths(scene, 0.5);
-  for (auto& F : scene.particles.F) F(0, 0) = 1 + 0.3 * random_number();
+  RandomNumbers random;
+  for (auto& F : scene.particles.F) F(0, 0) = 1 + 0.3 * random.next();
   const auto norm_of = [&scene](double lumped_share) {
     scene.consistent_mass = ConsistentMassSettings{.lumped_share = lumped_share, .tolerance = 1e-9};
     Mpm<2> mpm(scene);

@@ -7,6 +7,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "solver/kernels/block_kernels.hpp"
+#include "tests/solver/scenes.hpp"
 
 namespace mpmvv::solver::deformation_test {
 
@@ -73,6 +74,28 @@ TEST(Exponential, KeepsTheVolumeWithoutATrace) {
   Mat<2> L;
   L << 0.3, -0.7, 0.9, -0.3;
   EXPECT_NEAR(stepped<Mat<2>>(Mat<2>::Identity(), L, 0.5, Deformation::exponential).determinant(), 1, 1e-15);
+}
+
+/// From F = I by the same velocity gradient: 1 + Δt L, or exp(Δt L).
+TEST(Deformation, FollowsTheRuleOfTheScene) {
+  Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2);
+  set_wave(scene, 5);
+  for (const std::string_view integrator : {"usl", "usf", "uvf", "usl+"}) {
+    scene.integrator = integrator;
+    const auto after_a_step = [&scene](Deformation rule) {
+      scene.deformation = rule;
+      Mpm<1> mpm(scene);
+      EXPECT_TRUE(mpm.step(1e-3)) << mpm.fault();
+      return mpm.particles().F;
+    };
+    const auto linear = after_a_step(Deformation::linear), exponential = after_a_step(Deformation::exponential);
+    double largest = 0;
+    for (std::size_t p = 0; p < linear.size(); ++p) {
+      EXPECT_NEAR(exponential[p](0, 0), std::exp(linear[p](0, 0) - 1), 1e-15) << integrator;
+      largest = std::max(largest, std::abs(linear[p](0, 0) - 1));
+    }
+    EXPECT_GT(largest, 0.01);
+  }
 }
 
 /// Of a block's six particles, two packs, that stand behind three others, one with this F and this velocity gradient.

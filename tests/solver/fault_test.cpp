@@ -76,6 +76,25 @@ TEST_P(Faults, LeavingIsReported) {
   });
 }
 
+/// What only the next step would find.
+TEST_P(Faults, AreFoundInTheStateAfterTheLastStep) {
+  everywhere([]<int D>(Scene<D> scene) {
+    if (scene.integrator == "rk4") return;  // whose stages look ahead
+    scene.boundary.fill(Free{});
+    for (auto& v : scene.particles.v) v.setConstant(100);
+    const double dt = 0.2 * scene.h / 100;
+    Mpm<D> longer(scene), mpm(scene);
+    const std::int64_t found = longer.advance(dt, 20);
+    EXPECT_EQ(mpm.advance(dt, found - 2), found - 2);
+    EXPECT_TRUE(mpm.check()) << mpm.fault();
+    EXPECT_TRUE(mpm.step(dt));
+    EXPECT_FALSE(mpm.check());
+    EXPECT_EQ(mpm.steps(), found - 1);
+    EXPECT_EQ(mpm.fault(), longer.fault());
+    EXPECT_FALSE(mpm.step(dt));
+  });
+}
+
 TEST_P(Faults, InversionIsReported) {
   everywhere([](auto scene) {
     scene.particles.F[4] *= -1;
@@ -117,6 +136,29 @@ TEST(Fault, UnknownIntegratorIsRefused) {
   Scene<1> scene = full_scene<1>(Linear{}, 8, 1);
   scene.integrator = "rk5";
   EXPECT_THROW(Mpm<1>{scene}, std::invalid_argument);
+}
+
+TEST(Scenes, ThatCannotBeRunAreRefused) {
+  const auto refusal = [](const AnyBasis& basis, const auto& change) -> std::string {
+    Scene<2> scene = full_scene<2>(basis, 4, 2);
+    change(scene);
+    try {
+      Mpm<2>{scene};
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal(Linear{}, [](Scene<2>& scene) { scene.particles = {}; }), "a scene without particles");
+  EXPECT_EQ(refusal(Linear{}, [](Scene<2>& scene) { scene.threads = 0; }), "a scene without threads");
+  for (const AnyBasis& basis : {AnyBasis{Gimp{}}, AnyBasis{CpGimp{}}, AnyBasis{B2Gimp{}}}) {
+    EXPECT_EQ(refusal(basis, [](Scene<2>&) {}), "");
+    EXPECT_EQ(refusal(basis, [](Scene<2>& scene) { scene.particles.l.pop_back(); }),
+              "particles without the widths that the basis takes");
+  }
+  for (const AnyBasis& basis : {AnyBasis{Cpdi{}}, AnyBasis{B2Cpdi{}}})
+    EXPECT_EQ(refusal(basis, [](Scene<2>& scene) { scene.particles.R.pop_back(); }),
+              "particles without the domains that the basis takes");
 }
 
 }  // namespace mpmvv::solver::fault_test

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "tests/solver/scenes.hpp"
 #include "tests/solver/stencils.hpp"
 
 namespace mpmvv::solver::gimp_test {
@@ -63,6 +64,23 @@ TEST(Gimp, NarrowestIsTheLinearBasis) {
         EXPECT_NEAR(dN[i], k >= 0 && k < 2 ? slope[k] : 0, 1e-15) << xi;
       }
     }
+}
+
+TEST(CpGimp, WidthsFollowTheStretchesAlongTheAxes) {  // W (63)
+  Scene<2> scene = full_scene<2>(CpGimp{}, 16, 2);
+  set_wave(scene, 20);
+  for (const auto integrator : integrator_words()) {
+    scene.integrator = integrator;
+    Mpm<2> mpm(scene);
+    for (int k = 0; k < 5; ++k) ASSERT_TRUE(mpm.step(0.2 * scene.h / 120)) << mpm.fault();
+    const auto& particles = mpm.particles();
+    double shear = 0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+      EXPECT_LT((particles.l[p] - 0.5 * particles.F[p].diagonal()).norm(), 1e-15) << integrator;
+      shear = std::max(shear, std::abs(particles.F[p](0, 1)));
+    }
+    EXPECT_GT(shear, 0.01);
+  }
 }
 
 TEST(Linear, GradientOnANodeIsThatOfTheCellToTheRight) {

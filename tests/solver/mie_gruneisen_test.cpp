@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/solver/scenes.hpp"
+
 namespace mpmvv::solver::mie_gruneisen_test {
 
 /// Nickel as in N §3.5.
@@ -56,6 +58,18 @@ TEST(MieGruneisen, SlowCompressionIsIsentropic) {  // ρ₀ de = -p dJ, T = T₀
   EXPECT_NEAR(back.temperature, 300, 1e-4);
 }
 
+TEST(MieGruneisen, StateAtAVolumeRatioIsOnTheIsentrope) {
+  for (const double J : {0.75, 1.1}) {
+    const ThermalState fine = compressed(nickel(), J, 4000), state = nickel(0.4, 4).state_at(J);
+    EXPECT_EQ(state.J, J);
+    EXPECT_EQ(state.viscous, 0);
+    EXPECT_NEAR(state.energy / fine.energy, 1, 1e-4);
+    EXPECT_NEAR(state.pressure / fine.pressure, 1, 2e-5);
+    EXPECT_NEAR(state.temperature / fine.temperature, 1, 2e-6);
+  }
+  EXPECT_EQ(nickel().state_at(1).energy, 0);
+}
+
 TEST(MieGruneisen, ViscosityResistsCompressionAndHeats) {
   const MieGruneisen material = nickel(0.4, 4);
   const StressStep step{1e-9, 1e-4};
@@ -77,6 +91,33 @@ TEST(MieGruneisen, EndsAtTheHugoniotsPole) {
   EXPECT_TRUE(std::isfinite(nickel().cold_pressure(0.99 / 1.44)));
   EXPECT_FALSE(std::isfinite(nickel().cold_pressure(1.01 / 1.44)));
   EXPECT_FALSE(std::isfinite(compressed(nickel(), 0.2, 10).pressure));
+}
+
+/// By the step's length and the cell's width, from the state that the particle itself had before.
+TEST(MieGruneisen, AStepAdvancesEachParticlesState) {
+  Scene<1> scene = full_scene<1>(BSpline2{}, 10, 2);
+  const MieGruneisen material{1, 9000, 1.44, 2, 440, 300, 0.4, 4};
+  scene.material = material;
+  set_wave(scene, 5);
+  const double dt = 1e-4;
+  Mpm<1> mpm(scene);
+  std::vector<ThermalState> expected(scene.particles.size(), material.state_at_rest());
+  for (int k = 0; k < 20; ++k) {
+    const auto& before = mpm.particles();
+    for (std::size_t p = 0; p < expected.size(); ++p)
+      material.advance(expected[before.id[p]], before.F[p].determinant(), {dt, scene.h});
+    ASSERT_TRUE(mpm.step(dt)) << mpm.fault();
+  }
+  double viscous = 0;
+  for (std::size_t p = 0; p < expected.size(); ++p) {
+    const ThermalState &found = mpm.particles().thermal[p], &wanted = expected[mpm.particles().id[p]];
+    EXPECT_NEAR(found.J, wanted.J, 1e-15);
+    EXPECT_NEAR(found.viscous, wanted.viscous, 1e-12);
+    EXPECT_NEAR(found.energy, wanted.energy, 1e-12);
+    EXPECT_NEAR(found.temperature, wanted.temperature, 1e-10);
+    viscous = std::max(viscous, wanted.viscous);
+  }
+  EXPECT_GT(viscous, 0.1);
 }
 
 TEST(MieGruneisen, PushesEquallyInAllDirections) {

@@ -20,7 +20,8 @@ struct MovedBody {
   Grid<D> grid;
   std::vector<std::vector<Weight<D>>> weights;  ///< by particle
 
-  explicit MovedBody(const AnyBasis& basis)
+  /// Without weights it takes kernels, but gives no `value` or `gradient`.
+  explicit MovedBody(const AnyBasis& basis, bool has_weights = true)
       : scene(full_scene<D>(basis, D == 3 ? 5 : 12, D == 1 ? 12 : 3, Free{})),
         grid(grid_for<D>(basis, scene.lower, scene.h, scene.cells)) {
     std::mt19937 random(11);
@@ -31,7 +32,7 @@ struct MovedBody {
       for (int d = 0; d < D; ++d) particles.x[p][d] = std::clamp(particles.x[p][d] + 0.4 * scene.h * any(), 0.0, 1.0);
       particles.v[p] = Vec<D>::NullaryExpr(any);
       particles.F[p] += 0.2 * Mat<D>::NullaryExpr(any);
-      weights.push_back(weights_of(basis, p));
+      if (has_weights) weights.push_back(weights_of(basis, p));
     }
     for (auto* field : {&grid.v, &grid.a})
       for (auto& value : *field) value = Padded<D>::NullaryExpr(any);

@@ -47,6 +47,26 @@ TEST(Spline, OpenOnesAreCardinalSplinesInside) {
   expect_cardinal_spline_inside<BSpline3Open>(9, 3);
 }
 
+/// N §2.1: the slope of a mean over a box is what the function gains along the box over the box's width; over a whole
+/// cell the mean is the cubic spline.
+TEST(Spline, B2GimpIsTheMeanOfTheQuadraticOneOverTheParticle) {
+  using boost::math::cardinal_b_spline;
+  constexpr int cells = 6;
+  for (const double l : {0.1, 0.25, 0.5, 0.8, 1.0})
+    for (const double xi : places(cells)) {
+      double N[4], dN[4];
+      const int first = B2Gimp{}.evaluate({xi, cells, l}, N, dN);
+      for (int i = 0; i < 4; ++i) {
+        const double r = xi - (first + i);
+        const double gain = cardinal_b_spline<2>(r + l / 2) - cardinal_b_spline<2>(r - l / 2);
+        EXPECT_NEAR(dN[i], gain / l, 1e-14) << xi << ' ' << l;
+        if (l == 1) {
+          EXPECT_NEAR(N[i], cardinal_b_spline<3>(r), 1e-15) << xi;
+        }
+      }
+    }
+}
+
 template <class B>
 class OpenSpline : public ::testing::Test {};
 using OpenSplines = ::testing::Types<BSpline2Open, BSpline3Open>;

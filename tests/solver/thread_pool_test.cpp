@@ -116,4 +116,44 @@ TEST_P(ThreadPoolOf, SortsParticlesAsOneThreadDoes) {
   EXPECT_EQ(particles.F, expected.F);
 }
 
+/// Whatever is in use goes along, whether a test elsewhere has it differ from particle to particle or not.
+TEST(Particles, TakeAllTheirFieldsAlong) {
+  const Array<std::uint32_t> order{3, 0, 4, 1, 2};
+  Particles<2> particles;
+  particles.resize(order.size());
+  auto& [start, sum] = particles.stages;
+  double first = 1;
+  const auto number = [&](auto&... fields) {
+    const auto one = [&](auto& field) {
+      field.resize(order.size());
+      for (std::size_t p = 0; p < field.size(); ++p, ++first)
+        if constexpr (requires { field[p].setConstant(first); })
+          field[p].setConstant(first);
+        else
+          field[p] = first;
+    };
+    (one(fields), ...);
+  };
+  auto& all = particles;
+  number(all.m, all.V0, all.x, all.v, all.l, all.l0, all.X, start.x, start.v, sum.x, sum.v);
+  number(all.F, all.R, all.R0, all.C, start.F, sum.F);
+  for (std::size_t p = 0; p < order.size(); ++p) all.thermal.push_back({.temperature = static_cast<double>(p)});
+  const Particles<2> before = particles;
+  ThreadPool alone(1);
+  particles.permute(order, alone);
+  const auto expect = [&order](const auto& found, const auto& had, const char* what) {
+    for (std::size_t k = 0; k < order.size(); ++k) EXPECT_TRUE(found[k] == had[order[k]]) << what;
+  };
+  expect(all.id, before.id, "id");
+  expect(all.m, before.m, "m"), expect(all.V0, before.V0, "V0");
+  expect(all.x, before.x, "x"), expect(all.v, before.v, "v"), expect(all.F, before.F, "F");
+  expect(all.l, before.l, "l"), expect(all.l0, before.l0, "l0"), expect(all.X, before.X, "X");
+  expect(all.R, before.R, "R"), expect(all.R0, before.R0, "R0"), expect(all.C, before.C, "C");
+  for (std::size_t k = 0; k < order.size(); ++k)
+    EXPECT_EQ(all.thermal[k].temperature, before.thermal[order[k]].temperature);
+  expect(start.x, before.stages.start.x, "start x"), expect(sum.x, before.stages.sum.x, "sum x");
+  expect(start.v, before.stages.start.v, "start v"), expect(sum.v, before.stages.sum.v, "sum v");
+  expect(start.F, before.stages.start.F, "start F"), expect(sum.F, before.stages.sum.F, "sum F");
+}
+
 }  // namespace mpmvv::solver::thread_pool_test

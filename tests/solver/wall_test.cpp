@@ -157,6 +157,7 @@ TEST(Wall, KeepsUniformStretchExactly) {
     const double stretch = integrator == "usavg" ? half * half : 2 * half - 1;
     for (const auto& update : every_velocity_update())
       for (const auto method : {WallMethod::velocity, WallMethod::combined, WallMethod::elimination}) {
+        if (has_affine_field(update)) continue;  // CPDI has no weights for it
         SCOPED_TRACE(testing::Message() << integrator << " " << name_of(update));
         StretchedBar<2> bar(Cpdi{}, update, 100);
         bar.left.gradient0 = bar.right.gradient0 = StretchedBar<2>::rate;
@@ -202,7 +203,7 @@ TEST(Wall, MethodsAgreeWhereNothingIsExpanded) {
     EXPECT_LT(distance(velocities(Fmpm{1}, method), one), 1e-13);
   EXPECT_LT(distance(velocities(Fmpm{2}, elimination), velocities(Fmpm{2}, combined)), 1e-13);
   EXPECT_GT(distance(velocities(Fmpm{3}, elimination), velocities(Fmpm{3}, combined)), 1e-5);
-  EXPECT_LT(distance(velocities(Pic{}, combined), velocities(Fmpm{1}, combined)), 1e-1) << "held as well";
+  EXPECT_LT(distance(velocities(Pic{}, combined), one), 1e-3) << "held as well: 0.06 where not";
 }
 
 /// Elimination tends to the consistent mass with the same nodes held.

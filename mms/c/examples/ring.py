@@ -36,10 +36,14 @@ class Solution:
     def _vectors(self, function, X, t):
         if numpy is not None:
             X = numpy.ascontiguousarray(X, dtype=float)
+            if X.ndim != 2 or X.shape[1] != self.dimension:
+                raise ValueError(f"points of shape {X.shape} (those of n points: (n, {self.dimension}))")
             out = numpy.empty_like(X)
             self._check(function(self._solution, ctypes.c_size_t(len(X)), X.ctypes.data_as(doubles),
                                  ctypes.c_double(t), out.ctypes.data_as(doubles)))
             return out
+        if any(len(point) != self.dimension for point in X):
+            raise ValueError(f"points of another dimension than {self.dimension}")
         flat = [coordinate for point in X for coordinate in point]
         points, out = (ctypes.c_double * len(flat))(*flat), (ctypes.c_double * len(flat))()
         self._check(function(self._solution, ctypes.c_size_t(len(X)), points, ctypes.c_double(t), out))

@@ -82,10 +82,9 @@ struct ShockedBar {
   ShockedBar(const ShockMethod& method, int cells, const char* end_time, const mms::Hugoniot& shock)
       : body(method.settings(cells, end_time), solver::Images::middle), plateau_pressure(shock.pressure()) {
     body.step_to(body.resolution().steps);
-    const auto& particles = body.mpm().particles();
     const double h = body.mpm().grid().h(), t = body.mpm().time();
-    pressure = profile(body, [&](std::size_t p) { return particles.thermal[p].total_pressure(); });
-    temperature = profile(body, [&](std::size_t p) { return particles.thermal[p].temperature; });
+    pressure = profile(body, [&](std::size_t p) { return body.mpm().thermal_state(p).total_pressure(); });
+    temperature = profile(body, [&](std::size_t p) { return body.mpm().thermal_state(p).temperature; });
     front = way_of(0.5);
     expected_front = shock.shock_speed() * t;
     first = end - expected_front + 24 * h;

@@ -35,7 +35,7 @@ class Compiled : public testing::Test {
       }
   }
 
-  const std::vector<FormulaSample> samples_ = formula_samples();
+  const std::vector<FormulaSample> samples_ = formula_samples(false);
 
  private:
   const std::filesystem::path folder_ =

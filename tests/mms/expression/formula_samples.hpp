@@ -79,12 +79,14 @@ std::vector<FormulaSample> samples_of(const Entry& entry, const Values& given) {
   return all;
 }
 
-/// Of every solution that has formulas, with its own parameters, and with a lateral contraction where it has none.
-inline std::vector<FormulaSample> formula_samples() {
+/// Of every solution that has formulas, with its own parameters, and with another lateral contraction; or with that one
+/// alone where it takes any.
+inline std::vector<FormulaSample> formula_samples(bool with_its_own = true) {
   std::vector<FormulaSample> all;
   for (const Entry& entry : catalogue()) {
     std::vector<Values> choices{{}};
     if (complete(entry, {}).contains("poissons_ratio")) choices.push_back({{"poissons_ratio", 0.2}});
+    if (!with_its_own) choices.erase(choices.begin(), choices.end() - 1);
     for (const Values& given : choices) {
       const auto more = std::visit([&]<int D>(Make<D>) { return samples_of<D>(entry, given); }, entry.make);
       all.insert(all.end(), more.begin(), more.end());

@@ -53,6 +53,7 @@ TEST(GateOutput, TheFirstStudyOfWhichAnythingFailsEndsTheStage) {
 TEST(GateOutput, AnEditReachesTheTestsThatLinkIt) {
   EXPECT_THAT(test_programs("solver/grid.hpp"), testing::ElementsAre("test_solver", "test_studies", "test_cli"));
   EXPECT_EQ(test_programs("mms/bar.cpp").front(), "test_mms");
+  EXPECT_THAT(test_programs("mms/c/mpmvv_mms.cpp"), testing::ElementsAre("test_c_interface"));
   EXPECT_EQ(test_programs("goldens/golden.cpp").front(), "test_goldens");
   EXPECT_THAT(test_programs("reports/csv.cpp"), testing::ElementsAre("test_reports", "test_cli"));
   EXPECT_THAT(test_programs("studies/runs/norms.hpp"), IsSupersetOf({"test_studies", "test_goldens", "test_reports"}));

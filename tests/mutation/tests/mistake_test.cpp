@@ -146,8 +146,9 @@ TEST(PlantedMistakes, EveryOneApplies) {
     ADD_FAILURE() << entry.complaint << "\n" << entry.nearest;
   if (HasFailure()) return;
   std::set<std::string> folders;
+  const std::vector<std::string> files = samples::sources();
   for (const Mistake& mistake : mistakes) {
-    const std::string file = file_of(mistake, samples::sources()), &text = sources.at(file);
+    const std::string file = file_of(mistake, files), &text = sources.at(file);
     EXPECT_NE(edited(edit_of(mistake, file, text), text), text) << mistake.name;
     folders.insert(file.substr(0, file.find('/')));
   }

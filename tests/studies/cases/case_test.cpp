@@ -50,7 +50,7 @@ TEST(CanonicalText, OfAnotherCodeHasNothingOfOurOwnSolver) {
             "problem=bar param.amplitude=0.05 param.density=1 end_time=0.01 quarter=false code=nairn "
             "variant=spline-usl force_form=per-particle code_version=4.2 adapter=af63dc4c8601ec8c fill=lattice "
             "material=neo-hookean-log cells=64 ppc=4 dt=0.3333333333333333 steps=800 "
-            "particle_errors=false blowup_error=1 repeat=0");
+            "stress_error=false particle_errors=false blowup_error=1 repeat=0");
 }
 
 TEST(CanonicalText, OfAnotherCodeDependsOnProgramAdapterAndForm) {

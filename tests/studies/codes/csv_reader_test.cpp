@@ -50,6 +50,34 @@ TEST(CsvReader, TakesColumnsByNameAndNumber) {
   EXPECT_EQ(read("px,y\n1.5,2.5\n", "x=px", 2).x.front(), (Point{1.5, 2.5, 0})) << "one component, and not all of x";
 }
 
+/// As of a table whose positions have capital names: they are no reference positions, too.
+TEST(CsvReader, TakesNoColumnTwiceThatWasNamed) {
+  for (const char* names : {"id=ID,x=X,y=Y", "x=2,y=3"}) {
+    const Snapshot s = read("ID,X,Y\n1,0.5,0.25\n", names, 2);
+    EXPECT_EQ(s.x.front(), (Point{0.5, 0.25, 0})) << names;
+    EXPECT_TRUE(s.X.empty()) << names;
+  }
+  EXPECT_TRUE(read("X:0,X:1\n1,2\n", "x=X", 2).X.empty());
+  EXPECT_EQ(read("X,Y\n1,2\n", "x=X,X=X,y=Y,Y=Y", 2).X.front(), (Point{1, 2, 0})) << "where it is said";
+}
+
+TEST(CsvReader, TakesOneTime) {
+  EXPECT_THAT(message_of("# time = 0.008\nx,time\n1,0.004\n"),
+              testing::AllOf(testing::HasSubstr("time 0.008 in "),
+                             testing::HasSubstr(", and 0.004 in its column 'time' (one time)")));
+  EXPECT_THAT(message_of("x,time\n1,0.004\n2,0.008\n"), testing::HasSubstr("several times in "));
+  EXPECT_EQ(read("# time = 0.008333\nx,time\n1,0.00833333\n").time, 0.008333);
+  EXPECT_EQ(read("# time = 0.008\nx,t\n1,300\n").time, 0.008) << "t may be a temperature";
+  EXPECT_EQ(read("x,t\n1,0.25\n").time, 0.25);
+}
+
+TEST(CsvReader, SeesDecimalCommas) {
+  const auto seen = testing::HasSubstr("(decimal commas? Write points)");
+  EXPECT_THAT(message_of("id;x;y\n1;0,25;0,5\n"), testing::AllOf(testing::HasSubstr("'1;0' between commas in "), seen));
+  EXPECT_THAT(message_of("id x\n1 0,25\n"), seen);
+  EXPECT_THAT(message_of("id;x\n1;0,25\n"), seen);
+}
+
 TEST(CsvReader, CommentsSayTimeAndNames) {
   const Snapshot s = read("# problem = bar\n# time = 0.5\n# id x\n1 1.25\n");
   EXPECT_EQ(s.time, 0.5);

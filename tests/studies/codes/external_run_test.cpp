@@ -39,6 +39,24 @@ TEST_F(ExternalRun, IsScoredAsARunOfOurs) {
   EXPECT_GT(record.wall_seconds, 0);
 }
 
+/// A body that moves as a whole has no stress.
+TEST_F(ExternalRun, HasTheStressErrorThatIsAskedFor) {
+  auto settings = Mover::settings();
+  settings.push_back({"stress_error", "true", "test"});
+  const cases::Case c = settings::make_case(settings);
+  EXPECT_THAT(run_external(c, mover_.code()).reason,
+              HasSubstr("no stresses in particles.csv for stress_error (columns"));
+  const auto with_stress = [&](const char* stress) {
+    mover_.script(
+        "echo id,x,y,s_xx,s_yy,s_xy > particles.csv\n"
+        "awk -v t=\"$1\" '{ printf \"%d,%.17g,%.17g," +
+        std::string(stress) + ",0,0\\n\", $1, $2 + t * $4, $3 + t * $5 }' input.txt >> particles.csv");
+    return run_external(c, mover_.code());
+  };
+  EXPECT_NEAR(with_stress("3").error.stress, 3, 1e-6);
+  EXPECT_THAT(with_stress("nan").reason, HasSubstr("stresses that are no numbers in particles.csv"));
+}
+
 TEST_F(ExternalRun, KeepsItsFolderWhereItIsToldTo) {
   const auto kept = mover_.top() / "kept";
   run_external(settings::make_case(Mover::settings()), mover_.code(), kept);

@@ -1,5 +1,6 @@
 #include "studies/codes/score.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "studies/codes/case_particles.hpp"
@@ -57,6 +58,48 @@ TEST(Score, ADoubledIdIsAReason) {
   const records::Record r = score(c, {.end = end});
   EXPECT_EQ(r.status, records::Status::failed);
   EXPECT_EQ(r.reason, "particle 21 stands twice in end.csv");
+}
+
+/// Column by column instead of row by row; the positions alone say which particle is which.
+TEST(Score, IdsInAnotherOrderAreAReason) {
+  const cases::Case c = square();
+  Snapshot end = exact_end(c);
+  for (std::size_t p = 0; p < end.size(); ++p) end.id[p] = static_cast<std::int64_t>(p % 8 * 8 + p / 8 + 1);
+  const records::Record r = score(c, {.end = end});
+  EXPECT_EQ(r.status, records::Status::failed);
+  EXPECT_THAT(r.reason, testing::StartsWith("ids of end.csv are not those of `mpmvv particles`: particle 9 is where 2 "
+                                            "should be (give --start, or start of the adapter, or write X)"));
+  end.id.clear();
+  EXPECT_EQ(score(c, {.end = end}).status, records::Status::ok);
+}
+
+/// No other ids fit a state that blew up. Nor are ids blamed for an error that neighbours share.
+TEST(Score, IdsAreNotBlamedForAnError) {
+  const cases::Case c = square();
+  for (const bool is_blown_up : {true, false}) {
+    Snapshot end = exact_end(c);
+    for (std::size_t p = 0; p < end.size(); ++p) end.x[p][0] += is_blown_up && p % 3 == 0 ? -0.15 : 0.125;
+    const records::Record r = score(c, {.end = end});
+    EXPECT_EQ(r.status, records::Status::unstable) << r.reason;
+    EXPECT_THAT(r.reason, testing::HasSubstr(is_blown_up ? "displacement error 0.15 beyond" : "another origin?"));
+  }
+}
+
+/// A body that rests where that of the exact solution moves has ids that fit its start.
+TEST(Score, IdsOfABodyAtRestAreThoseOfItsStart) {
+  const std::vector<settings::Setting> given{
+      {"problem", "vortex", ""}, {"basis", "linear", ""}, {"cells", "8", ""},        {"ppc", "2", ""},
+      {"cfl", "0.2", ""},        {"end_time", "0.4", ""}, {"blowup_error", "10", ""}};
+  cases::Case c = settings::make_case(given);
+  c.scheme.force_form = cases::ForceForm::none;
+  const CaseParticles<2> particles = case_particles<2>(c);
+  Snapshot end{.file = "end.csv", .time = 0.4};
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    end.id.push_back(static_cast<std::int64_t>(p) + 1);
+    end.x.push_back({particles.X[p][0], particles.X[p][1], 0});
+  }
+  const records::Record r = score(c, {.end = end});
+  EXPECT_EQ(r.status, records::Status::ok) << r.reason;
 }
 
 }  // namespace mpmvv::score_test

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+
 #include "studies/runs/run_case.hpp"
 #include "studies/settings/settings.hpp"
 
@@ -34,6 +37,23 @@ TEST(BlowUp, IsOneAlsoWhenTheRunComesBack) {
   const records::Record record = run({{"blowup_error", "0.112", ""}});
   EXPECT_EQ(record.status, Status::unstable);
   EXPECT_EQ(record.steps, 64);
+}
+
+/// The last particle of a bar that nothing holds moves on by 0.2 cells a step, and is a cell out after some of them.
+TEST(BlowUp, IsOneAlsoInTheStateAfterTheLastStep) {
+  const auto after = [](int steps) {
+    return run({{"problem", "translation", ""},
+                {"integrator", "usl", ""},
+                {"boundary", "free", ""},
+                {"steps", std::to_string(steps), ""}});
+  };
+  const records::Record last = after(25);
+  EXPECT_EQ(last.status, Status::unstable);
+  EXPECT_EQ(last.steps, 25);
+  EXPECT_EQ(last.reason, "a particle left the domain at step 25 of 25");
+  EXPECT_TRUE(std::isnan(last.error.linf));
+  EXPECT_EQ(after(26).reason, "a particle left the domain at step 26 of 26");
+  EXPECT_EQ(after(24).status, Status::ok);
 }
 
 }  // namespace mpmvv::runs::blowup_test

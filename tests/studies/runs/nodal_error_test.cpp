@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 #include "mms/bar.hpp"
@@ -120,6 +121,25 @@ TEST(NodalError, OfNoNodesIsNoNumber) {
   for (const double norm : {ErrorNorms().l1(), ErrorNorms().l2(), ErrorNorms().linf()}) EXPECT_TRUE(std::isnan(norm));
 }
 
+/// A particle has just left: no step has found it yet.
+TEST(NodalError, IsNotThatOfAGridToWhichNotAllParticlesAreMapped) {
+  auto settings = bar_settings("free");
+  for (const auto& [key, value] : {std::pair{"problem", "translation"},
+                                   {"basis", "bspline2"},
+                                   {"cells", "8"},
+                                   {"ppc", "2"},
+                                   {"cfl", "0.2"},
+                                   {"steps", "25"}})
+    settings.push_back({key, value, ""});
+  const cases::Case c = make_case(settings);
+  PreparedCase<2> prepared = prepare_case<2>(c, problems::find_problem("translation", ""), 1);
+  solver::Mpm<2> mpm(std::move(prepared.scene));
+  EXPECT_EQ(mpm.advance(c.resolution.dt, 25), 25);
+  EXPECT_EQ(mpm.fault(), "");
+  EXPECT_THAT([&] { acceleration_errors(mpm, *prepared.setup.solution, prepared.setup.body); },
+              testing::ThrowsMessage<std::runtime_error>("a particle left the domain"));
+}
+
 TEST(NodalError, IsMeasuredOnlyWhenAskedForAndChangesNothingElse) {
   auto settings = bar_settings("dirichlet");
   const records::Record without = run_case(make_case(settings), 1);
@@ -137,6 +157,16 @@ TEST(NodalError, IsRefusedWhereItHasNoMeaning) {
   settings.push_back({"nodal_error", "true", ""});
   settings.push_back({"wall_acceleration", "difference", ""});
   EXPECT_THROW(make_case(settings), UsageError);
+  settings = bar_settings("symmetry");
+  for (const settings::Setting& more : std::vector<settings::Setting>{
+           {"velocity_update", "fmpm", ""}, {"order", "2", ""}, {"wall_method", "velocity", ""}})
+    settings.push_back(more);
+  EXPECT_NO_THROW(make_case(settings));
+  settings.push_back({"nodal_error", "true", ""});
+  EXPECT_THAT([&] { make_case(settings); },
+              testing::ThrowsMessage<UsageError>(testing::HasSubstr("nodal_error with wall_method 'velocity'")));
+  settings.push_back({"wall_method", "lumped", ""});
+  EXPECT_NO_THROW(make_case(settings));
   std::vector<settings::Setting> swing{
       {"problem", "swing", ""}, {"cells", "8", ""}, {"ppc", "2", ""}, {"cfl", "0.2", ""}};
   EXPECT_NO_THROW(make_case(swing));

@@ -76,6 +76,9 @@ TEST(OtherCode, MayHaveALawThatTheSolutionIsNotExactFor) {
               HasSubstr("(it is of neo-hookean-log)"));
   EXPECT_THAT(complaint({{"problem", "wave"}, {"material", "neo-hookean-log"}, {"stress_error", "true"}}),
               HasSubstr("is not exact"));
+  EXPECT_THAT(
+      complaint({{"problem", "wave"}, {"code", "nairn"}, {"material", "neo-hookean-log"}, {"stress_error", "true"}}),
+      HasSubstr("stress_error with material 'neo-hookean-log', of which its solution is not exact (leave it out)"));
 }
 
 TEST(OtherCode, RunsTheWholeBody) {
