@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include "cli/case_options.hpp"
@@ -17,7 +18,11 @@ cases::Case case_of(const CaseOptions& options) {
   std::vector<settings::Setting> settings = options.settings();
   plan::CodeFinder finder(shipped("adapters"));
   const std::string absent = finder.complete(settings, ".");
-  if (!absent.empty()) note("mpmvv: {}; without its version the case cannot go into a store\n", absent);
+  // Where the code is absent, its version and adapter may have been given by hand.
+  const auto is_adapter = [](const settings::Setting& setting) { return setting.key == "adapter"; };
+  const auto is_version = [](const settings::Setting& setting) { return setting.key == "code_version"; };
+  const bool has_version = std::ranges::any_of(settings, is_adapter) && std::ranges::any_of(settings, is_version);
+  if (!absent.empty() && !has_version) note("mpmvv: {}; without its version the case cannot go into a store\n", absent);
   return settings::make_case(settings);
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "cli/case_commands.hpp"
@@ -11,6 +12,7 @@
 #include "cli/lines.hpp"
 #include "cli/results.hpp"
 #include "cli/table.hpp"
+#include "reports/criteria.hpp"
 #include "studies/claims/claim.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/words.hpp"
@@ -28,10 +30,23 @@ struct ClaimsOptions {
   bool json = false, verbose = false;
 };
 
+/// A number that was found. JSON has no infinite ones: `value` is null then, and `infinite` has the sign.
+nlohmann::json found_json(const records::ClaimPart& part, const records::Found& found) {
+  nlohmann::json json{{"what", found.what}, {"value", found.value}, {"text", found_text(part, found)}};
+  if (std::isinf(found.value)) json["infinite"] = found.value > 0 ? 1 : -1;
+  const double half_width = reports::reach_of(part, found);
+  const auto [lower, upper] = reports::interval_of(part, found);
+  if (half_width > 0)
+    json["half_width"] = half_width;
+  else if (lower < upper && std::isfinite(lower))
+    json["interval"] = {lower, upper};
+  return json;
+}
+
 nlohmann::json part_json(const claims::JudgedPart& judged) {
   const records::ClaimPart& part = judged.part;
   nlohmann::json found = nlohmann::json::array();
-  for (const records::Found& number : part.found) found.push_back({{"what", number.what}, {"value", number.value}});
+  for (const records::Found& number : part.found) found.push_back(found_json(part, number));
   const auto bound = [](const std::optional<double>& value) {
     return value ? nlohmann::json(*value) : nlohmann::json();
   };

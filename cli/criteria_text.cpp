@@ -19,16 +19,18 @@ using records::Found;
 using Kind = Table::Kind;
 
 std::string asked_text(const ClaimPart& part) {
-  const auto bound = [](double value) { return fmt::format("{:.7g}", value); };
-  if (part.at_least && part.at_most && *part.at_least == *part.at_most) return bound(*part.at_least);
-  if (part.at_least && part.at_most) return fmt::format("{} to {}", bound(*part.at_least), bound(*part.at_most));
-  if (part.at_least) return fmt::format("at least {}", bound(*part.at_least));
-  return part.at_most ? fmt::format("at most {}", bound(*part.at_most)) : "-";
+  const std::string text = reports::asked_text(part);
+  return text.empty() ? "-" : text;
 }
 
 /// An order with an unstable run in its window lies below any bound.
-std::string value_text(double value) {
-  return std::isinf(value) && value < 0 ? "unstable" : number_text(value);
+std::string value_text(const ClaimPart& part, double value) {
+  if (std::isinf(value)) return value < 0 ? "unstable" : number_text(value);
+  return reports::told_from_bounds(part, value);
+}
+
+std::string found_text(const ClaimPart& part, const Found& found) {
+  return std::isnan(found.value) ? "-" : value_text(part, found.value) + reports::interval_text(part, found);
 }
 
 std::string found_text(const ClaimPart& part) {
@@ -37,12 +39,12 @@ std::string found_text(const ClaimPart& part) {
   for (const Found& found : part.found) {
     if (std::isnan(found.value)) continue;
     known.push_back(found.value);
-    texts.push_back(value_text(found.value) + reports::interval_text(part, found));
+    texts.push_back(found_text(part, found));
   }
   if (known.empty()) return "-";
   if (known.size() <= 2) return fmt::format("{}", fmt::join(texts, ", "));
   const auto [least, most] = std::ranges::minmax(known);
-  return fmt::format("{} to {}", value_text(least), value_text(most));
+  return fmt::format("{} to {}", value_text(part, least), value_text(part, most));
 }
 
 void print_criteria(const std::string& head, const std::vector<LabelledPart>& parts) {

@@ -91,7 +91,15 @@ int merge(const DbOptions& options) {
   return 0;
 }
 
+int update(const DbOptions& options) {
+  const Store up_to_date(options.db, Store::Mode::write);
+  print("{} is up to date\n", options.db);
+  return 0;
+}
+
+/// Opening the store for writing brings it up to date: a study that it lacks must be refused before.
 int forget(const DbOptions& options) {
+  Store::require_study(options.db, options.study);
   const std::size_t versions = Store(options.db, Store::Mode::write).forget(options.study);
   print("study {} removed from {} ({}); its runs stay\n", options.study, options.db, count_text(versions, "version"));
   return 0;
@@ -125,6 +133,8 @@ void add_db(CLI::App& app, int& exit_code) {
   add("info", "Print what the store holds", &info, {"mpmvv db info --db results.db"})
       ->add_flag("--json", options->json, "print one JSON object");
   add("check", "Check the store's integrity", &check, {"mpmvv db check --db results.db"});
+  add("update", "Bring a store of an earlier version of the program up to date; it runs nothing", &update,
+      {"mpmvv db update --db results.db"});
   add("merge", "Copy what other stores have and this one lacks: of all of them or, where one is bad, of none", &merge,
       {"mpmvv db merge results.db --db all.db", "mpmvv db merge shard-1.db shard-2.db --db all.db"})
       ->add_option("others", options->others, "the other stores")

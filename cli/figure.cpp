@@ -105,6 +105,41 @@ void print_drawn(const std::vector<fs::path>& drawn, const Sheet& sheet) {
         reports::latex_file(folder / drawn[0].stem()));
 }
 
+/// A width in whole mm, above the sheet's, at which the chart has room while it has none at one mm less.
+std::optional<int> width_with_room(const Chart& chart, Sheet sheet) {
+  const auto fits = [&](double width) {
+    sheet.width = width;
+    return reports::has_room(chart, sheet);
+  };
+  int without = static_cast<int>(sheet.width), with = static_cast<int>(greatest_width);
+  if (!fits(with)) return std::nullopt;
+  while (with - without > 1) {
+    const int middle = (without + with) / 2;
+    (fits(middle) ? with : without) = middle;
+  }
+  return with;
+}
+
+std::string lack_of_room(const Chart& chart, const Sheet& sheet, const FigureOptions& options) {
+  const auto width = width_with_room(chart, sheet);
+  return fmt::format("--width {} leaves too little for the axes of '{}' ({}a smaller --font-size than {})",
+                     options.width, chart.name, width ? fmt::format("{}mm would do, or ", *width) : "",
+                     options.font_size);
+}
+
+/// What the picture itself does not say: that it is of a trial, and what it leaves out.
+void note_remarks(const Chart& chart) {
+  if (!chart.trial.empty()) note("{}: {}\n", chart.name, chart.trial);
+  for (const std::string& omission : chart.omissions) note("{}: {}\n", chart.name, omission);
+}
+
+void draw(const Chart& chart, const Sheet& sheet, const fs::path& file) {
+  if (file.has_parent_path()) support::make_folder(file.parent_path());
+  reports::draw_picture(chart, sheet, file);
+  print_drawn(reports::picture_files(file, sheet.format), sheet);
+  note_remarks(chart);
+}
+
 int figure(const FigureOptions& options) {
   require_known_ending(options.out);
   const Sheet sheet = sheet_of(options);
@@ -112,18 +147,14 @@ int figure(const FigureOptions& options) {
   const auto files = files_of(options, charts, sheet.format);
   for (const fs::path& file : files)
     for (const fs::path& part : reports::picture_files(file, sheet.format)) require_apart("--out", part, {options.db});
+  std::vector<std::string> without_room;
   for (const Chart& chart : charts)
-    if (!reports::has_room(chart, sheet))
-      throw support::UsageError(
-          fmt::format("--width {} leaves too little for the axes of '{}' (a greater one, or a "
-                      "smaller --font-size than {})",
-                      options.width, chart.name, options.font_size));
+    if (!reports::has_room(chart, sheet)) without_room.push_back(lack_of_room(chart, sheet, options));
+  if (without_room.size() == charts.size()) throw support::UsageError(fmt::format("{}", fmt::join(without_room, "; ")));
   if (sheet.format == Format::pdf) note_other_font(sheet);
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    if (files[i].has_parent_path()) support::make_folder(files[i].parent_path());
-    reports::draw_picture(charts[i], sheet, files[i]);
-    print_drawn(reports::picture_files(files[i], sheet.format), sheet);
-  }
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    if (reports::has_room(charts[i], sheet)) draw(charts[i], sheet, files[i]);
+  for (const std::string& lack : without_room) note("not drawn: {}\n", lack);
   if (!others.empty()) note("{}\n", fmt::format("more figures of {}: {}", options.name, fmt::join(others, ", ")));
   return 0;
 }

@@ -33,7 +33,7 @@ double length_of(const std::string& option, const std::string& text, double leas
 }  // namespace
 
 double figure_width(const std::string& text) {
-  return length_of("--width", text, 40, 400);
+  return length_of("--width", text, least_width, greatest_width);
 }
 
 double figure_font_size(const std::string& text) {

@@ -9,6 +9,7 @@
 #include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "cli/results.hpp"
+#include "reports/chart.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::cli {
@@ -28,6 +29,8 @@ int paper(const PaperOptions& options) {
   const auto studies = own_results(options.db);
   if (studies.empty())
     throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
+  for (const auto& study : studies)
+    if (is_trial(study)) note("{}: {}\n", study.name, reports::trial_sentence(study));
   const auto summary = reports::write_paper(studies, store::current_provenance(), options.out, column);
   print("{}/main.tex: {} ({} drawn), {} of orders\n", options.out,
         count_text(static_cast<std::size_t>(summary.figures), "figure"), summary.figures_drawn,

@@ -16,7 +16,15 @@ using Kind = Table::Kind;
 
 namespace {
 
-void print_errors(const Record& r) {
+/// Of a run the velocity error is the mean over all steps; of an output it is that at the end, which is all there is.
+enum class VelocityError { of_all_steps, at_the_end };
+
+const char* to_string(VelocityError which) {
+  return which == VelocityError::at_the_end ? "velocity at the end (% of speed)"
+                                            : "velocity, mean of all steps (% of speed)";
+}
+
+void print_errors(const Record& r, VelocityError velocity) {
   const cases::Measure& asked = r.the_case.measure;
   Table table({{"error"}, {"l1", Kind::number}, {"l2", Kind::number}, {"linf", Kind::number}});
   const auto add = [&table](const char* what, double l1, double l2, double linf) {
@@ -28,7 +36,7 @@ void print_errors(const Record& r) {
   if (asked.every_step) add("displacement, largest of all steps (m)", e.l1_all_steps, e.l2_all_steps, e.linf_all_steps);
   if (asked.nodal_error) add("nodal acceleration at the end (m/s2)", e.nodal_l1, e.nodal_l2, e.nodal_linf);
   constexpr double none = records::not_measured;
-  if (asked.velocity_error) add("velocity, mean of all steps (% of speed)", none, e.velocity, none);
+  if (asked.velocity_error) add(to_string(velocity), none, e.velocity, none);
   if (asked.stress_error) add("stress at the end (Pa)", none, e.stress, none);
   table.print_apart();
 }
@@ -54,7 +62,7 @@ void print_balance(const Record& r) {
 }
 
 /// How finely the problem was resolved, and what came of it.
-void print_outcome(const Record& r) {
+void print_outcome(const Record& r, VelocityError velocity) {
   const cases::Resolution& resolution = r.the_case.resolution;
   print("cells {}, ppc {}{}\n", resolution.cells, resolution.ppc,
         r.particles > 0 ? fmt::format(": {} particles", r.particles) : "");
@@ -63,7 +71,7 @@ void print_outcome(const Record& r) {
   print("{} of {:.6g} s (cfl {:.4g}), end time {:.6g} s\n", count_text(static_cast<std::size_t>(steps), "step"),
         resolution.dt, r.cfl, r.the_case.problem.end_time);
   print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
-  print_errors(r);
+  print_errors(r, velocity);
   print_balance(r);
 }
 
@@ -71,7 +79,7 @@ void print_outcome(const Record& r) {
 
 void print_score(const Record& r, const std::string& files, int digits) {
   print("{} as another code has solved it: {}, {} digits\n", r.the_case.problem.name, files, digits);
-  print_outcome(r);
+  print_outcome(r, VelocityError::at_the_end);
 }
 
 void print_record(const Record& r) {
@@ -83,7 +91,7 @@ void print_record(const Record& r) {
   else
     print("{} with code {} ({}), {}body force {}\n", r.the_case.problem.name, s.code, s.code_version,
           s.variant.empty() ? "" : fmt::format("variant {}, ", s.variant), to_string(s.force_form));
-  print_outcome(r);
+  print_outcome(r, VelocityError::of_all_steps);
   if (!std::isnan(r.ns_per_particle_step))
     print("\ntook {}, {:.2f} ns per particle{} and step\n", duration_text(r.wall_seconds), r.ns_per_particle_step,
           r.images > 1 ? " of the part" : "");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <memory>
 
 #include "cli/command.hpp"
@@ -64,6 +65,16 @@ void keep(const records::Record& record, const std::string& db) {
   store.keep(record, provenance);
 }
 
+/// Says which errors the case asks for and the output does not give.
+void note_missing_errors(const records::Record& record, const std::string& files) {
+  const auto note_without = [&files](const char* error, const char* what) {
+    note("mpmvv: no {} error: {} has no {}, or some that are no numbers\n", error, files, what);
+  };
+  const cases::Measure& asked = record.the_case.measure;
+  if (asked.velocity_error && std::isnan(record.error.velocity)) note_without("velocity", "velocities");
+  if (asked.stress_error && std::isnan(record.error.stress)) note_without("stress", "stresses");
+}
+
 int score(const ScoreOptions& options) {
   const cases::Case c = codes::read_case(options.the_case);
   if (!options.db.empty()) require_keepable(c, options.the_case);
@@ -75,6 +86,7 @@ int score(const ScoreOptions& options) {
   columns.step.reset();
   if (!options.start.empty()) output.start = codes::read_snapshot(paths(options.start), columns, options.format);
   const records::Record record = codes::score(c, output);
+  const std::string files = fmt::format("{}", fmt::join(options.outputs, ", "));
   const bool is_failed = record.status == records::Status::failed;
   const std::string caution = record.status == records::Status::ok ? codes::caution(c) : "";
   if (!options.db.empty() && !is_failed) keep(record, options.db);
@@ -83,9 +95,10 @@ int score(const ScoreOptions& options) {
     if (!caution.empty()) json["caution"] = caution;
     print_json(json);
   } else {
-    print_score(record, fmt::format("{}", fmt::join(options.outputs, ", ")), output.end.digits);
+    print_score(record, files, output.end.digits);
   }
   if (!caution.empty()) note("mpmvv: {}\n", caution);
+  if (record.status == records::Status::ok) note_missing_errors(record, files);
   if (!options.db.empty()) note("{} in {}\n", is_failed ? "the run failed: not kept" : "kept", options.db);
   return is_failed ? 1 : 0;
 }

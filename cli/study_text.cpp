@@ -37,13 +37,12 @@ void print_left_out(const records::StudyResult& study) {
         print_indented(fmt::format("left out of the order of '{}' in {}: {}", series.name, order.norm, values));
 }
 
-/// Why runs failed.
-void print_failures(const records::StudyResult& study) {
-  Table table({{"failed"}, {study.sweep, Kind::number}, {"why", Kind::prose}});
+/// Why runs ended with this status.
+void print_reasons_of(records::Status status, const records::StudyResult& study) {
+  Table table({{to_string(status)}, {study.sweep, Kind::number}, {"why", Kind::prose}});
   for (const Series& series : study.series)
     for (const records::Point& point : series.points)
-      if (point.status == records::Status::failed)
-        table.add({series.name, fmt::format("{:.6g}", point.x), point.reason});
+      if (point.status == status) table.add({series.name, fmt::format("{:.6g}", point.x), point.reason});
   table.print_apart();
 }
 
@@ -124,7 +123,8 @@ void print_criteria(const records::StudyResult& study, bool verbose) {
 void print_study(const records::StudyResult& study, bool verbose) {
   print("{}: {}\n", study.name, study.title);
   print_errors(study);
-  print_failures(study);
+  print_reasons_of(records::Status::failed, study);
+  if (verbose) print_reasons_of(records::Status::unstable, study);
   print_orders(study);
   print_left_out(study);
   print_extrapolations(study);

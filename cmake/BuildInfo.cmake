@@ -57,7 +57,7 @@ if(in_checkout AND prefix STREQUAL "")  # a copy of the tree inside another proj
   if(has_commit)
     set(COMMIT ${commit})
   endif()
-  git(known changes status --porcelain)
+  git(known changes status --porcelain --untracked-files=normal)
   if(changes)
     set(DIRTY true)
   endif()

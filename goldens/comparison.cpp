@@ -70,11 +70,13 @@ void compare_levels(Change& change) {
 /// How much a word (a status, a verdict) that differs counts, in bands: more than any number.
 constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
 
-/// Of limits the best lies beyond all that was tried and stable, the worst where nothing was stable.
+/// Of limits the best lies beyond all that was tried and stable, the worst where nothing was stable. Of verdicts on a
+/// criterion `holds` is the best and `fails` the worst.
 bool is_improvement(const Finding& before, const Finding& after) {
   if (before.side != after.side) return after.side > before.side;
   return after.word.empty() || after.word == to_string(records::Status::ok) ||
-         after.word == to_string(claims::Claim::Verdict::confirmed);
+         after.word == to_string(claims::Claim::Verdict::confirmed) ||
+         after.word == to_string(records::PartVerdict::holds) || before.word == to_string(records::PartVerdict::fails);
 }
 
 Change change_between(const Finding& before, const Finding& after) {

@@ -91,7 +91,7 @@ Judgement judge(const OrderGolden& golden, const Series& series) {
   if (has_grown(golden, series))
     return fail(measured, fmt::format("the error at {:g} is larger than {:.4g} by more than {:g} %, whatever the order",
                                       golden.finest[0], golden.finest[1], 100 * error_band));
-  if (fit->order - width > golden.upper) return better(measured, "order above the golden's band");
+  if (fit->order - width > golden.upper) return fail_as_better(measured, "order above the golden's band");
   return judge_interval(golden, *fit, measured);
 }
 

@@ -16,7 +16,7 @@ Judgement pass(std::string measured) {
 Judgement fail(std::string measured, std::string reason) {
   return {Verdict::fail, std::move(measured), std::move(reason)};
 }
-Judgement better(std::string measured, std::string reason) {
+Judgement fail_as_better(std::string measured, std::string reason) {
   return {Verdict::fail, std::move(measured), std::move(reason), true};
 }
 Judgement inconclusive(std::string measured, std::string reason) {

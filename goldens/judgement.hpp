@@ -20,7 +20,7 @@ struct Judgement {
 
 Judgement pass(std::string measured);
 Judgement fail(std::string measured, std::string reason);
-Judgement better(std::string measured, std::string reason);
+Judgement fail_as_better(std::string measured, std::string reason);
 Judgement inconclusive(std::string measured, std::string reason);
 Judgement missing(const std::string& what);
 

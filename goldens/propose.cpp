@@ -44,6 +44,7 @@ std::string quoted(const std::string& text) {
 class Draft {
  public:
   void refusal(const std::string& text) {
+    refusals_.push_back(text);
     remark(text);
     line("");
   }
@@ -54,10 +55,18 @@ class Draft {
     ++tables_;
   }
   bool has_tables() const { return tables_ > 0; }
+
+  /// "No limit of ... (and 2 more without a golden)"; empty where nothing was refused.
+  std::string why_empty() const {
+    if (refusals_.empty()) return "";
+    const auto more = refusals_.size() - 1;
+    return refusals_.front() + (more > 0 ? fmt::format(" (and {} more without a golden)", more) : "");
+  }
   const std::string& text() const { return text_; }
 
  private:
   std::string text_;
+  std::vector<std::string> refusals_;
   int tables_ = 0;
 };
 
@@ -136,7 +145,7 @@ void propose_error(Draft& draft, const std::string& sweep, const Series& series,
 void propose_limit(Draft& draft, const Series& series, const fits::StabilityLimit& limit) {
   if (!limit.found || !limit.monotone) {
     draft.refusal(fmt::format("No limit of {} in {}: {}.", quoted(series.name), limit.key,
-                              limit.found ? "stability is not monotone" : "not found"));
+                              limit.found ? "stability is not monotone" : text_without_limit(limit)));
     return;
   }
   const double half_bracket = std::abs(limit.unstable - limit.stable) / 2 / limit.value();
@@ -252,13 +261,12 @@ std::string propose_goldens(const records::StudyResult& study, const store::Prov
   draft.line(fmt::format("study = {}\n", quoted(study.name)));
   for (const Series& series : study.series) propose_series(draft, study, series);
   for (const records::Value& value : study.values) propose_value(draft, value);
-  if (!draft.has_tables()) {
-    throw UsageError(
-        fmt::format("nothing to propose for study '{}' (a [[fit]], a [limit], a check, or a [[figure]] of "
-                    "an error that some run has)",
-                    study.name));
-  }
-  return draft.text();
+  if (draft.has_tables()) return draft.text();
+  const std::string why = draft.why_empty();
+  throw UsageError(fmt::format("nothing to propose for study '{}'{}", study.name,
+                               why.empty() ? " (a [[fit]], a [limit], a check, or a [[figure]] of an error that some "
+                                             "run has)"
+                                           : ": " + why));
 }
 
 }  // namespace mpmvv::goldens

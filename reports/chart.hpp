@@ -83,6 +83,7 @@ struct Box {
 struct Chart {
   std::string name;
   std::string caption;
+  std::string trial = {};            ///< a sentence behind the caption: what `study --set` changed; empty for no trial
   double width = 720, height = 430;  ///< of the axes and their labels, in pixels of 1/96 inch
   std::size_t right_margin = 2;      ///< in characters
   double letter = report_letter;     ///< height of a letter as a fraction of the y axis
@@ -94,7 +95,8 @@ struct Chart {
   std::vector<Rule> rules;
   std::vector<Box> boxes;  ///< drawn slightly shrunk, below the dots
   std::vector<Label> labels;
-  std::vector<std::string> notes;  ///< how to read it, and what could not be drawn
+  std::vector<std::string> notes;      ///< how to read it
+  std::vector<std::string> omissions;  ///< what of the results it leaves out, in sentences
 };
 
 /// One figure of a study: its points, fits, floors, limits and reference slopes.
@@ -116,6 +118,9 @@ Chart particle_error_chart(const records::StudyResult& study, const records::Fig
 /// The series that a figure draws, in its order; all of the study's when it names none.
 /// Throws UsageError when the figure names a series that the study lacks.
 std::vector<const records::Series*> figure_series(const records::StudyResult& study, const records::Figure& figure);
+
+/// "Made with --set: ppc = 2 in 2 of 2 series."; empty for a study as its file has it.
+std::string trial_sentence(const records::StudyResult& study);
 
 /// All figures of a study. One of kind `limit` gets a stability map at least: a figure without values is drawn as
 /// one, and where there is none it is added under the name STUDY-map. A letter's height is a fraction of the y axis.

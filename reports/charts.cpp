@@ -2,9 +2,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "reports/chart.hpp"
 #include "reports/original_look.hpp"
+#include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::reports {
@@ -51,7 +53,20 @@ Chart chart_of(const records::StudyResult& study, const Figure& figure, double l
   return {};
 }
 
+/// Says of which trial it is; a caption that goes on, with this or with what is left out, ends with a full stop.
+void finish(Chart& chart, const records::StudyResult& study) {
+  chart.trial = trial_sentence(study);
+  const bool goes_on = !chart.trial.empty() || !chart.omissions.empty();
+  if (goes_on && !chart.caption.empty() && std::isalnum(static_cast<unsigned char>(chart.caption.back())) != 0)
+    chart.caption += '.';
+}
+
 }  // namespace
+
+std::string trial_sentence(const records::StudyResult& study) {
+  const std::string trial = store::trial_of(study.text);
+  return trial.empty() ? "" : fmt::format("Made with --set: {}.", trial);
+}
 
 std::vector<Chart> charts_of(const records::StudyResult& study, double letter) {
   const auto has_value = [&](const Figure& f) {
@@ -75,6 +90,7 @@ std::vector<Chart> charts_of(const records::StudyResult& study, double letter) {
     map.caption = study.title + ": stable and unstable runs of the search for the limit.";
     charts.push_back(stability_map(study, map));
   }
+  for (Chart& chart : charts) finish(chart, study);
   return charts;
 }
 

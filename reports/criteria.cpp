@@ -20,36 +20,43 @@ namespace {
 
 using namespace template_data;
 
-/// Half of the interval of a number that was found, "0.74", as the evidence says it; empty without an interval.
-std::string half_width_of(const ClaimPart& part, const Found& found) {
-  const std::string start = found.what + " (±";
-  const auto at = part.evidence.find(start);
+/// What the evidence has in brackets behind a number that was found, from `start` on; empty without it.
+std::string bracketed(const ClaimPart& part, const Found& found, const std::string& start) {
+  const std::string before = found.what + " (" + start;
+  const auto at = part.evidence.find(before);
   if (at == std::string::npos) return "";
-  const auto from = at + start.size();
+  const auto from = at + before.size();
   return part.evidence.substr(from, part.evidence.find(')', from) - from);
 }
 
-double reach_of(const ClaimPart& part, const Found& found) {
-  const std::string half = half_width_of(part, found);
-  return half.empty() ? 0 : std::stod(half);
+/// Half of the interval of a number that was found, "0.74", as the evidence says it; empty without an interval.
+std::string half_width_of(const ClaimPart& part, const Found& found) {
+  return bracketed(part, found, "±");
+}
+
+/// The range that the times leave a number, "0.93 to 1.6" or "without bounds"; empty without one.
+std::string range_of_times(const ClaimPart& part, const Found& found) {
+  const bool is_of_times = part.measure == "cost-ratio" || part.measure.starts_with("slope-");
+  return is_of_times ? bracketed(part, found, "") : "";
 }
 
 /// How far inside its bounds a number lies, relative to the bound; negative beyond one. Where an interval leaves the
 /// verdict open, this is measured from the end of the interval that lies nearest to a bound or farthest beyond it.
 double margin(const ClaimPart& part, const Found& found) {
-  const double reach = part.verdict == PartVerdict::inconclusive ? reach_of(part, found) : 0;
+  const bool is_open = part.verdict == PartVerdict::inconclusive;
+  const auto [lower, upper] = is_open ? interval_of(part, found) : std::pair{found.value, found.value};
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](std::optional<double> bound, double inside) {
     if (bound) least = std::min(least, inside / std::max(std::abs(*bound), 1e-12));
   };
-  consider(part.at_least, found.value - reach - part.at_least.value_or(0));
-  consider(part.at_most, part.at_most.value_or(0) - found.value - reach);
+  consider(part.at_least, lower - part.at_least.value_or(0));
+  consider(part.at_most, part.at_most.value_or(0) - upper);
   return least;
 }
 
-std::string found_text(double value) {
+std::string found_text(const ClaimPart& part, double value) {
   if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
-  return brief(value);
+  return told_from_bounds(part, value);
 }
 
 /// The number nearest to a bound or farthest beyond it. The criterion must have compared one.
@@ -67,7 +74,7 @@ std::string beyond(const std::string& above, const std::string& what) {
 data found_data(const ClaimPart& part, const Found& found, const std::string& above) {
   return object({{"what", beyond(above, found.what)},
                  {"asked", asked_text(part)},
-                 {"value", found_text(found.value) + interval_text(part, found)},
+                 {"value", found_text(part, found.value) + interval_text(part, found)},
                  {"bar", criterion_bar(part, found.value, reach_of(part, found))}});
 }
 
@@ -96,10 +103,21 @@ std::size_t count(const claims::Claim& claim, PartVerdict verdict) {
 }  // namespace
 
 std::string asked_text(const ClaimPart& part) {
-  if (part.at_least && part.at_least == part.at_most) return brief(*part.at_least);
-  if (part.at_least && part.at_most) return fmt::format("{} to {}", brief(*part.at_least), brief(*part.at_most));
-  if (part.at_least) return "at least " + brief(*part.at_least);
-  return part.at_most ? "at most " + brief(*part.at_most) : "";
+  if (part.at_least && part.at_least == part.at_most) return fmt::format("{}", *part.at_least);
+  if (part.at_least && part.at_most) return fmt::format("{} to {}", *part.at_least, *part.at_most);
+  if (part.at_least) return fmt::format("at least {}", *part.at_least);
+  return part.at_most ? fmt::format("at most {}", *part.at_most) : "";
+}
+
+std::string told_from_bounds(const ClaimPart& part, double value) {
+  if (value == part.at_least || value == part.at_most) return fmt::format("{}", value);
+  int digits = 4;
+  const auto rounded = [&digits](double v) { return fmt::format("{:.{}g}", v, digits); };
+  const auto looks_like = [&](const std::optional<double>& bound) {
+    return bound && rounded(value) == rounded(*bound);
+  };
+  while (digits < 17 && (looks_like(part.at_least) || looks_like(part.at_most))) ++digits;
+  return std::isnan(value) ? brief(value) : rounded(value);
 }
 
 std::string interval_text(const ClaimPart& part, const Found& found) {
@@ -108,15 +126,33 @@ std::string interval_text(const ClaimPart& part, const Found& found) {
   };
   if (is_said_to_be("below ")) return " or less";
   if (is_said_to_be("above ")) return " or more";
+  if (is_said_to_be("1 (both unstable)")) return " (both unstable)";
+  if (const std::string range = range_of_times(part, found); !range.empty()) return " (" + range + ")";
   const std::string half = half_width_of(part, found);
   return half.empty() ? "" : " ± " + half;
+}
+
+double reach_of(const ClaimPart& part, const Found& found) {
+  const std::string half = half_width_of(part, found);
+  return half.empty() ? 0 : std::stod(half);
+}
+
+std::pair<double, double> interval_of(const ClaimPart& part, const Found& found) {
+  constexpr double anywhere = std::numeric_limits<double>::infinity();
+  const std::string range = range_of_times(part, found);
+  const auto to = range.find(" to ");
+  if (to != std::string::npos) return {std::stod(range), std::stod(range.substr(to + 4))};
+  if (!range.empty()) return {-anywhere, anywhere};
+  const double reach = reach_of(part, found);
+  return {found.value - reach, found.value + reach};
 }
 
 std::string undecided_text(const ClaimPart& part) {
   if (part.found.empty() || part.evidence.find("an interval reaches across") == std::string::npos) return part.evidence;
   const Found& found = deciding_number(part);
-  return fmt::format("An interval reaches across a bound: {} = {}{}. Other points might lie on its other side.",
-                     found.what, found_text(found.value), interval_text(part, found));
+  const char* others = range_of_times(part, found).empty() ? "points" : "repetitions";
+  return fmt::format("An interval reaches across a bound: {} = {}{}. Other {} might lie on its other side.", found.what,
+                     found_text(part, found.value), interval_text(part, found), others);
 }
 
 std::string deciding_text(const claims::Claim& claim) {
@@ -129,8 +165,10 @@ std::string deciding_text(const claims::Claim& claim) {
       if (deciding == nullptr || margin_of(part) < margin_of(*deciding)) deciding = &part;
   if (deciding == nullptr) return "";
   const Found& found = deciding_number(*deciding);
-  return fmt::format("{}: {}{} (asked: {}{})", found.what, found_text(found.value), interval_text(*deciding, found),
-                     asked_text(*deciding), decisive == inconclusive ? "; inconclusive" : "");
+  const std::string subject = deciding->measure == "value" ? deciding->statement + ": " : "";
+  return fmt::format("{}{}: {}{} (asked: {}{})", subject, found.what, found_text(*deciding, found.value),
+                     interval_text(*deciding, found), asked_text(*deciding),
+                     decisive == inconclusive ? "; inconclusive" : "");
 }
 
 std::string count_text(const claims::Claim& claim) {

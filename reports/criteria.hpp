@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/report.hpp"
@@ -7,18 +8,30 @@
 
 namespace mpmvv::reports {
 
-/// "1.75 to 2.25", "at least 0.8", "at most 3", "4" for a bound on both sides; empty where nothing is asked.
+/// "1.75 to 2.25", "at least 0.8", "at most 3", "4" for a bound on both sides, each with all its digits; empty where
+/// nothing is asked.
 std::string asked_text(const records::ClaimPart& part);
 
-/// " ± 0.74" of what was found, " or less" of a limit below all that was tried; empty where it has no interval.
+/// A number that was found, with four digits, or with as many as tell it from the bounds.
+std::string told_from_bounds(const records::ClaimPart& part, double value);
+
+/// " ± 0.74" of what was found, " (0.93 to 1.6)" of what times make, " or less" of a limit below all that was tried,
+/// " (both unstable)" of the ratio of two runs without a result; empty where it has no interval.
 std::string interval_text(const records::ClaimPart& part, const records::Found& found);
+
+/// Half the width of the interval of a number that was found; 0 without one, and of what times make.
+double reach_of(const records::ClaimPart& part, const records::Found& found);
+
+/// Where a number that was found may lie; from itself to itself without an interval.
+std::pair<double, double> interval_of(const records::ClaimPart& part, const records::Found& found);
 
 /// Why a criterion is inconclusive.
 std::string undecided_text(const records::ClaimPart& part);
 
 /// The number on which a claim's verdict hangs, "order of 'linear': 0.43 ± 0.02 (asked: at most 0.5)": of the criteria
 /// that decide it, the one that lies farthest beyond its bound or, where none fails, nearest to it; where an interval
-/// leaves one open, by the interval. Empty where no number was compared.
+/// leaves one open, by the interval. A check's value does not name what it is of: its criterion's statement stands
+/// before it. Empty where no number was compared.
 std::string deciding_text(const claims::Claim& claim);
 
 /// "7 of 8 criteria hold", "shown in figures", "not judged yet".

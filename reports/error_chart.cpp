@@ -6,6 +6,7 @@
 #include <map>
 
 #include "reports/chart.hpp"
+#include "reports/original_look.hpp"
 #include "reports/reference_slope.hpp"
 #include "reports/text.hpp"
 #include "studies/claims/samples.hpp"
@@ -32,11 +33,18 @@ bool in_window(const ObservedOrder& o, double x) {
   return fits::Window{o.from, o.to}.holds(x);
 }
 
+/// Points of a series, from one to another, that have no place on the chart.
+struct Missing {
+  std::string series, why;
+  double from = 0, to = 0;
+  std::size_t last = 0;  ///< the last one's number among all points
+};
+
 /// Builds the chart of one figure; each step is one kind of thing on it.
 class ErrorChart {
  public:
   ErrorChart(const records::StudyResult& study, const records::Figure& figure, double letter)
-      : study_(study), figure_(figure), series_(figure_series(study, figure)) {
+      : study_(study), figure_(figure), series_(figure_series(study, figure)), factor_(upwards_factor(figure)) {
     chart_.name = figure.name;
     chart_.caption = figure.caption;
     chart_.letter = letter;
@@ -58,10 +66,18 @@ class ErrorChart {
   bool is_number_on(bool log, double v) const { return std::isfinite(v) && (!log || v > 0); }
   double step_size(double x) const { return claims::step_size(x, study_.sweep); }
 
+  /// A value as the axis will have it.
+  std::string on_axis(double value) const { return brief(factor_ * value); }
+
+  /// Whether a fit says more than that its points lie on a line, as any two do; of a window of two levels, two are all.
+  bool is_shown(const Series& s, const ObservedOrder& o) const {
+    return o.points != 2 || std::ranges::count_if(s.points, [&](const auto& p) { return in_window(o, p.x); }) <= 2;
+  }
+
   std::string key_of(const Series& s) const {
     std::string key = s.name, separator = "   ";
     for (const auto* o : orders_of(s, figure_.quantity))
-      if (!std::isnan(o->order)) {
+      if (!std::isnan(o->order) && is_shown(s, *o)) {
         key += separator + order_text(*o);
         separator = ", ";
       }
@@ -73,8 +89,22 @@ class ErrorChart {
 
   bool marks_limit(const Series& s) const { return s.limit && s.limit->found && s.limit->key == study_.sweep; }
 
+  /// Points that follow one another and lack a place for the same reason are said as one.
   void note_missing(const std::string& series, double x, const std::string& why) {
-    missing_.push_back(fmt::format("{} at {} ({})", series, brief(x), why));
+    if (!missing_.empty()) {
+      Missing& before = missing_.back();
+      if (before.series == series && before.why == why && before.last + 1 == point_) {
+        before.to = x, before.last = point_;
+        return;
+      }
+    }
+    missing_.push_back({series, why, x, x, point_});
+  }
+
+  std::string text_of(const Missing& missing) const {
+    const auto& [series, why, from, to, last] = missing;
+    if (from == to) return fmt::format("{} at {} ({})", series, brief(from), why);
+    return fmt::format("{} from {} to {} ({})", series, brief(from), brief(to), why);
   }
 
   Dot dot_of(const Series& s, const records::Point& p) {
@@ -90,7 +120,9 @@ class ErrorChart {
       dot.mark = Mark::unstable;
     } else if (p.status == Status::failed || !is_number_on(figure_.log_y, value)) {
       dot.mark = Mark::absent;
-      const std::string why = p.status == Status::failed ? "failed" : std::isnan(value) ? "not measured" : brief(value);
+      const std::string why = p.status == Status::failed ? "failed"
+                              : std::isnan(value)        ? "not measured"
+                                                         : on_axis(value);
       note_missing(s.name, p.x, why);
     }
     return dot;
@@ -100,6 +132,7 @@ class ErrorChart {
     const bool joined = std::ranges::find(figure_.marks, s.name) == figure_.marks.end();
     Curve curve{s.name, key_of(s), style, joined, s.points.size() <= most_markers, s.orders.empty(), {}};
     for (const auto& p : s.points) {
+      ++point_;
       if (is_number_on(figure_.log_x, p.x))
         curve.dots.push_back(dot_of(s, p));
       else
@@ -141,14 +174,16 @@ class ErrorChart {
 
   void note_clipped() {
     for (const auto& curve : chart_.curves)
-      for (const auto& dot : curve.dots)
+      for (const auto& dot : curve.dots) {
+        ++point_;
         if (curve.marked && dot.mark != Mark::absent && !(chart_.x.holds(dot.x) && chart_.y.holds(dot.drawn)))
-          note_missing(curve.name, dot.x, fmt::format("{} is off the axes", brief(dot.value)));
+          note_missing(curve.name, dot.x, fmt::format("{} is off the axes", on_axis(dot.value)));
+      }
   }
 
   void add_rules(const Series& s, Style style) {
     for (const auto* o : orders_of(s, figure_.quantity)) {
-      add_fit(s, *o, style);
+      if (is_shown(s, *o)) add_fit(s, *o, style);
       if (o->floor && o->floor->accepted && is_number_on(figure_.log_y, o->floor->floor))
         chart_.rules.push_back({Rule::Kind::floor,
                                 style,
@@ -181,7 +216,7 @@ class ErrorChart {
   void note_left_out() {
     for (const Series* s : series_)
       if (const std::string values = claims::left_out(*s, figure_.quantity); !values.empty() && !s->orders.empty())
-        chart_.notes.push_back(fmt::format("Left out of the order of {}: {}.", s->name, values));
+        chart_.omissions.push_back(fmt::format("Left out of the order of {}: {}.", s->name, values));
   }
 
   void add_notes() {
@@ -204,17 +239,18 @@ class ErrorChart {
     note_left_out();
     if (missing_.empty()) return;
     constexpr std::size_t most = 6;
-    const std::size_t shown = std::min(most, missing_.size());
-    chart_.notes.push_back(
-        fmt::format("Without a point: {}{}.",
-                    fmt::join(missing_.begin(), missing_.begin() + static_cast<std::ptrdiff_t>(shown), "; "),
-                    missing_.size() > shown ? fmt::format("; and {} more", missing_.size() - shown) : ""));
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < std::min(most, missing_.size()); ++i) texts.push_back(text_of(missing_[i]));
+    if (missing_.size() > most) texts.push_back(fmt::format("and {} more", missing_.size() - most));
+    chart_.omissions.push_back(fmt::format("Without a point: {}.", fmt::join(texts, "; ")));
   }
 
   const records::StudyResult& study_;
   const records::Figure& figure_;
   std::vector<const Series*> series_;
-  std::vector<std::string> missing_;
+  double factor_;
+  std::vector<Missing> missing_;
+  std::size_t point_ = 0;  ///< of all looked at, to know which follow one another
   bool has_values_ = false;
   Chart chart_;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "reports/chart.hpp"
 #include "reports/text.hpp"
 #include "reports/typeset.hpp"
 
@@ -20,6 +21,12 @@ Table::Rows orders_of(const records::StudyResult& study) {
   return rows;
 }
 
+/// "s-fig10 (cells): Orders of the bases. Made with --set: ppc = 2 in 2 of 2 series."
+std::string title_of(const records::StudyResult& study) {
+  const std::string trial = trial_sentence(study);
+  return fmt::format("{} ({}): {}{}", study.name, study.sweep, study.title, trial.empty() ? "" : ". " + trial);
+}
+
 /// A row in LaTeX. It begins with an empty group, so that LaTeX does not take the first cell for an argument of the
 /// line before.
 std::string row_text(const std::vector<std::string>& cells) {
@@ -35,8 +42,7 @@ Table orders_table(const std::vector<const records::StudyResult*>& studies) {
               {"series", "norm", "window", "points", "order", "floor", "asymptotic"},
               {}};
   for (const auto* study : studies)
-    if (auto rows = orders_of(*study); !rows.empty())
-      table.groups.push_back({fmt::format("{} ({}): {}", study->name, study->sweep, study->title), std::move(rows)});
+    if (auto rows = orders_of(*study); !rows.empty()) table.groups.push_back({title_of(*study), std::move(rows)});
   return table;
 }
 
@@ -49,8 +55,8 @@ std::string latex_long_table(const Table& table) {
   text += "\\toprule\n" + row_text(table.columns) + "\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n";
   for (const auto& group : table.groups) {
     if (&group != &table.groups.front()) text += "\\addlinespace\n";
-    text += fmt::format("\\multicolumn{{{}}}{{l}}{{\\emph{{{}}}}} \\\\*\n", table.columns.size(),
-                        typeset(group.title, Notation::latex));
+    text +=
+        fmt::format("\\multicolumn{{{}}}{{l}}{{\\emph{{{}}}}} \\\\*\n", table.columns.size(), latex_text(group.title));
     for (const auto& row : group.rows) text += row_text(row);
   }
   return text + "\\end{longtable}\n";

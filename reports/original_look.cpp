@@ -8,6 +8,16 @@ namespace mpmvv::reports {
 
 namespace {
 
+/// The axis of the original where it has the figure's quantity in another unit; else null.
+const OriginalAxis* upwards_axis(const records::Figure& figure) {
+  for (const Paper& paper : papers())
+    for (const PaperFigure& original : paper.figures)
+      if (std::ranges::find(original.panels, figure.name) != original.panels.end() && original.upwards &&
+          original.upwards->quantity == figure.quantity)
+        return &*original.upwards;
+  return nullptr;
+}
+
 void scale_y(Chart& chart, double factor, const std::string& label) {
   for (Curve& curve : chart.curves)
     for (Dot& dot : curve.dots) dot.value *= factor, dot.drawn *= factor;
@@ -41,12 +51,16 @@ void group(Chart& chart, const std::vector<std::vector<std::string>>& groups) {
 
 }  // namespace
 
+double upwards_factor(const records::Figure& figure) {
+  const OriginalAxis* axis = upwards_axis(figure);
+  return axis ? axis->factor : 1;
+}
+
 void give_original_look(Chart& chart, const records::Figure& figure) {
+  if (const OriginalAxis* axis = upwards_axis(figure)) scale_y(chart, axis->factor, axis->label);
   for (const Paper& paper : papers())
     for (const PaperFigure& original : paper.figures) {
       if (std::ranges::find(original.panels, figure.name) == original.panels.end()) continue;
-      if (const auto& axis = original.upwards; axis && figure.quantity == axis->quantity)
-        scale_y(chart, axis->factor, axis->label);
       if (original.to_scale && !chart.x.log && !chart.y.log) draw_to_scale(chart);
       if (!original.groups.empty()) group(chart, original.groups);
     }

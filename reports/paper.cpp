@@ -38,9 +38,9 @@ struct PrintedFigure {
 };
 
 struct Part {
-  std::string title;  ///< in LaTeX, and so are the texts of `missing`
+  std::string title;
   std::vector<PrintedFigure> figures;
-  std::vector<std::string> missing;
+  std::vector<std::string> missing;  ///< figures that are not drawn, and why
   std::string orders_name, orders;
 };
 
@@ -52,6 +52,14 @@ std::string latex(const std::string& text) {
 std::string own_caption(const Chart& chart) {
   static const std::regex comparison(R"( Compare [A-Z] Fig\. [^ ]*[^ .](, [a-z]+)?\.)");
   return std::regex_replace(chart.caption, comparison, "");
+}
+
+/// The caption in LaTeX, with what tells of a trial and of what the figure leaves out.
+std::string whole_caption(const Chart& chart, const std::string& caption) {
+  std::string text = latex(caption);
+  if (!chart.trial.empty()) text += " " + latex_text(chart.trial);
+  for (const std::string& omission : chart.omissions) text += " " + latex(omission);
+  return text;
 }
 
 /// "(a)", "(b)".
@@ -91,28 +99,27 @@ class Document {
   }
 
   Part part_of(const Paper& paper) {
-    Part part{latex(paper.source), {}, {}, "orders-" + paper.key, ""};
+    Part part{paper.source, {}, {}, "orders-" + paper.key, ""};
     part.orders = orders_of([&](const StudyResult& s) { return is_of(s, paper); });
     for (const PaperFigure& figure : paper.figures) add_figure(part, figure, paper.key + " Fig. " + figure.number);
     return part;
   }
 
   void add_figure(Part& part, const PaperFigure& figure, const std::string& label) {
-    PrintedFigure printed{{}, latex(label + "."), figure.wide};
+    PrintedFigure printed{{}, latex_text(label + "."), figure.wide};
     for (const auto& name : figure.panels) {
       const auto chart = by_name_.find(name);
       if (chart == by_name_.end()) {
-        part.missing.push_back(latex(fmt::format("{} is not drawn: the store has no figure {}.", label, name)));
+        part.missing.push_back(fmt::format("{} is not drawn: the store has no figure {}.", label, name));
         continue;
       }
       const bool alone = figure.panels.size() == 1;
-      printed.caption +=
-          (alone ? " " : " " + letter_of(printed.panels.size()) + " ") + latex(own_caption(*chart->second));
+      printed.caption += (alone ? " " : " " + letter_of(printed.panels.size()) + " ") +
+                         whole_caption(*chart->second, own_caption(*chart->second));
       printed.panels.push_back(chart->second);
       taken_.insert(name);
     }
-    if (!figure.without.empty())
-      part.missing.push_back(latex(fmt::format("{} is not drawn: {}.", label, figure.without)));
+    if (!figure.without.empty()) part.missing.push_back(fmt::format("{} is not drawn: {}.", label, figure.without));
     if (!figure.differs.empty()) printed.caption += latex(" Not as in the original: " + figure.differs + ".");
     if (!printed.panels.empty()) part.figures.push_back(std::move(printed));
   }
@@ -122,7 +129,9 @@ class Document {
     for (const auto& of_study : charts_)
       for (const Chart& chart : of_study)
         if (!taken_.contains(chart.name))
-          part.figures.push_back({{&chart}, latex(chart.name + ". " + chart.caption), !has_room(chart, column_)});
+          part.figures.push_back({{&chart},
+                                  latex_text(chart.name + ".") + " " + whole_caption(chart, chart.caption),
+                                  !has_room(chart, column_)});
     part.orders = orders_of([](const StudyResult& study) {
       return std::ranges::none_of(papers(), [&](const Paper& paper) { return is_of(study, paper); });
     });
@@ -202,9 +211,9 @@ data rows_data(const std::vector<PrintedFigure>& figures, const Sheet& column) {
 
 data part_data(const Part& part, const Sheet& column) {
   const std::vector<std::string> orders(part.orders.empty() ? 0 : 1, part.orders_name);
-  return object({{"title", part.title},
+  return object({{"title", latex_text(part.title)},
                  {"rows", rows_data(part.figures, column)},
-                 {"missing", text_list(part.missing)},
+                 {"missing", list_of(part.missing, [](const std::string& m) { return data(latex_text(m)); })},
                  {"orders", text_list(orders)}});
 }
 
@@ -213,7 +222,7 @@ std::string main_text(const std::vector<Part>& parts, const store::Provenance& p
   constexpr double margins = 36;  ///< mm
   const std::string commit = provenance.commit.substr(0, commit_letters);
   kainjow::mustache::mustache text{std::string(paper_template)};
-  return text.render(object({{"commit", latex(commit + (provenance.dirty ? " with changes" : ""))},
+  return text.render(object({{"commit", latex_text(commit + (provenance.dirty ? " with changes" : ""))},
                              {"date", provenance.time.substr(0, 10)},
                              {"text_width", fmt::format("{:g}", two_columns(column))},
                              {"page_width", fmt::format("{:g}", two_columns(column) + margins)},

@@ -73,7 +73,7 @@ Axis shade_axis(const std::vector<LastRun>& runs) {
 /// The panel of a run. Where particles are many, their squares overlap, to close the gaps in a stretched body.
 Panel panel_of(const LastRun& run) {
   constexpr std::size_t many = 300;
-  constexpr double overlap = 1.6;
+  constexpr double overlap = 2.2;
   Panel panel{run.series->name, {}};
   const double width = spacing_of(run.errors()) * (run.errors().size() > many ? overlap : 1);
   for (const ParticleError& one : run.errors()) {
@@ -131,14 +131,16 @@ void add_notes(Chart& chart, const records::StudyResult& study, const std::vecto
     const auto images = run.point->y.find("images");
     has_parts |= images != run.point->y.end() && images->second > 1;
   }
-  chart.notes.push_back(which.empty() ? "No run has errors of particles."
-                                      : fmt::format("At the end: {}.", fmt::join(which, "; ")));
+  if (which.empty())
+    chart.omissions.emplace_back("No run has errors of particles.");
+  else
+    chart.notes.push_back(fmt::format("At the end: {}.", fmt::join(which, "; ")));
   if (chart.shades)
     chart.notes.emplace_back(
         "Blue is a large error, yellow a small one. Where particles are many, a square stands for neighbours, "
         "with their RMS error.");
   if (has_parts)
-    chart.notes.emplace_back(
+    chart.omissions.emplace_back(
         "A part of the body was run: images of it make the rest, of which mirror images in planes across the axes "
         "are not drawn.");
 }

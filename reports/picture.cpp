@@ -48,7 +48,9 @@ std::string shades_words(const Curve& curve) {
 }
 
 Picture picture_of(const Chart& chart, const std::string& folder, const std::string& svg) {
-  Picture picture{chart.name, folder, chart.caption, chart.notes, description_of(chart)};
+  const std::string caption = chart.trial.empty() ? chart.caption : chart.caption + " " + chart.trial;
+  Picture picture{chart.name, folder, caption, chart.notes, description_of(chart)};
+  picture.notes.insert(picture.notes.end(), chart.omissions.begin(), chart.omissions.end());
   read_size(svg, picture);
   return picture;
 }

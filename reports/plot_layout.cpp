@@ -58,10 +58,10 @@ std::size_t cut_of(const std::string& text) {
 /// The text in as many lines as it takes.
 std::vector<std::string> lines_of(const std::string& text, double font, double room) {
   const std::size_t cut = text_width(text, font) <= room ? std::string::npos : cut_of(text);
-  if (cut == std::string::npos) return {text};
+  const std::size_t next = cut == std::string::npos ? cut : text.find_first_not_of(' ', cut);
+  if (next == std::string::npos) return {text};
   auto lines = lines_of(text.substr(0, cut), font, room);
-  for (auto& line : lines_of(text.substr(text.find_first_not_of(' ', cut)), font, room))
-    lines.push_back(std::move(line));
+  for (auto& line : lines_of(text.substr(next), font, room)) lines.push_back(std::move(line));
   return lines;
 }
 

@@ -55,6 +55,11 @@ std::string text_of(const std::string& quantity, double v) {
   return is_count(quantity) && !std::isnan(v) ? fmt::format("{:.0f}", v) : aligned(v);
 }
 
+/// The head of a column: the quantity with its unit, or what it is a share of.
+std::string head_of(const std::string& quantity) {
+  return quantity == "energy_loss" ? "energy_loss (of the initial energy)" : records::with_unit(quantity);
+}
+
 /// A quantity in all rows of the table: the numbers that were measured.
 struct Column {
   std::string quantity;
@@ -117,7 +122,7 @@ class PointsTable {
     Table table{"Results at each point", {study_.sweep}, {}};
     if (!all_ok_) table.columns.emplace_back("status");
     for (const Column& column : columns_) {
-      table.columns.push_back(records::with_unit(column.quantity));
+      table.columns.push_back(head_of(column.quantity));
       if (fitted_.contains(column.quantity)) table.columns.emplace_back("order");
     }
     if (has_reasons_) table.columns.emplace_back("reason");
@@ -126,6 +131,9 @@ class PointsTable {
     add_to_note(table.note, "At every point", same_);
     add_to_note(table.note, "At every point that has the number", same_where_measured_);
     add_to_note(table.note, "Measured, too, and in the CSV file", aside_);
+    if (const std::size_t left_out = study_.series.size() - series_.size(); left_out > 0)
+      add_to_note(table.note, "In the CSV file alone",
+                  {fmt::format("{} series of more than {} points", left_out, longest_series)});
     return table;
   }
 

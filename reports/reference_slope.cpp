@@ -121,7 +121,7 @@ std::optional<SlopeMark> best_mark(const Clearance& clear, double slope, double 
 }  // namespace
 
 void add_reference_slope(Chart& chart, double p, const std::string& sweep) {
-  const bool falling = claims::is_finer(2, 1, sweep);
+  const bool falling = claims::step_size(2, sweep) < claims::step_size(1, sweep);
   const double decades_x = std::log10(chart.x.to / chart.x.from);
   const double decades_y = std::log10(chart.y.to / chart.y.from);
   const double slope = (falling ? -p : p) * decades_x / decades_y;
@@ -131,7 +131,7 @@ void add_reference_slope(Chart& chart, double p, const std::string& sweep) {
 
   const auto place = [&](const Place& f) { return Place{chart.x.value(f.x), chart.y.value(f.y)}; };
   const std::string power = p == 1 ? "" : fmt::format("^{:g}", p);
-  const std::string name = falling || sweep == "h" ? "h" + power : fmt::format("slope {:g}", p);
+  const std::string name = falling ? "h" + power : fmt::format("slope {:g}", p);
   const auto& t = mark->triangle;
   chart.rules.push_back(
       {Rule::Kind::reference, 0, fmt::format("reference slope {:g}", p), {place(mark->start), place(mark->end)}});

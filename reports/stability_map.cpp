@@ -73,8 +73,8 @@ Chart stability_map(const records::StudyResult& study, const records::Figure& fi
   }
   chart.curves = {std::move(stable), std::move(unstable)};
   chart.notes.emplace_back(
-      "Every probe of the search, framed its final bracket, from where all are stable to where none is; the limit, on "
-      "the right, is its middle.");
+      "Every probe of the search, in a frame its final bracket, from where all are stable to where none is; the limit, "
+      "on the right, is its middle.");
   return chart;
 }
 

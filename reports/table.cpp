@@ -50,8 +50,9 @@ Table with_rows(Table table, Table::Rows rows) {
 }
 
 constexpr const char* how_to_read_orders =
-    "The fit is C h^order over the window. Asymptotic: the orders of neighbouring points agree there; the range found "
-    "is where they do. Floor: an error E0 that stays as h falls, where a fit with one is accepted.";
+    "The fit is C s^order over the window, s being the cell width h or, where that is not swept, the swept value. "
+    "Asymptotic: the orders of neighbouring points agree there; the range found is where they do. Floor: an error E0 "
+    "that stays as s falls, where a fit with one is accepted.";
 
 /// The points that fitted orders do not take, and why; empty where they take all.
 std::string left_out_of_orders(const StudyResult& study) {

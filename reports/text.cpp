@@ -184,7 +184,9 @@ std::string latex_text(const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto character = std::string_view(text).substr(i, utf8_length(static_cast<unsigned char>(text[i])));
     const auto known = latex_characters().find(character);
-    if (known != latex_characters().end())
+    if (text.compare(i, 2, "--") == 0)
+      result += "-{}";  // or LaTeX makes a dash of the two
+    else if (known != latex_characters().end())
       result += known->second;
     else if (latex_prints(character))
       result += character;

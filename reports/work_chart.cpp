@@ -35,7 +35,7 @@ Chart work_chart(const records::StudyResult& study, const records::Figure& figur
   chart.y = make_axis({figure.ylabel, figure.log_y, figure.y_min, figure.y_max, 0.06, 0.08}, errors);
   chart.notes.emplace_back("Rings: the Pareto front, the runs than which no other is both cheaper and more accurate.");
   if (!without.empty())
-    chart.notes.push_back(fmt::format("Without a point, unstable or not measured: {}.", fmt::join(without, "; ")));
+    chart.omissions.push_back(fmt::format("Without a point, unstable or not measured: {}.", fmt::join(without, "; ")));
   return chart;
 }
 

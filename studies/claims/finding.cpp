@@ -26,7 +26,7 @@ bool is_error(const std::string& quantity) {
 }
 
 /// The quantities that the study fits for a series, and the errors that its figures draw.
-std::set<std::string> followed(const StudyResult& study, const Series& series) {
+std::set<std::string> fitted_or_drawn(const StudyResult& study, const Series& series) {
   std::set<std::string> quantities;
   for (const fits::ObservedOrder& order : series.orders) quantities.insert(order.norm);
   for (const records::Figure& figure : study.figures)
@@ -50,28 +50,29 @@ const Finding::Level& finest(const StudyResult& study, const std::vector<Finding
   return is_finer(levels.back().x, levels.front().x, study.sweep) ? levels.back() : levels.front();
 }
 
-Finding numbered(Finding finding) {
+Finding with_word_if_not_measured(Finding finding) {
   if (std::isnan(finding.number)) finding.word = "not measured";
   return finding;
 }
 
 Finding order_finding(const StudyResult& study, const Series& series, const fits::ObservedOrder& order) {
-  return numbered({study.name,
-                   Finding::Kind::order,
-                   fmt::format("order of '{}' in {} over [{:g}, {:g}]", series.name, order.norm, order.from, order.to),
-                   order.order,
-                   "",
-                   1,
-                   {},
-                   not_measured,
-                   not_measured,
-                   series.name,
-                   {order.from, order.to}});
+  return with_word_if_not_measured(
+      {study.name,
+       Finding::Kind::order,
+       fmt::format("order of '{}' in {} over [{:g}, {:g}]", series.name, order.norm, order.from, order.to),
+       order.order,
+       "",
+       1,
+       {},
+       not_measured,
+       not_measured,
+       series.name,
+       {order.from, order.to}});
 }
 
 /// A check's curve is no sequence of refinements: it has no finest level.
 void add_errors(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {
-  for (const std::string& quantity : followed(study, series)) {
+  for (const std::string& quantity : fitted_or_drawn(study, series)) {
     const auto levels = levels_of(series, quantity);
     if (levels.empty()) continue;
     if (study.kind == records::StudyKind::check) {
@@ -109,15 +110,16 @@ Finding limit_finding(const StudyResult& study, const Series& series, const fits
 
 /// An extrapolated value as a finding. Its uncertainty is that of the finest grid's value, as the procedure gives it.
 Finding extrapolated_finding(const StudyResult& study, const Series& series, const fits::Extrapolation& e) {
-  return numbered({study.name,
-                   Finding::Kind::value,
-                   fmt::format("extrapolated {} of '{}' over [{:g}, {:g}]", e.norm, series.name, e.from, e.to),
-                   e.limit,
-                   "",
-                   0,
-                   {},
-                   not_measured,
-                   e.uncertainty});
+  return with_word_if_not_measured(
+      {study.name,
+       Finding::Kind::value,
+       fmt::format("extrapolated {} of '{}' over [{:g}, {:g}]", e.norm, series.name, e.from, e.to),
+       e.limit,
+       "",
+       0,
+       {},
+       not_measured,
+       e.uncertainty});
 }
 
 void add_statuses(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {
@@ -132,6 +134,18 @@ void add_statuses(std::vector<Finding>& findings, const StudyResult& study, cons
                         point.x,
                         not_measured,
                         series.name});
+}
+
+void add_criteria(std::vector<Finding>& findings, const StudyResult& study) {
+  for (const records::ClaimPart& part : study.parts)
+    if (part.verdict != records::PartVerdict::shown)
+      findings.push_back({study.name,
+                          Finding::Kind::verdict,
+                          fmt::format("criterion of {}: {}", part.claim, part.statement),
+                          not_measured,
+                          to_string(part.verdict),
+                          0,
+                          {}});
 }
 
 void add_cost(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {
@@ -169,14 +183,17 @@ std::vector<Finding> findings_of(const StudyResult& study) {
     add_cost(findings, study, series);
   }
   for (const records::Value& value : study.values)
-    findings.push_back(
-        numbered({study.name, Finding::Kind::value, fmt::format("value '{}'", value.name), value.value, "", 0, {}}));
+    findings.push_back(with_word_if_not_measured(
+        {study.name, Finding::Kind::value, fmt::format("value '{}'", value.name), value.value, "", 0, {}}));
   return findings;
 }
 
 std::vector<Finding> findings_of(const std::vector<StudyResult>& studies) {
   std::vector<Finding> findings;
-  for (const StudyResult& study : studies) std::ranges::move(findings_of(study), std::back_inserter(findings));
+  for (const StudyResult& study : studies) {
+    std::ranges::move(findings_of(study), std::back_inserter(findings));
+    add_criteria(findings, study);
+  }
   for (const Claim& claim : judge_claims(studies))
     if (!claim.studies.empty())
       findings.push_back(

@@ -45,7 +45,7 @@ std::string text(const Finding& finding);
 /// cost in ns per particle and step where it was measured alone (`repeat`).
 std::vector<Finding> findings_of(const records::StudyResult& study);
 
-/// The findings of all studies, and the verdicts of the claims that they judge.
+/// The findings of all studies, the verdicts on their criteria, and those on the claims that they judge.
 std::vector<Finding> findings_of(const std::vector<records::StudyResult>& studies);
 
 }  // namespace mpmvv::claims

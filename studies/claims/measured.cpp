@@ -4,16 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <boost/math/statistics/linear_regression.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "studies/claims/measured_costs.hpp"
 #include "studies/claims/measured_orders.hpp"
-#include "studies/claims/samples.hpp"
 #include "studies/claims/window_points.hpp"
 #include "studies/fits/window.hpp"
-#include "studies/fits/work_precision.hpp"
 
 namespace mpmvv::claims {
 
@@ -51,9 +49,11 @@ void measure_ratios(const Criterion& c, const StudyResult& result, const Series&
     const double own = error_at(point, c.norm), other = error_at(over, point.x, c.norm);
     if (own < 0 || other <= 0)
       out.missing = no_ratio(c, result, own < 0 ? series : over, point.x);
-    else
+    else {
+      const bool both_unstable = std::isinf(own) && std::isinf(other);
       out.add(fmt::format("{} of '{}' over '{}' {}", c.norm, series.name, over.name, at_point(result, point.x)),
-              std::isinf(own) && std::isinf(other) ? 1 : own / other);
+              both_unstable ? 1 : own / other, both_unstable ? "1 (both unstable)" : "");
+    }
   }
 }
 
@@ -75,30 +75,6 @@ void measure_spread(const Criterion& c, const StudyResult& result, const Series&
     out.missing = fmt::format("no run of '{}' is stable {}", series.name, over_window(c, result));
   out.add(fmt::format("largest over smallest {} of '{}' {}", c.norm, series.name, over_window(c, result)),
           std::isinf(largest) ? largest : largest / least);
-}
-
-/// Slope of the least-squares line through the points in the window; NaN when there are no two, or when one is unstable
-/// or not measured.
-double slope_of(const Criterion& c, const Series& series) {
-  std::vector<double> x, y;
-  for (const Point& point : series.points)
-    if (c.window.holds(point.x)) x.push_back(point.x), y.push_back(error_at(point, c.norm));
-  if (x.size() < 2) return support::not_measured;
-  return boost::math::statistics::simple_ordinary_least_squares(x, y).second;
-}
-
-double first_value(const Criterion& c, const Series& series) {
-  for (const Point& point : series.points)
-    if (c.window.holds(point.x)) return error_at(point, c.norm);
-  return support::not_measured;
-}
-
-void measure_slope(const Criterion& c, const StudyResult& result, const Series& series, const Series& over,
-                   Measured& out) {
-  const bool share = c.kind == Criterion::Kind::slope_share;
-  out.add(fmt::format("slope of '{}' in {} over {} of '{}', {}", series.name, c.norm, share ? "the value" : "that",
-                      over.name, over_window(c, result)),
-          slope_of(c, series) / (share ? first_value(c, over) : slope_of(c, over)));
 }
 
 void measure_status(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
@@ -159,36 +135,6 @@ void measure_limit_ratio(const Series& series, const Series& over, Measured& out
   out.add(fmt::format("limit of '{}' over '{}' between {:.4g} and {:.4g}", series.name, over.name, ratio.lower,
                       ratio.upper),
           own->value() / other->value(), ratio);
-}
-
-/// Says which of two series never gets down to the error, or that neither does; empty when both do.
-std::string never_there(const Series& series, double cost, const Series& over, double other_cost) {
-  if (std::isinf(cost) && std::isinf(other_cost)) return "neither ever reaches it";
-  if (std::isinf(cost)) return fmt::format("'{}' never reaches it", series.name);
-  return std::isinf(other_cost) ? fmt::format("'{}' never reaches it", over.name) : "";
-}
-
-/// What a series has to pay for which error: nothing buys any where all its runs are unstable. `out.missing` says where
-/// it is not known.
-std::vector<fits::WorkPoint> front_of(const Series& series, const std::string& norm, Measured& out) {
-  auto front = fits::pareto_front(work_points(series, norm));
-  const auto is_unstable = [](const Point& point) { return point.status == Status::unstable; };
-  const bool never_stable = !series.points.empty() && std::ranges::all_of(series.points, is_unstable);
-  if (front.empty() && !never_stable) out.missing = fmt::format("no cost of '{}'", series.name);
-  return front;
-}
-
-/// A series that never gets down to an error costs infinitely much there, whatever the other one does. Where neither
-/// gets there, this does not show how much more it costs, so a lower bound alone cannot be judged.
-void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
-  const auto own = front_of(series, c.norm, out), other = front_of(over, c.norm, out);
-  for (const double error : fits::decades(c.window.from, c.window.to)) {
-    const double cost = fits::cost_to_reach(error, own), other_cost = fits::cost_to_reach(error, other);
-    out.add(fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error),
-            std::isinf(cost) ? cost : cost / other_cost, never_there(series, cost, over, other_cost));
-    if (std::isinf(cost) && std::isinf(other_cost) && !c.at_most)
-      out.missing = fmt::format("neither '{}' nor '{}' reaches {} {:.0e}", series.name, over.name, c.norm, error);
-  }
 }
 
 void measure_value(const Criterion& c, const StudyResult& result, Measured& out) {

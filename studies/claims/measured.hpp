@@ -17,7 +17,7 @@ struct Measured {
     std::string label;
     double value;
     Interval interval;        ///< the value alone where no uncertainty is known
-    std::string words;        ///< what people read instead of an infinite number; else empty
+    std::string words;        ///< what people read instead of the bare number; else empty
     std::string remark = {};  ///< stands behind the label
   };
 

@@ -16,6 +16,7 @@ double step_size(double x, const std::string& sweep) {
 }
 
 bool is_finer(double a, double b, const std::string& sweep) {
+  if (sweep == "order" || sweep == "wall_depth") return a > b;
   return step_size(a, sweep) < step_size(b, sweep);
 }
 
@@ -83,9 +84,14 @@ std::vector<fits::WorkPoint> work_points(const records::Series& series, const st
     const auto cost = point.y.find("step_seconds"), error = point.y.find(norm);
     if (point.status == records::Status::ok && cost != point.y.end() && error != point.y.end() && cost->second > 0 &&
         error->second > 0 && std::isfinite(error->second))
-      points.push_back({cost->second, error->second});
+      points.push_back({cost->second, error->second, cost->second * half_spread(point)});
   }
   return points;
+}
+
+double half_spread(const records::Point& point) {
+  const auto spread = point.y.find("step_seconds_spread");
+  return spread == point.y.end() ? 0 : spread->second / 2;
 }
 
 }  // namespace mpmvv::claims

@@ -11,7 +11,8 @@ namespace mpmvv::claims {
 /// The step size that goes with a swept value: h = 1/x for a sweep over `cells` or `ppc`, else x.
 double step_size(double x, const std::string& sweep);
 
-/// Whether the swept value `a` means a finer grid, a smaller step or more particles than `b`.
+/// Whether the swept value `a` means a finer grid, a smaller step, more particles, a higher order or a deeper wall
+/// than `b`.
 bool is_finer(double a, double b, const std::string& sweep);
 
 /// Errors below this multiple of a floor say nothing about an order. The floors are the error made by the rounding of a
@@ -34,5 +35,8 @@ std::vector<fits::ErrorSample> replicate_samples_of(const records::Series& serie
 
 /// The sound points of a series whose cost was measured, in their own order.
 std::vector<fits::WorkPoint> work_points(const records::Series& series, const std::string& norm);
+
+/// Half the range of a point's times over their median; 0 where its cost was not measured.
+double half_spread(const records::Point& point);
 
 }  // namespace mpmvv::claims

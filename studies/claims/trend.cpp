@@ -17,8 +17,8 @@ namespace {
 
 bool has_trend(const Finding& finding) {
   using enum Finding::Kind;
-  return !std::isnan(finding.number) &&
-         (finding.kind == order || finding.kind == error || finding.kind == limit || finding.kind == value);
+  if (finding.kind == limit) return true;  // also where none was found, which is a result
+  return !std::isnan(finding.number) && (finding.kind == order || finding.kind == error || finding.kind == value);
 }
 
 /// The findings of one version, by study and name; statuses by study and series.
@@ -59,11 +59,17 @@ double number_of(const Finding& finding, double at) {
   return not_measured;
 }
 
+/// What a search found instead of a limit; empty where it found one.
+std::string without_limit(const Finding& limit) {
+  if (limit.word.empty()) return "";
+  return limit.side > 0 ? "all stable" : limit.side < 0 ? "all unstable" : "not found";
+}
+
 void add_version(Trend& trend, const std::string& series, const fits::Window& window, const VersionFindings& version) {
   const Finding* finding = version.find(trend);
   trend.numbers.push_back(finding ? number_of(*finding, trend.at) : not_measured);
   trend.remarks.push_back(version.trouble_in(trend.study, series, window));
-  if (finding && finding->kind == Finding::Kind::limit) trend.remarks.back() = finding->word.empty() ? "" : "not found";
+  if (finding && finding->kind == Finding::Kind::limit) trend.remarks.back() = without_limit(*finding);
 }
 
 }  // namespace

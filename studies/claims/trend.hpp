@@ -14,7 +14,8 @@ struct Trend {
   std::string name;
   std::vector<double> numbers;  ///< one per version, NaN where it has none
   double at = not_measured;     ///< of an error: the swept value of its level
-  /// One per version: the status of a run behind the number that is not ok, or "not found" for a limit; else empty.
+  /// One per version: the status of a run behind the number that is not ok; of a limit that was not found "all stable",
+  /// "all unstable" or "not found"; else empty.
   std::vector<std::string> remarks = {};
 };
 

@@ -16,13 +16,15 @@ std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points) {
   return front;
 }
 
-double cost_to_reach(double error, const std::vector<WorkPoint>& front) {
+WorkPoint work_to_reach(double error, const std::vector<WorkPoint>& front) {
   const auto next = std::find_if(front.begin(), front.end(), [&](const WorkPoint& p) { return p.error <= error; });
-  if (next == front.end()) return std::numeric_limits<double>::infinity();
-  if (next == front.begin()) return next->cost;
+  if (next == front.end()) return {std::numeric_limits<double>::infinity(), error};
+  if (next == front.begin()) return {next->cost, error, next->half_range};
   const WorkPoint& above = *std::prev(next);
   const double way = std::log(above.error / error) / std::log(above.error / next->error);
-  return above.cost * std::pow(next->cost / above.cost, way);
+  const double cost = above.cost * std::pow(next->cost / above.cost, way);
+  const double of_above = (1 - way) * above.half_range / above.cost, of_next = way * next->half_range / next->cost;
+  return {cost, error, cost * std::hypot(of_above, of_next)};
 }
 
 std::vector<double> decades(double from, double to) {

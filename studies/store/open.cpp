@@ -112,14 +112,14 @@ std::int64_t read_schema(const Database& database, Steps steps) {
   throw UsageError(fmt::format("'{}' is empty, not a results store (`mpmvv study` makes one)", file.string()));
 }
 
-Database open_for_reading(const fs::path& file, Steps steps) {
+Database open_for_reading(const fs::path& file, Steps steps, bool is_older_allowed) {
   Database database(file, Database::Access::read);
   const Transaction one_state(database, Transaction::Kind::read);
   const std::int64_t schema = read_schema(database, steps);
   if (schema == 0) fail_empty(file);
-  if (schema < std::ssize(steps))
+  if (schema < std::ssize(steps) && !is_older_allowed)
     throw UsageError(
-        fmt::format("results store '{}' has the older schema {}, this mpmvv reads {} (`mpmvv study` "
+        fmt::format("results store '{}' has the older schema {}, this mpmvv reads {} (`mpmvv db update` "
                     "brings it up to date)",
                     file.string(), schema, steps.size()));
   return database;
@@ -201,8 +201,13 @@ void require_place(const fs::path& file) {
 Database open_store(const fs::path& file, Store::Mode mode, Steps steps, const Work& work) {
   const bool create = mode == Store::Mode::create_or_write;
   require_place(file, create);
-  if (mode == Store::Mode::read) return open_for_reading(file, steps);
+  if (mode == Store::Mode::read) return open_for_reading(file, steps, false);
   return open_for_writing(file, create, steps, work);
+}
+
+Database open_older_store(const fs::path& file) {
+  require_place(file, false);
+  return open_for_reading(file, migrations(), true);
 }
 
 }  // namespace mpmvv::store

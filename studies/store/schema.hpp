@@ -22,4 +22,7 @@ std::span<const char* const> migrations();
 Database open_store(const std::filesystem::path& file, Store::Mode mode,
                     std::span<const char* const> steps = migrations(), const std::function<void(Database&)>& work = {});
 
+/// Opens a store for reading, also one of an older schema, which stays as it is.
+Database open_older_store(const std::filesystem::path& file);
+
 }  // namespace mpmvv::store

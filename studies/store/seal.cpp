@@ -45,8 +45,8 @@ void add(Crc& crc, const Row& row) {
   }
 }
 
-struct Noun {
-  const char* table;
+struct SealedTable {
+  const char* name;
   const char* label;                    ///< column that names it in a message
   std::vector<std::string> rows;        ///< what the seal of the row with id ?1 covers
   std::vector<std::string> later_rows;  ///< of tables younger than the first seals: covered where there are any
@@ -77,25 +77,25 @@ std::vector<std::string> rows_of_study() {
           "figure_slopes WHERE figure IN " + figures + " ORDER BY figure, ordinal"};
 }
 
-const Noun& noun_of(Sealed kind) {
-  static const std::array<Noun, 2> nouns{
+const SealedTable& table_of(Sealed kind) {
+  static const std::array<SealedTable, 2> tables{
       {{"runs",
         "problem",
         {"runs WHERE id = ?1", "provenance WHERE id = (SELECT provenance FROM runs WHERE id = ?1)"},
         {}},
        {"studies", "name", rows_of_study(), {"claim_found WHERE study = ?1 ORDER BY part, ordinal"}}}};
-  return nouns[static_cast<std::size_t>(kind)];
+  return tables[static_cast<std::size_t>(kind)];
 }
 
 constexpr std::array all_kinds{Sealed::run, Sealed::study};
 
-std::int64_t seal_of(const Database& database, const Noun& noun, const Value& id) {
+std::int64_t seal_of(const Database& database, const SealedTable& table, const Value& id) {
   Crc crc;
-  for (const std::string& rows : noun.rows) {
+  for (const std::string& rows : table.rows) {
     add(crc, rows);
     database.each("SELECT * FROM " + rows, {id}, [&](const Row& row) { add(crc, row); });
   }
-  for (const std::string& rows : noun.later_rows) {
+  for (const std::string& rows : table.later_rows) {
     bool first = true;
     database.each("SELECT * FROM " + rows, {id}, [&](const Row& row) {
       if (std::exchange(first, false)) add(crc, rows);
@@ -105,22 +105,22 @@ std::int64_t seal_of(const Database& database, const Noun& noun, const Value& id
   return static_cast<std::int64_t>(crc.checksum());
 }
 
-bool is_intact(const Database& database, const Noun& noun, const Value& id) {
-  const Value kept = database.scalar(fmt::format("SELECT seal FROM {} WHERE id = ?", noun.table), {id});
-  return kept.held() == Value(seal_of(database, noun, id)).held();
+bool is_intact(const Database& database, const SealedTable& table, const Value& id) {
+  const Value kept = database.scalar(fmt::format("SELECT seal FROM {} WHERE id = ?", table.name), {id});
+  return kept.held() == Value(seal_of(database, table, id)).held();
 }
 
 /// The message on a broken seal. It shows the name only where that is sound, as damage can make anything of it.
-std::string complaint(const Database& database, const Noun& noun, const Value& id) {
+std::string complaint(const Database& database, const SealedTable& table, const Value& id) {
   const std::string name =
-      database.scalar(fmt::format("SELECT {} FROM {} WHERE id = ?", noun.label, noun.table), {id}).to_string();
-  return fmt::format("row {} of {} ({}) is not as it was written", id.to_string(), noun.table,
+      database.scalar(fmt::format("SELECT {} FROM {} WHERE id = ?", table.label, table.name), {id}).to_string();
+  return fmt::format("row {} of {} ({}) is not as it was written", id.to_string(), table.name,
                      support::is_file_stem(name) ? name : "without a name");
 }
 
-std::vector<Value> ids(const Database& database, const Noun& noun) {
+std::vector<Value> ids(const Database& database, const SealedTable& table) {
   std::vector<Value> all;
-  database.each(fmt::format("SELECT id FROM {} NOT INDEXED", noun.table), {},
+  database.each(fmt::format("SELECT id FROM {} NOT INDEXED", table.name), {},
                 [&](const Row& row) { all.push_back(row["id"]); });
   return all;
 }
@@ -128,12 +128,12 @@ std::vector<Value> ids(const Database& database, const Noun& noun) {
 }  // namespace
 
 void seal(Database& database, Sealed kind, std::int64_t id) {
-  const Noun& noun = noun_of(kind);
-  database.change(fmt::format("UPDATE {} SET seal = ? WHERE id = ?", noun.table), {seal_of(database, noun, id), id});
+  const SealedTable& table = table_of(kind);
+  database.change(fmt::format("UPDATE {} SET seal = ? WHERE id = ?", table.name), {seal_of(database, table, id), id});
 }
 
 std::int64_t seal_of_run(const Row& run, const Row& provenance) {
-  const std::vector<std::string>& rows = noun_of(Sealed::run).rows;
+  const std::vector<std::string>& rows = table_of(Sealed::run).rows;
   Crc crc;
   add(crc, rows[0]);
   add(crc, run);
@@ -144,19 +144,19 @@ std::int64_t seal_of_run(const Row& run, const Row& provenance) {
 
 void seal_all(Database& database) {
   for (const Sealed kind : all_kinds)
-    for (const Value& id : ids(database, noun_of(kind))) seal(database, kind, id.integer());
+    for (const Value& id : ids(database, table_of(kind))) seal(database, kind, id.integer());
 }
 
 void require_intact(const Database& database, Sealed kind, const Value& id) {
-  if (const Noun& noun = noun_of(kind); !is_intact(database, noun, id))
-    database.fail_damaged(complaint(database, noun, id) + "; `mpmvv db check` lists all that is not");
+  if (const SealedTable& table = table_of(kind); !is_intact(database, table, id))
+    database.fail_damaged(complaint(database, table, id) + "; `mpmvv db check` lists all that is not");
 }
 
 std::vector<std::string> broken_seals(const Database& database) {
   std::vector<std::string> broken;
   for (const Sealed kind : all_kinds)
-    for (const Value& id : ids(database, noun_of(kind))) try {
-        if (!is_intact(database, noun_of(kind), id)) broken.push_back(complaint(database, noun_of(kind), id));
+    for (const Value& id : ids(database, table_of(kind))) try {
+        if (!is_intact(database, table_of(kind), id)) broken.push_back(complaint(database, table_of(kind), id));
       } catch (const support::UsageError& e) {
         broken.emplace_back(e.what());
       }

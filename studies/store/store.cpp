@@ -48,7 +48,23 @@ records::StudyResult only_of_code(records::StudyResult study, const std::string&
   return study;
 }
 
+/// How many versions of the study there are; UsageError when there is none.
+std::size_t require_versions(const Database& database, const std::string& study) {
+  const auto versions = static_cast<std::size_t>(
+      database.scalar("SELECT count(*) FROM studies NOT INDEXED WHERE name = ?", {study}).integer());
+  if (versions > 0) return versions;
+  std::vector<std::string> names;
+  database.each("SELECT DISTINCT name FROM studies ORDER BY name", {},
+                [&](const Row& row) { names.push_back(row["name"].text()); });
+  throw support::UsageError(fmt::format("unknown study '{}' in results store '{}' (known: {})", study,
+                                        database.file().string(), support::listed(names)));
+}
+
 }  // namespace
+
+void Store::require_study(const std::filesystem::path& file, const std::string& study) {
+  require_versions(open_older_store(file), study);
+}
 
 Store::Store(const std::filesystem::path& file, Mode mode)
     : impl_(std::make_unique<Impl>(Impl{open_store(file, mode)})) {}
@@ -228,15 +244,7 @@ std::vector<std::string> Store::check() const {
 
 std::size_t Store::forget(const std::string& study) {
   Transaction transaction(impl_->database, Kind::write);
-  const auto versions = static_cast<std::size_t>(
-      impl_->database.scalar("SELECT count(*) FROM studies NOT INDEXED WHERE name = ?", {study}).integer());
-  if (versions == 0) {
-    std::vector<std::string> names;
-    impl_->database.each("SELECT DISTINCT name FROM studies ORDER BY name", {},
-                         [&](const Row& row) { names.push_back(row["name"].text()); });
-    throw support::UsageError(fmt::format("unknown study '{}' in results store '{}' (known: {})", study,
-                                          impl_->database.file().string(), support::listed(names)));
-  }
+  const std::size_t versions = require_versions(impl_->database, study);
   impl_->database.change("DELETE FROM studies WHERE name = ?", {study});
   transaction.commit();
   return versions;

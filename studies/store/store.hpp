@@ -101,6 +101,9 @@ class Store {
     return merge(file, {&other, 1});
   }
 
+  /// UsageError unless the store, which may have an older schema, has the study. It writes nothing.
+  static void require_study(const std::filesystem::path& file, const std::string& study);
+
   /// Removes the study in all its versions and returns their number. The runs stay, as they belong to their cases.
   /// UsageError when there is none.
   std::size_t forget(const std::string& study);

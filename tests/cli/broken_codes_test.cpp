@@ -83,7 +83,11 @@ TEST_F(StudyOfABrokenCode, IsTriedAgainWhereARunFailed) {
               AllOf(HasSubstr("3 cases run, 0 taken from r.db, 3 failed"), HasSubstr("no library")));
   EXPECT_THAT(in_folder("db export --db r.db").out, AllOf(HasSubstr("no library"), Not(HasSubstr("no licence"))));
   EXPECT_THAT(in_folder("study s.toml --db r.db --plan").out, ContainsRegex("\ns +3 +0 +0 +3"));
+  EXPECT_THAT(in_folder("study s.toml --db r.db --no-retry").out,
+              HasSubstr("0 cases run, 3 taken from r.db, 3 failed"));
   EXPECT_THAT(study_where("[ $2 = 4 ] || echo blown up"), HasSubstr("3 cases run, 0 taken from r.db"));
+  EXPECT_THAT(in_folder("study s.toml --db r.db --verbose").out,
+              AllOf(ContainsRegex("\n  unstable +cells +why\n"), HasSubstr("the code says: blown up")));
   EXPECT_THAT(study_where(""), HasSubstr("0 cases run, 3 taken from r.db")) << "what is unstable has been carried out";
 }
 

@@ -102,6 +102,34 @@ TEST_F(Claims, AreFoundByTheirIdsAlone) {
   EXPECT_EQ(json[0]["criteria"][0]["found"][0]["value"].is_number(), true);
 }
 
+/// With a series that blows up at a time step of its own.
+TEST_F(Claims, AsJsonSayEachNumberAsTheTableDoes) {
+  std::string text = stated_study();
+  text.replace(text.find("cfl = 0.3\n"), 10, "");
+  for (const char* basis : {"basis = \"linear\"\n", "basis = \"bspline2\"\n"})
+    text.insert(text.find(basis), "cfl = 0.3\n");
+  text.insert(text.find("[sweep]"), "[[series]]\nname = \"wild\"\nbasis = \"linear\"\ncfl = 5\n");
+  text +=
+      "[[criterion]]\nclaim = \"linear\"\nstatement = \"none is wild\"\nmeasure = \"error\"\nseries = [\"wild\"]\n"
+      "norm = \"l2\"\nwindow = [64, 64]\nat_most = 1\n";
+  const std::string db = folder_ / "json.db";
+  const Answer study = call(folder_, "study " + folder_.write("json.toml", text) + " --db " + db);
+  ASSERT_EQ(study.code, 0) << study.err;
+  const auto found = [&](const std::string& claim, std::size_t criterion) {
+    const auto page = call(folder_, "claims " + claim + " --json --db " + db).json()["claims"][0];
+    return page["criteria"][criterion]["found"][0];
+  };
+  const auto order = found("second", 0), error = found("linear", 0), wild = found("linear", 1);
+  EXPECT_EQ(order["text"], "1.969 ± 0.12");
+  EXPECT_EQ(order["half_width"], 0.12);
+  EXPECT_FALSE(order.contains("infinite"));
+  EXPECT_EQ(error["text"], "0.000631");
+  EXPECT_FALSE(error.contains("half_width"));
+  EXPECT_TRUE(wild["value"].is_null());
+  EXPECT_EQ(wild["infinite"], 1);
+  EXPECT_EQ(wild["text"], "inf");
+}
+
 TEST_F(Claims, OfTheProgramAreKnownToStudiesAnywhere) {
   std::string text = small_study;
   text.replace(text.find("[\"S-fig10\"]"), 11, "[\"S-fig10\", \"S-fg11\"]");
@@ -114,7 +142,7 @@ TEST_F(Claims, OfTheProgramAreKnownToStudiesAnywhere) {
 TEST_F(Claims, HaveColoursOnATerminalThatWantsSome) {
   const std::string listing = "'" + program() + "' claims --db '" + db_ + "'";
   const auto on_a_terminal = [&](const std::string& variables) {
-    return shell(variables + " script -qec \"" + listing + "\" /dev/null").out;
+    return shell("env -u NO_COLOR " + variables + " script -qec \"" + listing + "\" /dev/null").out;
   };
   const std::string green = "\033[32mconfirmed\033[0m", red = "\033[31mrefuted\033[0m";
   EXPECT_THAT(on_a_terminal("TERM=xterm"), AllOf(HasSubstr(green), HasSubstr(red)));

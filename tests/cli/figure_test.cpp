@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
@@ -81,7 +82,7 @@ TEST_F(Figure, BadOptionsGetOneLineAndWriteNothing) {
       {"small --width 84", "--width '84' is no length (a number and its unit: 84mm, 8.4cm, 3.3in, 8pt)"},
       {"small --width 8mm", "--width 8mm (40mm to 400mm)"},
       {"small --width 40mm --font-size 16pt",
-       "--width 40mm leaves too little for the axes of 'small' (a greater one, or a smaller --font-size than 16pt)"},
+       "--width 40mm leaves too little for the axes of 'small' (105mm would do, or a smaller --font-size than 16pt)"},
       {"small --font-size 80pt", "--font-size 80pt (4.25pt to 28.3pt)"},
       {"small --font 'a\"b'", "--font 'a\"b' (a family's name, such as 'Liberation Serif')"},
       {"small --format tex --font Times",
@@ -96,6 +97,52 @@ TEST_F(Figure, BadOptionsGetOneLineAndWriteNothing) {
     EXPECT_EQ(answer.out, "");
   }
   for (const char* file : {"small.pdf", "small.tex", "a.svg"}) EXPECT_FALSE(fs::exists(folder_ / file)) << file;
+}
+
+/// Two figures, of which the second has a label of many lines.
+std::string two_figures() {
+  std::string study = small_study, label;
+  for (int i = 0; i < 120; ++i) label += "long ";
+  study.insert(study.find("[[criterion]]"),
+               "[[figure]]\nname = \"second\"\ncaption = \"C\"\nxlabel = \"x\"\nylabel = \"" + label + "\"\n");
+  return study.replace(study.find("[[figure]]"), 10, "[[figure]]\nname = \"first\"");
+}
+
+TEST_F(Figure, AFigureWithoutRoomIsNamedWithTheWidthThatWouldDo) {
+  folder_.write("two.toml", two_figures());
+  ASSERT_EQ(call(folder_, "study two.toml --db r.db", there_).code, 0);
+  const Answer both = draw("two");
+  EXPECT_EQ(both.code, 0) << both.err;
+  EXPECT_EQ(both.out, "first.pdf\n");
+  const std::regex complaint(
+      "not drawn: --width 84mm leaves too little for the axes of 'second' \\((\\d+)mm would do, or a smaller "
+      "--font-size than 8pt\\)\n");
+  std::smatch parts;
+  ASSERT_TRUE(std::regex_match(both.err, parts, complaint)) << both.err;
+  const int width = std::stoi(parts[1]);
+  EXPECT_EQ(draw("second --width " + std::to_string(width) + "mm").code, 0);
+  const Answer narrower = draw("second --width " + std::to_string(width - 1) + "mm");
+  EXPECT_EQ(narrower.code, 2);
+  EXPECT_THAT(narrower.err, HasSubstr(" (" + std::to_string(width) + "mm would do"));
+  const Answer none = draw("two --width 40mm --font-size 16pt --out none");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, AllOf(HasSubstr("axes of 'first' ("), HasSubstr("; --width 40mm"), HasSubstr("'second' (")));
+  EXPECT_FALSE(fs::exists(folder_ / "none"));
+}
+
+TEST_F(Figure, WhatItDoesNotShowIsSaid) {
+  std::string study = small_study;
+  study.replace(study.find("[[figure]]"), 10, "[[figure]]\ny_range = [1e-9, 1e-8]");
+  folder_.write("cut.toml", study);
+  ASSERT_EQ(call(folder_, "study cut.toml --set ppc=2 --db t.db", there_).code, 0);
+  const Answer figure = call(folder_, "figure cut --db t.db", there_);
+  EXPECT_EQ(figure.out, "cut.pdf\n");
+  EXPECT_THAT(figure.err,
+              StartsWith("cut: Made with --set: ppc = 2 in 2 of 2 series.\ncut: Without a point: linear at "));
+  const Answer paper = call(folder_, "paper --db t.db --out paper", there_);
+  EXPECT_EQ(paper.err, "cut: Made with --set: ppc = 2 in 2 of 2 series.\n");
+  EXPECT_THAT(read_text(folder_ / "paper/main.tex"),
+              HasSubstr("A small figure. Made with -{}-set: ppc = 2 in 2 of 2 series. Without a point: linear at "));
 }
 
 TEST_F(Figure, AllOfThemMakeADocument) {

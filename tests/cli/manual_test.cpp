@@ -49,10 +49,14 @@ TEST_F(Manual, NamesEveryCommandAndEveryOption) {
   const std::string man = std::regex_replace(said("man"), std::regex(R"(\\-)"), "-");
   const std::string bash = said("completion bash"), zsh = said("completion zsh"), fish = said("completion fish");
   EXPECT_THAT(commands(), testing::IsSupersetOf({"run", "study", "gate", "report", "db"}));
-  for (const std::string& command : commands()) {
+  std::set<std::string> all = commands();
+  for (const std::string& below : named("db", "\n  ([a-z]+) +[A-Z]")) all.insert("db " + below);
+  EXPECT_THAT(all, testing::IsSupersetOf({"db info", "db merge"}));
+  for (const std::string& command : all) {
     EXPECT_THAT(man, HasSubstr("mpmvv " + command)) << command;
     for (const std::string& option : named(command, "\n  (?:-h,)?(--[a-z-]+)")) {
-      for (const std::string& text : {man, bash, zsh}) EXPECT_THAT(text, HasSubstr(option)) << command;
+      const auto whole = testing::ContainsRegex(option + "[^a-z-]");  // and not --set in --set-where-taken
+      for (const std::string& text : {man, bash, zsh}) EXPECT_THAT(text, whole) << command;
       EXPECT_THAT(fish, HasSubstr(" -l " + option.substr(2))) << command;
     }
   }
@@ -69,7 +73,9 @@ TEST_F(Manual, IsHiddenFromHelpAndFromTheKnownCommands) {
 }
 
 TEST_F(Manual, IsSoundShell) {
-  folder_.write("mpmvv.bash", said("completion bash"));
+  const std::string script = said("completion bash");
+  EXPECT_THAT(script, HasSubstr("_mpmvv"));
+  folder_.write("mpmvv.bash", script);
   const Answer bash = shell("bash -n '" + (folder_ / "mpmvv.bash") + "' 2>&1");
   EXPECT_EQ(bash.code, 0);
   EXPECT_THAT(bash.out, IsEmpty());

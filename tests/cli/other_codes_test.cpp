@@ -12,6 +12,7 @@
 namespace mpmvv::cli::other_codes_test {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -48,6 +49,14 @@ TEST_F(OtherCodes, FromNothingToTheOrdersOfOnesOwnCode) {
   follow("own-code-propose");
   EXPECT_THAT(read_text(folder_ / "goldens/orders.toml"), HasSubstr("mine, quadratic"));
   EXPECT_THAT(follow("own-code-trend"), AllOf(HasSubstr("1.0 (digest "), HasSubstr("order of 'mine, quadratic'")));
+
+  // Velocities half a step off from the start on: the order stays, the errors show it.
+  std::string code = read_text(small_mpm);
+  const std::string right = "0.5 if n == 0 else 1.0";
+  ASSERT_NE(code.find(right), std::string::npos);
+  folder_.write("my_code.py", code.replace(code.find(right), right.size(), "1.0"));
+  EXPECT_THAT(in_folder("export MY_CODE=$PWD/my_code.py\n" + walk("own-code-orders")).out,
+              ContainsRegex("fails +0.9 to 1.1 +0.35"));
 }
 
 TEST_F(OtherCodes, WhatIsNotThereIsLeftOutOfAFolderAndRefusedByName) {
@@ -106,12 +115,32 @@ TEST_F(OtherCodes, TheOnesOfTheProgramAreFoundByName) {
 }
 
 TEST_F(OtherCodes, OptionsOfOurOwnSolverAreRefused) {
-  for (const char* option : {"--basis linear", "--threads 2", "--vtu frames", "--repeat 3 --keep here"}) {
-    const Answer answer = in_folder(
-        "mpmvv run --code small-mpm --variant linear --problem bar --cells 4 --ppc 2 --cfl 0.5 " + std::string(option));
-    EXPECT_EQ(answer.code, 2) << option;
+  const std::string ours = "mpmvv run --problem bar --cells 4 --ppc 2 --cfl 0.5 ",
+                    theirs = ours + "--code small-mpm --variant linear ";
+  for (const auto& [call, message] :
+       {std::pair{theirs + "--basis linear", "basis in --basis has no meaning for code 'small-mpm'"},
+        {theirs + "--threads 2", "--threads for code 'small-mpm' (it takes one)"},
+        {theirs + "--vtu frames", "--vtu for code 'small-mpm' (what it writes itself is kept with --keep FOLDER)"},
+        {theirs + "--repeat 3 --keep here", "--keep beside --repeat (each repetition has a folder of its own"},
+        {ours + "--keep here", "--keep without --code"}}) {
+    const Answer answer = in_folder(call);
+    EXPECT_EQ(answer.code, 2) << call;
+    EXPECT_THAT(answer.err, HasSubstr(message));
   }
-  EXPECT_EQ(in_folder("mpmvv run --problem bar --cells 4 --ppc 2 --cfl 0.5 --keep here").code, 2);
+}
+
+/// A case for another machine, where the code is: with its version and adapter it can go into a store.
+TEST_F(OtherCodes, ACaseOfACodeThatIsNotThereTakesItsVersionByHand) {
+  std::filesystem::create_directories(folder_ / "adapters/my-code");
+  folder_.write("adapters/my-code/adapter.toml", walk("own-code-adapter"));
+  folder_.write("adapters/my-code/input.mustache", walk("own-code-input"));
+  const std::string absent = "mpmvv case --code my-code --variant linear --problem bar --cells 4 --ppc 2 --cfl 0.5 ",
+                    note = "without its version the case cannot go into a store";
+  EXPECT_THAT(in_folder(absent).err, HasSubstr(note));
+  EXPECT_THAT(in_folder(absent + "--code-version 1.0").err, HasSubstr(note));
+  const Answer whole = in_folder(absent + "--code-version 1.0 --adapter 605f50183cc29faf");
+  EXPECT_EQ(whole.code, 0) << whole.err;
+  EXPECT_EQ(whole.err, "");
 }
 
 using OtherCodesNightly = OtherCodes;

@@ -1,4 +1,5 @@
 #pragma once
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -73,16 +74,18 @@ inline Answer call(const Folder& folder, const std::string& arguments, const std
 /// What a call in the folder prints on a terminal of so many columns, without colours.
 inline std::string on_terminal(const Folder& folder, int columns, const std::string& arguments) {
   const std::string call = "stty cols " + std::to_string(columns) + "; '" + program() + "' " + arguments;
-  const std::string text = shell("cd '" + (folder / "") + "' && script -qec \"" + call + "\" /dev/null").out;
-  return std::regex_replace(std::regex_replace(text, std::regex("\033\\[[0-9;]*[a-zA-Z]"), ""), std::regex("\r\n?"),
-                            "\n");
+  const Answer shown = shell("cd '" + (folder / "") + "' && script -qec \"" + call + "\" /dev/null");
+  EXPECT_EQ(shown.code, 0) << arguments << shown.out;
+  EXPECT_NE(shown.out, "") << arguments << " shows nothing, whose lines fit everywhere";
+  return std::regex_replace(std::regex_replace(shown.out, std::regex("\033\\[[0-9;]*[a-zA-Z]"), ""),
+                            std::regex("\r\n?"), "\n");
 }
 
 /// What a shell says in the folder to lines as a page has them: there the program is `mpmvv`.
 inline Answer carry_out(const Folder& folder, const std::string& lines) {
   const std::string path = std::filesystem::path(program()).parent_path(), err = folder / "stderr";
-  Answer answer = shell("cd '" + (folder / "") + "' && PATH='" + path + "':\"$PATH\" && set -e && { " + lines +
-                        "\n} 2>'" + err + "'");
+  Answer answer = shell("cd '" + (folder / "") + "' && PATH='" + path + "':/usr/bin:/bin:\"$PATH\" && set -e && { " +
+                        lines + "\n} 2>'" + err + "'");
   answer.err = read_text(err);
   return answer;
 }

@@ -19,7 +19,9 @@ using testing::MatchesRegex;
 TEST(DbCommand, ABadSourceLeavesNoTarget) {
   const Folder folder;
   const std::string target = folder / "target.db";
-  EXPECT_EQ(call(folder, "db merge --db " + target + " " + (folder / "absent.db")).code, 2);
+  const Answer merge = call(folder, "db merge --db " + target + " " + (folder / "absent.db"));
+  EXPECT_EQ(merge.code, 2);
+  EXPECT_THAT(merge.err, HasSubstr("no results store '" + (folder / "absent.db") + "'"));
   EXPECT_FALSE(std::filesystem::exists(target));
 }
 

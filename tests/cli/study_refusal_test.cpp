@@ -133,9 +133,27 @@ TEST(StudyCommand, RefusesStoresThatAreNone) {
   const Answer answer = call(folder, "study " + file + " --db " + foreign);
   EXPECT_EQ(answer.code, 2);
   EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+  EXPECT_THAT(answer.err, HasSubstr("foreign.db' is not a results store: no SQLite file"));
   EXPECT_EQ(read_text(foreign), "this is no database, but long enough to look like a file of its own");
-  EXPECT_EQ(call(folder, "gate --db " + (folder / "absent.db")).code, 2);
-  EXPECT_EQ(call(folder, "study " + file + " --db " + (folder / "no/such/folder.db")).code, 2);
+  const auto refusal = [&](const std::string& arguments) {
+    const Answer refused = call(folder, arguments);
+    EXPECT_EQ(refused.code, 2) << arguments;
+    return refused.err;
+  };
+  EXPECT_THAT(refusal("gate --db " + (folder / "absent.db")), HasSubstr("no results store '"));
+  EXPECT_THAT(refusal("study " + file + " --db " + (folder / "no/such/folder.db")), HasSubstr("no folder '"));
+}
+
+TEST(StudyCommand, RefusesTwoStudiesOfOneName) {
+  const Folder folder;
+  for (const char* sub : {"a", "b"}) {
+    std::filesystem::create_directories(folder / sub);
+    folder.write(std::string(sub) + "/small.toml", small_study);
+  }
+  const Answer answer = call(folder, "study a/small.toml b/small.toml --db r.db", "cd '" + (folder / "") + "' && ");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.err, "mpmvv: two study files named 'small' (stems must differ)\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "r.db"));
 }
 
 TEST(BadStudyName, IsRefusedAtTheEntry) {

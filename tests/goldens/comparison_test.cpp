@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mpmvv::goldens::comparison_test {
@@ -168,6 +169,30 @@ TEST(Compare, AnotherWordOutweighsNumbers) {
   EXPECT_EQ(bands(word("w", "unstable"), word("w", "ok")), -INFINITY);
   EXPECT_EQ(bands(word("w", "unstable"), word("w", "failed")), INFINITY);
   EXPECT_EQ(compare({word("w", "ok"), word("v", "ok")}, {word("w", "unstable"), word("v", "ok")}).changed(), 1U);
+}
+
+TEST(Compare, OfVerdictsOnACriterionHoldsIsTheBestAndFailsTheWorst) {
+  const auto change = [](records::PartVerdict before, records::PartVerdict after) {
+    const auto judged = [](records::PartVerdict verdict) {
+      records::StudyResult study;
+      study.name = "s", study.claims = {"B-v"};
+      study.parts = {{"B-v", "the error falls", verdict, "", ""}};
+      return claims::findings_of(std::vector{study});
+    };
+    const Comparison comparison = compare(judged(before), judged(after));
+    const auto found = std::ranges::find(comparison.changes, "criterion of B-v: the error falls",
+                                         [](const Change& one) { return one.after.name; });
+    return found == comparison.changes.end() ? NAN : found->bands;
+  };
+  using enum records::PartVerdict;
+  EXPECT_EQ(change(holds, fails), INFINITY);
+  EXPECT_EQ(change(holds, inconclusive), INFINITY);
+  EXPECT_EQ(change(inconclusive, fails), INFINITY);
+  EXPECT_EQ(change(fails, holds), -INFINITY);
+  EXPECT_EQ(change(fails, inconclusive), -INFINITY);
+  EXPECT_EQ(change(inconclusive, holds), -INFINITY);
+  EXPECT_EQ(change(fails, fails), 0);
+  EXPECT_TRUE(std::isnan(change(shown, shown))) << "nothing is asked";
 }
 
 TEST(Compare, CostIsShownApart) {

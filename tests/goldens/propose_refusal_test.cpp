@@ -29,6 +29,28 @@ TEST(Propose, WhatCannotBeProposedIsARemark) {
   EXPECT_THAT(text, HasSubstr("# No value \"gap\""));
 }
 
+TEST(Propose, WithoutAnyGoldenTheReasonIsSaid) {
+  Series series = convergent();
+  series.name = "a", series.orders.clear();
+  series.limit = fits::StabilityLimit{};
+  series.limit->key = "cfl", series.limit->stable = 1, series.limit->probes = {{0.5, true, ""}, {1, true, ""}};
+  const auto refused = [](const StudyResult& study) -> std::string {
+    try {
+      propose_goldens(study, clean);
+    } catch (const UsageError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  StudyResult study = study_with(series);
+  EXPECT_EQ(refused(study),
+            "nothing to propose for study 's-fig10': No limit of \"a\" in cfl: stable at all values tried, up to 1.");
+  study.values = {{"gap", not_measured, ""}};
+  EXPECT_THAT(refused(study), testing::EndsWith("up to 1. (and 1 more without a golden)"));
+  study.values.clear(), study.series[0].limit.reset();
+  EXPECT_THAT(refused(study), HasSubstr("(a [[fit]], a [limit], a check, or a [[figure]] of an error"));
+}
+
 TEST(Propose, TextOfPeopleCannotBreakTheFile) {
   StudyResult study = study_with(convergent());
   study.values = {{"gap\n[[order]]", 1, "two\nlines"}};

@@ -98,6 +98,18 @@ TEST(ErrorChart, EveryWindowOfANormHasItsFit) {
   EXPECT_EQ(chart.curves[0].dots[5].mark, Mark::inside);
 }
 
+/// Any two points lie on a line, unless they are all that the window has.
+TEST(ErrorChart, AnOrderOfTwoPointsLeftOverIsNotDrawn) {
+  auto study = synthetic::convergence();
+  study.figures[0].series = {"bspline2, 4 PPC"};
+  study.series[1].orders[0].points = 2;
+  const auto chart = error_chart(study, study.figures[0]);
+  EXPECT_TRUE(rules(chart, Rule::Kind::fit).empty());
+  EXPECT_EQ(chart.curves[0].key, "bspline2, 4 PPC");
+  study.series[1].orders[0].to = 32;
+  EXPECT_EQ(rules(error_chart(study, study.figures[0]), Rule::Kind::fit).size(), 1u);
+}
+
 TEST(ErrorChart, OnlyAnAcceptedFloorIsDrawn) {
   auto study = synthetic::convergence();
   const auto floors = rules(error_chart(study, study.figures[0]), Rule::Kind::floor);
@@ -133,6 +145,7 @@ TEST(ErrorChart, ReferenceSlopeRisesWithStepSize) {
   ASSERT_EQ(line.size(), 1u);
   const auto& [a, b] = std::pair{line[0].path[0], line[0].path[1]};
   EXPECT_NEAR(std::log(b.y / a.y) / std::log(b.x / a.x), 1, 1e-9);
+  EXPECT_EQ(error_chart(study, study.figures[0]).labels[0].text, "slope 1") << "h may be another length here";
 }
 
 TEST(ErrorChart, ReferenceSlopeKeepsClearOfThePoints) {
@@ -171,10 +184,19 @@ TEST(ErrorChart, SaysWhatItCouldNotDraw) {
   study.figures[0].series = {"bspline2, 4 PPC"};
   const auto chart = error_chart(study, study.figures[0]);
   EXPECT_EQ(
-      chart.notes.back(),
+      chart.omissions.back(),
       "Without a point: bspline2, 4 PPC at 8 (failed); bspline2, 4 PPC at 16 (not measured); bspline2, 4 PPC at 32 "
       "(0).");
   EXPECT_EQ(chart.curves[0].dots[2].mark, Mark::absent);
+}
+
+TEST(ErrorChart, SaysARunOfPointsThatItCouldNotDrawAsOne) {
+  auto study = synthetic::convergence();
+  auto& points = study.series[1].points;
+  for (const std::size_t k : {0u, 1u, 2u, 4u}) points[k].y["l2"] = support::not_measured;
+  study.figures[0].series = {"bspline2, 4 PPC"};
+  EXPECT_EQ(error_chart(study, study.figures[0]).omissions.back(),
+            "Without a point: bspline2, 4 PPC from 8 to 32 (not measured); bspline2, 4 PPC at 128 (not measured).");
 }
 
 TEST(ErrorChart, SaysWhatADeclaredRangeCutsOff) {
@@ -182,7 +204,7 @@ TEST(ErrorChart, SaysWhatADeclaredRangeCutsOff) {
   study.figures[0].series = {"bspline2, 4 PPC"};
   study.figures[0].y_max = 1e-3;
   EXPECT_EQ(
-      error_chart(study, study.figures[0]).notes.back(),
+      error_chart(study, study.figures[0]).omissions.back(),
       "Without a point: bspline2, 4 PPC at 8 (0.004591 is off the axes); bspline2, 4 PPC at 16 (0.00114 is off the "
       "axes).");
 }

@@ -35,6 +35,16 @@ TEST(OriginalLook, EnergyIsInPercentWhereThePaperHasPercent) {
   EXPECT_FALSE(chart.rules.empty()) << "a reference slope";
 }
 
+TEST(OriginalLook, NotesHaveTheUnitOfTheAxis) {
+  records::StudyResult study = study_with("n-fig4", "energy_loss", {"uGIMP"});
+  study.series[0].points[1].y["energy_loss"] = -0.08171;
+  study.figures[0].y_max = 0.01;
+  EXPECT_EQ(charts_of(study).at(0).omissions.back(),
+            "Without a point: uGIMP at 8 (-8.171); uGIMP at 4 (2.5 is off the axes).");
+  study.figures[0].name = "mine";
+  EXPECT_THAT(charts_of(study).at(0).omissions.back(), testing::HasSubstr("uGIMP at 8 (-0.08171)"));
+}
+
 TEST(OriginalLook, OtherQuantitiesAndFiguresStayAsTheyAre) {
   for (const auto& [figure, quantity] : {std::pair{"n-fig3a", "l2"}, std::pair{"mine", "energy_loss"}}) {
     const Chart chart = charts_of(study_with(figure, quantity, {"FLIP"})).at(0);

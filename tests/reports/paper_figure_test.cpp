@@ -56,6 +56,14 @@ TEST(PaperFigure, AMapOfFewLimitsHasRoom) {
   EXPECT_FALSE(has_room(chart_of(study), sheet(Format::pdf, 20)));
 }
 
+TEST(PaperFigure, ALabelMayEndInASpace) {
+  records::StudyResult study = distinct::laws();
+  study.figures[0].ylabel = "error ";
+  Sheet narrow = sheet(Format::pdf, 40);
+  narrow.font_size = 16;
+  EXPECT_FALSE(has_room(chart_of(study), narrow));
+}
+
 TEST(PaperFigure, PointsStandWhereTheyWereMeasured) {
   const records::StudyResult study = distinct::laws();
   const Drawing drawing = read_back::read_drawing(drawn(study, sheet(Format::svg)));

@@ -70,6 +70,18 @@ TEST(Paper, SaysWhatOfAPaperIsNotDrawnAndWhy) {
   EXPECT_THAT(content(folder / "main.tex"), HasSubstr("S Fig. 1 is not drawn"));
 }
 
+TEST(Paper, NamesAreNoFormulas) {
+  records::StudyResult study = distinct::laws();
+  study.name = study.figures[0].name = "a_b", study.sweep = "h_p", study.title = "laws";
+  store::Provenance made = provenance();
+  made.commit = "59e7e5289b0123456789";
+  const TempFolder folder;
+  write_paper({study}, made, folder.path(), column());
+  EXPECT_THAT(content(folder / "main.tex"),
+              AllOf(HasSubstr("\\author{mpmvv 59e7e5289b}"), HasSubstr("\\caption{a\\_b. Caption of laws}")));
+  EXPECT_THAT(content(folder / "tables/orders-further.tex"), HasSubstr("\\emph{a\\_b (h\\_p): laws}"));
+}
+
 TEST(Paper, RedrawsOnlyWhatChanged) {
   const TempFolder folder;
   auto studies = std::vector{of_s(), distinct::curves()};

@@ -99,11 +99,11 @@ TEST(ParticleErrorChart, OfABodyAlongALineIsErrorAgainstPlace) {
 TEST(ParticleErrorChart, SaysWhatIsNotThere) {
   StudyResult study = runs_study();
   study.series[0].points[1].y["images"] = 4;
-  EXPECT_THAT(charts_of(study).at(0).notes, Contains(HasSubstr("images of it make the rest")));
+  EXPECT_THAT(charts_of(study).at(0).omissions, Contains(HasSubstr("images of it make the rest")));
   for (Series& series : study.series)
     for (records::Point& point : series.points) point.particle_errors.clear();
   const Chart empty = charts_of(study).at(0);
-  EXPECT_THAT(empty.notes, Contains("No run has errors of particles."));
+  EXPECT_THAT(empty.omissions, Contains("No run has errors of particles."));
   EXPECT_THAT(plot_of(empty).script, HasSubstr("nothing to draw"));
 }
 

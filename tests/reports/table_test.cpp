@@ -129,6 +129,29 @@ TEST(Table, LongCurvesStayInTheCsvFile) {
   EXPECT_EQ(values_table(synthetic::check()).groups[0].rows[1][1], "–");
 }
 
+TEST(Table, TheNoteCountsTheSeriesThatAreTooLong) {
+  auto study = synthetic::convergence();
+  for (int n = 0; n <= 40; ++n) study.series[0].points.push_back(study.series[0].points[0]);
+  const auto table = points_table(study);
+  EXPECT_EQ(table.groups.size(), 4u);
+  EXPECT_THAT(table.note, HasSubstr("In the CSV file alone: 1 series of more than 40 points."));
+  EXPECT_THAT(points_table(synthetic::convergence()).note, testing::Not(HasSubstr("alone")));
+}
+
+TEST(Table, EnergyLossIsAShare) {
+  records::StudyResult study;
+  study.sweep = "order";
+  study.series = {records::Series{"a", {}, {}, {}}};
+  for (const double k : {1.0, 2.0})
+    study.series[0].points.push_back({k, records::Status::ok, "", {{"energy_loss", 0.1 / k}}});
+  EXPECT_THAT(points_table(study).columns, testing::ElementsAre("order", "energy_loss (of the initial energy)"));
+}
+
+TEST(Table, FitsSayThatTheyAreInTheSweptValue) {
+  EXPECT_THAT(fits_table(synthetic::convergence()).note,
+              HasSubstr("C s^order over the window, s being the cell width h or, where that is not swept, the swept"));
+}
+
 TEST(Latex, TextIsEscapedAndTheTableIsWhole) {
   const auto text = latex_tables("Bar & more", tables_of(synthetic::convergence()));
   EXPECT_THAT(text, AllOf(HasSubstr("\\toprule"), HasSubstr("\\bottomrule"),

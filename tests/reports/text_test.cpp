@@ -57,6 +57,7 @@ TEST(Text, LatexSpecialCharactersAreEscaped) {
   EXPECT_EQ(latex_text("Léon"), "Léon");
   EXPECT_EQ(latex_text("✓"), "[U+2713]");
   EXPECT_EQ(latex_text("a\nb"), "a b");
+  EXPECT_EQ(latex_text("--set a-b --- 3"), "-{}-set a-b -{}-{}- 3") << "LaTeX makes dashes of them";
 }
 
 }  // namespace mpmvv::reports::text_test

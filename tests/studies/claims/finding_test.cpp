@@ -113,6 +113,21 @@ TEST(Findings, AStudyWithoutAClaimGivesNoVerdict) {
   EXPECT_EQ(findings_of(std::vector{study}).back().word, "confirmed");
 }
 
+TEST(Findings, OfAllStudiesHaveTheVerdictOnEachCriterion) {
+  StudyResult study = sample();
+  study.claims = {"S-fig10"};
+  study.parts = {{"S-fig10", "second order", records::PartVerdict::fails, "", ""},
+                 {"S-fig10", "as the figure shows", records::PartVerdict::shown, "", ""}};
+  const auto all = findings_of(std::vector{study});
+  EXPECT_EQ(all.size(), findings_of(study).size() + 2) << "one criterion, one claim";
+  const auto criterion = std::ranges::find(all, "criterion of S-fig10: second order", &Finding::name);
+  ASSERT_NE(criterion, all.end());
+  EXPECT_EQ(criterion->study, "s");
+  EXPECT_EQ(criterion->kind, Finding::Kind::verdict);
+  EXPECT_EQ(text(*criterion), "fails");
+  EXPECT_EQ(trends_of({all}).size(), trends_of({findings_of(study)}).size()) << "trends are of numbers and limits";
+}
+
 TEST(Trends, HaveANumberPerVersion) {
   StudyResult first = sample(), last = sample();
   last.series[0].orders[0].order = 1.9;
@@ -131,7 +146,21 @@ TEST(Trends, ALimitThatIsLostHasAShortRemark) {
   const auto trends = trends_of({findings_of(sample()), findings_of(lost)});
   const auto limit = std::ranges::find(trends, "cfl limit of 'a'", &Trend::name);
   ASSERT_NE(limit, trends.end());
-  EXPECT_THAT(limit->remarks, ElementsAre("", "not found"));
+  EXPECT_THAT(limit->remarks, ElementsAre("", "all unstable"));
+}
+
+TEST(Trends, ALimitThatNoVersionFoundHasALineThatSaysWhy) {
+  const auto unfound = [](bool low, bool high) {
+    StudyResult study = sample();
+    study.series[0].limit->found = false;
+    study.series[0].limit->probes = {{0.5, low, ""}, {1, high, ""}};
+    return findings_of(study);
+  };
+  const auto trends = trends_of({unfound(true, true), unfound(false, false), unfound(false, true), {}});
+  const auto limit = std::ranges::find(trends, "cfl limit of 'a'", &Trend::name);
+  ASSERT_NE(limit, trends.end());
+  EXPECT_THAT(limit->remarks, ElementsAre("all stable", "all unstable", "not found", ""));
+  EXPECT_THAT(limit->numbers, testing::Each(NanSensitiveDoubleEq(NAN)));
 }
 
 TEST(Trends, AnErrorIsOfOneLevelInAllVersions) {

@@ -45,6 +45,14 @@ TEST(Samples, MoreParticlesAreAFinerStep) {
   EXPECT_TRUE(claims::is_finer(8, 32, "cfl"));
 }
 
+TEST(Samples, AHigherOrderAndADeeperWallAreFinerButNoSteps) {
+  for (const char* sweep : {"order", "wall_depth"}) {
+    EXPECT_TRUE(claims::is_finer(4, 2, sweep)) << sweep;
+    EXPECT_FALSE(claims::is_finer(2, 4, sweep)) << sweep;
+    EXPECT_EQ(claims::step_size(4, sweep), 4) << sweep;
+  }
+}
+
 TEST(Samples, OtherErrorsHaveNoFloor) {
   EXPECT_EQ(claims::samples_of(with_floor(), "stress_error", "cells").size(), 4U);
   EXPECT_TRUE(claims::left_out(with_floor(), "stress_error").empty());

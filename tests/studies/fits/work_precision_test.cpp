@@ -49,6 +49,15 @@ TEST(WorkPrecision, CostOfAPowerLawIsExactBetweenItsPoints) {
   EXPECT_TRUE(std::isinf(cost_to_reach(0.01, {})));
 }
 
+TEST(WorkPrecision, RangesAddInSquaresBetweenTwoPoints) {
+  const std::vector<WorkPoint> front{{1, 0.1, 0.2}, {100, 0.001, 20}};
+  EXPECT_EQ(work_to_reach(0.5, front), (WorkPoint{1, 0.5, 0.2})) << "that of the cheapest run";
+  const WorkPoint between = work_to_reach(0.01, front);
+  EXPECT_NEAR(between.cost, 10, 1e-12);
+  EXPECT_NEAR(between.half_range, 10 * std::sqrt(0.1 * 0.1 + 0.1 * 0.1), 1e-12) << "half of 20 % each";
+  EXPECT_NEAR(work_to_reach(0.001, front).half_range, 20, 1e-12);
+}
+
 TEST(WorkPrecision, Decades) {
   EXPECT_THAT(decades(0.002, 0.5), ElementsAre(0.1, 0.01));
   EXPECT_THAT(decades(0.01, 0.1), ElementsAre(0.1, 0.01));

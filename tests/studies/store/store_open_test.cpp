@@ -145,10 +145,22 @@ constexpr std::array broken_second_step{"CREATE TABLE a (x)", "CREATE TABLE b (x
 
 TEST_F(StoreOpen, AnOlderSchemaIsBroughtUpToDateByWritingOnly) {
   open_store(file_, Mode::create_or_write, std::span(two_steps).first(1)).execute("INSERT INTO a VALUES (5)");
-  EXPECT_THAT(complaint([&] { open_store(file_, Mode::read, two_steps); }), HasSubstr("older schema 1"));
+  EXPECT_THAT(complaint([&] { open_store(file_, Mode::read, two_steps); }),
+              AllOf(HasSubstr("older schema 1"), HasSubstr("`mpmvv db update` brings it up to date")));
   const Database database = open_store(file_, Mode::write, two_steps);
   EXPECT_EQ(database.scalar("PRAGMA user_version").integer(), 2);
   EXPECT_EQ(database.scalar("SELECT a.x + b.x FROM a, b").integer(), 6);
+}
+
+TEST_F(StoreOpen, AStudyIsLookedUpInAnOlderStoreAsItIs) {
+  open_store(file_, Mode::create_or_write, migrations().first(1))
+      .execute(
+          "INSERT INTO provenance VALUES (3, 'd1', 'c0ffee', 0, '', '', '', '');"
+          "INSERT INTO studies VALUES (5, 's', 'd1', 3, '', '', '', '', '')");
+  const std::string before = bytes_of(file_);
+  Store::require_study(file_, "s");
+  EXPECT_THAT(complaint([&] { Store::require_study(file_, "t"); }), HasSubstr("unknown study 't'"));
+  EXPECT_EQ(bytes_of(file_), before);
 }
 
 TEST_F(StoreOpen, AMigrationThatFailsLeavesTheStoreAsItWas) {

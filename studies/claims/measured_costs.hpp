@@ -1,0 +1,16 @@
+#pragma once
+#include "studies/claims/measured.hpp"
+
+/// Measures of what runs cost. A time has the range of its repetitions (`step_seconds_spread`), and what is computed
+/// from times an interval, by half of these ranges; no other number has such a range.
+namespace mpmvv::claims {
+
+/// The slope of a series over that of `over`, or over the first value of it.
+void measure_slope(const Criterion& c, const records::StudyResult& result, const records::Series& series,
+                   const records::Series& over, Measured& out);
+
+/// A series that never gets down to an error costs infinitely much there, whatever the other one does. Where neither
+/// gets there, this does not show how much more it costs, so a lower bound alone cannot be judged.
+void measure_cost_ratios(const Criterion& c, const records::Series& series, const records::Series& over, Measured& out);
+
+}  // namespace mpmvv::claims

@@ -1,0 +1,125 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/studies/claims/criterion_samples.hpp"
+
+/// Criteria on times, which have the range of their repetitions.
+namespace mpmvv::claims::criterion_cost_test {
+
+using namespace criterion_samples;
+using records::ClaimPart;
+using records::PartVerdict;
+using records::Point;
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// Times 3 + 2 x and 3 + 4 x, and the same numbers as errors. The range of the times of `slow` is this part of them.
+StudyResult two_lines(double spread) {
+  StudyResult result;
+  result.sweep = "order";
+  result.series = {Series{"slow", {}, {}, {}}, Series{"steep", {}, {}, {}}};
+  for (const double x : {1.0, 3.0}) {
+    for (int k = 0; k < 2; ++k) {
+      const double y = 3 + (2 + 2 * k) * x;
+      result.series[static_cast<std::size_t>(k)].points.push_back(
+          {x, Status::ok, "", {{"ns_per_particle_step", y}, {"l2", y}, {"step_seconds_spread", k == 0 ? spread : 0}}});
+    }
+  }
+  return result;
+}
+
+Criterion slope(Criterion::Kind kind, double at_least, double at_most) {
+  Criterion c = criterion(kind, "slow", at_least, at_most);
+  c.over = "steep", c.window = {1, 3}, c.norm = "ns_per_particle_step";
+  return c;
+}
+
+/// With a range of 20 % the times are 5 ± 0.5 and 9 ± 0.9. The slope is 2 ± hypot(0.5, 0.9) / 2 = 2 ± 0.5148.
+TEST(CostCriterion, ASlopeHasTheRangeOfItsTimes) {
+  const auto verdict = [](double at_least, double at_most) {
+    return judge(slope(Criterion::Kind::slope_ratio, at_least, at_most), two_lines(0.2)).verdict;
+  };
+  EXPECT_EQ(verdict(0.371, 0.629), PartVerdict::holds) << "0.5 ± 0.1287";
+  EXPECT_EQ(verdict(0.372, 1), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(0, 0.628), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(0.628, 1), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(0.629, 1), PartVerdict::fails);
+  const ClaimPart part = judge(slope(Criterion::Kind::slope_ratio, 0.4, 1), two_lines(0.2));
+  EXPECT_THAT(part.evidence, HasSubstr("over order 1 to 3 (0.371 to 0.629) = 0.5 (asked: 0.4 to 1, but an interval "
+                                       "reaches across)"));
+  EXPECT_THAT(part.found[0].what, Not(HasSubstr("0.371")));
+  EXPECT_EQ(judge(slope(Criterion::Kind::slope_share, 0.212, 0.36), two_lines(0.2)).verdict, PartVerdict::holds)
+      << "2 ± 0.5148 over 7";
+  EXPECT_EQ(judge(slope(Criterion::Kind::slope_share, 0.213, 0.36), two_lines(0.2)).verdict, PartVerdict::inconclusive);
+}
+
+TEST(CostCriterion, TheDivisorWidensTheRange) {
+  StudyResult result = two_lines(0.2);
+  std::swap(result.series[0].name, result.series[1].name);
+  const auto verdict = [&](double at_least, double at_most) {
+    return judge(slope(Criterion::Kind::slope_ratio, at_least, at_most), result).verdict;
+  };
+  EXPECT_EQ(verdict(1.59, 2.70), PartVerdict::holds) << "4 / 2.5148 to 4 / 1.4852";
+  EXPECT_EQ(verdict(1.60, 2.70), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(1.59, 2.69), PartVerdict::inconclusive);
+}
+
+TEST(CostCriterion, WhereTheDivisorMayBe0NothingIsDecided) {
+  StudyResult result = two_lines(1);
+  std::swap(result.series[0].name, result.series[1].name);
+  const ClaimPart part = judge(slope(Criterion::Kind::slope_ratio, 100, 101), result);
+  EXPECT_EQ(part.verdict, PartVerdict::inconclusive);
+  EXPECT_THAT(part.evidence, HasSubstr("(without bounds) = 2 (asked"));
+}
+
+/// The same numbers as errors are what they are.
+TEST(CostCriterion, NoOtherNumberHasARange) {
+  Criterion c = slope(Criterion::Kind::slope_ratio, 0.4999, 0.5001);
+  EXPECT_EQ(judge(c, two_lines(0)).verdict, PartVerdict::holds);
+  EXPECT_EQ(judge(c, two_lines(0.2)).verdict, PartVerdict::inconclusive);
+  c.norm = "l2";
+  EXPECT_EQ(judge(c, two_lines(0.2)).verdict, PartVerdict::holds);
+}
+
+/// Two runs each: an error of 0.1 for 1 or 2 s, and of 0.001 for 100 or 400 s. The range is 40 %, or none.
+StudyResult two_costs() {
+  StudyResult result;
+  result.series = {Series{"cheap", {}, {}, {}}, Series{"dear", {}, {}, {}}};
+  const auto point = [](double error, double cost, double spread) {
+    return Point{1 / error, Status::ok, "", {{"l2", error}, {"step_seconds", cost}, {"step_seconds_spread", spread}}};
+  };
+  result.series[0].points = {point(0.1, 1, 0.4), point(0.001, 100, 0.4)};
+  result.series[1].points = {point(0.1, 2, 0), point(0.001, 400, 0)};
+  return result;
+}
+
+/// At 0.01 the costs are 10 and 28.28. The range of the first is in squares: 0.2 / √2 = 0.1414 of it.
+TEST(CostCriterion, ARatioOfTimesHasTheirRange) {
+  const auto verdict = [](double error, std::optional<double> at_least, std::optional<double> at_most) {
+    Criterion c = criterion(Criterion::Kind::cost_ratio, "cheap", at_least, at_most);
+    c.over = "dear", c.window = {error, error};
+    return judge(c, two_costs()).verdict;
+  };
+  EXPECT_EQ(verdict(0.1, 0.399, 0.601), PartVerdict::holds) << "0.5 ± 0.1";
+  EXPECT_EQ(verdict(0.1, {}, 0.599), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(0.1, {}, 0.401), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(0.1, {}, 0.399), PartVerdict::fails);
+  EXPECT_EQ(verdict(0.01, 0.3035, 0.4036), PartVerdict::holds) << "0.3536 ± 0.05";
+  EXPECT_EQ(verdict(0.01, 0.3036, 0.4036), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(0.01, 0.3035, 0.4035), PartVerdict::inconclusive);
+}
+
+TEST(CostCriterion, WhatNeverGetsThereHasNoRange) {
+  StudyResult result = two_costs();
+  result.series[0].points.pop_back();
+  Criterion c = criterion(Criterion::Kind::cost_ratio, "cheap", {}, 1);
+  c.over = "dear", c.window = {0.001, 0.001};
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::fails);
+  c.series = {"dear"}, c.over = "cheap";
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::holds);
+}
+
+}  // namespace mpmvv::claims::criterion_cost_test
