@@ -51,8 +51,11 @@ double median_ratio(const std::vector<goldens::Change>& costs) {
 
 reports::Changes changes_of(const goldens::Comparison& comparison) {
   reports::Changes changes{comparison.changes.size(), {}, {}};
-  for (const goldens::Change& change : comparison.changes)
-    if (change.bands != 0) changes.differ.push_back(fmt::format("{}: {}", change.before.study, change_text(change)));
+  for (const goldens::Change& change : comparison.changes) {
+    const std::string& study = change.before.study;  // a claim's verdict belongs to none
+    if (change.bands != 0)
+      changes.differ.push_back(study.empty() ? change_text(change) : study + ": " + change_text(change));
+  }
   return changes;
 }
 

@@ -219,13 +219,16 @@ TEST_F(ReportCommand, SaysWhatChangedSinceTheVersionBefore) {
     store::Provenance earlier = store::current_provenance();
     auto study = store.studies(earlier.digest).at(0);
     study.series[1].orders[0].order += 0.5;
+    study.parts.at(0).verdict = records::PartVerdict::fails;
     for (auto& series : study.series) series.points.clear();
     earlier.digest = "00ff", earlier.commit = "c0ffee0123456789", earlier.time = "2001-01-01T00:00:00Z";
     store.keep_study(study, {{}, {}}, earlier);
   }
   ASSERT_EQ(report(none_).code, 0);
   EXPECT_THAT(page("index.html"), AllOf(HasSubstr("results differ from c0ffee012345"),
-                                        HasSubstr("order of &apos;bspline2&apos; in l2 over [8, 64]: ")));
+                                        HasSubstr("small: order of &apos;bspline2&apos; in l2 over [8, 64]: "),
+                                        HasSubstr("small: criterion of S-fig10: second order: fails -&gt; holds"),
+                                        HasSubstr("claim S-fig10: "), Not(HasSubstr(": claim S-fig10"))));
 }
 
 /// A study of a series that another code ran and of one of ours, and the goldens of both.
