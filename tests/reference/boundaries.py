@@ -90,15 +90,15 @@ class Boundaries:
             return self.along_axes(field, None, self.fold_matrix)
         return np.stack([self.along_axes(column, c, self.fold_matrix) for c, column in enumerate(field.T)], 1)
 
-    def begin_step(self, t, dt):
-        """Walls stand where they are at t, and have the velocities of t + dt."""
-        self.t_end = t + dt
+    def begin_step(self, t):
+        """Walls stand where they are at t. Momenta that are mapped, and velocities that walls hold, are those of t."""
+        self.t_mapped = self.t_held = t
         self.held_by_walls = [HeldNodes(self.grid, d, end, wall, t, self.wall_depth, self.wall_gradient)
                               for (d, end), wall in self.walls.items()]
 
     def estimate_gradients(self, v, m):
         for held in self.held_by_walls:
-            held.estimate_gradient(v, m, held.wall.velocity(self.t_end))
+            held.estimate_gradient(v, m, held.wall.velocity(self.t_mapped))
 
     def without_held(self, q, matrix):
         q = np.stack([self.along_axes(column, c, matrix) for c, column in enumerate(q.T)], 1)
@@ -118,7 +118,7 @@ class Boundaries:
         """Velocities: those that walls hold are the walls' own."""
         v = self.hold_at_zero(v)
         for held in self.held_by_walls:
-            v[held.nodes, held.d] = held.velocities(self.t_end)[held.nodes]
+            v[held.nodes, held.d] = held.velocities(self.t_held)[held.nodes]
         return v
 
     def held_accelerations(self, a, v, p, m, dt, difference):

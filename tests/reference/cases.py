@@ -112,6 +112,8 @@ square       6   2 0.2     2 bspline3 rk4        flip    symmetry mass=consisten
 square       8   2 0.2     4 cpdi     cd         flip    symmetry mass=consistent
 ring         5   2 0.2     5 bspline2 uvf        flip    free mass=consistent
 swing        5   2 0.2     6 bspline2 usl        fmpm    - mass=consistent
+swing        5   2 0.2     6 bspline2 usf        fmpm    - mass=consistent
+swing        5   2 0.2     6 gimp     usavg+     fmpm    - mass=consistent wall-gradient=estimated
 stretch      2   2 0.2    10 linear   usavg      fmpm    - mass=consistent
 pulse        1   2 0.2    20 linear   usl        fmpm    free mass=consistent
 cube         4   2 0.2     2 bspline2 usl        fmpm    periodic mass=consistent

@@ -169,7 +169,7 @@ class Body:
     def rates(self):
         """The derivatives of x_p, v_p and F_p by time."""
         self.S, self.G = self.weights()
-        self.boundaries.begin_step(self.t, 0)
+        self.boundaries.begin_step(self.t)
         v_i = self.map_velocities()
         f_i = self.forces()
         a_i = self.boundaries.hold_at_zero(self.by_mass(f_i, self.mass_cutoff))
@@ -179,12 +179,13 @@ class Body:
     def step_once(self):
         dt, integrator = self.dt, self.integrator
         self.S, self.G = self.weights()
-        self.boundaries.begin_step(self.t, dt)
-        v_i = self.map_velocities()
-
+        self.boundaries.begin_step(self.t)
         if integrator in ("usf", "usavg", "usavg+"):  # W (8) to (18); N 2.3
-            self.update_deformation(self.stress_velocity(v_i), dt if integrator == "usf" else dt / 2)
+            v_F = self.stress_velocity(self.map_velocities())
+            self.update_deformation(v_F, dt if integrator == "usf" else dt / 2)
 
+        self.boundaries.t_held = self.t + dt  # v+ is that of the step's end
+        v_i = self.map_velocities()
         f_i = self.forces()
         a_i = self.by_mass(f_i, self.mass_cutoff)  # S (5), W (15)
         if integrator in ("cd", "uvf") and self.t == 0 and self.half_start:  # S (11) to (15): v half a step behind
@@ -197,6 +198,7 @@ class Body:
             v_plus = self.boundaries.hold(v_plus)
             a_i = self.boundaries.held_accelerations(a_i, v_plus, self.p_i, self.m_i, dt,
                                                      self.wall_acceleration == "difference")
+        self.boundaries.t_mapped = self.t + dt  # momenta that are mapped from here on are those of the step's end
         v_F = self.move_particles(v_plus, a_i)
 
         if integrator in ("usl", "cd", "uvf", "usavg"):  # S (1) to (10), W (40) to (51); N 2.3
