@@ -32,9 +32,9 @@ inline ParticleWidth width_of(const AnyBasis& basis) {
 
 /// Returns the mass, as a fraction of a full cell's, up to which a node has no acceleration. The force on such a node
 /// is lost to the body's momentum. A particle whose support overlaps a node by e cells gives the node a mass of order
-/// e² and a force of order e, or of higher powers. So the cutoff loses at most 1e-8 of a force, and that seldom. Hats
-/// give a mass of order e and a force of order one. A basis of hats therefore has its own `mass_cutoff`, well above the
-/// round-off of a position.
+/// e² and a force of order e, or of higher powers. So the cutoff loses at most 1e-8 of a force, and that seldom. With
+/// `linear` the mass is of order e and the force of order one, with `cpdi` both are of order e. They have a
+/// `mass_cutoff` of their own, well above the round-off of a position.
 inline double mass_cutoff_of(const AnyBasis& basis) {
   return std::visit(
       []<class B>(const B&) {

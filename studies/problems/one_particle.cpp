@@ -14,7 +14,7 @@ Setup<1> one_particle_setup(const Parameters& p) {
 }  // namespace
 
 /// One particle in one cell that is held on the left and free on the right, without a body force, W §3. W does not
-/// print the velocity. The default stretches the particle by about a tenth.
+/// print the velocity. The default stretches the particle by a twentieth at most.
 Problem one_particle_problem() {
   return {.name = "one-particle",
           .source = "Wallstedt and Guilkey 2008, section 3",
