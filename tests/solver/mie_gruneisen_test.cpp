@@ -87,6 +87,20 @@ TEST(MieGruneisen, ViscosityResistsCompressionAndHeats) {
   EXPECT_GT(state.temperature, plain.temperature);
 }
 
+/// ρ₀ Δe = -(p + q) ΔJ with the mean of p over the step, and the new pressure is that of the new energy.
+TEST(MieGruneisen, WorkOfBothPressuresBecomesEnergy) {
+  const MieGruneisen material = nickel(0.4, 4);
+  for (const double J : {0.89, 0.91}) {
+    const ThermalState before = compressed(nickel(), 0.9, 1000);
+    ThermalState after = before;
+    material.advance(after, J, {1e-9, 1e-4});
+    const double work = (0.5 * (before.pressure + after.pressure) + after.viscous) * (before.J - J);
+    EXPECT_NEAR(material.density * (after.energy - before.energy) / work, 1, 1e-10) << J;
+    const double of_state = material.cold_pressure(1 - J) + material.gamma * material.density * after.energy;
+    EXPECT_NEAR(after.pressure / of_state, 1, 1e-12) << J;
+  }
+}
+
 TEST(MieGruneisen, EndsAtTheHugoniotsPole) {
   EXPECT_TRUE(std::isfinite(nickel().cold_pressure(0.99 / 1.44)));
   EXPECT_FALSE(std::isfinite(nickel().cold_pressure(1.01 / 1.44)));

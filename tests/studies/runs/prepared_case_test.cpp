@@ -49,6 +49,26 @@ TEST(Scene, HasTheVelocityUpdateThatTheCaseNames) {
   }
 }
 
+/// S (11) to (15), W §4: particle velocities of `cd` are half a step behind the positions. `half` begins with those of
+/// t = 0, and halves the first acceleration instead.
+TEST(Scene, StartsWithTheVelocitiesThatItsStartNames) {
+  for (const char* start : {"exact", "half"}) {
+    const Settings settings{{"problem", "square", ""}, {"cells", "8", ""},        {"ppc", "2", ""},
+                            {"cfl", "0.2", ""},        {"basis", "bspline2", ""}, {"integrator", "cd", ""},
+                            {"start", start, ""}};
+    const cases::Case c = settings::make_case(settings);
+    const auto prepared = prepare_case<2>(c, problems::find_problem("square", ""), 1);
+    const double t = start == std::string("exact") ? -0.5 * c.resolution.dt : 0;
+    const auto& particles = prepared.scene.particles;
+    const auto& solution = *prepared.setup.solution;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+      EXPECT_LT((particles.v[p] - solution.v(prepared.X[p], t)).norm(), 1e-12) << start;
+      EXPECT_LT((particles.x[p] - prepared.X[p] - solution.u(prepared.X[p], 0)).norm(), 1e-15) << start;
+    }
+    EXPECT_GT((solution.v(prepared.X[0], 0.5 * c.resolution.dt) - solution.v(prepared.X[0], t)).norm(), 1e-6);
+  }
+}
+
 TEST(Scene, HasItsChoices) {
   const auto flip = std::get<solver::Flip>(update_of("flip", {{"position", "particle", ""}}));
   EXPECT_EQ(flip.position, solver::FlipPosition::particle);
