@@ -28,7 +28,7 @@ std::string shell_word(const std::string& text) {
   const bool is_plain = std::ranges::all_of(text, [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("{}+-.,=_/").find(static_cast<char>(c)) != std::string_view::npos;
   });
-  return is_plain ? text : "'" + text + "'";
+  return is_plain ? text : "'" + std::regex_replace(text, std::regex("'"), R"('\'')") + "'";
 }
 
 std::string option_text(const std::string& key, const std::string& value) {

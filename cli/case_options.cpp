@@ -23,10 +23,11 @@ std::string default_of(const settings::SettingKey& key) {
   return value.empty() || value == "0" || value == "none" || value == "false" ? "" : fmt::format("default: {}", value);
 }
 
-std::string help_of(const settings::SettingKey& key) {
+std::string help_of(const settings::SettingKey& key, const std::string& where_required) {
   std::string help = key.meaning;
   if (const auto words = setting_words(key.key); !words.empty()) help += fmt::format(": {}", fmt::join(words, ", "));
-  const std::string absent = default_of(key);
+  std::string absent = default_of(key);
+  if (key.key != "problem" && absent.ends_with("required")) absent += where_required;
   return absent.empty() ? help : fmt::format("{} ({})", help, absent);
 }
 
@@ -44,11 +45,11 @@ settings::Setting parameter_setting(const std::string& text) {
   return {"param." + text.substr(0, equals), text.substr(equals + 1), "--param"};
 }
 
-void CaseOptions::add_to(CLI::App& command) {
+void CaseOptions::add_to(CLI::App& command, const std::string& where_required) {
   for (const settings::SettingKey& key : settings::setting_keys()) {
     std::string name = "--" + key.key;
     std::replace(name.begin(), name.end(), '_', '-');
-    const std::string help = help_of(key);
+    const std::string help = help_of(key, where_required);
     if (key.member && key.member->is_flag)
       flags_[key.key] = command.add_flag(name, help);
     else

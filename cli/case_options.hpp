@@ -11,7 +11,9 @@ namespace mpmvv::cli {
 /// The options of commands that take one case: an option for each setting key, and --param.
 class CaseOptions {
  public:
-  void add_to(CLI::App& command);
+  /// `where_required` is for the help, " with --form per-particle": where cells, ppc and a time step are required. The
+  /// problem always is.
+  void add_to(CLI::App& command, const std::string& where_required = "");
 
   /// What was given.
   std::vector<settings::Setting> settings() const;

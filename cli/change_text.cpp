@@ -20,14 +20,19 @@ std::string difference(const Finding& before, const Finding& after) {
   return fmt::format(" ({:+.3g} %)", 100 * (b - a) / std::abs(a));
 }
 
+std::string largest_text(const goldens::Change::AtLevel& largest) {
+  return fmt::format("most at {:g}: {:.6g} -> {:.6g}", largest.x, largest.before, largest.after);
+}
+
 }  // namespace
 
 std::string change_text(const goldens::Change& change) {
-  std::string text = fmt::format("{}: {} -> {}{}", change.before.name, claims::text(change.before),
-                                 claims::text(change.after), difference(change.before, change.after));
-  if (change.largest && change.largest->x != change.before.at)
-    text += fmt::format(", most at {:g}: {:.6g} -> {:.6g}", change.largest->x, change.largest->before,
-                        change.largest->after);
+  const std::string& name = change.before.name;
+  if (goldens::is_curve(change.before))
+    return fmt::format("{}: {}", name, change.largest ? largest_text(*change.largest) : "the same where both have it");
+  std::string text = fmt::format("{}: {} -> {}{}", name, claims::text(change.before), claims::text(change.after),
+                                 difference(change.before, change.after));
+  if (change.largest && change.largest->x != change.before.at) text += ", " + largest_text(*change.largest);
   return text;
 }
 

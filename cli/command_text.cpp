@@ -21,14 +21,20 @@ std::vector<std::string> words_in_braces(const std::string& type) {
   return words;
 }
 
-/// The words of the setting that the option stands for, or those that it names itself.
+/// "WORD" of "WORD:{a,b}".
+std::string kind_of(const std::string& type) {
+  return type.substr(0, type.find(':'));
+}
+
+/// The words of the setting that the option stands for, or those that it names itself. An option of a setting's name
+/// may take something else: `score --start` takes files.
 std::vector<std::string> words_of(const CLI::Option& option) {
-  std::string key = option.get_lnames().empty() ? "" : option.get_lnames().front();
-  std::ranges::replace(key, '-', '_');
   const std::string type = option.get_type_name();
   if (type == "STUDY" || option.get_name(true) == "files") return study_names(shipped("studies"));
   if (type == "LIST") return list_names();
-  const auto words = setting_words(key);
+  std::string key = option.get_lnames().empty() ? "" : option.get_lnames().front();
+  std::ranges::replace(key, '-', '_');
+  const auto words = kind_of(type) == "WORD" ? setting_words(key) : std::vector<std::string>{};
   return words.empty() ? words_in_braces(type) : words;
 }
 
@@ -38,7 +44,7 @@ ArgumentText argument_text(const CLI::Option& option) {
   for (const std::string& name : option.get_lnames()) text.flags.push_back("--" + name);
   if (option.get_positional()) text.name = option.get_name(true);
   const std::string type = option.get_type_name();
-  if (option.get_items_expected_max() > 0) text.value = type.empty() ? "VALUE" : type.substr(0, type.find(':'));
+  if (option.get_items_expected_max() > 0) text.value = type.empty() ? "VALUE" : kind_of(type);
   text.meaning = option.get_description();
   text.words = words_of(option);
   text.required = option.get_required();

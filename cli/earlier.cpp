@@ -47,6 +47,15 @@ double median_ratio(const std::vector<goldens::Change>& costs) {
   return fits::median_of(ratios);
 }
 
+/// What the earlier version has and this one lacks, of the studies that both have.
+std::vector<std::string> results_gone(std::vector<records::StudyResult> then,
+                                      const std::vector<records::StudyResult>& now) {
+  std::erase_if(then, [&](const records::StudyResult& study) {
+    return std::ranges::find(now, study.name, &records::StudyResult::name) == now.end();
+  });
+  return goldens::compare(claims::findings_of(then), claims::findings_of(now)).only_before;
+}
+
 }  // namespace
 
 reports::Changes changes_of(const goldens::Comparison& comparison) {
@@ -65,14 +74,14 @@ std::optional<reports::Earlier> earlier_version(const store::Store& store, const
   const store::Version* version = version_before(versions, store::current_provenance().digest);
   if (version == nullptr) return std::nullopt;
   const auto all_then = without_trials(store.studies(version->digest));
-  const auto then = own_evidence(all_then);
-  const goldens::Comparison comparison =
-      goldens::compare(claims::findings_of(then), claims::findings_of(own_evidence(now)));
+  const auto then = own_evidence(all_then), own_now = own_evidence(now);
+  const goldens::Comparison comparison = goldens::compare(claims::findings_of(then), claims::findings_of(own_now));
   reports::Earlier earlier;
-  earlier.label = version->commits.front().substr(0, 12);
+  earlier.label = store::in_short(version->commits.front());
   earlier.gate_change = gate_change(goldens, all_then, without_trials(now));
   for (const claims::Claim& claim : claims::judge_claims(then)) earlier.claims[claim.id] = claim.verdict;
   earlier.changes = changes_of(comparison);
+  earlier.changes.gone = results_gone(then, own_now);
   earlier.cost_ratio = median_ratio(comparison.costs);
   return earlier;
 }

@@ -60,6 +60,15 @@ void print_force_of_particles(const ExpressionOptions& options, const codes::Dia
     print_particle_forces(ids, forces);
 }
 
+/// Throws where an option is given that only a whole case has.
+void require_problem_alone(const ExpressionOptions& options) {
+  for (const settings::Setting& setting : options.of_case.settings())
+    if (setting.key != "problem" && setting.key != "quarter" && !setting.key.starts_with("param."))
+      throw support::UsageError(fmt::format(
+          "{} in {} has no meaning for form '{}', which is of the problem alone (--form per-particle takes a case)",
+          setting.key, setting.where, options.form));
+}
+
 int expression(const ExpressionOptions& options) {
   const auto form = support::from_word<cases::ForceForm>(options.form, "form", "--form");
   const codes::Dialect& dialect = codes::dialect_named(options.dialect, "--dialect");
@@ -67,6 +76,7 @@ int expression(const ExpressionOptions& options) {
     print_force_of_particles(options, dialect);
     return 0;
   }
+  require_problem_alone(options);
   const cases::ProblemChoice choice = options.of_case.the_choice();
   const codes::Expressions all = codes::expressions(choice, form, dialect);
   if (options.json)
@@ -96,7 +106,7 @@ void add_expression(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ExpressionOptions>();
   CLI::App* command = app.add_subcommand(
       "expression", "Print body force, initial velocity, displacement and initial F as expressions, for other codes");
-  options->of_case.add_to(*command);
+  options->of_case.add_to(*command, " with --form per-particle");
   command
       ->add_option(
           "--form", options->form,

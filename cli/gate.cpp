@@ -89,11 +89,20 @@ std::vector<store::CodeSeries> judged_codes(const GateOptions& options) {
   return all;
 }
 
+/// Where the study files lie that note_changed looks at.
+std::vector<std::filesystem::path> study_files(const std::vector<records::StudyResult>& results) {
+  std::vector<std::filesystem::path> files;
+  for (const records::StudyResult& study : results)
+    if (const auto file = study_file(study); !file.empty()) files.push_back(file);
+  return files;
+}
+
 int gate(const GateOptions& options) {
   const auto results = own_results(options.db);
   note_changed(results, options.only);
   const std::filesystem::path folder = goldens_for(results, options.goldens);
   require_apart("--junit", options.junit, {options.db, folder});
+  require_apart("--junit", options.junit, study_files(results));
   const goldens::GateReport report =
       goldens::run_gate(goldens::read_goldens(folder), results,
                         {.only = options.only,
@@ -112,6 +121,21 @@ struct ProposeOptions {
   std::string db, study, out, goldens;
 };
 
+/// Whether the new file is the first one in a folder of goldens that is not there yet.
+bool begins_folder(const ProposeOptions& options) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  if (options.goldens.empty() || options.out.empty() || fs::exists(options.goldens, unknown)) return false;
+  const fs::path out = fs::absolute(options.out), inside = fs::absolute(options.goldens) / out.filename();
+  return fs::weakly_canonical(out, unknown) == fs::weakly_canonical(inside, unknown);
+}
+
+std::vector<goldens::Golden> standing_goldens(const ProposeOptions& options, const records::StudyResult& study) {
+  if (begins_folder(options)) return {};
+  const std::filesystem::path folder = goldens_for({study}, options.goldens);
+  return goldens::has_goldens(folder) ? goldens::read_goldens(folder) : std::vector<goldens::Golden>{};
+}
+
 int propose(const ProposeOptions& options) {
   const auto results = own_results(options.db);
   const auto study =
@@ -122,10 +146,7 @@ int propose(const ProposeOptions& options) {
   const auto provenance = store::Store(options.db, store::Store::Mode::read)
                               .study_provenance(study->name, store::current_provenance().digest);
   if (is_shipped(*study)) goldens::require_committed(*study, *provenance);
-  const std::filesystem::path folder = goldens_for({*study}, options.goldens);
-  const std::string text = goldens::propose_goldens(
-      *study, *provenance,
-      goldens::has_goldens(folder) ? goldens::read_goldens(folder) : std::vector<goldens::Golden>{});
+  const std::string text = goldens::propose_goldens(*study, *provenance, standing_goldens(options, *study));
   if (options.out.empty()) {
     print_text(text);
     return 0;

@@ -37,11 +37,9 @@ nlohmann::json change_json(const Change& change) {
   const auto side = [](const Finding& finding) -> nlohmann::json {
     return finding.word.empty() ? nlohmann::json(finding.number) : nlohmann::json(finding.word);
   };
-  nlohmann::json json{{"study", change.before.study},
-                      {"kind", to_string(change.before.kind)},
-                      {"name", change.before.name},
-                      {"before", side(change.before)},
-                      {"after", side(change.after)}};
+  nlohmann::json json{
+      {"study", change.before.study}, {"kind", to_string(change.before.kind)}, {"name", change.before.name}};
+  if (!goldens::is_curve(change.before)) json["before"] = side(change.before), json["after"] = side(change.after);
   if (!std::isnan(change.before.at)) json["at"] = {{"before", change.before.at}, {"after", change.after.at}};
   if (!std::isnan(change.before.uncertainty))
     json["uncertainty"] = {{"before", change.before.uncertainty}, {"after", change.after.uncertainty}};

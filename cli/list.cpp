@@ -118,6 +118,8 @@ int list(const std::string& what, const std::string& folder, bool json) {
     throw support::UsageError(fmt::format("unknown list '{}' (known: {})", what, fmt::join(list_names(), ", ")));
   if (json)
     print_json(all);
+  else if (what.empty())
+    table.print_apart();
   else
     table.print();
   return 0;

@@ -80,16 +80,21 @@ std::string section_of(const CommandText& command) {
 constexpr const char* ending = R"(.SH EXIT STATUS
 .TP
 0
-all went well; of \fBgate\fR: every golden passes. A run that blows up is a result, too
+what was asked for was done; of \fBgate\fR: every golden passes. A run that blows up is a result, and so is a claim that
+\fBclaims\fR shows as refuted
 .TP
 1
-a case of \fBrun\fR or \fBstudy\fR has failed, \fBgate\fR has found a regression, \fBcost\fR a case that is slower
+a run of \fBrun\fR, \fBscore\fR or \fBstudy\fR has failed or a study could not be kept, \fBgate\fR has found a
+regression, \fBcost\fR a case that is slower, \fBdb check\fR a store that is damaged
 .TP
 2
 bad input: one line on standard error says what is wrong, where, and what would be right; nothing is written
 .TP
 3
 \fBgate\fR lacks a result or knows it too badly, \fBcost\fR had nothing to compare or too much noise
+.TP
+130
+\fBrun\fR or \fBstudy\fR was interrupted; what had finished is kept
 .SH FILES
 Below the prefix that the program was installed to:
 .TP

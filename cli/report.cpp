@@ -52,15 +52,6 @@ std::optional<reports::MutationResults> shown_mutation(const std::string& db,
   return reports::read_mutation_results(published / "summary.json");
 }
 
-/// Whether there are goldens to read: the first report of a study comes before its first golden. A path that is no
-/// folder counts, so that reading it says what is wrong.
-bool has_goldens_to_read(const std::filesystem::path& folder) {
-  if (!std::filesystem::exists(folder)) return false;
-  if (!std::filesystem::is_directory(folder)) return true;
-  const std::filesystem::directory_iterator files(folder), end;
-  return std::any_of(files, end, [](const auto& entry) { return entry.path().extension() == ".toml"; });
-}
-
 void add_gate_lines(reports::ReportInput& input, const std::vector<goldens::Golden>& goldens,
                     const std::map<std::string, std::string>& outdated) {
   if (goldens.empty()) return;
@@ -106,7 +97,7 @@ reports::ReportInput report_input(const ReportOptions& options) {
   require_apart("--out", options.out, {options.db, folder, published});
   if (input.studies.empty())
     throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
-  const auto goldens = has_goldens_to_read(folder) ? goldens::read_goldens(folder) : std::vector<goldens::Golden>{};
+  const auto goldens = goldens_in(folder, options.goldens);
   const store::Store store(options.db, store::Store::Mode::read);
   add_gate_lines(input, goldens, outdated(input.studies, store, options.max_age));
   auto mutation = own_mutation(options.db);

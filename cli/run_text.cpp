@@ -8,6 +8,7 @@
 #include "cli/lines.hpp"
 #include "cli/numbers.hpp"
 #include "cli/table.hpp"
+#include "studies/problems/problem.hpp"
 
 namespace mpmvv::cli {
 
@@ -41,16 +42,23 @@ void print_errors(const Record& r, VelocityError velocity) {
   table.print_apart();
 }
 
+/// A mass is that of a metre's depth in 2D, and of a square metre in 1D.
+const char* unit_of_energy(const Record& r) {
+  constexpr const char* units[] = {"J/m²", "J/m", "J"};
+  return units[problems::find_problem(r.the_case.problem.name, "the case").dimension() - 1];
+}
+
 /// Prints energies and what must not change. Changes of momenta are left out where only a part was run: its images
 /// cancel them, which shows no conservation.
 void print_balance(const Record& r) {
   Table table({{"measured"}, {"is", Kind::number}});
-  const auto add = [&table](const char* what, double number) {
+  const auto add = [&table](const std::string& what, double number) {
     if (!std::isnan(number)) table.add({what, error_text(number)});
   };
-  add("kinetic energy at the end (J)", r.energy.kinetic);
-  add("strain energy at the end (J)", r.energy.strain);
-  add("energy at the start (J)", r.energy.initial_total);
+  const char* unit = unit_of_energy(r);
+  add(fmt::format("kinetic energy at the end ({})", unit), r.energy.kinetic);
+  add(fmt::format("strain energy at the end ({})", unit), r.energy.strain);
+  add(fmt::format("energy at the start ({})", unit), r.energy.initial_total);
   add("change of mass", r.balance.mass);
   if (r.images == 1) {
     add("change of momentum", r.balance.momentum);

@@ -117,7 +117,7 @@ void add_score(CLI::App& app, int& exit_code) {
   command->add_option("case", options->the_case, "case that `mpmvv case` wrote")->required()->type_name("FILE");
   command->add_option("output", options->outputs, "the particles at its end; several files are parts of one state")
       ->required()
-      ->type_name("FILE ...");
+      ->type_name("FILE");
   command->add_option("--start", options->start, "the particles at time zero, where the end has no ids of the case")
       ->type_name("FILE");
   command->add_option("--format", options->format, fmt::format("of the files: {} (default: by name)", format_words()))

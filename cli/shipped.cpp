@@ -44,20 +44,28 @@ bool is_shipped(const StudyResult& study) {
   return !folder.empty() && support::read_file(folder / (study.name + ".toml")) == store::without_trial(study.text);
 }
 
-fs::path changed_file(const StudyResult& study) {
-  for (const fs::path& folder : {fs::path(), fs::path("studies"), shipped("studies")}) {
-    const fs::path file = folder / (study.name + ".toml");
-    if (const auto text = support::read_file(file))
-      return *text == store::without_trial(study.text) ? fs::path() : file;
-  }
+fs::path study_file(const StudyResult& study) {
+  for (const fs::path& folder : {fs::path(), fs::path("studies"), shipped("studies")})
+    if (const fs::path file = folder / (study.name + ".toml"); support::read_file(file)) return file;
   return {};
 }
 
+fs::path changed_file(const StudyResult& study) {
+  const fs::path file = study_file(study);
+  return file.empty() || support::read_file(file) == store::without_trial(study.text) ? fs::path() : file;
+}
+
 fs::path goldens_for(const std::vector<StudyResult>& results, const std::string& named) {
-  if (!named.empty()) return named;
-  std::error_code unknown;
-  const fs::path here = "goldens";
-  return fs::exists(here, unknown) || std::ranges::none_of(results, is_shipped) ? here : shipped("goldens");
+  const fs::path folder = named.empty() ? "goldens" : named;
+  if (std::error_code unknown; named.empty() && !fs::exists(folder, unknown))
+    return std::ranges::any_of(results, is_shipped) ? shipped("goldens") : folder;
+  goldens::require_directory(folder);
+  return folder;
+}
+
+std::vector<goldens::Golden> goldens_in(const fs::path& folder, const std::string& named) {
+  if (named.empty() && !goldens::has_goldens(folder)) return {};
+  return goldens::read_goldens(folder);
 }
 
 std::vector<std::string> study_names(const fs::path& folder) {

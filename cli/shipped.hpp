@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "goldens/golden.hpp"
 #include "studies/records/result.hpp"
 
 namespace mpmvv::cli {
@@ -14,14 +15,21 @@ std::filesystem::path shipped(const std::string& folder);
 /// Whether these are the results of a study that comes with the program, word for word, as it is or as a trial.
 bool is_shipped(const records::StudyResult& study);
 
-/// The study's file, if it has changed since it was run; it is looked for here, in `studies` here, then among those
-/// that come with the program. Empty where it has not changed, and where there is none.
+/// The study's file: here, in `studies` here, or among those that come with the program. Empty where there is none.
+std::filesystem::path study_file(const records::StudyResult& study);
+
+/// The same, if it has changed since it was run. Empty where it has not changed, and where there is none.
 std::filesystem::path changed_file(const records::StudyResult& study);
 
-/// The folder of goldens that results are held against: the one named; without a name `goldens` here or, where there is
-/// none and a result is of a study that comes with the program, the folder that comes with it.
+/// The folder of goldens that results are held against: the one named, UsageError where it is not there; without a name
+/// `goldens` here or, where there is none and a result is of a study that comes with the program, the folder that comes
+/// with it.
 std::filesystem::path goldens_for(const std::vector<records::StudyResult>& results, const std::string& named);
 inline constexpr const char* default_goldens = "default: goldens here, else those of the program for its own studies";
+
+/// The goldens of that folder. Unless it was named it may have none: the first results of a study come before its first
+/// golden.
+std::vector<goldens::Golden> goldens_in(const std::filesystem::path& folder, const std::string& named);
 
 /// Names of the studies in a folder, in their order; none where there is no folder.
 std::vector<std::string> study_names(const std::filesystem::path& folder);

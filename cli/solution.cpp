@@ -97,10 +97,17 @@ std::vector<std::string> fields_of(const std::string& text) {
   return fields;
 }
 
+/// Throws where a normal is given that no field takes.
+void require_use_of_normal(const SolutionOptions& options, const std::vector<std::string>& fields) {
+  if (!options.normal.empty() && !fields.empty() && std::ranges::find(fields, "traction") == fields.end())
+    throw UsageError(fmt::format("--normal without traction in --fields (--fields {},traction)", options.fields));
+}
+
 int solution_at_points(const problems::Problem& problem, const SolutionOptions& options) {
   const std::string content = content_of(options.points);
   codes::PointQuery query{.points = {content, options.points == "-" ? "standard input" : options.points},
                           .fields = fields_of(options.fields)};
+  require_use_of_normal(options, query.fields);
   if (!options.time.empty()) query.time = time_of(options);
   if (!options.normal.empty()) query.normal = coordinates(options.normal, problem.dimension(), "--normal");
   codes::solution_at(choice_of(problem, options.parameters), query, print_text);

@@ -18,7 +18,6 @@
 #include "cli/outputs.hpp"
 #include "cli/shipped.hpp"
 #include "cli/study_choice.hpp"
-#include "goldens/golden.hpp"
 #include "studies/plan/shards.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -83,9 +82,10 @@ void find_goldens(Submission& submission, const std::vector<plan::StudyPlan>& pl
   std::vector<records::StudyResult> studies(plans.size());
   for (std::size_t k = 0; k < plans.size(); ++k) studies[k].name = plans[k].name, studies[k].text = plans[k].text;
   const fs::path folder = goldens_for(studies, named);
-  if (!goldens::has_goldens(folder)) return;
+  const std::vector<goldens::Golden> goldens = goldens_in(folder, named);
+  if (goldens.empty()) return;
   submission.goldens = fs::absolute(folder);
-  for (const goldens::Golden& golden : goldens::read_goldens(folder))
+  for (const goldens::Golden& golden : goldens)
     if (std::ranges::count(plans, golden.study, &plan::StudyPlan::name) > 0 &&
         std::ranges::count(submission.gated, golden.study) == 0)
       submission.gated.push_back(golden.study);

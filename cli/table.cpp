@@ -50,6 +50,14 @@ std::size_t Table::width() const {
   return width;
 }
 
+std::size_t Table::room(std::size_t width) const {
+  return width > this->width() ? width - this->width() : 0;
+}
+
+bool Table::stands_below(std::size_t width) const {
+  return columns_.back().kind == Kind::prose && room(width) < least_open;
+}
+
 /// Heads stand on the line above the first row, their other lines above that.
 std::vector<Table::Cells> Table::head_lines() const {
   std::vector<Cells> lines;
@@ -76,13 +84,12 @@ std::string Table::line(const Cells& cells, bool coloured) const {
 /// The row in one line, or with its prose in as many as it takes: beside the rest, or, where that leaves little, below.
 std::string Table::row(Cells cells, std::size_t width, bool coloured) const {
   if (!is_open()) return line(cells, coloured);
-  const std::size_t left = width > this->width() ? width - this->width() : 0;
   const std::string last = std::exchange(cells.back(), "");
   if (columns_.back().kind == Kind::line) {
-    cells.back() = cut(last, std::max(left, least_open));
+    cells.back() = cut(last, std::max(room(width), least_open));
     return line(cells, coloured);
   }
-  const bool is_beside = left >= least_open;
+  const bool is_beside = !stands_below(width);
   const std::size_t margin = is_beside ? this->width() : indent_ + below;
   std::vector<std::string> lines = wrapped(last, std::max(width, margin + 1) - margin);
   if (is_beside) cells.back() = std::exchange(lines.front(), "");
@@ -94,7 +101,10 @@ std::string Table::row(Cells cells, std::size_t width, bool coloured) const {
 
 std::string Table::text(std::size_t width, bool coloured) const {
   std::string text;
-  for (const Cells& heads : head_lines()) text += line(heads, false);
+  for (Cells heads : head_lines()) {
+    if (stands_below(width)) heads.back().clear();
+    text += line(heads, false);
+  }
   for (const Cells& cells : rows_) text += row(cells, width, coloured);
   return text;
 }

@@ -33,7 +33,8 @@ double bands_between(Finding::Kind kind, double before, double after) {
   if (same_up_to_round_off(before, after)) return 0;
   const double step = std::abs(after - before);
   if (kind == Finding::Kind::order) return step / order_band;
-  return step / std::abs(before) / (kind == Finding::Kind::limit ? limit_band : error_band);
+  const double size = std::abs(before == 0 ? after : before);
+  return step / size / (kind == Finding::Kind::limit ? limit_band : error_band);
 }
 
 /// For an extrapolated value the band is its uncertainty.
@@ -43,14 +44,28 @@ double bands_between(const Finding& before, const Finding& after) {
   return bands_between(before.kind, before.number, after.number);
 }
 
-/// The level with the largest change among those that both have.
+/// The largest size of a value on the curve in either version.
+double size_of_curve(const Change& change) {
+  double size = 0;
+  for (const auto* levels : {&change.before.levels, &change.after.levels})
+    for (const Finding::Level& level : *levels) size = std::max(size, std::abs(level.y));
+  return size;
+}
+
+/// The level with the largest change among those that both have. A curve may cross 0, so its steps are measured against
+/// the whole curve.
 void compare_levels(Change& change) {
   const auto& a = change.before.levels;
   const auto& b = change.after.levels;
+  const double size = is_curve(change.before) ? size_of_curve(change) : 0;
+  const auto between = [size](double before, double after) {
+    if (size == 0) return bands_between(Finding::Kind::error, before, after);
+    return same_up_to_round_off(before, after) ? 0 : std::abs(after - before) / size / error_band;
+  };
   double most = 0;
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
     if (a[i].x == b[j].x) {
-      const double bands = bands_between(Finding::Kind::error, a[i].y, b[j].y);
+      const double bands = between(a[i].y, b[j].y);
       if (bands > most) {
         most = bands;
         change.largest = {a[i].x, a[i].y, b[j].y};
@@ -70,13 +85,26 @@ void compare_levels(Change& change) {
 /// How much a word (a status, a verdict) that differs counts, in bands: more than any number.
 constexpr double beyond_any_number = std::numeric_limits<double>::infinity();
 
-/// Of limits the best lies beyond all that was tried and stable, the worst where nothing was stable. Of verdicts on a
-/// criterion `holds` is the best and `fails` the worst.
+/// The words of statuses and verdicts, the better ones higher. A word without a rank says neither good nor bad:
+/// `shown`, or why there is no number.
+std::optional<int> rank_of(const std::string& word) {
+  using Claim = claims::Claim::Verdict;
+  using Part = records::PartVerdict;
+  using records::Status;
+  static const std::map<std::string, int> ranks{{to_string(Status::ok), 3},         {to_string(Status::unstable), 2},
+                                                {to_string(Status::failed), 1},     {to_string(Part::holds), 3},
+                                                {to_string(Part::inconclusive), 2}, {to_string(Part::fails), 1},
+                                                {to_string(Claim::confirmed), 4},   {to_string(Claim::partly), 3},
+                                                {to_string(Claim::open), 2},        {to_string(Claim::refuted), 1}};
+  const auto found = ranks.find(word);
+  return found == ranks.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Of limits the best lies beyond all that was tried and stable, the worst where nothing was stable.
 bool is_improvement(const Finding& before, const Finding& after) {
   if (before.side != after.side) return after.side > before.side;
-  return after.word.empty() || after.word == to_string(records::Status::ok) ||
-         after.word == to_string(claims::Claim::Verdict::confirmed) ||
-         after.word == to_string(records::PartVerdict::holds) || before.word == to_string(records::PartVerdict::fails);
+  const auto was = rank_of(before.word), is = rank_of(after.word);
+  return after.word.empty() || (was && is && *is > *was);
 }
 
 Change change_between(const Finding& before, const Finding& after) {
@@ -116,6 +144,10 @@ std::vector<std::string> only_in(const std::vector<Finding>& findings, const std
 }
 
 }  // namespace
+
+bool is_curve(const Finding& finding) {
+  return finding.word == "curve";
+}
 
 std::size_t Comparison::changed() const {
   return static_cast<std::size_t>(std::ranges::count_if(changes, [](const Change& c) { return c.bands != 0; }));

@@ -11,6 +11,9 @@ namespace mpmvv::goldens {
 /// both are at most `absolute` in size.
 inline constexpr double relative_round_off = 1e-9, absolute_round_off = 1e-13;
 
+/// Whether it is a check's curve, which has levels and neither a number nor a verdict of its own.
+bool is_curve(const claims::Finding& finding);
+
 /// One finding in both versions.
 struct Change {
   /// The level at which an error or a curve changed most.

@@ -213,6 +213,12 @@ std::set<std::filesystem::path> golden_files(const std::filesystem::path& direct
   return files;
 }
 
+/// How a directory comes to its first golden.
+std::string first_golden_of(const std::filesystem::path& directory) {
+  return fmt::format("`mpmvv propose --db DB --study NAME --out {}` writes a first one, to be reviewed",
+                     (directory / "NAME.toml").string());
+}
+
 }  // namespace
 
 std::vector<std::string> golden_norms() {
@@ -231,15 +237,18 @@ bool has_goldens(const std::filesystem::path& directory) {
   return std::filesystem::is_directory(directory) && !golden_files(directory).empty();
 }
 
-std::vector<Golden> read_goldens(const std::filesystem::path& directory) {
-  const std::string how =
-      fmt::format("`mpmvv propose --db DB --study NAME --out {}` writes a first one, to be reviewed",
-                  (directory / "NAME.toml").string());
+void require_directory(const std::filesystem::path& directory) {
   if (!std::filesystem::is_directory(directory))
-    throw support::UsageError(fmt::format("no directory '{}' (one with goldens, *.toml; {})", directory.string(), how));
+    throw support::UsageError(fmt::format("no directory '{}' (one with goldens, *.toml; {})", directory.string(),
+                                          first_golden_of(directory)));
+}
+
+std::vector<Golden> read_goldens(const std::filesystem::path& directory) {
+  require_directory(directory);
   const auto files = golden_files(directory);
   if (files.empty())
-    throw support::UsageError(fmt::format("no golden in '{}' (at least one *.toml; {})", directory.string(), how));
+    throw support::UsageError(
+        fmt::format("no golden in '{}' (at least one *.toml; {})", directory.string(), first_golden_of(directory)));
 
   std::vector<Golden> goldens;
   for (const std::filesystem::path& file : files) {

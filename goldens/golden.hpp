@@ -92,6 +92,9 @@ std::string expected_text(const Golden& golden);
 /// Whether a directory has a *.toml file.
 bool has_goldens(const std::filesystem::path& directory);
 
+/// UsageError where there is no such directory.
+void require_directory(const std::filesystem::path& directory);
+
 /// All goldens of a directory's *.toml files, by file name. UsageError when there is none, when two judge the same
 /// thing, and on every mistake in a file (with FILE:LINE).
 std::vector<Golden> read_goldens(const std::filesystem::path& directory);

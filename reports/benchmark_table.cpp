@@ -116,7 +116,7 @@ void for_pairs(const Benchmark& benchmark, const std::string& kind, const std::s
 
 Table skip_table(const Benchmark& benchmark) {
   Table table{"What scenes skip, and what that saves over a case's whole end time: ns per particle and step",
-              {"skipped", "paid", "range %", "skipped", "range %", "saved", "saved %"},
+              {"what is skipped", "paid", "paid, range %", "skipped", "skipped, range %", "saved", "saved %"},
               {}};
   for_pairs(benchmark, "skip", "paid", "skipped",
             [&](const std::string&, const BenchmarkRow& paid, const BenchmarkRow& skipped) {
@@ -130,7 +130,7 @@ Table skip_table(const Benchmark& benchmark) {
 
 Table thread_table(const Benchmark& benchmark) {
   Table table{"What two threads make of a case, quadratic B-splines, whole end time: ns per particle and step",
-              {"case", "one thread", "range %", "two threads", "range %", "times as fast"},
+              {"case", "one thread", "one thread, range %", "two threads", "two threads, range %", "times as fast"},
               {}};
   for_pairs(benchmark, "threads", "one", "two",
             [&](const std::string& what, const BenchmarkRow& alone, const BenchmarkRow& both) {

@@ -43,7 +43,7 @@ std::vector<double> error_decades(const records::StudyResult& study, const recor
 
 Table cheapest_table(const records::StudyResult& study) {
   Table table{"Cheapest series for a given error (step seconds on one core, power laws between measured runs)",
-              {"error", "cheapest", "s", "next", "s", "times as much", "do not reach it"},
+              {"error", "cheapest", "cheapest, s", "next", "next, s", "times as much", "do not reach it"},
               {}};
   for (const records::Figure& figure : study.figures) {
     if (figure.kind != records::Figure::Kind::work_precision) continue;

@@ -44,7 +44,6 @@ Page claim_page(const ReportInput& input, const claims::Claim& claim, const std:
                              {"parts", criteria_data(claim.parts)},
                              {"pictures", pictures},
                              {"studies", studies},
-                             {"has_studies", !names.empty()},
                              {"command", claim.id == mutants_claim ? mutants_command : command_of(input, names)}}));
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <sstream>
 #include <utility>
 
 #include "reports/criterion_bar.hpp"
@@ -40,6 +42,23 @@ std::string range_of_times(const ClaimPart& part, const Found& found) {
   return is_of_times ? bracketed(part, found, "") : "";
 }
 
+/// Whether the evidence says this of what was found, in place of a bare number.
+bool is_said_to_be(const ClaimPart& part, const Found& found, const std::string& words) {
+  return part.evidence.find(fmt::format("{}: {}", found.what, words)) != std::string::npos;
+}
+
+/// The bracket of a limit or of a ratio of limits, as the name of the number says it; none where none was found.
+std::optional<std::pair<double, double>> bracket_of(const ClaimPart& part, const Found& found) {
+  const std::string between = "' between ";
+  const auto at = found.what.rfind(between);
+  if (!part.measure.starts_with("limit") || at == std::string::npos) return std::nullopt;
+  std::istringstream bracket(found.what.substr(at + between.size()));
+  double stable = 0, unstable = 0;
+  std::string conjunction;
+  if (!(bracket >> stable >> conjunction >> unstable)) return std::nullopt;
+  return std::minmax({stable, unstable});
+}
+
 /// How far inside its bounds a number lies, relative to the bound; negative beyond one. Where an interval leaves the
 /// verdict open, this is measured from the end of the interval that lies nearest to a bound or farthest beyond it.
 double margin(const ClaimPart& part, const Found& found) {
@@ -64,6 +83,15 @@ const Found& deciding_number(const ClaimPart& part) {
   return *std::ranges::min_element(part.found, {}, [&](const Found& found) { return margin(part, found); });
 }
 
+/// What might decide, where the interval of a number reaches across a bound.
+std::string remedy(const ClaimPart& part, const Found& found) {
+  if (is_said_to_be(part, found, "below ") || is_said_to_be(part, found, "above "))
+    return "A search beyond the values tried might decide.";
+  if (bracket_of(part, found)) return "A finer search might decide.";
+  const char* others = range_of_times(part, found).empty() ? "points" : "repetitions";
+  return fmt::format("Other {} might lie on its other side.", others);
+}
+
 /// What was compared without what the row above says as well: "at cfl = 0.2" below "l2 of 'a' at cfl = 0.1".
 std::string beyond(const std::string& above, const std::string& what) {
   const auto at = what.rfind(" at ");
@@ -75,7 +103,7 @@ data found_data(const ClaimPart& part, const Found& found, const std::string& ab
   return object({{"what", beyond(above, found.what)},
                  {"asked", asked_text(part)},
                  {"value", found_text(part, found.value) + interval_text(part, found)},
-                 {"bar", criterion_bar(part, found.value, reach_of(part, found))}});
+                 {"bar", criterion_bar(part, found.value, interval_of(part, found))}});
 }
 
 data part_data(const claims::JudgedPart& line) {
@@ -121,12 +149,9 @@ std::string told_from_bounds(const ClaimPart& part, double value) {
 }
 
 std::string interval_text(const ClaimPart& part, const Found& found) {
-  const auto is_said_to_be = [&](const char* where) {
-    return part.evidence.find(fmt::format("{}: {}", found.what, where)) != std::string::npos;
-  };
-  if (is_said_to_be("below ")) return " or less";
-  if (is_said_to_be("above ")) return " or more";
-  if (is_said_to_be("1 (both unstable)")) return " (both unstable)";
+  if (is_said_to_be(part, found, "below ")) return " or less";
+  if (is_said_to_be(part, found, "above ")) return " or more";
+  if (is_said_to_be(part, found, "1 (both unstable)")) return " (both unstable)";
   if (const std::string range = range_of_times(part, found); !range.empty()) return " (" + range + ")";
   const std::string half = half_width_of(part, found);
   return half.empty() ? "" : " ± " + half;
@@ -139,6 +164,9 @@ double reach_of(const ClaimPart& part, const Found& found) {
 
 std::pair<double, double> interval_of(const ClaimPart& part, const Found& found) {
   constexpr double anywhere = std::numeric_limits<double>::infinity();
+  if (is_said_to_be(part, found, "below ")) return {0, found.value};
+  if (is_said_to_be(part, found, "above ")) return {found.value, anywhere};
+  if (const auto bracket = bracket_of(part, found)) return *bracket;
   const std::string range = range_of_times(part, found);
   const auto to = range.find(" to ");
   if (to != std::string::npos) return {std::stod(range), std::stod(range.substr(to + 4))};
@@ -150,9 +178,8 @@ std::pair<double, double> interval_of(const ClaimPart& part, const Found& found)
 std::string undecided_text(const ClaimPart& part) {
   if (part.found.empty() || part.evidence.find("an interval reaches across") == std::string::npos) return part.evidence;
   const Found& found = deciding_number(part);
-  const char* others = range_of_times(part, found).empty() ? "points" : "repetitions";
-  return fmt::format("An interval reaches across a bound: {} = {}{}. Other {} might lie on its other side.", found.what,
-                     found_text(part, found.value), interval_text(part, found), others);
+  return fmt::format("An interval reaches across a bound: {} = {}{}. {}", found.what, found_text(part, found.value),
+                     interval_text(part, found), remedy(part, found));
 }
 
 std::string deciding_text(const claims::Claim& claim) {

@@ -19,10 +19,11 @@ std::string told_from_bounds(const records::ClaimPart& part, double value);
 /// " (both unstable)" of the ratio of two runs without a result; empty where it has no interval.
 std::string interval_text(const records::ClaimPart& part, const records::Found& found);
 
-/// Half the width of the interval of a number that was found; 0 without one, and of what times make.
+/// Half the width of the interval of a number that was found; 0 without one, of what times make and of limits.
 double reach_of(const records::ClaimPart& part, const records::Found& found);
 
-/// Where a number that was found may lie; from itself to itself without an interval.
+/// Where a number that was found may lie: by its ±, by its times, a limit by its bracket. From itself to itself without
+/// an interval.
 std::pair<double, double> interval_of(const records::ClaimPart& part, const records::Found& found);
 
 /// Why a criterion is inconclusive.

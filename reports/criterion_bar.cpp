@@ -52,16 +52,17 @@ std::vector<double> numbers_of(const records::ClaimPart& part) {
   return numbers;
 }
 
-/// The line of an interval about a number.
-std::string reach(const Scale& scale, double found, double half_width) {
-  if (!std::isfinite(found) || !(half_width > 0)) return "";
-  return fmt::format(R"(<path class="reach" d="M{:.3g} {:g}H{:.3g}"/>)", scale.pixel(found - half_width),
-                     bar_height / 2, scale.pixel(found + half_width));
+/// The line of an interval; empty where it is a number alone.
+std::string reach(const Scale& scale, const std::pair<double, double>& interval) {
+  const auto [lower, upper] = interval;
+  if (!(lower < upper)) return "";
+  return fmt::format(R"(<path class="reach" d="M{:.3g} {:g}H{:.3g}"/>)", scale.pixel(lower), bar_height / 2,
+                     scale.pixel(upper));
 }
 
 }  // namespace
 
-std::string criterion_bar(const records::ClaimPart& part, double found, double half_width) {
+std::string criterion_bar(const records::ClaimPart& part, double found, const std::pair<double, double>& interval) {
   const auto& [at_least, at_most] = std::tie(part.at_least, part.at_most);
   if ((!at_least && !at_most) || std::isnan(found)) return "";
   const Scale scale(numbers_of(part));
@@ -72,7 +73,7 @@ std::string criterion_bar(const records::ClaimPart& part, double found, double h
       R"(<svg class="bar" aria-hidden="true"><path d="M0 {0:g}H{1:g}"/>)"
       R"(<path class="band" d="M{2:.3g} {0:g}h{3:.3g}"/>{6}<path class="{4}" d="M{5:.3g} {0:g}h0"/></svg>)",
       bar_height / 2, bar_width, left, std::max(1.0, right - left), holds ? "within" : "beyond", at,
-      reach(scale, found, half_width));
+      reach(scale, interval));
 }
 
 }  // namespace mpmvv::reports

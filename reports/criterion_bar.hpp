@@ -1,13 +1,14 @@
 #pragma once
 #include <string>
+#include <utility>
 
 #include "studies/records/result.hpp"
 
 namespace mpmvv::reports {
 
 /// A small picture, as an element of a page: the band that a criterion asks for and a dot where one of its numbers was
-/// found, with a line as far as its interval of ± `half_width` reaches. All numbers of a criterion share a scale, a
-/// logarithmic one where they are positive and far apart. Empty where nothing was asked or found.
-std::string criterion_bar(const records::ClaimPart& part, double found, double half_width);
+/// found, with a line as far as its interval reaches. All numbers of a criterion share a scale, a logarithmic one where
+/// they are positive and far apart. Empty where nothing was asked or found.
+std::string criterion_bar(const records::ClaimPart& part, double found, const std::pair<double, double>& interval);
 
 }  // namespace mpmvv::reports

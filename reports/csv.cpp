@@ -54,12 +54,14 @@ Csv points_csv(const StudyResult& study) {
 std::vector<std::string> fit_row(const std::string& series, const fits::ObservedOrder& o) {
   const fits::FloorFit floor = o.floor.value_or(fits::FloorFit{});
   const fits::ReplicateFit replicates = o.replicates.value_or(fits::ReplicateFit{});
+  const double half_width = fits::half_width(o);
   return {series,
           o.norm,
           exact(o.from),
           exact(o.to),
           fmt::format("{}", o.points),
           exact(o.order),
+          exact(half_width > 0 ? half_width : fits::not_measured),
           exact(o.half_width),
           exact(o.constant),
           exact(o.r_squared),
@@ -86,6 +88,7 @@ Csv fits_csv(const StudyResult& study) {
            "points",
            "order",
            "half_width",
+           "student_half_width",
            "constant",
            "r_squared",
            "asymptotic",

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/page_frame.hpp"
 #include "reports/text.hpp"
 #include "reports/verdicts.hpp"
 #include "studies/claims/finding.hpp"
 #include "studies/fits/median.hpp"
+#include "studies/store/trial.hpp"
 
 namespace mpmvv::reports {
 
@@ -41,7 +43,7 @@ Tile gate_tile(const ReportInput& input) {
   const auto& lines = split.judged;
   Tile tile{"Gate", "gate.html", gate_text(split), gate_word(split), "", ""};
   tile.detail = lines.empty() ? "no golden of these studies" : fmt::format("goldens: {}", gate_counts(lines));
-  if (!input.earlier) return tile;
+  if (!input.earlier || lines.empty()) return tile;
   std::vector<std::string> changes;
   for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass}) {
     const auto step = input.earlier->gate_change.find(verdict);
@@ -53,7 +55,7 @@ Tile gate_tile(const ReportInput& input) {
 }
 
 Tile claims_tile(const ReportInput& input) {
-  const auto claims = claim_split(input).judged;
+  const auto& claims = input.claims;
   const auto confirmed = std::ranges::count(claims, claims::Claim::Verdict::confirmed, &claims::Claim::verdict);
   Tile tile{"Claims",
             claims.empty() ? "#studies" : "#claims",
@@ -62,7 +64,7 @@ Tile claims_tile(const ReportInput& input) {
             "",
             ""};
   tile.detail = claims.empty() ? "no study names a claim" : claim_counts(claims);
-  if (!input.earlier) return tile;
+  if (!input.earlier || claims.empty()) return tile;
   std::vector<std::string> changes;
   for (const claims::Claim& claim : claims) {
     const auto then = input.earlier->claims.find(claim.id);
@@ -73,12 +75,15 @@ Tile claims_tile(const ReportInput& input) {
   return tile;
 }
 
-/// ns per particle and step, of all cases that were timed alone.
+/// ns per particle and step, of all cases that were timed alone; neither of trials nor of other codes.
 std::vector<double> costs_of(const ReportInput& input) {
   std::vector<double> costs;
-  for (const auto& study : input.studies)
+  for (records::StudyResult study : input.studies) {
+    if (!store::trial_of(study.text).empty()) continue;
+    std::erase_if(study.series, [](const records::Series& series) { return series.code.has_value(); });
     for (const claims::Finding& finding : claims::findings_of(study))
       if (finding.kind == claims::Finding::Kind::cost && std::isfinite(finding.number)) costs.push_back(finding.number);
+  }
   std::ranges::sort(costs);
   return costs;
 }
@@ -102,7 +107,7 @@ Tile age_tile(const ReportInput& input) {
   const std::string time = input.newest_result.empty() ? input.provenance.time : input.newest_result;
   Tile tile{"Newest result", "#provenance", time, "", "", "", true};
   tile.detail = fmt::format("of {} {}, version {}", input.studies.size(),
-                            input.studies.size() == 1 ? "study" : "studies", input.provenance.commit.substr(0, 12));
+                            input.studies.size() == 1 ? "study" : "studies", version_text(input.provenance));
   if (input.earlier)
     tile.change = fmt::format("{} of {} results differ from {}", input.earlier->changes.differ.size(),
                               input.earlier->changes.compared, input.earlier->label);

@@ -24,6 +24,13 @@ std::size_t points_in(const records::StudyResult& study) {
   return points;
 }
 
+/// By what the column of goldens is sorted: the worst verdict, then how many goldens have it.
+std::string sort_key(const std::vector<GateLine>& lines) {
+  const auto verdict = gate_verdict(lines);
+  const auto count = verdict ? std::ranges::count(lines, *verdict, &GateLine::verdict) : 0;
+  return fmt::format("{} {}", gate_word(lines), count);
+}
+
 data study_row(const ReportInput& input, const records::StudyResult& study) {
   std::vector<GateLine> lines;
   std::ranges::copy_if(input.gate, std::back_inserter(lines), [&](const GateLine& g) { return g.study == study.name; });
@@ -33,6 +40,7 @@ data study_row(const ReportInput& input, const records::StudyResult& study) {
                  {"kind", to_string(study.kind)},
                  {"points_count", fmt::format("{}", points_in(study))},
                  {"goldens", lines.empty() ? "none" : gate_counts(lines)},
+                 {"goldens_key", sort_key(lines)},
                  {"verdict", gate_word(lines)},
                  {"claims", list_of(study.claims, claim)}});
 }
@@ -103,7 +111,6 @@ data all_changes(const ReportInput& input) {
 
 Page front_page(const ReportInput& input, const std::vector<Section>& sections) {
   const GateSplit gate = gate_split(input);
-  const ClaimSplit claims = claim_split(input);
   const auto row = [&](const records::StudyResult& study) { return study_row(input, study); };
   return framed_page("index.html", "mpmvv: " + gate_text(gate), front_template, input,
                      object({{"tiles", first_screen(input)},
@@ -112,12 +119,10 @@ Page front_page(const ReportInput& input, const std::vector<Section>& sections) 
                              {"has_gate", !gate.judged.empty()},
                              {"missing", missing_goldens_text(gate.without_study)},
                              {"has_missing", !gate.without_study.empty()},
-                             {"unsettled", unsettled_claims(claims.judged)},
+                             {"unsettled", unsettled_claims(input.claims)},
                              {"changes", all_changes(input)},
-                             {"papers", claim_cards(claims.judged, sections)},
-                             {"has_papers", !claims.judged.empty()},
-                             {"unjudged", fmt::format("{}", claims.without_study.size())},
-                             {"has_unjudged", !claims.without_study.empty()},
+                             {"papers", claim_cards(input.claims, sections)},
+                             {"has_papers", !input.claims.empty()},
                              {"studies", list_of(input.studies, row)},
                              {"study_cards", study_cards(sections)},
                              {"provenance", provenance_data(input.provenance)}}));

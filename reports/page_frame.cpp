@@ -18,14 +18,18 @@ Page framed_page(const std::string& file, const std::string& title, std::string_
   content.set("table_list", partial(tables_template));
   content.set("criterion_table", partial(criteria_template));
   content.set("gate_table", partial(gate_table_template));
-  content.set("has_any_claim", !claim_split(input).judged.empty());
+  content.set("has_any_claim", !input.claims.empty());
   content.set("has_trends", !input.histories.empty());
   content.set("has_codes", !input.codes.empty());
   content.set("has_mutants", input.mutation.has_value());
   content.set("has_benchmark", input.benchmark.has_value());
-  content.set("version", input.provenance.commit.substr(0, 12));
+  content.set("version", version_text(input.provenance));
   kainjow::mustache::mustache page{std::string(text)};
   return {file, marked_up_text(page.render(content))};
+}
+
+std::string version_text(const store::Provenance& provenance) {
+  return store::in_short(provenance.commit + (provenance.dirty ? "-dirty" : ""));
 }
 
 std::string command_of(const ReportInput& input, const std::vector<std::string>& studies) {

@@ -12,7 +12,7 @@ namespace mpmvv::reports {
 
 namespace {
 
-constexpr std::size_t most_described = 8;  ///< curves
+constexpr std::size_t most_described = 8;  ///< curves or rows
 
 std::string axis_words(const Axis& axis) {
   return axis.label.empty() ? "rows" : axis.label + (axis.log ? " (logarithmic)" : "");
@@ -30,6 +30,28 @@ std::string curve_words(const Curve& curve) {
                         brief(dots.back().value), brief(dots.back().x));
   if (unstable > 0) text += fmt::format(", unstable at {} of {} points", unstable, curve.dots.size());
   return text;
+}
+
+/// "2 PPC: limit 0.439, stable at 7 of 12 values": a row of a stability map.
+std::string row_words(const Chart& chart, const Tic& row) {
+  std::size_t stable = 0, all = 0;
+  for (const Curve& curve : chart.curves)
+    for (const Dot& dot : curve.dots)
+      if (dot.drawn == row.at) ++all, stable += dot.mark == Mark::inside ? 1 : 0;
+  std::string limit;
+  for (const Label& label : chart.labels)
+    if (label.at.y == row.at) limit = label.text;
+  return fmt::format("{}: limit {}, stable at {} of {} values", row.text, limit, stable, all);
+}
+
+/// What each curve, or each row of a stability map, shows.
+std::vector<std::string> parts_in_words(const Chart& chart) {
+  std::vector<std::string> parts;
+  if (chart.y.names)
+    for (const Tic& row : chart.y.tics) parts.push_back(row_words(chart, row));
+  else
+    for (const Curve& curve : chart.curves) parts.push_back(curve_words(curve));
+  return parts;
 }
 
 /// Width and height in the SVG's own unit.
@@ -70,10 +92,10 @@ std::string description_of(const Chart& chart) {
     text.back() = '.';
     return text;
   }
-  for (std::size_t i = 0; i < std::min(most_described, chart.curves.size()); ++i)
-    text += " " + curve_words(chart.curves[i]) + ".";
-  if (chart.curves.size() > most_described)
-    text += fmt::format(" And {} more curves.", chart.curves.size() - most_described);
+  const std::vector<std::string> parts = parts_in_words(chart);
+  for (std::size_t i = 0; i < std::min(most_described, parts.size()); ++i) text += " " + parts[i] + ".";
+  if (parts.size() > most_described)
+    text += fmt::format(" And {} more {}.", parts.size() - most_described, chart.y.names ? "rows" : "curves");
   return text;
 }
 

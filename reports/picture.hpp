@@ -28,7 +28,7 @@ std::vector<Picture> pictures_of(const std::vector<Chart>& charts, const std::fi
                                  const std::string& folder, const records::StudyResult& study,
                                  const std::vector<SeriesCommand>& commands);
 
-/// What a chart shows, in words: its axes, and where each curve begins and ends.
+/// What a chart shows, in words: its axes, and where each curve begins and ends or, of a stability map, each limit.
 std::string description_of(const Chart& chart);
 
 /// Every point of a chart of this study, by series: where it stands in the picture, in pixels, its swept value, what

@@ -55,9 +55,11 @@ std::string text_of(const std::string& quantity, double v) {
   return is_count(quantity) && !std::isnan(v) ? fmt::format("{:.0f}", v) : aligned(v);
 }
 
-/// The head of a column: the quantity with its unit, or what it is a share of.
-std::string head_of(const std::string& quantity) {
-  return quantity == "energy_loss" ? "energy_loss (of the initial energy)" : records::with_unit(quantity);
+/// The head of a column: the quantity with its unit, or what it is a share of; told from that of the swept values.
+std::string head_of(const std::string& quantity, const std::string& sweep) {
+  if (quantity == "energy_loss") return "energy_loss (of the initial energy)";
+  const std::string head = records::with_unit(quantity);
+  return head == sweep ? head + " of the run" : head;
 }
 
 /// A quantity in all rows of the table: the numbers that were measured.
@@ -122,8 +124,8 @@ class PointsTable {
     Table table{"Results at each point", {study_.sweep}, {}};
     if (!all_ok_) table.columns.emplace_back("status");
     for (const Column& column : columns_) {
-      table.columns.push_back(head_of(column.quantity));
-      if (fitted_.contains(column.quantity)) table.columns.emplace_back("order");
+      table.columns.push_back(head_of(column.quantity, study_.sweep));
+      if (fitted_.contains(column.quantity)) table.columns.push_back("order of " + column.quantity);
     }
     if (has_reasons_) table.columns.emplace_back("reason");
     for (const Series* series : series_)

@@ -18,6 +18,12 @@ function filter(form) {
   form.querySelector("[data-count]").textContent = shown === items.length ? "" : `${shown} of ${items.length}`;
 }
 
+/** Which comes first: numbers by size, before texts; texts by the sizes of their numbers, S-fig4 before S-fig10. */
+function compare(a, b) {
+  if (typeof a !== typeof b) return typeof a === "number" ? -1 : 1;
+  return typeof a === "number" ? a - b : a.localeCompare(b, undefined, { numeric: true });
+}
+
 const verdictOrder = ["refuted", "partly", "open", "confirmed", "shown"];
 
 /** Puts the cards of each list into the order that a form asks for. */
@@ -30,7 +36,7 @@ function order(form) {
   const key = keys[form.elements.order.value];
   for (const list of all(form.dataset.sorts)) {
     const cards = all(".card", list);
-    cards.sort((a, b) => (key(a) < key(b) ? -1 : key(a) > key(b) ? 1 : a.dataset.place - b.dataset.place));
+    cards.sort((a, b) => compare(key(a), key(b)) || a.dataset.place - b.dataset.place);
     list.append(...cards);
   }
 }
@@ -41,16 +47,18 @@ function startForms() {
     form.hidden = false;
     form.addEventListener("input", () => filter(form));
     form.addEventListener("submit", event => event.preventDefault());
-    if (form.elements.order) form.elements.order.addEventListener("change", () => order(form));
     filter(form);
+    if (!form.elements.order) continue;
+    form.elements.order.addEventListener("change", () => order(form));
+    order(form);
   }
   for (const button of all("[data-unfold]"))
     button.addEventListener("click", () => all(button.dataset.unfold).forEach(details => (details.open = true)));
 }
 
-/** A cell as a number where it begins with one, else as text. */
+/** A cell's own key, else the cell as a number where it begins with one, else as text. */
 function cellKey(row, column) {
-  const text = row.cells[column].textContent.trim();
+  const cell = row.cells[column], text = cell.dataset.key ?? cell.textContent.trim();
   const number = parseFloat(text);
   return Number.isNaN(number) ? text.toLowerCase() : number;
 }
@@ -59,7 +67,6 @@ function sortRows(table, column, head) {
   const down = head.getAttribute("aria-sort") === "ascending";
   for (const other of all("thead th", table)) other.removeAttribute("aria-sort");
   head.setAttribute("aria-sort", down ? "descending" : "ascending");
-  const compare = (a, b) => (typeof a === typeof b ? (a < b ? -1 : a > b ? 1 : 0) : typeof a === "number" ? -1 : 1);
   const body = table.tBodies[0];
   const rows = [...body.rows].sort((a, b) => (down ? -1 : 1) * compare(cellKey(a, column), cellKey(b, column)));
   body.append(...rows);
@@ -133,7 +140,7 @@ class Plot {
     this.at = -1;
     element.addEventListener("pointermove", event => this.seek(event));
     element.addEventListener("pointerleave", () => this.leave());
-    element.addEventListener("click", () => this.at >= 0 && navigator.clipboard?.writeText(this.points[this.at].command));
+    element.addEventListener("click", () => this.copy());
     element.addEventListener("keydown", event => this.step(event));
     element.addEventListener("blur", () => this.leave());
   }
@@ -158,10 +165,16 @@ class Plot {
     this.show((this.at + step + this.points.length) % this.points.length);
   }
 
+  /** Copies the command that repeats the point, where it has one. */
+  copy() {
+    const command = this.points[this.at]?.command;
+    if (command) navigator.clipboard?.writeText(command);
+  }
+
   show(place) {
     const point = this.points[place], scale = this.scale();
     this.at = place;
-    this.element.classList.add("pointed");
+    this.element.classList.toggle("copies", point.command !== "");
     this.ring.style.left = `${point.x * scale}px`;
     this.ring.style.top = `${point.y * scale}px`;
     this.element.append(this.ring);
@@ -170,7 +183,7 @@ class Plot {
 
   leave() {
     this.at = -1;
-    this.element.classList.remove("pointed");
+    this.element.classList.remove("copies");
     this.ring.remove();
     document.getElementById("tip").hidden = true;
   }
@@ -222,9 +235,10 @@ function startAges() {
 function keepNumbersWhole() {
   const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   const number = /((?:\w+ = )?\d[\d.]*e[-+]\d+|\w+ = \d[\d.]*)/;
+  const inOneLine = "pre, .n, .results :is(td, [scope=row]):not([class])";
   const found = [];
   while (texts.nextNode())
-    if (number.test(texts.currentNode.data) && !texts.currentNode.parentElement.closest("pre, .n, .results td:not([class])")) found.push(texts.currentNode);
+    if (number.test(texts.currentNode.data) && !texts.currentNode.parentElement.closest(inOneLine)) found.push(texts.currentNode);
   for (const text of found)
     text.replaceWith(...text.data.split(number).map((words, place) => (place % 2 ? part("span", words, "whole") : words)));
 }

@@ -36,18 +36,22 @@ std::string css_class(const ColumnKind& kind) {
 data table_data(const Table& table) {
   std::vector<ColumnKind> kinds;
   for (std::size_t c = 0; c < table.columns.size(); ++c) kinds.push_back(kind_of_column(table, c));
-  const auto cells = [&](const std::vector<std::string>& texts) {
+  const auto cell = [&](const std::vector<std::string>& texts, std::size_t c) {
+    return object({{"text", texts[c]}, {"number", kinds[c].number}, {"kind", css_class(kinds[c])}});
+  };
+  const auto cells = [&](const std::vector<std::string>& texts, std::size_t from) {
     data list{data::type::list};
-    for (std::size_t c = 0; c < texts.size(); ++c)
-      list << object({{"text", texts[c]}, {"number", kinds[c].number}, {"kind", css_class(kinds[c])}});
+    for (std::size_t c = from; c < texts.size(); ++c) list << cell(texts, c);
     return list;
   };
-  const auto row = [&](const std::vector<std::string>& texts) { return object({{"cells", cells(texts)}}); };
+  const auto row = [&](const std::vector<std::string>& texts) {
+    return object({{"row_head", cell(texts, 0)}, {"cells", cells(texts, 1)}});
+  };
   const auto group = [&](const Table::Group& g) {
     return object({{"group_title", g.title}, {"titled", !g.title.empty()}, {"rows", list_of(g.rows, row)}});
   };
   return object({{"table_caption", table.caption},
-                 {"columns", cells(table.columns)},
+                 {"columns", cells(table.columns, 0)},
                  {"width", fmt::format("{}", table.columns.size())},
                  {"groups", list_of(table.groups, group)},
                  {"note", table.note},

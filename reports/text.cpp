@@ -32,11 +32,13 @@ bool is_number(const std::string& text) {
 
 std::string order_text(double order, double half_width) {
   if (std::isnan(order)) return "–";
-  if (std::isnan(half_width)) return fmt::format("{:.2f}", std::abs(order) < 0.005 ? 0 : order);  // no -0.00
-  constexpr double least_shown = 5e-5;
-  if (half_width > 0 && half_width < least_shown) return fmt::format("{:.4f} ± {:.0e}", order, half_width);
   const int decimals = half_width > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(half_width))), 2, 4) : 2;
-  return fmt::format("{0:.{2}f} ± {1:.{2}f}", order, half_width, decimals);
+  const bool is_shown_as_zero = std::abs(order) < 0.5 * std::pow(10, -decimals);
+  const std::string text = fmt::format("{:.{}f}", is_shown_as_zero ? 0 : order, decimals);  // no -0.00
+  if (std::isnan(half_width)) return text;
+  constexpr double least_shown = 5e-5;
+  if (half_width > 0 && half_width < least_shown) return fmt::format("{} ± {:.0e}", text, half_width);
+  return fmt::format("{} ± {:.{}f}", text, half_width, decimals);
 }
 
 std::string order_text(const fits::ObservedOrder& fit) {

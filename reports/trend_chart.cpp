@@ -28,10 +28,18 @@ constexpr TrendKind trend_kinds[] = {{Finding::Kind::order, "orders", "observed 
                                      {Finding::Kind::error, "errors", "error", true},
                                      {Finding::Kind::limit, "limits", "stability limit", false}};
 
+/// The first letters of a commit, and whether its tree was dirty.
+std::string commit_text(const std::string& commit) {
+  const auto dash = std::min(commit.find('-'), commit.size());
+  return commit.substr(0, std::min(dash, commit_letters)) + commit.substr(dash);
+}
+
 /// A commit, or what another code says of its version; its digest where that would read the same for several.
 std::string name_of(const store::Version& version, const History& history) {
-  if (history.code.empty()) return version.commits.front().substr(0, commit_letters);
-  const auto shown = [](const store::Version& v) { return v.commits.front().substr(0, version_letters); };
+  const auto shown = [&](const store::Version& v) {
+    const std::string& first = v.commits.front();
+    return history.code.empty() ? commit_text(first) : first.substr(0, version_letters);
+  };
   const bool is_unique = std::ranges::count(history.versions, shown(version), shown) == 1;
   return is_unique ? shown(version) : version.digest.substr(0, commit_letters);
 }

@@ -75,15 +75,4 @@ std::string gate_text(const GateSplit& split) {
   return fmt::format("{}, {} without a result", verdict, split.without_study.size());
 }
 
-ClaimSplit claim_split(const ReportInput& input) {
-  ClaimSplit split;
-  for (const claims::Claim& claim : input.claims) {
-    const bool is_named = std::ranges::any_of(input.studies, [&](const records::StudyResult& study) {
-      return std::ranges::find(study.claims, claim.id) != study.claims.end();
-    });
-    (is_named || !claim.parts.empty() ? split.judged : split.without_study).push_back(claim);
-  }
-  return split;
-}
-
 }  // namespace mpmvv::reports

@@ -35,10 +35,4 @@ GateSplit gate_split(const ReportInput& input);
 std::string gate_word(const GateSplit& split);
 std::string gate_text(const GateSplit& split);
 
-/// The claims that a study of the report judges or names, and those that none does.
-struct ClaimSplit {
-  std::vector<claims::Claim> judged, without_study;
-};
-ClaimSplit claim_split(const ReportInput& input);
-
 }  // namespace mpmvv::reports

@@ -22,6 +22,8 @@ function pageWith(folder, text) {
   return found;
 }
 
+const asPeopleCount = (a, b) => a.localeCompare(b, undefined, { numeric: true });
+
 const shown = (page, selector) => page.locator(selector).filter({ visible: true }).count();
 
 test("the first page opens within a second", () =>
@@ -49,14 +51,25 @@ test("cards are filtered by their verdicts and by words", () =>
     assert.equal(await page.locator("#claims [data-count]").innerText(), `0 of ${all}`);
   }));
 
-test("cards are sorted by their ids, and back", () =>
+const ids = page => page.locator(".paper:first-of-type .card").evaluateAll(cards => cards.map(card => card.dataset.id));
+
+test("cards are sorted by their ids, as people count, and back", () =>
   at("index.html", async page => {
-    const ids = () => page.locator(".paper:first-of-type .card").evaluateAll(cards => cards.map(card => card.dataset.id));
-    const before = await ids();
+    const before = await ids(page);
     await page.locator("#claims select").selectOption("id");
-    assert.deepEqual(await ids(), [...before].sort());
+    assert.deepEqual(await ids(page), [...before].sort(asPeopleCount));
     await page.locator("#claims select").selectOption("");
-    assert.deepEqual(await ids(), before);
+    assert.deepEqual(await ids(page), before);
+  }));
+
+test("cards stand in the order that the browser restores", () =>
+  at("index.html", async page => {
+    await page.locator("#claims select").selectOption("id");
+    const sorted = await ids(page);
+    await page.goto(address("gate.html"));
+    await page.goBack();
+    assert.equal(await page.locator("#claims select").inputValue(), "id");
+    assert.deepEqual(await ids(page), sorted);
   }));
 
 test("studies are sorted by a column, both ways", () =>
@@ -69,6 +82,16 @@ test("studies are sorted by a column, both ways", () =>
     assert.equal(await head.getAttribute("aria-sort"), "ascending");
     await head.locator("button").click();
     assert.deepEqual(await points(), [...up].reverse().sort((a, b) => b - a));
+  }));
+
+test("studies are sorted by their names, as people count, and by the worst of their goldens", () =>
+  at("index.html", async page => {
+    for (const column of [0, 4]) {
+      await page.locator("#study-list thead button").nth(column).click();
+      const keys = await page.locator("#study-list tbody tr").evaluateAll(
+        (rows, of) => rows.map(row => (row.cells[of].dataset.key ?? row.cells[of].textContent).trim()), column);
+      assert.deepEqual(keys, [...keys].sort(asPeopleCount));
+    }
   }));
 
 test("the gate folds what passes, and searches; without goldens it says how to make some", () =>
@@ -86,6 +109,26 @@ test("the gate folds what passes, and searches; without goldens it says how to m
     await page.locator("button", { hasText: "Unfold all" }).click();
     assert.ok((await shown(page, ".goldens tbody tr")) >= 1);
   }));
+
+/** What the clipboard has after a click on the point that a figure tells; before it has "kept". */
+async function clicked(page, plot) {
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.evaluate(() => navigator.clipboard.writeText("kept"));
+  await plot.dispatchEvent("click");
+  return page.evaluate(() => navigator.clipboard.readText());
+}
+
+test("a point of a check, which has no command of its own, copies none", async () => {
+  const points = files().find(file => file.startsWith("points/") && !readFileSync(join(report, file), "utf8").includes('"command":'));
+  await at(pageWith("studies/", points), async page => {
+    const plot = page.locator(`figure:has(script[src$="${points}"]) .plot`);
+    await plot.focus();
+    await page.keyboard.press("ArrowRight");
+    assert.ok(await page.locator("#tip").isVisible());
+    assert.equal(await clicked(page, plot), "kept");
+    assert.notEqual(await plot.evaluate(element => getComputedStyle(element).cursor), "pointer");
+  });
+});
 
 test("a point tells its case, its value and the command that repeats it", async () => {
   const text = file => readFileSync(join(report, file), "utf8");
@@ -108,6 +151,8 @@ test("a point tells its case, its value and the command that repeats it", async 
     await page.keyboard.press("ArrowRight");
     const first = await page.locator("#tip").innerText();
     for (const part of [series.name, swept, value]) assert.ok(first.includes(part), `${part} in ${first}`);
+    assert.match(await clicked(page, plot), /^mpmvv run --problem/);
+    assert.equal(await plot.evaluate(element => getComputedStyle(element).cursor), "pointer");
     await page.keyboard.press("ArrowRight");
     assert.notEqual(await page.locator("#tip").innerText(), first);
     await page.keyboard.press("Escape");

@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "cli/lines.hpp"
+#include "studies/store/store.hpp"
+#include "studies/store/trial.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
@@ -67,6 +69,16 @@ TEST_F(Claims, HaveAPageEach) {
   const Answer both = claims("linear second");
   EXPECT_LT(both.out.find("linear: refuted"), both.out.find("second: confirmed"));
   EXPECT_THAT(both.out, HasSubstr("    Someone 2020, Fig. 1\n"));
+}
+
+TEST_F(Claims, AreRepeatedWithTheTrialsValuesAsTheyAre) {
+  {
+    store::Store store(db_, store::Store::Mode::write);
+    records::StudyResult study = store.studies(store::current_provenance().digest).front();
+    study.text = store::with_trial(study.text, "variant = it's a 'b' in 1 of 1 series");
+    store.keep_study(study, {}, store::current_provenance());
+  }
+  EXPECT_THAT(claims("linear").out, HasSubstr(R"(--set variant='it'\''s a '\''b'\''')"));
 }
 
 TEST_F(Claims, SayWhyTheyAreInconclusive) {

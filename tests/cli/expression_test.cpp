@@ -62,13 +62,20 @@ TEST(ExpressionCommand, NamesEachParticleByItsId) {
   }
 }
 
+TEST(ExpressionCommand, TakesTheQuarterOfABody) {
+  const Folder folder;
+  EXPECT_EQ(call(folder, "expression --problem ring --quarter --dialect c").code, 0);
+}
+
 TEST(ExpressionCommand, RefusesInOneLine) {
   const Folder folder;
   for (const auto& [arguments, why] :
        {std::pair{"--problem square --form current --dialect c", "problems with form 'current': stretch, "},
         {"--problem square --dialect cobol", "known: c, fortran, python, muparser, nairn, karamelo"},
         {"--problem square --form sideways --dialect c", "known: reference, current, inverse"},
-        {"--problem square --form per-particle --dialect c", "no cells given (--cells, or "}}) {
+        {"--problem square --form per-particle --dialect c", "no cells given (--cells, or "},
+        {"--problem bar --dialect c --basis nonsense --cells -3",
+         "basis in --basis has no meaning for form 'reference'"}}) {
     const Answer answer = call(folder, std::string("expression ") + arguments);
     EXPECT_EQ(answer.code, 2) << arguments;
     EXPECT_THAT(answer.err, HasSubstr(why));

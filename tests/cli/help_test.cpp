@@ -148,6 +148,13 @@ TEST_F(Help, ShowsValuesAndDefaults) {
                          HasSubstr("--threads NUMBER        threads of the step, 1 to 256 (default: 1)")));
   std::istringstream lines(run);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+  EXPECT_THAT(help("score"), AllOf(HasSubstr("  output FILE ... "), Not(HasSubstr("... ..."))));
+}
+
+TEST_F(Help, SaysWhichOptionsAnExpressionNeedsForParticlesAlone) {
+  const std::string text = std::regex_replace(help("expression"), std::regex("\n +"), " ");
+  EXPECT_THAT(text, AllOf(HasSubstr("cells per length L of the problem (required with --form per-particle)"),
+                          HasSubstr("(this or --dt is required with --form per-particle)"), HasSubstr(" (required) ")));
 }
 
 }  // namespace mpmvv::cli::help_test

@@ -86,6 +86,28 @@ TEST_F(History, CompareAsJson) {
   EXPECT_EQ(json["changes"][1]["before"], 2);
 }
 
+records::StudyResult curve_check(double at_one) {
+  records::StudyResult study;
+  study.name = "laws";
+  study.kind = records::StudyKind::check;
+  study.series = {
+      {"a", {{0, records::Status::ok, "", {{"y", 0}}}, {1, records::Status::ok, "", {{"y", at_one}}}}, {}, {}}};
+  study.figures.resize(1);
+  study.figures[0].name = "laws", study.figures[0].quantity = "y";
+  return study;
+}
+
+TEST_F(History, OfACurveCompareSaysWhereItChangedMost) {
+  keep(db_, curve_check(1), "00ff11", "c0ffee", "2026-01-01T00:00:00Z");
+  keep(db_, curve_check(2), "00aa22", "c0de00", "2026-01-02T00:00:00Z");
+  EXPECT_THAT(ask("compare c0f c0d").out, HasSubstr(" curve 'a' of y: most at 1: 1 -> 2\n"));
+  EXPECT_THAT(ask("compare c0f c0f --all").out, HasSubstr(" curve 'a' of y: the same where both have it\n"));
+  const auto change = ask("compare c0f c0d --json").json()["changes"][2];
+  EXPECT_EQ(change["name"], "curve 'a' of y");
+  EXPECT_EQ(change["largest"], nlohmann::json::parse(R"({"x": 1.0, "before": 1.0, "after": 2.0})"));
+  EXPECT_FALSE(change.contains("before") || change.contains("after")) << "it has no number of its own";
+}
+
 TEST_F(History, AVersionAgainstItselfIsUnchanged) {
   const auto json = ask("compare c0ffee c0ffee --json").json();
   EXPECT_EQ(json["changed"], 0);

@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "tests/cli/program.hpp"
 
@@ -62,6 +64,46 @@ TEST_F(Manual, NamesEveryCommandAndEveryOption) {
   }
 }
 
+/// The words in a text that the pattern's group takes.
+std::set<std::string> words_in(const std::string& text, const std::regex& pattern) {
+  std::set<std::string> words;
+  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) words.insert((*it)[1]);
+  return words;
+}
+
+/// By exit code the commands that docs/commands.md names, and those of the man page.
+std::map<std::string, std::set<std::string>> exit_codes_of_page() {
+  const std::string page = read_text(MPMVV_SOURCE_DIR "/docs/commands.md");
+  std::istringstream rows(page.substr(page.find("| exit code | of | when |")));
+  std::map<std::string, std::set<std::string>> commands;
+  std::string code;
+  std::smatch row;
+  for (std::string line; std::getline(rows, line) && !line.empty();) {
+    if (!std::regex_search(line, row, std::regex(R"(^\| ?(\d*) ?\|([^|]*)\|)"))) continue;
+    if (row[1].length() > 0) code = row[1];
+    commands[code].merge(words_in(row[2], std::regex("`([a-z ]+)`")));
+  }
+  return commands;
+}
+
+std::map<std::string, std::set<std::string>> exit_codes_of_man(const std::string& man) {
+  const auto begin = man.find(".SH EXIT STATUS");
+  const std::string section = man.substr(begin, man.find(".SH FILES") - begin);
+  const std::regex entry(R"(\.TP\n(\d+)\n([^.]*))");
+  std::map<std::string, std::set<std::string>> commands;
+  for (std::sregex_iterator it(section.begin(), section.end(), entry), end; it != end; ++it)
+    commands[(*it)[1]] = words_in((*it)[2], std::regex(R"(\\fB([a-z ]+)\\fR)"));
+  return commands;
+}
+
+TEST_F(Manual, HasTheExitCodesOfTheirPage) {
+  auto page = exit_codes_of_page(), man = exit_codes_of_man(said("man"));
+  for (const char* code : {"1", "3", "130"}) {
+    EXPECT_FALSE(page[code].empty()) << code;
+    EXPECT_EQ(man[code], page[code]) << code;
+  }
+}
+
 TEST_F(Manual, IsHiddenFromHelpAndFromTheKnownCommands) {
   EXPECT_THAT(said("--help"), Not(HasSubstr("completion")));
   const Answer unknown = call(folder_, "completions");
@@ -98,6 +140,8 @@ TEST_F(Manual, CompletesInBash) {
   EXPECT_EQ(offered("gate --goldens mi"), "mine\n") << "a folder alone";
   EXPECT_EQ(offered("gate --only s-fig11"), "s-fig11\n");
   EXPECT_EQ(offered("list studi"), "studies\n");
+  EXPECT_THAT(offered("score --start mi"), HasSubstr("mine.db")) << "a file, not a word of the setting `start`";
+  EXPECT_THAT(said("completion zsh"), HasSubstr("'*:output:_files'"));
 }
 
 /// Shells and `man` that a system need not have.

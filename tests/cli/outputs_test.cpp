@@ -9,7 +9,7 @@ namespace mpmvv::cli::outputs_test {
 
 using testing::HasSubstr;
 
-/// A store, a study, and goldens, under several names each.
+/// A store with a study, and goldens, under several names each.
 class Outputs : public testing::Test {
  protected:
   void SetUp() override {
@@ -17,7 +17,10 @@ class Outputs : public testing::Test {
     std::filesystem::create_directories(folder / "goldens");
     folder.write("goldens/g.toml", "[[order]]\n");
     folder.write("tests/mutation/summary.json", "{}\n");
-    const store::Store made(folder / "v.db", store::Store::Mode::create_or_write);
+    records::StudyResult study;
+    study.name = "s", study.text = small_study;
+    store::Store made(folder / "v.db", store::Store::Mode::create_or_write);
+    made.keep_study(study, {}, store::current_provenance());
     std::filesystem::create_hard_link(folder / "v.db", folder / "hard");
     std::filesystem::create_symlink("v.db", folder / "soft");
     std::filesystem::create_symlink("goldens", folder / "same-goldens");
@@ -36,6 +39,8 @@ TEST_F(Outputs, AreNeverAnInputUnderWhateverName) {
       "gate --db v.db --junit hard" + goldens,
       "gate --db v.db --junit goldens/g.toml" + goldens,
       "gate --db v.db --junit same-goldens/g.toml" + goldens,
+      "gate --db v.db --junit s.toml" + goldens,
+      "gate --db v.db --junit s-soft.toml" + goldens,
       "study s.toml --db s.toml",
       "study s.toml --db s-soft.toml",
   };

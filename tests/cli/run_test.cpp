@@ -111,9 +111,17 @@ TEST(RunCommand, WhatABlownUpRunHasNotMeasuredHasNoRow) {
   const Folder folder;
   const std::string run = "run --problem bar --integrator usl --cells 32 --ppc 4 ";
   const std::string unstable = call(folder, run + "--cfl 3").out;
-  EXPECT_THAT(unstable, AllOf(HasSubstr("status unstable ("), HasSubstr("energy at the start (J)"),
+  EXPECT_THAT(unstable, AllOf(HasSubstr("status unstable ("), HasSubstr("energy at the start (J/m²)"),
                               Not(HasSubstr("change of mass")), Not(HasSubstr("linf"))));
   EXPECT_THAT(call(folder, run + "--cfl 0.3 --steps 2").out, AllOf(HasSubstr("change of mass"), HasSubstr("linf")));
+}
+
+TEST(RunCommand, EnergiesAreThoseOfASquareMetreOrOfAMetreInFewerDimensions) {
+  const Folder folder;
+  for (const auto& [problem, unit] : {std::pair{"bar", "J/m²"}, {"square", "J/m"}, {"cube", "J"}})
+    EXPECT_THAT(call(folder, std::string("run --cells 4 --ppc 1 --cfl 0.2 --steps 1 --problem ") + problem).out,
+                AllOf(HasSubstr(std::string("kinetic energy at the end (") + unit + ")"),
+                      HasSubstr(std::string("strain energy at the end (") + unit + ")")));
 }
 
 TEST(RunCommand, AmplitudesOfEitherSignAndNoneAreStable) {

@@ -67,6 +67,7 @@ TEST(SolutionCommand, SaysWhereItsPointsAreWrong) {
         {"--points " + points + " --at 0,0", "--at excludes --points"},
         {"--points " + (folder / "none.csv"), "none.csv"},
         {"--at 0,0 --fields u", "--fields requires --points"},
+        {"--points " + points + " --fields u --normal 1,0", "--normal without traction in --fields"},
         {"--at 0,0", "--time is required"},
         {"--time 0", "--at or --points is required"},
         {"--at 0,0 --time 0 --normal 0,0", "--normal has no direction"}}) {

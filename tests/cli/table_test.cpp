@@ -65,10 +65,19 @@ TEST(Table, ProseStandsBelowItsRowWhereThatLeavesLittle) {
   Table table({{"study"}, {"what", Kind::prose}});
   table.add({"a-name-of-some-length", "as short as can be, or longer than it should be"});
   EXPECT_EQ(table.text(40, false),
-            "  study                  what\n"
+            "  study\n"
             "  a-name-of-some-length\n"
             "      as short as can be, or longer than\n"
             "      it should be\n");
+}
+
+TEST(Table, AHeadOfProseBelowMakesNoLineTooWide) {
+  Table table({{"criterion"}, {"found"}, {"what is asked", Kind::prose}}, 0);
+  table.add({"of a name of some length", "0.5 to 0.7", "not much"});
+  EXPECT_EQ(table.text(40, false),
+            "criterion                 found\n"
+            "of a name of some length  0.5 to 0.7\n"
+            "    not much\n");
 }
 
 TEST(Table, CutsALineToTheWidthThatIsLeft) {

@@ -24,6 +24,10 @@ Finding error(const std::vector<Finding::Level>& levels) {
   return {"s", Kind::error, "error", levels.back().y, "", -1, levels};
 }
 
+Finding curve(const std::vector<Finding::Level>& levels) {
+  return {"s", Kind::error, "curve", support::not_measured, "curve", 0, levels};
+}
+
 double bands(const Finding& before, const Finding& after) {
   return compare({before}, {after}).changes.at(0).bands;
 }
@@ -145,6 +149,24 @@ TEST(Compare, FindsTheLevelThatChangedMost) {
   EXPECT_NEAR(other.bands, 5, 1e-12);
 }
 
+TEST(Compare, AStepOfACurveIsMeasuredAgainstTheWholeCurve) {
+  const Finding before = curve({{0, 0}, {1, 1e-12}, {2, 3}, {3, 4}}),
+                after = curve({{0, 1e-12}, {1, 1e-9}, {2, 4}, {3, 5}, {4, 9}});
+  const Change change = compare({before}, {after}).changes[0];
+  ASSERT_TRUE(change.largest);
+  EXPECT_EQ(change.largest->x, 2) << "not where it was 0";
+  EXPECT_NEAR(change.bands, 10 * 1. / 9, 1e-12) << "the largest size is that of either version";
+  EXPECT_NEAR(bands(curve({{0, -4}, {1, 1}}), curve({{0, -4}, {1, 2}})), 2.5, 1e-12);
+  EXPECT_EQ(bands(curve({{0, 0}}), curve({{0, 0}})), 0);
+  EXPECT_TRUE(is_curve(before));
+  EXPECT_FALSE(is_curve(error({{8, 1}})));
+}
+
+TEST(Compare, AChangeFromExactlyZeroIsFinite) {
+  EXPECT_NEAR(bands(number(Kind::value, "v", 0), number(Kind::value, "v", -3)), 10, 1e-12);
+  EXPECT_NEAR(bands(error({{8, 0}, {16, 1}}), error({{8, 1e-3}, {16, 1.2}})), 10, 1e-12);
+}
+
 TEST(Compare, WorstStandsFirst) {
   const std::vector<Finding> before{number(Kind::order, "drop", 2, 1), number(Kind::order, "rise", 1, 1),
                                     number(Kind::order, "same", 1, 1), word("worse", "ok"), word("better", "unstable")};
@@ -168,6 +190,11 @@ TEST(Compare, AnotherWordOutweighsNumbers) {
   EXPECT_EQ(bands(word("w", "confirmed"), word("w", "partly")), INFINITY);
   EXPECT_EQ(bands(word("w", "unstable"), word("w", "ok")), -INFINITY);
   EXPECT_EQ(bands(word("w", "unstable"), word("w", "failed")), INFINITY);
+  EXPECT_EQ(bands(word("w", "failed"), word("w", "unstable")), -INFINITY);
+  EXPECT_EQ(bands(word("w", "refuted"), word("w", "partly")), -INFINITY);
+  EXPECT_EQ(bands(word("w", "open"), word("w", "refuted")), INFINITY);
+  EXPECT_EQ(bands(word("w", "confirmed"), word("w", "shown")), INFINITY) << "neither, so it is not hidden at the end";
+  EXPECT_EQ(bands(word("w", "refuted"), word("w", "shown")), INFINITY);
   EXPECT_EQ(compare({word("w", "ok"), word("v", "ok")}, {word("w", "unstable"), word("v", "ok")}).changed(), 1U);
 }
 

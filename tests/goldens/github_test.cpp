@@ -12,7 +12,19 @@ TEST(Github, MarksTheLinesOfGoldensThatDoNotPass) {
                            {"s", "value 'c'", Verdict::inconclusive, "at most 1", "", "missing", "goldens/s.toml:9"}}};
   EXPECT_EQ(github_annotations(report),
             "::error file=goldens/s.toml,line=7,title=s%3A limit of 'b'::expected 1, measured 2 (above)\n"
-            "::warning file=goldens/s.toml,line=9,title=s%3A value 'c'::expected at most 1, measured  (missing)\n");
+            "::warning file=goldens/s.toml,line=9,title=s%3A value 'c'::expected at most 1 (missing)\n");
+}
+
+TEST(Github, GoldensOfStudiesThatWereNeverRunShareOneNotice) {
+  const auto absent = [](const char* study) {
+    return GateResult{study, "value 'c'", Verdict::inconclusive, "1", "", "missing", "goldens/s.toml:9", false, true};
+  };
+  const GateResult judged{"s", "value 'd'", Verdict::inconclusive, "1", "2", "old", "goldens/s.toml:3"};
+  EXPECT_EQ(github_annotations({{absent("a"), judged, absent("b"), absent("b")}}),
+            "::warning file=goldens/s.toml,line=3,title=s%3A value 'd'::expected 1, measured 2 (old)\n"
+            "::notice title=goldens without a result::3 of 4: the store has nothing of their 2 studies\n");
+  EXPECT_EQ(github_annotations({{absent("a")}}),
+            "::notice title=goldens without a result::1 of 1: the store has nothing of their study\n");
 }
 
 TEST(Github, NoTextEndsTheCommand) {

@@ -234,6 +234,8 @@ TEST_F(GoldenDirectory, NothingToReadIsAnError) {
   EXPECT_THAT(message([&] { read_goldens(directory); }), AllOf(HasSubstr("no golden in"), HasSubstr("mpmvv propose")));
   EXPECT_THAT(message([&] { read_goldens(directory / "absent"); }),
               AllOf(HasSubstr("no directory"), HasSubstr("mpmvv propose")));
+  EXPECT_THAT(message([&] { require_directory(directory / "absent"); }), HasSubstr("no directory"));
+  EXPECT_NO_THROW(require_directory(directory));
   EXPECT_FALSE(has_goldens(directory));
   EXPECT_FALSE(has_goldens(directory / "absent"));
   write("a.toml", "first");

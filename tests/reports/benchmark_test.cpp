@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "reports/report.hpp"
 #include "studies/support/error.hpp"
@@ -84,6 +85,14 @@ TEST(Benchmark, TablesOfSkippingThreadsMachineAndBlocks) {
               ElementsAre(ElementsAre("linear", "50.0", "0.0", "100", "10.0", "200", "40.0")));
 }
 
+TEST(Benchmark, NoTwoColumnsOfATableHaveOneHead) {
+  const TempFolder folder;
+  for (const Table& table : benchmark_tables(benchmark_of(folder, answer))) {
+    const std::set<std::string> heads(table.columns.begin(), table.columns.end());
+    EXPECT_EQ(heads.size(), table.columns.size()) << table.caption;
+  }
+}
+
 TEST(Benchmark, RowsStandInTheProgramsOrder) {
   const TempFolder folder;
   const auto benchmark = benchmark_of(folder, R"({"context": {}, "benchmarks": [
@@ -113,7 +122,7 @@ TEST(Benchmark, StandsInTheReport) {
   input.benchmark = benchmark_of(folder, answer);
   write_report(input, folder / "out", [](const std::string&) {});
   const auto page = content(folder / "out" / "benchmark.html");
-  EXPECT_THAT(page, HasSubstr("<td class=\"w\">no logarithm<td>21.0<td>"));
+  EXPECT_THAT(page, HasSubstr("<tr><th scope=\"row\" class=\"w\">no logarithm<td>21.0<td>"));
   EXPECT_THAT(content(folder / "out" / "index.html"), HasSubstr("href=\"benchmark.html\""));
   EXPECT_THAT(content(folder / "out" / "tables" / "program" / "benchmark.tex"), HasSubstr("no logarithm & 21.0"));
   input.benchmark.reset();

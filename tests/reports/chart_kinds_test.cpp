@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/chart.hpp"
+#include "reports/picture.hpp"
 #include "studies/support/error.hpp"
 #include "tests/reports/rules.hpp"
 #include "tests/reports/synthetic.hpp"
@@ -116,6 +117,14 @@ TEST(StabilityMap, HasEveryProbeAndEveryLimit) {
   EXPECT_EQ(map.labels[0].text, "0.760");
   EXPECT_EQ(map.labels[2].text, "0.880, not monotone");
   EXPECT_EQ(map.labels[7].text, "not found");
+}
+
+TEST(StabilityMap, IsDescribedRowByRow) {
+  const std::string text = description_of(charts_of(synthetic::limits()).at(0));
+  EXPECT_THAT(text, testing::StartsWith("rows against CFL number"));
+  EXPECT_THAT(text, HasSubstr(" l = 1h/8, 4 PPC: limit 0.760, stable at 10 of 19 values."));
+  EXPECT_THAT(text, HasSubstr(" l = 3h/8, 4 PPC: limit 0.880, not monotone, stable at 12 of 19 values."));
+  EXPECT_THAT(text, testing::EndsWith(" l = 8h/8, 4 PPC: limit not found, stable at 15 of 19 values."));
 }
 
 TEST(StabilityMap, DeclaredFigureWithoutValuesIsTheMap) {

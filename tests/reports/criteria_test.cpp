@@ -74,6 +74,57 @@ TEST(IntervalText, SaysTheRangeOfTimes) {
   EXPECT_THAT(undecided_text(part), HasSubstr("at l2 1e-02 = 0.5 (0.3 to 0.7). Other repetitions might lie"));
 }
 
+fits::StabilityLimit limit(double stable, double unstable) {
+  return {"cfl", stable, unstable, true, true, {}};
+}
+
+/// Stable at all values tried, up to 1.
+fits::StabilityLimit limit_above_one() {
+  return {"cfl", 1, support::not_measured, true, false, {{0.5, true, ""}, {1, true, ""}}};
+}
+
+/// What is found of the limits of 'a', 'b', ..., which are asked to be this at most.
+ClaimPart judged_limits(const std::vector<fits::StabilityLimit>& limits, double at_most) {
+  records::StudyResult study;
+  study.sweep = "cfl";
+  claims::Criterion criterion;
+  criterion.kind = claims::Criterion::Kind::limit, criterion.at_most = at_most;
+  for (const auto& of_series : limits) {
+    criterion.series.emplace_back(1, static_cast<char>('a' + study.series.size()));
+    study.series.push_back({criterion.series.back(), {}, {}, of_series});
+  }
+  return claims::judge(criterion, study);
+}
+
+TEST(IntervalOf, ALimitLiesInItsBracket) {
+  for (const auto& found : {limit(0.4375, 0.4401), limit(0.4401, 0.4375)}) {
+    const ClaimPart part = judged_limits({found}, 0.439);
+    ASSERT_EQ(part.verdict, PartVerdict::inconclusive);
+    EXPECT_EQ(interval_of(part, part.found[0]), std::pair(0.4375, 0.4401));
+    EXPECT_EQ(reach_of(part, part.found[0]), 0);
+    EXPECT_THAT(undecided_text(part), HasSubstr("= 0.4388. A finer search might decide."));
+  }
+}
+
+TEST(IntervalOf, ARatioOfLimitsLiesWhereTheirBracketsLetIt) {
+  ClaimPart part;
+  part.measure = "limit-ratio", part.found = {{"limit of 'a' over 'b' between 0.9 and 1.2", 1.05}};
+  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(0.9, 1.2));
+  part.found[0].what = "cfl limit of 'a' between 1 and 2, not monotone";
+  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(1.0, 2.0));
+  part.found[0].what = "cfl limit of 'a' between b', stable at all values tried, up to 1";
+  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(1.05, 1.05)) << "the name of a series is no bracket";
+}
+
+/// That of 'b' lies nearer to the bound, but it is 'a' that may lie anywhere beyond it.
+TEST(IntervalOf, ALimitBeyondAllValuesTriedHasOneEnd) {
+  const ClaimPart part = judged_limits({limit_above_one(), limit(1.1, 1.15)}, 1.2);
+  ASSERT_EQ(part.verdict, PartVerdict::inconclusive);
+  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(1.0, HUGE_VAL));
+  EXPECT_THAT(undecided_text(part), HasSubstr("limit of 'a', stable at all values tried, up to 1 = 1 or more. A search "
+                                              "beyond the values tried might decide."));
+}
+
 TEST(DecidingText, NamesWhatAValueIsOf) {
   ClaimPart part = asked(-0.05, 0.05);
   part.statement = "the plateau of the second is within 5 %", part.measure = "value";

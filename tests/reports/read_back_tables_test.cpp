@@ -78,7 +78,8 @@ ExpectedTable orders(const records::StudyResult& study) {
                    {"to", exact(o.to)},
                    {"points", std::to_string(o.points)},
                    {"order", exact(o.order)},
-                   {"half_width", exact(o.half_width)},
+                   {"half_width", exact(o.replicates->half_width)},
+                   {"student_half_width", exact(o.half_width)},
                    {"constant", exact(o.constant)},
                    {"r_squared", exact(o.r_squared)},
                    {"asymptotic", word(o.asymptotic)},
@@ -175,9 +176,9 @@ ExpectedTable points(const records::StudyResult& study) {
       table.add(s.name, {{"cells", brief(p.x)},
                          {"status", p.status == records::Status::ok ? "ok" : "unstable"},
                          {"l1 (m)", fmt::format("{:.3e}", p.y.at("l1"))},
-                         {"order", segment(s.orders[0], i)},
+                         {"order of l1", segment(s.orders[0], i)},
                          {"linf (m)", fmt::format("{:.3e}", p.y.at("linf"))},
-                         {"order", segment(s.orders[1], i)},
+                         {"order of linf", segment(s.orders[1], i)},
                          {"l2 (m)", fmt::format("{:.3e}", p.y.at("l2"))},
                          {"reason", p.reason}});
     }
@@ -272,9 +273,9 @@ TEST(ReadBackTables, CheapestSeriesStandsBesideItsCost) {
   ExpectedTable cheapest;
   cheapest.add("costs: l2", {{"error", "1e-01"},
                              {"cheapest", "fast"},
-                             {"s", brief(fast)},
+                             {"cheapest, s", brief(fast)},
                              {"next", "slow"},
-                             {"s", brief(slow)},
+                             {"next, s", brief(slow)},
                              {"times as much", fmt::format("{:.2f}", slow / fast)},
                              {"do not reach it", "0 of 2"}});
   WrittenReport(read_back::input_of(distinct::costs())).expect_html_and_latex(cheapest);

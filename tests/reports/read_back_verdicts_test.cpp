@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "tests/reports/distinct.hpp"
+#include "tests/reports/matches.hpp"
 #include "tests/reports/written_report.hpp"
 
 /// Goldens, claims and criteria, as a report's pages say them.
@@ -105,6 +106,21 @@ TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
                                    testing::HasSubstr("order of &apos;a&apos;: 1.97 ± 0.28 (asked: at least 1.8; "
                                                       "inconclusive)"),
                                    testing::Not(testing::HasSubstr(asked.evidence))));
+}
+
+TEST(ReadBackPage, BracketsAndRangesOfTimesAreLinesOnTheBand) {
+  using enum records::PartVerdict;
+  ReportInput input = read_back::input_of(distinct::everything());
+  records::ClaimPart limit =
+      part(inconclusive, std::nullopt, 0.439, {{"cfl limit of 'a' between 0.4375 and 0.4401", 0.4388}});
+  limit.measure = "limit";
+  records::ClaimPart cost = part(inconclusive, std::nullopt, 0.6, {{"cost of 'a' over 'b' at l2 1e-02", 0.5}});
+  cost.measure = "cost-ratio",
+  cost.evidence = "cost of 'a' over 'b' at l2 1e-02 (0.3 to 0.7) = 0.5 (asked: at most 0.6)";
+  input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::open, "", {}, {}}};
+  input.claims[0].parts = {
+      {"all-numbers", limit}, {"all-numbers", cost}, {"all-numbers", part(holds, 1, 3, {{"c", 2}})}};
+  EXPECT_EQ(matches(WrittenReport(input).page("claims/X-one.html"), "(class=\"reach\")").size(), 2u);
 }
 
 TEST(ReadBackPage, RowsOfACriterionSayOnceWhatTheyCompare) {

@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
 #include "tests/reports/matches.hpp"
 #include "tests/reports/synthetic.hpp"
@@ -103,12 +104,13 @@ TEST(Report, VerdictAndProvenanceStandOnTheFirstPage) {
   auto page = page_of(in, folder);
   EXPECT_THAT(page.substr(0, page.find("id=\"open\"")),
               AllOf(HasSubstr("tile inconclusive"), HasSubstr("1 inconclusive, 1 pass"), HasSubstr("1 of 2"),
-                    HasSubstr("1 confirmed, 1 open"), HasSubstr("8be1f2c")));
+                    HasSubstr("1 confirmed, 1 open"), HasSubstr("version 8be1f2c-dirty</span>")));
   EXPECT_THAT(page, HasSubstr("dirty: built from"));
   in.provenance.dirty = false;
   in.gate[0].verdict = records::Verdict::fail;
   page = page_of(in, folder);
-  EXPECT_THAT(page, AllOf(HasSubstr("<title>mpmvv: fail</title>"), Not(HasSubstr("dirty: built from"))));
+  EXPECT_THAT(page, AllOf(HasSubstr("<title>mpmvv: fail</title>"), Not(HasSubstr("dirty: built from")),
+                          HasSubstr("version 8be1f2c</span>")));
 }
 
 TEST(Report, SaysWhatChangedInTheGate) {
@@ -121,15 +123,54 @@ TEST(Report, SaysWhatChangedInTheGate) {
   EXPECT_THAT(page_of(in, folder), HasSubstr("Since the version before: +1 inconclusive, -1 pass</span>"));
 }
 
+TEST(Report, SaysNoChangeWhereNothingIsJudged) {
+  const TempFolder folder;
+  auto in = input();
+  in.earlier.emplace();
+  in.gate.clear(), in.claims.clear();
+  EXPECT_THAT(page_of(in, folder), AllOf(HasSubstr("no golden of these studies</span></a>"),
+                                         HasSubstr("no study names a claim</span></a>")));
+}
+
+void set_cost(records::Series& series, double cost) {
+  auto& y = series.points.back().y;
+  y["step_seconds"] = 1, y["ns_per_particle_step"] = cost;
+}
+
 TEST(Report, TheCostIsTheMedianOfAnEvenNumberToo) {
   const TempFolder folder;
   auto in = input();
-  for (const auto& [series, cost] : {std::pair{0, 10.0}, {1, 30.0}}) {
-    auto& y = in.studies[0].series[static_cast<std::size_t>(series)].points.back().y;
-    y["step_seconds"] = 1, y["ns_per_particle_step"] = cost;
-  }
+  set_cost(in.studies[0].series[0], 10), set_cost(in.studies[0].series[1], 30);
   EXPECT_THAT(page_of(in, folder),
               AllOf(HasSubstr("<strong>20.0 ns</strong>"), HasSubstr("median of 2 timed series, 10.0 to 30.0 ns")));
+}
+
+TEST(Report, TheCostIsNeitherThatOfOtherCodesNorOfTrials) {
+  const TempFolder folder;
+  auto in = input();
+  auto& series = in.studies[0].series;
+  for (std::size_t k = 0; k < 3; ++k) set_cost(series[k], 10 + 20 * static_cast<double>(k));
+  series[2].code = records::OtherCode{"my-code", "1.3", "", ""};
+  records::StudyResult trial = in.studies[0];
+  trial.name = "tried", trial.text = store::with_trial(trial.text, "ppc = 4 in 5 of 5 series");
+  in.studies.push_back(trial);
+  EXPECT_THAT(page_of(in, folder),
+              AllOf(HasSubstr("<strong>20.0 ns</strong>"), HasSubstr("median of 2 timed series, 10.0 to 30.0 ns")));
+}
+
+TEST(Report, GoldensAreSortedByTheWorstVerdictAndHowManyHaveIt) {
+  const TempFolder folder;
+  auto in = input();
+  for (const records::Verdict verdict : {records::Verdict::fail, records::Verdict::fail, records::Verdict::pass})
+    in.gate.push_back({"bar-bases", "one more", verdict, "1", "2", ""});
+  EXPECT_THAT(page_of(in, folder), AllOf(HasSubstr("data-key=\"fail 2\""), HasSubstr("data-key=\"inconclusive 1\""),
+                                         HasSubstr("data-key=\"not judged 0\"")));
+}
+
+TEST(Report, WordsSayThatAQuarterMayBeAllThatACaseAsksFor) {
+  const TempFolder folder;
+  EXPECT_THAT(page_of(input(), folder),
+              HasSubstr("make the body that the case asks for (with <code>quarter</code>, the quarter)"));
 }
 
 TEST(Report, SaysNoMoreThanTheGateWhereGoldensHaveNoResult) {

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "reports/csv.hpp"
 #include "studies/support/process.hpp"
+#include "tests/reports/distinct.hpp"
 #include "tests/reports/synthetic.hpp"
 #include "tests/reports/temp_folder.hpp"
 
@@ -37,15 +39,44 @@ TEST(Csv, HasFitsLimitsProbesAndValuesWhereThereAreAny) {
   EXPECT_THAT(csv_tables(synthetic::check()).at("values/weights.csv"), HasSubstr("\nnothing,,a NaN\n"));
 }
 
+/// Half the difference of the segments' orders stands in for the interval of three points; two have none.
+TEST(Csv, FitsHaveTheHalfWidthThatTheyAreJudgedBy) {
+  fits::ObservedOrder three;
+  three.norm = "l2", three.from = 1, three.to = 4, three.points = 3, three.order = 2;
+  three.segments = {{1, 2, 1.75}, {2, 4, 2.25}};
+  fits::ObservedOrder two = three, four = three;
+  two.points = 2, two.segments.pop_back();
+  four.points = 4, four.half_width = 0.5;
+  records::StudyResult study;
+  study.name = "s", study.series = {{"a", {}, {three, two, four}, {}}};
+  EXPECT_THAT(csv_tables(study).at("fits/s.csv"),
+              AllOf(HasSubstr(",order,half_width,student_half_width,constant,"), HasSubstr("a,l2,1,4,3,2,0.25,,,"),
+                    HasSubstr("a,l2,1,4,2,2,,,,"), HasSubstr("a,l2,1,4,4,2,0.5,0.5,,")));
+}
+
 TEST(Table, SegmentOrdersStandBesideTheirErrors) {
   const auto table = points_table(synthetic::convergence());
-  EXPECT_THAT(table.columns, testing::ElementsAre("cells", "status", "l2 (m)", "order", "l1 (m)", "linf (m)",
+  EXPECT_THAT(table.columns, testing::ElementsAre("cells", "status", "l2 (m)", "order of l2", "l1 (m)", "linf (m)",
                                                   "wall_seconds (s)", "reason"));
   EXPECT_EQ(table.groups[1].rows[0][3], "–");
   EXPECT_EQ(table.groups[1].rows[1][3], "2.01");
   EXPECT_EQ(table.groups[3].rows[0][1], "unstable");
   EXPECT_EQ(table.groups[3].rows[0][2], "–");
   EXPECT_EQ(table.groups[3].rows[0][7], "det F <= 0 in step 12");
+}
+
+TEST(Table, NoTwoColumnsHaveOneHead) {
+  records::StudyResult swept;
+  swept.sweep = "cfl";
+  swept.series = {records::Series{"a", {}, {}, {}}};
+  for (const double cfl : {0.1, 0.2})
+    swept.series[0].points.push_back({cfl, records::Status::ok, "", {{"l2", cfl}, {"cfl", 0.99 * cfl}}});
+  EXPECT_THAT(points_table(swept).columns, testing::Contains("cfl of the run"));
+  for (const auto& study : {swept, distinct::everything(), distinct::costs()})
+    for (const Table& table : tables_of(study)) {
+      const std::set<std::string> heads(table.columns.begin(), table.columns.end());
+      EXPECT_EQ(heads.size(), table.columns.size()) << table.caption;
+    }
 }
 
 TEST(Table, WhatIsTheSameAtEveryPointStandsInTheNote) {

@@ -39,6 +39,13 @@ TEST(Text, OrderHasAnIntervalOnlyWhenThereIsOne) {
   EXPECT_EQ(order_text(-0.3, 12.7), "-0.30 ± 12.70");
 }
 
+TEST(Text, NoOrderIsMinusZero) {
+  EXPECT_EQ(order_text(-4e-8, 4e-8), "0.0000 ± 4e-08");
+  EXPECT_EQ(order_text(-4e-5, 4e-4), "0.0000 ± 0.0004");
+  EXPECT_EQ(order_text(-6e-5, 4e-4), "-0.0001 ± 0.0004");
+  EXPECT_EQ(order_text(-0.004, 0.04), "0.00 ± 0.04");
+}
+
 TEST(Text, AFitHasTheIntervalThatItIsJudgedBy) {
   fits::ObservedOrder fit;
   fit.order = 2;

@@ -14,10 +14,10 @@ Chart orders_of(const std::vector<std::string>& names) {
   return trend_charts("bars", history).at(0);
 }
 
-/// What stands below the axis of a code's versions.
-std::vector<std::string> names_of(const std::vector<store::Version>& of_code) {
+/// What stands below the axis of the versions of a code, or of our own program.
+std::vector<std::string> names_of(const std::vector<store::Version>& of_code, const std::string& code = "my-code") {
   const std::vector<double> orders(of_code.size(), 2);
-  const History history{"my-code", of_code, {{"bars", Finding::Kind::order, "order of 'a'", orders}}};
+  const History history{code, of_code, {{"bars", Finding::Kind::order, "order of 'a'", orders}}};
   std::vector<std::string> names;
   const Chart chart = trend_charts("bars", history).at(0);
   for (const auto& tic : chart.x.tics) names.push_back(tic.text);
@@ -75,6 +75,13 @@ TEST(TrendChart, VersionsOfACodeThatSayTheSameHaveTheirDigests) {
             (std::vector<std::string>{"0a1b2c3", "5f6a7b8", "1.4"}));
   EXPECT_EQ(names_of({{"0a1b2c3d4e", {"2026.11-beta-1"}, ""}, {"5f6a7b8c9d", {"2026.11-beta-2"}, ""}}),
             (std::vector<std::string>{"0a1b2c3", "5f6a7b8"}));
+}
+
+TEST(TrendChart, BuildsOfOneCommitAreToldFromEachOther) {
+  const store::Version clean{"0a1b2c3d4e", {"c0ffee0123456789"}, ""},
+      dirty{"5f6a7b8c9d", {"c0ffee0123456789-dirty"}, ""};
+  EXPECT_EQ(names_of({clean, dirty}, ""), (std::vector<std::string>{"c0ffee0", "c0ffee0-dirty"}));
+  EXPECT_EQ(names_of({dirty, {"aabbccddee", dirty.commits, ""}}, ""), (std::vector<std::string>{"5f6a7b8", "aabbccd"}));
 }
 
 }  // namespace mpmvv::reports::trend_chart_test

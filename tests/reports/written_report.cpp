@@ -48,10 +48,11 @@ void add_html_row(Table& table, const HtmlNode& row) {
 
 /// With the ends of cells that HTML leaves out, as the next cell or the end of the row says them, and XML does not.
 std::string with_ends_of_cells(std::string table) {
-  for (auto at = table.find("<td"); at != std::string::npos; at = table.find("<td", at + 1)) {
-    const auto next = std::min(table.find("<td", at + 1), table.find("</tr>", at));
-    if (table.find("</td>", at) > next) table.insert(next, "</td>");
-  }
+  for (const std::string tag : {"th", "td"})
+    for (auto at = table.find("<" + tag); at != std::string::npos; at = table.find("<" + tag, at + 1)) {
+      const auto next = std::min(table.find("<td", at + 1), table.find("</tr>", at));
+      if (table.find("</" + tag + ">", at) > next) table.insert(next, "</" + tag + ">");
+    }
   return table;
 }
 
