@@ -69,6 +69,20 @@ TEST(Scene, StartsWithTheVelocitiesThatItsStartNames) {
   }
 }
 
+/// A node has no reference position: its body force is that of the point that has moved to it.
+TEST(Scene, BodyForceOnTheGridIsThatOfTheReferencePoint) {
+  const Settings settings{
+      {"problem", "square", ""}, {"cells", "8", ""}, {"ppc", "2", ""}, {"cfl", "0.2", ""}, {"body_force", "grid", ""}};
+  const auto prepared = prepare_case<2>(settings::make_case(settings), problems::find_problem("square", ""), 1);
+  const auto& solution = *prepared.setup.solution;
+  const double t = 0.003;
+  for (const solver::Vec<2>& X : {solver::Vec<2>(0.3, 0.6), solver::Vec<2>(0.8, 0.1)}) {
+    const solver::Vec<2> x = X + solution.u(X, t), b = solution.b(X, t);
+    EXPECT_LT((prepared.scene.body_force->at_position(x, t) - b).norm(), 1e-9 * b.norm());
+    EXPECT_GT((solution.b(x, t) - b).norm(), 1e-3 * b.norm());
+  }
+}
+
 TEST(Scene, HasItsChoices) {
   const auto flip = std::get<solver::Flip>(update_of("flip", {{"position", "particle", ""}}));
   EXPECT_EQ(flip.position, solver::FlipPosition::particle);
