@@ -22,7 +22,7 @@ class Bench {
   virtual bool build(const Edit* edit) = 0;
 
   /// Takes what was built last through the stage; a mutant that takes more than the limit is stopped, and counts as
-  /// caught.
+  /// caught. A stage that cannot depend on the edited file is passed at once.
   virtual Trial meet(GateStage stage, std::chrono::seconds limit) = 0;
 
   virtual std::string complaint() const = 0;  ///< the end of what the last build that failed printed

@@ -25,6 +25,7 @@ class ProgramBench final : public SchemataBench {
 
  private:
   void configure() const;
+  void reach_for(const Edit* edit);  ///< sets what the edit, or the tree without one, has to meet
   support::ProcessEnd make(const std::vector<std::string>& targets) const;
   bool compiles(const std::string& target);
   support::ProcessEnd run(const std::vector<std::string>& command, std::chrono::seconds limit,
@@ -50,6 +51,7 @@ class ProgramBench final : public SchemataBench {
   std::vector<std::string> tests_;            ///< test programs that the edit can reach
   int chosen_ = 0;                            ///< number of a choice, 0 for none
   bool is_edited_ = false;                    ///< whether what was built or chosen last has a mistake
+  bool decides_the_gate_ = true;              ///< whether that may change what the gate says
   std::map<std::string, double> usual_;       ///< seconds of studies and test programs without a mistake
   std::string complaint_;
 };

@@ -64,6 +64,10 @@ std::vector<std::string> studies_with_goldens(const std::vector<std::string>& fi
   return names;
 }
 
+bool decides_the_gate(const std::string& file) {
+  return !is_within(file, "reports") && !is_within(file, "mms/c");
+}
+
 std::vector<std::string> test_programs(const std::string& file) {
   if (file.starts_with("mms/c/")) return {"test_c_interface"};
   if (file.starts_with("mms/")) return {"test_mms", "test_solver", "test_studies", "test_cli"};

@@ -59,4 +59,12 @@ TEST(GateOutput, AnEditReachesTheTestsThatLinkIt) {
   EXPECT_THAT(test_programs("studies/runs/norms.hpp"), IsSupersetOf({"test_studies", "test_goldens", "test_reports"}));
 }
 
+TEST(ProgramGate, NoGoldenDependsOnTheReport) {
+  EXPECT_FALSE(decides_the_gate("reports/csv.cpp"));
+  EXPECT_FALSE(decides_the_gate("mms/c/mpmvv_mms.cpp"));
+  for (const char* file :
+       {"mms/bar.cpp", "solver/grid.hpp", "studies/fits/median.hpp", "goldens/gate.cpp", "cli/gate.cpp"})
+    EXPECT_TRUE(decides_the_gate(file)) << file;
+}
+
 }  // namespace mpmvv::mutation::gate_output_test
