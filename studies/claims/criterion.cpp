@@ -26,6 +26,14 @@ PartVerdict verdict_on(const Criterion& c, const Interval& interval) {
   return inside ? PartVerdict::holds : PartVerdict::inconclusive;
 }
 
+/// What was measured, as "LABEL = NUMBER" or in words.
+std::string measured_text(const Measured::Number& number) {
+  const auto& [label, value, interval, words, remark] = number;
+  if (!words.empty()) return fmt::format("{}: {}", label, words);
+  if (std::isnan(value)) return fmt::format("{}{} is not known", label, remark);
+  return fmt::format("{}{} = {:.4g}", label, remark, value);
+}
+
 }  // namespace
 
 /// Each number is held against the bounds together with its interval. The interval can only withhold a verdict, never
@@ -48,14 +56,13 @@ records::ClaimPart judge(const Criterion& criterion, const records::StudyResult&
   const Measured measured = measure(criterion, result);
   std::vector<std::string> texts;
   bool all_hold = true, one_fails = false, all_known = measured.missing.empty() && !measured.numbers.empty();
-  for (const auto& [label, value, interval, words, remark] : measured.numbers) {
-    part.found.push_back({label, value});
-    texts.push_back(words.empty() ? fmt::format("{}{} = {:.4g}", label, remark, value)
-                                  : fmt::format("{}: {}", label, words));
-    const PartVerdict verdict = verdict_on(criterion, interval);
+  for (const Measured::Number& number : measured.numbers) {
+    part.found.push_back({number.label, number.value});
+    texts.push_back(measured_text(number));
+    const PartVerdict verdict = verdict_on(criterion, number.interval);
     all_hold = all_hold && verdict == PartVerdict::holds;
     one_fails = one_fails || verdict == PartVerdict::fails;
-    all_known = all_known && !std::isnan(value);
+    all_known = all_known && !std::isnan(number.value);
   }
   if (!measured.missing.empty()) texts.push_back(measured.missing);
   if (all_known && (one_fails || all_hold)) part.verdict = one_fails ? PartVerdict::fails : PartVerdict::holds;

@@ -14,7 +14,6 @@ namespace mpmvv::claims {
 
 using records::Series;
 using records::StudyResult;
-using support::not_measured;
 
 namespace {
 
@@ -57,17 +56,13 @@ Finding with_word_if_not_measured(Finding finding) {
 
 Finding order_finding(const StudyResult& study, const Series& series, const fits::ObservedOrder& order) {
   return with_word_if_not_measured(
-      {study.name,
-       Finding::Kind::order,
-       fmt::format("order of '{}' in {} over [{:g}, {:g}]", series.name, order.norm, order.from, order.to),
-       order.order,
-       "",
-       1,
-       {},
-       not_measured,
-       not_measured,
-       series.name,
-       {order.from, order.to}});
+      {.study = study.name,
+       .kind = Finding::Kind::order,
+       .name = fmt::format("order of '{}' in {} over [{:g}, {:g}]", series.name, order.norm, order.from, order.to),
+       .number = order.order,
+       .better = 1,
+       .series = series.name,
+       .window = {order.from, order.to}});
 }
 
 /// A check's curve is no sequence of refinements: it has no finest level.
@@ -76,13 +71,22 @@ void add_errors(std::vector<Finding>& findings, const StudyResult& study, const 
     const auto levels = levels_of(series, quantity);
     if (levels.empty()) continue;
     if (study.kind == records::StudyKind::check) {
-      findings.push_back({study.name, Finding::Kind::error, fmt::format("curve '{}' of {}", series.name, quantity),
-                          not_measured, "curve", 0, levels});
+      findings.push_back({.study = study.name,
+                          .kind = Finding::Kind::error,
+                          .name = fmt::format("curve '{}' of {}", series.name, quantity),
+                          .word = "curve",
+                          .levels = levels});
       continue;
     }
     const auto [x, y] = finest(study, levels);
-    findings.push_back({study.name, Finding::Kind::error, fmt::format("error of '{}' in {}", series.name, quantity), y,
-                        "", -1, levels, x, not_measured, series.name});
+    findings.push_back({.study = study.name,
+                        .kind = Finding::Kind::error,
+                        .name = fmt::format("error of '{}' in {}", series.name, quantity),
+                        .number = y,
+                        .better = -1,
+                        .levels = levels,
+                        .at = x,
+                        .series = series.name});
   }
 }
 
@@ -94,13 +98,10 @@ int side_of_all_tried(const fits::StabilityLimit& limit) {
 }
 
 Finding limit_finding(const StudyResult& study, const Series& series, const fits::StabilityLimit& limit) {
-  Finding finding{study.name,
-                  Finding::Kind::limit,
-                  fmt::format("{} limit of '{}'", limit.key, series.name),
-                  not_measured,
-                  "",
-                  limit.stable < limit.unstable ? 1 : -1,
-                  {}};
+  Finding finding{.study = study.name,
+                  .kind = Finding::Kind::limit,
+                  .name = fmt::format("{} limit of '{}'", limit.key, series.name),
+                  .better = limit.stable < limit.unstable ? 1 : -1};
   if (limit.found)
     finding.number = limit.value();
   else
@@ -111,54 +112,41 @@ Finding limit_finding(const StudyResult& study, const Series& series, const fits
 /// An extrapolated value as a finding. Its uncertainty is that of the finest grid's value, as the procedure gives it.
 Finding extrapolated_finding(const StudyResult& study, const Series& series, const fits::Extrapolation& e) {
   return with_word_if_not_measured(
-      {study.name,
-       Finding::Kind::value,
-       fmt::format("extrapolated {} of '{}' over [{:g}, {:g}]", e.norm, series.name, e.from, e.to),
-       e.limit,
-       "",
-       0,
-       {},
-       not_measured,
-       e.uncertainty});
+      {.study = study.name,
+       .kind = Finding::Kind::value,
+       .name = fmt::format("extrapolated {} of '{}' over [{:g}, {:g}]", e.norm, series.name, e.from, e.to),
+       .number = e.limit,
+       .uncertainty = e.uncertainty});
 }
 
 void add_statuses(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {
   for (const records::Point& point : series.points)
-    findings.push_back({study.name,
-                        Finding::Kind::status,
-                        fmt::format("status of '{}' at {:g}", series.name, point.x),
-                        not_measured,
-                        to_string(point.status),
-                        0,
-                        {},
-                        point.x,
-                        not_measured,
-                        series.name});
+    findings.push_back({.study = study.name,
+                        .kind = Finding::Kind::status,
+                        .name = fmt::format("status of '{}' at {:g}", series.name, point.x),
+                        .word = to_string(point.status),
+                        .at = point.x,
+                        .series = series.name});
 }
 
 void add_criteria(std::vector<Finding>& findings, const StudyResult& study) {
   for (const records::ClaimPart& part : study.parts)
     if (part.verdict != records::PartVerdict::shown)
-      findings.push_back({study.name,
-                          Finding::Kind::verdict,
-                          fmt::format("criterion of {}: {}", part.claim, part.statement),
-                          not_measured,
-                          to_string(part.verdict),
-                          0,
-                          {}});
+      findings.push_back({.study = study.name,
+                          .kind = Finding::Kind::verdict,
+                          .name = fmt::format("criterion of {}: {}", part.claim, part.statement),
+                          .word = to_string(part.verdict)});
 }
 
 void add_cost(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {
   if (levels_of(series, "step_seconds").empty()) return;
   const auto levels = levels_of(series, "ns_per_particle_step");
   if (levels.empty()) return;
-  findings.push_back({study.name,
-                      Finding::Kind::cost,
-                      fmt::format("ns per particle and step of '{}'", series.name),
-                      finest(study, levels).y,
-                      "",
-                      -1,
-                      {}});
+  findings.push_back({.study = study.name,
+                      .kind = Finding::Kind::cost,
+                      .name = fmt::format("ns per particle and step of '{}'", series.name),
+                      .number = finest(study, levels).y,
+                      .better = -1});
 }
 
 }  // namespace
@@ -183,8 +171,10 @@ std::vector<Finding> findings_of(const StudyResult& study) {
     add_cost(findings, study, series);
   }
   for (const records::Value& value : study.values)
-    findings.push_back(with_word_if_not_measured(
-        {study.name, Finding::Kind::value, fmt::format("value '{}'", value.name), value.value, "", 0, {}}));
+    findings.push_back(with_word_if_not_measured({.study = study.name,
+                                                  .kind = Finding::Kind::value,
+                                                  .name = fmt::format("value '{}'", value.name),
+                                                  .number = value.value}));
   return findings;
 }
 
@@ -197,7 +187,7 @@ std::vector<Finding> findings_of(const std::vector<StudyResult>& studies) {
   for (const Claim& claim : judge_claims(studies))
     if (!claim.studies.empty())
       findings.push_back(
-          {"", Finding::Kind::verdict, "claim " + claim.id, not_measured, to_string(claim.verdict), 0, {}});
+          {.kind = Finding::Kind::verdict, .name = "claim " + claim.id, .word = to_string(claim.verdict)});
   return findings;
 }
 

@@ -20,13 +20,13 @@ struct Finding {
     double x = 0, y = 0;
   };
 
-  std::string study;  ///< empty for the verdict of a claim
+  std::string study = {};  ///< empty for the verdict of a claim
   Kind kind = Kind::value;
-  std::string name;                   ///< "order of 'linear' in l2 over [16, 128]"; differs within a study
+  std::string name = {};              ///< "order of 'linear' in l2 over [16, 128]"; differs within a study
   double number = not_measured;       ///< of an error or a cost: that of the finest level
-  std::string word;                   ///< a status, a verdict, why there is no number; else empty
+  std::string word = {};              ///< a status, a verdict, why there is no number; else empty
   int better = 0;                     ///< 1: the larger the better; -1: the smaller; 0: neither
-  std::vector<Level> levels;          ///< of an error or curve, in increasing x
+  std::vector<Level> levels = {};     ///< of an error or curve, in increasing x
   double at = not_measured;           ///< of an error: the swept value of the finest level; of a status: its run's
   double uncertainty = not_measured;  ///< of an extrapolated value
   std::string series = {};            ///< of an order, error or status

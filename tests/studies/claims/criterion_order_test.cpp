@@ -41,6 +41,15 @@ TEST(Criterion, HowWellAnOrderIsKnownIsNoPartOfWhatWasFound) {
   EXPECT_THAT(judge(c, result).evidence, HasSubstr("over cells 8 to 128 (±0.64) = 2"));
 }
 
+TEST(Criterion, SaysInWordsThatAnOrderIsNotKnown) {
+  StudyResult result = scattered(0);
+  result.series[0].points.resize(1);
+  const records::ClaimPart part = judge(criterion(Kind::order, "good", 1.5, {}), result);
+  EXPECT_EQ(part.verdict, PartVerdict::inconclusive);
+  EXPECT_THAT(part.evidence, HasSubstr("is not known"));
+  EXPECT_THAT(part.evidence, testing::Not(HasSubstr("nan")));
+}
+
 PartVerdict verdict_of_order(const StudyResult& result, std::optional<double> at_least, std::optional<double> at_most) {
   Criterion c = criterion(Kind::order, "good", at_least, at_most);
   c.window = {8, 128};
