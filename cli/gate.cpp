@@ -1,12 +1,14 @@
 #include "goldens/gate.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
@@ -14,6 +16,7 @@
 #include "cli/help.hpp"
 #include "cli/max_age.hpp"
 #include "cli/outputs.hpp"
+#include "cli/planted_series.hpp"
 #include "cli/results.hpp"
 #include "cli/shipped.hpp"
 #include "goldens/github.hpp"
@@ -56,7 +59,7 @@ nlohmann::json gate_json(const goldens::GateReport& report, const std::vector<st
                        {"name", r.name},
                        {"verdict", to_string(r.verdict)},
                        {"expected", r.expected},
-                       {"measured", r.measured},
+                       {"measured", r.measured.empty() ? nlohmann::json() : nlohmann::json(r.measured)},
                        {"reason", r.reason},
                        {"where", r.where},
                        {"better", r.better},
@@ -146,7 +149,9 @@ int propose(const ProposeOptions& options) {
   const auto provenance = store::Store(options.db, store::Store::Mode::read)
                               .study_provenance(study->name, store::current_provenance().digest);
   if (is_shipped(*study)) goldens::require_committed(*study, *provenance);
-  const std::string text = goldens::propose_goldens(*study, *provenance, standing_goldens(options, *study));
+  const std::set<std::string> planted = planted_series(*study);
+  const std::string text = goldens::propose_goldens(*study, *provenance, standing_goldens(options, *study), planted);
+  if (!planted.empty()) note("no golden of planted mistakes: {}\n", fmt::format("'{}'", fmt::join(planted, "', '")));
   if (options.out.empty()) {
     print_text(text);
     return 0;

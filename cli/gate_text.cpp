@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <map>
+#include <set>
 
 #include "cli/console.hpp"
 #include "cli/lines.hpp"
@@ -17,10 +18,15 @@ using goldens::Verdict;
 
 namespace {
 
-std::string description(const GateResult& r) {
-  std::string text = fmt::format("{}: expected {}", r.name, r.expected);
-  if (!r.measured.empty()) text += fmt::format(", measured {}", r.measured);
-  return r.reason.empty() ? text : fmt::format("{} ({})", text, r.reason);
+/// The golden, and what was found. What a run says that is not ok stands at the first golden of the study that it
+/// fails; `said` has what the study's runs have said so far.
+std::string description(const GateResult& r, std::set<std::string>& said) {
+  const std::string text = fmt::format("{}: expected {}{}", r.name, r.expected, measured_text(r));
+  if (r.reason.empty()) return text;
+  std::string reason = r.reason;
+  if (!r.cause.empty() && !said.insert(r.cause).second)
+    reason.replace(reason.size() - r.cause.size(), r.cause.size(), "as above");
+  return fmt::format("{} ({})", text, reason);
 }
 
 /// Prints one line on the studies of which the store has nothing. It names them where they are few, and says how to
@@ -49,10 +55,12 @@ void print_absent(const goldens::GateReport& report) {
 
 void print_gate(const goldens::GateReport& report, const std::vector<store::CodeSeries>& judged, bool verbose) {
   Table table({{"verdict", Table::Kind::verdict}, {"study"}, {"golden", Table::Kind::prose}}, 0);
+  std::map<std::string, std::set<std::string>> said;  // by study
   for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
     for (const GateResult& r : report.results) {
       const bool is_news = verdict != Verdict::pass && !r.is_absent;
-      if (r.verdict == verdict && (is_news || verbose)) table.add({to_string(verdict), r.study, description(r)});
+      if (r.verdict == verdict && (is_news || verbose))
+        table.add({to_string(verdict), r.study, description(r, said[r.study])});
     }
   table.print();
   if (!verbose) print_absent(report);

@@ -82,8 +82,8 @@ Judgement judge(const StatusGolden& golden, const Series& series) {
 Judgement judge(const ValueGolden& golden, const StudyResult& study) {
   const records::Value* value = find(study.values, golden.name, &records::Value::name);
   if (!value) return missing(fmt::format("no value '{}'", golden.name));
+  if (std::isnan(value->value)) return inconclusive("", "the value was not measured");
   const std::string measured = fmt::format("{:.6g}", value->value);
-  if (std::isnan(value->value)) return inconclusive(measured, "the value was not measured");
   if (value->value > golden.upper) return fail(measured, "value above the golden's bound");
   if (value->value < golden.lower) return fail(measured, "value below the golden's bound");
   return pass(measured);
@@ -119,10 +119,16 @@ GateResult judge(const Golden& golden, const std::vector<StudyResult>& studies, 
           std::move(judgement.reason),
           golden.where,
           judgement.better,
-          study == nullptr};
+          study == nullptr,
+          std::move(judgement.cause)};
 }
 
 }  // namespace
+
+std::string measured_text(const GateResult& result) {
+  if (!result.measured.empty()) return ", measured " + result.measured;
+  return result.verdict == Verdict::fail ? ", not measured" : "";
+}
 
 int GateReport::count(Verdict v) const {
   return static_cast<int>(std::ranges::count(results, v, &GateResult::verdict));

@@ -16,12 +16,17 @@ struct GateResult {
   std::string study;
   std::string name;  ///< subject of the golden
   Verdict verdict = Verdict::inconclusive;
-  std::string expected, measured;
+  std::string expected;
+  std::string measured;    ///< empty where nothing was
   std::string reason;      ///< empty for `pass`
   std::string where = {};  ///< of the golden, FILE:LINE
   bool better = false;     ///< it failed because results improved: the golden should be renewed
   bool is_absent = false;  ///< the store has nothing of its study
+  std::string cause = {};  ///< with which `reason` ends: what a run says that is not ok; of all goldens of that run
 };
+
+/// ", measured 2.01 (3 points)", and ", not measured" where a golden fails because nothing was; else empty.
+std::string measured_text(const GateResult& result);
 
 /// All goldens, judged, in their order.
 struct GateReport {

@@ -24,8 +24,7 @@ std::string percent_escaped(const std::string& text, bool property) {
 
 std::string annotation(const char* command, const GateResult& result) {
   const auto colon = result.where.rfind(':');
-  const std::string measured = result.measured.empty() ? "" : ", measured " + result.measured;
-  const std::string message = fmt::format("expected {}{} ({})", result.expected, measured, result.reason);
+  const std::string message = fmt::format("expected {}{} ({})", result.expected, measured_text(result), result.reason);
   return fmt::format("::{} file={},line={},title={}::{}\n", command,
                      percent_escaped(result.where.substr(0, colon), true), result.where.substr(colon + 1),
                      percent_escaped(result.study + ": " + result.name, true), percent_escaped(message, false));

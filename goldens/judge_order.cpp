@@ -27,8 +27,9 @@ std::vector<const Point*> window_of(const ObservedOrder& fit, const Series& seri
 }
 
 /// The order, and how many points it is fitted to and how many of its window are no results, so that a shrunken window
-/// is seen.
+/// is seen. Empty where none could be fitted.
 std::string order_text(const ObservedOrder& fit, const Series& series) {
+  if (std::isnan(fit.order)) return "";
   const auto lost =
       std::ranges::count_if(window_of(fit, series), [](const Point* p) { return p->status != records::Status::ok; });
   const std::string loss = lost > 0 ? fmt::format(", {} unstable or failed", lost) : "";
@@ -60,6 +61,15 @@ bool has_grown(const OrderGolden& golden, const Series& series) {
          find_point(series, golden.finest[0])->y.at(golden.norm) > golden.finest[1] * (1 + error_band);
 }
 
+/// Fails an order of too few points: with the runs that were lost, and where an order is left with how many it needs.
+Judgement fail_by_lost_points(const OrderGolden& golden, const ObservedOrder& fit, const Series& series, int wanted) {
+  const std::string measured = order_text(fit, series), few = fmt::format("fewer usable points than {}", wanted);
+  LostRuns lost = lost_runs(window_of(fit, series), golden.finest.empty() ? fits::not_measured : golden.finest[0]);
+  if (lost.text.empty()) return fail(measured, few);
+  if (!measured.empty()) lost.text = few + ": " + lost.text;
+  return fail(measured, lost);
+}
+
 /// Judges an order that is inside the band, or outside it with an interval that reaches in.
 Judgement judge_interval(const OrderGolden& golden, const ObservedOrder& fit, const std::string& measured) {
   const double width = fits::half_width(fit),
@@ -81,13 +91,16 @@ Judgement judge(const OrderGolden& golden, const Series& series) {
   if (!fit) return missing(fmt::format("no order of '{}' in {} over that window", golden.series, golden.norm));
   const std::string measured = order_text(*fit, series);
   const int wanted = golden.points > 0 ? golden.points : static_cast<int>(window_of(*fit, series).size());
-  if (fit->points < wanted) return fail(measured, fmt::format("fewer usable points than {}", wanted));
+  if (fit->points < wanted) return fail_by_lost_points(golden, *fit, series, wanted);
   if (std::isnan(fit->order)) return inconclusive(measured, "no order could be fitted");
   if (fit->points < 3) return inconclusive(measured, "fewer than 3 usable points in the window");
   const double width = fits::half_width(*fit);
   if (fit->order + width < golden.lower) return fail(measured, "order below the golden's band");
   if (fit->order > golden.upper + absurd) return fail(measured, "order absurdly high");
-  if (const auto lack = lacking_level(golden, *fit, series)) return {lack->verdict, measured, lack->reason};
+  if (auto lack = lacking_level(golden, *fit, series)) {
+    lack->measured = measured;
+    return *lack;
+  }
   if (has_grown(golden, series))
     return fail(measured, fmt::format("the error at {:g} is larger than {:.4g} by more than {:g} %, whatever the order",
                                       golden.finest[0], golden.finest[1], 100 * error_band));

@@ -19,6 +19,9 @@ Judgement fail(std::string measured, std::string reason) {
 Judgement fail_as_better(std::string measured, std::string reason) {
   return {Verdict::fail, std::move(measured), std::move(reason), true};
 }
+Judgement fail(std::string measured, const LostRuns& lost) {
+  return {Verdict::fail, std::move(measured), lost.text, false, lost.cause};
+}
 Judgement inconclusive(std::string measured, std::string reason) {
   return {Verdict::inconclusive, std::move(measured), std::move(reason)};
 }
@@ -38,11 +41,10 @@ std::string status_text(const Point& point) {
 std::optional<Judgement> lacking(const records::Series& series, const std::string& norm, double at) {
   const Point* point = find_point(series, at);
   if (!point) return missing(fmt::format("no point of '{}' at {}", series.name, at));
-  if (point->status != records::Status::ok)
-    return fail(status_text(*point), fmt::format("no error at {}: the run is not ok", at));
+  if (point->status != records::Status::ok) return fail("", lost_runs({point}));
   const auto error = point->y.find(norm);
   if (error == point->y.end()) return missing(fmt::format("no {} of '{}' at {}", norm, series.name, at));
-  if (std::isnan(error->second)) return inconclusive("nan", fmt::format("the error at {} was not measured", at));
+  if (std::isnan(error->second)) return inconclusive("", fmt::format("the error at {} was not measured", at));
   return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "goldens/golden.hpp"
+#include "goldens/lost_runs.hpp"
 #include "studies/records/result.hpp"
 #include "studies/records/verdict.hpp"
 
@@ -14,13 +15,16 @@ using records::Verdict;
 /// What a gate finds of one golden.
 struct Judgement {
   Verdict verdict = Verdict::inconclusive;
-  std::string measured, reason;  ///< `reason` is empty for `pass`
-  bool better = false;           ///< it fails because the result improved
+  std::string measured;    ///< empty where nothing was
+  std::string reason;      ///< empty for `pass`
+  bool better = false;     ///< it fails because the result improved
+  std::string cause = {};  ///< with which `reason` ends: what a run says that is not ok; may be empty
 };
 
 Judgement pass(std::string measured);
 Judgement fail(std::string measured, std::string reason);
 Judgement fail_as_better(std::string measured, std::string reason);
+Judgement fail(std::string measured, const LostRuns& lost);
 Judgement inconclusive(std::string measured, std::string reason);
 Judgement missing(const std::string& what);
 
@@ -29,7 +33,7 @@ const records::Point* find_point(const records::Series& series, double at);
 
 std::string status_text(const records::Point& point);
 
-/// Why there is no error at a level that a golden names; nullopt where there is one.
+/// Why there is no error at a level that a golden names, with nothing measured; nullopt where there is one.
 std::optional<Judgement> lacking(const records::Series& series, const std::string& norm, double at);
 
 Judgement judge(const OrderGolden& golden, const records::Series& series);

@@ -51,9 +51,8 @@ std::string test_case(const GateResult& result) {
       return head + "/>\n";
     case Verdict::fail:
       return fmt::format(
-          "{}>\n      <failure type=\"regression\" message=\"{}\">expected {}, measured {}</failure>\n    "
-          "</testcase>\n",
-          head, reason, escaped(result.expected), escaped(result.measured));
+          "{}>\n      <failure type=\"regression\" message=\"{}\">expected {}{}</failure>\n    </testcase>\n", head,
+          reason, escaped(result.expected), escaped(measured_text(result)));
     case Verdict::inconclusive:
       break;
   }

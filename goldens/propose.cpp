@@ -126,6 +126,14 @@ void propose_order(Draft& draft, const std::string& sweep, const Series& series,
                   expected + order_band, level, asymptotic, wide));
 }
 
+/// Whether an order over a window that ends at this level has a golden: the order then fails where this error grows.
+bool guards_order(const std::string& sweep, const Series& series, const std::string& norm, const Point& level) {
+  return std::ranges::any_of(series.orders, [&](const ObservedOrder& fit) {
+    return fit.norm == norm && no_golden(series, fit).empty() &&
+           finest_stable(sweep, series, norm, {fit.from, fit.to}) == &level;
+  });
+}
+
 void propose_error(Draft& draft, const std::string& sweep, const Series& series, const std::string& norm) {
   const Point* point = finest_stable(sweep, series, norm);
   const std::string why = point ? no_golden_at(norm, point->x) : "no stable point with an error above 0";
@@ -138,6 +146,8 @@ void propose_error(Draft& draft, const std::string& sweep, const Series& series,
   });
   draft.remark(fmt::format("The finest stable level in {}{}.", sweep,
                            is_finest ? "" : " with an error above 0, which finer ones lack"));
+  if (guards_order(sweep, series, norm, *point))
+    draft.remark("An order above fails where this error grows; this golden fails where it falls, too.");
   draft.table("error", fmt::format("series = {}\nnorm = \"{}\"\nat = {}\nexpected = {:.4g}\nband = {}",
                                    quoted(series.name), norm, point->x, point->y.at(norm), error_band));
 }
@@ -216,6 +226,13 @@ void propose_series(Draft& draft, const records::StudyResult& study, const Serie
   if (series.limit) propose_limit(draft, series, *series.limit);
 }
 
+/// Says why a planted mistake has no golden: whether it is worse or better than before says nothing of the code.
+void refuse_planted(Draft& draft, const Series& series) {
+  const std::string form = series.code ? fmt::format(", force_form = {}", quoted(series.code->force_form)) : "";
+  draft.refusal(
+      fmt::format("No golden of {}: a planted mistake{}, which is a criterion's matter.", quoted(series.name), form));
+}
+
 /// The other codes that ran series of the study, with their versions.
 std::set<std::pair<std::string, std::string>> codes_of(const records::StudyResult& study) {
   std::set<std::pair<std::string, std::string>> codes;
@@ -230,9 +247,9 @@ void refuse_worse(const records::StudyResult& study, std::vector<Golden> standin
   for (const GateResult& result : run_gate(standing, {study}).results)
     if (result.verdict == Verdict::fail && !result.better)
       throw UsageError(
-          fmt::format("{} of study '{}' is worse than its golden in {}: expected {}, measured {} (mend it, or delete "
-                      "that golden with the reason in the commit)",
-                      result.name, study.name, result.where, result.expected, result.measured));
+          fmt::format("{} of study '{}' is worse than its golden in {}: expected {}{} (mend it, or delete that golden "
+                      "with the reason in the commit)",
+                      result.name, study.name, result.where, result.expected, measured_text(result)));
 }
 
 }  // namespace
@@ -246,7 +263,7 @@ void require_committed(const records::StudyResult& study, const store::Provenanc
 }
 
 std::string propose_goldens(const records::StudyResult& study, const store::Provenance& provenance,
-                            const std::vector<Golden>& standing) {
+                            const std::vector<Golden>& standing, const std::set<std::string>& planted) {
   if (const std::string trial = store::trial_of(study.text); !trial.empty())
     throw UsageError(fmt::format("the results of study '{}' were made with --set: {} (run the study as it stands)",
                                  study.name, trial));
@@ -259,7 +276,8 @@ std::string propose_goldens(const records::StudyResult& study, const store::Prov
   draft.remark("To review: hold each number against its claim, delete what proves nothing, give a wider band its why,");
   draft.remark("then add reviewed = \"DATE: who and on what grounds\".");
   draft.line(fmt::format("study = {}\n", quoted(study.name)));
-  for (const Series& series : study.series) propose_series(draft, study, series);
+  for (const Series& series : study.series)
+    planted.contains(series.name) ? refuse_planted(draft, series) : propose_series(draft, study, series);
   for (const records::Value& value : study.values) propose_value(draft, value);
   if (draft.has_tables()) return draft.text();
   const std::string why = draft.why_empty();

@@ -218,9 +218,8 @@ data part_data(const Part& part, const Sheet& column) {
 }
 
 std::string main_text(const std::vector<Part>& parts, const store::Provenance& provenance, const Sheet& column) {
-  constexpr std::size_t commit_letters = 10;
   constexpr double margins = 36;  ///< mm
-  const std::string commit = provenance.commit.substr(0, commit_letters);
+  const std::string commit = store::in_short(provenance.commit);
   kainjow::mustache::mustache text{std::string(paper_template)};
   return text.render(object({{"commit", latex_text(commit + (provenance.dirty ? " with changes" : ""))},
                              {"date", provenance.time.substr(0, 10)},

@@ -34,7 +34,7 @@ std::vector<Page> program_pages(const ReportInput& input) {
                                 object({{"tables", list_of(mutant_tables(*input.mutation, input.alarms), table_data)},
                                         {"is_summary", input.mutation->mistakes.empty()},
                                         {"is_of_another_build", input.mutation->digest != input.provenance.digest},
-                                        {"commit", input.mutation->commit.substr(0, 12)}})));
+                                        {"commit", store::in_short(input.mutation->commit)}})));
   return pages;
 }
 

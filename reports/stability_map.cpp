@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/axis_label.hpp"
 #include "reports/chart.hpp"
 
 namespace mpmvv::reports {
@@ -27,11 +28,6 @@ std::vector<Place> frame(const fits::StabilityLimit& limit, double row) {
 std::string limit_text(const fits::StabilityLimit& limit) {
   const std::string text = limit.found ? fmt::format("{:#.3g}", limit.value()) : "not found";
   return limit.monotone ? text : text + ", not monotone";
-}
-
-/// The axis label for what was searched.
-std::string axis_label(const std::string& key) {
-  return key == "cfl" ? "CFL number" : key == "smoothing_length" ? "smoothing length / h" : key;
 }
 
 }  // namespace
@@ -60,7 +56,8 @@ Chart stability_map(const records::StudyResult& study, const records::Figure& fi
   const bool log = figure.log_x && !values.empty() && std::ranges::min(values) > 0;
   const std::string key = series.empty() ? study.sweep : series.front()->limit->key;
   chart.x = make_axis(
-      {figure.xlabel.empty() ? axis_label(key) : figure.xlabel, log, figure.x_min, figure.x_max, 0.04, 0.04}, values);
+      {figure.xlabel.empty() ? limit_axis_label(key) : figure.xlabel, log, figure.x_min, figure.x_max, 0.04, 0.04},
+      values);
   chart.y.label = figure.ylabel;
   chart.y.from = 0.4;
   chart.y.to = rows + 0.6;

@@ -12,9 +12,7 @@ namespace {
 
 /// The text, in quotes where a shell would not take it for one word.
 std::string shell_word(const std::string& text) {
-  const auto is_plain = [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::strchr("_./-+=,:@%~", c) != nullptr;
-  };
+  const auto is_plain = [](unsigned char c) { return std::isalnum(c) != 0 || std::strchr("_./-+=,:@%", c) != nullptr; };
   if (std::ranges::all_of(text, is_plain)) return text;
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);

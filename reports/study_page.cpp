@@ -1,8 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include "page_template.hpp"
 #include "reports/gate_data.hpp"
@@ -38,6 +40,22 @@ data criteria_list(const ReportInput& input, const StudyResult& study) {
   });
 }
 
+/// "strata 2.4", the code that ran the series; empty for our own solver.
+std::string code_of(const records::Series& series) {
+  return series.code ? fmt::format("{} {}", series.code->name, store::in_short(series.code->version)) : "";
+}
+
+/// Each code beside our own solver, and the series that it ran.
+data code_list(const StudyResult& study) {
+  std::map<std::string, std::vector<std::string>> codes;
+  for (const records::Series& series : study.series)
+    if (series.code) codes[code_of(series)].push_back(series.name);
+  data list{data::type::list};
+  for (const auto& [code, series] : codes)
+    list << object({{"code", code}, {"series", fmt::format("{}", fmt::join(series, "; "))}});
+  return list;
+}
+
 /// The value at which the page repeats a series: the last swept one, or the stable end of the limit's bracket and,
 /// where nothing is stable, the unstable one. NaN where there is none.
 double repeated_value(const records::Series& series, bool is_probe) {
@@ -55,10 +73,11 @@ data command_list(const ReportInput& input, const StudyResult& study) {
     const auto series = std::ranges::find(study.series, c.series, &records::Series::name);
     const double value = series == study.series.end() ? support::not_measured : repeated_value(*series, c.is_probe);
     if (std::isnan(value)) continue;
+    const std::string code = code_of(*series), note = code + (code.empty() || c.note.empty() ? "" : ", ") + c.note;
     list << object({{"series", c.series},
                     {"text", replace_all(c.text, "{}", fmt::format("{}", value))},
-                    {"note", c.note},
-                    {"has_note", !c.note.empty()}});
+                    {"note", note},
+                    {"has_note", !note.empty()}});
   }
   return list;
 }
@@ -89,6 +108,7 @@ Page study_page(const ReportInput& input, const Section& section) {
                              {"kind", to_string(study.kind)},
                              {"study_claims", claim_links(input, study)},
                              {"has_claims", !study.claims.empty()},
+                             {"codes", code_list(study)},
                              {"parts", criteria_list(input, study)},
                              {"has_parts", !study.parts.empty()},
                              {"pictures", list_of(section.pictures, picture_data)},

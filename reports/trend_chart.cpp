@@ -7,6 +7,9 @@
 #include <map>
 #include <optional>
 
+#include "reports/axis_label.hpp"
+#include "reports/trend_quantity.hpp"
+
 namespace mpmvv::reports {
 
 using claims::Finding;
@@ -14,34 +17,41 @@ using claims::Trend;
 
 namespace {
 
-constexpr std::size_t commit_letters = 7, version_letters = 10;
-constexpr std::size_t most_commits = 10;  ///< as texts below the axis
+constexpr std::size_t most_commits = 10;     ///< as texts below the axis
+constexpr std::size_t version_letters = 12;  ///< of what another code says of its version
 
-struct TrendKind {
+/// What the trends of one figure have in common: a figure has one axis.
+struct Shown {
   Finding::Kind kind;
-  const char* name;  ///< of the file, behind the study's
-  const char* label;
-  bool log;
+  std::string quantity;  ///< of errors and limits
+  bool operator==(const Shown&) const = default;
 };
 
-constexpr TrendKind trend_kinds[] = {{Finding::Kind::order, "orders", "observed order", false},
-                                     {Finding::Kind::error, "errors", "error", true},
-                                     {Finding::Kind::limit, "limits", "stability limit", false}};
+Shown shown_in(const Trend& trend) {
+  return {trend.kind, quantity_of(trend)};
+}
 
-/// The first letters of a commit, and whether its tree was dirty.
-std::string commit_text(const std::string& commit) {
-  const auto dash = std::min(commit.find('-'), commit.size());
-  return commit.substr(0, std::min(dash, commit_letters)) + commit.substr(dash);
+/// What stands behind the study in the name of the file.
+std::string file_part(const Shown& shown) {
+  const std::string kind = to_string(shown.kind) + "s";
+  return shown.quantity.empty() ? kind : kind + "-" + shown.quantity;
+}
+
+std::string axis_label_of(const Shown& shown) {
+  if (shown.kind == Finding::Kind::order) return "observed order";
+  if (shown.kind == Finding::Kind::error) return error_axis_label(shown.quantity);
+  return shown.quantity.empty() ? "stability limit"
+                                : fmt::format("stability limit ({})", limit_axis_label(shown.quantity));
 }
 
 /// A commit, or what another code says of its version; its digest where that would read the same for several.
 std::string name_of(const store::Version& version, const History& history) {
   const auto shown = [&](const store::Version& v) {
-    const std::string& first = v.commits.front();
-    return history.code.empty() ? commit_text(first) : first.substr(0, version_letters);
+    const std::string text = store::in_short(v.commits.front());
+    return history.code.empty() ? text : text.substr(0, version_letters);
   };
   const bool is_unique = std::ranges::count(history.versions, shown(version), shown) == 1;
-  return is_unique ? shown(version) : version.digest.substr(0, commit_letters);
+  return is_unique ? shown(version) : store::in_short(version.digest);
 }
 
 Axis version_axis(const History& history) {
@@ -61,11 +71,11 @@ bool is_unstable(const std::string& remark) {
   return remark == to_string(records::Status::unstable);
 }
 
-Curve trend_curve(const Trend& trend, int style, bool log) {
+Curve trend_curve(const Trend& trend, int style) {
   Curve curve{label(trend), label(trend), style, true, true, true, {}};
   for (std::size_t v = 0; v < trend.numbers.size(); ++v) {
     const double number = trend.numbers[v];
-    const bool drawable = std::isfinite(number) && (!log || number > 0);
+    const bool drawable = std::isfinite(number);
     const std::string remark = v < trend.remarks.size() ? trend.remarks[v] : "";
     const Mark mark = drawable ? (remark.empty() ? Mark::inside : Mark::outside)
                                : (is_unstable(remark) ? Mark::unstable : Mark::absent);
@@ -120,23 +130,35 @@ void shorten_keys(Chart& chart, const std::string& study, const std::string& whe
   chart.caption = fmt::format("Study {}: {}each series{} in {}.", study, around->before, around->after, where);
 }
 
-std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind, const History& history) {
+/// Whether a logarithmic axis has a place for each number that was measured: an `energy_loss` may be negative.
+bool are_positive(const std::vector<double>& numbers) {
+  return std::ranges::none_of(numbers, [](double number) { return number <= 0; });
+}
+
+std::vector<const Trend*> drawn_trends(const std::string& study, const History& history) {
+  std::vector<const Trend*> drawn;
+  for (const Trend& trend : history.trends)
+    if (trend.study == study && trend.kind != Finding::Kind::value && has_course(trend)) drawn.push_back(&trend);
+  return drawn;
+}
+
+Chart trend_chart(const std::string& study, const Shown& shown, const History& history) {
   const std::string& code = history.code;
   const std::string where = code.empty() ? "each version" : "each version of " + code;
+  const std::string label = axis_label_of(shown);
   Chart chart;
-  chart.name = fmt::format("{}{}-{}", code.empty() ? "" : code + "~", study, kind.name);
-  chart.caption = fmt::format("Study {}: {} in {}.", study, kind.label, where);
+  chart.name = fmt::format("{}{}-{}", code.empty() ? "" : code + "~", study, file_part(shown));
+  chart.caption = fmt::format("Study {}: {} in {}.", study, label.substr(0, label.find(" (")), where);
   chart.height = 240;
+  std::vector<const Trend*> trends = drawn_trends(study, history);
+  std::erase_if(trends, [&](const Trend* trend) { return shown_in(*trend) != shown; });
   std::vector<double> numbers;
-  for (const Trend& trend : history.trends) {
-    if (trend.study != study || trend.kind != kind.kind || !has_course(trend)) continue;
-    chart.curves.push_back(trend_curve(trend, static_cast<int>(chart.curves.size()), kind.log));
-    numbers.insert(numbers.end(), trend.numbers.begin(), trend.numbers.end());
-  }
-  if (chart.curves.empty()) return std::nullopt;
+  for (const Trend* trend : trends) numbers.insert(numbers.end(), trend->numbers.begin(), trend->numbers.end());
+  const bool log = shown.kind == Finding::Kind::error && are_positive(numbers);
+  for (const Trend* trend : trends) chart.curves.push_back(trend_curve(*trend, static_cast<int>(chart.curves.size())));
   shorten_keys(chart, study, where);
   chart.x = version_axis(history);
-  chart.y = make_axis({kind.label, kind.log, {}, {}, 0.1, 0.1}, numbers);
+  chart.y = make_axis({label, log, {}, {}, 0.1, 0.1}, numbers);
   place_marks(chart);
   return chart;
 }
@@ -144,9 +166,12 @@ std::optional<Chart> trend_chart(const std::string& study, const TrendKind& kind
 }  // namespace
 
 std::vector<Chart> trend_charts(const std::string& study, const History& history) {
+  std::vector<Shown> all;
+  for (const Trend* trend : drawn_trends(study, history))
+    if (std::ranges::find(all, shown_in(*trend)) == all.end()) all.push_back(shown_in(*trend));
+  std::ranges::stable_sort(all, {}, &Shown::kind);
   std::vector<Chart> charts;
-  for (const TrendKind& kind : trend_kinds)
-    if (auto chart = trend_chart(study, kind, history)) charts.push_back(std::move(*chart));
+  for (const Shown& shown : all) charts.push_back(trend_chart(study, shown, history));
   return charts;
 }
 

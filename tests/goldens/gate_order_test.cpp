@@ -162,7 +162,7 @@ TEST(Gate, WhatIsMissingOrUnstableAtANamedLevelNeverPasses) {
     EXPECT_EQ(judge_levels(golden(window, 0, {}), absent(0)).verdict, Verdict::inconclusive);
   }
   EXPECT_EQ(judge_levels(golden({16, 64}, 3, {128, 1e-9}), unchanged).reason, "missing: no point of 'a' at 128");
-  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {64, 1e-4}), unstable(3)).reason, "no error at 64: the run is not ok");
+  EXPECT_EQ(judge_levels(golden({16, 64}, 3, {64, 1e-4}), unstable(3)).reason, "the run at 64 is unstable");
 }
 
 /// Where so many are lost that no order is left it must not be milder.

@@ -1,5 +1,7 @@
 #include "goldens/gate.hpp"
 
+#include <fmt/format.h>
+
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
 #include "tests/goldens/healthy_study.hpp"
@@ -79,9 +81,41 @@ TEST(Gate, AnUnstableOrFailedPointFailsAnErrorGolden) {
       s.series[0].points[2].reason = "energy";
     });
     EXPECT_EQ(result.verdict, Verdict::fail);
-    EXPECT_THAT(result.measured, HasSubstr("energy"));
-    EXPECT_NE(result.reason, "");
+    EXPECT_EQ(result.measured, "");
+    EXPECT_EQ(result.reason,
+              status == Status::failed ? "the run at 64 failed: energy" : "the run at 64 is unstable: energy");
+    EXPECT_EQ(result.cause, "energy");
   }
+}
+
+TEST(Gate, WhatWasNotMeasuredIsNoNumber) {
+  const GateResult value = judge(small_value, [](StudyResult& s) { s.values[0].value = not_measured; });
+  for (const GateResult& result :
+       {judge_error(not_measured), judge_order(not_measured), judge_order(not_measured, 1), value})
+    EXPECT_EQ(result.measured, "") << result.name;
+  EXPECT_EQ(measured_text(value), "") << "its reason says it";
+  EXPECT_EQ(measured_text(judge_order(not_measured, 1)), ", not measured");
+  EXPECT_EQ(measured_text(judge_error(2e-4)), ", measured 0.0002");
+}
+
+TEST(Gate, AnOrderSaysWhatBecameOfTheRunsThatItLacks) {
+  OrderGolden golden{"a", "l2", 2, 1.85, 2.15, {16, 64}, 3};
+  golden.finest = {32, 4e-4};
+  const auto with = [&golden](int points, double order) {
+    return judge(Golden{"s", "s.toml:9", golden}, [&](StudyResult& s) {
+      records::Series& series = s.series[0];
+      series.orders[0].points = points, series.orders[0].order = order;
+      for (Point& point : series.points) point.status = Status::failed, point.reason = fmt::format("crash {}", point.x);
+      if (points == 2) series.points[0].status = series.points[2].status = Status::ok;
+    });
+  };
+  const GateResult none = with(0, not_measured), some = with(2, 1.9);
+  EXPECT_EQ(none.verdict, Verdict::fail);
+  EXPECT_EQ(none.measured, "");
+  EXPECT_EQ(none.reason, "the runs at 16, 32 and 64 failed; at 32: crash 32") << "as the golden of its error says";
+  EXPECT_EQ(none.cause, "crash 32");
+  EXPECT_EQ(some.measured, "1.9 (2 points, 1 unstable or failed)");
+  EXPECT_EQ(some.reason, "fewer usable points than 3: the run at 32 failed: crash 32");
 }
 
 TEST(Gate, SweptValuesMatchUpToRoundOff) {

@@ -9,9 +9,11 @@ namespace mpmvv::goldens::github_test {
 TEST(Github, MarksTheLinesOfGoldensThatDoNotPass) {
   const GateReport report{{{"s", "order of 'a' in l2", Verdict::pass, "2", "2.01", "", "goldens/s.toml:3"},
                            {"s", "limit of 'b'", Verdict::fail, "1", "2", "above", "goldens/s.toml:7"},
+                           {"s", "error of 'd'", Verdict::fail, "1", "", "the run failed", "goldens/s.toml:8"},
                            {"s", "value 'c'", Verdict::inconclusive, "at most 1", "", "missing", "goldens/s.toml:9"}}};
   EXPECT_EQ(github_annotations(report),
             "::error file=goldens/s.toml,line=7,title=s%3A limit of 'b'::expected 1, measured 2 (above)\n"
+            "::error file=goldens/s.toml,line=8,title=s%3A error of 'd'::expected 1, not measured (the run failed)\n"
             "::warning file=goldens/s.toml,line=9,title=s%3A value 'c'::expected at most 1 (missing)\n");
 }
 

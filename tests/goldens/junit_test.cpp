@@ -47,6 +47,14 @@ TEST(Junit, PassFailAndInconclusiveDiffer) {
   EXPECT_EQ(skipped.get<std::string>("<xmlattr>.message"), "inconclusive: missing: no \"gap\"");
 }
 
+TEST(Junit, AFailureWithoutANumberSaysSo) {
+  const GateReport report{
+      {{"s", "error of 'a' in l2 at 8", Verdict::fail, "1 ± 10 %", "", "the run at 8 failed: no mesh"}}};
+  const ptree failure = parsed(junit_xml(report)).get_child("testsuite.testcase.failure");
+  EXPECT_EQ(failure.get<std::string>("<xmlattr>.message"), "the run at 8 failed: no mesh");
+  EXPECT_EQ(failure.data(), "expected 1 ± 10 %, not measured");
+}
+
 TEST(Junit, EscapesWhatXmlCannotHold) {
   const ptree failed = parsed(junit_xml(mixed)).get_child("testsuite").rbegin()->second;
   EXPECT_EQ(failed.get<std::string>("<xmlattr>.name"), "error of 'l < h' in l2");

@@ -119,6 +119,32 @@ TEST(Propose, ALevelAtZeroIsARemark) {
   EXPECT_THAT(draft(study), HasSubstr("in y over [0, 64]: goldens know no level at 0, only above 0."));
 }
 
+TEST(Propose, APlantedMistakeHasNoGoldenButARemark) {
+  StudyResult study = study_with(convergent());
+  Series planted = convergent();
+  planted.name = "no \"b\"", planted.code = records::OtherCode{"tiny", "0.3", "", "none"};
+  planted.limit = cfl_limit(0.7, 0.71);
+  study.series.push_back(planted);
+  const auto with = [&](const std::set<std::string>& names) { return propose_goldens(study, clean, {}, names); };
+  EXPECT_EQ(parse_goldens(with({}), "new.toml").size(), 5U);
+  EXPECT_EQ(parse_goldens(with({planted.name}), "new.toml").size(), 2U);
+  EXPECT_THAT(with({planted.name}),
+              HasSubstr("\n# No golden of \"no \\\"b\\\"\": a planted mistake, force_form = \"none\", "
+                        "which is a criterion's matter.\n"));
+  EXPECT_THROW(with({planted.name, convergent().name}), UsageError) << "which leaves nothing";
+}
+
+/// An order lets its finest error fall as far as it will.
+TEST(Propose, AnErrorThatAnOrderHasTooSaysWhatItAdds) {
+  const char* remark = "# An order above fails where this error grows; this golden fails where it falls, too.\n";
+  Series series = convergent();
+  EXPECT_THAT(draft(study_with(series)), HasSubstr(remark));
+  series.points.push_back({512, Status::ok, "", {{"l2", 1e-6}}});
+  EXPECT_THAT(draft(study_with(series)), testing::Not(HasSubstr(remark))) << "its window ends before";
+  series.points.pop_back(), series.orders[0].points = 2;
+  EXPECT_THAT(draft(study_with(series)), testing::Not(HasSubstr(remark))) << "the order has no golden";
+}
+
 TEST(Propose, AnErrorSaysWhichFinerLevelsWerePassedOver) {
   Series series = convergent();
   series.points.pop_back();

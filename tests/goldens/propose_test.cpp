@@ -166,6 +166,15 @@ TEST(Propose, AWorseResultTakesNoGoldensPlace) {
   } catch (const UsageError& e) {
     EXPECT_THAT(e.what(), HasSubstr("is worse than its golden in new.toml:"));
   }
+  Series crashed = convergent();
+  crashed.points[2].status = Status::failed;
+  try {
+    propose_goldens(study_with(crashed), clean, standing);
+    FAIL() << "accepted";
+  } catch (const UsageError& e) {
+    EXPECT_THAT(e.what(),
+                testing::AllOf(HasSubstr("is worse than its golden in"), testing::Not(HasSubstr("measured  "))));
+  }
   EXPECT_NO_THROW(propose_goldens(study_with(convergent()), clean, {Golden{"another", "x:1", ErrorGolden{}}}));
 }
 

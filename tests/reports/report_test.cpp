@@ -71,8 +71,8 @@ TEST(Report, PlantedMistakesHaveAPageOfTheirOwn) {
   EXPECT_TRUE(fs::exists(folder / "out/tables/program/mutants.tex"));
   EXPECT_THAT(page_of(in, folder, "mutants.html"), Not(HasSubstr("were tried with another build")));
   in.mutation->digest = "other";
-  in.mutation->commit = "c0ffee";
-  EXPECT_THAT(page_of(in, folder, "mutants.html"), HasSubstr("were tried with another build, of version c0ffee"));
+  in.mutation->commit = "c0ffee0123456789-dirty";
+  EXPECT_THAT(page_of(in, folder, "mutants.html"), HasSubstr("with another build, of version c0ffee012345-dirty."));
 }
 
 TEST(Report, SecondCallWritesNothing) {

@@ -1,5 +1,6 @@
 #include "reports/trend_chart.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace mpmvv::reports::trend_chart_test {
@@ -70,18 +71,73 @@ TEST(TrendChart, ALevelThatHasJustBecomeUnstableIsDrawn) {
   EXPECT_EQ(charts[0].curves[0].dots[1].mark, Mark::unstable);
 }
 
+History two_versions(std::vector<claims::Trend> trends) {
+  return {"", versions, std::move(trends)};
+}
+
+TEST(TrendChart, ErrorsOfDifferentQuantitiesHaveFiguresOfTheirOwnWithTheirUnits) {
+  const auto charts =
+      trend_charts("bars", two_versions({{"bars", Finding::Kind::error, "error of 'a' in l2", {1, 2}, 32},
+                                         {"bars", Finding::Kind::order, "order of 'a' in l2", {1, 2}},
+                                         {"bars", Finding::Kind::error, "error of 'a' in stress_error", {300, 400}, 32},
+                                         {"bars", Finding::Kind::error, "error of 'b' in c' in l2", {3, 4}, 32}}));
+  ASSERT_EQ(charts.size(), 3);
+  EXPECT_EQ(charts[0].name, "bars-orders");
+  EXPECT_EQ(charts[0].y.label, "observed order");
+  EXPECT_EQ(charts[1].name, "bars-errors-l2");
+  EXPECT_EQ(charts[1].y.label, "RMS displacement error (m)");
+  EXPECT_EQ(charts[1].curves.size(), 2);
+  EXPECT_LT(charts[1].y.to, 10) << "no place for stresses";
+  EXPECT_EQ(charts[2].name, "bars-errors-stress_error");
+  EXPECT_EQ(charts[2].y.label, "RMS stress error (Pa)");
+  EXPECT_EQ(charts[2].caption, "Study bars: error of each series in stress_error at 32 in each version.");
+}
+
+TEST(TrendChart, ACaptionNamesTheQuantityWithoutItsUnit) {
+  const auto charts =
+      trend_charts("bars", two_versions({{"bars", Finding::Kind::error, "error of 'a' in l2", {1, 2}, 32},
+                                         {"bars", Finding::Kind::error, "error of 'a' in l2", {1, 2}, 64}}));
+  EXPECT_EQ(charts.at(0).caption, "Study bars: RMS displacement error in each version.");
+}
+
+TEST(TrendChart, LimitsOfDifferentKeysHaveFiguresOfTheirOwn) {
+  const auto charts =
+      trend_charts("bars", two_versions({{"bars", Finding::Kind::limit, "cfl limit of 'a'", {0.7, 0.8}},
+                                         {"bars", Finding::Kind::limit, "smoothing_length limit of 'a'", {0.1, 0.2}}}));
+  ASSERT_EQ(charts.size(), 2);
+  EXPECT_EQ(charts[0].y.label, "stability limit (CFL number)");
+  EXPECT_EQ(charts[1].y.label, "stability limit (smoothing length / h)");
+  EXPECT_NE(charts[0].name, charts[1].name);
+}
+
+TEST(TrendChart, NumbersThatAreNotPositiveAreDrawnToo) {
+  const auto of_energy = [](double second) {
+    return trend_charts(
+               "bars",
+               two_versions({{"bars", Finding::Kind::error, "error of 'a' in energy_loss", {1e-3, second}, 32}}))
+        .at(0);
+  };
+  EXPECT_TRUE(of_energy(1e-2).y.log);
+  const Chart gained = of_energy(-1e-2);
+  EXPECT_FALSE(gained.y.log);
+  EXPECT_EQ(gained.curves[0].dots[1].mark, Mark::inside);
+  EXPECT_TRUE(gained.y.holds(-1e-2));
+  EXPECT_THAT(gained.caption, testing::Not(testing::HasSubstr("Without a mark")));
+}
+
 TEST(TrendChart, VersionsOfACodeThatSayTheSameHaveTheirDigests) {
   EXPECT_EQ(names_of({{"0a1b2c3d4e", {"1.3"}, ""}, {"5f6a7b8c9d", {"1.3"}, ""}, {"aabbccddee", {"1.4"}, ""}}),
-            (std::vector<std::string>{"0a1b2c3", "5f6a7b8", "1.4"}));
+            (std::vector<std::string>{"0a1b2c3d4e", "5f6a7b8c9d", "1.4"}));
   EXPECT_EQ(names_of({{"0a1b2c3d4e", {"2026.11-beta-1"}, ""}, {"5f6a7b8c9d", {"2026.11-beta-2"}, ""}}),
-            (std::vector<std::string>{"0a1b2c3", "5f6a7b8"}));
+            (std::vector<std::string>{"0a1b2c3d4e", "5f6a7b8c9d"}));
 }
 
 TEST(TrendChart, BuildsOfOneCommitAreToldFromEachOther) {
   const store::Version clean{"0a1b2c3d4e", {"c0ffee0123456789"}, ""},
       dirty{"5f6a7b8c9d", {"c0ffee0123456789-dirty"}, ""};
-  EXPECT_EQ(names_of({clean, dirty}, ""), (std::vector<std::string>{"c0ffee0", "c0ffee0-dirty"}));
-  EXPECT_EQ(names_of({dirty, {"aabbccddee", dirty.commits, ""}}, ""), (std::vector<std::string>{"5f6a7b8", "aabbccd"}));
+  EXPECT_EQ(names_of({clean, dirty}, ""), (std::vector<std::string>{"c0ffee012345", "c0ffee012345-dirty"}));
+  EXPECT_EQ(names_of({dirty, {"aabbccddee112233", dirty.commits, ""}}, ""),
+            (std::vector<std::string>{"5f6a7b8c9d", "aabbccddee11"}));
 }
 
 }  // namespace mpmvv::reports::trend_chart_test
