@@ -91,7 +91,8 @@ regression, \fBcost\fR a case that is slower, \fBdb check\fR a store that is dam
 bad input: one line on standard error says what is wrong, where, and what would be right; nothing is written
 .TP
 3
-\fBgate\fR lacks a result or knows it too badly, \fBcost\fR had nothing to compare or too much noise
+\fBstudy\fR has left out a study whose code is not there, \fBgate\fR lacks a result or knows it too badly, \fBcost\fR
+had nothing to compare or too much noise
 .TP
 130
 \fBrun\fR or \fBstudy\fR was interrupted; what had finished is kept

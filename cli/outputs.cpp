@@ -49,8 +49,8 @@ void require_apart(const std::string& option, const fs::path& output, const std:
 void require_apart(const std::string& option, const fs::path& output, const std::string& other_option,
                    const fs::path& other_output) {
   std::error_code absent;
-  if (fs::weakly_canonical(output, absent) == fs::weakly_canonical(other_output, absent) ||
-      fs::equivalent(output, other_output, absent))
+  const auto whole = [&absent](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path), absent); };
+  if (whole(output) == whole(other_output) || fs::equivalent(output, other_output, absent))
     throw support::UsageError(
         fmt::format("{} and {} both write '{}' (a file each)", option, other_option, other_output.string()));
 }

@@ -32,6 +32,8 @@ nlohmann::json record_json(const records::Record& r) {
                       {"end_time", r.the_case.problem.end_time},
                       {"status", to_string(r.status)},
                       {"reason", r.reason}};
+  if (records::has_own_step(r)) json["dt"] = nullptr;
+  if (records::has_unknown_steps(r)) json["steps"] = nullptr;
   for (const auto* numbers : {&records::run_errors(), &records::run_by_products()})
     for (const records::RunNumber& number : *numbers) json[nlohmann::json::json_pointer(number.path)] = number.get(r);
   for (const records::ParticleError& one : r.particle_errors)

@@ -69,15 +69,22 @@ void print_balance(const Record& r) {
   table.print_apart();
 }
 
+/// The steps that were taken; where nothing ran, those asked for.
+std::string steps_text(const Record& r) {
+  const cases::Resolution& asked = r.the_case.resolution;
+  const auto count = [](std::int64_t steps) { return count_text(static_cast<std::size_t>(steps), "step"); };
+  if (records::has_own_step(r))
+    return (records::has_unknown_steps(r) ? "steps" : count(r.steps)) + " that the code chooses";
+  return fmt::format("{} of {:.6g} s (cfl {:.4g})", count(r.particles > 0 ? r.steps : asked.steps), asked.dt, r.cfl);
+}
+
 /// How finely the problem was resolved, and what came of it.
 void print_outcome(const Record& r, VelocityError velocity) {
   const cases::Resolution& resolution = r.the_case.resolution;
   print("cells {}, ppc {}{}\n", resolution.cells, resolution.ppc,
         r.particles > 0 ? fmt::format(": {} particles", r.particles) : "");
   if (r.images > 1) print("a part was run, of which {} images make the body (--whole runs all of it)\n", r.images);
-  const std::int64_t steps = r.particles > 0 ? r.steps : resolution.steps;  // where nothing ran: the steps asked for
-  print("{} of {:.6g} s (cfl {:.4g}), end time {:.6g} s\n", count_text(static_cast<std::size_t>(steps), "step"),
-        resolution.dt, r.cfl, r.the_case.problem.end_time);
+  print("{}, end time {:.6g} s\n", steps_text(r), r.the_case.problem.end_time);
   print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : " (" + r.reason + ")");
   print_errors(r, velocity);
   print_balance(r);
@@ -103,6 +110,8 @@ void print_record(const Record& r) {
   if (!std::isnan(r.ns_per_particle_step))
     print("\ntook {}, {:.2f} ns per particle{} and step\n", duration_text(r.wall_seconds), r.ns_per_particle_step,
           r.images > 1 ? " of the part" : "");
+  else if (records::has_unknown_steps(r) && !std::isnan(r.wall_seconds))
+    print("\ntook {}\n", duration_text(r.wall_seconds));
   if (r.the_case.measure.repeat > 0)
     print("cost {} s of steps, median of {} runs (range {:.0f} %)\n", error_text(r.cost.step_seconds),
           r.the_case.measure.repeat, 100 * r.cost.spread);

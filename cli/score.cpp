@@ -11,9 +11,11 @@
 #include "cli/help.hpp"
 #include "cli/record_json.hpp"
 #include "cli/run_text.hpp"
+#include "cli/shipped.hpp"
 #include "studies/cases/setting.hpp"
 #include "studies/codes/case_file.hpp"
 #include "studies/codes/readers.hpp"
+#include "studies/plan/external_series.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/store/store.hpp"
 #include "studies/support/error.hpp"
@@ -27,17 +29,41 @@ namespace {
 struct ScoreOptions {
   std::string the_case;
   std::vector<std::string> outputs, start;
-  std::string format, columns, step, db;
-  std::string length = "1", time = "1", mass = "1";
+  std::string format, columns, step, length, time, mass, thickness, db;
   bool json = false;
 };
 
-codes::Columns columns_in(const ScoreOptions& options, const cases::Case& c) {
-  codes::Columns columns{.dimensions = problems::domain_cells(c).size()};
-  if (!options.columns.empty()) columns.names = codes::parse_columns(options.columns, "--columns");
-  columns.length = cases::positive({"length unit", options.length, "--length-unit"});
-  columns.time = cases::positive({"time unit", options.time, "--time-unit"});
-  columns.mass = cases::positive({"mass unit", options.mass, "--mass-unit"});
+/// What the adapter of the case's code says of its files; nothing where the case is of no other code, or its adapter is
+/// not here.
+codes::OutputFiles files_of_code(const cases::Case& c) {
+  const std::string& code = c.scheme.code;
+  if (code.empty()) return {};
+  for (const std::filesystem::path& file : plan::CodeFinder(shipped("adapters")).adapter_files())
+    if (file.parent_path().filename() == code) {
+      note("columns and units are those of {}, unless an option says another\n", file.string());
+      return codes::read_adapter(file).output;
+    }
+  return {};
+}
+
+/// Reads the file's columns by what options say, else by what the adapter says.
+codes::Columns columns_in(const ScoreOptions& options, const cases::Case& c, codes::Columns columns) {
+  columns.dimensions = problems::domain_cells(c).size();
+  columns.step.reset();
+  if (!options.columns.empty()) {
+    columns.names = codes::parse_columns(options.columns, "--columns");
+    columns.where = "--columns";
+  }
+  const auto read = [](const std::string& text, const char* what, const char* option, double& value) {
+    if (!text.empty()) value = cases::positive({what, text, option});
+  };
+  read(options.length, "length unit", "--length-unit", columns.length);
+  read(options.time, "time unit", "--time-unit", columns.time);
+  read(options.mass, "mass unit", "--mass-unit", columns.mass);
+  if (!options.thickness.empty() && columns.dimensions != 2)
+    throw UsageError(fmt::format("--thickness {} of a case in {} dimension{} (it is that of a plane body)",
+                                 options.thickness, columns.dimensions, columns.dimensions == 1 ? "" : "s"));
+  read(options.thickness, "thickness", "--thickness", columns.thickness);
   if (!options.step.empty()) columns.step = cases::whole({"step", options.step, "--step"}, 0, 1'000'000'000'000);
   return columns;
 }
@@ -78,13 +104,15 @@ void note_missing_errors(const records::Record& record, const std::string& files
 int score(const ScoreOptions& options) {
   const cases::Case c = codes::read_case(options.the_case);
   if (!options.db.empty()) require_keepable(c, options.the_case);
-  codes::Columns columns = columns_in(options, c);
+  const codes::OutputFiles usual = files_of_code(c);
+  codes::Columns columns = columns_in(options, c, usual.columns);
+  const std::string& format = options.format.empty() ? usual.format : options.format;
   const auto paths = [](const std::vector<std::string>& names) {
     return std::vector<std::filesystem::path>(names.begin(), names.end());
   };
-  codes::Output output{.end = codes::read_snapshot(paths(options.outputs), columns, options.format)};
+  codes::Output output{.end = codes::read_snapshot(paths(options.outputs), columns, format)};
   columns.step.reset();
-  if (!options.start.empty()) output.start = codes::read_snapshot(paths(options.start), columns, options.format);
+  if (!options.start.empty()) output.start = codes::read_snapshot(paths(options.start), columns, format);
   const records::Record record = codes::score(c, output);
   const std::string files = fmt::format("{}", fmt::join(options.outputs, ", "));
   const bool is_failed = record.status == records::Status::failed;
@@ -129,6 +157,8 @@ void add_score(CLI::App& app, int& exit_code) {
   command->add_option("--length-unit", options->length, "of the files, in m (default: 1)")->type_name("NUMBER");
   command->add_option("--time-unit", options->time, "of the files, in s (default: 1)")->type_name("NUMBER");
   command->add_option("--mass-unit", options->mass, "of the files, in kg (default: 1)")->type_name("NUMBER");
+  command->add_option("--thickness", options->thickness, "of a plane body: its masses are divided by it (default: 1)")
+      ->type_name("METRES");
   command->add_option("--db", options->db, "keep the record in this store: a study takes it in place of a run")
       ->type_name("FILE");
   command->add_flag("--json", options->json, "print the record as one JSON object");

@@ -114,7 +114,7 @@ int study(const StudyOptions& options) {
   plan::CodeFinder finder(shipped("adapters"));
   const bool is_asked_for = !options.choice.names.empty() && !options.plan;
   const AbsentCode absent = is_asked_for || !options.shard.empty() ? AbsentCode::refused : AbsentCode::left_out;
-  const std::vector<plan::StudyPlan> plans = read_plans(options.choice, options.db, finder, absent);
+  const auto [plans, left_out] = read_plans(options.choice, options.db, finder, absent);
   std::optional<store::Store> held;
   if (!options.costs.empty()) held.emplace(options.costs, store::Store::Mode::read);
   const store::Store* costs = held ? &*held : nullptr;
@@ -127,7 +127,9 @@ int study(const StudyOptions& options) {
   plan::require_one_voice(plans, store.statements(store::current_provenance().digest), options.db);
   if (!options.shard.empty()) return run_shard(options, plans, work, finder.codes(), store);
   if (!options.choice.settings.empty() || !options.choice.where_taken.empty()) note_replaced(plans, store, options.db);
-  return run_studies(options, plans, finder.codes(), store);
+  constexpr int incomplete = 3;
+  const int code = run_studies(options, plans, finder.codes(), store);
+  return code == 0 && left_out > 0 ? incomplete : code;
 }
 
 }  // namespace

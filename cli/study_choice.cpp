@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "cli/console.hpp"
 #include "cli/outputs.hpp"
@@ -88,8 +89,7 @@ void add_study_choice(CLI::App& command, StudyChoice& choice) {
       ->type_name("FOLDER");
 }
 
-std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::string& db, plan::CodeFinder& codes,
-                                        AbsentCode absent) {
+ChosenStudies read_plans(const StudyChoice& choice, const std::string& db, plan::CodeFinder& codes, AbsentCode absent) {
   const std::vector<Overriding> overriding = overriding_settings(choice);
   const std::vector<std::string> files = named_study_files(choice.names, choice.studies);
   std::vector<plan::StudyPlan> plans;
@@ -106,7 +106,8 @@ std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::st
   plan::state_claims(plans, claim_folders(files));
   // A folder cannot be a store; opening it says so.
   if (!std::filesystem::is_directory(db)) require_apart("--db", db, {files.begin(), files.end()});
-  return plans;
+  const std::size_t left_out = files.size() - plans.size();
+  return {std::move(plans), left_out};
 }
 
 }  // namespace mpmvv::cli

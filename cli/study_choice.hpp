@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,14 @@ void add_study_choice(CLI::App& command, StudyChoice& choice);
 /// What becomes of a study whose code is not there.
 enum class AbsentCode { left_out, refused };
 
+/// The studies that a command works on, and how many were left out because their code is not there.
+struct ChosenStudies {
+  std::vector<plan::StudyPlan> plans;
+  std::size_t left_out = 0;
+};
+
 /// Reads the studies, and notes what the settings changed and which studies are left out. UsageError for a mistake in a
 /// study, and where the results store is one of their files.
-std::vector<plan::StudyPlan> read_plans(const StudyChoice& choice, const std::string& db, plan::CodeFinder& codes,
-                                        AbsentCode absent);
+ChosenStudies read_plans(const StudyChoice& choice, const std::string& db, plan::CodeFinder& codes, AbsentCode absent);
 
 }  // namespace mpmvv::cli

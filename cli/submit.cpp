@@ -140,7 +140,7 @@ int submit(const SubmitOptions& options) {
                     "or --dry-run, which only writes the scripts)",
                     engine->command, options.engine));
   plan::CodeFinder codes(shipped("adapters"));
-  const std::vector<plan::StudyPlan> plans = read_plans(options.choice, options.db, codes, AbsentCode::refused);
+  const std::vector<plan::StudyPlan> plans = read_plans(options.choice, options.db, codes, AbsentCode::refused).plans;
   store::require_place(options.db);
   Submission submission = submission_of(options);
   require_store_apart(submission);

@@ -12,6 +12,7 @@
 #include "studies/cases/case.hpp"
 #include "studies/codes/adapter_digest.hpp"
 #include "studies/codes/expressions.hpp"
+#include "studies/codes/field_names.hpp"
 #include "studies/codes/readers.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -51,6 +52,15 @@ FieldValues values_of(const TomlTable& table) {
   return values;
 }
 
+/// Returns the values that a table of this name gives to templates.
+FieldValues field_values(const TomlTable& table, const std::string& name) {
+  for (const std::string& key : table.keys())
+    if (is_field_of_case(key))
+      throw UsageError(
+          fmt::format("'{}' of [{}] in {} (another name: the case gives that one)", key, name, table.where(key)));
+  return values_of(table);
+}
+
 ProgramNames read_program(const TomlTable& root) {
   const TomlTable table = required_table(root, "program", {"variable", "command", "version", "page"});
   return {table.text("variable"), table.text("command", ""), table.texts("version"), table.text("page", "")};
@@ -58,14 +68,18 @@ ProgramNames read_program(const TomlTable& root) {
 
 std::vector<InputFile> read_input_files(const TomlTable& root, const std::filesystem::path& folder) {
   std::vector<InputFile> inputs;
+  const auto output = root.table("output");
   for (const TomlTable& table : root.tables("input")) {
-    table.allow_only({"template", "file"});
+    table.allow_only({"template", "file", "in_units"});
     const std::filesystem::path file = table.text("file");
     if (file.is_absolute() || file.has_parent_path() || !file.has_filename())
       throw UsageError(
           fmt::format("input file '{}' in {} (a name in the run's folder)", file.string(), table.where("file")));
     const std::filesystem::path source = folder / table.text("template");
-    inputs.push_back({file, support::require_file(source, "a template of an adapter"), source});
+    const bool in_units = table.flag("in_units", false);
+    if (in_units && !(output && output->has("units")))
+      throw UsageError(fmt::format("in_units in {}, but no units in [output] (in m, s, kg)", table.where("in_units")));
+    inputs.push_back({file, support::require_file(source, "a template of an adapter"), source, in_units});
   }
   return inputs;
 }
@@ -86,7 +100,8 @@ void read_command(const TomlTable& root, Adapter& adapter) {
   adapter.time_limit = std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(1000 * seconds)));
 }
 
-/// Reads the names of the columns, and how many m, s and kg the file's units of length, time and mass are.
+/// Reads the names of the columns, how many m, s and kg the file's units of length, time and mass are, and the
+/// thickness of plane bodies in m.
 Columns read_columns(const TomlTable& output) {
   Columns columns;
   if (const auto names = output.table("columns")) {
@@ -96,9 +111,11 @@ Columns read_columns(const TomlTable& output) {
     columns.names = parse_columns(fmt::format("{}", fmt::join(pairs, ",")), columns.where);
   }
   if (const auto units = output.table("units")) {
-    units->allow_only({"length", "time", "mass"});
-    for (const auto& [key, unit] :
-         {std::pair{"length", &columns.length}, {"time", &columns.time}, {"mass", &columns.mass}}) {
+    units->allow_only({"length", "time", "mass", "thickness"});
+    for (const auto& [key, unit] : {std::pair{"length", &columns.length},
+                                    {"time", &columns.time},
+                                    {"mass", &columns.mass},
+                                    {"thickness", &columns.thickness}}) {
       *unit = units->number(key, 1);
       if (!(*unit > 0)) throw UsageError(fmt::format("{} = {} in {} (> 0)", key, *unit, units->where(key)));
     }
@@ -107,8 +124,10 @@ Columns read_columns(const TomlTable& output) {
 }
 
 OutputFiles read_output(const TomlTable& root) {
-  const TomlTable table = required_table(root, "output", {"format", "file", "start", "convert", "columns", "units"});
+  const TomlTable table =
+      required_table(root, "output", {"format", "file", "start", "parts", "convert", "columns", "units"});
   OutputFiles output{table.text("format", ""), table.text("file"), table.text("start", ""), {}, read_columns(table)};
+  output.are_parts = table.flag("parts", false);
   std::vector<std::string> known;
   for (const Format& format : formats()) known.push_back(format.word);
   if (!output.format.empty()) require_words({output.format}, known, "format", table.where("format"));
@@ -181,10 +200,14 @@ Adapter read_adapter(const std::filesystem::path& file) {
     adapter.dialect = table->text("dialect");
     dialect_named(adapter.dialect, table->where("dialect"));
   }
-  if (const auto table = root.table("fields")) adapter.fields = values_of(*table);
+  if (const auto table = root.table("fields")) adapter.fields = field_values(*table, "fields");
   if (const auto table = root.table("variants"))
-    for (const std::string& word : table->keys()) adapter.variants[word] = values_of(*table->table(word));
+    for (const std::string& word : table->keys())
+      adapter.variants[word] = field_values(*table->table(word), "variants." + word);
   adapter.capabilities = read_capabilities(root);
+  if (adapter.output.columns.thickness != 1 && std::ranges::count(adapter.capabilities.dimensions, 2) == 0)
+    throw UsageError(fmt::format("a thickness in {} of a code that runs no plane cases (2 among its dimensions)",
+                                 root.where("output")));
   adapter.digest = adapter_digest(text, adapter);
   return adapter;
 }

@@ -13,9 +13,10 @@ namespace mpmvv::codes {
 struct InputFile {
   std::string file, text;
   std::filesystem::path source;  ///< the file of the template
+  bool in_units = false;         ///< whether its numbers are in the units of the output, and not in m, s, kg
 };
 
-/// A value that an adapter gives to its templates.
+/// Values that an adapter gives to its templates. None has the name of a field of the case.
 using FieldValues = std::map<std::string, std::string>;
 
 /// How the program of a code, and its version, are found.
@@ -33,6 +34,7 @@ struct OutputFiles {
   std::string start;   ///< the file with the particles at time zero; empty: none
   std::vector<std::vector<std::string>> convert;  ///< the words of each command that runs after the code
   Columns columns;
+  bool are_parts = false;  ///< whether all files that match a name are parts of one state; if not, the last is read
 };
 
 /// How a code steps to the end time.

@@ -2,9 +2,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "solver/boundary/boundaries.hpp"
+#include "solver/words.hpp"
 #include "studies/codes/code.hpp"
+#include "studies/codes/field_names.hpp"
 #include "studies/codes/start_state.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/settings/boundaries.hpp"
@@ -37,6 +40,30 @@ bool is_met(const std::string& word, const Problem& problem, const Capabilities&
   return has(able.boundaries, word) || (has_planes && has(able.boundaries, std::string(solver::Symmetry::word)));
 }
 
+/// Whether a text has a name that is not a part of a longer one, as is_wall is of xmin_is_wall.
+bool has_name(const std::string& text, const std::string& name) {
+  const auto is_of_name = [&text](std::size_t at) {
+    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+  };
+  for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + 1))
+    if ((at == 0 || !is_of_name(at - 1)) && !is_of_name(at + name.size())) return true;
+  return false;
+}
+
+/// Returns the condition on the boundary as a whole, such as is_wall, by which the templates tell boundaries; empty if
+/// they have none, or also fields of faces.
+std::string whole_condition(const Adapter& adapter) {
+  std::string text;
+  for (const InputFile& input : adapter.inputs) text += input.text + "\n";
+  for (const std::string& word : adapter.command) text += word + "\n";
+  for (std::size_t face = 0; face < 6; ++face)
+    for (const std::string& field : {"boundary_" + face_name(face), face_name(face) + "_is_"})
+      if (text.find(field) != std::string::npos) return "";
+  for (const auto word : solver::words<solver::AnyBoundary>())
+    if (std::string name = condition_name("is_", std::string(word)); has_name(text, name)) return name;
+  return "";
+}
+
 /// Returns the case on few cells, for questions whose answer does not depend on their number.
 Case on_few_cells(Case c) {
   c.resolution.cells = std::min(c.resolution.cells, 4);
@@ -67,6 +94,11 @@ void require_able(const Adapter& adapter, const Case& c) {
   for (const std::string& word : boundaries_of(c, problem))
     if (!is_met(word, problem, able))
       refuse(fmt::format("boundary '{}' (it can: {})", word, fmt::join(able.boundaries, ", ")));
+  if (const std::string whole = whole_condition(adapter); boundaries_of(c, problem).size() > 1 && !whole.empty())
+    throw support::UsageError(fmt::format(
+        "code '{}' cannot run problem '{}': its faces differ, {}, and the templates of {} ask {} but nothing "
+        "of a face (such as xmin_is_wall or boundary_xmin, docs/adapters.md)",
+        adapter.name, problem.name, c.scheme.boundary, adapter.folder.string(), whole));
   const StartState start = start_state(on_few_cells(c));
   if (!able.initial_velocity && !is_at_rest(start, problem.wave_speed(c.problem.parameters)))
     refuse("it starts with a velocity (problems at rest: `mpmvv list problems`)");

@@ -51,20 +51,40 @@ class Lookup {
   /// Returns the column of a quantity; null if the file has none. Throws UsageError if a column that was named, or the
   /// first component of an array that was named, is not in the file.
   const TableColumn* find(const Quantity& quantity) const {
-    if (const auto given = columns_.names.find(quantity.word); given != columns_.names.end())
-      if (const TableColumn* column = named(given->second, quantity)) return column;
+    for (const std::string& word : {quantity.word, quantity.mirror})
+      if (const auto given = columns_.names.find(word); given != columns_.names.end())
+        if (const TableColumn* column = named(given->second, quantity)) return column;
     if (const auto given = columns_.names.find(quantity.array); given != columns_.names.end()) {
-      const TableColumn* column = column_of(fmt::format("{}:{}", given->second, quantity.component));
+      const TableColumn* column = column_in(given->second, quantity);
       if (!column && quantity.component == 0) fail(given->second, quantity.array);
       if (column || column_of(given->second + ":0")) return column;  // else it is the column of the first component
     }
     for (const std::string& name : quantity.usual)
       if (const TableColumn* column = column_of(name); column && !is_of_another(*column, quantity)) return column;
+    for (const std::string& array : quantity.arrays)
+      if (const TableColumn* column = column_in(array, quantity); column && !is_of_another(*column, quantity))
+        return column;
     return nullptr;
   }
 
  private:
   const TableColumn* column_of(const std::string& name) const { return only_column(table_, name, file_); }
+
+  /// Returns the column of a quantity in the array with this name, whose columns are `NAME:0`, ...; null if it has
+  /// none. Throws UsageError if nothing says in which order an array of so many components has them.
+  const TableColumn* column_in(const std::string& array, const Quantity& quantity) const {
+    const auto is_component = [start = array + ":"](const TableColumn& column) {
+      const std::string& name = column.name;
+      return name.starts_with(start) && name.find_first_not_of("0123456789", start.size()) == std::string::npos;
+    };
+    const auto components = static_cast<std::size_t>(std::ranges::count_if(table_.columns, is_component));
+    if (components == 0) return nullptr;
+    if (const auto place = place_in_array(quantity, components)) return column_of(fmt::format("{}:{}", array, *place));
+    throw UsageError(fmt::format(
+        "array '{}' of {} components in {} (9, row by row, or 6 as VTK orders them: xx, yy, zz, xy, yz, xz; "
+        "else {}={}:0,... in --columns, or `columns` in an adapter, says which is which)",
+        array, components, file_, quantities_of(quantity.array).front().word, array));
+  }
 
   /// Returns the column with this name, else with this number; null if there is none.
   const TableColumn* by_name_or_number(const std::string& name) const {
@@ -79,7 +99,7 @@ class Lookup {
   bool is_of_another(const TableColumn& column, const Quantity& quantity) const {
     return std::ranges::any_of(columns_.names, [&](const auto& given) {
       const auto& [word, name] = given;
-      if (word == quantity.word || word == quantity.array) return false;
+      if (word == quantity.word || word == quantity.array || word == quantity.mirror) return false;
       return by_name_or_number(name) == &column || column.name.starts_with(name + ":");
     });
   }
@@ -120,6 +140,15 @@ std::vector<std::array<double, N>> components(const Lookup& lookup, const std::s
   return all;
 }
 
+/// Returns the columns of the components of these arrays.
+std::vector<const TableColumn*> columns_holding(const Lookup& lookup, const std::vector<std::string>& arrays) {
+  std::vector<const TableColumn*> all;
+  for (const std::string& array : arrays)
+    for (const Quantity& quantity : lookup.needed(array))
+      if (const TableColumn* column = lookup.find(quantity)) all.push_back(column);
+  return all;
+}
+
 std::vector<double> scalars(const Lookup& lookup, const std::string& word, double scale) {
   const TableColumn* column = lookup.find(quantities_of(word).front());
   if (!column) return {};
@@ -153,6 +182,13 @@ std::optional<double> time_of(const ParticleTable& table, const Lookup& lookup, 
   return scale * time;
 }
 
+/// Whether a word names a number that no measure needs: the volume, or a component of the deformation gradient. Columns
+/// may be named for them, and are not read.
+bool is_unread(const std::string& word) {
+  return word == "V" || word == "F" ||
+         (word.size() == 4 && word.starts_with("F_") && word.find_first_not_of("xyz", 2) == std::string::npos);
+}
+
 /// Returns the words of all quantities and arrays, each once.
 std::vector<std::string> known_words() {
   std::vector<std::string> words;
@@ -184,7 +220,7 @@ std::map<std::string, std::string> parse_columns(const std::string& text, const 
       throw UsageError(fmt::format("'{}' in {} (quantity=column, as in id=tag,x=px)", pair, where));
     const std::string word(pair.substr(0, middle));
     const auto known = known_words();
-    if (std::find(known.begin(), known.end(), word) == known.end())
+    if (std::find(known.begin(), known.end(), word) == known.end() && !is_unread(word))
       throw UsageError(fmt::format("unknown quantity '{}' in {} (known: {})", word, where, fmt::join(known, ", ")));
     names[word] = pair.substr(middle + 1);
   }
@@ -209,9 +245,7 @@ Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const s
              .x = components<3>(lookup, "x", length),
              .u = components<3>(lookup, "u", length),
              .v = components<3>(lookup, "v", speed),
-             .mass = scalars(lookup, "m", columns.mass),
-             .volume = scalars(lookup, "V", length * length * length),
-             .F = components<9>(lookup, "F", 1),
+             .mass = scalars(lookup, "m", columns.dimensions == 2 ? columns.mass / columns.thickness : columns.mass),
              .stress = components<9>(lookup, "s", pressure),
              .says = table.says,
              .has_own_units = columns.length != 1 || columns.time != 1 || columns.mass != 1};
@@ -220,12 +254,12 @@ Snapshot snapshot_of(const ParticleTable& table, const Columns& columns, const s
                                  fmt::join(known_columns(table), ", ")));
   }
   require_reference_positions(s, file);
-  std::vector<const TableColumn*> places;
-  for (const Quantity& quantity : lookup.needed(s.u.empty() ? "x" : "u"))
-    if (const TableColumn* column = lookup.find(quantity)) places.push_back(column);
-  const Rounding rounding = rounding_of(table, places);
+  const Rounding rounding = rounding_of(table, columns_holding(lookup, {s.u.empty() ? "x" : "u"}));
   s.digits = rounding.digits;
   s.rounding = length * rounding.unit;
+  if (!s.X.empty() && !s.x.empty() && !s.u.empty())
+    s.rounding_of_all =
+        length * (unit_shown_by(columns_holding(lookup, {"X", "x"})) + unit_shown_by(columns_holding(lookup, {"u"})));
   return s;
 }
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "studies/codes/readers.hpp"
 #include "studies/codes/text_column.hpp"
 #include "studies/codes/text_lines.hpp"
@@ -24,6 +26,15 @@ char separator_of(std::string_view line) {
   return ' ';
 }
 
+/// Returns the words of a comment if it may name the columns; none if it has a number or says `key = value`.
+std::vector<std::string_view> names_in(std::string_view comment) {
+  if (comment.empty()) return {};
+  const auto is_number = [](std::string_view field) { return are_numbers({field}); };
+  auto names = fields_of(comment, separator_of(comment));
+  if (comment.find('=') != std::string_view::npos || std::ranges::any_of(names, is_number)) names.clear();
+  return names;
+}
+
 /// Requires that commas separate fields and are no decimal ones: of 1;0,25;0,5 they would make 1;0 and 25;0 and 5.
 void require_no_decimal_commas(const std::vector<std::string_view>& fields, const TextLines& lines) {
   for (const std::string_view field : fields)
@@ -35,8 +46,8 @@ void require_no_decimal_commas(const std::vector<std::string_view>& fields, cons
 }  // namespace
 
 /// Reads lines of numbers, separated by commas, semicolons, tabs or blanks. The first line names the columns unless it
-/// has only numbers. In that case the last comment above it names them if it has as many words; else their names are 1,
-/// 2, ... Comments begin with #.
+/// has only numbers. In that case the last comment above it that has no number and no = names them if it has as many
+/// words; else their names are 1, 2, ... Comments begin with # or %.
 ParticleTable read_csv(const Source& source) {
   ParticleTable table;
   std::vector<std::string_view> comment_names;
@@ -44,10 +55,10 @@ ParticleTable read_csv(const Source& source) {
   while (auto line = lines.next()) {
     const std::string_view text = trimmed(*line);
     if (text.empty()) continue;
-    if (text.front() == '#') {
+    if (text.front() == '#' || text.front() == '%') {
       const std::string_view comment = trimmed(text.substr(1));
-      if (table.columns.empty()) comment_names = fields_of(comment, separator_of(comment));
-      note_comment(table, comment);
+      if (const auto names = names_in(comment); table.columns.empty() && !names.empty()) comment_names = names;
+      note_comment(table, comment, lines);
       continue;
     }
     const auto fields = fields_of(text, separator_of(text));

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <set>
 #include <system_error>
 
 #include "studies/codes/fields.hpp"
@@ -27,10 +29,9 @@ using records::Status;
 namespace {
 
 void write_input_files(const Case& c, const Code& code, const fs::path& folder) {
-  if (code.adapter.inputs.empty()) return;
-  const TemplateFields fields = input_fields_of(c, code);
-  for (const InputFile& input : code.adapter.inputs)
-    support::write_if_changed(folder / input.file, filled_input(input, fields));
+  const std::vector<std::string> texts = input_texts(c, code);
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    support::write_if_changed(folder / code.adapter.inputs[k].file, texts[k]);
 }
 
 /// Reads what the code wrote. If it cannot be read, the UsageError also quotes the end of what the code printed.
@@ -43,6 +44,19 @@ Output output_of(const Case& c, const Code& code, const TemplateFields& fields, 
   }
 }
 
+/// Leaves out what the output of a code that chooses its time step says of that step: the case has another.
+void leave_out_own_step(Output& output) {
+  for (Snapshot* s : {output.start ? &*output.start : nullptr, &output.end})
+    for (const char* key : {"dt", "cfl", "steps"})
+      if (s) s->says.erase(key);
+}
+
+/// Sets what one step cost. It is not measured where the number of steps is unknown.
+void set_cost_of_step(Record& record) {
+  const std::int64_t all = record.particles * record.steps;
+  record.ns_per_particle_step = all > 0 ? 1e9 * record.wall_seconds / static_cast<double>(all) : records::not_measured;
+}
+
 /// Runs the code on the case in this folder and returns the record of the scored output.
 Record carry_out(const Case& c, const Code& code, const fs::path& folder) {
   write_input_files(c, code, folder);
@@ -50,9 +64,13 @@ Record carry_out(const Case& c, const Code& code, const fs::path& folder) {
   std::string log;
   const double seconds = run_command(code, code.adapter.command, fields, folder, log);
   for (const auto& command : code.adapter.output.convert) run_command(code, command, fields, folder, log);
-  Record record = score(c, output_of(c, code, fields, folder, log));
+  Output output = output_of(c, code, fields, folder, log);
+  const bool has_own_step = !code.adapter.stepping.is_given;
+  if (has_own_step) leave_out_own_step(output);
+  Record record = score(c, output);
+  if (has_own_step) record.steps = std::max<std::int64_t>(output.end.step.value_or(0), 0);
   record.wall_seconds = seconds;
-  record.ns_per_particle_step = 1e9 * seconds / static_cast<double>(record.particles * record.steps);
+  set_cost_of_step(record);
   return record;
 }
 
@@ -103,14 +121,29 @@ Record run_external(const Case& c, const Code& code, const fs::path& keep) {
   } catch (const std::exception& e) {
     record = without_end(c, Status::failed, records::failure_of(e), support::reason_of(e));
   }
+  if (!code.adapter.stepping.is_given) record.cfl = records::not_measured;
   leave_out(folder.path().string() + "/", record.reason);
   if (record.status == Status::failed) explain(folder, record);
   return record;
 }
 
 std::vector<Record> run_external_timed(const std::vector<Case>& cases, const Codes& codes) {
-  const auto run = [&](const Case& c) { return run_external(c, codes.at(c.scheme.code)); };
-  return runs::run_in_rounds(cases, run, run);
+  std::set<Case> of_unknown_steps;  // their cost is measured as if each were one step
+  const auto run = [&](const Case& c) {
+    Record record = run_external(c, codes.at(c.scheme.code));
+    if (record.status != Status::ok || record.steps > 0) return record;
+    of_unknown_steps.insert(c);
+    record.steps = 1;
+    set_cost_of_step(record);
+    return record;
+  };
+  std::vector<Record> records = runs::run_in_rounds(cases, run, run);
+  for (Record& record : records) {
+    if (!of_unknown_steps.contains(record.the_case)) continue;
+    record.steps = 0;
+    set_cost_of_step(record);
+  }
+  return records;
 }
 
 std::unique_lock<std::mutex> abandon_external_runs() {

@@ -11,7 +11,8 @@ namespace mpmvv::codes {
 /// Runs one case by another code, in a folder of its own that is removed afterwards unless the run failed, or in
 /// `keep`, which stays. A run that goes wrong gives a record with status `failed`, which says where the folder is, or
 /// `unstable` where the motion blew up. The time in the record is that of the code's whole process, its start and the
-/// reading of its input included, without commands that convert its output.
+/// reading of its input included, without commands that convert its output. Of a code that chooses its time step the
+/// record has no CFL number, and the number of steps that the output states, or 0 where that is unknown.
 records::Record run_external(const cases::Case& c, const Code& code, const std::filesystem::path& keep = {});
 
 /// Runs cases whose cost is measured, each as often as it says (`repeat`), in turns. The cost is the median.

@@ -12,6 +12,9 @@ namespace mpmvv::codes {
 /// compared where the file has units of its own.
 void require_same_case(const cases::Case& c, const Snapshot& s);
 
+/// Whether a time in s is the case's end time: to a thousandth of a time step or to 2e-6 of it, as a time is printed.
+bool is_end_time(const cases::Case& c, double time);
+
 /// Requires that the time in the file, if it has one, is the case's end time.
 void require_end_time(const cases::Case& c, const Snapshot& s);
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <fnmatch.h>
 
-#include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "studies/codes/fields.hpp"
+#include "studies/codes/file_order.hpp"
+#include "studies/codes/output_checks.hpp"
 #include "studies/codes/readers.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/support/error.hpp"
@@ -19,14 +19,8 @@ using support::UsageError;
 
 namespace {
 
-/// Orders files by name, shorter names first, so that step 10 comes after step 9.
-bool comes_before(const fs::path& a, const fs::path& b) {
-  const std::string first = a.filename().string(), second = b.filename().string();
-  return std::tuple(first.size(), first) < std::tuple(second.size(), second);
-}
-
-/// Returns the last file in the folder with this name, which may be a pattern. Throws UsageError if there is none.
-fs::path last_file(const fs::path& folder, const std::string& name) {
+/// Returns the files in the folder with this name, which may be a pattern. Throws UsageError if there is none.
+std::vector<fs::path> files_named(const fs::path& folder, const std::string& name) {
   const fs::path pattern = fs::path(name);
   std::vector<fs::path> found;
   std::error_code unreadable;
@@ -35,7 +29,7 @@ fs::path last_file(const fs::path& folder, const std::string& name) {
         fnmatch(pattern.filename().c_str(), entry.path().filename().c_str(), 0) == 0)
       found.push_back(entry.path());
   if (found.empty()) throw UsageError(fmt::format("the code wrote no file '{}'", name));
-  return *std::ranges::max_element(found, comes_before);
+  return found;
 }
 
 Snapshot read(const cases::Case& c, const Code& code, const TemplateFields& fields, const fs::path& folder,
@@ -43,7 +37,12 @@ Snapshot read(const cases::Case& c, const Code& code, const TemplateFields& fiel
   const std::string file = filled_word(name, fields, code);
   Columns columns = code.adapter.output.columns;
   columns.dimensions = problems::domain_cells(c).size();
-  return read_snapshot(last_file(folder, file), columns, code.adapter.output.format);
+  std::vector<fs::path> files = files_named(folder, file);
+  if (code.adapter.output.are_parts)
+    sort_by_name(files);
+  else
+    files = {last_by_name(files, file)};
+  return read_snapshot(files, columns, code.adapter.output.format);
 }
 
 }  // namespace
@@ -61,6 +60,7 @@ Output read_output(const cases::Case& c, const Code& code, const TemplateFields&
   if (time && !(std::abs(*time - end_time) <= adapter.stepping.time_tolerance * end_time))
     throw UsageError(
         fmt::format("its output is of the time {:.10g} s and not of the end time {:.10g} s", *time, end_time));
+  if (time && !is_end_time(c, *time)) output.time = time;
   const bool is_planted =
       c.scheme.force_form == cases::ForceForm::misplaced || c.scheme.force_form == cases::ForceForm::none;
   if (time || is_planted) time = end_time;

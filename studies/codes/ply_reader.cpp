@@ -58,7 +58,7 @@ PlyHeader read_header(TextLines& lines, ParticleTable& table) {
     if (words[0] == "format" && words.size() > 1) header.format = words[1];
     if (words[0] == "element") read_element(header, words, lines, *line);
     if (words[0] == "property") read_property(header, words, lines, *line);
-    if (words[0] == "comment") note_comment(table, line->substr(words[0].size()));
+    if (words[0] == "comment") note_comment(table, line->substr(words[0].size()), lines);
   }
   throw UsageError(fmt::format("no end_header in {} (a PLY file)", lines.place()));
 }

@@ -39,6 +39,7 @@ const std::vector<Format>& formats() {
       {"csv", {".csv", ".txt", ".dat", ".tsv"}, &read_csv},
       {"vtu", {".vtu", ".vtp"}, &read_vtu},
       {"ply", {".ply"}, &read_ply},
+      {"vtk", {".vtk"}, &read_legacy_vtk},
       {"dump", {".dump", ".lammpstrj", ".custom"}, &read_dump, true},
       {"nairn", {}, &read_nairn},
       {"nairn-legacy", {}, &read_nairn_legacy},
@@ -79,9 +80,10 @@ Snapshot read_snapshot(const std::vector<std::filesystem::path>& parts, const Co
       throw UsageError(fmt::format("{} is of another time or run than {} (parts of one state)", part.file, whole.file));
     const auto add = [&](auto member) { append(whole.*member, part.*member, part, before); };
     add(&Snapshot::id), add(&Snapshot::X), add(&Snapshot::x), add(&Snapshot::u), add(&Snapshot::v);
-    add(&Snapshot::mass), add(&Snapshot::volume), add(&Snapshot::F), add(&Snapshot::stress);
+    add(&Snapshot::mass), add(&Snapshot::stress);
     whole.digits = std::min(whole.digits, part.digits);
     whole.rounding = std::max(whole.rounding, part.rounding);
+    whole.rounding_of_all = std::max(whole.rounding_of_all, part.rounding_of_all);
     whole.parts.push_back({part.file, part.size()});
   }
   if (parts.size() > 1) whole.file += fmt::format(" and {} more", parts.size() - 1);

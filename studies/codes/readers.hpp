@@ -32,6 +32,7 @@ const std::vector<Format>& formats();
 ParticleTable read_csv(const Source& source);
 ParticleTable read_vtu(const Source& source);
 ParticleTable read_ply(const Source& source);
+ParticleTable read_legacy_vtk(const Source& source);
 ParticleTable read_dump(const Source& source);
 ParticleTable read_nairn(const Source& source);
 ParticleTable read_nairn_legacy(const Source& source);

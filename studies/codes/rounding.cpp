@@ -22,11 +22,8 @@ int common_decimals(const std::vector<const TableColumn*>& columns) {
   return std::any_of(columns.begin(), columns.end(), other) ? -1 : first;
 }
 
-}  // namespace
-
-Rounding rounding_of(const ParticleTable& table, const std::vector<const TableColumn*>& coordinates) {
-  int digits_of_text = 1;
-  for (const TableColumn& column : table.columns) digits_of_text = std::max(digits_of_text, column.digits);
+/// Returns the rounding of points in a text whose numbers may have so many digits.
+Rounding rounding_to(int digits_of_text, const std::vector<const TableColumn*>& coordinates) {
   Rounding rounding;
   int decimals = common_decimals(coordinates), shown = 0;
   for (const TableColumn* column : coordinates) shown = std::max(shown, column->digits);
@@ -45,6 +42,20 @@ Rounding rounding_of(const ParticleTable& table, const std::vector<const TableCo
     rounding.unit = std::hypot(rounding.unit, std::sqrt(squares / static_cast<double>(column->values.size())));
   }
   return rounding;
+}
+
+}  // namespace
+
+Rounding rounding_of(const ParticleTable& table, const std::vector<const TableColumn*>& coordinates) {
+  int digits = 1;
+  for (const TableColumn& column : table.columns) digits = std::max(digits, column.digits);
+  return rounding_to(digits, coordinates);
+}
+
+double unit_shown_by(const std::vector<const TableColumn*>& coordinates) {
+  int digits = 1;
+  for (const TableColumn* column : coordinates) digits = std::max(digits, column->digits);
+  return rounding_to(digits, coordinates).unit;
 }
 
 double rounding_error(double unit) {

@@ -18,6 +18,10 @@ struct Rounding {
 /// be short because the numbers are.
 Rounding rounding_of(const ParticleTable& table, const std::vector<const TableColumn*>& coordinates);
 
+/// Returns the unit that the coordinates show by themselves, whatever the digits of other columns: the length of their
+/// vector as above.
+double unit_shown_by(const std::vector<const TableColumn*>& coordinates);
+
 /// Returns the RMS error that rounding alone makes in points with this unit. Rounding errors are uniform within half a
 /// unit, so it is unit/√12.
 double rounding_error(double unit);

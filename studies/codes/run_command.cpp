@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include "studies/codes/fields.hpp"
@@ -55,15 +56,62 @@ std::string run_mark() {
   return fmt::format("MPMVV_RUN_OF_{}", getpid());
 }
 
+/// Returns the lines of a text that have a letter or a digit, with one blank in the place of blanks and control
+/// characters.
+std::vector<std::string> telling_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream all(text);
+  for (std::string line; std::getline(all, line);) {
+    const auto is_blank = [](unsigned char c) { return std::isspace(c) != 0 || std::iscntrl(c) != 0; };
+    std::ranges::replace_if(line, is_blank, ' ');
+    std::istringstream words(line);
+    std::string squeezed;
+    for (std::string word; words >> word;) squeezed += (squeezed.empty() ? "" : " ") + word;
+    if (std::ranges::any_of(squeezed, [](unsigned char c) { return std::isalnum(c) != 0 || c >= 0x80; }))
+      lines.push_back(squeezed);
+  }
+  return lines;
+}
+
+bool says_error(const std::string& line) {
+  std::string lower = line;
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower.find("error") != std::string::npos;
+}
+
+/// Whether a byte goes on with a character of UTF-8 that has begun before it.
+bool is_within_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xc0) == 0x80;
+}
+
+/// Returns the first characters of a text, with three dots if there are more.
+std::string beginning_of(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && is_within_character(text[most])) --most;
+  return text.substr(0, most) + "...";
+}
+
+/// Returns the last characters of a text, after three dots if there are more.
+std::string ending_of(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  std::size_t begin = text.size() - most;
+  while (begin < text.size() && is_within_character(text[begin])) ++begin;
+  return "..." + text.substr(begin);
+}
+
 }  // namespace
 
 std::string tail_of(const std::string& log) {
-  constexpr std::size_t most = 300;
-  std::string text = log.size() > most ? "..." + log.substr(log.size() - most) : log;
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
-  std::ranges::replace_if(
-      text, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, ' ');
-  return text.empty() ? "it printed nothing" : text;
+  constexpr std::size_t near = 2000, most = 400;
+  const std::vector<std::string> lines = telling_lines(ending_of(log, near));
+  std::string rest, from_error;  // from the first line with "error" from which all fits, else from the last such line
+  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+    rest = *line + (rest.empty() ? "" : " ") + rest;
+    if (says_error(*line) && (from_error.empty() || rest.size() <= most)) from_error = rest;
+  }
+  if (rest.empty()) return "it printed nothing";
+  if (rest.size() <= most || from_error.empty()) return ending_of(rest, most);
+  return "..." + beginning_of(from_error, most);
 }
 
 double run_command(const Code& code, const std::vector<std::string>& templates, const TemplateFields& fields,

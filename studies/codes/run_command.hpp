@@ -19,7 +19,8 @@ struct CommandFault : std::runtime_error {
   records::Failure failure;
 };
 
-/// Returns the last 300 characters of what a program printed, on one line.
+/// Returns the end of what a program printed, about 400 characters at most, on one line. Lines without a letter or
+/// digit are left out. Where not all of it fits, it begins at a line with "error", if there is one near the end.
 std::string tail_of(const std::string& log);
 
 /// Runs a command of the adapter in the folder and returns the seconds that it took. Appends what it printed to `log`

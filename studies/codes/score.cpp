@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/codes/displacement_checks.hpp"
 #include "studies/codes/excursion.hpp"
 #include "studies/codes/matching.hpp"
 #include "studies/codes/output_checks.hpp"
 #include "studies/codes/output_fault.hpp"
 #include "studies/codes/rounding.hpp"
+#include "studies/codes/stresses.hpp"
 #include "studies/runs/blow_up.hpp"
 #include "studies/runs/norms.hpp"
 #include "studies/runs/particle_errors.hpp"
@@ -19,7 +21,6 @@ namespace mpmvv::codes {
 
 using records::Record;
 using records::Status;
-using solver::Mat;
 
 namespace {
 
@@ -39,32 +40,6 @@ runs::ErrorNorms norms_of(const MatchedEnd<D>& end, const Error& error) {
   runs::ErrorNorms norms;
   for (std::size_t line = 0; line < end.size(); ++line) norms.add(error(line, end.particles.X[end.particle[line]]));
   return norms;
-}
-
-/// Returns the RMS over the particles of |σ - σ(X, T)|, in Pa.
-template <int D>
-double stress_error(const MatchedEnd<D>& end) {
-  const auto& solution = *end.particles.setup.solution;
-  const double T = end.particles.end_time;
-  return norms_of(end,
-                  [&](std::size_t line, const Vec<D>& X) {
-                    const Mat<D> F = solution.F(X, T), exact = solution.P(X, T) * F.transpose() / F.determinant();
-                    Mat<D> written;
-                    for (int i = 0; i < D; ++i)
-                      for (int j = 0; j < D; ++j)
-                        written(i, j) = end.snapshot.stress[line][static_cast<std::size_t>(3 * i + j)];
-                    return (written - exact).norm();
-                  })
-      .l2();
-}
-
-/// Requires stresses that are numbers. A study that compares their errors would otherwise find a gap and no reason.
-void require_stresses(const Snapshot& end) {
-  if (end.stress.empty())
-    fail_output("no stresses in {} for stress_error (columns s_xx, ..., or leave it out)", end.file);
-  for (const Tensor& stress : end.stress)
-    if (!std::ranges::all_of(stress, [](double component) { return std::isfinite(component); }))
-      fail_output("stresses that are no numbers in {}", end.file);
 }
 
 /// Returns the RMS velocity error at the end, in per cent of the problem's speed.
@@ -131,6 +106,8 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   require_end_time(c, output.end);
   const MatchedEnd<D> end = matched(particles, output);
   require_length_units(end);
+  require_same_displacements(end);
+  require_displacements_from_rest(end);
   require_inside(end);
   const bool says_when = output.end.time || output.end.step == c.resolution.steps;
   if (!says_when) require_time(end);
@@ -146,6 +123,7 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   measure_balance(end, record);
   if (!output.end.v.empty()) require_stable(blow_up.judge_energy(record.energy.kinetic));
   if (c.measure.stress_error && !c.scheme.code.empty()) require_stresses(output.end);
+  if (c.measure.stress_error) require_stress_units(end);
   record.error.l1 = norms.l1();
   record.error.l2 = norms.l2();
   record.error.linf = norms.linf();
@@ -161,7 +139,12 @@ void measure(const problems::Problem& problem, const Output& output, Record& rec
   const cases::Case& c = record.the_case;
   for (const Snapshot* s : {output.start ? &*output.start : nullptr, &output.end})
     if (s) require_same_case(c, *s);
-  std::visit([&]<int D>(problems::SetupFunction<D>) { measure(case_particles<D>(c), output, record); }, problem.setup);
+  const auto measure_in = [&]<int D>(problems::SetupFunction<D>) {
+    CaseParticles<D> particles = case_particles<D>(c);
+    if (output.time) particles.end_time = *output.time;
+    measure(particles, output, record);
+  };
+  std::visit(measure_in, problem.setup);
 }
 
 }  // namespace

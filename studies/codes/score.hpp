@@ -11,6 +11,7 @@ namespace mpmvv::codes {
 struct Output {
   std::optional<Snapshot> start = {};  ///< those at time zero, if the end alone does not say which particle is which
   Snapshot end;                        ///< those at the case's end time
+  std::optional<double> time = {};     ///< the time in s at which the end is scored, if it is not the case's end time
 };
 
 /// Measures another code's output and returns the record of the case, as `runs::run_case` makes it, with the numbers

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <string_view>
 
 #include "studies/support/error.hpp"
 
@@ -29,25 +32,64 @@ class StrictContext : public mustache::context<std::string> {
   mutable std::string missing_;
 };
 
-/// Returns `where`, with the line of the first tag of this name if the text has several lines.
-std::string place_of(const std::string& name, const std::string& text, const std::string& where) {
-  if (text.find('\n') == std::string::npos) return where;
-  for (auto tag = text.find("{{"); tag != std::string::npos; tag = text.find("{{", tag + 2)) {
-    const auto begin = std::min(text.find_first_not_of("{#^& ", tag), text.size());
-    const auto end = text.find_first_of(" }", begin);
-    if (text.substr(begin, end - begin) == name)
-      return fmt::format("{}:{}", where,
-                         std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(tag), '\n') + 1);
-  }
-  return where;
+constexpr const char* of_braces =
+    "{{{ begins a tag of its own: other delimiters, {{=<% %>=}}, where a { stands before a tag; docs/adapters.md";
+
+/// Returns `where`, with the line of this place if the text has several lines and the place is in it.
+std::string line_of(std::size_t place, const std::string& text, const std::string& where) {
+  if (place >= text.size() || text.find('\n') == std::string::npos) return where;
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(place);
+  return fmt::format("{}:{}", where, std::count(text.begin(), end, '\n') + 1);
 }
 
-/// Whether the name is that of a component along an axis that the case lacks: with x in the place of y or z it exists.
+/// Returns where the first tag of this name begins; npos if that is not found.
+std::size_t tag_of(std::string_view name, std::string_view text) {
+  const auto is_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  name.remove_prefix(std::min(name.find_first_not_of('{'), name.size()));
+  std::string_view open = "{{";
+  for (auto tag = text.find(open); tag != std::string_view::npos; tag = text.find(open, tag + open.size())) {
+    const std::string_view rest = text.substr(tag + open.size());
+    const std::string_view inside = rest.substr(std::min(rest.find_first_not_of("{#^& "), rest.size()));
+    if (inside.starts_with(name) && (inside.size() == name.size() || !is_of_name(inside[name.size()]))) return tag;
+    if (!rest.starts_with('=')) continue;
+    const auto begin = rest.find_first_not_of(" \t\n", 1);  // of a template that was found valid
+    open = rest.substr(begin, rest.find_first_of(" \t\n", begin) - begin);
+  }
+  return std::string_view::npos;
+}
+
+/// Throws the error of a text that is no template. It says at which character, as in "Unclosed tag at 20".
+[[noreturn]] void refuse_template(const std::string& error, const std::string& text, const std::string& where) {
+  const std::string at = " at ";
+  const auto split = error.rfind(at);
+  std::size_t place = std::string::npos;
+  if (split != std::string::npos) std::from_chars(error.data() + split + at.size(), error.data() + error.size(), place);
+  const bool has_braces = place < text.size() && text.compare(place, 3, "{{{") == 0;
+  throw support::UsageError(fmt::format("{} is no template ({}; {})", line_of(place, text, where),
+                                        error.substr(0, split),
+                                        has_braces ? of_braces : "docs/adapters.md shows what one is"));
+}
+
+/// Whether the name is that of a component or a face along an axis that the case lacks: with x in the place of y or z
+/// it exists.
 bool is_of_more_dimensions(std::string name, const TemplateFields& fields) {
+  for (const char* side : {"ymin", "ymax", "zmin", "zmax"})
+    if (const auto at = name.find(side); at != std::string::npos) {
+      name[at] = 'x';
+      return fields.get(name) != nullptr;
+    }
   const auto axis = std::string_view("yzYZ").find(name.back());
   if (axis == std::string_view::npos) return false;
   name.back() = axis < 2 ? 'x' : 'X';
   return fields.get(name) != nullptr;
+}
+
+/// Says what may be meant by a field that does not exist.
+std::string hint(const std::string& name, const TemplateFields& fields) {
+  if (name.find_first_of("{}") != std::string::npos) return of_braces;
+  if (is_of_more_dimensions(name, fields))
+    return "the case has fewer dimensions: between {{#is_plane}} and {{/is_plane}}, or is_solid";
+  return "docs/adapters.md lists them, beside those of the adapter's [fields] and [variants]";
 }
 
 }  // namespace
@@ -55,17 +97,12 @@ bool is_of_more_dimensions(std::string name, const TemplateFields& fields) {
 std::string filled(const std::string& text, const TemplateFields& fields, const std::string& where) {
   mustache::mustache page(text);
   page.set_custom_escape([](const std::string& value) { return value; });
-  if (!page.is_valid())
-    throw support::UsageError(
-        fmt::format("{} is no template ({}; docs/adapters.md shows what one is)", where, page.error_message()));
+  if (!page.is_valid()) refuse_template(page.error_message(), text, where);
   StrictContext context(&fields);
   std::string result = page.render(context);
   if (const std::string& missing = context.missing(); !missing.empty())
-    throw support::UsageError(
-        fmt::format("unknown field '{}' in {} ({})", missing, place_of(missing, text, where),
-                    is_of_more_dimensions(missing, fields)
-                        ? "the case has fewer dimensions: between {{#is_plane}} and {{/is_plane}}, or is_solid"
-                        : "docs/adapters.md lists them, beside those of the adapter's [fields] and [variants]"));
+    throw support::UsageError(fmt::format("unknown field '{}' in {} ({})", missing,
+                                          line_of(tag_of(missing, text), text, where), hint(missing, fields)));
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "studies/codes/stated_time.hpp"
 #include "studies/codes/text_column.hpp"
 #include "studies/support/error.hpp"
 
@@ -60,12 +61,11 @@ void add_row(ParticleTable& table, const std::vector<std::string_view>& fields, 
           fmt::format("'{}' for '{}' in {} (a number)", fields[k].substr(0, 40), table.columns[k].name, lines.place()));
 }
 
-void note_comment(ParticleTable& table, std::string_view comment) {
+void note_comment(ParticleTable& table, std::string_view comment, const TextLines& lines) {
+  note_time(table, comment, lines.place());
   const auto middle = comment.find_first_of("=:");
   if (middle == std::string_view::npos) return;
   const std::string key(trimmed(comment.substr(0, middle))), value(trimmed(comment.substr(middle + 1)));
-  TableColumn number;
-  if (key == "time" && add_text(number, value)) table.time = number.values.front();
   if (!key.empty() && key.find_first_of(" \t") == std::string::npos) table.says[key] = value;
 }
 

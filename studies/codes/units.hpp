@@ -1,10 +1,12 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include "solver/types.hpp"
+#include "studies/codes/case_particles.hpp"
 #include "studies/codes/output_fault.hpp"
 
 namespace mpmvv::codes {
@@ -21,6 +23,22 @@ inline double unit_factor(double ratio, double band = 1.05) {
 [[noreturn]] inline void fail_units(const char* what, double factor, const std::string& file) {
   fail_output("{} in {} are {:g} times those of the case (another unit? --length-unit {:g}, or units of the adapter)",
               what, file, factor, 1 / factor);
+}
+
+/// Whether the RMS over the particles of a quantity of the exact solution is more at the end than a quarter of the
+/// largest one until then. Else an error of the method may be many times the quantity. `square(X, t)` is its square.
+template <int D, class Square>
+bool is_large_at_end(const CaseParticles<D>& particles, const Square& square) {
+  constexpr int times = 20;
+  const std::size_t stride = particles.size() / 500 + 1;
+  double squares = 0, largest = 0;
+  for (int k = 0; k <= times; ++k) {
+    squares = 0;
+    for (std::size_t p = 0; p < particles.size(); p += stride)
+      squares += square(particles.X[p], particles.end_time * k / times);
+    largest = std::max(largest, squares);
+  }
+  return squares > largest / 16;
 }
 
 /// Returns the points relative to their mean.

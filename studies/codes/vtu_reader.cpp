@@ -20,6 +20,8 @@ class VtkFile {
  public:
   explicit VtkFile(const Source& source) : file_(source.file) {
     const std::string_view content = source.content;
+    if (content.starts_with("# vtk DataFile"))
+      throw UsageError(fmt::format("a legacy VTK file in {} (VTK's XML; format vtk is the legacy one)", file_));
     const auto appended = content.find("<AppendedData");
     std::string text(content.substr(0, appended));
     if (appended != std::string_view::npos) {

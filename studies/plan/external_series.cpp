@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "studies/codes/fields.hpp"
@@ -55,6 +56,42 @@ void complete_variant(std::vector<Setting>& settings, const Adapter& adapter, co
   if (given && std::ranges::find(known, given->value) == known.end())
     throw UsageError(fmt::format("unknown variant '{}' of code '{}' in {} (known: {})", given->value, adapter.name,
                                  given->where, fmt::join(known, ", ")));
+}
+
+bool is_step(const std::string& key) {
+  return key == "cfl" || key == "dt";
+}
+
+/// The settings that count, without that of the time step.
+std::map<std::string, std::string> settings_beside_step(const SeriesPlan& series) {
+  std::map<std::string, std::string> values;
+  for (const Setting& setting : series.settings)
+    if (!is_step(setting.key)) values[setting.key] = setting.value;
+  return values;
+}
+
+const Setting* step_of(const SeriesPlan& series) {
+  const Setting* cfl = series.setting("cfl");
+  return cfl ? cfl : series.setting("dt");
+}
+
+/// Requires that no runs of a series, or of two, differ by the time step alone: the code, which chooses its own, would
+/// give the same result for all of them.
+void require_other_differences(const StudyPlan& plan, const SeriesPlan& series, const std::string& code) {
+  const auto refuse = [&](const std::string& what, const std::string& where) {
+    throw UsageError(
+        fmt::format("the {} in {} of series '{}': code '{}' chooses its time step itself (another key: its result is "
+                    "the same at every cfl and dt)",
+                    what, where, series.name, code));
+  };
+  if (plan.searches(series)) refuse("limit", plan.limit->where);
+  if (is_step(plan.sweep)) refuse("sweep over " + plan.sweep, plan.sweep_where);
+  for (const SeriesPlan& other : plan.series) {
+    const Setting *step = step_of(series), *other_step = step_of(other);
+    if (!step || !other_step || settings_beside_step(series) != settings_beside_step(other)) continue;
+    if (step->key != other_step->key || step->value != other_step->value)
+      refuse(fmt::format("{} by which it differs from '{}'", step->key, other.name), step->where);
+  }
 }
 
 }  // namespace
@@ -129,9 +166,12 @@ std::string complete_series(StudyPlan& plan, const fs::path& file, CodeFinder& f
     const codes::Code& there = finder.codes().at(code->value);
     for (const cases::Case& c : cases) codes::require_able(there.adapter, c);
     if (!cases.empty()) codes::require_sound_templates(cases.front(), there);
-    if (plan.searches(series) && !there.adapter.stepping.is_given)
-      throw UsageError(fmt::format("the limit in {} of series '{}': code '{}' chooses its time step itself",
-                                   plan.limit->where, series.name, code->value));
+  }
+  for (const SeriesPlan& series : plan.series) {  // when all have their variants
+    const Setting* code = series.setting("code");
+    const auto there = code ? finder.codes().find(code->value) : finder.codes().end();
+    if (there != finder.codes().end() && !there->second.adapter.stepping.is_given)
+      require_other_differences(plan, series, code->value);
   }
   return absent;
 }

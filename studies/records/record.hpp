@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <string>
@@ -78,7 +79,7 @@ struct Record {
   cases::Case the_case;
   std::int64_t particles = 0;  ///< of the whole body
   std::int64_t steps = 0;      ///< steps really taken
-  double cfl = not_measured;
+  double cfl = not_measured;   ///< not measured where another code chose its time step
   Status status = Status::ok;
   Failure failure = Failure::none;  ///< why it `failed`; runs in older stores have none even then
   std::string reason;               ///< why it is `unstable` or `failed`; empty for `ok`
@@ -95,6 +96,16 @@ struct Record {
   std::vector<ParticleError> particle_errors =
       {};  ///< where the case asks for them; without the mirror images of a quarter
 };
+
+/// Whether another code chose the time step. The case's `dt` and `steps` are then not those of the run.
+inline bool has_own_step(const Record& r) {
+  return !r.the_case.scheme.code.empty() && std::isnan(r.cfl);
+}
+
+/// Whether the number of steps is unknown: the code chose the step, and its output does not say how many there were.
+inline bool has_unknown_steps(const Record& r) {
+  return has_own_step(r) && r.steps == 0;
+}
 
 /// Whether another try may succeed. A failure of another code always counts: nobody knows whether it only lacked a
 /// licence or a library.

@@ -129,7 +129,9 @@ std::map<std::string, double> run_quantities(const Row& row) {
     if (const Value& value = row[name]; !value.null()) quantities[name] = value.real();
   };
   for_numbers([&](const RunNumber& number) { add(number.name); });
-  for (const char* name : {"particles", "steps", "dt"}) add(name);
+  add("particles");
+  if (row["steps"].integer() > 0) add("steps");
+  if (!row["cfl"].null()) add("dt");  // else another code chose it
   return quantities;
 }
 

@@ -90,7 +90,8 @@ StepCosts Store::step_costs() const {
   impl_->database.each(
       "SELECT problem, basis, integrator, velocity_update, "
       "sum(wall_seconds * coalesce(threads, 1)) / sum(particles * steps / coalesce(images, 1.0)) AS cost FROM runs "
-      "WHERE status = 'ok' AND wall_seconds IS NOT NULL GROUP BY problem, basis, integrator, velocity_update",
+      "WHERE status = 'ok' AND wall_seconds IS NOT NULL AND steps > 0 GROUP BY problem, basis, integrator, "
+      "velocity_update",
       {}, [&](const Row& row) {
         costs[{row["problem"].text(), row["basis"].text(), row["integrator"].text(), row["velocity_update"].text()}] =
             row["cost"].real();

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <regex>
 #include <thread>
 #include <vector>
 
@@ -68,6 +69,52 @@ TEST_F(StudyOfABrokenCode, SaysWhyARunFailed) {
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.out, AllOf(ContainsRegex("\n +failed +cells +why\n +theirs +8 +[^\n]*mover ended with"),
                                 HasSubstr("3 cases run, 0 taken from r.db, 2 failed")));
+}
+
+TEST_F(StudyOfABrokenCode, TheGateSaysOnceWhatARunSaid) {
+  unsetenv("GITHUB_ACTIONS");  // or the gate prints annotations, too
+  mover_.script("echo no such mesh; exit 3\n");
+  in_folder("study s.toml --db r.db");
+  fs::create_directories(mover_.top() / "goldens");
+  std::ofstream(mover_.top() / "goldens/s.toml") << R"(study = "s"
+reviewed = "now"
+[[order]]
+series = "theirs"
+norm = "l2"
+window = [4, 16]
+points = 3
+expected = 2
+lower = 1.85
+upper = 2.15
+finest = [16, 0.001]
+[[error]]
+series = "theirs"
+norm = "l2"
+at = 16
+expected = 0.001
+band = 0.1
+)";
+  const Answer gate = in_folder("gate --db r.db --goldens goldens --junit g.xml");
+  EXPECT_EQ(gate.code, 1) << gate.err;
+  EXPECT_THAT(gate.out,
+              AllOf(ContainsRegex("order of 'theirs'[^\n]* in .1.85, 2.15., not measured [(]the runs at 4, 8 and 16 "
+                                  "failed; at 16: [^\n]*mover ended with [^\n]*no such mesh"),
+                    HasSubstr("± 10 %, not measured (the run at 16 failed: as above)\n"), Not(HasSubstr("nan"))));
+  EXPECT_THAT(read_text(mover_.top() / "g.xml"),
+              AllOf(ContainsRegex("message=\"the run at 16 failed: [^\n]*mover ended[^\n]*no such mesh"),
+                    Not(HasSubstr("nan"))));
+  for (const auto& result : in_folder("gate --db r.db --goldens goldens --json").json()["results"]) {
+    EXPECT_TRUE(result["measured"].is_null());
+    EXPECT_THAT(result["reason"].get<std::string>(), HasSubstr("no such mesh"));
+  }
+}
+
+/// Where the problem has no body force, none is no mistake.
+TEST_F(StudyOfABrokenCode, NoneIsTheRightBodyForceOfTranslation) {
+  std::ofstream(mover_.top() / "s.toml") << std::regex_replace(Mover::study, std::regex("code = .mover.\n"),
+                                                               "$&force_form = \"none\"\n");
+  ASSERT_EQ(in_folder("study s.toml --db r.db").code, 0);
+  EXPECT_THAT(in_folder("propose --db r.db --study s").err, Not(HasSubstr("planted")));
 }
 
 /// A licence, a library: what was missing may be there the next time, with the same code.

@@ -130,6 +130,8 @@ TEST_F(History, TrendFollowsTheTime) {
   EXPECT_EQ(json["versions"][0]["digest"], "00ff11");
   ASSERT_EQ(json["trends"].size(), 3U);
   EXPECT_EQ(json["trends"][0]["values"], nlohmann::json::parse("[2.0, 1.0]"));
+  EXPECT_EQ(json["trends"][1]["unit"], "m");
+  EXPECT_FALSE(json["trends"][0].contains("unit")) << "an order";
   const Answer answer = ask("trend");
   EXPECT_THAT(
       answer.out,
@@ -148,7 +150,7 @@ TEST_F(History, TrendSaysWhichNumbersRestOnRunsThatAreNotOk) {
   EXPECT_EQ(trends[1]["remarks"][2], "unstable");
   EXPECT_FALSE(trends.back().contains("remarks"));
   EXPECT_THAT(ask("trend").out, AllOf(ContainsRegex("\nbar +2 +1 +1[.]5\\* +order of"),
-                                      ContainsRegex("unstable +error of 'linear' in l2 at 16\n"),
+                                      ContainsRegex("unstable +error of 'linear' in l2 .m. at 16\n"),
                                       HasSubstr("* of runs that are not all ok: some are unstable or failed")));
 }
 

@@ -59,6 +59,64 @@ TEST_F(OtherCodes, FromNothingToTheOrdersOfOnesOwnCode) {
               ContainsRegex("fails +0.9 to 1.1 +0.35"));
 }
 
+TEST_F(OtherCodes, APlantedMistakeGetsNoGolden) {
+  folder_.write("planted.toml", R"(title = "Planted"
+[fixed]
+problem = "bar"
+ppc = 2
+cfl = 0.5
+blowup_error = 10
+code = "small-mpm"
+variant = "linear"
+[[series]]
+name = "right"
+[[series]]
+name = "b misplaced"
+force_form = "misplaced"
+[[series]]
+name = "no b"
+force_form = "none"
+[sweep]
+cells = [4]
+[[figure]]
+caption = "Errors"
+xlabel = "cells"
+ylabel = "error"
+)");
+  const Answer propose = in_folder("mpmvv study planted.toml --db r.db > log\nmpmvv propose --db r.db --study planted");
+  ASSERT_EQ(propose.code, 0) << propose.err;
+  EXPECT_THAT(propose.err, HasSubstr("no golden of planted mistakes: 'b misplaced', 'no b'\n"));
+  EXPECT_THAT(propose.out,
+              AllOf(HasSubstr("series = \"right\""), Not(HasSubstr("series = \"no b\"")),
+                    HasSubstr("# No golden of \"b misplaced\": a planted mistake, force_form = \"misplaced\"")));
+}
+
+TEST_F(OtherCodes, TheAdapterSaysTheColumnsOfWhatIsScored) {
+  const std::string adapter = walk("own-code-adapter"), file = "file = \"particles.csv\"";
+  const auto at = adapter.find(file);
+  ASSERT_NE(at, std::string::npos);
+  const auto naming = [&](const std::string& columns) {
+    folder_.write("adapters/my-code/adapter.toml", std::string(adapter).insert(at, columns));
+    return in_folder("export MY_CODE=" + small_mpm + "\nmpmvv score case.json end.csv");
+  };
+  std::filesystem::create_directories(folder_ / "adapters/my-code");
+  folder_.write("adapters/my-code/adapter.toml", adapter);
+  folder_.write("adapters/my-code/input.mustache", walk("own-code-input"));
+  const std::string the_case =
+      "--code my-code --variant quadratic --problem bar --cells 8 --ppc 2 --cfl 0.2 --end-time 0.002";
+  const Answer run =
+      in_folder("export MY_CODE=" + small_mpm + "\nmpmvv case " + the_case + " > case.json && mpmvv run " + the_case +
+                " --keep trial && sed '/^id/s/,x,/,posx,/' trial/particles.csv > end.csv");
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  ASSERT_THAT(read_text(folder_ / "end.csv"), HasSubstr(",posx,"));
+  EXPECT_THAT(naming("").err, HasSubstr("no positions in end.csv"));
+  const Answer scored = naming("columns = { x = \"posx\" }\n");
+  EXPECT_EQ(scored.code, 0) << scored.err;
+  EXPECT_THAT(scored.out, HasSubstr("status ok"));
+  EXPECT_THAT(scored.err, HasSubstr("columns and units are those of adapters/my-code/adapter.toml"));
+  EXPECT_THAT(in_folder("mpmvv score case.json end.csv --columns x=m").out, HasSubstr("status unstable"));
+}
+
 TEST_F(OtherCodes, WhatIsNotThereIsLeftOutOfAFolderAndRefusedByName) {
   std::filesystem::create_directories(folder_ / "adapters/gone/studies");
   std::string adapter = walk("own-code-adapter"), study = walk("own-code-study");
@@ -72,7 +130,8 @@ TEST_F(OtherCodes, WhatIsNotThereIsLeftOutOfAFolderAndRefusedByName) {
   folder_.write("adapters/gone/input.mustache", "");
   folder_.write("adapters/gone/studies/orders.toml", study);
   const Answer all = in_folder("mpmvv study --studies adapters/gone/studies --db r.db");
-  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_EQ(all.code, 3) << all.err;
+  EXPECT_EQ(in_folder("mpmvv study --studies adapters/gone/studies --db r.db --plan").code, 0);
   EXPECT_THAT(all.err, HasSubstr("orders is left out: code 'gone' is not there (MPMVV_GONE=PROGRAM"));
   const Answer named = in_folder("mpmvv study adapters/gone/studies/orders.toml --db r.db");
   EXPECT_EQ(named.code, 2);

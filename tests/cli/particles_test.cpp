@@ -46,6 +46,7 @@ TEST(ParticlesCommand, RefusesWhatIsNoCase) {
   const std::string csv = " --csv " + (folder / "a"), other_name = (folder / "b/../a");
   std::filesystem::create_directories(folder / "b");
   EXPECT_THAT(call(folder, square + csv + " --vtu " + other_name).err, HasSubstr("--csv and --vtu both write '"));
+  EXPECT_THAT(call(folder, square + " --csv c --vtu ./c").err, HasSubstr("--csv and --vtu both write '"));
   EXPECT_FALSE(std::filesystem::exists(folder / "a"));
 }
 

@@ -61,7 +61,8 @@ TEST_F(Score, AnOutputOfAnotherTimeHasFailed) {
   const Answer answer = score(start_);
   EXPECT_EQ(answer.code, 1);
   EXPECT_THAT(answer.out, HasSubstr("status failed (time 0 s in "));
-  EXPECT_THAT(score(start_without_time()).out, HasSubstr("status failed (another time in "));
+  EXPECT_THAT(score(start_without_time()).out, AllOf(HasSubstr("status failed (another time in "),
+                                                     HasSubstr("let it say so: # time = 0.004 in a text")));
 }
 
 TEST_F(Score, SaysWhereTheEndOfACaseIsItsStart) {
@@ -75,6 +76,33 @@ TEST_F(Score, SaysWhereTheEndOfACaseIsItsStart) {
   const Answer at_rest = score(start_without_time());
   EXPECT_EQ(at_rest.code, 1);
   EXPECT_THAT(at_rest.out, HasSubstr("are where they were at time zero, and so are those of the exact solution"));
+}
+
+/// The exact end of a body that is 1 mm thick.
+TEST_F(Score, DividesMassesByTheThicknessOfAPlaneBody) {
+  const std::string write =
+      "mpmvv particles" + the_case_ +
+      " > start.csv; mpmvv solution --problem square --param amplitude=0.03 --points start.csv --time 0.004 --fields u "
+      "> "
+      "u.csv; paste -d, start.csv u.csv | awk -F, 'NR == 1 { print \"id,x,y,m\" } NR > 1 { printf "
+      "\"%d,%.17g,%.17g,%.17g\\n\", $1, $2 + $(NF - 1), $3 + $NF, 1e-3 * $8 }' > end.csv";
+  const Answer written = carry_out(folder_, write);
+  ASSERT_EQ(written.code, 0) << written.err;
+  const std::string end = "'" + (folder_ / "end.csv") + "'";
+  const Answer thin = score(end);
+  EXPECT_EQ(thin.code, 1);
+  EXPECT_THAT(thin.out, HasSubstr("0.001 times that of the case (which is 1 m thick: --thickness, or thickness in "));
+  const Answer answer = score(end + " --thickness 1e-3 --json");
+  ASSERT_EQ(answer.code, 0) << answer.out;
+  EXPECT_NEAR(answer.json()["balance"]["mass"].get<double>(), 0, 1e-12);
+  EXPECT_EQ(score(end + " --thickness 0").code, 2);
+}
+
+TEST_F(Score, OfALineHasNoThickness) {
+  ASSERT_EQ(call(folder_, "case --problem bar --cells 4 --ppc 2 --cfl 0.2 > '" + file_ + "'").code, 0);
+  const Answer answer = score(end_ + " --thickness 1e-3");
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.err, HasSubstr("--thickness 1e-3 of a case in 1 dimension (it is that of a plane body)"));
 }
 
 TEST_F(Score, RefusesWhatItCannotRead) {

@@ -110,13 +110,39 @@ TEST_F(AdapterFile, ItsDigestIsOfAllFilesThatACommandMayName) {
 TEST_F(AdapterFile, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(complaint_without("\"small-mpm\"", "\"other\""), HasSubstr("name of the adapter's folder, small-mpm"));
   EXPECT_THAT(complaint_without("\"csv\"", "\"xml\""), HasSubstr("unknown format 'xml' in"));
-  EXPECT_THAT(complaint_without("time_limit = 300", "time_limit = 0"), HasSubstr("adapter.toml:13"));
+  EXPECT_THAT(complaint_without("time_limit = 300", "time_limit = 0"), HasSubstr("adapter.toml:14"));
   EXPECT_THAT(complaint_without("\"left the grid\"", "\"\""), HasSubstr("an empty text of 'unstable' in"));
   EXPECT_THAT(complaint_without("[capabilities]", "[ability]"), HasSubstr("unknown key 'ability'"));
-  EXPECT_THAT(complaint_without("x = \"px\"", "q = \"px\""), HasSubstr("adapter.toml:20"));
+  EXPECT_THAT(complaint_without("x = \"px\"", "q = \"px\""), HasSubstr("adapter.toml:21"));
   EXPECT_THAT(complaint_without("\"input.txt\"  ", "\"../a\"  "), HasSubstr("a name in the run's folder"));
   EXPECT_THAT(complaint_without("\"input.mustache\"", "\"none\""), HasSubstr("a template of an adapter"));
   EXPECT_THAT(complaint_without("\"misplaced\"", "\"moved\""), HasSubstr("unknown force_forms 'moved'"));
+}
+
+TEST_F(AdapterFile, SaysHowThickAPlaneBodyIs) {
+  EXPECT_EQ(read(text_).output.columns.thickness, 1e-3);
+  EXPECT_THAT(complaint_without("thickness = 1e-3", "thickness = 0"), HasSubstr("thickness = 0 in"));
+  EXPECT_THAT(complaint_without("[1, 2]", "[1, 3]"), HasSubstr("a thickness in"));
+}
+
+/// A value in the place of the case's would be reported as the case's.
+TEST_F(AdapterFile, ValuesForTemplatesHaveNoNamesOfTheCase) {
+  const std::string field = "solver = \"explicit\"", of_variant = "shape = 1";
+  EXPECT_THAT(complaint_without(field, "dt = 0.0005"), HasSubstr("'dt' of [fields] in "));
+  EXPECT_THAT(complaint_without(field, "dt = 0.0005"), HasSubstr("adapter.toml:"));
+  EXPECT_THAT(complaint_without(field, "b_x = \"0\""), HasSubstr("'b_x' of [fields] in "));
+  EXPECT_THAT(complaint_without(of_variant, "poissons_ratio = 0.29"),
+              HasSubstr("'poissons_ratio' of [variants.linear] in "));
+  EXPECT_EQ(complaint_without(of_variant, "solver = \"implicit\""), "") << "of [fields]";
+}
+
+TEST_F(AdapterFile, ATemplateIsInTheUnitsOfTheOutput) {
+  EXPECT_FALSE(read(text_).inputs.at(0).in_units);
+  std::string text = text_;
+  text.replace(text.find("in_units = false"), 16, "in_units = true");
+  EXPECT_TRUE(read(text).inputs.at(0).in_units);
+  text.replace(text.find("units = {"), 0, "# ");
+  EXPECT_THAT([&] { read(text); }, testing::ThrowsMessage<UsageError>(HasSubstr("but no units in [output]")));
 }
 
 }  // namespace mpmvv::codes::adapter_test

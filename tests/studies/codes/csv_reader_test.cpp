@@ -85,6 +85,34 @@ TEST(CsvReader, CommentsSayTimeAndNames) {
   EXPECT_EQ(s.x.front()[0], 1.25);
 }
 
+TEST(CsvReader, CommentsStateTimeAndStepInAnyCase) {
+  for (const char* comment : {"time = 0.008", "Time = 0.008", "TIME: 0.008", "TIME 0.008", "time=8e-3 s",
+                              "Time 0.008 sec", "t = 0.008", "t:0.008", "time [s] = 0.008", "time (seconds): 0.008",
+                              "step = 32, time = 0.008", "t = 7; time = 0.008", "time = 0.008, t = 7"})
+    EXPECT_EQ(read(fmt::format("# {}\nx\n1\n", comment)).time, 0.008) << comment;
+  for (const char* comment : {"step = 32", "Step: 32", "STEP 32", "time = 0.008 s, step = 32"})
+    EXPECT_EQ(read(fmt::format("# {}\nx\n1\n", comment)).step, 32) << comment;
+  for (const char* comment : {"end_time = 0.008", "end time = 0.008", "Time: 12:03:55", "Time: 5 Jan 2025", "t 0.008",
+                              "id x time", "time = 0,008", "steps = 32", "step = 0.1", "time step = 32", "t = 2 mm"}) {
+    const Snapshot s = read(fmt::format("# {}\nx\n1\n", comment));
+    EXPECT_FALSE(s.time) << comment;
+    EXPECT_FALSE(s.step) << comment;
+  }
+  EXPECT_EQ(read("# Time = 0.008 s\nx\n1\n").says, (std::map<std::string, std::string>{{"Time", "0.008 s"}}));
+  EXPECT_THAT(message_of("x\n# time = 8 ms\n1\n"),
+              testing::AllOf(testing::HasSubstr("'time = 8 ms' in "), testing::HasSubstr("csv_reader_test.csv:2 (in s, "
+                                                                                         "or the number alone")));
+  EXPECT_THAT(message_of("# TIME [h]: 8\nx\n1\n"), testing::HasSubstr("'TIME = 8 h' in "));
+}
+
+TEST(CsvReader, ACommentBeginsWithAHashOrPercentSign) {
+  const Snapshot s = read("% made by a code\n% time = 0.5\n%\n% x y\n% cells = 8\n0.5 0.25\n1.5 1.25\n");
+  EXPECT_EQ(s.x, (std::vector<Point>{{0.5, 0.25, 0}, {1.5, 1.25, 0}}));
+  EXPECT_EQ(s.time, 0.5);
+  EXPECT_EQ(s.says.at("cells"), "8");
+  EXPECT_EQ(read("# x y\n# TIME 0.5\n0.5 0.25\n").x.front(), (Point{0.5, 0.25, 0})) << "two words, but one is a number";
+}
+
 TEST(CsvReader, KnowsTheFilesOfAStateAndTheirUnits) {
   const WrittenFile a{written_run::write("a.csv", "x\n1\n2\n")}, b{written_run::write("b.csv", "x\n3\n")};
   const Snapshot s = read_snapshot(std::vector{a.path, b.path}, {.length = 1e-3});

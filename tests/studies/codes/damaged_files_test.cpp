@@ -29,6 +29,8 @@ std::vector<std::pair<std::string, std::string>> sound_files() {
           {"vtu", vtu(f, 5, Vtk::base64)},
           {"vtu", vtu(f, 5, Vtk::raw)},
           {"vtu", vtu(f, 5, Vtk::zlib)},
+          {"vtk", legacy_vtk(f, 5, Bytes::text)},
+          {"vtk", legacy_vtk(f, 5, Bytes::big)},
           {"nairn", nairn(s)}};
 }
 
@@ -86,6 +88,21 @@ TEST(DamagedFiles, HugePromises) {
               "<VTKFile compressor=\"vtkZLibDataCompressor\"><UnstructuredGrid><Piece NumberOfPoints=\"1\"><Points>"
               "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"binary\">AQAAAP///3////9/BAAAAAECAwQ="
               "</DataArray></Points></Piece></UnstructuredGrid></VTKFile>"));
+}
+
+TEST(DamagedFiles, HugePromisesOfALegacyFile) {
+  for (const char* huge : {"4000000000000000000", "99999999999999999999999", "-1"})
+    for (const char* kind : {"ASCII", "BINARY"}) {
+      const std::string head = fmt::format("# vtk DataFile Version 3.0\n\n{}\nDATASET POLYDATA\n", kind);
+      const std::string point = "POINTS 1 char\n" + (*kind == 'A' ? std::string("1 2 3\n") : std::string("123"));
+      EXPECT_TRUE(is_read("vtk", head + point));
+      EXPECT_FALSE(is_read("vtk", head + fmt::format("POINTS {} double\n1 2 3\n", huge)));
+      for (const char* more :
+           {"FIELD f {} \n", "FIELD f 1\na 1 {} double\n1\n", "FIELD f 1\na {} 1 double\n1\n",
+            "FIELD f 1\na 1 {} string\n1\n", "POINT_DATA 1\nSCALARS m double {}\nLOOKUP_TABLE default\n1\n",
+            "CELL_DATA {}\nSCALARS m double\n1\n", "POINT_DATA {}\n"})
+        EXPECT_FALSE(is_read("vtk", head + point + fmt::format(fmt::runtime(more), huge))) << kind << more << huge;
+    }
 }
 
 TEST(DamagedFiles, OtherFilesAltogether) {

@@ -3,9 +3,8 @@
 
 #include <limits>
 
-#include "studies/codes/case_particles.hpp"
 #include "studies/codes/score.hpp"
-#include "tests/studies/codes/written_run.hpp"
+#include "tests/studies/codes/exact_state.hpp"
 
 namespace mpmvv::output_faults_test {
 
@@ -21,17 +20,7 @@ class OutputFaults : public testing::Test {
   const cases::Case c = written_run::square();
   const codes::CaseParticles<2> particles = codes::case_particles<2>(c);
 
-  Snapshot exact(double t) const {
-    Snapshot s{.file = "end.csv"};
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-      s.id.push_back(static_cast<std::int64_t>(p) + 1);
-      s.X.push_back(written_run::point<2>(particles.X[p]));
-      s.x.push_back(written_run::point<2>(particles.exact(p, t)));
-      s.v.push_back(written_run::point<2>(particles.setup.solution->v(particles.X[p], t)));
-      s.mass.push_back(particles.m[p]);
-    }
-    return s;
-  }
+  Snapshot exact(double t) const { return written_run::exact_state(particles, t); }
   Snapshot end() const { return exact(particles.end_time); }
 
   void expect(const Output& output, Status status, const std::string& reason) const {
@@ -133,7 +122,9 @@ TEST_F(OutputFaults, WrongUnits) {
   }
   s = end();
   for (double& m : s.mass) m *= 1000;
-  expect_failed(s, "1000 times that of the case");
+  expect_failed(s,
+                "1000 times that of the case (which is 1 m thick: --thickness, or thickness in units of the adapter; "
+                "or another unit of mass");
 }
 
 /// Displacements of a coarse grid may be further off than 5 per cent, and are no more than an error then.
@@ -167,6 +158,19 @@ TEST_F(OutputFaults, WrongTime) {
   s = end();
   s.time = 0.0039;
   expect_failed(s, "time 0.0039 s in end.csv, the case ends at 0.004 s");
+}
+
+/// A coarse grid may be so late, too: the file can say of which time it is.
+TEST_F(OutputFaults, AFileThatStatesItsTimeIsOfThatTime) {
+  Snapshot s = exact(0.85 * particles.end_time);
+  expect_failed(s,
+                "and states no time (if it is of the end, let it say so: # time = 0.004 in a text, a column 'time', "
+                "TimeValue in a .vtu; an adapter can add it with [[output.convert]] and {{end_time}})");
+  s.has_own_units = true;
+  expect_failed(s, "let it say so: # time = ..., in its unit, in a text");
+  s.time = particles.end_time;
+  const Record r = codes::score(c, {.end = s});
+  EXPECT_EQ(r.status, Status::ok) << r.reason;
 }
 
 /// A wave that lags behind is an error of the method.

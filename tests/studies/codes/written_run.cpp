@@ -146,6 +146,25 @@ std::string vtu(const std::vector<Field>& fields, std::size_t particles, Vtk kin
       kind == Vtk::raw ? "<AppendedData encoding=\"raw\">\n_" + appended + "\n</AppendedData>\n" : "");
 }
 
+std::string legacy_vtk(const std::vector<Field>& fields, std::size_t particles, Bytes bytes) {
+  const bool is_text = bytes == Bytes::text;
+  const auto number = [&](double value) { return is_text ? fmt::format("{:.17g} ", value) : bytes_of(value, true); };
+  std::string text = fmt::format("# vtk DataFile Version 3.0\nparticles\n{}\nDATASET POLYDATA\nPOINTS {} double\n",
+                                 is_text ? "ASCII" : "BINARY", particles);
+  const auto value = [&](const std::string& name, std::size_t p) {
+    return std::ranges::find(fields, name, &Field::first)->second(p);
+  };
+  for (std::size_t p = 0; p < particles; ++p) text += number(value("x", p)) + number(value("y", p)) + number(0);
+  text += fmt::format("\nPOINT_DATA {}\n", particles);
+  for (const Field& field : fields) {
+    if (field.first == "x" || field.first == "y") continue;
+    text += "SCALARS " + field.first + " double\nLOOKUP_TABLE default\n";
+    for (std::size_t p = 0; p < particles; ++p) text += number(field.second(p));
+    text += "\n";
+  }
+  return text;
+}
+
 /// With velocities and stresses, in mm, g and s, at a time of 4 ms.
 std::string nairn(const State& s) {
   std::string header = "ver6";

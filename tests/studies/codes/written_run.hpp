@@ -106,6 +106,7 @@ std::string csv(const std::vector<Field>& fields, std::size_t particles, int dig
 std::string ply(const std::vector<Field>& fields, std::size_t particles, Bytes bytes);
 std::string dump(const std::vector<Field>& fields, std::size_t particles, std::int64_t step, int digits = 17);
 std::string vtu(const std::vector<Field>& fields, std::size_t particles, Vtk kind);
+std::string legacy_vtk(const std::vector<Field>& fields, std::size_t particles, Bytes bytes);
 std::string nairn(const State& s);
 
 inline std::filesystem::path write(const std::string& name, const std::string& content) {

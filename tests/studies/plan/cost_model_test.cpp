@@ -40,6 +40,17 @@ TEST_F(CostModels, LearnFromTheSameCaseElseFromLikeOnesElseGuess) {
   EXPECT_NEAR(model.time(cube("32", "3")).seconds, 3 * 8 * like.seconds, 1e-9) << "three times the whole";
 }
 
+/// As of a code that chooses its time step and does not say how many it took.
+TEST_F(CostModels, LearnNothingWithoutTheNumberOfSteps) {
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  records::Record record;
+  record.the_case = cube("16"), record.particles = 32768, record.steps = 0, record.wall_seconds = 2;
+  store.keep(record, store::current_provenance());
+  EXPECT_TRUE(store.step_costs().empty());
+  EXPECT_EQ(CostModel(&store).time(cube("32")).source, Source::guess);
+  EXPECT_DOUBLE_EQ(CostModel(&store).time(cube("16")).seconds, 2);
+}
+
 TEST_F(CostModels, CountTheThreadsThatSharedARun) {
   Store store(folder_ / "r.db", Store::Mode::create_or_write);
   records::Record record;

@@ -168,4 +168,23 @@ TEST_F(ExternalSeries, MistakesAreNamed) {
   EXPECT_THAT(complaint(other), HasSubstr("there are: "));
 }
 
+/// Its runs would all be the same, with order 0 and no scatter.
+TEST_F(ExternalSeries, TheTimeStepOfACodeThatChoosesItIsNotVaried) {
+  std::string two = both;
+  two.replace(two.find("name = \"ours\""), 13, "name = \"theirs, too\"\ncode = \"mover\"");
+  two.replace(two.find("basis = \"bspline2\"\n"), 19, "");
+  std::string by_step = both, by_both = two;
+  by_step.replace(by_step.find("cells = [4, 8, 16]"), 18, "cfl = [0.2, 0.4]");
+  by_step.replace(by_step.find("cfl = 0.5"), 9, "cells = 4");
+  by_both.replace(by_both.find("[sweep]"), 0, "cfl = 0.25\n");
+  for (const std::string& text : {by_step, by_both}) EXPECT_EQ(complaint(text), "");
+
+  mover_.adapter(codes::Mover::text + std::string("[step]\nrule = \"own\"\n"));
+  EXPECT_EQ(complaint(both), "");
+  EXPECT_EQ(complaint(two), "");
+  EXPECT_THAT(complaint(by_step), HasSubstr("the sweep over cfl in "));
+  EXPECT_THAT(complaint(by_step), HasSubstr("of series 'theirs': code 'mover' chooses its time step itself (another"));
+  EXPECT_THAT(complaint(by_both), HasSubstr("the cfl by which it differs from 'theirs"));
+}
+
 }  // namespace mpmvv::plan::external_series_test

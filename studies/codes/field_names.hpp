@@ -1,0 +1,16 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+namespace mpmvv::codes {
+
+/// Returns the name of a condition, `is_per_particle` for the prefix `is_` and the word per-particle.
+std::string condition_name(const std::string& prefix, std::string word);
+
+/// Returns the name of a face, counted as xmin, xmax, ymin, ...
+std::string face_name(std::size_t face);
+
+/// Whether some case gives templates, or their particles, a field of this name.
+bool is_field_of_case(const std::string& name);
+
+}  // namespace mpmvv::codes
