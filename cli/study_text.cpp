@@ -25,7 +25,7 @@ void print_orders(const records::StudyResult& study) {
   for (const Series& series : study.series)
     for (const fits::ObservedOrder& order : series.orders)
       table.add({series.name, order.norm, window_text(order.from, order.to), order_text(order.order),
-                 half_width_text(fits::half_width(order)), order.asymptotic ? "yes" : "no"});
+                 half_width_text(fits::half_width(order)), fits::asymptotic_word(order)});
   table.print_apart();
 }
 

@@ -17,7 +17,7 @@ Table::Rows orders_of(const records::StudyResult& study) {
     for (const auto& o : series.orders)
       rows.push_back({series.name, o.norm, fmt::format("{} to {}", brief(o.from), brief(o.to)),
                       fmt::format("{}", o.points), order_text(o),
-                      o.floor && o.floor->accepted ? brief(o.floor->floor) : "–", o.asymptotic ? "yes" : "no"});
+                      o.floor && o.floor->accepted ? brief(o.floor->floor) : "–", fits::asymptotic_word(o)});
   return rows;
 }
 

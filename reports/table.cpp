@@ -51,8 +51,9 @@ Table with_rows(Table table, Table::Rows rows) {
 
 constexpr const char* how_to_read_orders =
     "The fit is C s^order over the window, s being the cell width h or, where that is not swept, the swept value. "
-    "Asymptotic: the orders of neighbouring points agree there; the range found is where they do. Floor: an error E0 "
-    "that stays as s falls, where a fit with one is accepted.";
+    "Asymptotic: the orders of neighbouring points agree there; stays or grows: they do, and the error does not fall. "
+    "The "
+    "range found is where they agree. Floor: an error E0 that stays as s falls, where a fit with one is accepted.";
 
 /// The points that fitted orders do not take, and why; empty where they take all.
 std::string left_out_of_orders(const StudyResult& study) {
@@ -76,7 +77,7 @@ Table fits_table(const StudyResult& study) {
     for (const auto& o : series.orders) {
       const bool found = std::isfinite(o.asymptotic_from);
       rows.push_back({o.norm, window_text(o), fmt::format("{}", o.points), order_text(o), brief(o.constant),
-                      five_decimals(o.r_squared), yes(o.asymptotic),
+                      five_decimals(o.r_squared), fits::asymptotic_word(o),
                       found ? fmt::format("{} to {}", brief(o.asymptotic_from), brief(o.asymptotic_to)) : "none",
                       o.floor ? floor_text(*o.floor) : "–"});
     }

@@ -69,6 +69,7 @@ Series quotient(const Series& series, const std::string& norm, const std::string
 }  // namespace
 
 void measure_order(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
+  const std::string missing_of_others = out.missing;
   const ObservedOrder fit = stable_order(c, result, series, c.norm, out);
   const std::vector<double> unstable = values_with(Status::unstable, c, series);
   const bool is_decided = !unstable.empty() && c.at_least;  // a lower bound fails, whatever the order of the others
@@ -77,9 +78,10 @@ void measure_order(const Criterion& c, const StudyResult& result, const Series& 
   const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
   if (!is_decided || !std::isnan(fit.order))
     add_order(fmt::format("order of '{}' in {} {}", series.name, c.norm, over_window(c, result)), fit, without, out);
-  if (is_decided)
-    out.add(fmt::format("order of '{}' {}", series.name, at_point(result, unstable[0])),
-            -std::numeric_limits<double>::infinity());
+  if (!is_decided) return;
+  out.missing = missing_of_others;
+  out.add(fmt::format("order of '{}' {}", series.name, at_point(result, unstable[0])),
+          -std::numeric_limits<double>::infinity());
 }
 
 void measure_order_difference(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {

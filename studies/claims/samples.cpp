@@ -15,8 +15,12 @@ double step_size(double x, const std::string& sweep) {
   return sweep == "cells" || sweep == "ppc" ? 1 / x : x;
 }
 
+bool has_step_size(const std::string& sweep) {
+  return sweep != "order" && sweep != "wall_depth";
+}
+
 bool is_finer(double a, double b, const std::string& sweep) {
-  if (sweep == "order" || sweep == "wall_depth") return a > b;
+  if (!has_step_size(sweep)) return a > b;
   return step_size(a, sweep) < step_size(b, sweep);
 }
 

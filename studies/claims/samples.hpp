@@ -11,6 +11,10 @@ namespace mpmvv::claims {
 /// The step size that goes with a swept value: h = 1/x for a sweep over `cells` or `ppc`, else x.
 double step_size(double x, const std::string& sweep);
 
+/// Whether swept values are step sizes, or numbers of cells or particles: not the terms of an expansion or the depth of
+/// a wall.
+bool has_step_size(const std::string& sweep);
+
 /// Whether the swept value `a` means a finer grid, a smaller step, more particles, a higher order or a deeper wall
 /// than `b`.
 bool is_finer(double a, double b, const std::string& sweep);

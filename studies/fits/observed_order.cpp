@@ -143,9 +143,15 @@ ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, doubl
 }
 
 double half_width(const ObservedOrder& fit) {
-  const double width = fit.replicates ? fit.replicates->half_width : fit.half_width;
-  if (!std::isnan(width)) return width;
+  if (fit.replicates && !std::isnan(fit.replicates->half_width)) return fit.replicates->half_width;
+  if (!std::isnan(fit.half_width)) return fit.half_width;
   return fit.points == 3 ? segment_spread(fit) / 2 : 0;
+}
+
+std::string asymptotic_word(const ObservedOrder& fit) {
+  if (!fit.asymptotic) return "no";
+  if (fit.order > asymptotic_spread) return "yes";
+  return fit.order < -asymptotic_spread ? "grows" : "stays";
 }
 
 double segment_spread(const ObservedOrder& fit) {

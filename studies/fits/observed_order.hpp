@@ -56,9 +56,9 @@ struct ErrorSample {
   double e = 0;
 };
 
-/// Segment orders that lie within this of each other count as one order. If e = C h^p (1 + c h), the distance of a
-/// segment's order from p halves with every level, so three segments that agree to 0.2 leave the finest one within 0.07
-/// of p; scatter of 1 % in the errors moves the order of a segment with halved h by 0.03 at most and passes.
+/// Segment orders that lie within this of each other count as one order. If e = C h^p (1 + c h) with c h <= 1 on the
+/// coarsest level and h is halved, three segments that agree to 0.2 leave the finest one within 0.1 of p; scatter of 1
+/// % in the errors moves the order of a segment with halved h by 0.03 at most and passes.
 inline constexpr double asymptotic_spread = 0.2;
 
 /// The samples with from <= x <= to (to a relative 1e-9) that have a finite positive h and e (an error of exactly 0
@@ -79,10 +79,14 @@ std::vector<ErrorSample> samples_within(std::span<const ErrorSample> samples, do
 ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, double to);
 
 /// Half-width of the interval of the order that verdicts, goldens and tables take. It is that of the 95 % interval by
-/// the replicates where there are some, else by the residuals. Three points leave Student's t only one degree of
+/// the replicates where they give one, else by the residuals. Three points leave Student's t only one degree of
 /// freedom and get no such interval; half the difference of their two segment orders stands in, so that fewer points do
 /// not look more certain. 0 where there is none of these.
 double half_width(const ObservedOrder& fit);
+
+/// Whether the window is asymptotic, in a word: "yes" or "no"; "stays" or "grows" where the segment orders agree as in
+/// an asymptotic range, but on an order of at most 0.2 or below -0.2: the error does not fall.
+std::string asymptotic_word(const ObservedOrder& fit);
 
 /// Highest less lowest order of the segments in the window; 0 with fewer than two segments.
 double segment_spread(const ObservedOrder& fit);

@@ -26,9 +26,14 @@ bool is_ratio(Criterion::Kind kind) {
   return kind == error_ratio || kind == limit_ratio || kind == cost_ratio || kind == slope_ratio || kind == slope_share;
 }
 
+bool is_order(Criterion::Kind kind) {
+  using enum claims::Criterion::Kind;
+  return kind == order || kind == order_difference;
+}
+
 bool is_fit(Criterion::Kind kind) {
   using enum claims::Criterion::Kind;
-  return kind == order || kind == order_difference || kind == slope_ratio || kind == slope_share;
+  return is_order(kind) || kind == slope_ratio || kind == slope_share;
 }
 
 /// Throws where a key has no meaning for the measure: it would be left out of what is asked.
@@ -80,6 +85,7 @@ void read_norm_and_window(const support::TomlTable& table, const StudyPlan& plan
     require_decades(c.window, table.where("window"));
   } else {
     require_points(plan, c.window, is_fit(c.kind) ? 3 : 1, table.where("window"));
+    if (is_order(c.kind)) require_step_size(plan, table.where());
   }
 }
 

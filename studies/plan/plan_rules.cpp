@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "studies/claims/samples.hpp"
 #include "studies/records/record.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/words.hpp"
@@ -107,6 +108,12 @@ void require_points(const StudyPlan& plan, const fits::Window& window, int least
   if (count < least)
     throw UsageError(fmt::format("window [{}, {}] in {} holds {} swept values (at least {})", window.from, window.to,
                                  where, count, least));
+}
+
+void require_step_size(const StudyPlan& plan, const std::string& where) {
+  if (!claims::has_step_size(plan.sweep))
+    throw UsageError(fmt::format("a fit in {} over '{}', which is no step size (a sweep over cells, ppc, cfl or dt)",
+                                 where, plan.sweep));
 }
 
 void require_no_idle_settings(const StudyPlan& plan, const SeriesPlan& series) {

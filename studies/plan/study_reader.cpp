@@ -152,6 +152,7 @@ void read_extrapolations(const TomlTable& root, StudyPlan& plan) {
     require_known_keys(table, "extrapolate");
     ExtrapolationPlan wanted{norm_of(table, "norm"), read_window(table, "window"), {}};
     require_points(plan, wanted.window, 4, table.where("window"));
+    require_step_size(plan, table.where());
     wanted.series = measured_series(plan, wanted.norm, series_names(table, "series", plan), table.where("norm"));
     plan.extrapolations.push_back(wanted);
   }
@@ -162,6 +163,7 @@ void read_fits(const TomlTable& root, StudyPlan& plan) {
     require_known_keys(table, "fit");
     FitPlan fit{norm_of(table, "norm"), read_window(table, "window"), {}, {}};
     require_points(plan, fit.window, 3, table.where("window"));
+    require_step_size(plan, table.where());
     fit.series = measured_series(plan, fit.norm, series_names(table, "series", plan), table.where("norm"));
     if (table.has("floor_window")) {
       fit.floor = read_window(table, "floor_window");

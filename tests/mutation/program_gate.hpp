@@ -19,8 +19,8 @@ std::vector<std::string> listed_studies(const std::string& text);
 /// The studies that have goldens, by the goldens' files.
 std::vector<std::string> studies_with_goldens(const std::vector<std::string>& files);
 
-/// Whether a golden's verdict can depend on this file. It cannot on the report's: `mpmvv study` and `mpmvv gate` take
-/// only texts from there, and nothing of the C interface.
+/// Whether the verdict of one of our own goldens can depend on this file. It cannot on the report's, of which `mpmvv
+/// study` and `mpmvv gate` take only texts, on those of the C interface, and on those that run other codes.
 bool decides_the_gate(const std::string& file);
 
 /// The test programs that a change of this file reaches; all for an empty name. Those of its own folder come first:

@@ -196,7 +196,7 @@ ExpectedTable orders(const records::StudyResult& study) {
                        {"order", with_interval(o.order, o.replicates->half_width)},
                        {"C", brief(o.constant)},
                        {"R²", fmt::format("{:.5f}", o.r_squared)},
-                       {"asymptotic", yes(o.asymptotic)},
+                       {"asymptotic", fits::asymptotic_word(o)},
                        {"asymptotic range found", range(o.asymptotic_from, o.asymptotic_to)},
                        {"floor", o.floor->accepted ? floor : o.floor->reason}});
   });

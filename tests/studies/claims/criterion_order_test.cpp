@@ -135,6 +135,17 @@ TEST(Criterion, AnOrderFailsHoweverManyPointsAreUnstable) {
   }
 }
 
+/// Where the error of the stable ones is no positive number.
+TEST(Criterion, ALowerBoundFailsByAnUnstablePointEvenIfTheOthersAreNoUse) {
+  StudyResult result = scattered(0);
+  for (Point& point : result.series[0].points) point.y["l2"] = -1;
+  result.series[0].points.back() = {128, Status::unstable, "blown up", {}};
+  Criterion c = criterion(Kind::order, "good", 1.5, {});
+  c.window = {8, 128};
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::fails);
+  EXPECT_EQ(verdict_of_order(result, {}, 1.5), PartVerdict::inconclusive);
+}
+
 /// Second order on 8 to 128 cells; all but the first `stable` runs are unstable.
 StudyResult stable_at_first(std::size_t stable) {
   StudyResult result = scattered(0);

@@ -21,6 +21,18 @@ std::vector<ErrorSample> sweep(const std::function<double(double)>& error, int l
   return samples;
 }
 
+TEST(ObservedOrder, IsAsymptoticWhereTheErrorFalls) {
+  const auto word_of = [](double p) {
+    return asymptotic_word(fit_order(sweep([p](double h) { return std::pow(h, p); }, 5), 8, 128));
+  };
+  EXPECT_EQ(word_of(2), "yes");
+  EXPECT_EQ(word_of(0.5), "yes");
+  EXPECT_EQ(word_of(0.1), "stays");
+  EXPECT_EQ(word_of(-0.1), "stays");
+  EXPECT_EQ(word_of(-0.7), "grows");
+  EXPECT_EQ(asymptotic_word(fit_order(sweep([](double h) { return h * h + 1e-3; }, 5), 8, 128)), "no");
+}
+
 TEST(ObservedOrder, PowerLawIsRecovered) {
   for (const double p : {0.5, 1.0, 2.0, 4.0, -1.0}) {
     const auto fit = fit_order(sweep([&](double h) { return 3 * std::pow(h, p); }, 6), 8, 256);
@@ -123,6 +135,8 @@ TEST(ObservedOrder, ThreePointsReachFromSegmentToSegment) {
   EXPECT_NEAR(half_width(fit), 0.5, 1e-12);
   fit.replicates = ReplicateFit{6, 0.01, 0.125, 0.5};
   EXPECT_EQ(half_width(fit), 0.125) << "replicates know better";
+  fit.replicates->half_width = not_measured;
+  EXPECT_NEAR(half_width(fit), 0.5, 1e-12) << "where they know something";
   EXPECT_EQ(half_width(fit_order(samples, 8, 16)), 0) << "of two points nothing is known";
   const ObservedOrder four = fit_order(samples, 8, 64);
   EXPECT_EQ(half_width(four), four.half_width) << "by their residuals";

@@ -42,6 +42,14 @@ TEST(StudyReader, ReplicatesDifferInWhatShouldNotMatterAlone) {
         << line;
 }
 
+TEST(StudyReader, RefusesOrdersOverWhatIsNoStepSize) {
+  const std::string terms = "order = [1, 2, 4, 8]\n[[fit]]\nnorm = \"l2\"\nwindow = [1, 8]\n";
+  EXPECT_THAT(complaint([&] { swept(terms); }), HasSubstr("a fit in bar.toml:13 over 'order', which is no step size"));
+  EXPECT_THAT(complaint([] { swept("wall_depth = [1, 2, 3, 4]\n[[extrapolate]]\nnorm = \"l2\"\nwindow = [1, 4]\n"); }),
+              HasSubstr("over 'wall_depth', which is no step size"));
+  EXPECT_EQ(swept("grid_offset = [0.1, 0.2, 0.4]\n[[fit]]\nnorm = \"l2\"\nwindow = [0.1, 0.4]\n").fits.size(), 1U);
+}
+
 TEST(StudyReader, ChecksTheSettingsThatACheckDoesNotTake) {
   const auto overridden = [](const std::string& key) {
     return parse_study("title = \"T\"\nclaims = []\ncheck = \"jump-errors\"\n", "jump.toml", {{{key, "1", "--set"}}})
