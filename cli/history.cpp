@@ -13,7 +13,6 @@
 #include "cli/results.hpp"
 #include "cli/table.hpp"
 #include "goldens/comparison.hpp"
-#include "reports/trend_quantity.hpp"
 
 namespace mpmvv::cli {
 
@@ -131,7 +130,7 @@ nlohmann::json trends_json(const std::vector<Version>& versions, const std::vect
   for (const Trend& trend : trends) {
     all_trends.push_back(
         {{"study", trend.study}, {"kind", to_string(trend.kind)}, {"name", trend.name}, {"values", trend.numbers}});
-    const std::string unit = records::unit_of(reports::quantity_of(trend));
+    const std::string unit = records::unit_of(trend.quantity);
     if (!unit.empty()) all_trends.back()["unit"] = unit;
     if (!std::isnan(trend.at)) all_trends.back()["at"] = trend.at;
     if (has_remarks(trend)) all_trends.back()["remarks"] = trend.remarks;
@@ -166,7 +165,7 @@ void print_trends(const std::vector<Version>& versions, const std::vector<Trend>
   for (const Trend& trend : trends) {
     std::vector<std::string> cells{trend.study};
     for (std::size_t v = first; v < versions.size(); ++v) cells.push_back(cell(trend, v));
-    cells.push_back(reports::label_with_unit(trend));
+    cells.push_back(label_with_unit(trend));
     table.add(std::move(cells));
   }
   table.print();

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "reports/axis_label.hpp"
-#include "reports/trend_quantity.hpp"
 
 namespace mpmvv::reports {
 
@@ -28,7 +27,7 @@ struct Shown {
 };
 
 Shown shown_in(const Trend& trend) {
-  return {trend.kind, quantity_of(trend)};
+  return {trend.kind, trend.quantity};
 }
 
 /// What stands behind the study in the name of the file.

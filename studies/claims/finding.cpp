@@ -75,7 +75,8 @@ void add_errors(std::vector<Finding>& findings, const StudyResult& study, const 
                           .kind = Finding::Kind::error,
                           .name = fmt::format("curve '{}' of {}", series.name, quantity),
                           .word = "curve",
-                          .levels = levels});
+                          .levels = levels,
+                          .quantity = quantity});
       continue;
     }
     const auto [x, y] = finest(study, levels);
@@ -86,6 +87,7 @@ void add_errors(std::vector<Finding>& findings, const StudyResult& study, const 
                         .better = -1,
                         .levels = levels,
                         .at = x,
+                        .quantity = quantity,
                         .series = series.name});
   }
 }
@@ -101,7 +103,8 @@ Finding limit_finding(const StudyResult& study, const Series& series, const fits
   Finding finding{.study = study.name,
                   .kind = Finding::Kind::limit,
                   .name = fmt::format("{} limit of '{}'", limit.key, series.name),
-                  .better = limit.stable < limit.unstable ? 1 : -1};
+                  .better = limit.stable < limit.unstable ? 1 : -1,
+                  .quantity = limit.key};
   if (limit.found)
     finding.number = limit.value();
   else
@@ -116,7 +119,8 @@ Finding extrapolated_finding(const StudyResult& study, const Series& series, con
        .kind = Finding::Kind::value,
        .name = fmt::format("extrapolated {} of '{}' over [{:g}, {:g}]", e.norm, series.name, e.from, e.to),
        .number = e.limit,
-       .uncertainty = e.uncertainty});
+       .uncertainty = e.uncertainty,
+       .quantity = e.norm});
 }
 
 void add_statuses(std::vector<Finding>& findings, const StudyResult& study, const Series& series) {

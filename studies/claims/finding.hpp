@@ -29,6 +29,7 @@ struct Finding {
   std::vector<Level> levels = {};     ///< of an error or curve, in increasing x
   double at = not_measured;           ///< of an error: the swept value of the finest level; of a status: its run's
   double uncertainty = not_measured;  ///< of an extrapolated value
+  std::string quantity = {};          ///< of an error, a curve, a limit or an extrapolated value: l2, cfl
   std::string series = {};            ///< of an order, error or status
   fits::Window window = {};           ///< of an order
   int side = 0;  ///< of a limit that was not found: 1 where all values tried are stable, -1 where none is, else 0

@@ -78,6 +78,13 @@ std::string label(const Trend& trend) {
   return std::isnan(trend.at) ? trend.name : fmt::format("{} at {:g}", trend.name, trend.at);
 }
 
+std::string label_with_unit(const Trend& trend) {
+  Trend with_unit = trend;
+  if (const std::string unit = records::unit_of(trend.quantity); !unit.empty())
+    with_unit.name += fmt::format(" ({})", unit);
+  return label(with_unit);
+}
+
 std::vector<Trend> trends_of(const std::vector<std::vector<Finding>>& versions) {
   const std::vector<VersionFindings> found(versions.begin(), versions.end());
   std::vector<Trend> trends;
@@ -85,7 +92,7 @@ std::vector<Trend> trends_of(const std::vector<std::vector<Finding>>& versions) 
   for (const std::vector<Finding>& version : versions)
     for (const Finding& finding : version) {
       if (!has_trend(finding)) continue;
-      Trend trend{finding.study, finding.kind, finding.name, {}, finding.at};
+      Trend trend{finding.study, finding.kind, finding.name, {}, finding.at, {}, finding.quantity};
       if (!known.emplace(finding.study, label(trend)).second) continue;
       const bool is_error = finding.kind == Finding::Kind::error;
       const fits::Window window = is_error ? fits::Window{finding.at, finding.at} : finding.window;

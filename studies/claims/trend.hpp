@@ -17,10 +17,14 @@ struct Trend {
   /// One per version: the status of a run behind the number that is not ok; of a limit that was not found "all stable",
   /// "all unstable" or "not found"; else empty.
   std::vector<std::string> remarks = {};
+  std::string quantity = {};  ///< of an error, a limit or an extrapolated value: l2, cfl; else empty
 };
 
 /// The trend's name, and at which level.
 std::string label(const Trend& trend);
+
+/// The same with the unit of its quantity: "error of 'linear' in l2 (m) at 64".
+std::string label_with_unit(const Trend& trend);
 
 /// The trends of the versions' findings, in the order in which these first name them, those of a study together.
 std::vector<Trend> trends_of(const std::vector<std::vector<Finding>>& versions);

@@ -76,11 +76,12 @@ History two_versions(std::vector<claims::Trend> trends) {
 }
 
 TEST(TrendChart, ErrorsOfDifferentQuantitiesHaveFiguresOfTheirOwnWithTheirUnits) {
-  const auto charts =
-      trend_charts("bars", two_versions({{"bars", Finding::Kind::error, "error of 'a' in l2", {1, 2}, 32},
-                                         {"bars", Finding::Kind::order, "order of 'a' in l2", {1, 2}},
-                                         {"bars", Finding::Kind::error, "error of 'a' in stress_error", {300, 400}, 32},
-                                         {"bars", Finding::Kind::error, "error of 'b' in c' in l2", {3, 4}, 32}}));
+  const auto charts = trend_charts(
+      "bars",
+      two_versions({{"bars", Finding::Kind::error, "error of 'a' in l2", {1, 2}, 32, {}, "l2"},
+                    {"bars", Finding::Kind::order, "order of 'a' in l2", {1, 2}},
+                    {"bars", Finding::Kind::error, "error of 'a' in stress_error", {300, 400}, 32, {}, "stress_error"},
+                    {"bars", Finding::Kind::error, "error of 'b' in c' in l2", {3, 4}, 32, {}, "l2"}}));
   ASSERT_EQ(charts.size(), 3);
   EXPECT_EQ(charts[0].name, "bars-orders");
   EXPECT_EQ(charts[0].y.label, "observed order");
@@ -95,15 +96,22 @@ TEST(TrendChart, ErrorsOfDifferentQuantitiesHaveFiguresOfTheirOwnWithTheirUnits)
 
 TEST(TrendChart, ACaptionNamesTheQuantityWithoutItsUnit) {
   const auto charts =
-      trend_charts("bars", two_versions({{"bars", Finding::Kind::error, "error of 'a' in l2", {1, 2}, 32},
-                                         {"bars", Finding::Kind::error, "error of 'a' in l2", {1, 2}, 64}}));
+      trend_charts("bars", two_versions({{"bars", Finding::Kind::error, "error of 'a' in l2", {1, 2}, 32, {}, "l2"},
+                                         {"bars", Finding::Kind::error, "error of 'a' in l2", {1, 2}, 64, {}, "l2"}}));
   EXPECT_EQ(charts.at(0).caption, "Study bars: RMS displacement error in each version.");
 }
 
 TEST(TrendChart, LimitsOfDifferentKeysHaveFiguresOfTheirOwn) {
-  const auto charts =
-      trend_charts("bars", two_versions({{"bars", Finding::Kind::limit, "cfl limit of 'a'", {0.7, 0.8}},
-                                         {"bars", Finding::Kind::limit, "smoothing_length limit of 'a'", {0.1, 0.2}}}));
+  const auto charts = trend_charts(
+      "bars",
+      two_versions({{"bars", Finding::Kind::limit, "cfl limit of 'a'", {0.7, 0.8}, support::not_measured, {}, "cfl"},
+                    {"bars",
+                     Finding::Kind::limit,
+                     "smoothing_length limit of 'a'",
+                     {0.1, 0.2},
+                     support::not_measured,
+                     {},
+                     "smoothing_length"}}));
   ASSERT_EQ(charts.size(), 2);
   EXPECT_EQ(charts[0].y.label, "stability limit (CFL number)");
   EXPECT_EQ(charts[1].y.label, "stability limit (smoothing length / h)");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "studies/claims/trend.hpp"
 
@@ -91,6 +92,29 @@ TEST(Findings, ACheckHasCurvesInsteadOfErrors) {
   study.figures[0].quantity = "linf";
   EXPECT_EQ(text(found(study, "curve 'a' of linf")), "curve");
   EXPECT_EQ(found(study, "status of 'a' at 32").name, "");
+}
+
+TEST(Trends, HaveTheUnitOfWhatTheyShow) {
+  StudyResult study;
+  study.name = "s", study.sweep = "cells";
+  records::Series series{"b' in c of 'd", {{8, records::Status::ok, "", {{"stress_error", 2}}}}, {}, {}};
+  series.orders.resize(1);
+  series.orders[0].norm = "stress_error", series.orders[0].order = 1;
+  series.extrapolations.resize(1);
+  series.extrapolations[0].norm = "l2", series.extrapolations[0].limit = 1;
+  series.limit.emplace();
+  series.limit->key = "cfl";
+  study.series = {series};
+  study.values = {{"gap", 1, ""}};
+  std::map<std::string, std::string> quantities;
+  for (const Trend& trend : trends_of({findings_of(study)})) quantities[label_with_unit(trend)] = trend.quantity;
+  const std::map<std::string, std::string> expected{
+      {"order of 'b' in c of 'd' in stress_error over [0, 0]", ""},
+      {"error of 'b' in c of 'd' in stress_error (Pa) at 8", "stress_error"},
+      {"extrapolated l2 of 'b' in c of 'd' over [0, 0] (m)", "l2"},
+      {"cfl limit of 'b' in c of 'd'", "cfl"},
+      {"value 'gap'", ""}};
+  EXPECT_EQ(quantities, expected);
 }
 
 TEST(Findings, AnExtrapolatedValueHasItsUncertainty) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "studies/codes/case_particles.hpp"
 #include "studies/settings/settings.hpp"
 
@@ -49,6 +51,31 @@ TEST(Score, HasTheErrorsOfTheParticlesWhereTheyAre) {
   EXPECT_EQ(r.particle_errors[20].x, end.x[20][0]);
   EXPECT_EQ(r.particle_errors[20].y, end.x[20][1]);
   EXPECT_NEAR(r.particle_errors[20].error, 5e-6, 1e-15);
+}
+
+/// The faster half of the particles has three quarters of the mass.
+TEST(Score, TakesTheMassesThatTheFileHas) {
+  const cases::Case c = square();
+  const CaseParticles<2> particles = case_particles<2>(c);
+  Snapshot end = exact_end(c);
+  std::vector<double> squares;
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const Vec<2> v = particles.setup.solution->v(particles.X[p], particles.end_time);
+    end.v.push_back({v[0], v[1], 0});
+    squares.push_back(v.squaredNorm());
+  }
+  std::vector<double> sorted = squares;
+  std::ranges::sort(sorted);
+  double kinetic = 0;
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    end.mass.push_back(particles.m[p] * (squares[p] < sorted[sorted.size() / 2] ? 0.5 : 1.5));
+    kinetic += end.mass.back() * squares[p] / 2;
+  }
+  const records::Record r = score(c, {.end = end});
+  ASSERT_EQ(r.status, records::Status::ok) << r.reason;
+  EXPECT_NEAR(r.energy.kinetic, kinetic, 1e-12 * kinetic);
+  end.mass.clear();
+  EXPECT_LT(score(c, {.end = end}).energy.kinetic, 0.95 * kinetic);
 }
 
 TEST(Score, ADoubledIdIsAReason) {
