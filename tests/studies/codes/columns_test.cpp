@@ -109,6 +109,19 @@ TEST(Columns, OfVolumeAndDeformationAreNotRead) {
   EXPECT_THAT(message_of(table({"F11"}), 2, "F_aa=F11"), HasSubstr("unknown quantity 'F_aa' in --columns"));
 }
 
+/// Units of different size: none can take the place of another.
+TEST(Columns, AreConvertedByTheUnitsOfTheirDimension) {
+  ParticleTable all = table({"u:0", "v_x", "m", "s_xx"});
+  all.time = 8;
+  const Snapshot s = snapshot_of(all, {.length = 0.5, .time = 0.25, .mass = 4, .dimensions = 1}, "end.csv");
+  EXPECT_EQ(s.x.front()[0], 0.5);
+  EXPECT_EQ(s.u.front()[0], 5);
+  EXPECT_EQ(s.v.front()[0], 22) << "11 of 0.5 m in 0.25 s";
+  EXPECT_EQ(s.mass.front(), 48);
+  EXPECT_EQ(s.stress.front()[0], 13 * 4 / (0.5 * 0.25 * 0.25));
+  EXPECT_EQ(s.time, 2);
+}
+
 TEST(Columns, OfMassAreDividedByTheThicknessOfAPlaneBody) {
   for (const std::size_t dimensions : {1, 2, 3}) {
     const Columns columns{.mass = 1e3, .thickness = 0.5, .dimensions = dimensions};
