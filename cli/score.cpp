@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -39,11 +40,23 @@ codes::OutputFiles files_of_code(const cases::Case& c) {
   const std::string& code = c.scheme.code;
   if (code.empty()) return {};
   for (const std::filesystem::path& file : plan::CodeFinder(shipped("adapters")).adapter_files())
-    if (file.parent_path().filename() == code) {
-      note("columns and units are those of {}, unless an option says another\n", file.string());
-      return codes::read_adapter(file).output;
-    }
+    if (file.parent_path().filename() == code) try {
+        codes::OutputFiles files = codes::read_adapter(file).output;
+        note("columns and units are those of {}, unless an option says another\n", file.string());
+        return files;
+      } catch (const UsageError& e) {
+        note("its adapter says nothing of columns and units: {}\n", e.what());
+      }
   return {};
+}
+
+/// The word of the option; without it the ending of the first file says the format, else the adapter.
+std::string format_of(const ScoreOptions& options, const codes::OutputFiles& usual) {
+  const std::string extension = std::filesystem::path(options.outputs.front()).extension();
+  const bool is_known = std::ranges::any_of(codes::formats(), [&extension](const codes::Format& format) {
+    return std::ranges::find(format.endings, extension) != format.endings.end();
+  });
+  return options.format.empty() && !is_known ? usual.format : options.format;
 }
 
 /// Reads the file's columns by what options say, else by what the adapter says.
@@ -106,7 +119,7 @@ int score(const ScoreOptions& options) {
   if (!options.db.empty()) require_keepable(c, options.the_case);
   const codes::OutputFiles usual = files_of_code(c);
   codes::Columns columns = columns_in(options, c, usual.columns);
-  const std::string& format = options.format.empty() ? usual.format : options.format;
+  const std::string format = format_of(options, usual);
   const auto paths = [](const std::vector<std::string>& names) {
     return std::vector<std::filesystem::path>(names.begin(), names.end());
   };

@@ -168,12 +168,15 @@ std::vector<std::int64_t> ids(const Lookup& lookup, const std::string& file) {
 }
 
 /// Returns the time in s, from a header or comment, or else from a column. All of them and every row must say the same,
-/// to the digits that a comment may have. Beside a header a column `t` may be a temperature.
+/// to the digits that a comment may have. Beside a header a column `t` may be a temperature. `scale` is the file's unit
+/// of time in s.
 std::optional<double> time_of(const ParticleTable& table, const Lookup& lookup, double scale, const std::string& file) {
   const TableColumn* column = lookup.find(quantities_of("time").front());
   if (column && table.time && column->name == "t") column = nullptr;
-  if (!column || column->values.empty()) return table.time ? std::optional(scale * *table.time) : std::nullopt;
-  const double first = column->values.front(), time = table.time.value_or(first);
+  std::optional<double> stated = table.time;
+  if (stated && table.is_time_in_seconds) *stated /= scale;
+  if (!column || column->values.empty()) return stated ? std::optional(scale * *stated) : std::nullopt;
+  const double first = column->values.front(), time = stated.value_or(first);
   if (std::ranges::any_of(column->values, [first](double t) { return t != first; }))
     throw UsageError(fmt::format("several times in {} (one)", file));
   if (!(std::abs(first - time) <= 1e-4 * std::abs(time)))

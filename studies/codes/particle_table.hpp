@@ -32,6 +32,7 @@ inline void append(TableColumn& all, const TableColumn& more) {
 struct ParticleTable {
   std::vector<TableColumn> columns;
   std::optional<double> time;               ///< the time of the state, in the file's unit
+  bool is_time_in_seconds = false;          ///< whether the file states seconds behind the time, whatever its unit is
   std::optional<std::int64_t> step = {};    ///< number of time steps before this state
   std::vector<std::size_t> lines = {};      ///< the line of each row in a text, from 1
   std::map<std::string, std::string> says;  ///< keys and values from comments

@@ -83,7 +83,8 @@ std::optional<Statement> statement(WordSpan words) {
   TableColumn number;
   all.number = take([&number](std::string_view word) { return add_text(number, word); });
   if (all.number.empty()) return std::nullopt;
-  if (const std::string_view unit = take(is_unit); !unit.empty()) all.unit = unit;
+  const bool is_next_key = words.size() > 1 && (words[1] == "=" || words[1] == ":");  // t = 0.5 h = 0.1
+  if (const std::string_view unit = is_next_key ? "" : take(is_unit); !unit.empty()) all.unit = unit;
   all.is_whole = words.empty();
   return all;
 }
@@ -96,6 +97,7 @@ void set_time(ParticleTable& table, std::string_view key, const Statement& state
   TableColumn number;
   add_text(number, stated.number);
   table.time = number.values.front();
+  table.is_time_in_seconds = !stated.unit.empty();
 }
 
 void set_step(ParticleTable& table, std::string_view number) {

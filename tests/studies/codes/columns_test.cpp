@@ -120,6 +120,8 @@ TEST(Columns, AreConvertedByTheUnitsOfTheirDimension) {
   EXPECT_EQ(s.mass.front(), 48);
   EXPECT_EQ(s.stress.front()[0], 13 * 4 / (0.5 * 0.25 * 0.25));
   EXPECT_EQ(s.time, 2);
+  all.is_time_in_seconds = true;
+  EXPECT_EQ(snapshot_of(all, {.time = 0.25, .dimensions = 1}, "end.csv").time, 8);
 }
 
 TEST(Columns, OfMassAreDividedByTheThicknessOfAPlaneBody) {

@@ -96,8 +96,8 @@ TEST(LegacyVtk, TakesTimeAndStepOfTheFieldElseTheTimeOfTheTitle) {
   EXPECT_EQ(table.time, 0.008);
   EXPECT_EQ(table.step, 32);
   EXPECT_EQ(read(head + two_points + field + "TimeValue 1 1 double\n0.5\n").time, 0.5) << "behind the points";
-  for (const char* title :
-       {"time = 0.25", "MPM, Time: 0.25 s", "t=0.25", "square at t=0.25, step 3", "t = 7, time = 0.25"}) {
+  for (const char* title : {"time = 0.25", "MPM, Time: 0.25 s", "t=0.25", "square at t=0.25, step 3",
+                            "t = 7, time = 0.25", "t=0.25 h=0.1"}) {
     std::string text = head;
     text.replace(text.find("particles"), 9, title);
     EXPECT_EQ(read(text + two_points).time, 0.25) << title;
