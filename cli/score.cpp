@@ -45,7 +45,7 @@ codes::OutputFiles files_of_code(const cases::Case& c) {
         note("columns and units are those of {}, unless an option says another\n", file.string());
         return files;
       } catch (const UsageError& e) {
-        note("its adapter says nothing of columns and units: {}\n", e.what());
+        note("columns and units are not those of the code's adapter: {}\n", e.what());
       }
   return {};
 }
@@ -62,7 +62,6 @@ std::string format_of(const ScoreOptions& options, const codes::OutputFiles& usu
 /// Reads the file's columns by what options say, else by what the adapter says.
 codes::Columns columns_in(const ScoreOptions& options, const cases::Case& c, codes::Columns columns) {
   columns.dimensions = problems::domain_cells(c).size();
-  columns.step.reset();
   if (!options.columns.empty()) {
     columns.names = codes::parse_columns(options.columns, "--columns");
     columns.where = "--columns";

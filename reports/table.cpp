@@ -51,9 +51,8 @@ Table with_rows(Table table, Table::Rows rows) {
 
 constexpr const char* how_to_read_orders =
     "The fit is C s^order over the window, s being the cell width h or, where that is not swept, the swept value. "
-    "Asymptotic: the orders of neighbouring points agree there; stays or grows: they do, and the error does not fall. "
-    "The "
-    "range found is where they agree. Floor: an error E0 that stays as s falls, where a fit with one is accepted.";
+    "Asymptotic: the orders of neighbouring points agree there; stays or grows: they do, and the error does not fall; "
+    "the range found is where they agree. Floor: an error E0 that stays as s falls, where a fit with one is accepted.";
 
 /// The points that fitted orders do not take, and why; empty where they take all.
 std::string left_out_of_orders(const StudyResult& study) {

@@ -114,6 +114,10 @@ TEST_F(OtherCodes, TheAdapterSaysTheColumnsOfWhatIsScored) {
   EXPECT_EQ(scored.code, 0) << scored.err;
   EXPECT_THAT(scored.out, HasSubstr("status ok"));
   EXPECT_THAT(scored.err, HasSubstr("columns and units are those of adapters/my-code/adapter.toml"));
+  EXPECT_THAT(naming("format = \"nairn\"\ncolumns = { x = \"posx\" }\n").out, HasSubstr("status ok"))
+      << "the name of the file says its format";
+  EXPECT_THAT(naming("format = 3\n").err,
+              AllOf(HasSubstr("not those of the code's adapter: 'format'"), HasSubstr("no positions in end.csv")));
   EXPECT_THAT(in_folder("mpmvv score case.json end.csv --columns x=m").out, HasSubstr("status unstable"));
 }
 

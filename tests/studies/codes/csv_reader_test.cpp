@@ -85,6 +85,16 @@ TEST(CsvReader, CommentsSayTimeAndNames) {
   EXPECT_EQ(s.x.front()[0], 1.25);
 }
 
+/// In a file whose unit is the millisecond.
+TEST(CsvReader, TakesSecondsBehindATimeForSeconds) {
+  const auto time_of = [](const std::string& comment) {
+    const WrittenFile file{written_run::write("csv_reader_test.csv", "# " + comment + "\nx\n1\n")};
+    return read_snapshot(file.path, {.time = 1e-3}).time.value();
+  };
+  EXPECT_NEAR(time_of("time = 8"), 0.008, 1e-15);
+  EXPECT_NEAR(time_of("time = 8 s"), 8, 1e-12);
+}
+
 TEST(CsvReader, CommentsStateTimeAndStepInAnyCase) {
   for (const char* comment : {"time = 0.008", "Time = 0.008", "TIME: 0.008", "TIME 0.008", "time=8e-3 s",
                               "Time 0.008 sec", "t = 0.008", "t:0.008", "time [s] = 0.008", "time (seconds): 0.008",
