@@ -21,11 +21,17 @@ using Kind = Table::Kind;
 namespace {
 
 void print_orders(const records::StudyResult& study) {
-  Table table({{"order of"}, {"in"}, {"over"}, {"order", Kind::number}, {"interval", Kind::number}, {"asymptotic"}});
+  Table table({{"order of"},
+               {"in"},
+               {"over"},
+               {"points", Kind::number},
+               {"order", Kind::number},
+               {"interval", Kind::number},
+               {"asymptotic"}});
   for (const Series& series : study.series)
     for (const fits::ObservedOrder& order : series.orders)
-      table.add({series.name, order.norm, window_text(order.from, order.to), order_text(order.order),
-                 half_width_text(fits::half_width(order)), fits::asymptotic_word(order)});
+      table.add({series.name, order.norm, window_text(order.from, order.to), fmt::format("{}", order.points),
+                 order_text(order.order), half_width_text(fits::half_width(order)), fits::asymptotic_word(order)});
   table.print_apart();
 }
 

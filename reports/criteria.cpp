@@ -31,15 +31,26 @@ std::string bracketed(const ClaimPart& part, const Found& found, const std::stri
   return part.evidence.substr(from, part.evidence.find(')', from) - from);
 }
 
-/// Half of the interval of a number that was found, "0.74", as the evidence says it; empty without an interval.
+/// Half of the interval of a number that was found as the evidence says it, "0.74" or "0.74, segments tend to 2.05";
+/// empty without an interval.
 std::string half_width_of(const ClaimPart& part, const Found& found) {
   return bracketed(part, found, "±");
 }
 
-/// The range that the times leave a number, "0.93 to 1.6" or "without bounds"; empty without one.
-std::string range_of_times(const ClaimPart& part, const Found& found) {
-  const bool is_of_times = part.measure == "cost-ratio" || part.measure.starts_with("slope-");
-  return is_of_times ? bracketed(part, found, "") : "";
+/// The order that the segments tend to, where the interval reaches there.
+std::optional<double> trend_of(const ClaimPart& part, const Found& found) {
+  const std::string half = half_width_of(part, found), tends = "tend to ";
+  const auto at = half.find(tends);
+  return at == std::string::npos ? std::nullopt : std::optional(std::stod(half.substr(at + tends.size())));
+}
+
+bool is_of_times(const ClaimPart& part) {
+  return part.measure == "cost-ratio" || part.measure.starts_with("slope-");
+}
+
+/// The range that times or replicates leave a number, "0.93 to 1.6" or "without bounds"; empty without one.
+std::string range_of(const ClaimPart& part, const Found& found) {
+  return is_of_times(part) || part.measure.starts_with("error") ? bracketed(part, found, "") : "";
 }
 
 /// Whether the evidence says this of what was found, in place of a bare number.
@@ -88,7 +99,7 @@ std::string remedy(const ClaimPart& part, const Found& found) {
   if (is_said_to_be(part, found, "below ") || is_said_to_be(part, found, "above "))
     return "A search beyond the values tried might decide.";
   if (bracket_of(part, found)) return "A finer search might decide.";
-  const char* others = range_of_times(part, found).empty() ? "points" : "repetitions";
+  const char* others = range_of(part, found).empty() ? "points" : is_of_times(part) ? "repetitions" : "replicates";
   return fmt::format("Other {} might lie on its other side.", others);
 }
 
@@ -152,7 +163,7 @@ std::string interval_text(const ClaimPart& part, const Found& found) {
   if (is_said_to_be(part, found, "below ")) return " or less";
   if (is_said_to_be(part, found, "above ")) return " or more";
   if (is_said_to_be(part, found, "1 (both unstable)")) return " (both unstable)";
-  if (const std::string range = range_of_times(part, found); !range.empty()) return " (" + range + ")";
+  if (const std::string range = range_of(part, found); !range.empty()) return " (" + range + ")";
   const std::string half = half_width_of(part, found);
   return half.empty() ? "" : " ± " + half;
 }
@@ -167,12 +178,13 @@ std::pair<double, double> interval_of(const ClaimPart& part, const Found& found)
   if (is_said_to_be(part, found, "below ")) return {0, found.value};
   if (is_said_to_be(part, found, "above ")) return {found.value, anywhere};
   if (const auto bracket = bracket_of(part, found)) return *bracket;
-  const std::string range = range_of_times(part, found);
+  const std::string range = range_of(part, found);
   const auto to = range.find(" to ");
   if (to != std::string::npos) return {std::stod(range), std::stod(range.substr(to + 4))};
   if (!range.empty()) return {-anywhere, anywhere};
   const double reach = reach_of(part, found);
-  return {found.value - reach, found.value + reach};
+  const double trend = trend_of(part, found).value_or(found.value);
+  return {std::min(found.value - reach, trend), std::max(found.value + reach, trend)};
 }
 
 std::string undecided_text(const ClaimPart& part) {

@@ -28,17 +28,17 @@ PartVerdict verdict_on(const Criterion& c, const Interval& interval) {
 
 /// What was measured, as "LABEL = NUMBER" or in words.
 std::string measured_text(const Measured::Number& number) {
-  const auto& [label, value, interval, words, remark] = number;
-  if (!words.empty()) return fmt::format("{}: {}", label, words);
-  if (std::isnan(value)) return fmt::format("{}{} is not known", label, remark);
-  return fmt::format("{}{} = {:.4g}", label, remark, value);
+  if (!number.words.empty()) return fmt::format("{}: {}", number.label, number.words);
+  if (std::isnan(number.value)) return fmt::format("{}{} is not known", number.label, number.remark);
+  return fmt::format("{}{} = {:.4g}", number.label, number.remark, number.value);
 }
 
 }  // namespace
 
 /// Each number is held against the bounds together with its interval. The interval can only withhold a verdict, never
 /// make one: residuals of a deterministic method are bias, so an interval that contains the claimed order is no
-/// evidence for it, but one that reaches across a bound shows that other points might lie on the other side.
+/// evidence for it, but one that reaches across a bound shows that other points might lie on the other side. A number
+/// that fails decides even where others are missing.
 records::ClaimPart judge(const Criterion& criterion, const records::StudyResult& result) {
   records::ClaimPart part{criterion.claim, criterion.statement, PartVerdict::shown, "", ""};
   part.measure = support::to_string(criterion.kind), part.at_least = criterion.at_least,
@@ -61,11 +61,11 @@ records::ClaimPart judge(const Criterion& criterion, const records::StudyResult&
     texts.push_back(measured_text(number));
     const PartVerdict verdict = verdict_on(criterion, number.interval);
     all_hold = all_hold && verdict == PartVerdict::holds;
-    one_fails = one_fails || verdict == PartVerdict::fails;
+    one_fails = one_fails || (number.is_sure && verdict == PartVerdict::fails);
     all_known = all_known && !std::isnan(number.value);
   }
   if (!measured.missing.empty()) texts.push_back(measured.missing);
-  if (all_known && (one_fails || all_hold)) part.verdict = one_fails ? PartVerdict::fails : PartVerdict::holds;
+  if (one_fails || (all_known && all_hold)) part.verdict = one_fails ? PartVerdict::fails : PartVerdict::holds;
   const bool reaches_across = all_known && part.verdict == PartVerdict::inconclusive;
   part.evidence = fmt::format("{} ({}{})", fmt::join(texts, "; "), bounds_text(criterion),
                               reaches_across ? ", but an interval reaches across" : "");

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "studies/claims/measured_costs.hpp"
+#include "studies/claims/measured_errors.hpp"
 #include "studies/claims/measured_orders.hpp"
 #include "studies/claims/window_points.hpp"
 #include "studies/fits/window.hpp"
@@ -27,54 +28,6 @@ const Series* find_series(const StudyResult& result, const std::string& name) {
   for (const Series& series : result.series)
     if (series.name == name) return &series;
   return nullptr;
-}
-
-void measure_errors(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
-  for (const Point& point : series.points)
-    if (c.window.holds(point.x))
-      out.add(fmt::format("{} of '{}' {}", c.norm, series.name, at_point(result, point.x)), error_at(point, c.norm));
-}
-
-/// Says which number of a series makes no ratio: of one below 0 the sign would decide, and nothing is divided by 0.
-std::string no_ratio(const Criterion& c, const StudyResult& result, const Series& series, double x) {
-  return fmt::format("'{}' has {} = {:.4g} {}, and a ratio needs numbers above 0", series.name, c.norm,
-                     error_at(series, x, c.norm), at_point(result, x));
-}
-
-/// The ratio of two unstable runs is 1: W gives each of them the same error, one.
-void measure_ratios(const Criterion& c, const StudyResult& result, const Series& series, const Series& over,
-                    Measured& out) {
-  for (const Point& point : series.points) {
-    if (!c.window.holds(point.x)) continue;
-    const double own = error_at(point, c.norm), other = error_at(over, point.x, c.norm);
-    if (own < 0 || other <= 0)
-      out.missing = no_ratio(c, result, own < 0 ? series : over, point.x);
-    else {
-      const bool both_unstable = std::isinf(own) && std::isinf(other);
-      out.add(fmt::format("{} of '{}' over '{}' {}", c.norm, series.name, over.name, at_point(result, point.x)),
-              both_unstable ? 1 : own / other, both_unstable ? "1 (both unstable)" : "");
-    }
-  }
-}
-
-/// An unstable run makes the spread infinite. Where all are unstable, this does not show how far apart they lie, so a
-/// lower bound alone cannot be judged.
-void measure_spread(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
-  double least = std::numeric_limits<double>::infinity(), largest = 0;
-  for (const Point& point : series.points) {
-    if (!c.window.holds(point.x)) continue;
-    const double error = error_at(point, c.norm);
-    if (!(error > 0)) {
-      out.missing = std::isnan(error) ? fmt::format("'{}' has no {} at {}", series.name, c.norm, point.x)
-                                      : no_ratio(c, result, series, point.x);
-      return;
-    }
-    least = std::min(least, error), largest = std::max(largest, error);
-  }
-  if (std::isinf(least) && !c.at_most)
-    out.missing = fmt::format("no run of '{}' is stable {}", series.name, over_window(c, result));
-  out.add(fmt::format("largest over smallest {} of '{}' {}", c.norm, series.name, over_window(c, result)),
-          std::isinf(largest) ? largest : largest / least);
 }
 
 void measure_status(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
@@ -194,6 +147,12 @@ void measure_series(const Criterion& c, const StudyResult& result, const Series&
 
 }  // namespace
 
+std::string range_text(const Interval& interval) {
+  if (std::isinf(interval.upper)) return " (without bounds)";
+  const std::string lower = fmt::format("{:.3g}", interval.lower), upper = fmt::format("{:.3g}", interval.upper);
+  return lower == upper ? "" : " (" + lower + " to " + upper + ")";
+}
+
 Measured measure(const Criterion& c, const StudyResult& result) {
   Measured out;
   if (c.kind == Criterion::Kind::value) {
@@ -207,11 +166,13 @@ Measured measure(const Criterion& c, const StudyResult& result) {
       out.missing = fmt::format("there is no series '{}'", series ? c.over : name);
       return out;
     }
+    Measured own;
     if (reads_points(c.kind) &&
         std::ranges::none_of(series->points, [&](const Point& p) { return c.window.holds(p.x); }))
-      out.missing = fmt::format("'{}' has no point {}", name, over_window(c, result));
+      own.missing = fmt::format("'{}' has no point {}", name, over_window(c, result));
     else
-      measure_series(c, result, *series, over, out);
+      measure_series(c, result, *series, over, own);
+    out.append(own);
   }
   return out;
 }

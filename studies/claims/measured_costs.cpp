@@ -67,12 +67,6 @@ Interval quotient(const Known& a, const Known& b) {
   return {lower, upper};
 }
 
-/// " (0.93 to 1.6)"; empty without a range.
-std::string range_text(const Interval& interval) {
-  if (std::isinf(interval.upper)) return " (without bounds)";
-  return interval.lower < interval.upper ? fmt::format(" ({:.3g} to {:.3g})", interval.lower, interval.upper) : "";
-}
-
 void add_quotient(const std::string& label, const Known& a, const Known& b, Measured& out) {
   const Interval interval = quotient(a, b);
   out.add(label, a.value / b.value, interval, range_text(interval));

@@ -47,10 +47,22 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
   return fit;
 }
 
-void add_order(const std::string& label, const ObservedOrder& fit, const std::string& remark, Measured& out) {
+/// The order with its interval: its half-width to both sides, and as far as the segments tend to. Where replicates
+/// follow a power law, the segments only scatter.
+void add_order(const std::string& label, const ObservedOrder& fit, const StudyResult& result, const std::string& remark,
+               Measured& out) {
   const double width = fits::half_width(fit);
-  const std::string interval = width > 0 ? fmt::format(" (±{:.2g})", width) : "";
-  out.add(label, fit.order, Interval{fit.order - width, fit.order + width}, interval + remark);
+  Interval interval{fit.order - width, fit.order + width};
+  std::string text = width > 0 ? fmt::format("±{:.2g}", width) : "";
+  const bool is_power_law =
+      fit.replicates && !std::isnan(fit.replicates->half_width) && !is_no_power_law(*fit.replicates);
+  const double trend =
+      is_power_law ? fits::not_measured : fits::tends_to(fit, is_finer(fit.to, fit.from, result.sweep));
+  if (trend < interval.lower || trend > interval.upper) {
+    interval = {std::min(interval.lower, trend), std::max(interval.upper, trend)};
+    if (std::abs(trend - fit.order) >= 0.005) text += fmt::format(", segments tend to {:.4g}", trend);
+  }
+  out.add(label, fit.order, interval, (text.empty() ? "" : " (" + text + ")") + remark);
 }
 
 /// A series with one quantity: `norm` divided by `over_norm`, under the name `norm`.
@@ -58,6 +70,7 @@ Series quotient(const Series& series, const std::string& norm, const std::string
   Series quotient{series.name, {}, {}, {}};
   for (const Point& point : series.points) {
     Point ratio{point.x, point.status, point.reason, {{norm, error_at(point, norm) / error_at(point, over_norm)}}};
+    if (const auto cfl = point.y.find("cfl"); cfl != point.y.end()) ratio.y.insert(*cfl);
     const auto own = point.replicates.find(norm), other = point.replicates.find(over_norm);
     if (own != point.replicates.end() && other != point.replicates.end() && own->second.size() == other->second.size())
       std::ranges::transform(own->second, other->second, std::back_inserter(ratio.replicates[norm]), std::divides{});
@@ -69,7 +82,6 @@ Series quotient(const Series& series, const std::string& norm, const std::string
 }  // namespace
 
 void measure_order(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
-  const std::string missing_of_others = out.missing;
   const ObservedOrder fit = stable_order(c, result, series, c.norm, out);
   const std::vector<double> unstable = values_with(Status::unstable, c, series);
   const bool is_decided = !unstable.empty() && c.at_least;  // a lower bound fails, whatever the order of the others
@@ -77,9 +89,10 @@ void measure_order(const Criterion& c, const StudyResult& result, const Series& 
     out.missing = fmt::format("too few points of '{}' are stable: {} of at least 3", series.name, fit.points);
   const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
   if (!is_decided || !std::isnan(fit.order))
-    add_order(fmt::format("order of '{}' in {} {}", series.name, c.norm, over_window(c, result)), fit, without, out);
+    add_order(fmt::format("order of '{}' in {} {}", series.name, c.norm, over_window(c, result)), fit, result, without,
+              out);
   if (!is_decided) return;
-  out.missing = missing_of_others;
+  out.missing.clear();
   out.add(fmt::format("order of '{}' {}", series.name, at_point(result, unstable[0])),
           -std::numeric_limits<double>::infinity());
 }
@@ -90,7 +103,7 @@ void measure_order_difference(const Criterion& c, const StudyResult& result, con
   const ObservedOrder fit = stable_order(c, result, quotient(series, c.norm, c.over_norm), c.norm, out);
   add_order(fmt::format("order of '{}' in {} ({:.2f}) less that in {} ({:.2f}) {}", series.name, c.norm, own,
                         c.over_norm, other, over_window(c, result)),
-            fit, "", out);
+            fit, result, "", out);
   if (const auto unstable = values_with(Status::unstable, c, series); !unstable.empty())
     out.missing = fmt::format("'{}' is unstable at {}", series.name, fmt::join(unstable, ", "));
 }

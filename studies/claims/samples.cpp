@@ -46,6 +46,11 @@ const Floor* floor_near(const records::Point& point, const std::string& norm) {
   return found == floors.end() ? nullptr : &*found;
 }
 
+double step_size(const records::Point& point, const std::string& sweep) {
+  const auto cfl = point.y.find("cfl");
+  return claims::step_size(sweep == "cfl" && cfl != point.y.end() ? cfl->second : point.x, sweep);
+}
+
 }  // namespace
 
 bool is_near_floor(const records::Point& point, const std::string& norm) {
@@ -66,10 +71,11 @@ std::string left_out(const records::Series& series, const std::string& norm) {
 
 std::vector<ErrorSample> samples_of(const records::Series& series, const std::string& norm, const std::string& sweep) {
   std::vector<ErrorSample> samples;
-  for (const records::Point& point : series.points)
-    if (const auto y = point.y.find(norm);
-        y != point.y.end() && point.status == records::Status::ok && !is_near_floor(point, norm))
-      samples.push_back({point.x, step_size(point.x, sweep), y->second});
+  for (const records::Point& point : series.points) {
+    const auto y = point.y.find(norm);
+    const bool counts = y != point.y.end() && point.status == records::Status::ok && !is_near_floor(point, norm);
+    samples.push_back({point.x, step_size(point, sweep), counts ? y->second : support::not_measured});
+  }
   return samples;
 }
 
@@ -78,7 +84,7 @@ std::vector<ErrorSample> replicate_samples_of(const records::Series& series, con
   std::vector<ErrorSample> samples;
   for (const records::Point& point : series.points)
     if (const auto all = point.replicates.find(norm); all != point.replicates.end() && !is_near_floor(point, norm))
-      for (const double e : all->second) samples.push_back({point.x, step_size(point.x, sweep), e});
+      for (const double e : all->second) samples.push_back({point.x, step_size(point, sweep), e});
   return samples;
 }
 

@@ -29,7 +29,9 @@ bool is_near_floor(const records::Point& point, const std::string& norm);
 /// any. Only errors of displacements have floors.
 std::string left_out(const records::Series& series, const std::string& norm);
 
-/// The usable points of a series in one norm, with their step sizes; without those near the floor.
+/// The points of a series in one norm, with their step sizes. In a sweep over `cfl` that is the Courant number of the
+/// run, whose steps divide the end time, and not the one asked for. Points that are not sound, or near a floor, have a
+/// NaN for the error.
 std::vector<fits::ErrorSample> samples_of(const records::Series& series, const std::string& norm,
                                           const std::string& sweep);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "studies/fits/distributions.hpp"
@@ -17,6 +18,10 @@ namespace {
 
 bool usable(const ErrorSample& s) {
   return std::isfinite(s.h) && s.h > 0 && std::isfinite(s.e);
+}
+
+bool has_error(const ErrorSample& s) {
+  return usable(s) && s.e > 0;
 }
 
 struct Line {
@@ -65,31 +70,37 @@ std::vector<SegmentOrder> segment_orders(std::span<const ErrorSample> samples) {
   return segments;
 }
 
-/// False for less than two segments and for a NaN among them.
-bool agree(std::span<const SegmentOrder> segments) {
+/// The segments that lie in the window.
+std::span<const SegmentOrder> window_segments(const ObservedOrder& fit) {
+  const Window window{fit.from, fit.to};
+  const auto is_inside = [&](const SegmentOrder& s) { return window.holds(s.from) && window.holds(s.to); };
+  const auto first = std::ranges::find_if(fit.segments, is_inside);
+  return {first, std::find_if_not(first, fit.segments.end(), is_inside)};
+}
+
+/// Whether the segments are at least two whose orders agree, without a swept value between them that has no error.
+bool agree(std::span<const SegmentOrder> segments, std::span<const ErrorSample> without_error) {
+  if (segments.size() < 2) return false;
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   for (const SegmentOrder& s : segments) {
     if (std::isnan(s.order)) return false;
     lowest = std::min(lowest, s.order);
     highest = std::max(highest, s.order);
   }
-  return segments.size() >= 2 && highest - lowest <= asymptotic_spread;
-}
-
-std::span<const SegmentOrder> inside(std::span<const SegmentOrder> segments, const Window& window) {
-  const auto is_inside = [&](const SegmentOrder& s) { return window.holds(s.from) && window.holds(s.to); };
-  const auto first = std::find_if(segments.begin(), segments.end(), is_inside);
-  const auto last = std::find_if_not(first, segments.end(), is_inside);
-  return {first, last};
+  const auto lies_between = [&](const ErrorSample& s) {
+    return s.x > segments.front().from && s.x < segments.back().to;
+  };
+  return highest - lowest <= asymptotic_spread && std::ranges::none_of(without_error, lies_between);
 }
 
 /// The longest run of agreeing segments, the last or the first of equally long ones; empty when there is none.
-std::span<const SegmentOrder> longest_agreeing(std::span<const SegmentOrder> segments, bool prefer_last) {
+std::span<const SegmentOrder> longest_agreeing(std::span<const SegmentOrder> segments,
+                                               std::span<const ErrorSample> without_error, bool prefer_last) {
   for (std::size_t length = segments.size(); length >= 2; --length) {
     const std::size_t last_start = segments.size() - length;
     for (std::size_t k = 0; k <= last_start; ++k) {
       const auto run = segments.subspan(prefer_last ? last_start - k : k, length);
-      if (agree(run)) return run;
+      if (agree(run, without_error)) return run;
     }
   }
   return {};
@@ -99,7 +110,7 @@ std::span<const SegmentOrder> longest_agreeing(std::span<const SegmentOrder> seg
 
 std::vector<ErrorSample> usable_samples(std::span<const ErrorSample> samples, double from, double to) {
   std::vector<ErrorSample> chosen = samples_within(samples, from, to);
-  std::erase_if(chosen, [](const ErrorSample& s) { return !(s.e > 0); });
+  std::erase_if(chosen, [](const ErrorSample& s) { return !has_error(s); });
   return chosen;
 }
 
@@ -132,10 +143,12 @@ ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, doubl
     if (fitted.size() >= 4) result.half_width = student_t_95(static_cast<double>(fitted.size() - 2)) * line.slope_error;
   }
 
+  std::vector<ErrorSample> without_error;
+  std::ranges::copy_if(samples, std::back_inserter(without_error), [](const auto& s) { return !has_error(s); });
   result.segments = segment_orders(all);
-  result.asymptotic = agree(inside(result.segments, {from, to}));
+  result.asymptotic = agree(window_segments(result), without_error);
   const bool finest_last = !all.empty() && all.back().h < all.front().h;
-  if (const auto run = longest_agreeing(result.segments, finest_last); !run.empty()) {
+  if (const auto run = longest_agreeing(result.segments, without_error, finest_last); !run.empty()) {
     result.asymptotic_from = run.front().from;
     result.asymptotic_to = run.back().to;
   }
@@ -155,10 +168,20 @@ std::string asymptotic_word(const ObservedOrder& fit) {
 }
 
 double segment_spread(const ObservedOrder& fit) {
-  const auto segments = inside(fit.segments, {fit.from, fit.to});
+  const auto segments = window_segments(fit);
   if (segments.empty()) return 0;
   const auto [lowest, highest] = std::ranges::minmax_element(segments, {}, &SegmentOrder::order);
   return highest->order - lowest->order;
+}
+
+double tends_to(const ObservedOrder& fit, bool finest_last) {
+  std::vector<double> orders;
+  for (const SegmentOrder& s : window_segments(fit)) orders.push_back(s.order);
+  if (!finest_last) std::ranges::reverse(orders);
+  const bool rises = std::ranges::is_sorted(orders), falls = std::ranges::is_sorted(orders, std::greater{});
+  if (orders.size() < 2 || std::ranges::any_of(orders, [](double p) { return std::isnan(p); }) || !(rises || falls))
+    return not_measured;
+  return 2 * orders.back() - orders[orders.size() - 2];
 }
 
 }  // namespace mpmvv::fits

@@ -73,7 +73,8 @@ std::vector<ErrorSample> samples_within(std::span<const ErrorSample> samples, do
 /// under four points; residuals of a deterministic method are bias and not noise, so it is no test of p.
 ///
 /// The segments join neighbouring usable samples, those outside the window too; between equal h the order is NaN.
-/// `asymptotic`: the window holds at least two segments and their orders differ by asymptotic_spread at most.
+/// `asymptotic`: the window holds at least two segments, no sample between them is unusable, and their orders differ
+/// by asymptotic_spread at most.
 /// `asymptotic_from`, `asymptotic_to`: the longest run of such segments over all samples, of equally long ones the
 /// finest; it is only reported. `norm` is left to the caller.
 ObservedOrder fit_order(std::span<const ErrorSample> samples, double from, double to);
@@ -90,6 +91,12 @@ std::string asymptotic_word(const ObservedOrder& fit);
 
 /// Highest less lowest order of the segments in the window; 0 with fewer than two segments.
 double segment_spread(const ObservedOrder& fit);
+
+/// The order that the segments in the window tend to, if they rise or fall without exception towards the finer grids
+/// (`finest_last`: towards the larger swept values): 2 s_n - s_(n-1) of the last two, since with e = C h^p (1 + c h)
+/// and halved h the distance from p halves from segment to segment. NaN where there is no such trend, or no two
+/// segments.
+double tends_to(const ObservedOrder& fit, bool finest_last);
 
 /// Fits e = C h^p + E0, C and E0 >= 0, 0.1 <= p <= 8, by least squares of the relative misfit over the usable samples
 /// of the window; at least six. A sum of two powers fakes a floor (h² + 0.05 h; docs/misprints.md, T10), so it is

@@ -1,6 +1,7 @@
 #include "studies/fits/replicates.hpp"
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -11,7 +12,6 @@ namespace mpmvv::fits {
 
 namespace {
 
-constexpr double least_probable = 0.05;  ///< a lack of fit less probable than this counts as real
 constexpr double log_round_off = 1e-24;  ///< of sums of squares of logarithms
 
 }  // namespace
@@ -46,9 +46,21 @@ ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, d
     fit.lack_of_fit = fisher_f_above(about / free_about / (within / free_within), free_about, free_within);
   else if (about > log_round_off)
     fit.lack_of_fit = 0;  // the replicates agree to the last digit but lie on no line
-  fit.half_width = fit.lack_of_fit < least_probable ? student_t_95(free_about) * std::sqrt(about / free_about / xx)
-                                                    : student_t_95(free_within) * fit.scatter / std::sqrt(xx);
+  fit.half_width = is_no_power_law(fit) ? student_t_95(free_about) * std::sqrt(about / free_about / xx)
+                                        : student_t_95(free_within) * fit.scatter / std::sqrt(xx);
   return fit;
+}
+
+ReplicateMean mean_of_replicates(std::span<const double> values) {
+  const bool positive = std::ranges::all_of(values, [](double value) { return value > 0; });
+  std::vector<double> numbers(values.begin(), values.end());
+  if (positive) std::ranges::transform(numbers, numbers.begin(), [](double value) { return std::log(value); });
+  const auto back = [positive](double number) { return positive ? std::exp(number) : number; };
+  const double n = static_cast<double>(numbers.size()), mean = boost::math::statistics::mean(numbers);
+  if (numbers.size() < 2) return {back(mean)};
+  const double deviation = std::sqrt(boost::math::statistics::sample_variance(numbers));
+  const double half_width = student_t_95(n - 1) * deviation / std::sqrt(n);
+  return {back(mean), back(mean - half_width), back(mean + half_width)};
 }
 
 }  // namespace mpmvv::fits

@@ -18,4 +18,16 @@ namespace mpmvv::fits {
 /// geometric means.
 ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, double to);
 
+/// The mean of replicates at one level: the geometric one where all are positive, so that a fit to the logarithms of
+/// means equals one to all values. With Student's 95 % interval of the mean of so many; NaN of one value.
+struct ReplicateMean {
+  double value = not_measured, lower = not_measured, upper = not_measured;
+};
+ReplicateMean mean_of_replicates(std::span<const double> values);
+
+/// Whether the means of the levels are known to follow no power law: a lack of fit under 5 %.
+inline bool is_no_power_law(const ReplicateFit& fit) {
+  return fit.lack_of_fit < 0.05;
+}
+
 }  // namespace mpmvv::fits

@@ -35,16 +35,6 @@ Point point_of(double x, const Record& r) {
   return point;
 }
 
-/// The geometric mean of positive values, so that a fit to the logarithms of means equals one to all values; else the
-/// mean.
-double mean(const std::vector<double>& values) {
-  const bool positive = std::ranges::all_of(values, [](double value) { return value > 0; });
-  double sum = 0;
-  for (const double value : values) sum += positive ? std::log(value) : value;
-  sum /= static_cast<double>(values.size());
-  return positive ? std::exp(sum) : sum;
-}
-
 /// The point of one run, or the mean of replicates; a replicate that is not ok speaks for all.
 Point point_of(double x, std::span<const Record> records) {
   Point point = point_of(x, records.front());
@@ -53,7 +43,7 @@ Point point_of(double x, std::span<const Record> records) {
     if (r.status != Status::ok) return {x, r.status, r.reason, {}};
   for (const Record& r : records)
     for (const auto& [quantity, value] : point_of(x, r).y) point.replicates[quantity].push_back(value);
-  for (const auto& [quantity, values] : point.replicates) point.y[quantity] = mean(values);
+  for (const auto& [quantity, values] : point.replicates) point.y[quantity] = fits::mean_of_replicates(values).value;
   // Some replicates may run a part of the body, others all of it: their numbers of images have no mean.
   const std::vector<double>& images = point.replicates.at("images");
   if (std::ranges::count(images, images.front()) < std::ssize(images))

@@ -74,6 +74,28 @@ TEST(IntervalText, SaysTheRangeOfTimes) {
   EXPECT_THAT(undecided_text(part), HasSubstr("at l2 1e-02 = 0.5 (0.3 to 0.7). Other repetitions might lie"));
 }
 
+TEST(IntervalText, SaysTheRangeOfReplicates) {
+  ClaimPart part = asked(std::nullopt, 0.6);
+  part.measure = "error", part.verdict = PartVerdict::inconclusive;
+  part.found = {{"l2 of 'a' at cells = 8", 0.5}};
+  part.evidence = "l2 of 'a' at cells = 8 (0.3 to 0.7) = 0.5 (asked: at most 0.6, but an interval reaches across)";
+  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(0.3, 0.7));
+  EXPECT_THAT(undecided_text(part), HasSubstr("= 0.5 (0.3 to 0.7). Other replicates might lie"));
+}
+
+TEST(IntervalOf, AnOrderLiesBetweenItsHalfWidthsAndWhereItsSegmentsTend) {
+  ClaimPart part = asked(2.05, std::nullopt);
+  part.measure = "order", part.verdict = PartVerdict::inconclusive;
+  part.found = {{"order of 'a'", 2.16}, {"order of 'b'", 2.16}};
+  part.evidence =
+      "order of 'a' (±0.09, segments tend to 1.99) = 2.16; order of 'b' (±0.09) = 2.16 (asked: at least 2.05, but an "
+      "interval reaches across)";
+  EXPECT_EQ(interval_text(part, part.found[0]), " ± 0.09, segments tend to 1.99");
+  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(1.99, 2.16 + 0.09));
+  EXPECT_EQ(interval_of(part, part.found[1]), std::pair(2.16 - 0.09, 2.16 + 0.09));
+  EXPECT_THAT(undecided_text(part), HasSubstr("order of 'a' = 2.16 ± 0.09, segments tend to 1.99. Other points"));
+}
+
 fits::StabilityLimit limit(double stable, double unstable) {
   return {"cfl", stable, unstable, true, true, {}};
 }

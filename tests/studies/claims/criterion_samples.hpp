@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -29,6 +30,18 @@ inline StudyResult two_series() {
   return result;
 }
 
+/// e = h² on 8 to 128 cells, larger by 2^scatter at every other level; order one more in `linf`.
+inline StudyResult scattered(double scatter) {
+  StudyResult result;
+  result.sweep = "cells";
+  result.series = {Series{"good", {}, {}, {}}};
+  for (int k = 0; k < 5; ++k) {
+    const double n = 8 * std::exp2(k), e = std::exp2(-2 * k + scatter * (k % 2));
+    result.series[0].points.push_back({n, Status::ok, "", {{"l2", e}, {"linf", e / n}}});
+  }
+  return result;
+}
+
 inline Criterion criterion(Criterion::Kind kind, const std::string& series, std::optional<double> at_least,
                            std::optional<double> at_most) {
   Criterion c;
@@ -36,6 +49,14 @@ inline Criterion criterion(Criterion::Kind kind, const std::string& series, std:
   c.at_least = at_least, c.at_most = at_most;
   c.reason = "why not";
   return c;
+}
+
+/// Of "good" over 8 to 128.
+inline records::PartVerdict verdict_of_order(const StudyResult& result, std::optional<double> at_least,
+                                             std::optional<double> at_most) {
+  Criterion c = criterion(Criterion::Kind::order, "good", at_least, at_most);
+  c.window = {8, 128};
+  return judge(c, result).verdict;
 }
 
 using Kind = Criterion::Kind;

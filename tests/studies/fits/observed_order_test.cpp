@@ -142,11 +142,36 @@ TEST(ObservedOrder, ThreePointsReachFromSegmentToSegment) {
   EXPECT_EQ(half_width(four), four.half_width) << "by their residuals";
 }
 
+TEST(ObservedOrder, ASampleWithoutAnErrorBetweenOthersLeavesNoAsymptoticRange) {
+  auto samples = sweep([](double h) { return h * h; }, 7);
+  samples[3].e = nan;
+  const auto fit = fit_order(samples, 8, 512);
+  EXPECT_FALSE(fit.asymptotic);
+  EXPECT_EQ(fit.asymptotic_from, 128);
+  EXPECT_EQ(fit.asymptotic_to, 512);
+  EXPECT_TRUE(fit_order(samples, 8, 32).asymptotic);
+}
+
+/// Of e = h² (1 + c h) with halved h the segments' distance from 2 halves, up to terms of (c h)².
+TEST(ObservedOrder, SegmentsThatRiseOrFallTendToTheOrder) {
+  for (const double c : {0.5, -0.5}) {
+    auto samples = sweep([c](double h) { return h * h * (1 + c * h); }, 5);
+    EXPECT_NEAR(tends_to(fit_order(samples, 8, 128), true), 2, 1e-4);
+    EXPECT_GT(std::abs(fit_order(samples, 8, 128).order - 2), 1e-2);
+    for (ErrorSample& s : samples) s.x = s.h;
+    EXPECT_NEAR(tends_to(fit_order(samples, 1. / 128, 1. / 8), false), 2, 1e-4) << "swept by h itself";
+  }
+  const auto scattered = sweep([](double h) { return h * h * (std::abs(h - 1. / 32) < 1e-9 ? 1.01 : 1); }, 5);
+  EXPECT_TRUE(std::isnan(tends_to(fit_order(scattered, 8, 128), true)));
+  EXPECT_TRUE(std::isnan(tends_to(fit_order(scattered, 8, 16), true))) << "one segment shows no trend";
+}
+
 TEST(ObservedOrder, EqualStepSizesHaveNoOrder) {
   const std::vector<ErrorSample> samples = {{1, 0.5, 1}, {2, 0.5, 2}, {3, 0.5, 3}};
   const auto fit = fit_order(samples, 1, 3);
   EXPECT_TRUE(std::isnan(fit.order));
   EXPECT_TRUE(std::isnan(fit.segments[0].order));
+  EXPECT_TRUE(std::isnan(tends_to(fit, true)));
   EXPECT_FALSE(fit.asymptotic);
 }
 

@@ -75,4 +75,21 @@ TEST(Replicates, OutsideTheWindowDoNotCount) {
   EXPECT_EQ(fit_replicates(sampled(quadratic, 3, 0.1, 1), 16, 64).observations, 9);
 }
 
+/// Logarithms 0, 1, 2: mean 1, deviation 1, t(2) = 4.303.
+TEST(Replicates, HaveAGeometricMeanWithStudentsInterval) {
+  const ReplicateMean mean = mean_of_replicates(std::vector{1.0, std::exp(2.0), std::exp(1.0)});
+  EXPECT_NEAR(mean.value, std::exp(1.0), 1e-12);
+  EXPECT_NEAR(std::log(mean.lower), 1 - 4.30265273 / std::sqrt(3.0), 1e-8);
+  EXPECT_NEAR(std::log(mean.upper), 1 + 4.30265273 / std::sqrt(3.0), 1e-8);
+}
+
+TEST(Replicates, HaveAnArithmeticMeanWhereOneIsNotPositive) {
+  const ReplicateMean mean = mean_of_replicates(std::vector{-1.0, 0.0, 1.0});
+  EXPECT_EQ(mean.value, 0);
+  EXPECT_NEAR(mean.upper, 4.30265273 / std::sqrt(3.0), 1e-8);
+  EXPECT_EQ(mean.lower, -mean.upper);
+  EXPECT_TRUE(std::isnan(mean_of_replicates(std::vector{2.0}).lower)) << "one value says nothing of its scatter";
+  EXPECT_NEAR(mean_of_replicates(std::vector{2.0}).value, 2, 1e-15);
+}
+
 }  // namespace mpmvv::fits::replicates_test

@@ -1,0 +1,101 @@
+#include "studies/claims/measured_errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "studies/claims/window_points.hpp"
+#include "studies/fits/replicates.hpp"
+
+namespace mpmvv::claims {
+
+using records::Point;
+using records::Series;
+using records::StudyResult;
+
+namespace {
+
+/// The replicates' values of a norm at a swept value; empty without replicates.
+std::vector<double> replicates_at(const Series& series, double x, const std::string& norm) {
+  for (const Point& point : series.points)
+    if (const auto all = point.replicates.find(norm); all != point.replicates.end() && fits::same_level(point.x, x))
+      return all->second;
+  return {};
+}
+
+/// Adds the mean of replicates with its interval, or the number alone where there are none.
+void add_mean(const std::string& label, double value, const std::vector<double>& replicates, Measured& out) {
+  if (replicates.size() < 2) return out.add(label, value);
+  const fits::ReplicateMean mean = fits::mean_of_replicates(replicates);
+  out.add(label, value, Interval{mean.lower, mean.upper}, range_text({mean.lower, mean.upper}));
+}
+
+/// The replicates of a ratio: runs with the same offset or order, one divided by the other. None where a number is not
+/// above 0, as their geometric mean is not the ratio of the means then.
+std::vector<double> ratios_of(std::vector<double> own, const std::vector<double>& other) {
+  const auto above_0 = [](double value) { return value > 0; };
+  if (own.size() != other.size() || !std::ranges::all_of(own, above_0) || !std::ranges::all_of(other, above_0))
+    return {};
+  std::ranges::transform(own, other, own.begin(), std::divides{});
+  return own;
+}
+
+/// Says which number of a series makes no ratio: of one below 0 the sign would decide, and nothing is divided by 0.
+std::string no_ratio(const Criterion& c, const StudyResult& result, const Series& series, double x) {
+  return fmt::format("'{}' has {} = {:.4g} {}, and a ratio needs numbers above 0", series.name, c.norm,
+                     error_at(series, x, c.norm), at_point(result, x));
+}
+
+}  // namespace
+
+void measure_errors(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
+  for (const Point& point : series.points)
+    if (c.window.holds(point.x))
+      add_mean(fmt::format("{} of '{}' {}", c.norm, series.name, at_point(result, point.x)), error_at(point, c.norm),
+               replicates_at(series, point.x, c.norm), out);
+}
+
+void measure_ratios(const Criterion& c, const StudyResult& result, const Series& series, const Series& over,
+                    Measured& out) {
+  for (const Point& point : series.points) {
+    if (!c.window.holds(point.x)) continue;
+    const double own = error_at(point, c.norm), other = error_at(over, point.x, c.norm);
+    if (own < 0 || other <= 0)
+      out.missing = no_ratio(c, result, own < 0 ? series : over, point.x);
+    else {
+      const bool both_unstable = std::isinf(own) && std::isinf(other);
+      const std::string label =
+          fmt::format("{} of '{}' over '{}' {}", c.norm, series.name, over.name, at_point(result, point.x));
+      if (both_unstable)
+        out.add(label, 1, "1 (both unstable)");
+      else
+        add_mean(label, own / other,
+                 ratios_of(replicates_at(series, point.x, c.norm), replicates_at(over, point.x, c.norm)), out);
+    }
+  }
+}
+
+void measure_spread(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const Point& point : series.points) {
+    if (!c.window.holds(point.x)) continue;
+    const double error = error_at(point, c.norm);
+    if (!(error > 0)) {
+      out.missing = std::isnan(error) ? fmt::format("'{}' has no {} at {}", series.name, c.norm, point.x)
+                                      : no_ratio(c, result, series, point.x);
+      return;
+    }
+    least = std::min(least, error), largest = std::max(largest, error);
+  }
+  if (std::isinf(least) && !c.at_most)
+    out.missing = fmt::format("no run of '{}' is stable {}", series.name, over_window(c, result));
+  out.add(fmt::format("largest over smallest {} of '{}' {}", c.norm, series.name, over_window(c, result)),
+          std::isinf(largest) ? largest : largest / least);
+}
+
+}  // namespace mpmvv::claims

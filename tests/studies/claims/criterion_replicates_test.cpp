@@ -1,0 +1,83 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/studies/claims/criterion_samples.hpp"
+
+namespace mpmvv::claims::criterion_replicates_test {
+
+using namespace criterion_samples;
+using records::PartVerdict;
+using records::Point;
+
+using testing::HasSubstr;
+
+TEST(Criterion, AnOrderOfReplicatesHasTheirInterval) {
+  const auto with_replicates = [](StudyResult result, double factor) {
+    for (Point& point : result.series[0].points)
+      for (const double other : {1 / factor, factor}) point.replicates["l2"].push_back(other * point.y["l2"]);
+    return result;
+  };
+  EXPECT_EQ(verdict_of_order(with_replicates(scattered(0), 1.01), 1.9, {}), PartVerdict::holds);
+  EXPECT_EQ(verdict_of_order(with_replicates(scattered(0), 2), 1.9, {}), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict_of_order(with_replicates(scattered(1), 1.01), 1.9, {}), PartVerdict::inconclusive)
+      << "replicates agree, but their means are no line";
+}
+
+/// Replicates that follow a power law show that a trend of their means is scatter.
+TEST(Criterion, ATrendOfReplicatesThatFollowAPowerLawIsScatter) {
+  StudyResult result = scattered(0);
+  for (Point& point : result.series[0].points) {
+    point.y["l2"] = std::pow(point.x, -2) * (1 + 0.5 / point.x);
+    for (const double factor : {0.98, 1 / 0.98}) point.replicates["l2"].push_back(factor * point.y["l2"]);
+  }
+  EXPECT_EQ(verdict_of_order(result, 2.0005, 2.1), PartVerdict::inconclusive) << "by their scatter";
+  Criterion c = criterion(Kind::order, "good", 1.9, 2.1);
+  c.window = {8, 128};
+  EXPECT_THAT(judge(c, result).evidence, testing::Not(HasSubstr("tend to")));
+  for (Point& point : result.series[0].points) point.replicates = {};
+  EXPECT_THAT(judge(c, result).evidence, HasSubstr("tend to 2"));
+}
+
+/// "good" is h², times 0.9, 1 and 1.1 with replicates; "twice" is twice that, replicate by replicate.
+StudyResult with_replicated_errors() {
+  StudyResult result = two_series();
+  result.series[1] = result.series[0];
+  result.series[1].name = "twice";
+  for (const double factor : {0.9, 1.0, 1.1})
+    for (Point& point : result.series[0].points) point.replicates["l2"].push_back(factor * point.y["l2"]);
+  for (std::size_t k = 0; k < 4; ++k)
+    for (const double e : result.series[0].points[k].replicates["l2"])
+      result.series[1].points[k].replicates["l2"].push_back(2 * e);
+  for (Point& point : result.series[1].points) point.y["l2"] *= 2;
+  return result;
+}
+
+TEST(Criterion, AnErrorOfReplicatesHasTheirInterval) {  // h² and about 28 % to both sides
+  const StudyResult result = with_replicated_errors();
+  const auto verdict = [&](double at_most) {
+    Criterion c = criterion(Kind::error, "good", {}, at_most / 64 / 64);
+    c.window = {64, 64};
+    return judge(c, result).verdict;
+  };
+  EXPECT_EQ(verdict(1.3), PartVerdict::holds);
+  EXPECT_EQ(verdict(1.2), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(0.8), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(0.7), PartVerdict::fails);
+  EXPECT_THAT(judge(criterion(Kind::error, "good", {}, 1), result).evidence,
+              HasSubstr("l2 of 'good' at cells = 8 (0.0121 to 0.02) = 0.01562"));
+}
+
+/// What runs at the same place share is none of their ratio.
+TEST(Criterion, ARatioOfReplicatesIsTakenOneByOne) {
+  Criterion ratio = criterion(Kind::error_ratio, "twice", 1.99, 2.01);
+  ratio.over = "good";
+  StudyResult result = with_replicated_errors();
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::holds);
+  for (Point& point : result.series[1].points) std::ranges::reverse(point.replicates["l2"]);
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive);
+}
+
+}  // namespace mpmvv::claims::criterion_replicates_test
