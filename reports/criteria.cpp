@@ -31,13 +31,13 @@ std::string bracketed(const ClaimPart& part, const Found& found, const std::stri
   return part.evidence.substr(from, part.evidence.find(')', from) - from);
 }
 
-/// Half of the interval of a number that was found as the evidence says it, "0.74" or "0.74, segments tend to 2.05";
-/// empty without an interval.
+/// Half of the interval of a number that was found as the evidence says it, "0.74" or "0.74, segments may tend
+/// to 1.97"; empty without an interval.
 std::string half_width_of(const ClaimPart& part, const Found& found) {
   return bracketed(part, found, "±");
 }
 
-/// The order that the segments tend to, where the interval reaches there.
+/// The order that the segments may tend to, where the interval reaches there.
 std::optional<double> trend_of(const ClaimPart& part, const Found& found) {
   const std::string half = half_width_of(part, found), tends = "tend to ";
   const auto at = half.find(tends);

@@ -47,8 +47,8 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
   return fit;
 }
 
-/// The order with its interval: its half-width to both sides, and as far as the segments tend to. Where replicates
-/// follow a power law, the segments only scatter.
+/// The order with its interval: its half-width to both sides, and as far as the trend of its segments may reach. Where
+/// replicates follow a power law, the segments only scatter.
 void add_order(const std::string& label, const ObservedOrder& fit, const StudyResult& result, const std::string& remark,
                Measured& out) {
   const double width = fits::half_width(fit);
@@ -57,10 +57,10 @@ void add_order(const std::string& label, const ObservedOrder& fit, const StudyRe
   const bool is_power_law =
       fit.replicates && !std::isnan(fit.replicates->half_width) && !is_no_power_law(*fit.replicates);
   const double trend =
-      is_power_law ? fits::not_measured : fits::tends_to(fit, is_finer(fit.to, fit.from, result.sweep));
+      is_power_law ? fits::not_measured : fits::end_of_trend(fit, is_finer(fit.to, fit.from, result.sweep));
   if (trend < interval.lower || trend > interval.upper) {
     interval = {std::min(interval.lower, trend), std::max(interval.upper, trend)};
-    if (std::abs(trend - fit.order) >= 0.005) text += fmt::format(", segments tend to {:.4g}", trend);
+    if (std::abs(trend - fit.order) >= 0.005) text += fmt::format(", segments may tend to {:.4g}", trend);
   }
   out.add(label, fit.order, interval, (text.empty() ? "" : " (" + text + ")") + remark);
 }

@@ -28,9 +28,10 @@ namespace {
 
 struct Floor {
   const char *number, *made_by;
+  double least;  ///< multiple of it that an error must have
 };
-constexpr std::array floors{Floor{"output_floor", "the error that the rounding of the code's output makes"},
-                            Floor{"solution_floor", "the error of the solution, which is not exact for the law"}};
+constexpr std::array floors{Floor{"output_floor", "the error that the rounding of the code's output makes", 3},
+                            Floor{"solution_floor", "the error of the solution, which is not exact for the law", 10}};
 
 /// The first floor that the point's error is near to; null without any.
 const Floor* floor_near(const records::Point& point, const std::string& norm) {
@@ -40,7 +41,7 @@ const Floor* floor_near(const records::Point& point, const std::string& norm) {
     return nullptr;
   const auto is_near = [&](const Floor& floor) {
     const auto value = point.y.find(floor.number);
-    return value != point.y.end() && error->second < least_over_floor * value->second;
+    return value != point.y.end() && error->second < floor.least * value->second;
   };
   const auto found = std::ranges::find_if(floors, is_near);
   return found == floors.end() ? nullptr : &*found;
@@ -64,7 +65,7 @@ std::string left_out(const records::Series& series, const std::string& norm) {
     for (const records::Point& point : series.points)
       if (floor_near(point, norm) == &floor) values.push_back(point.x);
     if (!values.empty())
-      all.push_back(fmt::format("{} (within {} times {})", fmt::join(values, ", "), least_over_floor, floor.made_by));
+      all.push_back(fmt::format("{} (within {} times {})", fmt::join(values, ", "), floor.least, floor.made_by));
   }
   return fmt::format("{}", fmt::join(all, ", "));
 }

@@ -19,10 +19,9 @@ bool has_step_size(const std::string& sweep);
 /// than `b`.
 bool is_finer(double a, double b, const std::string& sweep);
 
-/// Errors below this multiple of a floor say nothing about an order. The floors are the error made by the rounding of a
-/// code's output (`output_floor`) and the error of a solution that is not exact for the body's law (`solution_floor`).
-inline constexpr double least_over_floor = 3;
-
+/// Whether the point's error lies within a few times of a floor, so that it says nothing about an order. The error made
+/// by the rounding of a code's output (`output_floor`) adds in squares: at 3 times it the RMS error is off by 5 %. That
+/// of a solution which is not exact for the body's law (`solution_floor`) may add in full: at 10 times it, 10 %.
 bool is_near_floor(const records::Point& point, const std::string& norm);
 
 /// The swept values whose errors are that near to a floor, and to which: "32, 64 (within 3 times ...)"; empty without

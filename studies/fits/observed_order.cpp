@@ -174,14 +174,18 @@ double segment_spread(const ObservedOrder& fit) {
   return highest->order - lowest->order;
 }
 
-double tends_to(const ObservedOrder& fit, bool finest_last) {
-  std::vector<double> orders;
-  for (const SegmentOrder& s : window_segments(fit)) orders.push_back(s.order);
-  if (!finest_last) std::ranges::reverse(orders);
-  const bool rises = std::ranges::is_sorted(orders), falls = std::ranges::is_sorted(orders, std::greater{});
-  if (orders.size() < 2 || std::ranges::any_of(orders, [](double p) { return std::isnan(p); }) || !(rises || falls))
-    return not_measured;
-  return 2 * orders.back() - orders[orders.size() - 2];
+double end_of_trend(const ObservedOrder& fit, bool finest_last) {
+  constexpr double safety = 1.75;
+  const auto in_window = window_segments(fit);
+  std::vector<SegmentOrder> segments(in_window.begin(), in_window.end());
+  if (!finest_last) std::ranges::reverse(segments);
+  const bool rises = std::ranges::is_sorted(segments, {}, &SegmentOrder::order);
+  const bool falls = std::ranges::is_sorted(segments, std::greater{}, &SegmentOrder::order);
+  const bool has_all = std::ranges::none_of(segments, [](const SegmentOrder& s) { return std::isnan(s.order); });
+  if (segments.size() < 2 || !has_all || !(rises || falls)) return not_measured;
+  const SegmentOrder &last = segments.back(), &before = segments[segments.size() - 2];
+  const double ends = finest_last ? last.to / before.from : before.to / last.from;
+  return last.order + safety * (last.order - before.order) / (std::sqrt(ends) - 1);
 }
 
 }  // namespace mpmvv::fits

@@ -65,7 +65,7 @@ TEST(CodeTable, SaysOfASeriesWhatWasAskedOfThatOne) {
 TEST(CodeTable, SaysWhichErrorsAnOrderLeavesOut) {
   ReportInput input = input_with_codes();
   input.studies[0].series[0].points = {{.x = 32, .reason = "", .y = {{"l2", 1e-6}, {"solution_floor", 1e-6}}}};
-  EXPECT_THAT(code_table(input).groups[0].rows[0][5], HasSubstr("8 to 64 without 32 (within 3 times"));
+  EXPECT_THAT(code_table(input).groups[0].rows[0][5], HasSubstr("8 to 64 without 32 (within 10 times"));
 }
 
 TEST(CodeTable, HasAGroupForEachVersion) {

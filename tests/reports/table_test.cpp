@@ -132,7 +132,7 @@ TEST(Table, FitsSayWhichErrorsTheyLeaveOutAndWhy) {
   const auto fitted = std::ranges::find_if(study.series, [](const auto& series) { return !series.orders.empty(); });
   fitted->points.back().y["solution_floor"] = fitted->points.back().y.at(fitted->orders.front().norm);
   EXPECT_THAT(fits_table(study).note,
-              testing::HasSubstr("512 (within 3 times the error of the solution, which is not exact for the law)"));
+              testing::HasSubstr("512 (within 10 times the error of the solution, which is not exact for the law)"));
 }
 
 TEST(Table, CheapestSeriesOfEachPowerOfTen) {

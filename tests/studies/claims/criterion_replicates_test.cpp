@@ -36,9 +36,9 @@ TEST(Criterion, ATrendOfReplicatesThatFollowAPowerLawIsScatter) {
   EXPECT_EQ(verdict_of_order(result, 2.0005, 2.1), PartVerdict::inconclusive) << "by their scatter";
   Criterion c = criterion(Kind::order, "good", 1.9, 2.1);
   c.window = {8, 128};
-  EXPECT_THAT(judge(c, result).evidence, testing::Not(HasSubstr("tend to")));
+  EXPECT_THAT(judge(c, result).evidence, testing::Not(HasSubstr("may tend to")));
   for (Point& point : result.series[0].points) point.replicates = {};
-  EXPECT_THAT(judge(c, result).evidence, HasSubstr("tend to 2"));
+  EXPECT_THAT(judge(c, result).evidence, HasSubstr("tend to 1.9"));
 }
 
 /// "good" is h², times 0.9, 1 and 1.1 with replicates; "twice" is twice that, replicate by replicate.
