@@ -31,17 +31,17 @@ std::string bracketed(const ClaimPart& part, const Found& found, const std::stri
   return part.evidence.substr(from, part.evidence.find(')', from) - from);
 }
 
-/// Half of the interval of a number that was found as the evidence says it, "0.74" or "0.74, segments may tend
-/// to 1.97"; empty without an interval.
+/// Half of the interval of a number that was found, "0.74", as the evidence says it; empty without an interval.
 std::string half_width_of(const ClaimPart& part, const Found& found) {
-  return bracketed(part, found, "±");
+  const std::string text = bracketed(part, found, "±");
+  return text.substr(0, text.find(';'));
 }
 
-/// The order that the segments may tend to, where the interval reaches there.
-std::optional<double> trend_of(const ClaimPart& part, const Found& found) {
-  const std::string half = half_width_of(part, found), tends = "tend to ";
-  const auto at = half.find(tends);
-  return at == std::string::npos ? std::nullopt : std::optional(std::stod(half.substr(at + tends.size())));
+/// " (finest segment 1.41)" of an order whose finest segment lies outside of its interval; else empty.
+std::string finest_segment_text(const ClaimPart& part, const Found& found) {
+  const std::string text = bracketed(part, found, "±");
+  const auto at = text.find("; ");
+  return at == std::string::npos ? "" : " (" + text.substr(at + 2) + ")";
 }
 
 bool is_of_times(const ClaimPart& part) {
@@ -111,10 +111,11 @@ std::string beyond(const std::string& above, const std::string& what) {
 }
 
 data found_data(const ClaimPart& part, const Found& found, const std::string& above) {
-  return object({{"what", beyond(above, found.what)},
-                 {"asked", asked_text(part)},
-                 {"value", found_text(part, found.value) + interval_text(part, found)},
-                 {"bar", criterion_bar(part, found.value, interval_of(part, found))}});
+  return object(
+      {{"what", beyond(above, found.what)},
+       {"asked", asked_text(part)},
+       {"value", found_text(part, found.value) + interval_text(part, found) + finest_segment_text(part, found)},
+       {"bar", criterion_bar(part, found.value, interval_of(part, found))}});
 }
 
 data part_data(const claims::JudgedPart& line) {
@@ -183,8 +184,7 @@ std::pair<double, double> interval_of(const ClaimPart& part, const Found& found)
   if (to != std::string::npos) return {std::stod(range), std::stod(range.substr(to + 4))};
   if (!range.empty()) return {-anywhere, anywhere};
   const double reach = reach_of(part, found);
-  const double trend = trend_of(part, found).value_or(found.value);
-  return {std::min(found.value - reach, trend), std::max(found.value + reach, trend)};
+  return {found.value - reach, found.value + reach};
 }
 
 std::string undecided_text(const ClaimPart& part) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "reports/chart.hpp"
@@ -64,7 +65,6 @@ class ErrorChart {
 
  private:
   bool is_number_on(bool log, double v) const { return std::isfinite(v) && (!log || v > 0); }
-  double step_size(double x) const { return claims::step_size(x, study_.sweep); }
 
   /// A value as the axis will have it.
   std::string on_axis(double value) const { return brief(factor_ * value); }
@@ -200,15 +200,18 @@ class ErrorChart {
 
   /// The power law from the first to the last point of its window.
   void add_fit(const Series& s, const ObservedOrder& o, Style style) {
-    double from = INFINITY, to = -INFINITY;
-    for (const auto& p : s.points)
-      if (p.status == Status::ok && in_window(o, p.x)) from = std::min(from, p.x), to = std::max(to, p.x);
-    if (!(from > 0 && from < to) || !std::isfinite(o.order) || !std::isfinite(o.constant)) return;
+    std::vector<records::Point> fitted;
+    std::ranges::copy_if(s.points, std::back_inserter(fitted),
+                         [&](const records::Point& p) { return p.status == Status::ok && in_window(o, p.x); });
+    if (fitted.empty() || !std::isfinite(o.order) || !std::isfinite(o.constant)) return;
+    const auto [first, last] = std::ranges::minmax(fitted, {}, &records::Point::x);
+    if (!(first.x > 0 && first.x < last.x)) return;
     Rule rule{Rule::Kind::fit, style, fmt::format("{}: fit of {}, order {}", s.name, o.norm, exact(o.order)), {}};
+    const double h = claims::step_size(first, study_.sweep), last_h = claims::step_size(last, study_.sweep);
     const int pieces = figure_.log_x && figure_.log_y ? 1 : 32;
     for (int k = 0; k <= pieces; ++k) {
-      const double x = from * std::pow(to / from, static_cast<double>(k) / pieces);
-      rule.path.push_back({x, o.constant * std::pow(step_size(x), o.order)});
+      const double part = static_cast<double>(k) / pieces, h_here = h * std::pow(last_h / h, part);
+      rule.path.push_back({first.x * std::pow(last.x / first.x, part), o.constant * std::pow(h_here, o.order)});
     }
     chart_.rules.push_back(std::move(rule));
   }

@@ -33,6 +33,14 @@ std::string measured_text(const Measured::Number& number) {
   return fmt::format("{}{} = {:.4g}", number.label, number.remark, number.value);
 }
 
+/// Of a part that fails, what was found without the numbers that decided nothing; in their place what is missing.
+void keep_what_decides(const Measured& measured, records::ClaimPart& part) {
+  part.found.clear();
+  for (const Measured::Number& number : measured.numbers)
+    if (number.is_sure) part.found.push_back({number.label, number.value});
+  if (!measured.missing.empty()) part.found.push_back({measured.missing, support::not_measured});
+}
+
 }  // namespace
 
 /// Each number is held against the bounds together with its interval. The interval can only withhold a verdict, never
@@ -69,7 +77,10 @@ records::ClaimPart judge(const Criterion& criterion, const records::StudyResult&
   const bool reaches_across = all_known && part.verdict == PartVerdict::inconclusive;
   part.evidence = fmt::format("{} ({}{})", fmt::join(texts, "; "), bounds_text(criterion),
                               reaches_across ? ", but an interval reaches across" : "");
-  if (part.verdict == PartVerdict::fails) part.reason = criterion.reason;
+  if (part.verdict == PartVerdict::fails) {
+    part.reason = criterion.reason;
+    keep_what_decides(measured, part);
+  }
   return part;
 }
 

@@ -148,9 +148,14 @@ void measure_series(const Criterion& c, const StudyResult& result, const Series&
 }  // namespace
 
 std::string range_text(const Interval& interval) {
-  if (std::isinf(interval.upper)) return " (without bounds)";
-  const std::string lower = fmt::format("{:.3g}", interval.lower), upper = fmt::format("{:.3g}", interval.upper);
-  return lower == upper ? "" : " (" + lower + " to " + upper + ")";
+  const auto [lower, upper] = interval;
+  if (std::isinf(upper)) return " (without bounds)";
+  constexpr double round_off = 1e-12;
+  if (!(upper - lower > round_off * std::max(std::abs(lower), std::abs(upper)))) return "";
+  for (int digits = 3;; ++digits) {
+    const std::string from = fmt::format("{:.{}g}", lower, digits), to = fmt::format("{:.{}g}", upper, digits);
+    if (from != to) return " (" + from + " to " + to + ")";
+  }
 }
 
 Measured measure(const Criterion& c, const StudyResult& result) {
@@ -162,13 +167,11 @@ Measured measure(const Criterion& c, const StudyResult& result) {
   const Series* over = c.over.empty() ? nullptr : find_series(result, c.over);
   for (const std::string& name : c.series) {
     const Series* series = find_series(result, name);
-    if (!series || (!c.over.empty() && !over)) {
-      out.missing = fmt::format("there is no series '{}'", series ? c.over : name);
-      return out;
-    }
     Measured own;
-    if (reads_points(c.kind) &&
-        std::ranges::none_of(series->points, [&](const Point& p) { return c.window.holds(p.x); }))
+    if (!series || (!c.over.empty() && !over))
+      own.missing = fmt::format("there is no series '{}'", series ? c.over : name);
+    else if (reads_points(c.kind) &&
+             std::ranges::none_of(series->points, [&](const Point& p) { return c.window.holds(p.x); }))
       own.missing = fmt::format("'{}' has no point {}", name, over_window(c, result));
     else
       measure_series(c, result, *series, over, own);

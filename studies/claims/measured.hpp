@@ -11,7 +11,7 @@ struct Interval {
   double lower, upper;
 };
 
-/// " (0.93 to 1.6)", " (without bounds)"; empty where both ends look the same.
+/// " (0.93 to 1.6)", with as many digits as tell the ends apart; " (without bounds)"; empty for less than round-off.
 std::string range_text(const Interval& interval);
 
 /// Numbers measured for a criterion. `missing` says why something cannot be judged; else it is empty.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -35,14 +36,17 @@ void add_mean(const std::string& label, double value, const std::vector<double>&
   out.add(label, value, Interval{mean.lower, mean.upper}, range_text({mean.lower, mean.upper}));
 }
 
-/// The replicates of a ratio: runs with the same offset or order, one divided by the other. None where a number is not
-/// above 0, as their geometric mean is not the ratio of the means then.
-std::vector<double> ratios_of(std::vector<double> own, const std::vector<double>& other) {
-  const auto above_0 = [](double value) { return value > 0; };
-  if (own.size() != other.size() || !std::ranges::all_of(own, above_0) || !std::ranges::all_of(other, above_0))
-    return {};
-  std::ranges::transform(own, other, own.begin(), std::divides{});
-  return own;
+/// Adds a ratio with the interval of its replicates: runs with the same offset or order, one divided by the other.
+/// Where one is not above 0, their geometric mean is not the ratio of the means, and nothing is known of it.
+void add_mean_ratio(const std::string& label, double value, const std::vector<double>& own,
+                    const std::vector<double>& other, Measured& out) {
+  constexpr double anywhere = std::numeric_limits<double>::infinity();
+  const auto above_0 = [](double v) { return v > 0; };
+  std::vector<double> ratios;
+  if (own.size() == other.size()) std::ranges::transform(own, other, std::back_inserter(ratios), std::divides{});
+  if (ratios.empty() || (std::ranges::all_of(own, above_0) && std::ranges::all_of(other, above_0)))
+    return add_mean(label, value, ratios, out);
+  out.add(label, value, Interval{-anywhere, anywhere}, range_text({-anywhere, anywhere}));
 }
 
 /// Says which number of a series makes no ratio: of one below 0 the sign would decide, and nothing is divided by 0.
@@ -74,8 +78,8 @@ void measure_ratios(const Criterion& c, const StudyResult& result, const Series&
       if (both_unstable)
         out.add(label, 1, "1 (both unstable)");
       else
-        add_mean(label, own / other,
-                 ratios_of(replicates_at(series, point.x, c.norm), replicates_at(over, point.x, c.norm)), out);
+        add_mean_ratio(label, own / other, replicates_at(series, point.x, c.norm), replicates_at(over, point.x, c.norm),
+                       out);
     }
   }
 }

@@ -47,22 +47,17 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
   return fit;
 }
 
-/// The order with its interval: its half-width to both sides, and as far as the trend of its segments may reach. Where
-/// replicates follow a power law, the segments only scatter.
+/// The order with its interval. Where the finest segment lies outside of it, that is said, too: the order is that over
+/// the window and not beyond.
 void add_order(const std::string& label, const ObservedOrder& fit, const StudyResult& result, const std::string& remark,
                Measured& out) {
-  const double width = fits::half_width(fit);
-  Interval interval{fit.order - width, fit.order + width};
+  constexpr double least_seen = 0.005;
+  const double width = fits::half_width(fit), finest = finest_segment(fit, is_finer(fit.to, fit.from, result.sweep));
   std::string text = width > 0 ? fmt::format("±{:.2g}", width) : "";
-  const bool is_power_law =
-      fit.replicates && !std::isnan(fit.replicates->half_width) && !is_no_power_law(*fit.replicates);
-  const double trend =
-      is_power_law ? fits::not_measured : fits::end_of_trend(fit, is_finer(fit.to, fit.from, result.sweep));
-  if (trend < interval.lower || trend > interval.upper) {
-    interval = {std::min(interval.lower, trend), std::max(interval.upper, trend)};
-    if (std::abs(trend - fit.order) >= 0.005) text += fmt::format(", segments may tend to {:.4g}", trend);
-  }
-  out.add(label, fit.order, interval, (text.empty() ? "" : " (" + text + ")") + remark);
+  if (width > 0 && std::abs(finest - fit.order) > std::max(1.001 * width, least_seen))
+    text += fmt::format("; finest segment {:.2f}", finest);
+  out.add(label, fit.order, Interval{fit.order - width, fit.order + width},
+          (text.empty() ? "" : " (" + text + ")") + remark);
 }
 
 /// A series with one quantity: `norm` divided by `over_norm`, under the name `norm`.

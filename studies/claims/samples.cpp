@@ -15,6 +15,11 @@ double step_size(double x, const std::string& sweep) {
   return sweep == "cells" || sweep == "ppc" ? 1 / x : x;
 }
 
+double step_size(const records::Point& point, const std::string& sweep) {
+  const auto cfl = point.y.find("cfl");
+  return step_size(sweep == "cfl" && cfl != point.y.end() ? cfl->second : point.x, sweep);
+}
+
 bool has_step_size(const std::string& sweep) {
   return sweep != "order" && sweep != "wall_depth";
 }
@@ -45,11 +50,6 @@ const Floor* floor_near(const records::Point& point, const std::string& norm) {
   };
   const auto found = std::ranges::find_if(floors, is_near);
   return found == floors.end() ? nullptr : &*found;
-}
-
-double step_size(const records::Point& point, const std::string& sweep) {
-  const auto cfl = point.y.find("cfl");
-  return claims::step_size(sweep == "cfl" && cfl != point.y.end() ? cfl->second : point.x, sweep);
 }
 
 }  // namespace

@@ -11,6 +11,10 @@ namespace mpmvv::claims {
 /// The step size that goes with a swept value: h = 1/x for a sweep over `cells` or `ppc`, else x.
 double step_size(double x, const std::string& sweep);
 
+/// That of a run: in a sweep over `cfl` its Courant number, as steps divide the end time, and not the one asked for.
+/// That of a check's curve is not known, nor of a code with a step of its own; they have the swept value.
+double step_size(const records::Point& point, const std::string& sweep);
+
 /// Whether swept values are step sizes, or numbers of cells or particles: not the terms of an expansion or the depth of
 /// a wall.
 bool has_step_size(const std::string& sweep);
@@ -20,17 +24,16 @@ bool has_step_size(const std::string& sweep);
 bool is_finer(double a, double b, const std::string& sweep);
 
 /// Whether the point's error lies within a few times of a floor, so that it says nothing about an order. The error made
-/// by the rounding of a code's output (`output_floor`) adds in squares: at 3 times it the RMS error is off by 5 %. That
-/// of a solution which is not exact for the body's law (`solution_floor`) may add in full: at 10 times it, 10 %.
+/// by the rounding of a code's output (`output_floor`) adds in squares: an RMS error of 3 times it is off by 6 %. That
+/// of a solution which is not exact for the body's law (`solution_floor`) may add in full: 10 times it is off by 11 %.
 bool is_near_floor(const records::Point& point, const std::string& norm);
 
 /// The swept values whose errors are that near to a floor, and to which: "32, 64 (within 3 times ...)"; empty without
 /// any. Only errors of displacements have floors.
 std::string left_out(const records::Series& series, const std::string& norm);
 
-/// The points of a series in one norm, with their step sizes. In a sweep over `cfl` that is the Courant number of the
-/// run, whose steps divide the end time, and not the one asked for. Points that are not sound, or near a floor, have a
-/// NaN for the error.
+/// The points of a series in one norm, with their step sizes. Points that are not sound, or near a floor, have a NaN
+/// for the error.
 std::vector<fits::ErrorSample> samples_of(const records::Series& series, const std::string& norm,
                                           const std::string& sweep);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "studies/fits/distributions.hpp"
@@ -167,25 +166,17 @@ std::string asymptotic_word(const ObservedOrder& fit) {
   return fit.order < -asymptotic_spread ? "grows" : "stays";
 }
 
+double finest_segment(const ObservedOrder& fit, bool finest_last) {
+  const auto segments = window_segments(fit);
+  if (segments.empty()) return not_measured;
+  return finest_last ? segments.back().order : segments.front().order;
+}
+
 double segment_spread(const ObservedOrder& fit) {
   const auto segments = window_segments(fit);
   if (segments.empty()) return 0;
   const auto [lowest, highest] = std::ranges::minmax_element(segments, {}, &SegmentOrder::order);
   return highest->order - lowest->order;
-}
-
-double end_of_trend(const ObservedOrder& fit, bool finest_last) {
-  constexpr double safety = 1.75;
-  const auto in_window = window_segments(fit);
-  std::vector<SegmentOrder> segments(in_window.begin(), in_window.end());
-  if (!finest_last) std::ranges::reverse(segments);
-  const bool rises = std::ranges::is_sorted(segments, {}, &SegmentOrder::order);
-  const bool falls = std::ranges::is_sorted(segments, std::greater{}, &SegmentOrder::order);
-  const bool has_all = std::ranges::none_of(segments, [](const SegmentOrder& s) { return std::isnan(s.order); });
-  if (segments.size() < 2 || !has_all || !(rises || falls)) return not_measured;
-  const SegmentOrder &last = segments.back(), &before = segments[segments.size() - 2];
-  const double ends = finest_last ? last.to / before.from : before.to / last.from;
-  return last.order + safety * (last.order - before.order) / (std::sqrt(ends) - 1);
 }
 
 }  // namespace mpmvv::fits

@@ -92,13 +92,8 @@ std::string asymptotic_word(const ObservedOrder& fit);
 /// Highest less lowest order of the segments in the window; 0 with fewer than two segments.
 double segment_spread(const ObservedOrder& fit);
 
-/// How far the order may lie beyond the finest segment in the window, if the segment orders rise or fall without
-/// exception towards the finer levels (`finest_last`: towards the larger swept values). With e = C h^p (1 + c h) the
-/// distance of a segment's order s from p falls by r from one to the next, r the ratio of their h, so that p is nearly
-/// s_n + (s_n - s_(n-1)) / (r - 1) of the last two. The second term is taken 1.75 times: if h is halved and c h is at
-/// most 1 on the coarsest level, p lies between the first segment and there, even of three levels. NaN where there is
-/// no such trend, or no two segments.
-double end_of_trend(const ObservedOrder& fit, bool finest_last);
+/// The order of the finest segment in the window, which is the last or the first; NaN without one.
+double finest_segment(const ObservedOrder& fit, bool finest_last);
 
 /// Fits e = C h^p + E0, C and E0 >= 0, 0.1 <= p <= 8, by least squares of the relative misfit over the usable samples
 /// of the window; at least six. A sum of two powers fakes a floor (h² + 0.05 h; docs/misprints.md, T10), so it is

@@ -12,6 +12,7 @@ namespace mpmvv::fits {
 
 namespace {
 
+constexpr double least_probable = 0.05;  ///< a lack of fit less probable than this counts as real
 constexpr double log_round_off = 1e-24;  ///< of sums of squares of logarithms
 
 }  // namespace
@@ -46,8 +47,8 @@ ReplicateFit fit_replicates(std::span<const ErrorSample> samples, double from, d
     fit.lack_of_fit = fisher_f_above(about / free_about / (within / free_within), free_about, free_within);
   else if (about > log_round_off)
     fit.lack_of_fit = 0;  // the replicates agree to the last digit but lie on no line
-  fit.half_width = is_no_power_law(fit) ? student_t_95(free_about) * std::sqrt(about / free_about / xx)
-                                        : student_t_95(free_within) * fit.scatter / std::sqrt(xx);
+  fit.half_width = fit.lack_of_fit < least_probable ? student_t_95(free_about) * std::sqrt(about / free_about / xx)
+                                                    : student_t_95(free_within) * fit.scatter / std::sqrt(xx);
   return fit;
 }
 

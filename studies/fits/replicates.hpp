@@ -25,9 +25,4 @@ struct ReplicateMean {
 };
 ReplicateMean mean_of_replicates(std::span<const double> values);
 
-/// Whether the means of the levels are known to follow no power law: a lack of fit under 5 %.
-inline bool is_no_power_law(const ReplicateFit& fit) {
-  return fit.lack_of_fit < 0.05;
-}
-
 }  // namespace mpmvv::fits

@@ -98,6 +98,24 @@ TEST(ErrorChart, EveryWindowOfANormHasItsFit) {
   EXPECT_EQ(chart.curves[0].dots[5].mark, Mark::inside);
 }
 
+/// An order over cfl is fitted to the Courant numbers of the runs, and its line has to pass by their errors.
+TEST(ErrorChart, TheFitOverCourantNumbersPassesByTheErrors) {
+  auto study = synthetic::convergence();
+  study.sweep = "cfl";
+  study.figures[0].series = {"bspline2, 4 PPC"};
+  records::Series& series = study.series[1];
+  fits::ObservedOrder& order = series.orders[0];
+  order.order = 1, order.constant = 3;
+  for (records::Point& point : series.points) {
+    point.y["cfl"] = 0.9 * point.x;
+    point.y[study.figures[0].quantity] = 3 * point.y["cfl"];
+  }
+  const auto fits = rules(error_chart(study, study.figures[0]), Rule::Kind::fit);
+  ASSERT_EQ(fits.size(), 1u);
+  for (const Place& place : {fits[0].path.front(), fits[0].path.back()})
+    EXPECT_NEAR(place.y, 3 * 0.9 * place.x, 1e-12 * place.y);
+}
+
 /// Any two points lie on a line, unless they are all that the window has.
 TEST(ErrorChart, AnOrderOfTwoPointsLeftOverIsNotDrawn) {
   auto study = synthetic::convergence();

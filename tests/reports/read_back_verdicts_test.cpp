@@ -108,6 +108,28 @@ TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
                                    testing::Not(testing::HasSubstr(asked.evidence))));
 }
 
+TEST(ReadBackPage, TheFinestSegmentStandsBesideAnOrderWhoseIntervalItLeaves) {
+  using enum records::PartVerdict;
+  ReportInput input = read_back::input_of(distinct::everything());
+  records::ClaimPart asked = part(holds, 1.6, std::nullopt, {{"order of 'a'", 1.88}});
+  asked.evidence = "order of 'a' (±0.21; finest segment 1.42) = 1.88 (asked: at least 1.6)";
+  input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::open, "", {}, {}}};
+  input.claims[0].parts = {{"all-numbers", asked}};
+  EXPECT_THAT(WrittenReport(input).page("claims/X-one.html"),
+              testing::HasSubstr(">1.88 ± 0.21 (finest segment 1.42)<"));
+}
+
+TEST(ReadBackPage, WhatIsMissingStandsBesideANumberThatFails) {
+  using enum records::PartVerdict;
+  ReportInput input = read_back::input_of(distinct::everything());
+  input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::refuted, "", {}, {}}};
+  input.claims[0].parts = {{"all-numbers", part(fails, 1.8, std::nullopt,
+                                                {{"order of 'a'", 1.5}, {"'b' failed at cells = 32", std::nan("")}})}};
+  EXPECT_THAT(WrittenReport(input).page("claims/X-one.html"),
+              testing::AllOf(testing::HasSubstr("&apos;b&apos; failed at cells = 32"),
+                             testing::HasSubstr("order of &apos;a&apos;: 1.5 (asked: at least 1.8")));
+}
+
 TEST(ReadBackPage, BracketsAndRangesOfTimesAreLinesOnTheBand) {
   using enum records::PartVerdict;
   ReportInput input = read_back::input_of(distinct::everything());

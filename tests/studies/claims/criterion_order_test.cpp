@@ -27,7 +27,7 @@ TEST(Criterion, HowWellAnOrderIsKnownIsNoPartOfWhatWasFound) {
   Criterion c = criterion(Kind::order, "good", 1.5, {});
   c.window = {8, 128};
   EXPECT_EQ(judge(c, result).found.at(0).what, "order of 'good' in l2 over cells 8 to 128");
-  EXPECT_THAT(judge(c, result).evidence, HasSubstr("over cells 8 to 128 (±0.64) = 2"));
+  EXPECT_THAT(judge(c, result).evidence, HasSubstr("over cells 8 to 128 (±0.64; finest segment 3.00) = 2"));
 }
 
 TEST(Criterion, SaysInWordsThatAnOrderIsNotKnown) {
@@ -52,35 +52,32 @@ TEST(Criterion, AnOrderWhoseIntervalReachesAcrossABoundIsInconclusive) {  // 2 �
   Criterion c = criterion(Kind::order, "good", 1.5, {});
   c.window = {8, 128};
   EXPECT_THAT(judge(c, result).evidence,
-              HasSubstr("(±0.64) = 2 (asked: at least 1.5, but an interval reaches across)"));
+              HasSubstr("(±0.64; finest segment 3.00) = 2 (asked: at least 1.5, but an interval reaches across)"));
   EXPECT_EQ(judge(c, result).reason, "") << "which says why it fails";
 }
 
-/// Segments of 1.5 and 2.5, which may be scatter or a trend to 4.25: fewer points are not the surer ones.
-TEST(Criterion, AnOrderOfThreePointsReachesFromTheFirstSegmentToWhereTheyMayTend) {
+/// Segments of 1.5 and 2.5: fewer points are not the surer ones.
+TEST(Criterion, AnOrderOfThreePointsReachesFromSegmentToSegment) {
   StudyResult result = scattered(0.5);
   result.series[0].points.resize(3);
-  EXPECT_EQ(verdict_of_order(result, 1.4, 4.3), PartVerdict::holds);
+  EXPECT_EQ(verdict_of_order(result, 1.4, 2.6), PartVerdict::holds);
   EXPECT_EQ(verdict_of_order(result, 1.6, {}), PartVerdict::inconclusive);
-  EXPECT_EQ(verdict_of_order(result, 4.2, {}), PartVerdict::inconclusive);
-  EXPECT_EQ(verdict_of_order(result, {}, 4.2), PartVerdict::inconclusive);
-  EXPECT_EQ(verdict_of_order(result, 4.3, {}), PartVerdict::fails);
+  EXPECT_EQ(verdict_of_order(result, 2.6, {}), PartVerdict::fails);
 }
 
-/// e = h² + 5 h³ fits 2.16 ± 0.09, although its order is 2 (docs/misprints.md, T9).
-TEST(Criterion, AnOrderReachesToWhereItsSegmentsMayTend) {
+/// A verdict is on the order over the window; that the last segment leaves it is said beside it.
+TEST(Criterion, SaysWhereTheFinestSegmentLeavesTheIntervalOfAnOrder) {
   StudyResult result = scattered(0);
-  for (Point& point : result.series[0].points) point.y["l2"] = std::pow(point.x, -2) + 5 * std::pow(point.x, -3);
-  EXPECT_EQ(verdict_of_order(result, 2.05, {}), PartVerdict::inconclusive);
-  EXPECT_EQ(verdict_of_order(result, {}, 2.05), PartVerdict::inconclusive) << "on the wrong side by its residuals";
-  EXPECT_EQ(verdict_of_order(result, 1.95, 2.3), PartVerdict::holds);
-  Criterion c = criterion(Kind::order, "good", 2.05, {});
-  c.window = {8, 128};
-  EXPECT_THAT(judge(c, result).evidence, HasSubstr("(±0.093, segments may tend to 1.9"));
-  std::ranges::reverse(result.series[0].points);
-  result.sweep = "cfl";
-  for (Point& point : result.series[0].points) point.x = 8 * 128 / point.x;  // the finest is the first now
-  EXPECT_EQ(verdict_of_order(result, {}, -2.05), PartVerdict::fails) << "an error that falls with larger steps";
+  result.series[0].points.back().y["l2"] *= 1.5;  // its segment has an order of 1.415
+  const auto judged = [&] {
+    Criterion c = criterion(Kind::order, "good", 1.6, {});
+    c.window = {8, 128};
+    return judge(c, result);
+  };
+  EXPECT_EQ(judged().verdict, PartVerdict::holds);
+  EXPECT_THAT(judged().evidence, HasSubstr("(±0.21; finest segment 1.42) = 1.883"));
+  result.sweep = "cfl";  // now the finest segment is the first
+  EXPECT_THAT(judged().evidence, HasSubstr("(±0.21) = "));
 }
 
 /// Each series must pass.
@@ -99,10 +96,39 @@ TEST(Criterion, ASeriesThatFailsDecidesWhereARunOfAnotherFailed) {
   EXPECT_THAT(judged(Kind::order, 2.1, 2.2).evidence, HasSubstr("'broken' failed at cells = 32"));
   EXPECT_EQ(judged(Kind::error, 0, 2).verdict, PartVerdict::inconclusive);
   EXPECT_EQ(judged(Kind::error, 0, 0.01).verdict, PartVerdict::fails);
-  result.series.erase(result.series.begin());
-  result.series.push_back(result.series[0]);
+  const auto& found = judged(Kind::order, 2.1, 2.2).found;
+  ASSERT_EQ(found.size(), 2u) << "and not the order of the points that are left of 'broken'";
+  EXPECT_EQ(found[0].what, "order of 'good' in l2 over cells 8 to 128");
+  EXPECT_EQ(found[1].what, "'broken' failed at cells = 32");
+  EXPECT_TRUE(std::isnan(found[1].value));
+  result.series[0].name = "other";
   result.series[1].name = "good";
   EXPECT_EQ(judged(Kind::order, 2.1, 2.2).verdict, PartVerdict::inconclusive) << "what lacks a point cannot fail";
+  EXPECT_EQ(judged(Kind::error, 0, 0.01).verdict, PartVerdict::fails) << "but at each of its points an error can";
+}
+
+TEST(Criterion, AnUnknownSeriesHidesNoneThatFails) {
+  for (const std::vector<std::string>& names : {std::vector<std::string>{"ugly", "good"}, {"good", "ugly"}}) {
+    Criterion c = criterion(Kind::order, "good", 2.1, {});
+    c.series = names;
+    EXPECT_EQ(judge(c, two_series()).verdict, PartVerdict::fails);
+    c.at_least = 1.9;
+    EXPECT_EQ(judge(c, two_series()).verdict, PartVerdict::inconclusive);
+    EXPECT_THAT(judge(c, two_series()).evidence, HasSubstr("there is no series 'ugly'"));
+  }
+}
+
+/// An error that falls with the step of the run, 1/6 and so on, and not with the Courant number asked for.
+TEST(Criterion, ADifferenceOfOrdersTakesTheCourantNumbersOfTheRuns) {
+  StudyResult result;
+  result.sweep = "cfl";
+  result.series = {Series{"good", {}, {}, {}}};
+  const std::pair<double, double> steps[] = {{0.2, 1. / 6}, {0.4, 1. / 3}, {0.6, 1. / 2}, {1, 1}};
+  for (const auto& [asked, run] : steps)
+    result.series[0].points.push_back({asked, Status::ok, "", {{"l2", run}, {"linf", run * run}, {"cfl", run}}});
+  Criterion c = criterion(Kind::order_difference, "good", -1 - 1e-9, -1 + 1e-9);
+  c.window = {0.2, 1}, c.over_norm = "linf";
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::holds) << judge(c, result).evidence;
 }
 
 TEST(Criterion, OneThatFailsOutweighsOneWhoseIntervalReachesAcross) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studies/claims/measured.hpp"
 #include "tests/studies/claims/criterion_samples.hpp"
 
 namespace mpmvv::claims::criterion_replicates_test {
@@ -24,21 +25,6 @@ TEST(Criterion, AnOrderOfReplicatesHasTheirInterval) {
   EXPECT_EQ(verdict_of_order(with_replicates(scattered(0), 2), 1.9, {}), PartVerdict::inconclusive);
   EXPECT_EQ(verdict_of_order(with_replicates(scattered(1), 1.01), 1.9, {}), PartVerdict::inconclusive)
       << "replicates agree, but their means are no line";
-}
-
-/// Replicates that follow a power law show that a trend of their means is scatter.
-TEST(Criterion, ATrendOfReplicatesThatFollowAPowerLawIsScatter) {
-  StudyResult result = scattered(0);
-  for (Point& point : result.series[0].points) {
-    point.y["l2"] = std::pow(point.x, -2) * (1 + 0.5 / point.x);
-    for (const double factor : {0.98, 1 / 0.98}) point.replicates["l2"].push_back(factor * point.y["l2"]);
-  }
-  EXPECT_EQ(verdict_of_order(result, 2.0005, 2.1), PartVerdict::inconclusive) << "by their scatter";
-  Criterion c = criterion(Kind::order, "good", 1.9, 2.1);
-  c.window = {8, 128};
-  EXPECT_THAT(judge(c, result).evidence, testing::Not(HasSubstr("may tend to")));
-  for (Point& point : result.series[0].points) point.replicates = {};
-  EXPECT_THAT(judge(c, result).evidence, HasSubstr("tend to 1.9"));
 }
 
 /// "good" is h², times 0.9, 1 and 1.1 with replicates; "twice" is twice that, replicate by replicate.
@@ -70,6 +56,12 @@ TEST(Criterion, AnErrorOfReplicatesHasTheirInterval) {  // h² and about 28 % to
               HasSubstr("l2 of 'good' at cells = 8 (0.0121 to 0.02) = 0.01562"));
 }
 
+TEST(Criterion, ARangeHasAsManyDigitsAsTellItsEndsApart) {
+  EXPECT_EQ(range_text({0.99969, 1.00045}), " (0.9997 to 1)");
+  EXPECT_EQ(range_text({0.3, 0.7}), " (0.3 to 0.7)");
+  EXPECT_EQ(range_text({1, 1 + 1e-14}), "");
+}
+
 /// What runs at the same place share is none of their ratio.
 TEST(Criterion, ARatioOfReplicatesIsTakenOneByOne) {
   Criterion ratio = criterion(Kind::error_ratio, "twice", 1.99, 2.01);
@@ -78,6 +70,10 @@ TEST(Criterion, ARatioOfReplicatesIsTakenOneByOne) {
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::holds);
   for (Point& point : result.series[1].points) std::ranges::reverse(point.replicates["l2"]);
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive);
+  for (Point& point : result.series[1].points) point.replicates["l2"] = {-0.01, 0.01, 0.03};
+  EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive)
+      << "of a ratio whose sign changes nothing is known";
+  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("(without bounds)"));
 }
 
 }  // namespace mpmvv::claims::criterion_replicates_test

@@ -152,36 +152,13 @@ TEST(ObservedOrder, ASampleWithoutAnErrorBetweenOthersLeavesNoAsymptoticRange) {
   EXPECT_TRUE(fit_order(samples, 8, 32).asymptotic);
 }
 
-/// e = h² (1 + c h) with c h = `c_h` on the coarsest of n levels, each finer by r than the one before.
-std::vector<ErrorSample> biased(double c_h, int n, double r) {
-  std::vector<ErrorSample> samples;
-  for (int k = 0; k < n; ++k) {
-    const double h = std::pow(r, -k) / 8;
-    samples.push_back({1 / h, h, h * h * (1 + 8 * c_h * h)});
-  }
-  return samples;
-}
-
-TEST(ObservedOrder, LiesBetweenTheFirstSegmentAndTheEndOfTheirTrend) {
-  constexpr double all = 1e9;
-  for (const double c_h : {-0.7, -0.1, 0.1, 0.5, 1.0})
-    for (const int n : {3, 4, 6})
-      for (const double r : {1.5, 2.0}) {
-        auto samples = biased(c_h, n, r);
-        const ObservedOrder fit = fit_order(samples, 1, all);
-        const double end = end_of_trend(fit, true), first = fit.segments[0].order;
-        const double slack = r < 2 ? 0.02 : 0;  // of three levels that lie closer
-        EXPECT_LE(std::min(first, end), 2 + slack) << c_h << ' ' << n << ' ' << r;
-        EXPECT_GE(std::max(first, end), 2 - slack) << c_h << ' ' << n << ' ' << r;
-        for (ErrorSample& s : samples) s.x = s.h;
-        EXPECT_NEAR(end_of_trend(fit_order(samples, 1 / all, 1), false), end, 1e-12) << "swept by h itself";
-      }
-}
-
-TEST(ObservedOrder, HasNoTrendInScatterOrInOneSegment) {
-  const auto scattered = sweep([](double h) { return h * h * (std::abs(h - 1. / 32) < 1e-9 ? 1.01 : 1); }, 5);
-  EXPECT_TRUE(std::isnan(end_of_trend(fit_order(scattered, 8, 128), true)));
-  EXPECT_TRUE(std::isnan(end_of_trend(fit_order(scattered, 8, 16), true)));
+TEST(ObservedOrder, HasAFinestSegmentOnTheSideOfTheSmallerSteps) {
+  auto samples = sweep([](double h) { return h > 1. / 64 ? h * h : h / 64; }, 6);
+  EXPECT_NEAR(finest_segment(fit_order(samples, 8, 128), true), 1, 1e-12);
+  EXPECT_NEAR(finest_segment(fit_order(samples, 8, 64), true), 2, 1e-12);
+  EXPECT_TRUE(std::isnan(finest_segment(fit_order(samples, 8, 8), true)));
+  for (ErrorSample& s : samples) s.x = s.h;
+  EXPECT_NEAR(finest_segment(fit_order(samples, 1. / 128, 1. / 8), false), 1, 1e-12);
 }
 
 TEST(ObservedOrder, EqualStepSizesHaveNoOrder) {
@@ -189,7 +166,6 @@ TEST(ObservedOrder, EqualStepSizesHaveNoOrder) {
   const auto fit = fit_order(samples, 1, 3);
   EXPECT_TRUE(std::isnan(fit.order));
   EXPECT_TRUE(std::isnan(fit.segments[0].order));
-  EXPECT_TRUE(std::isnan(end_of_trend(fit, true)));
   EXPECT_FALSE(fit.asymptotic);
 }
 
