@@ -34,13 +34,13 @@ std::string bracketed(const ClaimPart& part, const Found& found, const std::stri
 /// Half of the interval of a number that was found, "0.74", as the evidence says it; empty without an interval.
 std::string half_width_of(const ClaimPart& part, const Found& found) {
   const std::string text = bracketed(part, found, "±");
-  return text.substr(0, text.find(';'));
+  return text.substr(0, text.find(','));
 }
 
 /// " (finest segment 1.41)" of an order whose finest segment lies outside of its interval; else empty.
 std::string finest_segment_text(const ClaimPart& part, const Found& found) {
   const std::string text = bracketed(part, found, "±");
-  const auto at = text.find("; ");
+  const auto at = text.find(", ");
   return at == std::string::npos ? "" : " (" + text.substr(at + 2) + ")";
 }
 

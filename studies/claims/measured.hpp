@@ -21,7 +21,7 @@ struct Measured {
     double value;
     Interval interval;        ///< the value alone where no uncertainty is known
     std::string words;        ///< what people read instead of the bare number; else empty
-    std::string remark = {};  ///< stands behind the label
+    std::string remark = {};  ///< stands behind the label; without "; ", which parts the numbers of the evidence
     bool is_sure = true;      ///< false where something of the same series is missing, without which it may differ
   };
 

@@ -55,7 +55,7 @@ void add_order(const std::string& label, const ObservedOrder& fit, const StudyRe
   const double width = fits::half_width(fit), finest = finest_segment(fit, is_finer(fit.to, fit.from, result.sweep));
   std::string text = width > 0 ? fmt::format("±{:.2g}", width) : "";
   if (width > 0 && std::abs(finest - fit.order) > std::max(1.001 * width, least_seen))
-    text += fmt::format("; finest segment {:.2f}", finest);
+    text += fmt::format(", finest segment {:.2f}", finest);
   out.add(label, fit.order, Interval{fit.order - width, fit.order + width},
           (text.empty() ? "" : " (" + text + ")") + remark);
 }

@@ -87,7 +87,7 @@ TEST(IntervalOf, AnOrderLiesWithinItsHalfWidthWhateverItsFinestSegment) {
   ClaimPart part = asked(1.95, std::nullopt);
   part.measure = "order", part.verdict = PartVerdict::inconclusive;
   part.found = {{"order of 'a'", 2}};
-  part.evidence = "order of 'a' (±0.1; finest segment 1.41) = 2 (asked: at least 1.95, but an interval reaches across)";
+  part.evidence = "order of 'a' (±0.1, finest segment 1.41) = 2 (asked: at least 1.95, but an interval reaches across)";
   EXPECT_EQ(interval_text(part, part.found[0]), " ± 0.1");
   EXPECT_EQ(interval_of(part, part.found[0]), std::pair(1.9, 2.1));
   EXPECT_THAT(undecided_text(part), HasSubstr("order of 'a' = 2 ± 0.1. Other points"));

@@ -112,7 +112,7 @@ TEST(ReadBackPage, TheFinestSegmentStandsBesideAnOrderWhoseIntervalItLeaves) {
   using enum records::PartVerdict;
   ReportInput input = read_back::input_of(distinct::everything());
   records::ClaimPart asked = part(holds, 1.6, std::nullopt, {{"order of 'a'", 1.88}});
-  asked.evidence = "order of 'a' (±0.21; finest segment 1.42) = 1.88 (asked: at least 1.6)";
+  asked.evidence = "order of 'a' (±0.21, finest segment 1.42) = 1.88 (asked: at least 1.6)";
   input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::open, "", {}, {}}};
   input.claims[0].parts = {{"all-numbers", asked}};
   EXPECT_THAT(WrittenReport(input).page("claims/X-one.html"),
