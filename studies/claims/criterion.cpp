@@ -33,12 +33,15 @@ std::string measured_text(const Measured::Number& number) {
   return fmt::format("{}{} = {:.4g}", number.label, number.remark, number.value);
 }
 
-/// Of a part that fails, what was found without the numbers that decided nothing; in their place what is missing.
-void keep_what_decides(const Measured& measured, records::ClaimPart& part) {
-  part.found.clear();
+/// What was found; of a part that fails without the numbers that decided nothing, and with what is missing in their
+/// place.
+std::vector<records::Found> found_of(const Measured& measured, PartVerdict verdict) {
+  const bool fails = verdict == PartVerdict::fails;
+  std::vector<records::Found> found;
   for (const Measured::Number& number : measured.numbers)
-    if (number.is_sure) part.found.push_back({number.label, number.value});
-  if (!measured.missing.empty()) part.found.push_back({measured.missing, support::not_measured});
+    if (number.is_sure || !fails) found.push_back({number.label, number.value});
+  if (fails && !measured.missing.empty()) found.push_back({measured.missing, support::not_measured});
+  return found;
 }
 
 }  // namespace
@@ -65,7 +68,6 @@ records::ClaimPart judge(const Criterion& criterion, const records::StudyResult&
   std::vector<std::string> texts;
   bool all_hold = true, one_fails = false, all_known = measured.missing.empty() && !measured.numbers.empty();
   for (const Measured::Number& number : measured.numbers) {
-    part.found.push_back({number.label, number.value});
     texts.push_back(measured_text(number));
     const PartVerdict verdict = verdict_on(criterion, number.interval);
     all_hold = all_hold && verdict == PartVerdict::holds;
@@ -77,10 +79,8 @@ records::ClaimPart judge(const Criterion& criterion, const records::StudyResult&
   const bool reaches_across = all_known && part.verdict == PartVerdict::inconclusive;
   part.evidence = fmt::format("{} ({}{})", fmt::join(texts, "; "), bounds_text(criterion),
                               reaches_across ? ", but an interval reaches across" : "");
-  if (part.verdict == PartVerdict::fails) {
-    part.reason = criterion.reason;
-    keep_what_decides(measured, part);
-  }
+  part.found = found_of(measured, part.verdict);
+  if (part.verdict == PartVerdict::fails) part.reason = criterion.reason;
   return part;
 }
 
