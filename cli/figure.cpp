@@ -30,7 +30,7 @@ using reports::Format;
 using reports::Sheet;
 
 struct FigureOptions {
-  std::string name, db, format, width = "84mm", font, font_size = "8pt", out;
+  std::string name, db, of, format, width = "84mm", font, font_size = "8pt", out;
 };
 
 std::optional<Format> format_of_ending(const fs::path& file) {
@@ -140,10 +140,19 @@ void draw(const Chart& chart, const Sheet& sheet, const fs::path& file) {
   note_remarks(chart);
 }
 
+/// The results to draw: of the version that --of names, else of this program.
+std::vector<records::StudyResult> results_to_draw(const FigureOptions& options) {
+  const store::Store store(options.db, store::Store::Mode::read);
+  if (!options.of.empty()) return results_of(store, store::find_version(store.versions(), options.of).digest);
+  auto studies = own_results(options.db);
+  require_own_results(studies, options.db);
+  return studies;
+}
+
 int figure(const FigureOptions& options) {
   require_known_ending(options.out);
   const Sheet sheet = sheet_of(options);
-  const auto [charts, others] = reports::choose_figures(own_results(options.db), options.name);
+  const auto [charts, others] = reports::choose_figures(results_to_draw(options), options.name);
   const auto files = files_of(options, charts, sheet.format);
   for (const fs::path& file : files)
     for (const fs::path& part : reports::picture_files(file, sheet.format)) require_apart("--out", part, {options.db});
@@ -168,6 +177,10 @@ void add_figure(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("NAME");
   command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
+  command
+      ->add_option("--of", options->of,
+                   "version in the store, by the first letters of its commit or digest (default: this program)")
+      ->type_name("VERSION");
   command->add_option("--format", options->format, "pdf, svg, tex (default: as --out ends, else pdf)")
       ->type_name("WORD");
   command->add_option("--width", options->width, "of the whole figure, with its key (default: 84mm)")

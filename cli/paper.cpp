@@ -27,8 +27,7 @@ int paper(const PaperOptions& options) {
   column.width = figure_width(options.width);
   column.font_size = figure_font_size(options.font_size);
   const auto studies = own_results(options.db);
-  if (studies.empty())
-    throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
+  require_own_results(studies, options.db);
   for (const auto& study : studies)
     if (is_trial(study)) note("{}: {}\n", study.name, reports::trial_sentence(study));
   const auto summary = reports::write_paper(studies, store::current_provenance(), options.out, column);

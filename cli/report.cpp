@@ -95,8 +95,7 @@ reports::ReportInput report_input(const ReportOptions& options) {
   input.studies = own_results(options.db);
   const std::filesystem::path folder = goldens_for(input.studies, options.goldens);
   require_apart("--out", options.out, {options.db, folder, published});
-  if (input.studies.empty())
-    throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", options.db));
+  require_own_results(input.studies, options.db);
   const auto goldens = goldens_in(folder, options.goldens);
   const store::Store store(options.db, store::Store::Mode::read);
   add_gate_lines(input, goldens, outdated(input.studies, store, options.max_age));

@@ -1,5 +1,6 @@
 #pragma once
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "studies/store/provenance.hpp"
 #include "studies/store/store.hpp"
 #include "studies/store/trial.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::cli {
 
@@ -33,12 +35,31 @@ inline void withhold_verdicts(records::StudyResult& trial) {
     }
 }
 
-/// What the store holds of the running program's own digest.
-inline std::vector<records::StudyResult> own_results(const std::string& db) {
-  auto studies = store::Store(db, store::Store::Mode::read).studies(store::current_provenance().digest);
+/// What the store holds of these sources.
+inline std::vector<records::StudyResult> results_of(const store::Store& store, const std::string& digest) {
+  auto studies = store.studies(digest);
   for (records::StudyResult& study : studies)
     if (is_trial(study)) withhold_verdicts(study);
   return studies;
+}
+
+/// What the store holds of the running program's own digest.
+inline std::vector<records::StudyResult> own_results(const std::string& db) {
+  return results_of(store::Store(db, store::Store::Mode::read), store::current_provenance().digest);
+}
+
+/// Throws where there is no study: says of which versions the store has some.
+inline void require_own_results(const std::vector<records::StudyResult>& studies, const std::string& db) {
+  if (!studies.empty()) return;
+  std::vector<std::string> others;
+  for (const store::Version& version : store::Store(db, store::Store::Mode::read).versions())
+    others.push_back(label(version));
+  if (others.empty())
+    throw support::UsageError(fmt::format("{} holds no study of this program (run `mpmvv study` first)", db));
+  throw support::UsageError(
+      fmt::format("{} holds no study of this program, whose digest is {}, but of {} (run `mpmvv study` first; `mpmvv "
+                  "figure` can also draw results of another version, with --of)",
+                  db, store::in_short(store::current_provenance().digest), fmt::join(others, ", ")));
 }
 
 /// Where the mutation campaign and `./run alarms` publish their results, from the top of the tree.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_study.hpp"
 
@@ -38,6 +39,24 @@ TEST_F(Figure, IsDrawnUnderItsNameOrItsClaims) {
     EXPECT_THAT(read_text(folder_ / "small.pdf"), StartsWith("%PDF"));
     fs::remove(folder_ / "small.pdf");
   }
+}
+
+TEST_F(Figure, AnotherVersionsResultsAreDrawnWhereItIsNamed) {
+  const store::Store here(folder_ / "r.db", store::Store::Mode::read);
+  const auto studies = here.studies(here.versions().at(0).digest);
+  store::Store(folder_ / "old.db", store::Store::Mode::create_or_write)
+      .keep_study(studies.at(0), {},
+                  {"00ff11", "c0ffee", false, "GNU 12.2.0", "-O3", "Release", "CPU", "2026-01-01T00:00:00Z"});
+  const auto ask = [&](const std::string& arguments) {
+    return call(folder_, "figure small --db old.db" + arguments, there_);
+  };
+  const Answer unnamed = ask("");
+  EXPECT_EQ(unnamed.code, 2);
+  EXPECT_THAT(unnamed.err, AllOf(HasSubstr("but of c0ffee (digest 00ff11)"), HasSubstr("--of")));
+  EXPECT_THAT(ask(" --of dead").err, HasSubstr("no results of a version 'dead' (there are: c0ffee (digest 00ff11))"));
+  ASSERT_EQ(ask(" --of c0f --out old.svg").code, 0);
+  ASSERT_EQ(draw("small --out own.svg").code, 0);
+  EXPECT_EQ(read_text(folder_ / "old.svg"), read_text(folder_ / "own.svg"));
 }
 
 TEST_F(Figure, TheFilesEndingSaysItsFormat) {
