@@ -41,33 +41,28 @@ struct Band {
   bool contains(double x) const { return lower <= x && x <= upper; }
 };
 
-/// Judges a limit that was not found because all probes agree, so that it lies outside the scan: a failure when the
-/// scan covers the whole band.
-Judgement judge_unfound(const fits::StabilityLimit& limit, const Band& band) {
-  if (limit.probes.empty()) return inconclusive("", "limit not found: no probes");
-  if (!limit.monotone) return inconclusive("", "limit not found: stability is not monotone");
-  const auto [first, last] = std::ranges::minmax(limit.probes, {}, &fits::Probe::value);
-  const std::string measured =
-      fmt::format("all {} from {:.6g} to {:.6g}", first.stable ? "stable" : "unstable", first.value, last.value);
-  const bool covers = first.value <= band.lower && band.upper <= last.value;
-  if (covers) return {Verdict::fail, measured, "no limit inside the golden's band", first.stable};
-  return inconclusive(measured, "limit not found");
+std::string measured_text(const fits::StabilityLimit& limit, const fits::LimitRange& range) {
+  if (range.is_open())
+    return range.lower == 0 ? fmt::format("below {:.6g}", range.upper) : fmt::format("above {:.6g}", range.lower);
+  return fmt::format("{:.6g} in [{:.6g}, {:.6g}]{}", limit.value(), range.lower, range.upper,
+                     limit.monotone ? "" : ", not monotone");
 }
 
+/// Where one end of the limit alone is known, it may still lie wholly outside of the band.
 Judgement judge(const LimitGolden& golden, const Series& series) {
   if (!series.limit) return missing(fmt::format("no limit of '{}'", golden.series));
   const fits::StabilityLimit& limit = *series.limit;
+  const auto range = fits::range_of(limit);
+  if (!range) return inconclusive("", "limit not found: " + text_without_limit(limit));
   const Band band{golden.expected * (1 - golden.band), golden.expected * (1 + golden.band)};
-  if (!limit.found) return judge_unfound(limit, band);
-
-  const auto [low, high] = std::minmax(limit.stable, limit.unstable);
-  const std::string measured = fmt::format("{:.6g} in [{:.6g}, {:.6g}]", limit.value(), low, high);
-  const bool stable_below = limit.stable < limit.unstable;
-  if (high < band.lower) return {Verdict::fail, measured, "limit below the golden's band", !stable_below};
-  if (low > band.upper) return {Verdict::fail, measured, "limit above the golden's band", stable_below};
-  if (!limit.monotone) return inconclusive(measured, "stability is not monotone");
+  const std::string measured = measured_text(limit, *range);
+  if (range->upper < band.lower)
+    return {Verdict::fail, measured, "limit below the golden's band", !range->stable_below};
+  if (range->lower > band.upper) return {Verdict::fail, measured, "limit above the golden's band", range->stable_below};
+  if (range->is_open()) return inconclusive(measured, "limit not found: " + text_without_limit(limit));
+  if (range->upper - range->lower > band.upper - band.lower)
+    return inconclusive(measured, "the bracket is wider than the band");
   if (!band.contains(limit.value())) return inconclusive(measured, "the bracket straddles the edge of the band");
-  if (high - low > band.upper - band.lower) return inconclusive(measured, "the bracket is wider than the band");
   return pass(measured);
 }
 

@@ -153,20 +153,20 @@ void propose_error(Draft& draft, const std::string& sweep, const Series& series,
 }
 
 void propose_limit(Draft& draft, const Series& series, const fits::StabilityLimit& limit) {
-  if (!limit.found || !limit.monotone) {
-    draft.refusal(fmt::format("No limit of {} in {}: {}.", quoted(series.name), limit.key,
-                              limit.found ? "stability is not monotone" : text_without_limit(limit)));
+  if (!limit.found) {
+    draft.refusal(fmt::format("No limit of {} in {}: {}.", quoted(series.name), limit.key, text_without_limit(limit)));
     return;
   }
   const double half_bracket = std::abs(limit.unstable - limit.stable) / 2 / limit.value();
-  // Twice the half bracket, rounded up to a per cent: the limits of other replicates may lie as far out on either side.
+  // Twice the half bracket, rounded up to a per cent: other replicates or probes may lie as far out on either side.
   const double wide_band = std::ceil(200 * half_bracket) / 100;
   if (wide_band >= 1) {
-    draft.refusal(fmt::format("No limit of {} in {}: between {:.4g} and {:.4g} replicates disagree.",
+    draft.refusal(fmt::format("No limit of {} in {}: it lies between {:.4g} and {:.4g}, too far apart.",
                               quoted(series.name), limit.key, limit.stable, limit.unstable));
     return;
   }
-  draft.remark(fmt::format("Stable at {} = {:.6g}, unstable at {:.6g}.", limit.key, limit.stable, limit.unstable));
+  draft.remark(fmt::format("Stable at {} = {:.6g}, unstable at {:.6g}{}.", limit.key, limit.stable, limit.unstable,
+                           limit.monotone ? "" : "; not monotone"));
   std::string golden = fmt::format("series = {}\nexpected = {:.4g}\n", quoted(series.name), limit.value());
   if (half_bracket > limit_band / 2)
     golden += fmt::format("band = {:.2g}\nwhy = \"it lies between {:.4g} and {:.4g}; the band is twice that\"",

@@ -26,8 +26,10 @@ std::vector<Place> frame(const fits::StabilityLimit& limit, double row) {
 }
 
 std::string limit_text(const fits::StabilityLimit& limit) {
-  const std::string text = limit.found ? fmt::format("{:#.3g}", limit.value()) : "not found";
-  return limit.monotone ? text : text + ", not monotone";
+  const std::string remark = limit.monotone ? "" : ", not monotone";
+  if (!limit.found) return "not found" + remark;
+  return limit.monotone ? fmt::format("{:#.3g}", limit.value())
+                        : fmt::format("{:#.3g} to {:#.3g}{}", limit.stable, limit.unstable, remark);
 }
 
 }  // namespace
@@ -70,8 +72,9 @@ Chart stability_map(const records::StudyResult& study, const records::Figure& fi
   }
   chart.curves = {std::move(stable), std::move(unstable)};
   chart.notes.emplace_back(
-      "Every probe of the search, in a frame its final bracket, from where all are stable to where none is; the limit, "
-      "on the right, is its middle.");
+      "Every probe of the search, in a frame its final bracket, from where all are stable to where none is. On the "
+      "right "
+      "its middle, or both ends where a stable probe lies beyond an unstable one.");
   return chart;
 }
 

@@ -56,12 +56,14 @@ data code_list(const StudyResult& study) {
   return list;
 }
 
-/// The value at which the page repeats a series: the last swept one, or the stable end of the limit's bracket and,
-/// where nothing is stable, the unstable one. NaN where there is none.
+/// The value at which the page repeats a series: the last swept one, or the stable end of the limit's bracket, else the
+/// unstable one, else the first one tried. NaN where there is none.
 double repeated_value(const records::Series& series, bool is_probe) {
   if (!is_probe) return series.points.empty() ? support::not_measured : series.points.back().x;
-  if (!series.limit) return support::not_measured;
-  return std::isnan(series.limit->stable) ? series.limit->unstable : series.limit->stable;
+  if (!series.limit || series.limit->probes.empty()) return support::not_measured;
+  for (const double end : {series.limit->stable, series.limit->unstable})
+    if (!std::isnan(end)) return end;
+  return series.limit->probes.front().value;
 }
 
 /// The commands of each series that has a value to repeat.

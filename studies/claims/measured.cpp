@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "studies/claims/measured_costs.hpp"
@@ -16,6 +15,7 @@
 
 namespace mpmvv::claims {
 
+using fits::LimitRange;
 using fits::StabilityLimit;
 using records::Point;
 using records::Series;
@@ -39,55 +39,48 @@ void measure_status(const Criterion& c, const StudyResult& result, const Series&
   out.add(fmt::format("stable share of '{}' {}", series.name, over_window(c, result)), ok / all);
 }
 
-/// The limit of a series; where none was found null, and `out.missing` says why.
-const StabilityLimit* limit_of(const Series& series, Measured& out) {
-  if (series.limit && series.limit->found) return &*series.limit;
-  out.missing = fmt::format("'{}' has no limit{}", series.name,
-                            series.limit ? ": " + text_without_limit(*series.limit) : " in the range searched");
-  return nullptr;
+/// Where the limit of a series may lie; none where nothing is known, and `out.missing` says why.
+std::optional<LimitRange> range_of_limit(const Series& series, Measured& out) {
+  const auto range = series.limit ? range_of(*series.limit) : std::nullopt;
+  if (!range)
+    out.missing = fmt::format("'{}' has no limit{}", series.name,
+                              series.limit ? ": " + text_without_limit(*series.limit) : " in the range searched");
+  return range;
 }
 
-Interval bracket_of(const StabilityLimit& limit) {
-  return {std::min(limit.stable, limit.unstable), std::max(limit.stable, limit.unstable)};
-}
-
-/// Where all probes agree, the limit lies beyond one end of what was tried: beyond the far end when all are stable,
-/// beyond the end where the search began when all are unstable. The interval beyond that end.
-std::optional<Interval> beyond_all_tried(const StabilityLimit& limit) {
-  if (limit.probes.size() < 2) return std::nullopt;
-  const double lowest = limit.probes.front().value, highest = limit.probes.back().value;
-  const bool is_stable = limit.probes.front().stable;
-  if (!std::ranges::all_of(limit.probes, [&](const fits::Probe& p) { return p.stable == is_stable; }))
-    return std::nullopt;
-  const double end = is_stable ? limit.stable : limit.unstable;
-  if (end == lowest) return Interval{0, lowest};
-  if (end == highest) return Interval{highest, std::numeric_limits<double>::infinity()};
-  return std::nullopt;
+/// Adds a number of which one end alone is known.
+void add_open(const std::string& label, double lower, double upper, Measured& out) {
+  const bool is_below = lower == 0;
+  const double end = is_below ? upper : lower;
+  out.add(label, end, Interval{lower, upper});
+  out.numbers.back().words = fmt::format("{} {:.4g}", is_below ? "below" : "above", end);
 }
 
 void measure_limit(const Series& series, Measured& out) {
-  if (const auto beyond = series.limit && !series.limit->found ? beyond_all_tried(*series.limit) : std::nullopt) {
-    const bool is_below = beyond->lower == 0;
-    const double end = is_below ? beyond->upper : beyond->lower;
-    out.add(fmt::format("{} limit of '{}', {}", series.limit->key, series.name, text_without_limit(*series.limit)), end,
-            *beyond);
-    out.numbers.back().words = fmt::format("{} {:.4g}", is_below ? "below" : "above", end);
-    return;
-  }
-  const StabilityLimit* limit = limit_of(series, out);
-  if (!limit) return;
-  out.add(fmt::format("{} limit of '{}' between {:.4g} and {:.4g}{}", limit->key, series.name, limit->stable,
-                      limit->unstable, limit->monotone ? "" : ", not monotone"),
-          limit->value(), bracket_of(*limit));
+  const auto range = range_of_limit(series, out);
+  if (!range) return;
+  const StabilityLimit& limit = *series.limit;
+  const std::string label = fmt::format("{} limit of '{}'", limit.key, series.name);
+  if (range->is_open())
+    add_open(fmt::format("{}, {}", label, text_without_limit(limit)), range->lower, range->upper, out);
+  else
+    out.add(fmt::format("{} between {:.4g} and {:.4g}{}", label, limit.stable, limit.unstable,
+                        limit.monotone ? "" : ", not monotone"),
+            limit.value(), Interval{range->lower, range->upper});
 }
 
 void measure_limit_ratio(const Series& series, const Series& over, Measured& out) {
-  const StabilityLimit *own = limit_of(series, out), *other = limit_of(over, out);
-  if (!own || !other) return;
-  const Interval a = bracket_of(*own), b = bracket_of(*other), ratio{a.lower / b.upper, a.upper / b.lower};
-  out.add(fmt::format("limit of '{}' over '{}' between {:.4g} and {:.4g}", series.name, over.name, ratio.lower,
-                      ratio.upper),
-          own->value() / other->value(), ratio);
+  const auto a = range_of_limit(series, out), b = range_of_limit(over, out);
+  if (!a || !b) return;
+  const Interval ratio{a->lower / b->upper, a->upper / b->lower};
+  const std::string label = fmt::format("limit of '{}' over '{}'", series.name, over.name);
+  if (ratio.lower == 0 && std::isinf(ratio.upper))
+    out.missing = fmt::format("nothing is known of the {}", label);
+  else if (a->is_open() || b->is_open())
+    add_open(label, ratio.lower, ratio.upper, out);
+  else
+    out.add(fmt::format("{} between {:.4g} and {:.4g}", label, ratio.lower, ratio.upper),
+            series.limit->value() / over.limit->value(), ratio);
 }
 
 void measure_value(const Criterion& c, const StudyResult& result, Measured& out) {

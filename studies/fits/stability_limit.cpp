@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <stdexcept>
 
@@ -49,65 +50,153 @@ std::vector<double> scan_values(const LimitSearch& search) {
 
 namespace {
 
-/// The verdicts of a batch, without repeats: several values may lead to the same run.
-std::vector<Probe> ask(const ProbeBatch& probe, const std::vector<double>& values) {
-  std::vector<Probe> answer = probe(values);
-  if (answer.size() != values.size())
-    throw std::logic_error(fmt::format("{} values probed, {} verdicts given", values.size(), answer.size()));
-  const auto repeated = std::ranges::unique(answer, {}, &Probe::value);
-  answer.erase(repeated.begin(), repeated.end());
-  return answer;
-}
-
 bool is_unstable(const Probe& p) {
   return !p.stable;
 }
 
-/// Bisects the bracket at its geometric mean until it is narrow enough, or no run lies inside.
-void bisect(StabilityLimit& limit, double tolerance, const ProbeBatch& probe) {
-  while (std::abs(limit.unstable - limit.stable) > tolerance * limit.stable) {
-    const auto [low, high] = std::minmax(limit.stable, limit.unstable);
-    const double middle = std::sqrt(limit.stable) * std::sqrt(limit.unstable);
-    const Probe next = ask(probe, {middle}).front();
-    if (next.value <= low || next.value >= high) return;
-    limit.probes.push_back(next);
-    (next.stable ? limit.stable : limit.unstable) = next.value;
+/// A search under way. Its probes are in increasing value, each once: several values may lead to the same run.
+class Search {
+ public:
+  Search(const LimitSearch& search, const ProbeBatch& probe) : search_(search), probe_(probe) {}
+
+  void ask(const std::vector<double>& values) {
+    const std::vector<Probe> answer = probe_(values);
+    if (answer.size() != values.size())
+      throw std::logic_error(fmt::format("{} values probed, {} verdicts given", values.size(), answer.size()));
+    for (const Probe& one : answer)
+      if (const auto at = std::ranges::lower_bound(probes_, one.value, {}, &Probe::value);
+          at == probes_.end() || at->value != one.value)
+        probes_.insert(at, one);
   }
-}
+
+  /// What the probes say so far: the first unstable one from the stable end, and its neighbour.
+  StabilityLimit first_bracket() const {
+    StabilityLimit limit{.key = search_.key, .probes = probes_};
+    const std::vector<Probe> from_stable = from_stable_end();
+    const auto unstable = std::ranges::find_if(from_stable, is_unstable);
+    limit.monotone = std::all_of(unstable, from_stable.end(), is_unstable);
+    if (unstable != from_stable.end()) limit.unstable = unstable->value;
+    if (unstable != from_stable.begin()) limit.stable = std::prev(unstable)->value;
+    limit.found = unstable != from_stable.begin() && unstable != from_stable.end();
+    return limit;
+  }
+
+  /// Bisects the first bracket.
+  void bisect() { bisect(&Search::first_bracket); }
+
+  /// Bisects the end of the whole bracket that is not that of the first one.
+  void bisect_far_end() { bisect(&Search::last_bracket); }
+
+  void probe_around(const StabilityLimit& limit) {
+    std::vector<double> values;
+    for (const double distance : {1, 2, 5}) {
+      const double factor = 1 + distance * search_.tolerance;
+      if (factor >= search_.scan_ratio) continue;  // the scan has been there
+      const auto [low, high] = std::minmax(limit.stable, limit.unstable);
+      if (low / factor > search_.from) values.push_back(low / factor);
+      if (high * factor < search_.to) values.push_back(high * factor);
+    }
+    if (!values.empty()) ask(values);
+  }
+
+  /// The first bracket, but to the first value from which no probe is stable.
+  StabilityLimit whole_bracket() const {
+    StabilityLimit limit = first_bracket();
+    if (limit.monotone) return limit;
+    limit.unstable = last_bracket().unstable;
+    limit.found = limit.found && !std::isnan(limit.unstable);
+    return limit;
+  }
+
+ private:
+  const LimitSearch& search_;
+  const ProbeBatch& probe_;
+  std::vector<Probe> probes_;
+
+  /// The last stable probe from the stable end, and its neighbour.
+  StabilityLimit last_bracket() const {
+    const std::vector<Probe> from_stable = from_stable_end();
+    const auto end = from_stable.rend();
+    const auto stable = std::find_if_not(from_stable.rbegin(), end, is_unstable);
+    StabilityLimit limit;
+    if (stable != end) limit.stable = stable->value;
+    if (stable != from_stable.rbegin()) limit.unstable = std::prev(stable)->value;
+    return limit;
+  }
+
+  /// Bisects a bracket at its geometric mean until it is narrow enough, or no run lies inside.
+  void bisect(StabilityLimit (Search::*bracket)() const) {
+    for (StabilityLimit limit = (this->*bracket)(); is_wide(limit); limit = (this->*bracket)()) {
+      const std::size_t known = probes_.size();
+      ask({std::sqrt(limit.stable) * std::sqrt(limit.unstable)});
+      if (probes_.size() == known) return;
+    }
+  }
+
+  /// Not so where an end is not known.
+  bool is_wide(const StabilityLimit& limit) const {
+    return std::abs(limit.unstable - limit.stable) > search_.tolerance * limit.stable;
+  }
+
+  std::vector<Probe> from_stable_end() const {
+    std::vector<Probe> probes = probes_;
+    if (!search_.stable_below) std::ranges::reverse(probes);
+    return probes;
+  }
+};
 
 }  // namespace
 
 StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe) {
   require_sound(search);
-  StabilityLimit limit;
-  limit.key = search.key;
-  limit.probes = ask(probe, scan_values(search));
+  Search under_way(search, probe);
+  under_way.ask(scan_values(search));
+  bool is_moving = under_way.first_bracket().found;
+  while (is_moving) {
+    under_way.bisect();
+    const StabilityLimit bracket = under_way.first_bracket();
+    under_way.probe_around(bracket);
+    is_moving = under_way.first_bracket().unstable != bracket.unstable;
+  }
+  if (!under_way.first_bracket().monotone) under_way.bisect_far_end();
+  return under_way.whole_bracket();
+}
 
-  std::vector<Probe> scan = limit.probes;
-  if (!search.stable_below) std::reverse(scan.begin(), scan.end());
-  const auto first_unstable = std::find_if(scan.begin(), scan.end(), is_unstable);
-  limit.monotone = std::all_of(first_unstable, scan.end(), is_unstable);
-  if (first_unstable != scan.end()) limit.unstable = first_unstable->value;
-  if (first_unstable != scan.begin()) limit.stable = std::prev(first_unstable)->value;
-  limit.found = first_unstable != scan.begin() && first_unstable != scan.end();
+bool LimitRange::is_open() const {
+  return lower == 0 || std::isinf(upper);
+}
 
-  if (limit.found) bisect(limit, search.tolerance, probe);
-  std::sort(limit.probes.begin(), limit.probes.end(), [](const Probe& a, const Probe& b) { return a.value < b.value; });
-  return limit;
+std::optional<LimitRange> range_of(const StabilityLimit& limit) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (limit.found) {
+    const auto [lower, upper] = std::minmax(limit.stable, limit.unstable);
+    return LimitRange{lower, upper, limit.stable < limit.unstable};
+  }
+  const bool ends_stable = !std::isnan(limit.stable);
+  const double end = ends_stable ? limit.stable : limit.unstable;
+  const auto differs = [&](const Probe& p) { return p.stable != ends_stable; };
+  const auto is_above = [&](const Probe& p) { return p.value > end; };
+  const auto is_below = [&](const Probe& p) { return p.value < end; };
+  const bool any_differs = std::ranges::any_of(limit.probes, differs);
+  const bool is_one_value = std::ranges::none_of(limit.probes, [&](const Probe& p) { return p.value != end; });
+  if (std::isnan(end) || is_one_value) return std::nullopt;
+  // The limit lies on the side of the probes that differ from this end, or else where nothing was tried.
+  const bool lies_above = any_differs
+                              ? std::ranges::any_of(limit.probes, [&](auto& p) { return differs(p) && is_above(p); })
+                              : std::ranges::any_of(limit.probes, is_below);
+  return lies_above ? LimitRange{end, infinity, ends_stable} : LimitRange{0, end, !ends_stable};
 }
 
 StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates) {
-  const StabilityLimit& first = replicates.front();
   const auto found = std::ranges::find(replicates, true, &StabilityLimit::found);
   const bool stable_below = found == replicates.end() || found->stable < found->unstable;
   const auto least = [](double a, double b) { return std::isnan(b) || b < a ? b : a; };
   const auto largest = [](double a, double b) { return std::isnan(b) || b > a ? b : a; };
-  StabilityLimit common = first;
+  StabilityLimit common = replicates.front();
   for (const StabilityLimit& one : std::span(replicates).subspan(1)) {
     common.stable = stable_below ? least(common.stable, one.stable) : largest(common.stable, one.stable);
     common.unstable = stable_below ? largest(common.unstable, one.unstable) : least(common.unstable, one.unstable);
-    const bool agrees = one.found == first.found && std::isnan(one.stable) == std::isnan(first.stable);
-    common.monotone = common.monotone && one.monotone && agrees;
+    common.monotone = common.monotone && one.monotone;
     common.found = common.found && one.found;
     common.probes.insert(common.probes.end(), one.probes.begin(), one.probes.end());
   }

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,17 +15,30 @@ struct Probe {
   std::string reason;
 };
 
-/// Stability limit by scan and bisection: the true limit lies between `stable` and `unstable`.
+/// Stability limit of the runs that were made, by scan and bisection: all runs tried from the stable end to `stable`
+/// are stable, none from `unstable` on is. Runs of more steps may have another limit: an instability has to grow from
+/// round-off before the run ends.
 struct StabilityLimit {
   std::string key;                          ///< what was varied: `cfl`, `smoothing_length`
-  double stable = support::not_measured;    ///< last stable value next to the limit
-  double unstable = support::not_measured;  ///< first unstable value next to it
+  double stable = support::not_measured;    ///< NaN: the stable end itself is unstable
+  double unstable = support::not_measured;  ///< NaN: nothing is unstable
   bool monotone = true;                     ///< false: a stable probe lies beyond an unstable one
-  bool found = false;                       ///< false: nothing unstable, or the stable end itself unstable
+  bool found = false;                       ///< whether both ends are known
   std::vector<Probe> probes;                ///< in increasing value
 
   double value() const { return (stable + unstable) / 2; }
 };
+
+/// Where a limit may lie: between its ends, or beyond all that was tried, where one end alone is known.
+struct LimitRange {
+  double lower = 0, upper = 0;  ///< 0 and infinity where nothing is known
+  bool stable_below = true;
+
+  bool is_open() const;  ///< on one side
+};
+
+/// None where neither end is known, or where all that was tried is one value, which does not tell the sides apart.
+std::optional<LimitRange> range_of(const StabilityLimit& limit);
 
 /// Says what is known where no limit was found: that all runs were stable, or all unstable, and up or down to which
 /// value; or that the runs differ.
@@ -50,20 +64,22 @@ std::vector<double> scan_values(const LimitSearch& search);
 /// the caller can spread it over the cores.
 using ProbeBatch = std::function<std::vector<Probe>(const std::vector<double>&)>;
 
-/// Scans, then bisects between the first unstable value met from the stable end and its stable neighbour. Every probe
-/// is kept once, in increasing value; a stable one beyond an unstable one makes the limit non-monotone. Bracket and
-/// probes are of what was run; where no run lies between its ends, the bracket may be wider than the tolerance.
+/// Scans, then bisects between the first unstable value met from the stable end and its stable neighbour. Then probes
+/// 1, 2 and 5 tolerances to either side of the bracket: near a limit stability is often not monotone. If one of them on
+/// the stable side is unstable, bisects there. A stable probe beyond an unstable one makes the limit non-monotone:
+/// then it bisects the far end, too, and the bracket reaches from the last value up to which all are stable to the first
+/// one from which none is. Every probe is kept once, in increasing value. Bracket and probes are of what was run; where
+/// no run lies between its ends, the bracket may be wider than the tolerance.
 ///
-/// Not found when nothing is unstable (`stable` is then the farthest value tried, `unstable` NaN) or when the stable
-/// end itself is unstable (`unstable` is that end, `stable` NaN). The verdict is yes or no, so this bisects by itself:
-/// Boost.Math's root finders want values and return NaN where they are infinite. Throws UsageError on a search that
-/// cannot be carried out.
+/// Not found when the farthest value tried is stable (`unstable` is NaN then; where nothing is unstable, `stable` is
+/// that value) or when the stable end itself is unstable (`stable` is NaN). The verdict is yes or no, so this bisects
+/// by itself: Boost.Math's root finders want values and return NaN where they are infinite. Throws UsageError on a
+/// search that cannot be carried out.
 StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe);
 
 /// The common limit of replicates, of which there must be at least one: below its bracket all of them are stable, above
 /// it none is (for `smoothing_length` the other way round), as far as each one's limit says. An end of the bracket is
-/// NaN where one replicate lacks it. Not found unless each limit is; not monotone where some are found and others are
-/// not, or some are stable throughout and others nowhere.
+/// NaN where one replicate lacks it. Found where each limit is, and monotone where each is.
 StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates);
 
 }  // namespace mpmvv::fits

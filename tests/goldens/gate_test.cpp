@@ -135,30 +135,45 @@ TEST(Gate, ALimitIsJudgedByItsBracket) {
   EXPECT_EQ(judge_limit(bracket(0.75, 0.85)).verdict, Verdict::inconclusive) << "a bracket wider than the band";
 }
 
-TEST(Gate, ANonMonotoneLimitIsInconclusiveUnlessItsBracketIsOutside) {
-  StabilityLimit inside = bracket(0.798, 0.804);
-  inside.monotone = false;
-  EXPECT_EQ(judge_limit(inside).verdict, Verdict::inconclusive);
-  StabilityLimit outside = bracket(0.5, 0.505);
-  outside.monotone = false;
-  EXPECT_EQ(judge_limit(outside).verdict, Verdict::fail);
+TEST(Gate, ALimitThatIsNotMonotoneIsJudgedByItsWholeBracket) {
+  StabilityLimit limit = bracket(0.785, 0.83);
+  limit.monotone = false;
+  EXPECT_EQ(judge_limit(limit).verdict, Verdict::pass);
+  EXPECT_EQ(judge_limit(limit).measured, "0.8075 in [0.785, 0.83], not monotone");
+  limit.unstable = 1.2;
+  EXPECT_EQ(judge_limit(limit).verdict, Verdict::inconclusive);
 }
 
-TEST(Gate, ALimitThatWasNotFoundFailsOnlyWhenTheScanCoversTheBand) {
-  StabilityLimit limit;
-  EXPECT_EQ(judge_limit(limit).verdict, Verdict::inconclusive);
-  limit.probes = {{0.1, true, ""}, {0.5, true, ""}};
-  EXPECT_EQ(judge_limit(limit).verdict, Verdict::inconclusive);
-  limit.probes = {{0.1, true, ""}, {1.5, true, ""}};
-  const GateResult result = judge_limit(limit);
-  EXPECT_EQ(result.verdict, Verdict::fail);
-  EXPECT_EQ(result.measured, "all stable from 0.1 to 1.5");
-  EXPECT_TRUE(result.better);
-  for (fits::Probe& probe : limit.probes) probe.stable = false;
-  EXPECT_FALSE(judge_limit(limit).better) << "unstable at every step";
-  limit.probes[0].stable = true;
-  limit.monotone = false;
-  EXPECT_EQ(judge_limit(limit).verdict, Verdict::inconclusive);
+/// What a search of [low, high] finds where all runs are stable, or none is.
+StabilityLimit unfound(double low, double high, bool is_stable, bool stable_below) {
+  return fits::find_limit({.key = "k", .from = low, .to = high, .scan_ratio = 10, .stable_below = stable_below},
+                          [=](const std::vector<double>& values) {
+                            std::vector<fits::Probe> probes;
+                            for (const double value : values) probes.push_back({value, is_stable, ""});
+                            return probes;
+                          });
+}
+
+TEST(Gate, ALimitOfWhichOneEndIsKnownFailsWhenItLiesBeyondTheBand) {
+  const auto judged = [](double low, double high, bool is_stable, bool stable_below) {
+    return judge_limit(unfound(low, high, is_stable, stable_below));
+  };
+  for (const double low : {0.1, 0.8}) {
+    const GateResult calm = judged(low, 0.9, true, true);
+    EXPECT_EQ(calm.verdict, Verdict::fail);
+    EXPECT_EQ(calm.measured, "above 0.9");
+    EXPECT_TRUE(calm.better);
+  }
+  const GateResult wild = judged(0.7, 0.8, false, true);
+  EXPECT_EQ(wild.verdict, Verdict::fail);
+  EXPECT_EQ(wild.measured, "below 0.7");
+  EXPECT_FALSE(wild.better);
+  EXPECT_TRUE(judged(0.7, 0.8, true, false).better) << "stable with less smoothing";
+  EXPECT_FALSE(judged(0.8, 0.9, false, false).better);
+  EXPECT_EQ(judged(0.1, 0.83, true, true).verdict, Verdict::inconclusive) << "the limit may lie in the band";
+  EXPECT_EQ(judged(0.8, 0.9, false, true).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judged(0.1, 0.83, true, true).reason, "limit not found: stable at all values tried, up to 0.83");
+  EXPECT_EQ(judge_limit({}).reason, "limit not found: nothing tried");
 }
 
 TEST(Gate, ValuesAreHeldAgainstTheirBounds) {

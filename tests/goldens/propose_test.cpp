@@ -84,7 +84,7 @@ TEST(Propose, WhatCouldNotPassIsNoGolden) {
   EXPECT_THAT(refused([](Series& s) { s.orders[0].to = 65; }), HasSubstr("over [16, 65]: no level at 65."));
   EXPECT_THAT(refused([](Series& s) { s.orders[0].half_width = 1.5; }), HasSubstr("known to ± 1.50 only."));
   EXPECT_THAT(refused([](Series& s) { s.limit = cfl_limit(0.1, 1); }),
-              HasSubstr("between 0.1 and 1 replicates disagree"));
+              HasSubstr("it lies between 0.1 and 1, too far apart"));
   EXPECT_THAT(refused([](Series& s) { s.limit->found = false; }), HasSubstr("in cfl: nothing tried."));
   EXPECT_THAT(refused([](Series& s) { s.orders[0].order = not_measured; }), HasSubstr("none could be fitted."));
 }

@@ -115,7 +115,7 @@ TEST(StabilityMap, HasEveryProbeAndEveryLimit) {
   EXPECT_EQ(map.y.tics[0].text, "l = 1h/8, 4 PPC");
   EXPECT_GT(map.y.tics[0].at, map.y.tics[1].at) << "first series on top";
   EXPECT_EQ(map.labels[0].text, "0.760");
-  EXPECT_EQ(map.labels[2].text, "0.880, not monotone");
+  EXPECT_EQ(map.labels[2].text, "0.876 to 0.884, not monotone");
   EXPECT_EQ(map.labels[7].text, "not found");
 }
 
@@ -123,7 +123,7 @@ TEST(StabilityMap, IsDescribedRowByRow) {
   const std::string text = description_of(charts_of(synthetic::limits()).at(0));
   EXPECT_THAT(text, testing::StartsWith("rows against CFL number"));
   EXPECT_THAT(text, HasSubstr(" l = 1h/8, 4 PPC: limit 0.760, stable at 10 of 19 values."));
-  EXPECT_THAT(text, HasSubstr(" l = 3h/8, 4 PPC: limit 0.880, not monotone, stable at 12 of 19 values."));
+  EXPECT_THAT(text, HasSubstr(" l = 3h/8, 4 PPC: limit 0.876 to 0.884, not monotone, stable at 12 of 19 values."));
   EXPECT_THAT(text, testing::EndsWith(" l = 8h/8, 4 PPC: limit not found, stable at 15 of 19 values."));
 }
 

@@ -199,7 +199,11 @@ TEST(ReadBackFigures, EveryRowOfAStabilityMapIsThatOfItsSeries) {
     }
     expect_near(row.from, limit.found ? limit.stable : 0);
     expect_near(row.to, limit.found ? limit.unstable : 0);
-    EXPECT_EQ(row.limit, (limit.found ? fmt::format("{:#.3g}", limit.value()) : "not found") +
+    const std::string ends = fmt::format("{:#.3g} to {:#.3g}", limit.stable, limit.unstable),
+                      middle = fmt::format("{:#.3g}", limit.value());
+    EXPECT_EQ(row.limit, (!limit.found     ? "not found"
+                          : limit.monotone ? middle
+                                           : ends) +
                              (limit.monotone ? "" : ", not monotone"));
   }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "studies/support/error.hpp"
@@ -102,8 +103,9 @@ TEST(StabilityLimit, NumberOfProbesIsBounded) {
     search.tolerance = tolerance;
     Prober prober{[](double v) { return v < 0.7; }};
     find_limit(search, prober.batch());
+    constexpr double around = 6;
     const double halvings = std::ceil(std::log2(std::log(1.1) / std::log1p(tolerance))) + 1;
-    EXPECT_LE(static_cast<double>(prober.asked.size()), 33 + halvings);
+    EXPECT_LE(static_cast<double>(prober.asked.size()), 33 + halvings + around);
   }
 }
 
@@ -159,13 +161,15 @@ TEST(StabilityLimit, EveryProbeIsKeptInIncreasingValueWithItsReason) {
   }
 }
 
-TEST(StabilityLimit, NonMonotoneIsFlaggedAndTheBracketNearestTheStableEndTaken) {
+TEST(StabilityLimit, WhereStabilityIsNotMonotoneTheBracketReachesOverAllIslands) {
   const auto island = [](double v) { return v < 0.5 || (v > 1 && v < 1.5); };  // stable below 0.5, and again from 1
   Prober up{island};
   const StabilityLimit below = find_limit(cfl_search(), up.batch());
   EXPECT_TRUE(below.found);
   EXPECT_FALSE(below.monotone);
-  EXPECT_NEAR(below.value(), 0.5, 0.005);
+  EXPECT_NEAR(below.stable, 0.5, 0.005);
+  EXPECT_GE(below.unstable, 1.5);
+  EXPECT_LT(below.unstable, 1.5 * 1.01);
 
   LimitSearch search = cfl_search();
   search.stable_below = false;
@@ -173,7 +177,41 @@ TEST(StabilityLimit, NonMonotoneIsFlaggedAndTheBracketNearestTheStableEndTaken) 
   const StabilityLimit above = find_limit(search, down.batch());
   EXPECT_TRUE(above.found);
   EXPECT_FALSE(above.monotone);
-  EXPECT_NEAR(above.value(), 1.5, 0.015);
+  EXPECT_NEAR(above.stable, 1.5, 0.015);
+  EXPECT_NEAR(above.unstable, 0.5, 0.005);
+}
+
+TEST(StabilityLimit, IslandsNearTheBracketThatTheScanMissesAreFound) {
+  for (const bool below : {true, false}) {
+    // On the stable side of 1 an unstable island from 2.5 to 1.5 %, on the other side a stable one around 3 %.
+    const auto is_stable = [=](double v) {
+      const double way = below ? v - 1 : 1 - v;
+      return way < -0.025 || (way > -0.015 && way < 0) || (way > 0.025 && way < 0.035);
+    };
+    const LimitSearch search{.key = "x", .from = 0.1, .to = 10, .scan_ratio = 10, .stable_below = below};
+    Prober prober{is_stable};
+    const StabilityLimit found = find_limit(search, prober.batch());
+    EXPECT_FALSE(found.monotone);
+    EXPECT_NEAR(found.stable, below ? 0.975 : 1.025, 0.011);
+    EXPECT_NEAR(found.unstable, below ? 1.04 : 0.96, 0.01);
+    for (const Probe& p : found.probes) {
+      if (below ? p.value <= found.stable : p.value >= found.stable) EXPECT_TRUE(p.stable) << p.value;
+      if (below ? p.value >= found.unstable : p.value <= found.unstable) EXPECT_FALSE(p.stable) << p.value;
+    }
+  }
+}
+
+TEST(StabilityLimit, NothingIsProbedTwiceOrOutsideOfTheRange) {
+  for (const double limit : {0.101, 0.5, 1.99})
+    for (const bool below : {true, false}) {
+      LimitSearch search = cfl_search();
+      search.stable_below = below;
+      Prober prober{[=](double v) { return (v < limit) == below; }};
+      find_limit(search, prober.batch());
+      EXPECT_EQ(std::set(prober.asked.begin(), prober.asked.end()).size(), prober.asked.size());
+      EXPECT_EQ(*std::ranges::min_element(prober.asked), search.from);
+      EXPECT_EQ(*std::ranges::max_element(prober.asked), search.to);
+    }
 }
 
 TEST(StabilityLimit, AllStableOrAllUnstableIsNotFound) {
@@ -203,9 +241,55 @@ TEST(StabilityLimit, AnUnstableStableEndIsNotFoundAndNotMonotone) {
   const StabilityLimit found = find_limit(cfl_search(), prober.batch());
   EXPECT_FALSE(found.found);
   EXPECT_FALSE(found.monotone);
-  EXPECT_EQ(found.unstable, 0.1);
   EXPECT_TRUE(std::isnan(found.stable));
+  EXPECT_TRUE(std::isnan(found.unstable)) << "the far end is stable";
   EXPECT_EQ(prober.batches.size(), 1u);
+}
+
+void expect_range(const StabilityLimit& limit, double lower, double upper, bool stable_below) {
+  const auto range = range_of(limit);
+  ASSERT_TRUE(range.has_value());
+  EXPECT_EQ(range->lower, lower);
+  EXPECT_EQ(range->upper, upper);
+  EXPECT_EQ(range->stable_below, stable_below);
+  EXPECT_EQ(range->is_open(), lower == 0 || std::isinf(upper));
+}
+
+TEST(LimitRange, ReachesToWhatWasTried) {
+  const auto search_of = [](const std::function<bool(double)>& is_stable, bool below) {
+    LimitSearch search = cfl_search();
+    search.stable_below = below;
+    Prober prober{is_stable};
+    return find_limit(search, prober.batch());
+  };
+  const auto always = [](double) { return true; };
+  const auto never = [](double) { return false; };
+  expect_range(search_of(always, true), 2, infinity, true);
+  expect_range(search_of(always, false), 0, 0.1, false);
+  expect_range(search_of(never, true), 0, 0.1, true);
+  expect_range(search_of(never, false), 2, infinity, false);
+  const StabilityLimit up = search_of([](double v) { return v < 0.5; }, true),
+                       down = search_of([](double v) { return v > 0.5; }, false);
+  expect_range(up, up.stable, up.unstable, true);
+  expect_range(down, down.unstable, down.stable, false);
+  EXPECT_FALSE(range_of(search_of([](double v) { return v > 0.5; }, true))) << "both ends contradict the search";
+  EXPECT_FALSE(range_of({.key = "x", .stable = 1, .probes = {{1, true, ""}}})) << "one value, of which side?";
+  EXPECT_FALSE(range_of({}));
+  const StabilityLimit far_end_stable = search_of([](double v) { return v < 0.5 || v > 1.9; }, true);
+  expect_range(far_end_stable, far_end_stable.stable, infinity, true);
+}
+
+TEST(LimitRange, OfReplicatesThatDisagreeHasOneEnd) {
+  const auto at = [](double limit) {
+    Prober prober{[=](double v) { return v < limit; }};
+    return find_limit(cfl_search(), prober.batch());
+  };
+  const StabilityLimit calm = at(3), wild = at(0.01), found = at(0.5);
+  for (const auto& both : {common_limit({calm, found}), common_limit({found, calm})})
+    expect_range(both, found.stable, infinity, true);
+  for (const auto& both : {common_limit({wild, found}), common_limit({found, wild})})
+    expect_range(both, 0, found.unstable, true);
+  EXPECT_FALSE(range_of(common_limit({calm, wild})));
 }
 
 TEST(StabilityLimit, IsDeterministic) {
