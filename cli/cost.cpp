@@ -62,8 +62,9 @@ struct TimedRun {
   std::string program, options;
 };
 
+/// The clock would count what other processes take. A run that repeats its steps counts the processor's time.
 support::ProcessEnd end_of(const TimedRun& run) {
-  std::vector<std::string> command{run.program, "run", "--json", "--threads", "1"};
+  std::vector<std::string> command{run.program, "run", "--json", "--repeat", "3"};
   std::istringstream words(run.options);
   for (std::string word; words >> word;) command.push_back(word);
   return support::run_process(command, ".", {}, std::chrono::minutes(5));
@@ -122,6 +123,18 @@ goldens::CostRatio beside(const TimedRun& own, const TimedRun& baseline) {
   });
 }
 
+std::vector<goldens::CostRatio> costs_of(const std::vector<CostedCase>& cases) {
+  std::vector<goldens::CostRatio> costs;
+  for (const CostedCase& one : cases) costs.push_back(one.cost);
+  return costs;
+}
+
+nlohmann::json mean_json(const std::vector<CostedCase>& cases) {
+  if (cases.empty()) return nullptr;
+  const goldens::MeanCost mean = goldens::mean_cost(costs_of(cases));
+  return {{"ratio", mean.ratio}, {"least", mean.least}, {"most", mean.most}, {"verdict", to_string(mean.verdict())}};
+}
+
 nlohmann::json cost_json(const std::vector<CostedCase>& cases, const std::vector<std::string>& left_out) {
   nlohmann::json all = nlohmann::json::array();
   for (const auto& [name, cost] : cases)
@@ -133,7 +146,7 @@ nlohmann::json cost_json(const std::vector<CostedCase>& cases, const std::vector
                    {"most", cost.most},
                    {"pairs", cost.pairs},
                    {"verdict", to_string(cost.verdict())}});
-  return {{"cases", all}, {"left_out", left_out}};
+  return {{"cases", all}, {"mean", mean_json(cases)}, {"left_out", left_out}};
 }
 
 void print_costs(const std::vector<CostedCase>& cases) {
@@ -151,9 +164,26 @@ void print_costs(const std::vector<CostedCase>& cases) {
   table.print();
 }
 
+std::string mean_text(const std::vector<CostedCase>& cases) {
+  const goldens::MeanCost mean = goldens::mean_cost(costs_of(cases));
+  return fmt::format("mean of the cases: {}, {:.3f} (99 %: {:.3f} to {:.3f}; at most {})", to_string(mean.verdict()),
+                     mean.ratio, mean.least, mean.most, goldens::mean_cost_band);
+}
+
 std::size_t count(const std::vector<CostedCase>& cases, Verdict verdict) {
   return static_cast<std::size_t>(
       std::ranges::count_if(cases, [&](const CostedCase& c) { return c.cost.verdict() == verdict; }));
+}
+
+void print_end(const std::vector<CostedCase>& cases) {
+  print_costs(cases);
+  print("cost: {} pass, {} fail, {} inconclusive (at most {} of the baseline's)", count(cases, Verdict::pass),
+        count(cases, Verdict::fail), count(cases, Verdict::inconclusive), goldens::cost_band);
+  print("{}\n", cases.empty() ? "" : "; " + mean_text(cases));
+}
+
+int exit_code_of(Verdict verdict) {
+  return verdict == Verdict::pass ? 0 : verdict == Verdict::fail ? 1 : 3;
 }
 
 int cost(const CostOptions& options) {
@@ -179,14 +209,11 @@ int cost(const CostOptions& options) {
     if (columns) note_text("\r\033[K");
     if (!other_run) note("left out, as the baseline refuses it: {}\n", name);
   }
-  if (options.json) {
+  if (options.json)
     print_json(cost_json(costed, left_out));
-  } else {
-    print_costs(costed);
-    print("cost: {} pass, {} fail, {} inconclusive (at most {} of the baseline's)\n", count(costed, Verdict::pass),
-          count(costed, Verdict::fail), count(costed, Verdict::inconclusive), goldens::cost_band);
-  }
-  return count(costed, Verdict::fail) > 0 ? 1 : count(costed, Verdict::pass) < costed.size() || costed.empty() ? 3 : 0;
+  else
+    print_end(costed);
+  return exit_code_of(goldens::verdict_of(costs_of(costed)));
 }
 
 }  // namespace

@@ -12,10 +12,19 @@ namespace {
 /// valgrind's arithmetic.
 using InDoubles = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
+double student_t_below(double degrees_of_freedom, double probability) {
+  return boost::math::quantile(boost::math::students_t_distribution<double, InDoubles>(degrees_of_freedom),
+                               probability);
+}
+
 }  // namespace
 
 double student_t_95(double degrees_of_freedom) {
-  return boost::math::quantile(boost::math::students_t_distribution<double, InDoubles>(degrees_of_freedom), 0.975);
+  return student_t_below(degrees_of_freedom, 0.975);
+}
+
+double student_t_99(double degrees_of_freedom) {
+  return student_t_below(degrees_of_freedom, 0.995);
 }
 
 double fisher_f_above(double ratio, double upper_degrees, double lower_degrees) {

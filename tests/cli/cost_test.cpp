@@ -14,12 +14,12 @@ using testing::HasSubstr;
 /// A baseline that answers as it is told.
 class CostCommand : public testing::Test {
  protected:
-  Answer beside(const std::string& answer) {
+  Answer beside(const std::string& answer, const std::string& form = " --json") {
     const std::string baseline = folder_.write("baseline", "#!/bin/sh\n" + answer + "\n");
     std::filesystem::permissions(baseline, std::filesystem::perms::owner_all);
     const std::string cases = folder_.write(
         "cost.txt", "# one\n\n--problem bar --basis linear --integrator cd --cells 8 --ppc 1 --cfl 0.2 --steps 4\n");
-    return call(folder_, "cost " + baseline + " --cases " + cases + " --json");
+    return call(folder_, "cost " + baseline + " --cases " + cases + form);
   }
   static std::string cost(double ns) {
     return "echo '{\"status\": \"ok\", \"ns_per_particle_step\": " + std::to_string(ns) + "}'";
@@ -32,8 +32,23 @@ TEST_F(CostCommand, FailsWhatCostsMoreThanTheBaseline) {
   const Answer slower = beside(cost(1e-3)), faster = beside(cost(1e9));
   EXPECT_EQ(slower.code, 1);
   EXPECT_EQ(slower.json()["cases"][0]["verdict"], "fail");
+  EXPECT_EQ(slower.json()["mean"]["verdict"], "fail");
+  EXPECT_GT(slower.json()["mean"]["least"], 1.03);
   EXPECT_EQ(faster.code, 0);
   EXPECT_EQ(faster.json()["cases"][0]["verdict"], "pass");
+  EXPECT_EQ(faster.json()["mean"]["verdict"], "pass");
+  EXPECT_LT(faster.json()["mean"]["most"], 1);
+}
+
+TEST_F(CostCommand, EndsWithTheMeanOfTheCases) {
+  EXPECT_THAT(beside(cost(1e9), "").out,
+              HasSubstr("cost: 1 pass, 0 fail, 0 inconclusive (at most 1.1 of the baseline's); mean of the "
+                        "cases: pass, 0.000 (99 %: 0.000 to 0.000; at most 1.03)\n"));
+}
+
+/// What runs once is timed by the clock, which goes on while other processes run.
+TEST_F(CostCommand, CountsTheProcessorsTime) {
+  EXPECT_EQ(beside("case \"$*\" in *'--repeat 3'*) " + cost(1e9) + ";; *) " + cost(1e-3) + ";; esac").code, 0);
 }
 
 /// A part has fewer particles to a node than the body. Versions that know of no parts run all of it anyway.
@@ -49,6 +64,7 @@ TEST_F(CostCommand, LeavesOutWhatTheBaselineDoesNotKnow) {
   EXPECT_THAT(answer.err, HasSubstr("left out"));
   EXPECT_EQ(answer.json()["left_out"].size(), 1U);
   EXPECT_EQ(answer.json()["cases"].size(), 0U);
+  EXPECT_TRUE(answer.json()["mean"].is_null());
 }
 
 TEST_F(CostCommand, RefusesABaselineThatIsNoSuchProgram) {
