@@ -97,16 +97,19 @@ TEST_F(CostCommand, RefusesWhatIsNoCase) {
 /// The cases that ./run cost times, by their first steps.
 TEST_F(CostCommand, EveryCaseOfTheTreeIsOne) {
   std::istringstream lines(read_text(MPMVV_SOURCE_DIR "/studies/cost.txt"));
-  std::set<std::string> bases;
+  std::set<std::string> bases, integrators, masses;
   for (std::string line; std::getline(lines, line);) {
     if (line.empty() || line.starts_with('#')) continue;
     const Answer answer = call(folder_, "run --json --steps 2 " + line);
     ASSERT_EQ(answer.code, 0) << line << answer.err;
     EXPECT_EQ(answer.json()["status"], "ok") << line;
-    bases.insert(answer.json()["scheme"]["basis"]);
+    const auto scheme = answer.json()["scheme"];
+    bases.insert(scheme["basis"]), integrators.insert(scheme["integrator"]), masses.insert(scheme["mass"]);
   }
-  EXPECT_THAT(bases, testing::IsSupersetOf({"linear", "bspline2", "bspline3", "bspline2-open", "bspline3-open", "gimp",
-                                            "cpgimp", "cpdi", "b2gimp", "b2cpdi"}));
+  EXPECT_THAT(bases, testing::IsSupersetOf({"linear", "bspline2", "bspline3", "bspline2-open", "bspline3-open", "ugimp",
+                                            "gimp", "cpgimp", "cpdi", "b2gimp", "b2cpdi"}));
+  EXPECT_THAT(integrators, testing::IsSupersetOf({"usf", "usl", "usavg", "usl+", "usavg+", "cd", "uvf", "rk4"}));
+  EXPECT_THAT(masses, testing::UnorderedElementsAre("lumped", "consistent"));
 }
 
 }  // namespace mpmvv::cli::cost_command_test
