@@ -8,7 +8,6 @@
 #include "cli/results.hpp"
 #include "goldens/gate.hpp"
 #include "studies/claims/claim.hpp"
-#include "studies/fits/median.hpp"
 
 namespace mpmvv::cli {
 
@@ -39,12 +38,11 @@ std::map<records::Verdict, int> gate_change(const std::vector<goldens::Golden>& 
   return change;
 }
 
-double median_ratio(const std::vector<goldens::Change>& costs) {
+std::vector<double> ratios_of(const std::vector<goldens::Change>& costs) {
   std::vector<double> ratios;
   for (const goldens::Change& cost : costs)
     if (cost.before.number > 0 && cost.after.number > 0) ratios.push_back(cost.after.number / cost.before.number);
-  if (ratios.empty()) return support::not_measured;
-  return fits::median_of(ratios);
+  return ratios;
 }
 
 /// What the earlier version has and this one lacks, of the studies that both have.
@@ -82,7 +80,7 @@ std::optional<reports::Earlier> earlier_version(const store::Store& store, const
   for (const claims::Claim& claim : claims::judge_claims(then)) earlier.claims[claim.id] = claim.verdict;
   earlier.changes = changes_of(comparison);
   earlier.changes.gone = results_gone(then, own_now);
-  earlier.cost_ratio = median_ratio(comparison.costs);
+  earlier.cost_ratios = ratios_of(comparison.costs);
   return earlier;
 }
 

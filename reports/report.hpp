@@ -44,7 +44,7 @@ struct Earlier {
   std::map<records::Verdict, int> gate_change;           ///< how many more goldens have this verdict now; no trials
   std::map<std::string, claims::Claim::Verdict> claims;  ///< verdicts by id
   Changes changes;                                       ///< since then
-  double cost_ratio = support::not_measured;             ///< now over then, median
+  std::vector<double> cost_ratios;                       ///< now over then, of each timed series
 };
 
 /// How to repeat the runs of a series: those of its sweep, or those of the search of its limit.

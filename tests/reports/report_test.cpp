@@ -145,6 +145,20 @@ TEST(Report, TheCostIsTheMedianOfAnEvenNumberToo) {
               AllOf(HasSubstr("<strong>20.0 ns</strong>"), HasSubstr("median of 2 timed series, 10.0 to 30.0 ns")));
 }
 
+/// Costs of two nights: a range, of which the outer quarters are left out.
+TEST(Report, TheCostHasChangedByARange) {
+  const TempFolder folder;
+  auto in = input();
+  set_cost(in.studies[0].series[0], 10);
+  in.earlier.emplace();
+  EXPECT_THAT(page_of(in, folder), Not(HasSubstr("times what it was")));
+  in.earlier->cost_ratios = {1.2, 0.9};
+  EXPECT_THAT(page_of(in, folder), HasSubstr("Since the version before: 0.90 to 1.20 times what it was (2 series; "
+                                             "another night alone makes up to 1.3)</span>"));
+  in.earlier->cost_ratios = {9, 0.97, 1.12, 1.04, 0.1};
+  EXPECT_THAT(page_of(in, folder), HasSubstr(": 0.97 to 1.12 times what it was (middle half of 5 series; "));
+}
+
 TEST(Report, TheCostIsNeitherThatOfOtherCodesNorOfTrials) {
   const TempFolder folder;
   auto in = input();
