@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,18 +17,45 @@ namespace {
 /// A series and what it costs to come down to some error.
 struct Bid {
   std::string name;
-  double cost = 0;
+  fits::WorkPoint work;
 };
 
 /// Series that reach the error, cheapest first.
 std::vector<Bid> bids(double error, const records::StudyResult& study, const records::Figure& figure) {
   std::vector<Bid> result;
   for (const records::Series* series : figure_series(study, figure)) {
-    const double cost = fits::cost_to_reach(error, fits::pareto_front(claims::work_points(*series, figure.quantity)));
-    if (std::isfinite(cost)) result.push_back({series->name, cost});
+    const auto work = fits::work_to_reach(error, fits::pareto_front(claims::work_points(*series, figure.quantity)));
+    if (std::isfinite(work.cost)) result.push_back({series->name, work});
   }
-  std::ranges::stable_sort(result, {}, &Bid::cost);
+  std::ranges::stable_sort(result, {}, [](const Bid& bid) { return bid.work.cost; });
   return result;
+}
+
+/// Whether the range of the bid's times reaches down to that of the cheapest, which may then be no cheaper.
+bool may_be_as_cheap(const Bid& bid, const Bid& cheapest) {
+  return bid.work.cost - bid.work.half_range <= cheapest.work.cost + cheapest.work.half_range;
+}
+
+/// The names of those that may be as cheap as the first; a dash without any.
+std::string rivals(const std::vector<Bid>& ranked) {
+  std::vector<std::string> names;
+  for (std::size_t k = 1; k < ranked.size(); ++k)
+    if (may_be_as_cheap(ranked[k], ranked[0])) names.push_back(ranked[k].name);
+  return names.empty() ? "–" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::vector<std::string> row_of(double error, const std::vector<Bid>& ranked, std::size_t all) {
+  const Bid& cheapest = ranked[0];
+  const auto next = std::ranges::find_if(ranked.begin() + 1, ranked.end(),
+                                         [&](const Bid& b) { return !may_be_as_cheap(b, cheapest); });
+  std::vector<std::string> row{fmt::format("{:.0e}", error), cheapest.name, brief(cheapest.work.cost), rivals(ranked)};
+  if (next == ranked.end())
+    row.insert(row.end(), 3, "–");
+  else
+    row.insert(row.end(),
+               {next->name, brief(next->work.cost), fmt::format("{:.2f}", next->work.cost / cheapest.work.cost)});
+  row.push_back(fmt::format("{} of {}", all - ranked.size(), all));
+  return row;
 }
 
 /// The powers of ten among a figure's errors.
@@ -43,7 +71,8 @@ std::vector<double> error_decades(const records::StudyResult& study, const recor
 
 Table cheapest_table(const records::StudyResult& study) {
   Table table{"Cheapest series for a given error (step seconds on one core, power laws between measured runs)",
-              {"error", "cheapest", "cheapest, s", "next", "next, s", "times as much", "do not reach it"},
+              {"error", "cheapest", "cheapest, s", "as cheap within ranges", "next", "next, s", "times as much",
+               "do not reach it"},
               {}};
   for (const records::Figure& figure : study.figures) {
     if (figure.kind != records::Figure::Kind::work_precision) continue;
@@ -51,12 +80,7 @@ Table cheapest_table(const records::StudyResult& study) {
     Table::Group group{fmt::format("{}: {}", figure.name, figure.quantity), {}};
     for (const double error : error_decades(study, figure)) {
       const auto ranked = bids(error, study, figure);
-      if (ranked.empty()) continue;
-      const bool rival = ranked.size() > 1;
-      group.rows.push_back({fmt::format("{:.0e}", error), ranked[0].name, brief(ranked[0].cost),
-                            rival ? ranked[1].name : "–", rival ? brief(ranked[1].cost) : "–",
-                            rival ? fmt::format("{:.2f}", ranked[1].cost / ranked[0].cost) : "–",
-                            fmt::format("{} of {}", all - ranked.size(), all)});
+      if (!ranked.empty()) group.rows.push_back(row_of(error, ranked, all));
     }
     if (!group.rows.empty()) table.groups.push_back(std::move(group));
   }

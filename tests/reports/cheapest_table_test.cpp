@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "reports/table.hpp"
@@ -19,6 +20,26 @@ records::StudyResult measured(const std::vector<double>& errors) {
 TEST(CheapestTable, APowerOfTenThatNoneReachesHasNoRow) {
   EXPECT_TRUE(cheapest_table(measured({1e-3 * (1 + 1e-10)})).empty());
   EXPECT_EQ(cheapest_table(measured({2e-4, 2e-3})).groups.at(0).rows.size(), 1u);
+}
+
+/// A series that reaches an error of 0.01 in a time with a spread (the range over the median).
+records::Series timed(const std::string& name, double seconds, double spread) {
+  records::Series series{name, {}, {}, std::nullopt};
+  series.points.push_back(
+      {1, records::Status::ok, "", {{"l2", 0.01}, {"step_seconds", seconds}, {"step_seconds_spread", spread}}});
+  return series;
+}
+
+/// The best one's range ends at 11 s. That of 12 s begins there by a spread of 1/6.
+TEST(CheapestTable, SeriesWhoseRangesOverlapAreAsCheap) {
+  records::StudyResult study = measured({});
+  study.series = {timed("best", 10, 0.2), timed("apart", 12, 0.16), timed("reaches", 12, 0.17), timed("wide", 20, 1),
+                  timed("dear", 30, 0)};
+  EXPECT_THAT(cheapest_table(study).groups.at(0).rows.at(0),
+              testing::ElementsAre("1e-02", "best", "10", "reaches, wide", "apart", "12", "1.20", "0 of 5"));
+  study.series.erase(study.series.begin() + 1), study.series.pop_back();
+  EXPECT_THAT(cheapest_table(study).groups.at(0).rows.at(0),
+              testing::ElementsAre("1e-02", "best", "10", "reaches, wide", "–", "–", "–", "0 of 3"));
 }
 
 TEST(CheapestTable, AnInfiniteErrorHasNoDecades) {

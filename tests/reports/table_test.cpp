@@ -150,9 +150,10 @@ TEST(Table, CheapestSeriesOfEachPowerOfTen) {
   ASSERT_EQ(table.groups.size(), 1u);
   const auto& rows = table.groups[0].rows;
   ASSERT_EQ(rows.size(), 5u) << "1 to 1e-4";
-  EXPECT_THAT(rows[0], testing::ElementsAre("1e+00", "first order", "1", "second order", "4", "4.00", "0 of 2"));
-  EXPECT_THAT(rows[3], testing::ElementsAre("1e-03", "first order", "100", "second order", "126.5", "1.26", "0 of 2"));
-  EXPECT_THAT(rows[4], testing::ElementsAre("1e-04", "second order", "400", "–", "–", "–", "1 of 2"));
+  EXPECT_THAT(rows[0], testing::ElementsAre("1e+00", "first order", "1", "–", "second order", "4", "4.00", "0 of 2"));
+  EXPECT_THAT(rows[3],
+              testing::ElementsAre("1e-03", "first order", "100", "–", "second order", "126.5", "1.26", "0 of 2"));
+  EXPECT_THAT(rows[4], testing::ElementsAre("1e-04", "second order", "400", "–", "–", "–", "–", "1 of 2"));
 }
 
 TEST(Table, LongCurvesStayInTheCsvFile) {
