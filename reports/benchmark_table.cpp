@@ -129,9 +129,10 @@ Table skip_table(const Benchmark& benchmark) {
 }
 
 Table thread_table(const Benchmark& benchmark) {
-  Table table{"What two threads make of a case, quadratic B-splines, whole end time: ns per particle and step",
-              {"case", "one thread", "one thread, range %", "two threads", "two threads, range %", "times as fast"},
-              {}};
+  Table table{
+      "What two threads make of a case, quadratic B-splines, whole end time: ns per particle and step by the clock",
+      {"case", "one thread", "one thread, range %", "two threads", "two threads, range %", "times as fast"},
+      {}};
   for_pairs(benchmark, "threads", "one", "two",
             [&](const std::string& what, const BenchmarkRow& alone, const BenchmarkRow& both) {
               const double of_one = alone.median(per_step), of_two = both.median(per_step);

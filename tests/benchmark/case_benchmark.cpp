@@ -55,7 +55,7 @@ void add_case_benchmarks() {
     const int D = problems::find_problem(c.problem.name, "the benchmark").dimension();
     const std::string block = filling_text(D, c.resolution.ppc) + "/" + c.scheme.basis;
     add_benchmark("case/" + block + "/" + studied.what, [=](benchmark::State& state) {
-      const records::Record record = measure_case(state, c, 1);
+      const records::Record record = measure_case(state, c, Seconds::processor);
       state.counters["particles"] = static_cast<double>(record.particles);
       state.counters["steps"] = static_cast<double>(record.steps);
       count_least_work(state, D, solver::basis_named(c.scheme.basis), std::max(c.scheme.order - 1, 0));

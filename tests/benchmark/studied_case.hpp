@@ -18,10 +18,12 @@ inline cases::Case case_of(const std::string& settings) {
   return settings::make_case(list);
 }
 
-/// Runs the case to its end; what the record says of its steps is the time, set-up and norms apart. By the processor's
-/// time on one thread, by the clock on more.
-inline records::Record measure_case(benchmark::State& state, cases::Case c, int threads) {
-  c.measure.repeat = threads == 1 ? 1 : 0;
+/// Which seconds count: the processor's, of one thread, or the clock's.
+enum class Seconds { processor, clock };
+
+/// Runs the case to its end; what the record says of its steps is the time, set-up and norms apart.
+inline records::Record measure_case(benchmark::State& state, cases::Case c, Seconds by, int threads = 1) {
+  c.measure.repeat = by == Seconds::processor ? 1 : 0;
   records::Record record;
   double seconds = 0;
   for (auto _ : state) {

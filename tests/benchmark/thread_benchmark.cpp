@@ -1,6 +1,6 @@
 #include "tests/benchmark/studied_case.hpp"
 
-/// What two threads make of a step: the same case on one and on two.
+/// What two threads make of a step: the same case on one and on two, both by the clock.
 namespace mpmvv {
 
 void add_thread_benchmarks() {
@@ -12,7 +12,7 @@ void add_thread_benchmarks() {
     for (const auto& [word, threads] : {std::pair{"one", 1}, {"two", 2}})
       add_benchmark(std::string("threads/") + what + "/" + word,
                     [c = case_of(settings + scheme), threads = threads](benchmark::State& state) {
-                      measure_case(state, c, threads);
+                      measure_case(state, c, Seconds::clock, threads);
                     });
 }
 
