@@ -6,8 +6,9 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <map>
 #include <string_view>
+
+#include "reports/utf8.hpp"
 
 namespace mpmvv::reports {
 
@@ -48,105 +49,6 @@ std::string order_text(const fits::ObservedOrder& fit) {
 
 namespace {
 
-const std::map<std::string_view, std::string_view>& latex_characters() {
-  static const std::map<std::string_view, std::string_view> table{{"\\", "\\textbackslash{}"},
-                                                                  {"{", "\\{"},
-                                                                  {"}", "\\}"},
-                                                                  {"$", "\\$"},
-                                                                  {"&", "\\&"},
-                                                                  {"#", "\\#"},
-                                                                  {"%", "\\%"},
-                                                                  {"_", "\\_"},
-                                                                  {"^", "\\textasciicircum{}"},
-                                                                  {"~", "\\textasciitilde{}"},
-                                                                  {"<", "$<$"},
-                                                                  {">", "$>$"},
-                                                                  {"|", "$|$"},
-                                                                  {"\"", "''"},
-                                                                  {"\n", " "},
-                                                                  {"\r", " "},
-                                                                  {"\t", " "},
-                                                                  {"α", "$\\alpha$"},
-                                                                  {"β", "$\\beta$"},
-                                                                  {"γ", "$\\gamma$"},
-                                                                  {"δ", "$\\delta$"},
-                                                                  {"Δ", "$\\Delta$"},
-                                                                  {"ε", "$\\varepsilon$"},
-                                                                  {"ζ", "$\\zeta$"},
-                                                                  {"η", "$\\eta$"},
-                                                                  {"θ", "$\\theta$"},
-                                                                  {"κ", "$\\kappa$"},
-                                                                  {"λ", "$\\lambda$"},
-                                                                  {"μ", "$\\mu$"},
-                                                                  {"µ", "$\\mu$"},
-                                                                  {"ν", "$\\nu$"},
-                                                                  {"ξ", "$\\xi$"},
-                                                                  {"π", "$\\pi$"},
-                                                                  {"ρ", "$\\rho$"},
-                                                                  {"σ", "$\\sigma$"},
-                                                                  {"Σ", "$\\Sigma$"},
-                                                                  {"τ", "$\\tau$"},
-                                                                  {"φ", "$\\varphi$"},
-                                                                  {"Φ", "$\\Phi$"},
-                                                                  {"χ", "$\\chi$"},
-                                                                  {"ψ", "$\\psi$"},
-                                                                  {"Ψ", "$\\Psi$"},
-                                                                  {"ω", "$\\omega$"},
-                                                                  {"∇", "$\\nabla$"},
-                                                                  {"∞", "$\\infty$"},
-                                                                  {"±", "$\\pm$"},
-                                                                  {"×", "$\\times$"},
-                                                                  {"·", "$\\cdot$"},
-                                                                  {"−", "$-$"},
-                                                                  {"≤", "$\\le$"},
-                                                                  {"≥", "$\\ge$"},
-                                                                  {"≈", "$\\approx$"},
-                                                                  {"≠", "$\\ne$"},
-                                                                  {"→", "$\\to$"},
-                                                                  {"√", "$\\surd$"},
-                                                                  {"°", "$^\\circ$"},
-                                                                  {"§", "\\S{}"},
-                                                                  {"½", "$\\frac12$"},
-                                                                  {"¼", "$\\frac14$"},
-                                                                  {"⁰", "$^0$"},
-                                                                  {"¹", "$^1$"},
-                                                                  {"²", "$^2$"},
-                                                                  {"³", "$^3$"},
-                                                                  {"⁴", "$^4$"},
-                                                                  {"⁻", "$^-$"},
-                                                                  {"₀", "$_0$"},
-                                                                  {"₁", "$_1$"},
-                                                                  {"₂", "$_2$"},
-                                                                  {"ₚ", "$_p$"},
-                                                                  {"–", "--"},
-                                                                  {"—", "---"},
-                                                                  {"…", "\\ldots{}"},
-                                                                  {"‘", "`"},
-                                                                  {"’", "'"},
-                                                                  {"“", "``"},
-                                                                  {"”", "''"}};
-  return table;
-}
-
-/// Bytes of the UTF-8 character that starts with this one; 1 for a byte that starts none.
-std::size_t utf8_length(unsigned char lead) {
-  return lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 1;
-}
-
-unsigned code_point(std::string_view character) {
-  static constexpr unsigned lead_bits[] = {0, 0xFF, 0x1F, 0x0F, 0x07};
-  unsigned code = static_cast<unsigned char>(character[0]) & lead_bits[character.size()];
-  for (const char c : character.substr(1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3Fu);
-  return code;
-}
-
-/// ASCII, and the Latin-1 letters that every text font has.
-bool latex_prints(std::string_view character) {
-  const unsigned code = code_point(character);
-  if (character.size() == 1) return code >= 0x20 && code < 0x7F;
-  return code >= 0xC0 && code <= 0xFF && std::string_view("×÷ÐðÞþ").find(character) == std::string_view::npos;
-}
-
 /// Whether the bytes are a character.
 bool is_utf8(std::string_view character) {
   static constexpr unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
@@ -179,28 +81,6 @@ std::string marked_up_text(const std::string& text) {
     i += character.size();
   }
   return result;
-}
-
-std::string latex_text(const std::string& text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto character = std::string_view(text).substr(i, utf8_length(static_cast<unsigned char>(text[i])));
-    const auto known = latex_characters().find(character);
-    if (text.compare(i, 2, "--") == 0)
-      result += "-{}";  // or LaTeX makes a dash of the two
-    else if (known != latex_characters().end())
-      result += known->second;
-    else if (latex_prints(character))
-      result += character;
-    else
-      result += fmt::format("[U+{:04X}]", code_point(character));
-    i += character.size();
-  }
-  return result;
-}
-
-std::string latex_file(const std::string& name) {
-  return replace_all(name, "~", "\\string~");
 }
 
 std::string lower_case(std::string text) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "studies/fits/observed_order.hpp"
 
@@ -26,6 +27,9 @@ std::string order_text(const fits::ObservedOrder& fit);
 /// Text that LaTeX prints as it stands. Greek letters and the usual mathematical signs become mathematics; a character
 /// that plain pdflatex cannot set becomes its code point.
 std::string latex_text(const std::string& text);
+
+/// The characters of the text that latex_text has no form for, in their order.
+std::vector<std::string> without_latex(const std::string& text);
 
 /// The name of a file in LaTeX, for which a tilde is a space.
 std::string latex_file(const std::string& name);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reports/text.hpp"
+#include "reports/utf8.hpp"
 
 namespace mpmvv::reports {
 
@@ -24,19 +25,37 @@ bool is_digit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Letters that mean a quantity wherever they stand alone.
+/// Letters that mean a quantity wherever they stand alone. The others are words, units or names as well.
 bool is_quantity(char c) {
-  return std::string_view("cdhklnprtxyzCEFRTV").find(c) != std::string_view::npos;
+  return std::string_view("cdefhijklnpqrtuvwxyzCEFGLPQRTUVXYZ").find(c) != std::string_view::npos;
+}
+
+/// À to ɏ.
+bool is_latin_letter(std::string_view character) {
+  const unsigned code = code_point(character);
+  return code >= 0xC0 && code < 0x250 && code != 0xD7 && code != 0xF7;
+}
+
+/// α to ω, and the other forms of θ, φ and ε. Capitals are upright everywhere.
+bool is_small_greek(std::string_view character) {
+  const unsigned code = code_point(character);
+  return (code >= 0x3B1 && code <= 0x3C9) || code == 0x3D1 || code == 0x3D5 || code == 0x3F5;
 }
 
 /// The Greek letter of this name; empty for other words.
 std::string greek(const std::string& word) {
-  static const std::map<std::string_view, const char*> letters{{"sigma", "σ"}, {"phi", "φ"},    {"rho", "ρ"},
-                                                               {"delta", "δ"}, {"lambda", "λ"}, {"nu", "ν"}};
+  static const std::map<std::string_view, const char*> letters{
+      {"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"},  {"delta", "δ"}, {"epsilon", "ε"}, {"zeta", "ζ"}, {"eta", "η"},
+      {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},    {"nu", "ν"},      {"xi", "ξ"},   {"pi", "π"},
+      {"rho", "ρ"},   {"sigma", "σ"}, {"tau", "τ"},    {"phi", "φ"},   {"chi", "χ"},     {"psi", "ψ"},  {"omega", "ω"}};
   const auto found = letters.find(word);
   return found == letters.end() ? "" : found->second;
 }
@@ -48,7 +67,7 @@ class Cutter {
 
   std::vector<Run> runs() {
     while (at_ < text_.size())
-      if (!sign() && !power() && !between_words() && !word()) add(Run::Kind::text, take(1));
+      if (!sign() && !power() && !between_words() && !greek_letter() && !word()) add(Run::Kind::text, take(1));
     return std::move(runs_);
   }
 
@@ -85,14 +104,15 @@ class Cutter {
     return true;
   }
 
-  /// "^-3"
+  /// "^-3", "^p"
   bool power() {
     if (!rest().starts_with("^")) return false;
-    const std::size_t sign = rest().substr(1).starts_with("-") ? 1 : 0;
-    const std::size_t digits = length_of(at_ + 1 + sign, [](char c) { return is_digit(c) || c == '.'; });
-    if (digits == 0) return false;
+    const std::size_t sign = rest().substr(1).starts_with("-") ? 1 : 0, from = at_ + 1 + sign;
+    std::size_t length = length_of(from, [](char c) { return is_digit(c) || c == '.'; });
+    if (length == 0 && length_of(from, is_letter) == 1) length = 1;
+    if (length == 0) return false;
     take(1);
-    add(Kind::raised, take(sign + digits));
+    add(Kind::raised, take(sign + length));
     return true;
   }
 
@@ -110,29 +130,60 @@ class Cutter {
 
   bool follows_number() const { return at_ >= 2 && text_[at_ - 1] == ' ' && is_digit(text_[at_ - 2]); }
 
-  /// Within a word that was begun before, or in a letter beyond ASCII, no symbol begins; but "Δt" is one.
-  bool may_begin_symbol() const {
-    if (at_ == 0) return true;
-    const char before = text_[at_ - 1];
-    if (static_cast<unsigned char>(before) >= 0x80) return std::string_view(text_).substr(0, at_).ends_with("Δ");
-    return before != '-' && before != '\'' && !std::isalpha(static_cast<unsigned char>(before));
+  /// Whether a letter here would be a part of a word that goes on before it: of "Léon", "it's", "B-spline", "i.e.".
+  bool goes_on_before() const {
+    const std::string_view before = std::string_view(text_).substr(0, at_);
+    const std::string_view last = last_character(before);
+    if (last.empty()) return false;
+    if (is_latin_letter(last)) return true;
+    const char c = last[0];
+    if (c == '-') return before.size() > 2 && is_word(before[before.size() - 2]) && is_word(before[before.size() - 3]);
+    if (c == '.') return before.size() > 1 && is_letter(before[before.size() - 2]);
+    return c == '\'' || is_letter(c) || last == "μ" || last == "\u00B5";
+  }
+
+  /// The same behind the letter.
+  bool goes_on_behind() const {
+    const std::string_view after = rest().substr(1);
+    if (after.empty()) return false;
+    const bool has_two = after.size() > 2 && is_word(after[2]);
+    if (after[0] == '-') return after.size() > 1 && is_letter(after[1]) && has_two;
+    if (after[0] == '.') return after.size() > 1 && is_letter(after[1]);
+    return after[0] == '\'' || is_latin_letter(first_character(after));
   }
 
   bool is_symbol(const std::string& word) const {
-    if (!greek(word).empty()) return true;
-    if (word.size() != 1 || !may_begin_symbol()) return false;
+    if (!greek(word).empty()) return at_ == 0 || text_[at_ - 1] != '\\';
+    if (word.size() != 1 || !is_letter(word[0]) || goes_on_before() || goes_on_behind()) return false;
+    if (is_quantity(word[0])) return true;
     const auto after = rest().substr(1);
-    if (!after.empty() && (static_cast<unsigned char>(after[0]) >= 0x80 && !after.starts_with("²"))) return false;
-    if (is_quantity(word[0])) return !after.starts_with("-") && !after.starts_with("'");
-    return after.starts_with(" =") || after.starts_with("_");
+    return after.starts_with(" =") || after.starts_with("=") || after.starts_with("_");
+  }
+
+  /// "σ", but not the "μ" of "μs".
+  bool greek_letter() {
+    const std::string letter(first_character(rest()));
+    if (!is_small_greek(letter)) return false;
+    const bool is_unit = letter == "μ" && length_of(at_ + letter.size(), is_letter) > 0;
+    add(is_unit ? Kind::text : Kind::symbol, take(letter.size()));
+    if (!is_unit) index();
+    return true;
+  }
+
+  /// What stands lowered behind a symbol: "_xx".
+  void index(std::size_t most = std::string::npos) {
+    const std::size_t length = rest().starts_with("_") ? length_of(at_ + 1, is_word) : 0;
+    if (length == 0 || length > most) return;
+    take(1);
+    add(Kind::lowered, take(length));
   }
 
   bool word() {
+    constexpr std::size_t most_of_a_name = 2;  // CFL_X
     const std::size_t length = length_of(at_, is_word);
     if (length == 0) return false;
     if (number(length)) return true;
     const std::string name = text_.substr(at_, length);
-    const std::size_t below = text_.substr(at_ + length, 1) == "_" ? length_of(at_ + length + 1, is_word) : 0;
     const bool symbol = is_symbol(name);
     if (symbol)
       add(Kind::symbol, greek(name).empty() ? name : greek(name));
@@ -140,9 +191,10 @@ class Cutter {
       add(Kind::text, name == "us" && follows_number() ? "μs" : name);
     take(length);
     const bool capitals = std::ranges::all_of(name, [](char c) { return c >= 'A' && c <= 'Z'; });
-    if (below == 0 || below > 2 || !(symbol || capitals)) return true;
-    take(1);
-    add(Kind::lowered, take(below));
+    if (symbol)
+      index();
+    else if (capitals)
+      index(most_of_a_name);
     return true;
   }
 
@@ -184,30 +236,39 @@ std::string in_mathematics(const std::string& text) {
   return set.starts_with('$') ? set.substr(1, set.size() - 2) : set;
 }
 
+/// Whether what is raised or lowered is a symbol, or the two of a component: "h", "xx". Longer ones are words.
+bool is_italic(const std::string& text) {
+  constexpr std::size_t most = 2;
+  return text.size() <= most && std::ranges::all_of(text, is_letter);
+}
+
 std::string enhanced(const Run& run) {
+  const std::string inner = is_italic(run.text) ? "/:Italic " + run.text : run.text;
   switch (run.kind) {
     case Run::Kind::text:
       return with_escapes(run.text);
     case Run::Kind::symbol:
       return fmt::format("{{/:Italic {}}}", run.text);
     case Run::Kind::raised:
-      return fmt::format("^{{{}}}", run.text);
+      return fmt::format("^{{{}}}", inner);
     case Run::Kind::lowered:
-      return fmt::format("_{{{}}}", run.text);
+      return fmt::format("_{{{}}}", inner);
   }
   return "";
 }
 
 std::string latex(const Run& run) {
+  const bool is_word = std::ranges::any_of(run.text, is_letter) && !is_italic(run.text);
+  const std::string inner = is_word ? fmt::format("\\mathrm{{{}}}", run.text) : run.text;
   switch (run.kind) {
     case Run::Kind::text:
       return replace_all(latex_text(run.text), "   ", "\\quad ");
     case Run::Kind::symbol:
       return fmt::format("${}$", in_mathematics(run.text));
     case Run::Kind::raised:
-      return fmt::format("$^{{{}}}$", run.text);
+      return fmt::format("$^{{{}}}$", inner);
     case Run::Kind::lowered:
-      return fmt::format("$_{{{}}}$", run.text);
+      return fmt::format("$_{{{}}}$", inner);
   }
   return "";
 }

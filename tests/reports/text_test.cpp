@@ -1,5 +1,6 @@
 #include "reports/text.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,7 +63,10 @@ TEST(Text, LatexSpecialCharactersAreEscaped) {
             "a\\_b \\& 10\\% of \\#1 \\{x\\} \\$y\\$ \\textasciitilde{} \\textasciicircum{} \\textbackslash{}");
   EXPECT_EQ(latex_text("Δt < h²"), "$\\Delta$t $<$ h$^2$");
   EXPECT_EQ(latex_text("Léon"), "Léon");
+  EXPECT_EQ(latex_text("‖∥ℓ∂"), "$\\|$$\\|$$\\ell$$\\partial$");
+  EXPECT_EQ(latex_text("h⁻¹²ₕ₊"), "h$^-$$^1$$^2$$_h$$_+$");
   EXPECT_EQ(latex_text("✓"), "[U+2713]");
+  EXPECT_THAT(without_latex("a✓ ‖ ✗"), testing::ElementsAre("✓", "✗"));
   EXPECT_EQ(latex_text("a\nb"), "a b");
   EXPECT_EQ(latex_text("--set a-b --- 3"), "-{}-set a-b -{}-{}- 3") << "LaTeX makes dashes of them";
 }

@@ -29,13 +29,20 @@ TEST(Typeset, LatexSetsQuantitiesAsMathematicsAndUnitsUpright) {
       {"10^-3", "10$^{-3}$"},
       {"2·10^5", "2$\\cdot$10$^{5}$"},
       {"h^2", "$h$$^{2}$"},
+      {"‖u − u_h‖ in L², e_u", "$\\|$$u$ $-$ $u$$_{h}$$\\|$ in $L$$^2$, $e$$_{u}$"},
+      {"L/h, Δt·c/h", "$L$/$h$, $\\Delta$$t$$\\cdot$$c$/$h$"},
+      {"σ_xx of φ, 3 μs", "$\\sigma$$_{xx}$ of $\\varphi$, 3 $\\mu$s"},
+      {"E_kin, h^p", "$E$$_{\\mathrm{kin}}$, $h$$^{p}$"},
+      {"m_p (S m^-1 p)", "$m$$_{p}$ (S m$^{-1}$ $p$)"},
+      {"u-u_h, p=2", "$u$-$u$$_{h}$, $p$=2"},
       {"acceleration (m/s²)", "acceleration (m/s$^2$)"}};
   for (const auto& [text, set] : texts) EXPECT_EQ(typeset(text, Notation::latex), set) << text;
 }
 
 TEST(Typeset, WordsAndNamesAreNoQuantities) {
-  for (const char* text : {"a body at rest", "Compare S Fig. 9(a).", "W (A.2)", "bspline2, ghost nodes", "FLIP, 1D",
-                           "B2CPDI, 2.5 mm", "domain a", "USAVG+-bspline2", "Léon", "it's h-refined"})
+  for (const char* text :
+       {"a body at rest", "Compare S Fig. 9(a).", "W (A.2)", "bspline2, ghost nodes", "FLIP, 1D", "B2CPDI, 2.5 mm",
+        "domain a", "USAVG+-bspline2", "Léon", "it's h-refined", "e.g. this, i.e. that", "B-splines", "2.5 m/s"})
     EXPECT_EQ(typeset(text, Notation::latex).find('$'), std::string::npos) << typeset(text, Notation::latex);
 }
 
@@ -45,9 +52,23 @@ TEST(Typeset, KeysKeepTheGapBeforeTheOrderAndItsSign) {
 }
 
 TEST(Typeset, GnuplotsNotationHasNoMeaningInAText) {
-  EXPECT_EQ(typeset("x_p/h", Notation::enhanced), "{/:Italic x}_{p}/{/:Italic h}");
+  EXPECT_EQ(typeset("x_p/h", Notation::enhanced), "{/:Italic x}_{/:Italic p}/{/:Italic h}");
   EXPECT_EQ(typeset("10^-3", Notation::enhanced), "10^{-3}");
   EXPECT_EQ(typeset("linear_periodic {a} & b@", Notation::enhanced), "linear\\_periodic \\{a\\} \\& b\\@");
+}
+
+/// What is italic in LaTeX's mathematics is so in the other formats.
+TEST(Typeset, TheSameIsItalicInAllFormats) {
+  EXPECT_EQ(typeset("σ_xx", Notation::enhanced), "{/:Italic σ}_{/:Italic xx}");
+  EXPECT_EQ(typeset("h^p, h^2", Notation::enhanced), "{/:Italic h}^{/:Italic p}, {/:Italic h}^{2}");
+  EXPECT_EQ(typeset("E_kin", Notation::enhanced), "{/:Italic E}_{kin}");
+  EXPECT_EQ(typeset("‖u − u_h‖", Notation::enhanced), "‖{/:Italic u} − {/:Italic u}_{/:Italic h}‖");
+  EXPECT_EQ(typeset("Δt", Notation::enhanced), "Δ{/:Italic t}");
+  EXPECT_EQ(typeset("μs", Notation::enhanced), "μs");
+}
+
+TEST(Typeset, LatexsOwnCommandsAreNone) {
+  EXPECT_EQ(typeset("\\alpha", Notation::latex), "\\textbackslash{}alpha");
 }
 
 TEST(Typeset, LatexsOwnSignsAreEscaped) {
