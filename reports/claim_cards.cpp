@@ -4,8 +4,8 @@
 #include <regex>
 #include <utility>
 
+#include "reports/claim_picture.hpp"
 #include "reports/criteria.hpp"
-#include "reports/text.hpp"
 #include "reports/verdicts.hpp"
 
 namespace mpmvv::reports {
@@ -13,20 +13,6 @@ namespace mpmvv::reports {
 using namespace template_data;
 
 namespace {
-
-/// The figure that bears the claim's name, else the first of its studies'.
-const Picture* picture_of(const claims::Claim& claim, const std::vector<Section>& sections) {
-  const Picture* first = nullptr;
-  for (const Section& section : sections) {
-    const auto& named = section.study->claims;
-    if (std::ranges::find(named, claim.id) == named.end()) continue;
-    for (const Picture& picture : section.pictures) {
-      if (picture.name == lower_case(claim.id)) return &picture;
-      if (first == nullptr) first = &picture;
-    }
-  }
-  return first;
-}
 
 /// The first criteria of a claim, which stand in place of a figure.
 data asked_list(const claims::Claim& claim) {
