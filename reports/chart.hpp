@@ -8,7 +8,7 @@
 
 namespace mpmvv::reports {
 
-/// What a dot stands for: inside or outside a fit's window, blown up (drawn at the upper edge), or nothing to draw.
+/// What a dot stands for: inside or outside a fit's window, blown up (a cross), or nothing to draw.
 enum class Mark { inside, outside, unstable, absent };
 
 struct Dot {
@@ -17,6 +17,7 @@ struct Dot {
   double drawn = 0;  ///< where the mark stands on the y axis
   Mark mark = Mark::inside;
   double shade = support::not_measured;  ///< its colour on the chart's scale, where its curve has squares
+  double half_range = 0;                 ///< of x, drawn as a bar to either side; 0: none
 };
 
 /// How a curve is told from others: by a number of its own, or as a member of a group that shares colour and marker,
@@ -90,6 +91,7 @@ struct Chart {
   bool to_scale = false;             ///< one unit is as long along x as along y
   bool of_particles = false;         ///< places of particles, in panels side by side
   Axis x, y;
+  double band = 0;  ///< upper part of the y axis that has crosses of unstable runs in place of values, a fraction
   std::optional<Axis> shades;  ///< the scale of the dots' colours, drawn beside the axes
   std::vector<Curve> curves;
   std::vector<Rule> rules;

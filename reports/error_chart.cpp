@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 
 #include "reports/chart.hpp"
 #include "reports/original_look.hpp"
 #include "reports/reference_slope.hpp"
+#include "reports/series_style.hpp"
 #include "reports/text.hpp"
+#include "reports/unstable_band.hpp"
 #include "studies/claims/samples.hpp"
 #include "studies/fits/window.hpp"
 
@@ -22,6 +23,7 @@ using records::Status;
 namespace {
 
 constexpr std::size_t most_markers = 40;  ///< a curve with more points is a line without markers
+constexpr double cross_row = 0.038;       ///< height, as a fraction of the axis
 
 std::vector<const ObservedOrder*> orders_of(const Series& series, const std::string& norm) {
   std::vector<const ObservedOrder*> result;
@@ -52,11 +54,12 @@ class ErrorChart {
   }
 
   Chart make() {
-    for (std::size_t i = 0; i < series_.size(); ++i) add_curve(*series_[i], static_cast<int>(i));
+    const auto styles = series_styles(study_);
+    for (const Series* s : series_) add_curve(*s, styles.at(s->name));
     set_axes();
-    place_unstable();
+    add_unstable_band(chart_, cross_row);
     note_clipped();
-    for (std::size_t i = 0; i < series_.size(); ++i) add_rules(*series_[i], static_cast<int>(i));
+    for (const Series* s : series_) add_rules(*s, styles.at(s->name));
     if (figure_.log_x && figure_.log_y && has_values_)
       for (const double p : figure_.slopes) add_reference_slope(chart_, p, study_.sweep);
     add_notes();
@@ -164,19 +167,11 @@ class ErrorChart {
                          ys);
   }
 
-  /// Crosses hang from the upper edge; where several series are unstable at one x, one below the other.
-  void place_unstable() {
-    std::map<double, int> at_x;
-    for (auto& curve : chart_.curves)
-      for (auto& dot : curve.dots)
-        if (dot.mark == Mark::unstable) dot.drawn = chart_.y.value(1 - 0.022 - 0.03 * at_x[dot.x]++);
-  }
-
   void note_clipped() {
     for (const auto& curve : chart_.curves)
       for (const auto& dot : curve.dots) {
         ++point_;
-        if (curve.marked && dot.mark != Mark::absent && !(chart_.x.holds(dot.x) && chart_.y.holds(dot.drawn)))
+        if (curve.marked && dot.mark != Mark::absent && !holds(chart_, dot))
           note_missing(curve.name, dot.x, fmt::format("{} is off the axes", on_axis(dot.value)));
       }
   }
@@ -237,7 +232,7 @@ class ErrorChart {
     if (rules(Rule::Kind::reference)) aid += "Grey, with a triangle: reference slopes. ";
     if (rules(Rule::Kind::floor)) aid += "Dotted: floor of the fit with a floor. ";
     if (rules(Rule::Kind::limit)) aid += "Vertical lines: bracket of the stability limit. ";
-    if (marks(Mark::unstable)) aid += "Crosses at the upper edge: unstable. ";
+    if (marks(Mark::unstable)) aid += "Crosses in the band at the upper edge: unstable. ";
     if (!aid.empty()) chart_.notes.push_back(aid.substr(0, aid.size() - 1));
     note_left_out();
     if (missing_.empty()) return;

@@ -1,8 +1,10 @@
 #include "reports/original_look.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "reports/papers.hpp"
+#include "reports/unstable_band.hpp"
 
 namespace mpmvv::reports {
 
@@ -24,7 +26,8 @@ void scale_y(Chart& chart, double factor, const std::string& label) {
   for (Rule& rule : chart.rules)
     for (Place& place : rule.path) place.y *= factor;
   for (Label& text : chart.labels) text.at.y *= factor;
-  chart.y = make_axis({label, chart.y.log, chart.y.from * factor, chart.y.to * factor}, {});
+  chart.y = make_axis({label, chart.y.log, chart.y.from * factor, top_of_values(chart) * factor}, {});
+  if (chart.band > 0) add_band(chart.y, chart.band, chart.letter);
 }
 
 void draw_to_scale(Chart& chart) {
@@ -35,18 +38,21 @@ void draw_to_scale(Chart& chart) {
 
 /// Curves that no group names follow the groups, each as one of its own.
 void group(Chart& chart, const std::vector<std::vector<std::string>>& groups) {
-  std::vector<Style> styles;
+  std::map<int, Style> styles;
   int next = static_cast<int>(groups.size());
   for (Curve& curve : chart.curves) {
     const auto has_curve = [&](const auto& names) { return std::ranges::find(names, curve.name) != names.end(); };
     const auto own = std::ranges::find_if(groups, has_curve);
-    styles.push_back(own == groups.end() ? Style(next++, 0)
-                                         : Style(static_cast<int>(own - groups.begin()),
-                                                 static_cast<int>(std::ranges::find(*own, curve.name) - own->begin())));
+    const Style look = own == groups.end()
+                           ? Style(next++, 0)
+                           : Style(static_cast<int>(own - groups.begin()),
+                                   static_cast<int>(std::ranges::find(*own, curve.name) - own->begin()));
+    styles.emplace(curve.style.number, look);
+    curve.style = look;
   }
   for (Rule& rule : chart.rules)
-    if (rule.style != plain_style) rule.style = styles.at(static_cast<std::size_t>(rule.style.number));
-  for (std::size_t i = 0; i < styles.size(); ++i) chart.curves[i].style = styles[i];
+    if (const auto look = styles.find(rule.style.number); rule.style != plain_style && look != styles.end())
+      rule.style = look->second;
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "reports/panels.hpp"
+#include "reports/series_style.hpp"
 #include "reports/text.hpp"
 
 namespace mpmvv::reports {
@@ -36,20 +36,21 @@ std::vector<LastRun> last_runs(const records::StudyResult& study, const records:
   return runs;
 }
 
-/// About how far apart the particles are: the median, over the particles, of the mean distance to the four nearest
-/// ones, as many as a particle of a lattice has at one distance. The nearest one alone would be too close where
-/// particles lie in no order.
+/// The width of a square that is a particle's share of the body: the median, over the particles, of the distance to the
+/// eighth nearest one, which on a lattice stands at a corner of the square's ring of neighbours. The nearest ones alone
+/// would be too close where particles lie in no order.
 double spacing_of(const std::vector<ParticleError>& all) {
-  constexpr std::size_t most_near = 4;
+  constexpr std::size_t ring = 8;
   std::vector<double> spacings, ways;
   for (const ParticleError& one : all) {
     ways.clear();
     for (const ParticleError& other : all)
       if (const double way = std::hypot(other.x - one.x, other.y - one.y); way > 0) ways.push_back(way);
-    const std::size_t near = std::min(most_near, ways.size());
-    const auto last = ways.begin() + static_cast<std::ptrdiff_t>(near);
-    std::ranges::partial_sort(ways, last);
-    if (near > 0) spacings.push_back(std::accumulate(ways.begin(), last, 0.0) / static_cast<double>(near));
+    if (ways.empty()) continue;
+    const bool has_ring = ways.size() >= ring;
+    const auto corner = ways.begin() + (has_ring ? ring - 1 : 0);
+    std::ranges::nth_element(ways, corner);
+    spacings.push_back(has_ring ? *corner / std::sqrt(2) : *corner);
   }
   if (spacings.empty()) return 1;
   const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
@@ -70,13 +71,14 @@ Axis shade_axis(const std::vector<LastRun>& runs) {
   return make_axis({error_label, true, {}, {}}, std::vector{std::min(low, errors.back() / 2), errors.back()});
 }
 
-/// The panel of a run. Where particles are many, their squares overlap, to close the gaps in a stretched body.
+/// The panel of a run. Squares are as large as a particle's share of the body; where two overlap all the same, the
+/// larger error is drawn later.
 Panel panel_of(const LastRun& run) {
-  constexpr std::size_t many = 300;
-  constexpr double overlap = 2.2;
   Panel panel{run.series->name, {}};
-  const double width = spacing_of(run.errors()) * (run.errors().size() > many ? overlap : 1);
-  for (const ParticleError& one : run.errors()) {
+  const double width = spacing_of(run.errors());
+  std::vector<ParticleError> sorted = run.errors();
+  std::ranges::stable_sort(sorted, {}, &ParticleError::error);
+  for (const ParticleError& one : sorted) {
     panel.particles.push_back({{one.x, one.y}, width, width});
     panel.shades.push_back(one.error);
   }
@@ -95,22 +97,19 @@ Chart shaded_panels(const records::Figure& figure, const std::vector<LastRun>& r
 }
 
 /// The chart of a body along a line: the errors against their places.
-Chart errors_along_a_line(const records::Figure& figure, const std::vector<LastRun>& runs) {
+Chart errors_along_a_line(const records::StudyResult& study, const records::Figure& figure,
+                          const std::vector<LastRun>& runs) {
   constexpr std::size_t most_marked = 40;
   Chart chart;
   chart.name = figure.name;
   chart.caption = figure.caption;
   std::vector<double> places, errors;
+  const auto styles = series_styles(study);
   for (const LastRun& run : runs) {
     std::vector<ParticleError> sorted = run.errors();
     std::ranges::sort(sorted, {}, &ParticleError::x);
-    Curve curve{run.series->name,
-                run.series->name,
-                static_cast<int>(chart.curves.size()),
-                true,
-                sorted.size() <= most_marked,
-                true,
-                {}};
+    Curve curve{
+        run.series->name, run.series->name, styles.at(run.series->name), true, sorted.size() <= most_marked, true, {}};
     for (const ParticleError& one : sorted) {
       curve.dots.push_back({one.x, one.error, one.error, one.error > 0 ? Mark::inside : Mark::absent});
       places.push_back(one.x), errors.push_back(one.error);
@@ -122,27 +121,51 @@ Chart errors_along_a_line(const records::Figure& figure, const std::vector<LastR
   return chart;
 }
 
+/// Whether mirror images of what was run make a part of the body that has no particles here. Images by quarter turns,
+/// and one mirror image alone in the plane, do have some.
+bool lacks_mirror_images(const LastRun& run) {
+  const auto images = run.point->y.find("images");
+  const auto is_beside = [&](double ParticleError::*place) {  // on one side of the plane through the origin
+    const auto [low, high] = std::ranges::minmax(run.errors(), {}, place);
+    const double quarter = 0.25 * (high.*place - low.*place);
+    return low.*place > -quarter || high.*place < quarter;
+  };
+  const bool is_line = std::ranges::all_of(run.errors(), [](const ParticleError& one) { return one.y == 0; });
+  return images != run.point->y.end() && images->second > (is_line ? 1 : 2) &&
+         (is_beside(&ParticleError::x) || is_beside(&ParticleError::y));
+}
+
+/// The series of which nothing is drawn as no run came to its end.
+std::vector<std::string> never_sound(const records::StudyResult& study, const records::Figure& figure) {
+  std::vector<std::string> names;
+  for (const Series* series : figure_series(study, figure))
+    if (!series->points.empty() &&
+        std::ranges::none_of(series->points, [](const Point& p) { return p.status == records::Status::ok; }))
+      names.push_back(series->name);
+  return names;
+}
+
 /// Notes which runs the particles are of, and what is left out.
-void add_notes(Chart& chart, const records::StudyResult& study, const std::vector<LastRun>& runs) {
+void add_notes(Chart& chart, const records::StudyResult& study, const records::Figure& figure,
+               const std::vector<LastRun>& runs) {
   std::vector<std::string> which;
-  bool has_parts = false;
-  for (const LastRun& run : runs) {
+  for (const LastRun& run : runs)
     which.push_back(fmt::format("{} at {} {}", run.series->name, study.sweep, brief(run.point->x)));
-    const auto images = run.point->y.find("images");
-    has_parts |= images != run.point->y.end() && images->second > 1;
-  }
   if (which.empty())
     chart.omissions.emplace_back("No run has errors of particles.");
   else
     chart.notes.push_back(fmt::format("At the end: {}.", fmt::join(which, "; ")));
   if (chart.shades)
     chart.notes.emplace_back(
-        "Blue is a large error, yellow a small one. Where particles are many, a square stands for neighbours, "
-        "with their RMS error.");
-  if (has_parts)
+        "Blue is a large error, yellow a small one. Squares are as large as a particle's share of the body; where they "
+        "overlap, "
+        "the largest error is on top. Where particles are many, a square stands for neighbours, with their RMS error.");
+  if (const auto names = never_sound(study, figure); !names.empty())
+    chart.omissions.push_back(
+        fmt::format("Not drawn, as none of its runs came to the end: {}.", fmt::join(names, "; ")));
+  if (std::ranges::any_of(runs, lacks_mirror_images))
     chart.omissions.emplace_back(
-        "A part of the body was run: images of it make the rest, of which mirror images in planes across the axes "
-        "are not drawn.");
+        "A part of the body was run; its mirror images in planes across the axes, which make the rest, are not drawn.");
 }
 
 }  // namespace
@@ -152,8 +175,8 @@ Chart particle_error_chart(const records::StudyResult& study, const records::Fig
   const bool is_flat = std::ranges::all_of(runs, [](const LastRun& run) {
     return std::ranges::all_of(run.errors(), [](const ParticleError& one) { return one.y == 0; });
   });
-  Chart chart = is_flat ? errors_along_a_line(figure, runs) : shaded_panels(figure, runs);
-  add_notes(chart, study, runs);
+  Chart chart = is_flat ? errors_along_a_line(study, figure, runs) : shaded_panels(figure, runs);
+  add_notes(chart, study, figure, runs);
   return chart;
 }
 

@@ -9,6 +9,7 @@
 
 #include "reports/picture.hpp"
 #include "reports/text.hpp"
+#include "reports/unstable_band.hpp"
 
 namespace mpmvv::reports {
 
@@ -62,7 +63,7 @@ class Points {
       : chart_(chart), frame_(frame), commands_(commands) {}
 
   void add(const std::string& series, const Dot& dot, const std::string& swept, const std::string& value) {
-    if (dot.mark == Mark::absent || !chart_.x.holds(dot.x) || !chart_.y.holds(dot.drawn)) return;
+    if (dot.mark == Mark::absent || !holds(chart_, dot)) return;
     const double x = frame_.left + chart_.x.fraction(dot.x) * (frame_.right - frame_.left);
     const double y = frame_.bottom - chart_.y.fraction(dot.drawn) * (frame_.bottom - frame_.top);
     of(series)["points"].push_back({std::lround(x), std::lround(y), swept, value});

@@ -23,6 +23,9 @@ Plot plot_of(const Chart& chart);
 /// The plot of a chart for a paper: one picture in the sheet's format. For LaTeX a second file holds what is no text.
 Plot plot_of(const Chart& chart, const Sheet& sheet);
 
+/// Whether the chart's height follows from its scale or its named rows, whatever that of the sheet.
+bool has_own_height(const Chart& chart);
+
 /// Whether the chart's axes are long enough to be read on such a sheet.
 bool has_room(const Chart& chart, const Sheet& sheet);
 

@@ -48,11 +48,12 @@ class Elements {
  public:
   Elements(const Chart& chart, double mark_scale) : mark_scale_(mark_scale) {
     int index = 0;
-    std::vector<std::string> below, lines, fits, marks;
+    std::vector<std::string> below, lines, fits, marks, top;
     for (const auto& curve : chart.curves) {
       if (curve.dots.empty()) continue;
       if (curve.joined)
         lines.push_back(fmt::format("data index {} using 1:($4>=0?$2:NaN) with lines {}", index, joining_line(curve)));
+      if (has(curve, Mark::unstable)) top.push_back(crosses(curve, index));
       add_marks(marks, curve, index++);
     }
     for (const auto& rule : chart.rules) {
@@ -63,8 +64,11 @@ class Elements {
       below.push_back(
           fmt::format("data index {0} using 1:2:({1}*$3):({1}*$4) with boxxyerror "
                       "fs solid noborder lc rgb '#A9CCE3'",
-                      index, half_shown));
-    for (const auto* layer : {&below, &lines, &fits, &marks})
+                      index++, half_shown));
+    if (chart.band > 0)
+      marks.push_back(
+          fmt::format("data index {} using 1:2:3:4:5:6 with boxxyerror fs solid noborder lc rgb '#F0F0F0'", index));
+    for (const auto* layer : {&below, &lines, &fits, &marks, &top})
       for (const auto& element : *layer) add(element);
   }
 
@@ -81,16 +85,26 @@ class Elements {
 
   std::string size(double marker) const { return fmt::format("ps {:g} ", marker * mark_scale_); }
 
+  static std::string points_text(int index, int mark, int type, const std::string& look) {
+    return fmt::format("data index {} using 1:($4=={}?$3:NaN) with points pt {} {}", index, mark, type, look);
+  }
+
+  std::string crosses(const Curve& curve, int index) const {
+    return points_text(index, -1, cross, size(0.85) + "lw 1.8 " + colour_of(curve.style));
+  }
+
   void add_marks(std::vector<std::string>& marks, const Curve& curve, int index) {
     const auto points = [&](int mark, int type, const std::string& look) {
-      marks.push_back(
-          fmt::format("data index {} using 1:($4=={}?$3:NaN) with points pt {} {}", index, mark, type, look));
+      marks.push_back(points_text(index, mark, type, look));
     };
     if (curve.square > 0) {
       marks.push_back(fmt::format("data index {0} using 1:3:({1}):({1}):5 with boxxyerror fs solid noborder lc palette",
-                                  index, plot_number(0.46 * curve.square)));
+                                  index, plot_number(0.5 * curve.square)));
       return;
     }
+    if (has_ranges(curve))
+      marks.push_back(fmt::format("data index {} using 1:3:($1-$5):($5>0?$1+$5:NaN) with xerrorbars pt -1 lw 1 {}",
+                                  index, colour_of(curve.style)));
     const auto [filled, hollow] = marker_of(curve.style);
     const auto add_hollow = [&, filled = filled, hollow = hollow](int mark) {
       points(mark, filled, size(curve.size) + "lc rgb '#FFFFFF'");
@@ -103,7 +117,6 @@ class Elements {
       else
         points(1, filled, size(curve.size) + colour_of(curve.style));
     }
-    if (has(curve, Mark::unstable)) points(-1, cross, size(0.85) + "lw 1.8 " + colour_of(curve.style));
   }
 
   double mark_scale_;
@@ -113,11 +126,13 @@ class Elements {
 }  // namespace
 
 /// A text for gnuplot, in double quotes. Characters with a meaning in double or in single quotes are written as octal
-/// codes. (In single quotes two of them mean one, but not at the text's beginning nor beside others.) A bracket at the
-/// beginning of LaTeX gets an empty group before it, because gnuplot would take it for the text's alignment.
+/// codes. (In single quotes two of them mean one, but not at the text's beginning nor beside others.) Before a bracket
+/// at the beginning of LaTeX stands a command that does nothing: gnuplot would take the bracket, or a brace, for the
+/// text's alignment.
 std::string quoted(const std::string& text, Notation notation) {
-  const std::string set = typeset(one_line(text), notation);
-  std::string result = notation == Notation::latex && set.starts_with('[') ? "\"{}" : "\"";
+  std::string set = typeset(one_line(text), notation);
+  if (notation == Notation::latex && set.starts_with('[')) set.insert(0, "\\relax");
+  std::string result = "\"";
   for (const char c : set)
     result +=
         std::string_view("\"'\\`@").find(c) == std::string_view::npos ? std::string(1, c) : fmt::format("\\{:03o}", c);
@@ -126,6 +141,10 @@ std::string quoted(const std::string& text, Notation notation) {
 
 std::string plot_elements(const Chart& chart, double mark_scale) {
   return Elements(chart, mark_scale).text();
+}
+
+bool has_ranges(const Curve& curve) {
+  return std::ranges::any_of(curve.dots, [](const Dot& dot) { return dot.half_range > 0; });
 }
 
 int key_marker(const Curve& curve) {

@@ -17,7 +17,8 @@ std::string one_line(const std::string& text);
 /// A text in a notation, in double quotes.
 std::string quoted(const std::string& text, Notation notation);
 
-/// What the `plot` command draws: boxes and rings below, lines, marks above. Empty when there is nothing to draw.
+/// What the `plot` command draws: boxes and rings below, lines, marks, the band of the unstable with its crosses. Empty
+/// when there is nothing to draw.
 std::string plot_elements(const Chart& chart, double mark_scale);
 
 /// The key, each entry where the layout has it, before the `plot` command.
@@ -26,8 +27,11 @@ std::string placed_key(const Layout& layout, Notation notation, double mark_scal
 /// The point type that stands for a curve: filled, or a cross where nothing else of it is drawn.
 int key_marker(const Curve& curve);
 
-/// The data that plot_elements refers to: a block for each curve that has dots, for each rule, and one for the boxes,
-/// in the order in which it counts them. gnuplot would not count an empty block.
+/// Whether a dot of the curve has a range in x.
+bool has_ranges(const Curve& curve);
+
+/// The data that plot_elements refers to: a block for each curve that has dots, for each rule, one for the boxes and
+/// one for the band of the unstable, in the order in which it counts them. gnuplot would not count an empty block.
 std::string plot_data(const Chart& chart);
 
 }  // namespace mpmvv::reports

@@ -34,7 +34,8 @@ double text_width(const std::string& text, double font) {
 
 /// Digits and signs are wider than letters are on average.
 double tic_width(const Tic& tic, double font) {
-  return digit_width * font * characters(tic.text);
+  const bool is_word = std::ranges::all_of(tic.text, [](char c) { return c >= 'a' && c <= 'z'; });
+  return is_word ? text_width(tic.text, font) : digit_width * font * characters(tic.text);
 }
 
 double widest_tic(const Axis& axis, double font) {
@@ -146,14 +147,15 @@ Layout report_layout(const Chart& chart) {
   return layout;
 }
 
-Layout paper_layout(const Chart& chart, double width, double font) {
+Layout paper_layout(const Chart& chart, double width, double font, double height) {
   Layout layout;
   layout.page = {width, font, paper_ratio * width};
+  set_key(layout, chart);
+  if (height > 0) layout.page.height = height - layout.key_height();
   layout.has_named_rows = chart.y.names;
   if (chart.y.names) layout.page.height = chart.height * points_per_pixel * font / PageSize{}.font;
   layout.top = (chart.to_scale ? 1.8 : 0.8) * font;
   layout.y_label = lines_of(chart.y.label, font, layout.page.height - label_room * font);
-  set_key(layout, chart);
   set_sides(layout, chart);
   if (chart.to_scale) {
     const double shape = (chart.y.to - chart.y.from) / (chart.x.to - chart.x.from);

@@ -57,8 +57,9 @@ struct Layout {
 /// plotting program's.
 Layout report_layout(const Chart& chart);
 
-/// The layout of a chart in a column of a paper, with letters of this size, both in points.
-Layout paper_layout(const Chart& chart, double width, double font);
+/// The layout of a chart in a column of a paper, with letters of this size, both in points. A height of the whole, in
+/// points, counts where the chart leaves it open; at 0 it follows from the width.
+Layout paper_layout(const Chart& chart, double width, double font, double height = 0);
 
 /// The axis without the texts of tics that would touch their neighbours on a length, both in points.
 Axis with_room(Axis axis, double length, double font);

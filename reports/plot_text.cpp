@@ -86,8 +86,12 @@ std::string paper_shades(const Chart& chart, const Layout& layout, Notation text
                   quoted(chart.shades.value_or(Axis{}).label, texts), layout.shades_label_at(), reading(texts)));
 }
 
+/// The texts within the axes, and the line below the band of the unstable.
 std::string labels_text(const Chart& chart, Notation texts) {
   std::string text;
+  if (chart.band > 0)
+    text += fmt::format("set arrow from graph 0,{0:.5f} to graph 1,{0:.5f} nohead front lw 0.8 lc rgb '#909090'\n",
+                        1 - chart.band);
   for (const auto& label : chart.labels) text += label_text(label, texts);
   return text;
 }
@@ -153,7 +157,7 @@ std::string terminal_text(const Sheet& sheet, double width, double height) {
                          96 * height, sheet.font, sheet.font_size / 0.75);
     case Format::tex:
       return fmt::format(
-          "cairolatex pdf input size {:.4f}in,{:.4f}in font ',{:g}' linewidth 1.1 "
+          "cairolatex pdf input size {:.4f}in,{:.4f}in font ',{:g}' linewidth 2.2 "
           "header '\\fontsize{{{:g}}}{{{:g}}}\\selectfont'",
           width, height, 0.75 * sheet.font_size, sheet.font_size, 1.2 * sheet.font_size);
   }
@@ -161,10 +165,15 @@ std::string terminal_text(const Sheet& sheet, double width, double height) {
 }
 
 Layout layout_on(const Chart& chart, const Sheet& sheet) {
-  return paper_layout(chart, sheet.width / mm_per_inch * 72, sheet.font_size);
+  constexpr double points_per_mm = 72 / mm_per_inch;
+  return paper_layout(chart, sheet.width * points_per_mm, sheet.font_size, sheet.height * points_per_mm);
 }
 
 }  // namespace
+
+bool has_own_height(const Chart& chart) {
+  return chart.to_scale || chart.y.names;
+}
 
 bool has_room(const Chart& chart, const Sheet& sheet) {
   return layout_on(chart, sheet).has_room();

@@ -14,13 +14,20 @@ namespace mpmvv::reports {
 
 namespace {
 
+/// The width of a label as a fraction of the chart's: letters are about half as wide as high, and the chart is wider
+/// than high. A power's sign is not drawn.
+double width_of(const std::string& label, double letter) {
+  const auto drawn = static_cast<double>(label.size()) - static_cast<double>(std::ranges::count(label, '^'));
+  return 0.37 * letter * drawn;
+}
+
 /// How far every place of the chart is from what is drawn already, in fractions of its width and height.
 class Clearance {
  public:
   explicit Clearance(const Chart& chart) : chart_(chart) {
     for (const auto& curve : chart.curves) add_curve(curve);
     for (const auto& rule : chart.rules) add_path(rule.path);
-    for (const auto& label : chart.labels) things_.push_back(fractions(label.at));
+    for (const auto& label : chart.labels) add_label(label);
     for (int j = 0; j <= cells; ++j)
       for (int i = 0; i <= cells; ++i) field_[index(i, j)] = nearest({at(i), at(j)});
   }
@@ -28,7 +35,7 @@ class Clearance {
   /// The distance at a place; negative outside the frame and close to it.
   double operator()(const Place& f) const {
     const double frame = 0.75 * chart_.letter;
-    if (f.x < frame || f.x > 1 - frame || f.y < frame || f.y > 1 - frame) return -1;
+    if (f.x < frame || f.x > 1 - frame || f.y < frame || f.y > 1 - chart_.band - frame) return -1;
     return field_[index(static_cast<int>(std::lround(f.x * cells)), static_cast<int>(std::lround(f.y * cells)))];
   }
 
@@ -38,6 +45,16 @@ class Clearance {
   static std::size_t index(int i, int j) { return static_cast<std::size_t>(j * (cells + 1) + i); }
 
   Place fractions(const Place& p) const { return {chart_.x.fraction(p.x), chart_.y.fraction(p.y)}; }
+
+  void add_label(const Label& label) {
+    constexpr int pieces = 4;
+    const Place at = fractions(label.at);
+    const double width = width_of(label.text, chart_.letter);
+    const double left = at.x - (label.side == Label::Side::left    ? 0
+                                : label.side == Label::Side::right ? width
+                                                                   : width / 2);
+    for (int k = 0; k <= pieces; ++k) things_.push_back({left + width * k / pieces, at.y});
+  }
 
   void add_curve(const Curve& curve) {
     std::vector<Place> run;
@@ -77,8 +94,10 @@ struct SlopeMark {
   Place start, end;
   std::array<Place, 3> triangle;  ///< two corners on the line, the right angle between them
   Place name, rise, run;
+  double half_name = 0;  ///< half of the name's width
 
-  SlopeMark(const Place& middle, double width, double slope, double letter) {
+  SlopeMark(const Place& middle, double width, double slope, double letter, double name_width)
+      : half_name(name_width / 2) {
     const auto on_line = [&](double dx) { return Place{middle.x + dx, middle.y + slope * dx}; };
     start = on_line(-width / 2);
     end = on_line(width / 2);
@@ -92,7 +111,8 @@ struct SlopeMark {
   }
 
   double clearance(const Clearance& clear) const {
-    double least = std::min({clear(name), clear(rise), clear(run), clear(triangle[1])});
+    double least = std::min({clear({name.x - half_name, name.y}), clear(name), clear({name.x + half_name, name.y}),
+                             clear(rise), clear(run), clear(triangle[1])});
     for (int k = 0; k <= 12; ++k)
       least = std::min(least, clear({start.x + (end.x - start.x) * k / 12, start.y + (end.y - start.y) * k / 12}));
     return least;
@@ -100,7 +120,7 @@ struct SlopeMark {
 };
 
 /// The largest mark that is clear of everything, as near to the data as that allows.
-std::optional<SlopeMark> best_mark(const Clearance& clear, double slope, double letter) {
+std::optional<SlopeMark> best_mark(const Clearance& clear, double slope, double letter, double name_width) {
   constexpr double steps = 50;
   const double enough = 1.125 * letter;
   const double widest = std::min(0.4, 0.45 / std::abs(slope));
@@ -109,7 +129,7 @@ std::optional<SlopeMark> best_mark(const Clearance& clear, double slope, double 
   for (const double width : {widest, 0.75 * widest, 0.5 * widest})
     for (double i = 1; i < steps; ++i)
       for (double j = 1; j < steps; ++j) {
-        const SlopeMark mark({i / steps, j / steps}, width, slope, letter);
+        const SlopeMark mark({i / steps, j / steps}, width, slope, letter, name_width);
         const double clearance = mark.clearance(clear);
         if (clearance < 0) continue;
         const double merit = std::min(clearance, enough) / enough + 0.5 * width - 0.5 * clear({i / steps, j / steps});
@@ -126,12 +146,12 @@ void add_reference_slope(Chart& chart, double p, const std::string& sweep) {
   const double decades_y = std::log10(chart.y.to / chart.y.from);
   const double slope = (falling ? -p : p) * decades_x / decades_y;
   if (slope == 0) return;
-  const auto mark = best_mark(Clearance(chart), slope, chart.letter);
+  const std::string power = p == 1 ? "" : fmt::format("^{:g}", p);
+  const std::string name = falling ? "h" + power : fmt::format("slope {:g}", p);
+  const auto mark = best_mark(Clearance(chart), slope, chart.letter, width_of(name, chart.letter));
   if (!mark) return;
 
   const auto place = [&](const Place& f) { return Place{chart.x.value(f.x), chart.y.value(f.y)}; };
-  const std::string power = p == 1 ? "" : fmt::format("^{:g}", p);
-  const std::string name = falling ? "h" + power : fmt::format("slope {:g}", p);
   const auto& t = mark->triangle;
   chart.rules.push_back(
       {Rule::Kind::reference, 0, fmt::format("reference slope {:g}", p), {place(mark->start), place(mark->end)}});

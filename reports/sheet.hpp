@@ -23,6 +23,7 @@ inline std::string ending_of(Format format) {
 struct Sheet {
   Format format = Format::pdf;
   double width = 84;          ///< mm
+  double height = 0;          ///< mm, of axes, labels and key; 0: follows from the width
   std::string font = "Sans";  ///< of PDF and SVG; LaTeX sets its own
   double font_size = 8;       ///< points
 };

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "reports/axis_label.hpp"
+#include "reports/unstable_band.hpp"
 
 namespace mpmvv::reports {
 
@@ -88,15 +88,13 @@ bool marks(const Chart& chart, Mark mark) {
       chart.curves, [mark](const Curve& curve) { return std::ranges::count(curve.dots, mark, &Dot::mark) > 0; });
 }
 
-/// Places the crosses of one version below each other, and says in the caption what the marks mean that not every chart
+/// Places the crosses, and says in the caption what the marks mean that not every chart
 /// has.
 void place_marks(Chart& chart) {
-  std::map<double, int> at_x;
-  for (Curve& curve : chart.curves)
-    for (Dot& dot : curve.dots)
-      if (dot.mark == Mark::unstable) dot.drawn = chart.y.value(1 - 0.03 - 0.05 * at_x[dot.x]++);
+  constexpr double row_of_crosses = 0.07;  // of an axis that is low
+  add_unstable_band(chart, row_of_crosses);
   if (marks(chart, Mark::outside)) chart.caption += " Hollow: a run of the window is unstable or failed.";
-  if (marks(chart, Mark::unstable)) chart.caption += " Crosses at the upper edge: unstable.";
+  if (marks(chart, Mark::unstable)) chart.caption += " Crosses in the band at the upper edge: unstable.";
   if (marks(chart, Mark::absent)) chart.caption += " Without a mark: not run, or failed.";
 }
 

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "reports/chart.hpp"
+#include "reports/series_style.hpp"
 #include "studies/claims/samples.hpp"
 #include "studies/fits/work_precision.hpp"
 
@@ -9,17 +12,30 @@ namespace mpmvv::reports {
 
 using fits::WorkPoint;
 
+namespace {
+
+/// The range of the repetitions is drawn where it can be seen; no part of a bar is at a cost below zero.
+Dot dot_of_work(const WorkPoint& point) {
+  constexpr double least_seen = 0.02, longest = 0.95;  // of the cost
+  Dot dot{point.cost, point.error, point.error, Mark::inside};
+  if (point.half_range > least_seen * point.cost) dot.half_range = std::min(point.half_range, longest * point.cost);
+  return dot;
+}
+
+}  // namespace
+
 Chart work_chart(const records::StudyResult& study, const records::Figure& figure) {
   Chart chart;
   chart.name = figure.name;
   chart.caption = figure.caption;
   std::vector<WorkPoint> all;
   std::vector<std::string> without;
+  const auto styles = series_styles(study);
   for (const records::Series* series : figure_series(study, figure)) {
     const auto points = claims::work_points(*series, figure.quantity);
     all.insert(all.end(), points.begin(), points.end());
-    Curve curve{series->name, series->name, static_cast<int>(chart.curves.size()), true, true, true, {}};
-    for (const WorkPoint& p : points) curve.dots.push_back({p.cost, p.error, p.error, Mark::inside});
+    Curve curve{series->name, series->name, styles.at(series->name), true, true, true, {}};
+    for (const WorkPoint& p : points) curve.dots.push_back(dot_of_work(p));
     chart.curves.push_back(std::move(curve));
     if (points.size() < series->points.size())
       without.push_back(fmt::format("{} of {}", series->points.size() - points.size(), series->name));
@@ -30,10 +46,17 @@ Chart work_chart(const records::StudyResult& study, const records::Figure& figur
   if (!band.path.empty()) chart.rules.push_back(std::move(band));
 
   std::vector<double> costs, errors;
-  for (const WorkPoint& p : all) costs.push_back(p.cost), errors.push_back(p.error);
+  bool has_bars = false;
+  for (const Curve& curve : chart.curves)
+    for (const Dot& dot : curve.dots) {
+      costs.insert(costs.end(), {dot.x - dot.half_range, dot.x + dot.half_range});
+      errors.push_back(dot.value);
+      has_bars |= dot.half_range > 0;
+    }
   chart.x = make_axis({figure.xlabel, figure.log_x, figure.x_min, figure.x_max, 0.06, 0.06}, costs);
   chart.y = make_axis({figure.ylabel, figure.log_y, figure.y_min, figure.y_max, 0.06, 0.08}, errors);
   chart.notes.emplace_back("Rings: the Pareto front, the runs than which no other is both cheaper and more accurate.");
+  if (has_bars) chart.notes.emplace_back("Bars: the range of the repeated times, its middle at their median.");
   if (!without.empty())
     chart.omissions.push_back(fmt::format("Without a point, unstable or not measured: {}.", fmt::join(without, "; ")));
   return chart;

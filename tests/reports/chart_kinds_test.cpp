@@ -3,6 +3,7 @@
 
 #include "reports/chart.hpp"
 #include "reports/picture.hpp"
+#include "reports/plot.hpp"
 #include "studies/support/error.hpp"
 #include "tests/reports/rules.hpp"
 #include "tests/reports/synthetic.hpp"
@@ -46,6 +47,24 @@ TEST(WorkChart, DrawsErrorAgainstCostAndTheFrontOfAllSeries) {
   for (const Place& p : fronts[0].path) errors.push_back(p.y);
   EXPECT_THAT(errors, ElementsAre(0.3, 0.5 / 4, 0.5 / 16, 0.5 / 64));
   EXPECT_THAT(charts[0].omissions, ElementsAre("Without a point, unstable or not measured: 1 of slow."));
+}
+
+TEST(WorkChart, TheRangeOfRepeatedTimesIsABarWhereItIsSeen) {
+  auto study = work_study();
+  study.series[1].points[0].y["step_seconds_spread"] = 0.5;
+  study.series[1].points[1].y["step_seconds_spread"] = 0.02;
+  study.series[1].points[2].y["step_seconds_spread"] = 3;
+  const Chart chart = charts_of(study).at(0);
+  const auto& dots = chart.curves[1].dots;
+  EXPECT_DOUBLE_EQ(dots[0].half_range, 0.25);
+  EXPECT_EQ(dots[1].half_range, 0) << "hidden by its point";
+  EXPECT_LT(dots[2].half_range, 16) << "no cost is below zero";
+  EXPECT_LE(chart.x.from, dots[0].x - dots[0].half_range);
+  EXPECT_THAT(chart.notes, testing::Contains(HasSubstr("Bars: the range of the repeated times")));
+  const Plot plot = plot_of(chart);
+  EXPECT_THAT(plot.script, HasSubstr("data index 1 using 1:3:($1-$5):($5>0?$1+$5:NaN) with xerrorbars"));
+  EXPECT_THAT(plot.data, HasSubstr("\n1 0.5 0.5 1 0.25\n"));
+  EXPECT_THAT(charts_of(work_study()).at(0).notes, testing::Not(testing::Contains(HasSubstr("Bars"))));
 }
 
 TEST(WorkChart, WithoutAnyCostIsStillDrawn) {

@@ -8,6 +8,7 @@
 
 #include "reports/orders_table.hpp"
 #include "reports/table.hpp"
+#include "reports/unstable_band.hpp"
 #include "studies/support/error.hpp"
 #include "tests/reports/rules.hpp"
 #include "tests/reports/synthetic.hpp"
@@ -51,16 +52,43 @@ TEST(ErrorChart, PointsOutsideTheWindowAreMarked) {
                                  Mark::outside));
 }
 
-TEST(ErrorChart, UnstablePointsHangFromTheUpperEdgeOneBelowTheOther) {
+TEST(ErrorChart, UnstablePointsHaveABandAboveAllValuesOneBelowTheOther) {
   const auto chart = convergence_chart();
   const Dot& first = chart.curves[3].dots[0];
   const Dot& second = chart.curves[4].dots[0];
   ASSERT_EQ(first.mark, Mark::unstable);
   ASSERT_EQ(second.mark, Mark::unstable);
   EXPECT_EQ(first.x, second.x);
-  EXPECT_GT(chart.y.fraction(first.drawn), 0.95);
-  EXPECT_LT(chart.y.fraction(first.drawn), 1);
   EXPECT_LT(second.drawn, first.drawn);
+  EXPECT_GT(chart.y.fraction(second.drawn), 1 - chart.band);
+  EXPECT_LT(chart.y.fraction(first.drawn), 1);
+  for (const Curve& curve : chart.curves)
+    for (const Dot& dot : curve.dots) {
+      EXPECT_TRUE(holds(chart, dot) || dot.mark == Mark::absent) << curve.name << dot.x;
+      if (dot.mark != Mark::unstable && dot.mark != Mark::absent) EXPECT_LT(dot.drawn, top_of_values(chart));
+    }
+  ASSERT_EQ(chart.y.tics.back().text, "unstable");
+  EXPECT_FALSE(std::ranges::any_of(chart.y.tics, [&](const Tic& tic) {
+    const double way = 1 - chart.band / 2 - chart.y.fraction(tic.at);
+    return !tic.text.empty() && way > 1e-9 && way < 1.15 * chart.letter;
+  })) << "its name touches no other";
+  EXPECT_NEAR(chart.y.fraction(chart.y.tics.back().at), 1 - chart.band / 2, 1e-12);
+  EXPECT_THAT(chart.notes.at(0), HasSubstr("Crosses in the band at the upper edge: unstable."));
+  EXPECT_EQ(plain_chart({}).band, 0) << "without an unstable run";
+}
+
+/// Names of a power of two digits are wider than high.
+TEST(ErrorChart, NamesOfReferenceSlopesDoNotTouch) {
+  const auto chart = plain_chart({2, 1.5, 0.5});
+  std::vector<Place> names;
+  for (const Label& label : chart.labels)
+    if (label.formula) names.push_back({chart.x.fraction(label.at.x), chart.y.fraction(label.at.y)});
+  ASSERT_EQ(names.size(), 3u);
+  const double half = 0.37 * chart.letter * 4 / 2;
+  for (std::size_t a = 0; a < names.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      EXPECT_TRUE(std::abs(names[a].x - names[b].x) > 2 * half || std::abs(names[a].y - names[b].y) > chart.letter)
+          << a << " and " << b;
 }
 
 TEST(ErrorChart, KeyHasOrderAndInterval) {

@@ -170,7 +170,9 @@ class Reader {
     if (text.empty()) return;
     if (!grid_line_.empty()) {
       const Spot &a = grid_line_.front(), &b = grid_line_.back();
-      if (a.y == b.y)
+      if (text == "unstable")
+        drawing_.band = a.y;
+      else if (a.y == b.y)
         drawing_.y.tics.push_back({a.y, text});
       else
         drawing_.x.tics.push_back({a.x, text});

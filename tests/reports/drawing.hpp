@@ -62,6 +62,7 @@ struct KeyEntry {
 struct Drawing {
   ReadAxis x, y;
   double top = 0, bottom = 0;  ///< of the frame
+  double band = 0;             ///< middle of the band of unstable runs; 0: none
   std::vector<KeyEntry> key;
   std::vector<ReadMark> marks;  ///< without the white below hollow ones
   std::vector<ReadLine> lines;

@@ -6,6 +6,7 @@
 #include "reports/picture.hpp"
 #include "reports/plot.hpp"
 #include "reports/plot_style.hpp"
+#include "reports/unstable_band.hpp"
 
 namespace mpmvv::reports::original_look_test {
 
@@ -43,6 +44,17 @@ TEST(OriginalLook, NotesHaveTheUnitOfTheAxis) {
             "Without a point: uGIMP at 8 (-8.171); uGIMP at 4 (2.5 is off the axes).");
   study.figures[0].name = "mine";
   EXPECT_THAT(charts_of(study).at(0).omissions.back(), testing::HasSubstr("uGIMP at 8 (-0.08171)"));
+}
+
+TEST(OriginalLook, TheBandOfUnstableRunsStaysAboveTheValues) {
+  records::StudyResult study = study_with("n-fig4", "energy_loss", {"uGIMP"});
+  study.series[0].points[2] = {16, records::Status::unstable, "", {}};
+  const Chart chart = charts_of(study).at(0);
+  ASSERT_GT(chart.band, 0);
+  EXPECT_GT(top_of_values(chart), 100 * 0.1 / 4);
+  EXPECT_GT(chart.curves[0].dots[2].drawn, top_of_values(chart));
+  EXPECT_TRUE(holds(chart, chart.curves[0].dots[2]));
+  EXPECT_EQ(chart.y.tics.back().text, "unstable");
 }
 
 TEST(OriginalLook, OtherQuantitiesAndFiguresStayAsTheyAre) {

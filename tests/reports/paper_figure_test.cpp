@@ -115,6 +115,39 @@ TEST(PaperFigure, LatexSetsItsTexts) {
                                        HasSubstr("abscissa of laws"), Not(HasSubstr("{laws}"))));
 }
 
+/// gnuplot takes a bracket or a brace at the beginning for an alignment, and the text would stand outside of its box.
+TEST(PaperFigure, LatexSetsALabelThatBeginsWithABracket) {
+  records::StudyResult study = distinct::laws();
+  study.figures[0].xlabel = "[7] ‖u − u_h‖";
+  study.figures[0].ylabel = "⌘ (m)";
+  const std::string tex = drawn(study, sheet(Format::tex));
+  EXPECT_THAT(tex, AllOf(HasSubstr("\\makebox(0,0){\\strut{}\\relax[7] $\\|$$u$ $-$ $u$$_{h}$$\\|$}"),
+                         HasSubstr("\\strut{}\\relax[U+2318] (m)}"), Not(HasSubstr("\\makebox(0,0){}"))));
+}
+
+/// The unit of a line's width is half as large in the one terminal as in the other.
+TEST(PaperFigure, LinesAreAsWideInLatexAsInPdf) {
+  const auto unit = [](Format format) {
+    const std::string script = plot_of(chart_of(distinct::laws()), sheet(format)).script;
+    std::smatch width;
+    return std::regex_search(script, width, std::regex(" linewidth ([0-9.]+)")) ? std::stod(width[1]) : 0;
+  };
+  EXPECT_GT(unit(Format::pdf), 0);
+  EXPECT_DOUBLE_EQ(unit(Format::tex), 2 * unit(Format::pdf));
+}
+
+TEST(PaperFigure, ItHasTheHeightThatWasAskedFor) {
+  Sheet wanted = sheet(Format::svg, 174);
+  wanted.height = 90;
+  EXPECT_THAT(drawn(distinct::laws(), wanted), AllOf(HasSubstr("width=\"658\""), HasSubstr("height=\"340\"")));
+  EXPECT_TRUE(has_room(chart_of(distinct::laws()), wanted));
+  wanted.height = 20;
+  EXPECT_FALSE(has_room(chart_of(distinct::laws()), wanted));
+  EXPECT_FALSE(has_own_height(chart_of(distinct::laws())));
+  EXPECT_TRUE(has_own_height(chart_of(distinct::limits()))) << "rows";
+  EXPECT_TRUE(has_own_height(chart_of(distinct::particles()))) << "to scale";
+}
+
 TEST(PaperFigure, LongLabelsAndKeysAreBrokenIntoLines) {
   const std::string svg = drawn(wordy(), sheet(Format::svg));
   for (const char* line :

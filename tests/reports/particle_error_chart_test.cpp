@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "reports/chart.hpp"
 #include "reports/picture.hpp"
 #include "reports/plot.hpp"
@@ -50,17 +52,24 @@ TEST(ParticleErrorChart, HasAPanelOfSquaresForTheLastSoundRunOfEachSeries) {
   EXPECT_EQ(chart.curves[0].dots.size(), 100U);
   EXPECT_NEAR(chart.curves[0].square, 0.1, 1e-12);
   EXPECT_NEAR(chart.curves[1].dots[99].shade, 1e-4, 1e-12);
+  EXPECT_TRUE(std::ranges::is_sorted(chart.curves[1].dots, {}, &Dot::shade)) << "the largest error is drawn last";
   EXPECT_GT(chart.curves[1].dots[0].x, 1) << "beside the first panel";
   EXPECT_THAT(chart.notes, Contains(HasSubstr("theirs at cells 16; ours at cells 16")));
 }
 
-TEST(ParticleErrorChart, SquaresOfManyParticlesCloseTheGapsOfAStretchedBody) {
+/// Squares of many particles hide no neighbour and make the body no larger than it is.
+TEST(ParticleErrorChart, SquaresOfManyParticlesTileTheBody) {
   StudyResult study = runs_study();
   auto& many = study.series[0].points[1].particle_errors;
   many.clear();
   for (int i = 0; i < 20; ++i)
-    for (int j = 0; j < 20; ++j) many.push_back({1.3 * i, 1.0 * j, 1e-6});
-  EXPECT_GT(charts_of(study).at(0).curves[0].square, 1.3);
+    for (int j = 0; j < 20; ++j) many.push_back({0.5 + i, 0.5 + j, 1e-6 * (400 - 20 * i - j)});
+  const Chart chart = charts_of(study).at(0);
+  EXPECT_NEAR(chart.curves[0].square, 1, 1e-12);
+  const auto frame = std::ranges::find(chart.rules, Rule::Kind::frame, &Rule::kind);
+  ASSERT_NE(frame, chart.rules.end());
+  EXPECT_NEAR(frame->path[0].x, 0, 1e-12);
+  EXPECT_NEAR(frame->path[1].x, 20, 1e-12);
 }
 
 /// A few that are about zero would take the colours of all others.
@@ -99,12 +108,25 @@ TEST(ParticleErrorChart, OfABodyAlongALineIsErrorAgainstPlace) {
 TEST(ParticleErrorChart, SaysWhatIsNotThere) {
   StudyResult study = runs_study();
   study.series[0].points[1].y["images"] = 4;
-  EXPECT_THAT(charts_of(study).at(0).omissions, Contains(HasSubstr("images of it make the rest")));
+  EXPECT_THAT(charts_of(study).at(0).omissions, Contains(HasSubstr("mirror images in planes across the axes")));
+  for (ParticleError& one : study.series[0].points[1].particle_errors) one.x -= 0.5, one.y -= 0.5;
+  EXPECT_TRUE(charts_of(study).at(0).omissions.empty()) << "quarter turns have their images around the origin";
+  study.series[0].points[1].y["images"] = 2;
+  for (ParticleError& one : study.series[0].points[1].particle_errors) one.x += 0.5, one.y += 0.5;
+  EXPECT_TRUE(charts_of(study).at(0).omissions.empty()) << "the image in the diagonal is drawn";
   for (Series& series : study.series)
     for (records::Point& point : series.points) point.particle_errors.clear();
   const Chart empty = charts_of(study).at(0);
   EXPECT_THAT(empty.omissions, Contains("No run has errors of particles."));
   EXPECT_THAT(plot_of(empty).script, HasSubstr("nothing to draw"));
+}
+
+TEST(ParticleErrorChart, ASeriesThatIsUnstableOnEveryMeshIsNamed) {
+  StudyResult study = runs_study();
+  study.series.push_back({"lost", {{8, Status::unstable, "", {}}, {16, Status::unstable, "", {}}}, {}, {}});
+  study.series.push_back({"not asked", {{8, Status::ok, "", {}}}, {}, {}});
+  EXPECT_THAT(charts_of(study).at(0).omissions,
+              testing::ElementsAre("Not drawn, as none of its runs came to the end: lost."));
 }
 
 }  // namespace mpmvv::reports::particle_error_chart_test

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/unstable_band.hpp"
+
 namespace mpmvv::reports::trend_chart_test {
 
 using claims::Finding;
@@ -53,9 +55,10 @@ TEST(TrendChart, ANumberWithoutAllOfItsRunsIsHollowAndAnUnstableRunACross) {
   EXPECT_NE(charts[0].caption.find("Hollow: a run of the window is unstable or failed."), std::string::npos);
   const auto& errors = charts.at(1).curves;
   EXPECT_EQ(errors.at(0).dots[2].mark, Mark::unstable);
-  EXPECT_TRUE(charts[1].y.holds(errors[0].dots[2].drawn));
+  EXPECT_TRUE(holds(charts[1], errors[0].dots[2]));
+  EXPECT_GT(errors[0].dots[2].drawn, top_of_values(charts[1]));
   EXPECT_EQ(errors.at(1).dots[2].mark, Mark::absent);
-  EXPECT_NE(charts[1].caption.find("Crosses at the upper edge: unstable."), std::string::npos);
+  EXPECT_NE(charts[1].caption.find("Crosses in the band at the upper edge: unstable."), std::string::npos);
 }
 
 TEST(TrendChart, ALevelThatHasJustBecomeUnstableIsDrawn) {
