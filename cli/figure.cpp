@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
@@ -16,6 +17,7 @@
 #include "reports/picture_file.hpp"
 #include "reports/plot.hpp"
 #include "reports/text.hpp"
+#include "reports/text_remarks.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
@@ -30,7 +32,7 @@ using reports::Format;
 using reports::Sheet;
 
 struct FigureOptions {
-  std::string name, db, of, format, width = "84mm", font, font_size = "8pt", out;
+  std::string name, db, of, format, width = "84mm", height, font, font_size = "8pt", out;
 };
 
 std::optional<Format> format_of_ending(const fs::path& file) {
@@ -54,6 +56,7 @@ Sheet sheet_of(const FigureOptions& options) {
   Sheet sheet;
   sheet.format = format_of(options);
   sheet.width = figure_width(options.width);
+  if (!options.height.empty()) sheet.height = figure_height(options.height);
   sheet.font_size = figure_font_size(options.font_size);
   if (options.font.empty()) return sheet;
   if (sheet.format == Format::tex)
@@ -120,24 +123,40 @@ std::optional<int> width_with_room(const Chart& chart, Sheet sheet) {
   return with;
 }
 
-std::string lack_of_room(const Chart& chart, const Sheet& sheet, const FigureOptions& options) {
+std::string lack_of_room(const Chart& chart, Sheet sheet, const FigureOptions& options) {
+  if (std::exchange(sheet.height, 0) > 0 && reports::has_room(chart, sheet))
+    return fmt::format(
+        "--height {} leaves too little for the axes of '{}' (a larger one, or a smaller --font-size than {})",
+        options.height, chart.name, options.font_size);
   const auto width = width_with_room(chart, sheet);
   return fmt::format("--width {} leaves too little for the axes of '{}' ({}a smaller --font-size than {})",
                      options.width, chart.name, width ? fmt::format("{}mm would do, or ", *width) : "",
                      options.font_size);
 }
 
-/// What the picture itself does not say: that it is of a trial, and what it leaves out.
-void note_remarks(const Chart& chart) {
+/// Throws where --height is given and the height of a figure follows from its scale or rows.
+void require_open_height(const std::vector<Chart>& charts, const FigureOptions& options) {
+  const auto fixed = std::ranges::find_if(charts, reports::has_own_height);
+  if (!options.height.empty() && fixed != charts.end())
+    throw support::UsageError(
+        fmt::format("--height for '{}', whose height follows from its scale or its rows (leave it out)", fixed->name));
+}
+
+/// What the picture itself does not say: what its marks mean, that it is of a trial, what it leaves out, and which
+/// texts will not look as they were meant.
+void note_remarks(const Chart& chart, Format format) {
+  for (const std::string& meaning : chart.notes) note("{}: {}\n", chart.name, meaning);
   if (!chart.trial.empty()) note("{}: {}\n", chart.name, chart.trial);
   for (const std::string& omission : chart.omissions) note("{}: {}\n", chart.name, omission);
+  for (const std::string& remark : reports::text_remarks(reports::drawn_texts(chart), format))
+    note("{}: {}\n", chart.name, remark);
 }
 
 void draw(const Chart& chart, const Sheet& sheet, const fs::path& file) {
   if (file.has_parent_path()) support::make_folder(file.parent_path());
   reports::draw_picture(chart, sheet, file);
   print_drawn(reports::picture_files(file, sheet.format), sheet);
-  note_remarks(chart);
+  note_remarks(chart, sheet.format);
 }
 
 /// The results to draw: of the version that --of names, else of this program.
@@ -153,6 +172,7 @@ int figure(const FigureOptions& options) {
   require_known_ending(options.out);
   const Sheet sheet = sheet_of(options);
   const auto [charts, others] = reports::choose_figures(results_to_draw(options), options.name);
+  require_open_height(charts, options);
   const auto files = files_of(options, charts, sheet.format);
   for (const fs::path& file : files)
     for (const fs::path& part : reports::picture_files(file, sheet.format)) require_apart("--out", part, {options.db});
@@ -184,6 +204,8 @@ void add_figure(CLI::App& app, int& exit_code) {
   command->add_option("--format", options->format, "pdf, svg, tex (default: as --out ends, else pdf)")
       ->type_name("WORD");
   command->add_option("--width", options->width, "of the whole figure, with its key (default: 84mm)")
+      ->type_name("LENGTH");
+  command->add_option("--height", options->height, "of the same (default: follows from the width)")
       ->type_name("LENGTH");
   command->add_option("--font", options->font, "family of pdf and svg (default: Sans)")->type_name("FAMILY");
   command->add_option("--font-size", options->font_size, "of all texts (default: 8pt)")->type_name("LENGTH");

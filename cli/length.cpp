@@ -36,6 +36,10 @@ double figure_width(const std::string& text) {
   return length_of("--width", text, least_width, greatest_width);
 }
 
+double figure_height(const std::string& text) {
+  return length_of("--height", text, least_width, greatest_width);
+}
+
 double figure_font_size(const std::string& text) {
   return length_of("--font-size", text, 1.5, 10) / mm_per_point;
 }

@@ -35,6 +35,7 @@ int paper(const PaperOptions& options) {
         count_text(static_cast<std::size_t>(summary.figures), "figure"), summary.figures_drawn,
         count_text(static_cast<std::size_t>(summary.tables), "table"));
   for (const auto& missing : summary.without) print("  {}\n", missing);
+  for (const auto& remark : summary.remarks) note("{}\n", remark);
   return 0;
 }
 

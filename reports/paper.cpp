@@ -15,6 +15,7 @@
 #include "reports/plot.hpp"
 #include "reports/template_data.hpp"
 #include "reports/text.hpp"
+#include "reports/text_remarks.hpp"
 #include "reports/typeset.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -172,6 +173,19 @@ std::vector<Plot> plots_of(const std::vector<Part>& parts, const Sheet& column) 
   return plots;
 }
 
+std::vector<std::string> remarks_on(const std::vector<Part>& parts) {
+  std::vector<std::string> remarks;
+  for (const Part& part : parts)
+    for (const PrintedFigure& figure : part.figures)
+      for (const Chart* chart : figure.panels) {
+        std::vector<std::string> texts = drawn_texts(*chart);
+        texts.push_back(chart->caption);
+        for (const std::string& remark : text_remarks(texts, Format::tex))
+          remarks.push_back(fmt::format("{}: {}", chart->name, remark));
+      }
+  return remarks;
+}
+
 std::string in_mm(double length) {
   return fmt::format("{:g}mm", length);
 }
@@ -255,6 +269,7 @@ PaperSummary write_paper(const std::vector<StudyResult>& studies, const store::P
     ++summary.tables;
   }
   support::write_if_changed(out_dir / "main.tex", main_text(document.parts(), provenance, column));
+  summary.remarks = remarks_on(document.parts());
   return summary;
 }
 

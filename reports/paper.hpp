@@ -15,6 +15,7 @@ struct PaperSummary {
   int figures = 0, figures_drawn = 0;
   int tables = 0;
   std::vector<std::string> without;  ///< figures of the papers that were not drawn, and why
+  std::vector<std::string> remarks;  ///< what will not look as it was meant, "FIGURE: why"
 };
 
 /// Writes OUT/main.tex, which latexmk compiles, OUT/figures/NAME.{tex,pdf,gp,dat} and OUT/tables/orders-KEY.tex: the

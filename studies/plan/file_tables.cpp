@@ -74,7 +74,8 @@ FileTable figure_table() {
   return {
       "figure",
       "[[figure]]",
-      "A figure of the report.",
+      "A figure of the report. Captions, labels and names of series are no LaTeX: `$` is a dollar sign, while `u_h`, "
+      "`h^2`, `σ` and single letters are set as mathematics ([figures.md](figures.md#texts)).",
       false,
       {{"caption", "text", "", "what it shows"},
        {"xlabel", "text", "", "label of the axis to the right"},
