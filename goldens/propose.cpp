@@ -282,8 +282,8 @@ std::string propose_goldens(const records::StudyResult& study, const store::Prov
   if (draft.has_tables()) return draft.text();
   const std::string why = draft.why_empty();
   throw UsageError(fmt::format("nothing to propose for study '{}'{}", study.name,
-                               why.empty() ? " (a [[fit]], a [limit], a check, or a [[figure]] of an error that some "
-                                             "run has)"
+                               why.empty() ? " (a [[fit]], a [limit], a check, or a [[figure]] of kind curves of an "
+                                             "error that some run has)"
                                            : ": " + why));
 }
 

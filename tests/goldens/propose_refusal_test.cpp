@@ -47,7 +47,7 @@ TEST(Propose, WithoutAnyGoldenTheReasonIsSaid) {
   study.values = {{"gap", not_measured, ""}};
   EXPECT_THAT(refused(study), testing::EndsWith("up to 1. (and 1 more without a golden)"));
   study.values.clear(), study.series[0].limit.reset();
-  EXPECT_THAT(refused(study), HasSubstr("(a [[fit]], a [limit], a check, or a [[figure]] of an error"));
+  EXPECT_THAT(refused(study), HasSubstr("(a [[fit]], a [limit], a check, or a [[figure]] of kind curves of an error"));
 }
 
 TEST(Propose, TextOfPeopleCannotBreakTheFile) {
