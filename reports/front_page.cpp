@@ -73,6 +73,11 @@ data unsettled_claims(const std::vector<claims::Claim>& claims) {
   return lists;
 }
 
+/// Whether a study is shown that comes with the program.
+bool shows_shipped(const ReportInput& input) {
+  return std::ranges::any_of(input.calls, [](const auto& call) { return call.second.study == call.first; });
+}
+
 data provenance_data(const store::Provenance& p) {
   return object({{"digest", p.digest},
                  {"commit", p.commit},
@@ -125,6 +130,7 @@ Page front_page(const ReportInput& input, const std::vector<Section>& sections) 
                              {"has_papers", !input.claims.empty()},
                              {"studies", list_of(input.studies, row)},
                              {"study_cards", study_cards(sections)},
+                             {"has_shipped", shows_shipped(input)},
                              {"provenance", provenance_data(input.provenance)}}));
 }
 

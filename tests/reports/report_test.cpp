@@ -187,6 +187,15 @@ TEST(Report, WordsSayThatAQuarterMayBeAllThatACaseAsksFor) {
               HasSubstr("make the body that the case asks for (with <code>quarter</code>, the quarter)"));
 }
 
+TEST(Report, LettersOfNamesAreExplainedWhereShippedStudiesAreShown) {
+  const TempFolder folder;
+  ReportInput in = input();
+  in.calls["bar-bases"] = {"bar-bases.toml"};
+  EXPECT_THAT(page_of(in, folder), testing::Not(HasSubstr("begins with s (Steffen")));
+  in.calls["bar-bases"] = {"bar-bases"};
+  EXPECT_THAT(page_of(in, folder), HasSubstr("begins with s (Steffen"));
+}
+
 TEST(Report, SaysNoMoreThanTheGateWhereGoldensHaveNoResult) {
   const TempFolder folder;
   auto in = input();
