@@ -11,6 +11,7 @@
 #include "cli/error_tables.hpp"
 #include "cli/numbers.hpp"
 #include "cli/table.hpp"
+#include "reports/text.hpp"
 #include "studies/claims/samples.hpp"
 
 namespace mpmvv::cli {
@@ -30,7 +31,7 @@ void print_orders(const records::StudyResult& study) {
                {"asymptotic"}});
   for (const Series& series : study.series)
     for (const fits::ObservedOrder& order : series.orders)
-      table.add({series.name, order.norm, window_text(order.from, order.to), fmt::format("{}", order.points),
+      table.add({series.name, order.norm, window_text(order.from, order.to), claims::points_text(series, order),
                  order_text(order.order), half_width_text(fits::half_width(order)), fits::asymptotic_word(order)});
   table.print_apart();
 }
@@ -70,13 +71,13 @@ void print_fits(const Series& series) {
 }
 
 void print_extrapolations(const records::StudyResult& study) {
-  Table table({{"extrapolated"},
+  Table table({{"extrapolated\nto " + claims::extrapolated_to(study.sweep)},
                {"of"},
                {"over"},
                {"model"},
                {"free\norder", Kind::number},
                {"limit", Kind::number},
-               {"finest\ngrid", Kind::number},
+               {reports::replace_all(claims::finest_level(study.sweep), " ", "\n"), Kind::number},
                {"95 %", Kind::number},
                {"GCI", Kind::number}});
   for (const Series& series : study.series)

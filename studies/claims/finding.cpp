@@ -159,7 +159,7 @@ std::string text(const Finding& finding) {
   if (!finding.word.empty()) return finding.word;
   const std::string number = fmt::format("{:.6g}", finding.number);
   if (!std::isnan(finding.uncertainty))
-    return fmt::format("{} (the finest grid's ± {:.2g})", number, finding.uncertainty);
+    return fmt::format("{} (the finest value's ± {:.2g})", number, finding.uncertainty);
   return std::isnan(finding.at) ? number : fmt::format("{} at {:g}", number, finding.at);
 }
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "studies/fits/window.hpp"
+
 namespace mpmvv::claims {
 
 using fits::ErrorSample;
@@ -27,6 +29,22 @@ bool has_step_size(const std::string& sweep) {
 bool is_finer(double a, double b, const std::string& sweep) {
   if (!has_step_size(sweep)) return a > b;
   return step_size(a, sweep) < step_size(b, sweep);
+}
+
+std::string extrapolated_to(const std::string& sweep) {
+  if (sweep == "cells") return "h = 0";
+  return (step_size(2, sweep) < 1 ? "1/" : "") + sweep + " = 0";
+}
+
+std::string finest_level(const std::string& sweep) {
+  if (sweep == "cells") return "finest grid";
+  return (is_finer(2, 1, sweep) ? "largest " : "smallest ") + sweep;
+}
+
+std::string points_text(const records::Series& series, const fits::ObservedOrder& order) {
+  const fits::Window window{order.from, order.to};
+  const auto all = std::ranges::count_if(series.points, [&](const auto& point) { return window.holds(point.x); });
+  return all > order.points ? fmt::format("{} of {}", order.points, all) : fmt::format("{}", order.points);
 }
 
 namespace {

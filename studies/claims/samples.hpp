@@ -23,6 +23,15 @@ bool has_step_size(const std::string& sweep);
 /// than `b`.
 bool is_finer(double a, double b, const std::string& sweep);
 
+/// Where an extrapolation over the swept values ends: "h = 0", "1/ppc = 0", "dt = 0".
+std::string extrapolated_to(const std::string& sweep);
+
+/// What has the smallest step size of a sweep: "finest grid", "largest ppc", "smallest dt".
+std::string finest_level(const std::string& sweep);
+
+/// The points that a fit takes: "4", or "2 of 5" where its window has more.
+std::string points_text(const records::Series& series, const fits::ObservedOrder& order);
+
 /// Whether the point's error lies within a few times of a floor, so that it says nothing about an order. The error made
 /// by the rounding of a code's output (`output_floor`) adds in squares: an RMS error of 3 times it is off by 6 %. That
 /// of a solution which is not exact for the body's law (`solution_floor`) may add in full: 10 times it is off by 11 %.

@@ -61,13 +61,16 @@ FileTable fit_table() {
 }
 
 FileTable extrapolate_table() {
-  return {"extrapolate",
-          "[[extrapolate]]",
-          "Extrapolates a quantity without an exact value to h = 0 ([measuring.md](measuring.md#extrapolation)).",
-          false,
-          {{"norm", "text", "", "which quantity"},
-           {"window", "two numbers", "", "first and last swept value that count; four values or more"},
-           {"series", "names of series", "all", "those that are extrapolated"}}};
+  return {
+      "extrapolate",
+      "[[extrapolate]]",
+      "Extrapolates a quantity to h = 0 in a sweep over `cells`, to dt = 0 or cfl = 0 in one over these: one without "
+      "an "
+      "exact value, or an error, of which it gives the part that is left ([measuring.md](measuring.md#extrapolation)).",
+      false,
+      {{"norm", "text", "", "which quantity"},
+       {"window", "two numbers", "", "first and last swept value that count; four values or more"},
+       {"series", "names of series", "all", "those that are extrapolated"}}};
 }
 
 FileTable figure_table() {

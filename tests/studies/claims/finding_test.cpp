@@ -124,7 +124,7 @@ TEST(Findings, AnExtrapolatedValueHasItsUncertainty) {
       {"kinetic", 32, 64, 2, "none: 2 usable points in the window (4 needed)", support::not_measured}};
   const Finding finding = found(study, "extrapolated kinetic of 'a' over [8, 64]");
   EXPECT_EQ(finding.kind, Finding::Kind::value);
-  EXPECT_EQ(text(finding), "0.25 (the finest grid's ± 0.062)");
+  EXPECT_EQ(text(finding), "0.25 (the finest value's ± 0.062)");
   EXPECT_EQ(text(found(study, "extrapolated kinetic of 'a' over [32, 64]")), "not measured");
   EXPECT_EQ(trends_of({findings_of(study)}).size(), 5U) << "order, error, limit, a value, an extrapolated one";
 }

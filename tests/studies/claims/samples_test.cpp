@@ -52,6 +52,23 @@ TEST(Samples, MoreParticlesAreAFinerStep) {
   EXPECT_TRUE(claims::is_finer(8, 32, "cfl"));
 }
 
+TEST(Samples, AnExtrapolationEndsWhereTheStepIsZero) {
+  EXPECT_EQ(claims::extrapolated_to("cells"), "h = 0");
+  EXPECT_EQ(claims::extrapolated_to("ppc"), "1/ppc = 0");
+  EXPECT_EQ(claims::extrapolated_to("dt"), "dt = 0");
+  EXPECT_EQ(claims::finest_level("cells"), "finest grid");
+  EXPECT_EQ(claims::finest_level("ppc"), "largest ppc");
+  EXPECT_EQ(claims::finest_level("cfl"), "smallest cfl");
+}
+
+TEST(Samples, AFitSaysHowManyPointsOfItsWindowItTakes) {
+  fits::ObservedOrder order;
+  order.from = 8, order.to = 32, order.points = 3;
+  EXPECT_EQ(claims::points_text(with_floor(), order), "3");
+  order.to = 64;
+  EXPECT_EQ(claims::points_text(with_floor(), order), "3 of 4");
+}
+
 /// A first-order error of runs that take 1, 2, 3 and 6 steps to the end time 1, for Courant numbers of 1, 0.6, 0.4,
 /// 0.2.
 TEST(Samples, TheStepOfACourantNumberIsThatOfTheRun) {
