@@ -102,6 +102,20 @@ std::string repeated_by(const Claim& c, const std::vector<records::StudyResult>&
   return reports::study_command(calls, db, db);
 }
 
+/// Prints the command, how to get the files of studies that do not come with the program, and how to run all anew.
+void print_repeated(const Claim& c, const std::vector<records::StudyResult>& results, const std::string& command,
+                    const std::string& db) {
+  constexpr std::size_t below = 10;
+  print("\n  repeat: {}\n", command);
+  if (c.id == reports::mutants_claim) return;
+  for (const records::StudyResult& study : results) {
+    const bool judges = std::ranges::find(c.studies, study.name) != c.studies.end();
+    if (judges && study_call(study).study != study.name)
+      print_indented(fmt::format("{0}.toml is what `mpmvv db study {0} --db {1}` prints", study.name, db), below);
+  }
+  print_indented("runs that the store has are not run again; with a new store all are", below);
+}
+
 void print_page(const Claim& c, const std::vector<records::StudyResult>& results, const ClaimsOptions& options) {
   print("{}: {}\n", c.id, to_string(c.verdict));
   for (const std::string& text : {c.statement, source_text(c)})
@@ -115,9 +129,10 @@ void print_page(const Claim& c, const std::vector<records::StudyResult>& results
   print_reasons(parts);
   const std::string command = repeated_by(c, results, options.db);
   if (command.empty())
-    print("  no study in the store judges it\n\n");
+    print("  no study in the store judges it\n");
   else
-    print("\n  repeat: {}\n\n", command);
+    print_repeated(c, results, command, options.db);
+  print("\n");
 }
 
 const Claim& find_claim(const std::vector<Claim>& all, const std::string& id, const std::string& db) {

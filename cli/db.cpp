@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <ranges>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
@@ -9,6 +10,8 @@
 #include "cli/numbers.hpp"
 #include "cli/outputs.hpp"
 #include "studies/store/store.hpp"
+#include "studies/store/trial.hpp"
+#include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
 namespace mpmvv::cli {
@@ -67,6 +70,18 @@ void print_contents(const std::string& file, const Contents& contents) {
   }
 }
 
+/// The text of the study as this program kept it or, where it did not, the last version that did.
+std::string study_text(const DbOptions& options) {
+  Store::require_study(options.db, options.study);
+  const Store store(options.db, Store::Mode::read);
+  std::vector<std::string> digests{store::current_provenance().digest};
+  for (const store::Version& version : store.versions() | std::views::reverse) digests.push_back(version.digest);
+  for (const std::string& digest : digests)
+    for (const records::StudyResult& study : store.studies(digest))
+      if (study.name == options.study) return store::without_trial(study.text);
+  throw support::UsageError(fmt::format("no version in {} has the study '{}'", options.db, options.study));
+}
+
 int info(const DbOptions& options) {
   const Contents contents = Store(options.db, Store::Mode::read).contents();
   if (options.json)
@@ -102,6 +117,11 @@ int forget(const DbOptions& options) {
   Store::require_study(options.db, options.study);
   const std::size_t versions = Store(options.db, Store::Mode::write).forget(options.study);
   print("study {} removed from {} ({}); its runs stay\n", options.study, options.db, count_text(versions, "version"));
+  return 0;
+}
+
+int print_study_file(const DbOptions& options) {
+  print_text(study_text(options));
   return 0;
 }
 
@@ -142,6 +162,11 @@ void add_db(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   add("forget", "Remove a study in all its versions; its runs stay, so that to run it again costs little", &forget,
       {"mpmvv db forget splines --db results.db"})
+      ->add_option("study", options->study, "name of the study")
+      ->required()
+      ->type_name("STUDY");
+  add("study", "Print the file of a study, as the store keeps it", &print_study_file,
+      {"mpmvv db study s-fig4 --db results.db"})
       ->add_option("study", options->study, "name of the study")
       ->required()
       ->type_name("STUDY");

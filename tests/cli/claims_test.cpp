@@ -64,7 +64,9 @@ TEST_F(Claims, HaveAPageEach) {
   EXPECT_THAT(page.out, ContainsRegex("study +verdict +asked +found +criterion\n"
                                       "  small +fails +at most 1e-09 +[0-9.]+, [0-9.]+ +no error is left\n"));
   EXPECT_THAT(page.out, AllOf(HasSubstr("why it fails: no error is left\n    its gradients jump\n"),
-                              HasSubstr("repeat: mpmvv study small.toml --db "), Not(HasSubstr("l2 of"))));
+                              HasSubstr("repeat: mpmvv study small.toml --db "),
+                              HasSubstr("small.toml is what `mpmvv db study small --db " + db_ + "` prints\n"),
+                              Not(HasSubstr("l2 of"))));
   EXPECT_THAT(claims("linear --verbose").out, HasSubstr("    l2 of 'linear' at cells = 32 = 0.000631\n"));
   const Answer both = claims("linear second");
   EXPECT_LT(both.out.find("linear: refuted"), both.out.find("second: confirmed"));

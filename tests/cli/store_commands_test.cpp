@@ -89,6 +89,18 @@ TEST(DbCommand, ForgetsAStudyThatNoReportCanHave) {
   EXPECT_THAT(call(folder, "study " + file + " --db " + db).out, HasSubstr("0 cases run"));
 }
 
+TEST(DbCommand, PrintsTheFileOfAStudyThatTheStoreKeeps) {
+  const Folder folder;
+  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
+  ASSERT_EQ(call(folder, "study " + file + " --set ppc=2 --db " + db).code, 0);
+  const Answer study = call(folder, "db study small --db " + db);
+  EXPECT_EQ(study.code, 0);
+  EXPECT_EQ(study.out, small_study) << "without the line of the trial";
+  const Answer absent = call(folder, "db study smal --db " + db);
+  EXPECT_EQ(absent.code, 2);
+  EXPECT_THAT(absent.err, HasSubstr("(known: small; did you mean 'small'?)"));
+}
+
 TEST(DbCommand, InfoHasNumbersForPrograms) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
