@@ -6,12 +6,15 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <regex>
+#include <set>
 #include <system_error>
 
 #include "cli/shipped.hpp"
 #include "studies/plan/study.hpp"
 #include "studies/plan/work.hpp"
+#include "studies/problems/problem.hpp"
 #include "studies/settings/settings.hpp"
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
@@ -100,6 +103,16 @@ std::string file_here(const records::StudyResult& study) {
   return name;
 }
 
+/// What the study's text asks for; nullopt for a check, and for a text that this program would not read any more.
+std::optional<plan::StudyPlan> plan_of(const records::StudyResult& study) {
+  if (study.kind == records::StudyKind::check) return std::nullopt;
+  try {
+    return plan::parse_study(store::without_trial(study.text), study.name + ".toml");
+  } catch (const support::UsageError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 reports::StudyCall study_call(const records::StudyResult& study) {
@@ -108,16 +121,20 @@ reports::StudyCall study_call(const records::StudyResult& study) {
 }
 
 std::vector<SeriesCommand> case_commands(const records::StudyResult& study) {
-  if (study.kind == records::StudyKind::check || !store::trial_of(study.text).empty()) return {};
   std::vector<SeriesCommand> commands;
-  try {
-    const plan::StudyPlan plan = plan::parse_study(study.text, study.name + ".toml");
-    for (const plan::SeriesPlan& series : plan.series)
-      std::ranges::move(commands_of(plan, series), std::back_inserter(commands));
-  } catch (const support::UsageError&) {
-    return {};
-  }
+  if (!store::trial_of(study.text).empty()) return commands;
+  if (const auto plan = plan_of(study))
+    for (const plan::SeriesPlan& series : plan->series)
+      std::ranges::move(commands_of(*plan, series), std::back_inserter(commands));
   return commands;
+}
+
+int dimension_of(const records::StudyResult& study) {
+  std::set<int> dimensions;
+  if (const auto plan = plan_of(study))
+    for (const plan::SeriesPlan& series : plan->series)
+      dimensions.insert(problems::find_problem(series.setting("problem")->value, series.where).dimension());
+  return dimensions.size() == 1 ? *dimensions.begin() : 0;
 }
 
 }  // namespace mpmvv::cli

@@ -17,6 +17,7 @@ namespace mpmvv::cli {
 namespace {
 
 struct PaperOptions {
+  std::vector<std::string> names;
   std::string db, out, width = "84mm", font_size = "8pt";
 };
 
@@ -30,8 +31,8 @@ int paper(const PaperOptions& options) {
   require_own_results(studies, options.db);
   for (const auto& study : studies)
     if (is_trial(study)) note("{}: {}\n", study.name, reports::trial_sentence(study));
-  const auto summary = reports::write_paper(studies, store::current_provenance(), options.out, column);
-  print("{}/main.tex: {} ({} drawn), {} of orders\n", options.out,
+  const auto summary = reports::write_paper(studies, store::current_provenance(), options.out, column, options.names);
+  print("{}/main.tex: {} ({} drawn), {}\n", options.out,
         count_text(static_cast<std::size_t>(summary.figures), "figure"), summary.figures_drawn,
         count_text(static_cast<std::size_t>(summary.tables), "table"));
   for (const auto& missing : summary.without) print("  {}\n", missing);
@@ -43,12 +44,17 @@ int paper(const PaperOptions& options) {
 
 void add_paper(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<PaperOptions>();
-  CLI::App* command = app.add_subcommand("paper", "Write all figures and orders as a LaTeX document");
+  CLI::App* command = app.add_subcommand("paper", "Write figures, orders and errors as a LaTeX document");
+  command
+      ->add_option("names", options->names,
+                   "figures, claims or studies, in the order of the document (default: all of the store)")
+      ->type_name("NAME");
   command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
   command->add_option("--out", options->out, "folder of the document")->required()->type_name("FOLDER");
   command->add_option("--width", options->width, "of a column (default: 84mm)")->type_name("LENGTH");
   command->add_option("--font-size", options->font_size, "of the figures' texts (default: 8pt)")->type_name("LENGTH");
-  add_examples(*command, {"mpmvv paper --db results.db --out paper"});
+  add_examples(*command,
+               {"mpmvv paper --db results.db --out paper", "mpmvv paper splines --db results.db --out paper"});
   command->callback([options, &exit_code] { exit_code = paper(*options); });
 }
 

@@ -107,6 +107,7 @@ reports::ReportInput report_input(const ReportOptions& options) {
   input.earlier = earlier_version(store, goldens, input.studies);
   add_times_and_codes(input, store);
   for (const records::StudyResult& study : input.studies) {
+    input.dimensions[study.name] = dimension_of(study);
     if (auto commands = case_commands(study); !commands.empty()) input.commands[study.name] = std::move(commands);
     input.calls[study.name] = study_call(study);
   }

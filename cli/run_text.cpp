@@ -42,12 +42,6 @@ void print_errors(const Record& r, VelocityError velocity) {
   table.print_apart();
 }
 
-/// A mass is that of a metre's depth in 2D, and of a square metre in 1D.
-const char* unit_of_energy(const Record& r) {
-  constexpr const char* units[] = {"J/m²", "J/m", "J"};
-  return units[problems::find_problem(r.the_case.problem.name, "the case").dimension() - 1];
-}
-
 /// Prints energies and what must not change. Changes of momenta are left out where only a part was run: its images
 /// cancel them, which shows no conservation.
 void print_balance(const Record& r) {
@@ -55,7 +49,8 @@ void print_balance(const Record& r) {
   const auto add = [&table](const std::string& what, double number) {
     if (!std::isnan(number)) table.add({what, error_text(number)});
   };
-  const char* unit = unit_of_energy(r);
+  const int dimension = problems::find_problem(r.the_case.problem.name, "the case").dimension();
+  const std::string unit = records::unit_of_energy(dimension);
   add(fmt::format("kinetic energy at the end ({})", unit), r.energy.kinetic);
   add(fmt::format("strain energy at the end ({})", unit), r.energy.strain);
   add(fmt::format("energy at the start ({})", unit), r.energy.initial_total);

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
+#include "reports/segment_order.hpp"
 #include "reports/text.hpp"
 #include "studies/support/csv.hpp"
 
@@ -37,14 +39,25 @@ Csv points_csv(const StudyResult& study) {
   for (const auto& series : study.series)
     for (const auto& point : series.points)
       for (const auto& [name, value] : point.y) quantities.insert(name);
+  const auto is_fitted = [&](const std::string& quantity) {
+    return std::ranges::any_of(study.series, [&](const records::Series& series) {
+      return std::ranges::find(series.orders, quantity, &fits::ObservedOrder::norm) != series.orders.end();
+    });
+  };
   std::vector<std::string> head{"series", "x", "status"};
-  head.insert(head.end(), quantities.begin(), quantities.end());
+  for (const auto& q : quantities) {
+    head.push_back(q);
+    if (is_fitted(q)) head.push_back(q + "_order");
+  }
   head.emplace_back("reason");
   Csv csv(head);
   for (const auto& series : study.series)
     for (const auto& point : series.points) {
       std::vector<std::string> row{series.name, exact(point.x), to_string(point.status)};
-      for (const auto& q : quantities) row.push_back(point.y.contains(q) ? exact(point.y.at(q)) : "");
+      for (const auto& q : quantities) {
+        row.push_back(point.y.contains(q) ? exact(point.y.at(q)) : "");
+        if (is_fitted(q)) row.push_back(exact(segment_order(series, q, point.x)));
+      }
       row.push_back(point.reason);
       csv.add(row);
     }

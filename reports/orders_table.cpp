@@ -1,11 +1,12 @@
 #include "reports/orders_table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+
+#include <cmath>
 
 #include "reports/chart.hpp"
 #include "reports/text.hpp"
-#include "reports/typeset.hpp"
+#include "studies/claims/samples.hpp"
 
 namespace mpmvv::reports {
 
@@ -16,8 +17,22 @@ Table::Rows orders_of(const records::StudyResult& study) {
   for (const auto& series : study.series)
     for (const auto& o : series.orders)
       rows.push_back({series.name, o.norm, fmt::format("{} to {}", brief(o.from), brief(o.to)),
-                      fmt::format("{}", o.points), order_text(o),
+                      claims::points_text(series, o), order_text(o),
                       o.floor && o.floor->accepted ? brief(o.floor->floor) : "–", fits::asymptotic_word(o)});
+  return rows;
+}
+
+std::string three_digit_number(double v) {
+  return std::isnan(v) ? "–" : fmt::format("{:.3g}", v);
+}
+
+Table::Rows extrapolated(const records::StudyResult& study) {
+  Table::Rows rows;
+  for (const auto& series : study.series)
+    for (const auto& e : series.extrapolations)
+      rows.push_back({series.name, e.norm, fmt::format("{} to {}", brief(e.from), brief(e.to)),
+                      claims::extrapolated_to(study.sweep), three_digit_number(e.limit), three_digit_number(e.finest),
+                      three_digit_number(e.uncertainty)});
   return rows;
 }
 
@@ -25,14 +40,6 @@ Table::Rows orders_of(const records::StudyResult& study) {
 std::string title_of(const records::StudyResult& study) {
   const std::string trial = trial_sentence(study);
   return fmt::format("{} ({}): {}{}", study.name, study.sweep, study.title, trial.empty() ? "" : ". " + trial);
-}
-
-/// A row in LaTeX. It begins with an empty group, so that LaTeX does not take the first cell for an argument of the
-/// line before.
-std::string row_text(const std::vector<std::string>& cells) {
-  std::vector<std::string> set;
-  for (const auto& cell : cells) set.push_back(typeset(cell, Notation::latex));
-  return fmt::format("{{}}{} \\\\\n", fmt::join(set, " & "));
 }
 
 }  // namespace
@@ -46,20 +53,13 @@ Table orders_table(const std::vector<const records::StudyResult*>& studies) {
   return table;
 }
 
-std::string latex_long_table(const Table& table) {
-  if (table.empty()) return "";
-  std::string text = "% needs \\usepackage{booktabs,longtable}\n";
-  text += fmt::format("\\begin{{longtable}}{{{}}}\n", std::string(table.columns.size(), 'l'));
-  text += fmt::format("\\caption{{{}}} \\\\\n", typeset(table.caption, Notation::latex));
-  text += "\\toprule\n" + row_text(table.columns) + "\\midrule\n\\endfirsthead\n";
-  text += "\\toprule\n" + row_text(table.columns) + "\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n";
-  for (const auto& group : table.groups) {
-    if (&group != &table.groups.front()) text += "\\addlinespace\n";
-    text +=
-        fmt::format("\\multicolumn{{{}}}{{l}}{{\\emph{{{}}}}} \\\\*\n", table.columns.size(), latex_text(group.title));
-    for (const auto& row : group.rows) text += row_text(row);
-  }
-  return text + "\\end{longtable}\n";
+Table extrapolated_table(const std::vector<const records::StudyResult*>& studies) {
+  Table table{"Extrapolated values, and the finest ones of the windows with their uncertainty U (Eça and Hoekstra)",
+              {"series", "norm", "window", "to", "value", "finest", "U"},
+              {}};
+  for (const auto* study : studies)
+    if (auto rows = extrapolated(*study); !rows.empty()) table.groups.push_back({title_of(*study), std::move(rows)});
+  return table;
 }
 
 }  // namespace mpmvv::reports

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "reports/segment_order.hpp"
 #include "reports/table.hpp"
 #include "reports/text.hpp"
 
@@ -27,16 +28,6 @@ std::set<std::string> fitted_norms(const StudyResult& study) {
   return norms;
 }
 
-/// Order of the segment that ends at x.
-std::string segment_order(const Series& series, const std::string& norm, double x) {
-  for (const auto& order : series.orders) {
-    if (order.norm != norm) continue;
-    const auto segment = std::ranges::find(order.segments, x, &fits::SegmentOrder::to);
-    if (segment != order.segments.end()) return order_text(segment->order, not_measured);
-  }
-  return "–";
-}
-
 std::string aligned(double v) {
   return std::isnan(v) ? "–" : fmt::format("{:.3e}", v);
 }
@@ -56,9 +47,9 @@ std::string text_of(const std::string& quantity, double v) {
 }
 
 /// The head of a column: the quantity with its unit, or what it is a share of; told from that of the swept values.
-std::string head_of(const std::string& quantity, const std::string& sweep) {
+std::string head_of(const std::string& quantity, const std::string& sweep, int dimension) {
   if (quantity == "energy_loss") return "energy_loss (of the initial energy)";
-  const std::string head = records::with_unit(quantity);
+  const std::string head = records::with_unit(quantity, dimension);
   return head == sweep ? head + " of the run" : head;
 }
 
@@ -79,8 +70,8 @@ struct Column {
   bool is_round_off() const { return quantity.ends_with("_change") && numbers.size() > 1 && largest() <= round_off; }
 
   /// What its numbers have in common: "images = 1", "mass_change at most 3.0e-16"; empty where the rows have to say it.
-  std::string in_common() const {
-    const std::string unit = records::unit_of(quantity);
+  std::string in_common(int dimension) const {
+    const std::string unit = records::unit_of(quantity, dimension);
     if (is_constant())
       return fmt::format("{} = {}{}", quantity, brief(numbers.front()), unit.empty() ? "" : " " + unit);
     return is_round_off() ? fmt::format("{} at most {:.1e}", quantity, largest()) : "";
@@ -114,7 +105,8 @@ void add_to_note(std::string& note, const std::string& where, const std::vector<
 
 class PointsTable {
  public:
-  explicit PointsTable(const StudyResult& study) : study_(study), fitted_(fitted_norms(study)) {
+  PointsTable(const StudyResult& study, int dimension)
+      : study_(study), dimension_(dimension), fitted_(fitted_norms(study)) {
     for (const Series& series : study.series)
       if (series.points.size() <= longest_series) series_.push_back(&series);
     read_columns();
@@ -124,7 +116,7 @@ class PointsTable {
     Table table{"Results at each point", {study_.sweep}, {}};
     if (!all_ok_) table.columns.emplace_back("status");
     for (const Column& column : columns_) {
-      table.columns.push_back(head_of(column.quantity, study_.sweep));
+      table.columns.push_back(head_of(column.quantity, study_.sweep, dimension_));
       if (fitted_.contains(column.quantity)) table.columns.push_back("order of " + column.quantity);
     }
     if (has_reasons_) table.columns.emplace_back("reason");
@@ -156,7 +148,7 @@ class PointsTable {
     for (auto& [quantity, column] : columns) column.quantity = quantity, columns_.push_back(std::move(column));
     std::ranges::stable_sort(columns_, {}, [&](const Column& c) { return rank(study_, fitted_, c.quantity); });
     std::erase_if(columns_, [&](const Column& column) {
-      const std::string text = fitted_.contains(column.quantity) ? "" : column.in_common();
+      const std::string text = fitted_.contains(column.quantity) ? "" : column.in_common(dimension_);
       if (!text.empty()) (column.numbers.size() == points ? same_ : same_where_measured_).push_back(text);
       return !text.empty();
     });
@@ -178,7 +170,8 @@ class PointsTable {
       if (!all_ok_) row.push_back(to_string(point.status));
       for (const Column& column : columns_) {
         row.push_back(text_of(column.quantity, measured(point, column.quantity)));
-        if (fitted_.contains(column.quantity)) row.push_back(segment_order(series, column.quantity, point.x));
+        if (fitted_.contains(column.quantity))
+          row.push_back(order_text(segment_order(series, column.quantity, point.x), not_measured));
       }
       if (has_reasons_) row.push_back(point.reason);
     }
@@ -186,6 +179,7 @@ class PointsTable {
   }
 
   const StudyResult& study_;
+  const int dimension_;
   const std::set<std::string> fitted_;
   std::vector<const Series*> series_;
   std::vector<Column> columns_;
@@ -195,8 +189,8 @@ class PointsTable {
 
 }  // namespace
 
-Table points_table(const StudyResult& study) {
-  return PointsTable(study).make();
+Table points_table(const StudyResult& study, int dimension) {
+  return PointsTable(study, dimension).make();
 }
 
 }  // namespace mpmvv::reports

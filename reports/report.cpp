@@ -4,8 +4,11 @@
 
 #include "reports/chart.hpp"
 #include "reports/code_table.hpp"
+#include "reports/convergence_table.hpp"
 #include "reports/csv.hpp"
+#include "reports/latex_table.hpp"
 #include "reports/mutant_table.hpp"
+#include "reports/orders_table.hpp"
 #include "reports/page.hpp"
 #include "reports/report_files.hpp"
 #include "reports/report_place.hpp"
@@ -26,9 +29,18 @@ void write_table(const fs::path& folder, const std::string& name, const std::str
   summary.tables_written += write_file(folder, fs::path("tables") / name, text, summary) ? 1 : 0;
 }
 
+/// The tables of a study for a paper. All of its points and fits are in the CSV files.
+std::string latex_of(const StudyResult& study) {
+  std::vector<Table> others{limits_table(study), replicates_table(study), values_table(study), cheapest_table(study)};
+  std::erase_if(others, &Table::empty);
+  return latex_head(study.name + ": " + study.title) + latex_convergence_tables(study) +
+         latex_long_table(orders_table({&study})) + latex_long_table(extrapolated_table({&study})) +
+         latex_tables(others);
+}
+
 std::vector<std::string> write_tables(const StudyResult& study, const fs::path& folder, ReportSummary& summary) {
   auto files = csv_tables(study);
-  files[study.name + ".tex"] = latex_tables(study.name + ": " + study.title, tables_of(study));
+  files[study.name + ".tex"] = latex_of(study);
   std::vector<std::string> names;
   for (const auto& [name, content] : files) {
     names.push_back(name);
@@ -75,13 +87,14 @@ ReportSummary write_report(const ReportInput& input, const fs::path& out_dir,
                         pictures_of(charts[i], place.draft(), "figures", input.studies[i], commands_of(input, i)),
                         write_tables(input.studies[i], place.draft(), summary)});
   if (input.benchmark)
-    write_table(place.draft(), "program/benchmark.tex", latex_tables("Benchmark", benchmark_tables(*input.benchmark)),
-                summary);
+    write_table(place.draft(), "program/benchmark.tex",
+                latex_head("Benchmark") + latex_tables(benchmark_tables(*input.benchmark)), summary);
   if (!input.codes.empty())
-    write_table(place.draft(), "program/codes.tex", latex_tables("Other codes", {code_table(input)}), summary);
+    write_table(place.draft(), "program/codes.tex", latex_head("Other codes") + latex_tables({code_table(input)}),
+                summary);
   if (input.mutation)
     write_table(place.draft(), "program/mutants.tex",
-                latex_tables("Planted mistakes", mutant_tables(*input.mutation, input.alarms)), summary);
+                latex_head("Planted mistakes") + latex_tables(mutant_tables(*input.mutation, input.alarms)), summary);
   progress(fmt::format("tables: {} of {} written", summary.tables_written, summary.tables));
 
   if (!input.histories.empty()) write_trends(input, place.draft(), summary);

@@ -75,6 +75,7 @@ struct ReportInput {
   std::optional<Earlier> earlier = {};
   std::vector<store::CodeSeries> codes = {};                        ///< series that other codes ran
   std::map<std::string, std::vector<SeriesCommand>> commands = {};  ///< by study
+  std::map<std::string, int> dimensions = {};                       ///< of the bodies, by study; 0 where they differ
   std::map<std::string, StudyCall> calls = {};  ///< by study; a study without one is called by its file, STUDY.toml
   std::string newest_result = {};               ///< its time, ISO 8601, UTC; may be empty
 };

@@ -91,8 +91,9 @@ std::vector<GateLine> goldens_of(const ReportInput& input, const StudyResult& st
 }
 
 /// The tables of what was fitted, or the one of all points.
-data table_part(const StudyResult& study, bool is_fitted) {
-  std::vector<Table> tables = tables_of(study);
+data table_part(const ReportInput& input, const StudyResult& study, bool is_fitted) {
+  const auto dimension = input.dimensions.find(study.name);
+  std::vector<Table> tables = tables_of(study, dimension == input.dimensions.end() ? 0 : dimension->second);
   const std::string points = points_table(study).caption;
   std::erase_if(tables, [&](const Table& table) { return (table.caption != points) != is_fitted; });
   return object({{"tables", list_of(tables, table_data)}});
@@ -114,8 +115,8 @@ Page study_page(const ReportInput& input, const Section& section) {
                              {"parts", criteria_list(input, study)},
                              {"has_parts", !study.parts.empty()},
                              {"pictures", list_of(section.pictures, picture_data)},
-                             {"fitted", table_part(study, true)},
-                             {"measured", table_part(study, false)},
+                             {"fitted", table_part(input, study, true)},
+                             {"measured", table_part(input, study, false)},
                              {"table_files", text_list(section.tables)},
                              {"goldens", gate_counts(goldens)},
                              {"has_goldens", !goldens.empty()},

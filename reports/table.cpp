@@ -75,8 +75,8 @@ Table fits_table(const StudyResult& study) {
     Table::Rows rows;
     for (const auto& o : series.orders) {
       const bool found = std::isfinite(o.asymptotic_from);
-      rows.push_back({o.norm, window_text(o), fmt::format("{}", o.points), order_text(o), brief(o.constant),
-                      five_decimals(o.r_squared), fits::asymptotic_word(o),
+      rows.push_back({o.norm, window_text(o), claims::points_text(series, o), order_text(o), brief(o.constant),
+                      o.points == 2 ? "–" : five_decimals(o.r_squared), fits::asymptotic_word(o),
                       found ? fmt::format("{} to {}", brief(o.asymptotic_from), brief(o.asymptotic_to)) : "none",
                       o.floor ? floor_text(*o.floor) : "–"});
     }
@@ -102,14 +102,28 @@ Table replicates_table(const StudyResult& study) {
   });
 }
 
+namespace {
+
+/// What takes the place of the cell width in a sweep over something else.
+std::string step_name(const std::string& sweep) {
+  return sweep == "cfl" ? "the Courant number" : sweep == "ppc" ? "1/ppc" : sweep;
+}
+
+}  // namespace
+
 Table extrapolations_table(const StudyResult& study) {
+  const bool over_grids = study.sweep == "cells";
+  const std::string finest = claims::finest_level(study.sweep);
   const Table table{
-      "Extrapolated to h = 0, with the uncertainty of the finest grid's value (Eça and Hoekstra) and its grid "
-      "convergence index",
-      {"quantity", "window", "grids", "model", "free order", "limit", "finest grid", "uncertainty", "GCI", "remark"},
+      fmt::format("Extrapolated to {}, with the uncertainty of the value of the {} (Eça and Hoekstra) and its grid "
+                  "convergence index (GCI)",
+                  claims::extrapolated_to(study.sweep), finest),
+      {"quantity", "window", over_grids ? "grids" : "points", "model", "free order", "limit", finest, "uncertainty",
+       "GCI", "remark"},
       {},
       "The free order is that of φ0 + α h^p. Where it lies outside of 0.5 to 2 it decides nothing: a model of fixed "
-      "powers is taken."};
+      "powers is taken." +
+          (over_grids ? "" : fmt::format(" Here h stands for {}.", step_name(study.sweep)))};
   return with_series(table, study, [](const Series& series) {
     Table::Rows rows;
     for (const auto& e : series.extrapolations)
@@ -137,46 +151,12 @@ Table values_table(const StudyResult& study) {
   return with_rows({"Measured values", {"name", "value", "meaning"}, {}}, rows);
 }
 
-std::vector<Table> tables_of(const StudyResult& study) {
-  std::vector<Table> tables{limits_table(study),         fits_table(study),   replicates_table(study),
-                            extrapolations_table(study), values_table(study), cheapest_table(study),
-                            points_table(study)};
+std::vector<Table> tables_of(const StudyResult& study, int dimension) {
+  std::vector<Table> tables{limits_table(study),           fits_table(study),   replicates_table(study),
+                            extrapolations_table(study),   values_table(study), cheapest_table(study),
+                            points_table(study, dimension)};
   std::erase_if(tables, &Table::empty);
   return tables;
-}
-
-namespace {
-
-/// A row of a table. It begins with an empty group where LaTeX would take its first cell for an argument of the line
-/// before.
-std::string latex_row(const std::vector<std::string>& cells) {
-  std::vector<std::string> escaped;
-  for (const auto& cell : cells) escaped.push_back(latex_text(cell));
-  const std::string row = fmt::format("{} \\\\\n", fmt::join(escaped, " & "));
-  return row.starts_with('[') || row.starts_with('*') ? "{}" + row : row;
-}
-
-std::string latex_table(const Table& table) {
-  std::string text = fmt::format("\n% {}\n\\begin{{tabular}}{{{}}}\n\\toprule\n", latex_text(table.caption),
-                                 std::string(table.columns.size(), 'l'));
-  text += latex_row(table.columns);
-  for (const auto& group : table.groups) {
-    text += "\\midrule\n";
-    if (!group.title.empty())
-      text +=
-          fmt::format("\\multicolumn{{{}}}{{l}}{{\\emph{{{}}}}} \\\\\n", table.columns.size(), latex_text(group.title));
-    for (const auto& row : group.rows) text += latex_row(row);
-  }
-  const std::string note = table.note.empty() ? "" : "\\\\\n{\\small " + latex_text(table.note) + "}\n";
-  return text + "\\bottomrule\n\\end{tabular}\n" + note + "\\par\\medskip\n";
-}
-
-}  // namespace
-
-std::string latex_tables(const std::string& title, const std::vector<Table>& tables) {
-  std::string text = fmt::format("% {}\n% needs \\usepackage{{booktabs}}\n", latex_text(title));
-  for (const auto& table : tables) text += latex_table(table);
-  return text;
 }
 
 }  // namespace mpmvv::reports

@@ -22,8 +22,8 @@ struct Table {
 };
 
 /// All points, with the order of each segment; series too long to be read are left out. What is the same at every point
-/// stands in the note.
-Table points_table(const records::StudyResult& study);
+/// stands in the note. The units of energies are those of bodies in this dimension (records::unit_of_energy).
+Table points_table(const records::StudyResult& study, int dimension = 0);
 Table fits_table(const records::StudyResult& study);
 Table replicates_table(const records::StudyResult& study);
 Table extrapolations_table(const records::StudyResult& study);
@@ -33,9 +33,6 @@ Table cheapest_table(
     const records::StudyResult& study);  ///< of each power of ten of the error, where cost was measured
 
 /// All tables of a study that have rows.
-std::vector<Table> tables_of(const records::StudyResult& study);
-
-/// The tables as booktabs tables, for \input into a document; the title stands in a comment.
-std::string latex_tables(const std::string& title, const std::vector<Table>& tables);
+std::vector<Table> tables_of(const records::StudyResult& study, int dimension = 0);
 
 }  // namespace mpmvv::reports

@@ -45,9 +45,9 @@ const std::vector<RunNumber>& run_errors() {
 
 const std::vector<RunNumber>& run_by_products() {
   static const std::vector<RunNumber> numbers{
-      number<&Record::energy, &Energy::kinetic>(1, "kinetic", "/energy/kinetic", "J"),
-      number<&Record::energy, &Energy::strain>(1, "strain", "/energy/strain", "J"),
-      number<&Record::energy, &Energy::initial_total>(1, "initial_total", "/energy/initial_total", "J"),
+      number<&Record::energy, &Energy::kinetic>(1, "kinetic", "/energy/kinetic"),
+      number<&Record::energy, &Energy::strain>(1, "strain", "/energy/strain"),
+      number<&Record::energy, &Energy::initial_total>(1, "initial_total", "/energy/initial_total"),
       number<&Record::wall_seconds>(1, "wall_seconds", "/wall_seconds", "s"),
       number<&Record::ns_per_particle_step>(1, "ns_per_particle_step", "/ns_per_particle_step", "ns"),
       number<&Record::cost, &Cost::step_seconds>(3, "step_seconds", "/cost/step_seconds", "s"),
@@ -69,16 +69,22 @@ const std::vector<std::string>& norm_words() {
   return words;
 }
 
-std::string unit_of(const std::string& quantity) {
+std::string unit_of_energy(int dimension) {
+  constexpr const char* units[] = {"J, in 2D J/m, in 1D J/m²", "J/m²", "J/m", "J"};
+  return units[dimension];
+}
+
+std::string unit_of(const std::string& quantity, int dimension) {
   if (quantity == "dt") return "s";
+  if (quantity == "kinetic" || quantity == "strain" || quantity == "initial_total") return unit_of_energy(dimension);
   for (const auto* numbers : {&run_errors(), &run_by_products()})
     for (const RunNumber& number : *numbers)
       if (number.name == quantity) return number.unit;
   return "";
 }
 
-std::string with_unit(const std::string& quantity) {
-  const std::string unit = unit_of(quantity);
+std::string with_unit(const std::string& quantity, int dimension) {
+  const std::string unit = unit_of(quantity, dimension);
   return unit.empty() ? quantity : quantity + " (" + unit + ")";
 }
 

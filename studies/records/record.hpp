@@ -49,8 +49,8 @@ struct Balance {
   double mass = not_measured, momentum = not_measured, angular_momentum = not_measured;
 };
 
-/// Energies in J, at the end unless named initial. With a staggered integrator (cd, uvf) the velocities, and so the
-/// kinetic energy, are those of half a step earlier.
+/// Energies (unit_of_energy), at the end unless named initial. With a staggered integrator (cd, uvf) the velocities,
+/// and so the kinetic energy, are those of half a step earlier.
 struct Energy {
   double kinetic = not_measured, strain = not_measured, initial_total = not_measured;
 };
@@ -129,9 +129,13 @@ struct RunNumber {
 const std::vector<RunNumber>& run_errors();
 const std::vector<RunNumber>& run_by_products();
 
-/// The unit of a number of a run; empty for ratios and whatever else there is.
-std::string unit_of(const std::string& quantity);
-std::string with_unit(const std::string& quantity);  ///< "dt (s)", for the head of a column
+/// The unit of an energy of a body: in 2D it is that of a metre's depth, in 1D that of a square metre. Without a
+/// dimension (0) it says all of this.
+std::string unit_of_energy(int dimension);
+
+/// The unit of a number of a run of bodies in this dimension; empty for ratios and whatever else there is.
+std::string unit_of(const std::string& quantity, int dimension = 0);
+std::string with_unit(const std::string& quantity, int dimension = 0);  ///< "dt (s)", for the head of a column
 
 /// What fits, criteria and goldens may ask of a run: its errors and balances, and the energy loss.
 const std::vector<std::string>& norm_words();

@@ -184,9 +184,14 @@ TEST_F(Figure, ItsMarksAreExplainedAndTextsThatCannotBeSetNamed) {
 TEST_F(Figure, AllOfThemMakeADocument) {
   const Answer answer = call(folder_, "paper --db r.db --out paper", there_);
   EXPECT_EQ(answer.code, 0) << answer.err;
-  EXPECT_EQ(answer.out, "paper/main.tex: 1 figure (1 drawn), 1 table of orders\n");
+  EXPECT_EQ(answer.out, "paper/main.tex: 1 figure (1 drawn), 2 tables\n");
   EXPECT_THAT(read_text(folder_ / "paper/main.tex"), AllOf(HasSubstr("{small}"), HasSubstr("A small figure")));
   EXPECT_THAT(read_text(folder_ / "paper/tables/orders-further.tex"), HasSubstr("bspline2"));
+  EXPECT_THAT(read_text(folder_ / "paper/tables/errors-small.tex"), HasSubstr("(problem bar)"));
+  EXPECT_EQ(call(folder_, "paper small --db r.db --out named", there_).code, 0);
+  const Answer unknown = call(folder_, "paper smal --db r.db --out other", there_);
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("unknown figure 'smal'"));
 }
 
 TEST_F(Figure, ADocumentOfAnotherHandIsNotOverwritten) {

@@ -5,7 +5,9 @@
 
 #include <filesystem>
 
+#include "reports/latex_table.hpp"
 #include "reports/orders_table.hpp"
+#include "studies/support/error.hpp"
 #include "studies/support/process.hpp"
 #include "tests/reports/distinct.hpp"
 #include "tests/reports/synthetic.hpp"
@@ -23,6 +25,7 @@ using testing::Not;
 store::Provenance provenance() {
   store::Provenance p;
   p.commit = "0123456789abcdef", p.time = "2026-03-04T05:06:07Z";
+  p.digest = "dd00", p.compiler = "GNU 12.2.0", p.flags = "-O2 --fast", p.build_type = "Release";
   return p;
 }
 
@@ -51,12 +54,14 @@ TEST(Paper, FiguresOfThePapersComeFirstAndInTheirPanels) {
   const PaperSummary summary = write({distinct::curves(), of_s()}, folder.path());
   EXPECT_EQ(summary.figures, 3);
   EXPECT_EQ(summary.figures_drawn, 3);
-  EXPECT_EQ(summary.tables, 1);
+  EXPECT_EQ(summary.tables, 2) << "orders, and the errors of a study";
   const std::string text = content(folder / "main.tex");
-  EXPECT_THAT(text,
-              AllOf(HasSubstr("\\panel{84mm}{s-fig9a}{(a)\\\\}\\hfill"), HasSubstr("\\panel{84mm}{s-fig9b}{(b)"),
-                    HasSubstr("\\caption{S Fig. 9. (a) Error for $l$ = $h$/2 \\& more (b) Caption of s-fig9b}"),
-                    HasSubstr("\\input{tables/orders-S}"), HasSubstr("mpmvv 0123456789ab}"), HasSubstr("2026-03-04")));
+  EXPECT_THAT(text, AllOf(HasSubstr("\\panel{84mm}{s-fig9a}{(a)\\\\}\\hfill"), HasSubstr("\\panel{84mm}{s-fig9b}{(b)"),
+                          HasSubstr("\\caption{S Fig. 9. (a) Error for $l$ = $h$/2 \\& more (b) Caption of s-fig9b}"),
+                          HasSubstr("\\input{tables/orders-S}"), HasSubstr("\\input{tables/errors-s-fig9}"),
+                          HasSubstr("mpmvv 0123456789ab, 2026-03-04"), HasSubstr("commit & 0123456789abcdef \\\\\n"),
+                          HasSubstr("digest & dd00 \\\\\n"), HasSubstr("compiler & GNU 12.2.0, Release \\\\\n"),
+                          HasSubstr("flags & -O2 -{}-fast \\\\\n")));
   EXPECT_LT(text.find("{s-fig9a}"), text.find("{curves}"));
   EXPECT_THAT(text, Not(HasSubstr("Nairn"))) << "the store has nothing of that paper";
   EXPECT_TRUE(fs::exists(folder / "figures/s-fig9a.tex") && fs::exists(folder / "figures/s-fig9a.pdf"));
@@ -79,8 +84,44 @@ TEST(Paper, NamesAreNoFormulas) {
   const TempFolder folder;
   write_paper({study}, made, folder.path(), column());
   EXPECT_THAT(content(folder / "main.tex"),
-              AllOf(HasSubstr("\\author{mpmvv 59e7e5289b01}"), HasSubstr("\\caption{a\\_b. Caption of laws}")));
+              AllOf(HasSubstr("\nmpmvv 59e7e5289b01, 2026"), HasSubstr("\\caption{a\\_b. Caption of laws}")));
   EXPECT_THAT(content(folder / "tables/orders-further.tex"), HasSubstr("\\emph{a\\_b (h\\_p): laws}"));
+}
+
+TEST(Paper, NamesChooseFiguresAndTheirOrder) {
+  const TempFolder folder;
+  const auto named = [&](const std::vector<std::string>& names) {
+    write_paper({distinct::curves(), distinct::laws(), of_s()}, provenance(), folder.path(), column(), names);
+    return content(folder / "main.tex");
+  };
+  const std::string both = named({"s-fig9b", "laws"});
+  EXPECT_LT(both.find("{s-fig9b}"), both.find("{laws}"));
+  EXPECT_LT(both.find("{tables/errors-s-fig9}"), both.find("{tables/errors-laws}"));
+  EXPECT_THAT(both, AllOf(Not(HasSubstr("{s-fig9a}")), Not(HasSubstr("{curves}")), HasSubstr("{tables/orders-named}")));
+  const std::string other = named({"laws", "laws", "s-fig9"});
+  EXPECT_LT(other.find("{laws}"), other.find("{s-fig9a}"));
+  EXPECT_EQ(other.find("{laws}"), other.rfind("{laws}")) << "once";
+  EXPECT_THROW(named({"law"}), support::UsageError);
+}
+
+TEST(Paper, AStudyWithoutAFigureIsNamedForItsTables) {
+  const TempFolder folder;
+  auto study = distinct::laws();
+  study.figures.clear();
+  const auto summary = write_paper({study}, provenance(), folder.path(), column(), {"laws"});
+  EXPECT_EQ(summary.figures, 0);
+  EXPECT_EQ(summary.tables, 2);
+}
+
+TEST(Paper, ExtrapolatedValuesHaveATable) {
+  auto study = distinct::laws();
+  study.sweep = "dt";
+  study.series[0].extrapolations = {{"l2", 0.1, 0.4, 4, "φ0 + α h", 1, 2.345e-3, 0, 3e-3, 1e-3}};
+  const TempFolder folder;
+  write({study}, folder.path());
+  EXPECT_THAT(content(folder / "main.tex"), HasSubstr("\\input{tables/extrapolations-further}"));
+  EXPECT_THAT(content(folder / "tables/extrapolations-further.tex"),
+              HasSubstr("law 0 & $\\ell_2$ & 0.1 to 0.4 & dt = 0 & $0.00234$ & $0.003$ & $0.001$ \\\\\n"));
 }
 
 TEST(Paper, RedrawsOnlyWhatChanged) {
@@ -106,11 +147,11 @@ TEST(Paper, OrdersStandInGroupsOfTheirStudies) {
   const Table table = orders_table({&laws, &curves});
   ASSERT_EQ(table.groups.size(), 1u);
   EXPECT_EQ(table.groups[0].title, "laws (cells): ");
-  EXPECT_THAT(table.groups[0].rows[0], ElementsAre("law 0", "l2", "12 to 62", "0", "1.07 ± 0.03", "–", "no"));
-  EXPECT_THAT(table.groups[0].rows[2], ElementsAre("law 1", "l2", "7 to 21", "0", "2.13 ± 0.05", "0.0017", "no"));
+  EXPECT_THAT(table.groups[0].rows[0], ElementsAre("law 0", "l2", "12 to 62", "0 of 4", "1.07 ± 0.03", "–", "no"));
+  EXPECT_THAT(table.groups[0].rows[2], ElementsAre("law 1", "l2", "7 to 21", "0 of 3", "2.13 ± 0.05", "0.0017", "no"));
   const std::string text = latex_long_table(table);
-  EXPECT_THAT(text, AllOf(HasSubstr("{}law 0 & l2 & 12 to 62 & 0 & 1.07 $\\pm$ 0.03 & -- & no \\\\\n"),
-                          HasSubstr("\\begin{longtable}{lllllll}"), HasSubstr("\\end{longtable}")));
+  EXPECT_THAT(text, AllOf(HasSubstr("law 0 & $\\ell_2$ & 12 to 62 & 0 of 4 & $1.07 \\pm 0.03$ & -- & no \\\\\n"),
+                          testing::ContainsRegex("begin.longtable.[^\n]*llllll.\n"), HasSubstr("\\end{longtable}")));
   EXPECT_EQ(latex_long_table(orders_table({&curves})), "");
 }
 

@@ -43,15 +43,20 @@ namespace csv {
 
 ExpectedTable points(const records::StudyResult& study) {
   ExpectedTable table;
-  for_each(study, &Series::points, [&](const Series& s, const records::Point& p) {
-    table.add("", {{"series", s.name},
-                   {"x", exact(p.x)},
-                   {"status", p.status == records::Status::ok ? "ok" : "unstable"},
-                   {"l1", exact(p.y.at("l1"))},
-                   {"l2", exact(p.y.at("l2"))},
-                   {"linf", exact(p.y.at("linf"))},
-                   {"reason", p.reason}});
-  });
+  for (const Series& s : study.series)
+    for (std::size_t i = 0; i < s.points.size(); ++i) {
+      const records::Point& p = s.points[i];
+      const auto order = [&](std::size_t fit) { return i == 0 ? "" : exact(s.orders[fit].segments[i - 1].order); };
+      table.add("", {{"series", s.name},
+                     {"x", exact(p.x)},
+                     {"status", p.status == records::Status::ok ? "ok" : "unstable"},
+                     {"l1", exact(p.y.at("l1"))},
+                     {"l1_order", order(0)},
+                     {"l2", exact(p.y.at("l2"))},
+                     {"linf", exact(p.y.at("linf"))},
+                     {"linf_order", order(1)},
+                     {"reason", p.reason}});
+    }
   return table;
 }
 
@@ -258,9 +263,8 @@ ExpectedTable values(const records::StudyResult& study) {
 TEST(ReadBackTables, TablesForPeopleHaveEveryNumberUnderItsName) {
   const records::StudyResult study = distinct::everything();
   const WrittenReport report(read_back::input_of(study));
-  for (const auto table :
-       {shown::points, shown::orders, shown::replicates, shown::extrapolations, shown::limits, shown::values})
-    report.expect_html_and_latex(table(study));
+  for (const auto table : {shown::points, shown::orders, shown::extrapolations}) report.expect_html(table(study));
+  for (const auto table : {shown::replicates, shown::limits, shown::values}) report.expect_html_and_latex(table(study));
 }
 
 /// What it costs to come down to an error between two runs.

@@ -36,6 +36,15 @@ TEST(StudyPage, NamesTheVersionsOfOtherCodesAndTheirSeries) {
   EXPECT_THAT(page_of(input), Not(HasSubstr("Run by")));
 }
 
+TEST(StudyPage, EnergiesHaveTheUnitOfTheBodies) {
+  ReportInput input;
+  input.studies = {study_of_codes()};
+  for (records::Series& series : input.studies[0].series) series.points[0].y["kinetic"] = 2;
+  EXPECT_THAT(page_of(input), HasSubstr("kinetic = 2 J, in 2D J/m, in 1D J/m²"));
+  input.dimensions["bars"] = 1;
+  EXPECT_THAT(page_of(input), HasSubstr("kinetic = 2 J/m²."));
+}
+
 TEST(StudyPage, ARunToRepeatSaysWhichVersionOfACodeRanIt) {
   ReportInput input;
   input.studies = {study_of_codes()};

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "reports/latex_table.hpp"
 #include "reports/text.hpp"
 
 namespace mpmvv::reports::read_back {
@@ -89,8 +90,10 @@ std::vector<Table> latex_tables_in(const std::string& text) {
   std::vector<Table> tables;
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("\\begin{tabular}"))
+    if (line.starts_with("\\begin{tabular"))
       tables.emplace_back();
+    else if (tables.empty())
+      continue;
     else if (line == "\\midrule")
       tables.back().groups.emplace_back();
     else if (const auto title = line.find("\\emph{"); line.starts_with("\\multicolumn") && title != std::string::npos)
@@ -157,7 +160,7 @@ Table as_latex(Table table) {
   for (Table::Group& group : table.groups) {
     group.title = latex_text(group.title);
     for (auto& row : group.rows)
-      for (std::string& cell : row) cell = latex_text(cell);
+      for (std::string& cell : row) cell = latex_cell(cell);
   }
   return table;
 }

@@ -1,0 +1,159 @@
+#include "reports/paper_document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+
+#include "reports/convergence_table.hpp"
+#include "reports/figure_choice.hpp"
+#include "reports/latex_table.hpp"
+#include "reports/orders_table.hpp"
+#include "reports/plot.hpp"
+#include "reports/text.hpp"
+#include "reports/typeset.hpp"
+
+namespace mpmvv::reports {
+
+using records::StudyResult;
+
+namespace {
+
+using Chosen = std::vector<const StudyResult*>;
+
+std::string latex_of(const std::string& text) {
+  return typeset(text, Notation::latex);
+}
+
+/// The caption without "Compare S Fig. 2(a).", which the figure's label says already.
+std::string own_caption(const Chart& chart) {
+  static const std::regex comparison(R"( Compare [A-Z] Fig\. [^ ]*[^ .](, [a-z]+)?\.)");
+  return std::regex_replace(chart.caption, comparison, "");
+}
+
+/// The caption in LaTeX, with what tells of a trial and of what the figure leaves out.
+std::string whole_caption(const Chart& chart, const std::string& caption) {
+  std::string text = latex_of(caption);
+  if (!chart.trial.empty()) text += " " + latex_text(chart.trial);
+  for (const std::string& omission : chart.omissions) text += " " + latex_of(omission);
+  return text;
+}
+
+bool is_of(const StudyResult& study, const Paper& paper) {
+  const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(paper.key[0])));
+  return study.name.starts_with(std::string{letter, '-'});
+}
+
+template <class Belongs>
+Chosen studies_where(const std::vector<StudyResult>& studies, const Belongs& belongs) {
+  Chosen chosen;
+  for (const StudyResult& study : studies)
+    if (belongs(study)) chosen.push_back(&study);
+  return chosen;
+}
+
+/// The tables of these studies that have rows; `key` tells the files of a part from those of others.
+std::vector<PrintedTables> printed_tables(const Chosen& studies, const std::string& key) {
+  std::vector<PrintedTables> all{{"orders-" + key, latex_long_table(orders_table(studies))},
+                                 {"extrapolations-" + key, latex_long_table(extrapolated_table(studies))}};
+  for (const StudyResult* study : studies) all.push_back({"errors-" + study->name, latex_convergence_tables(*study)});
+  std::erase_if(all, [](const PrintedTables& tables) { return tables.text.empty(); });
+  return all;
+}
+
+}  // namespace
+
+std::string letter_of(std::size_t panel) {
+  return fmt::format("({})", static_cast<char>('a' + panel));
+}
+
+PaperDocument::PaperDocument(const std::vector<StudyResult>& studies, const Sheet& column,
+                             const std::vector<std::string>& names)
+    : studies_(studies), column_(column), charts_(charts_of_all(studies, paper_letter)) {
+  for (std::size_t i = 0; i < studies.size(); ++i)
+    for (const Chart& chart : charts_[i]) by_name_[chart.name] = &chart, study_of_[chart.name] = &studies[i];
+  if (!names.empty()) {
+    add(the_named(names));
+    return;
+  }
+  for (const Paper& paper : papers()) add(part_of(paper));
+  add(the_rest());
+}
+
+void PaperDocument::add(PaperPart part) {
+  if (!part.figures.empty() || !part.tables.empty()) parts_.push_back(std::move(part));
+}
+
+PaperPart PaperDocument::part_of(const Paper& paper) {
+  PaperPart part{paper.source, {}, {}, {}};
+  part.tables =
+      printed_tables(studies_where(studies_, [&](const StudyResult& s) { return is_of(s, paper); }), paper.key);
+  for (const PaperFigure& figure : paper.figures) add_figure(part, figure, paper.key + " Fig. " + figure.number);
+  return part;
+}
+
+void PaperDocument::add_figure(PaperPart& part, const PaperFigure& figure, const std::string& label) {
+  PrintedFigure printed{{}, latex_text(label + "."), figure.wide};
+  for (const auto& name : figure.panels) {
+    const auto chart = by_name_.find(name);
+    if (chart == by_name_.end()) {
+      part.missing.push_back(fmt::format("{} is not drawn: the store has no figure {}.", label, name));
+      continue;
+    }
+    const bool is_alone = figure.panels.size() == 1;
+    printed.caption += (is_alone ? " " : " " + letter_of(printed.panels.size()) + " ") +
+                       whole_caption(*chart->second, own_caption(*chart->second));
+    printed.panels.push_back(chart->second);
+    taken_.insert(name);
+  }
+  if (!figure.without.empty()) part.missing.push_back(fmt::format("{} is not drawn: {}.", label, figure.without));
+  if (!figure.differs.empty()) printed.caption += latex_of(" Not as in the original: " + figure.differs + ".");
+  if (!printed.panels.empty()) part.figures.push_back(std::move(printed));
+}
+
+PrintedFigure PaperDocument::alone(const Chart& chart) const {
+  return {
+      {&chart}, latex_text(chart.name + ".") + " " + whole_caption(chart, chart.caption), !has_room(chart, column_)};
+}
+
+PaperPart PaperDocument::the_rest() const {
+  PaperPart part{"Further studies", {}, {}, {}};
+  for (const auto& of_study : charts_)
+    for (const Chart& chart : of_study)
+      if (!taken_.contains(chart.name)) part.figures.push_back(alone(chart));
+  const auto is_further = [](const StudyResult& study) {
+    return std::ranges::none_of(papers(), [&](const Paper& paper) { return is_of(study, paper); });
+  };
+  part.tables = printed_tables(studies_where(studies_, is_further), "further");
+  return part;
+}
+
+/// The charts that a name means; none of a study that draws nothing.
+std::vector<std::string> PaperDocument::charts_named(const std::string& name) const {
+  for (std::size_t i = 0; i < studies_.size(); ++i)
+    if (studies_[i].name == name && charts_[i].empty()) return {};
+  std::vector<std::string> names;
+  for (const Chart& chart : choose_figures(studies_, name).chosen) names.push_back(chart.name);
+  return names;
+}
+
+PaperPart PaperDocument::the_named(const std::vector<std::string>& names) {
+  PaperPart part{"Figures and tables", {}, {}, {}};
+  Chosen chosen;
+  const auto add_study = [&](const StudyResult* study) {
+    if (std::ranges::find(chosen, study) == chosen.end()) chosen.push_back(study);
+  };
+  for (const std::string& name : names) {
+    const auto charts = charts_named(name);
+    for (const std::string& chart : charts) {
+      if (taken_.insert(chart).second) part.figures.push_back(alone(*by_name_.at(chart)));
+      add_study(study_of_.at(chart));
+    }
+    if (charts.empty()) add_study(&*std::ranges::find(studies_, name, &StudyResult::name));
+  }
+  part.tables = printed_tables(chosen, "named");
+  return part;
+}
+
+}  // namespace mpmvv::reports
