@@ -120,7 +120,7 @@ std::string first_width(const Table& table) {
 
 /// The table in pieces that a page has room for; the note stands below the last one.
 std::vector<Table> pieces_of(const Table& table) {
-  constexpr std::size_t most_rows = 25;
+  constexpr std::size_t most_rows = 15;
   std::vector<Table> pieces;
   std::size_t rows = most_rows;
   for (const auto& group : table.groups)
@@ -138,7 +138,7 @@ std::string latex_table(const Table& table) {
   const bool has_prose = types.find('X') != std::string::npos;
   const std::string name = has_prose ? "tabularx" : "tabular", width = has_prose ? "{\\linewidth}" : "";
   std::string text = fmt::format(
-      "\n% {}\n{{\\noindent\\footnotesize\\setlength{{\\tabcolsep}}{{3pt}}\n\\begin{{{}}}{}{{{}}}\n\\toprule\n",
+      "\n% {}\n{{\\noindent\\footnotesize\\setlength{{\\tabcolsep}}{{3pt}}%\n\\begin{{{}}}{}{{{}}}\n\\toprule\n",
       latex_text(table.caption), name, width, types);
   std::vector<std::string> heads;
   for (const std::string& column : table.columns) heads.push_back(latex_text(column));
