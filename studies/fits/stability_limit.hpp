@@ -67,9 +67,9 @@ using ProbeBatch = std::function<std::vector<Probe>(const std::vector<double>&)>
 /// Scans, then bisects between the first unstable value met from the stable end and its stable neighbour. Then probes
 /// 1, 2 and 5 tolerances to either side of the bracket: near a limit stability is often not monotone. If one of them on
 /// the stable side is unstable, bisects there. A stable probe beyond an unstable one makes the limit non-monotone:
-/// then it bisects the far end, too, and the bracket reaches from the last value up to which all are stable to the first
-/// one from which none is. Every probe is kept once, in increasing value. Bracket and probes are of what was run; where
-/// no run lies between its ends, the bracket may be wider than the tolerance.
+/// then it bisects the far end, too, and the bracket reaches from the last value up to which all are stable to the
+/// first one from which none is. Every probe is kept once, in increasing value. Bracket and probes are of what was run;
+/// where no run lies between its ends, the bracket may be wider than the tolerance.
 ///
 /// Not found when the farthest value tried is stable (`unstable` is NaN then; where nothing is unstable, `stable` is
 /// that value) or when the stable end itself is unstable (`stable` is NaN). The verdict is yes or no, so this bisects
