@@ -86,7 +86,7 @@ class ErrorChart {
       }
     if (marks_limit(s))
       key += fmt::format("{}stable {} {}", separator, s.limit->stable < s.limit->unstable ? "to" : "from",
-                         brief(s.limit->value()));
+                         brief(s.limit->stable));
     return key;
   }
 

@@ -18,7 +18,8 @@ std::vector<std::string> fitted_lines(const records::StudyResult& study) {
     for (const auto& o : series.orders)
       lines.push_back(fmt::format("order {} of {} in {}", order_text(o), series.name, o.norm));
     if (series.limit && series.limit->found)
-      lines.push_back(fmt::format("limit {} = {} of {}", series.limit->key, brief(series.limit->value()), series.name));
+      lines.push_back(fmt::format("limit {} {} to {} of {}", series.limit->key, brief(series.limit->stable),
+                                  brief(series.limit->unstable), series.name));
   }
   for (const auto& value : study.values) lines.push_back(fmt::format("{} = {}", value.name, brief(value.value)));
   if (lines.size() > most) lines.resize(most);

@@ -134,8 +134,8 @@ TEST(ReadBackFigures, LimitsStandAtBothEndsOfTheirBrackets) {
   const Drawing drawing = drawing_of(study);
   EXPECT_FALSE(drawing.x.is_log());
   EXPECT_FALSE(drawing.y.is_log());
-  EXPECT_EQ(drawing.key.at(0).text, "below   stable to 0.64");
-  EXPECT_EQ(drawing.key.at(1).text, "above   stable from 0.4");
+  EXPECT_EQ(drawing.key.at(0).text, "below   stable to 0.61");
+  EXPECT_EQ(drawing.key.at(1).text, "above   stable from 0.43");
   for (const std::size_t k : {0u, 1u}) {
     SCOPED_TRACE(k);
     const Series& s = study.series[k];

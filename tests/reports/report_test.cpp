@@ -8,41 +8,17 @@
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
 #include "tests/reports/matches.hpp"
-#include "tests/reports/synthetic.hpp"
+#include "tests/reports/report_pages.hpp"
 #include "tests/reports/temp_folder.hpp"
 
 namespace mpmvv::reports::report_test {
-
-using claims::Finding;
 
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-void silent(const std::string&) {}
-
-ReportInput input() {
-  ReportInput in;
-  in.studies = {synthetic::convergence(), synthetic::limits(), synthetic::check()};
-  in.gate = {{"bar-bases", "order", records::Verdict::pass, "1.85 to 2.15", "2.01", ""},
-             {"bar-cfl", "limit", records::Verdict::inconclusive, "1.1 to 1.3", "–", "not <found>"}};
-  in.claims = {synthetic::claim("order 2.01 & <script>alert(1)</script>"),
-               {"S-fig9", "a limit", "A paper", "", claims::Claim::Verdict::open, "", {}, {}}};
-  in.provenance = {"00ff", "8be1f2c", true, "GNU 12.2.0", "-O3 \"-march\"", "Release", "CPU", "2026-01-01T00:00:00Z"};
-  return in;
-}
-
-std::string page_of(const ReportInput& in, const TempFolder& folder) {
-  write_report(in, folder / "out", silent);
-  return content(folder / "out" / "index.html");
-}
-
-/// A page of a report, by its file.
-std::string page_of(const ReportInput& in, const TempFolder& folder, const std::string& file) {
-  write_report(in, folder / "out", silent);
-  return content(folder / "out" / file);
-}
+using namespace report_pages;
 
 TEST(Report, WritesPagesFiguresAndTables) {
   const TempFolder folder;
@@ -214,66 +190,6 @@ TEST(Report, ClaimsLeadToTheirStudiesAndBack) {
   const TempFolder folder;
   EXPECT_THAT(page_of(input(), folder, "claims/S-fig10.html"), HasSubstr("<a href=\"../studies/bar-bases.html\">"));
   EXPECT_THAT(content(folder / "out/studies/bar-bases.html"), HasSubstr("<a href=\"../claims/S-fig10.html\">"));
-}
-
-ReportInput input_with_trends() {
-  auto in = input();
-  in.histories = {{"",
-                   {{"00ff", {"8be1f2c0"}, "2026-01-01T00:00:00Z"}, {"11aa", {"<7>", "9cd"}, "2026-01-02T00:00:00Z"}},
-                   {{"bar-bases", Finding::Kind::order, "order of 'a' & 'b'", {2, 1.9}},
-                    {"bar-bases", Finding::Kind::error, "error of 'a'", {1e-3, 2e-3}},
-                    {"bar-new", Finding::Kind::order, "of one version", {support::not_measured, 2}},
-                    {"bar-cfl", Finding::Kind::limit, "limit of 'a'", {0.8, 0.8}},
-                    {"weights", Finding::Kind::value, "value 'gap'", {1, 1}}}}};
-  return in;
-}
-
-TEST(Report, WithoutHistoriesThereIsNoPageOfTrends) {
-  const TempFolder folder;
-  EXPECT_THAT(page_of(input(), folder), Not(HasSubstr("trend.html")));
-  EXPECT_FALSE(fs::exists(folder / "out" / "trend.html"));
-}
-
-TEST(Report, TrendsOfAnotherCodeStandBesideOurOwn) {
-  const TempFolder folder;
-  auto in = input_with_trends();
-  in.histories.push_back({"my-code",
-                          {{"77ab", {"1.3"}, "2026-01-01T00:00:00Z"}, {"88cd", {"1.4"}, "2026-01-02T00:00:00Z"}},
-                          {{"bar-bases", Finding::Kind::order, "order of 'theirs'", {2, 1.1}}},
-                          {11, {"bar-bases: order of 'theirs': 2 -> 1.1 (-0.9)"}, {"study gone"}}});
-  const auto page = page_of(in, folder, "trend.html");
-  EXPECT_THAT(page,
-              AllOf(HasSubstr("Versions of mpmvv"), HasSubstr("Versions of my-code"), HasSubstr("<code>1.4</code>"),
-                    HasSubstr("in each version of my-code"), HasSubstr("id=\"trend-my-code~bar-bases\"")));
-  EXPECT_TRUE(fs::exists(folder / "out/trends/my-code~bar-bases-orders.svg"));
-  EXPECT_THAT(content(folder / "out/index.html"),
-              AllOf(HasSubstr("What changed in my-code from 1.3 (digest 77ab) to 1.4 (digest 88cd): 1 of 11 results, 1 "
-                              "without a result"),
-                    HasSubstr("theirs"), HasSubstr("2 -&gt; 1.1 (-0.9)</li>")));
-}
-
-TEST(Report, TrendsHaveAPageOfTheirOwn) {
-  const TempFolder folder;
-  EXPECT_THAT(page_of(input_with_trends(), folder), HasSubstr("<a href=\"trend.html\">"));
-  const auto page = content(folder / "out" / "trend.html");
-  EXPECT_EQ(matches(page, "(<figure)").size(), 3u) << "orders, errors, limits; no values, nothing of one version";
-  EXPECT_THAT(page, Not(HasSubstr("bar-new")));
-  EXPECT_THAT(page, AllOf(HasSubstr("<code>&lt;7&gt;</code>"), HasSubstr("href=\"index.html\"")));
-  EXPECT_EQ(matches(page, "href=\"(trends/[^\"]*)\"").size(), 12u);
-}
-
-TEST(Report, TrendsNameVersionsByTheFirstLettersOfTheirHashes) {
-  const TempFolder folder;
-  auto in = input_with_trends();
-  in.histories[0].versions[0] = {"0123456789abcdef", {"fedcba98765432100-dirty"}, "2026-01-01T00:00:00Z"};
-  EXPECT_THAT(page_of(in, folder, "trend.html"),
-              AllOf(HasSubstr("<code>0123456789ab</code>"), HasSubstr("<code>fedcba987654-dirty</code>")));
-}
-
-TEST(Report, TrendsAreDrawnOnce) {
-  const TempFolder folder;
-  EXPECT_EQ(write_report(input_with_trends(), folder / "out", silent).figures_drawn, 6);
-  EXPECT_EQ(write_report(input_with_trends(), folder / "out", silent).figures_drawn, 0);
 }
 
 TEST(Report, EmptyInputGivesAPage) {

@@ -246,52 +246,6 @@ TEST(StabilityLimit, AnUnstableStableEndIsNotFoundAndNotMonotone) {
   EXPECT_EQ(prober.batches.size(), 1u);
 }
 
-void expect_range(const StabilityLimit& limit, double lower, double upper, bool stable_below) {
-  const auto range = range_of(limit);
-  ASSERT_TRUE(range.has_value());
-  EXPECT_EQ(range->lower, lower);
-  EXPECT_EQ(range->upper, upper);
-  EXPECT_EQ(range->stable_below, stable_below);
-  EXPECT_EQ(range->is_open(), lower == 0 || std::isinf(upper));
-}
-
-TEST(LimitRange, ReachesToWhatWasTried) {
-  const auto search_of = [](const std::function<bool(double)>& is_stable, bool below) {
-    LimitSearch search = cfl_search();
-    search.stable_below = below;
-    Prober prober{is_stable};
-    return find_limit(search, prober.batch());
-  };
-  const auto always = [](double) { return true; };
-  const auto never = [](double) { return false; };
-  expect_range(search_of(always, true), 2, infinity, true);
-  expect_range(search_of(always, false), 0, 0.1, false);
-  expect_range(search_of(never, true), 0, 0.1, true);
-  expect_range(search_of(never, false), 2, infinity, false);
-  const StabilityLimit up = search_of([](double v) { return v < 0.5; }, true),
-                       down = search_of([](double v) { return v > 0.5; }, false);
-  expect_range(up, up.stable, up.unstable, true);
-  expect_range(down, down.unstable, down.stable, false);
-  EXPECT_FALSE(range_of(search_of([](double v) { return v > 0.5; }, true))) << "both ends contradict the search";
-  EXPECT_FALSE(range_of({.key = "x", .stable = 1, .probes = {{1, true, ""}}})) << "one value, of which side?";
-  EXPECT_FALSE(range_of({}));
-  const StabilityLimit far_end_stable = search_of([](double v) { return v < 0.5 || v > 1.9; }, true);
-  expect_range(far_end_stable, far_end_stable.stable, infinity, true);
-}
-
-TEST(LimitRange, OfReplicatesThatDisagreeHasOneEnd) {
-  const auto at = [](double limit) {
-    Prober prober{[=](double v) { return v < limit; }};
-    return find_limit(cfl_search(), prober.batch());
-  };
-  const StabilityLimit calm = at(3), wild = at(0.01), found = at(0.5);
-  for (const auto& both : {common_limit({calm, found}), common_limit({found, calm})})
-    expect_range(both, found.stable, infinity, true);
-  for (const auto& both : {common_limit({wild, found}), common_limit({found, wild})})
-    expect_range(both, 0, found.unstable, true);
-  EXPECT_FALSE(range_of(common_limit({calm, wild})));
-}
-
 TEST(StabilityLimit, IsDeterministic) {
   Prober a{[](double v) { return v < 0.123; }}, b{a.stable};
   const StabilityLimit first = find_limit(cfl_search(), a.batch()), second = find_limit(cfl_search(), b.batch());

@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "studies/fits/stability_limit.hpp"
+#include "tests/numbers.hpp"
+
+/// Where a limit may lie, also where one end alone is known.
+namespace mpmvv::fits::limit_range_test {
+
+StabilityLimit limit_of(const std::function<bool(double)>& is_stable, bool stable_below) {
+  return find_limit({.key = "cfl", .from = 0.1, .to = 2, .stable_below = stable_below},
+                    [&](const std::vector<double>& values) {
+                      std::vector<Probe> probes;
+                      for (const double v : values) probes.push_back({v, is_stable(v), ""});
+                      return probes;
+                    });
+}
+
+void expect_range(const StabilityLimit& limit, double lower, double upper, bool stable_below) {
+  const auto range = range_of(limit);
+  ASSERT_TRUE(range.has_value());
+  EXPECT_EQ(range->lower, lower);
+  EXPECT_EQ(range->upper, upper);
+  EXPECT_EQ(range->stable_below, stable_below);
+  EXPECT_EQ(range->is_open(), lower == 0 || std::isinf(upper));
+}
+
+TEST(LimitRange, ReachesToWhatWasTried) {
+  const auto always = [](double) { return true; };
+  const auto never = [](double) { return false; };
+  expect_range(limit_of(always, true), 2, infinity, true);
+  expect_range(limit_of(always, false), 0, 0.1, false);
+  expect_range(limit_of(never, true), 0, 0.1, true);
+  expect_range(limit_of(never, false), 2, infinity, false);
+  const StabilityLimit up = limit_of([](double v) { return v < 0.5; }, true),
+                       down = limit_of([](double v) { return v > 0.5; }, false);
+  expect_range(up, up.stable, up.unstable, true);
+  expect_range(down, down.unstable, down.stable, false);
+  EXPECT_FALSE(range_of(limit_of([](double v) { return v > 0.5; }, true))) << "both ends contradict the search";
+  EXPECT_FALSE(range_of({.key = "x", .stable = 1, .probes = {{1, true, ""}}})) << "one value, of which side?";
+  EXPECT_FALSE(range_of({}));
+  const StabilityLimit far_end_stable = limit_of([](double v) { return v < 0.5 || v > 1.9; }, true);
+  expect_range(far_end_stable, far_end_stable.stable, infinity, true);
+}
+
+TEST(LimitRange, OfReplicatesThatDisagreeHasOneEnd) {
+  const auto at = [](double limit) { return limit_of([=](double v) { return v < limit; }, true); };
+  const StabilityLimit calm = at(3), wild = at(0.01), found = at(0.5);
+  for (const auto& both : {common_limit({calm, found}), common_limit({found, calm})})
+    expect_range(both, found.stable, infinity, true);
+  for (const auto& both : {common_limit({wild, found}), common_limit({found, wild})})
+    expect_range(both, 0, found.unstable, true);
+  EXPECT_FALSE(range_of(common_limit({calm, wild})));
+}
+
+}  // namespace mpmvv::fits::limit_range_test
