@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 
 #include "studies/fits/distributions.hpp"
 #include "studies/fits/median.hpp"
@@ -101,6 +102,7 @@ CostRatio measure_cost(const std::function<CostPair()>& measure) {
 MeanCost mean_cost(const std::vector<CostRatio>& cases) {
   double sum = 0, variance = 0, squares = 0;
   for (const CostRatio& one : cases) {
+    if (one.first_logs.size() != looks.front()) throw std::logic_error("a case of the mean cost needs its first pairs");
     const TrimmedMean log = trimmed_mean(one.first_logs);
     sum += log.mean, variance += log.variance, squares += log.variance * log.variance;
   }

@@ -13,7 +13,7 @@ inline constexpr double cost_band = 1.1;
 
 /// The most that the cases may cost in their geometric mean. If every case costs 5 % more, the whole interval lies
 /// above it where pairs of runs scatter by 0.05, and five times in six where they scatter by 0.1. Beside itself no
-/// program failed in 1,600 simulated calls.
+/// program failed in 1,200 simulated calls.
 inline constexpr double mean_cost_band = 1.03;
 
 /// ns per particle and step of two runs, one right after the other.

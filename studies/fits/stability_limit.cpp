@@ -187,9 +187,7 @@ std::optional<LimitRange> range_of(const StabilityLimit& limit) {
   return lies_above ? LimitRange{end, infinity, ends_stable} : LimitRange{0, end, !ends_stable};
 }
 
-StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates) {
-  const auto found = std::ranges::find(replicates, true, &StabilityLimit::found);
-  const bool stable_below = found == replicates.end() || found->stable < found->unstable;
+StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates, bool stable_below) {
   const auto least = [](double a, double b) { return std::isnan(b) || b < a ? b : a; };
   const auto largest = [](double a, double b) { return std::isnan(b) || b > a ? b : a; };
   StabilityLimit common = replicates.front();

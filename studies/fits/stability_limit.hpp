@@ -80,6 +80,6 @@ StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe);
 /// The common limit of replicates, of which there must be at least one: below its bracket all of them are stable, above
 /// it none is (for `smoothing_length` the other way round), as far as each one's limit says. An end of the bracket is
 /// NaN where one replicate lacks it. Found where each limit is, and monotone where each is.
-StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates);
+StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates, bool stable_below);
 
 }  // namespace mpmvv::fits

@@ -172,7 +172,7 @@ class StudyRunner {
       result.series.back().code = other_code(plan.series[s]);
       cases.push_back(plan.replicates ? std::vector<Case>{} : own);
       if (plan.searches(plan.series[s]) && inputs.trouble.empty())
-        result.series.back().limit = fits::common_limit(inputs.limits[s]);
+        result.series.back().limit = fits::common_limit(inputs.limits[s], plan.limit->search.stable_below);
     }
     return cases;
   }

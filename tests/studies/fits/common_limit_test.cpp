@@ -29,7 +29,7 @@ StabilityLimit limit_at(double value, bool below) {
 TEST(CommonLimit, ReachesFromWhereAllAreStableToWhereNoneIs) {
   for (const bool below : {true, false}) {
     const StabilityLimit low = limit_at(0.4, below), high = limit_at(0.6, below), middle = limit_at(0.5, below);
-    const StabilityLimit common = common_limit({middle, low, high});
+    const StabilityLimit common = common_limit({middle, low, high}, below);
     EXPECT_EQ(common.stable, below ? low.stable : high.stable);
     EXPECT_EQ(common.unstable, below ? high.unstable : low.unstable);
     EXPECT_TRUE(common.found);
@@ -38,12 +38,12 @@ TEST(CommonLimit, ReachesFromWhereAllAreStableToWhereNoneIs) {
     EXPECT_TRUE(std::ranges::is_sorted(common.probes, {}, &Probe::value));
   }
   const StabilityLimit alone = limit_at(0.4, true), calm = limit_at(10, true);
-  EXPECT_EQ(common_limit({alone}).stable, alone.stable);
-  EXPECT_FALSE(common_limit({alone, calm}).found);
-  EXPECT_TRUE(common_limit({alone, calm}).monotone) << "each of them is";
+  EXPECT_EQ(common_limit({alone}, true).stable, alone.stable);
+  EXPECT_FALSE(common_limit({alone, calm}, true).found);
+  EXPECT_TRUE(common_limit({alone, calm}, true).monotone) << "each of them is";
   const StabilityLimit island = limit_of([](double v) { return v < 0.4 || (v > 0.7 && v < 1); }, true);
-  EXPECT_FALSE(common_limit({alone, island}).monotone);
-  EXPECT_FALSE(common_limit({island, alone}).monotone);
+  EXPECT_FALSE(common_limit({alone, island}, true).monotone);
+  EXPECT_FALSE(common_limit({island, alone}, true).monotone);
 }
 
 TEST(CommonLimit, ThatReplicatesDoNotShareIsSaidWhicheverComesFirst) {
@@ -52,17 +52,17 @@ TEST(CommonLimit, ThatReplicatesDoNotShareIsSaidWhicheverComesFirst) {
                          found = limit_at(1.05, below);
     for (const auto& both : std::vector<std::vector<StabilityLimit>>{
              {calm, found}, {found, calm}, {wild, found}, {found, wild}, {calm, wild}, {wild, calm}})
-      EXPECT_EQ(text_without_limit(common_limit(both)), "replicates disagree");
-    for (const auto& both : {common_limit({calm, found}), common_limit({found, calm})}) {
+      EXPECT_EQ(text_without_limit(common_limit(both, below)), "replicates disagree");
+    for (const auto& both : {common_limit({calm, found}, below), common_limit({found, calm}, below)}) {
       EXPECT_EQ(both.stable, found.stable);
       EXPECT_TRUE(std::isnan(both.unstable)) << "one of them is stable at all values";
     }
-    for (const auto& both : {common_limit({wild, found}), common_limit({found, wild})}) {
+    for (const auto& both : {common_limit({wild, found}, below), common_limit({found, wild}, below)}) {
       EXPECT_TRUE(std::isnan(both.stable)) << "one of them is unstable at all values";
       EXPECT_EQ(both.unstable, found.unstable);
     }
-    EXPECT_THAT(text_without_limit(common_limit({calm, calm})), StartsWith("stable at all values tried"));
-    EXPECT_THAT(text_without_limit(common_limit({wild, wild})), StartsWith("unstable at all values tried"));
+    EXPECT_THAT(text_without_limit(common_limit({calm, calm}, below)), StartsWith("stable at all values tried"));
+    EXPECT_THAT(text_without_limit(common_limit({wild, wild}, below)), StartsWith("unstable at all values tried"));
   }
 }
 

@@ -46,13 +46,23 @@ TEST(LimitRange, ReachesToWhatWasTried) {
 }
 
 TEST(LimitRange, OfReplicatesThatDisagreeHasOneEnd) {
-  const auto at = [](double limit) { return limit_of([=](double v) { return v < limit; }, true); };
-  const StabilityLimit calm = at(3), wild = at(0.01), found = at(0.5);
-  for (const auto& both : {common_limit({calm, found}), common_limit({found, calm})})
-    expect_range(both, found.stable, infinity, true);
-  for (const auto& both : {common_limit({wild, found}), common_limit({found, wild})})
-    expect_range(both, 0, found.unstable, true);
-  EXPECT_FALSE(range_of(common_limit({calm, wild})));
+  for (const bool below : {true, false}) {
+    const auto at = [=](double limit) { return limit_of([=](double v) { return (v < limit) == below; }, below); };
+    const StabilityLimit calm = at(below ? 3 : 0.01), wild = at(below ? 0.01 : 3), found = at(0.5);
+    for (const auto& both : {common_limit({calm, found}, below), common_limit({found, calm}, below)})
+      expect_range(both, below ? found.stable : 0, below ? infinity : found.stable, below);
+    for (const auto& both : {common_limit({wild, found}, below), common_limit({found, wild}, below)})
+      expect_range(both, below ? 0 : found.unstable, below ? found.unstable : infinity, below);
+    EXPECT_FALSE(range_of(common_limit({calm, wild}, below)));
+  }
+}
+
+TEST(LimitRange, OfReplicatesOfWhichNoneIsFoundHasTheirSide) {
+  // Stable down to 1 and 1.5, and at the low end again.
+  const auto down_to = [](double limit) { return limit_of([=](double v) { return v > limit || v < 0.11; }, false); };
+  const StabilityLimit a = down_to(1), b = down_to(1.5);
+  for (const auto& both : {common_limit({a, b}, false), common_limit({b, a}, false)})
+    expect_range(both, 0, b.stable, false);
 }
 
 }  // namespace mpmvv::fits::limit_range_test
