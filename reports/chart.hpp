@@ -91,6 +91,7 @@ struct Chart {
   bool to_scale = false;             ///< one unit is as long along x as along y
   bool of_particles = false;         ///< places of particles, in panels side by side
   Axis x, y;
+  double top_of_values = 0;  ///< where the values end below the band; counts with a band alone
   double band = 0;  ///< upper part of the y axis that has crosses of unstable runs in place of values, a fraction
   std::optional<Axis> shades;  ///< the scale of the dots' colours, drawn beside the axes
   std::vector<Curve> curves;

@@ -196,7 +196,8 @@ class ConvergenceTable {
   std::string fitted_rows(std::span<const Series* const> shown) const {
     std::string text;
     for (const auto& window : windows_) {
-      std::vector<std::string> row{name_of(window)};
+      std::vector<std::string> row{
+          fmt::format("{} to {}", latex_cell(brief(window.first)), latex_cell(brief(window.second)))};
       for (const Series* series : shown) {
         std::string fitted = none;
         for (const ObservedOrder& order : orders_of(*series))

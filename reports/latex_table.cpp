@@ -97,25 +97,30 @@ std::string group_line(const Table& table, const std::string& title) {
                      title.size() > one_line ? "p{0.95\\linewidth}" : "l", latex_text(title));
 }
 
-/// About how wide a column is in points, in letters of 8 points.
-double width_in_points(const Table& table, std::size_t column) {
+/// About how wide a text is in points, in letters of 8 points.
+double width_in_points(const std::string& text) {
   constexpr double letter = 4.4, power = 47;
-  double width = letter * static_cast<double>(table.columns[column].size());
-  for_each_cell(table, column, [&](const std::string& cell) {
-    const bool has_power = is_written_number(cell) && cell.find('e') != std::string::npos;
-    width = std::max(width, has_power ? power : letter * static_cast<double>(cell.size()));
-  });
+  if (is_written_number(text) && text.find('e') != std::string::npos) return power;
+  const auto starts_character = [](unsigned char byte) { return (byte & 0xC0u) != 0x80; };
+  return letter * static_cast<double>(std::ranges::count_if(text, starts_character));
+}
+
+double width_in_points(const Table& table, std::size_t column) {
+  double width = width_in_points(table.columns[column]);
+  for_each_cell(table, column, [&](const std::string& cell) { width = std::max(width, width_in_points(cell)); });
   return width;
 }
 
 /// The width of a long table's first column: that of its texts, or what the other columns leave of the line.
-std::string first_width(const Table& table) {
-  constexpr double gap = 6;
+std::string first_width(const Table& table, std::size_t norm_column) {
+  constexpr double gap = 6, symbol = 35, least = 40;
   double others = gap;
-  for (std::size_t c = 1; c < table.columns.size(); ++c) others += gap + width_in_points(table, c);
+  for (std::size_t c = 1; c < table.columns.size(); ++c)
+    others += gap + (c == norm_column ? symbol : width_in_points(table, c));
   return fmt::format(
-      "\\dimexpr\\ifdim\\dimexpr\\linewidth-{0:.0f}pt<{1:.0f}pt\\linewidth-{0:.0f}pt\\else{1:.0f}pt\\fi\\relax", others,
-      width_in_points(table, 0));
+      "\\dimexpr\\ifdim\\dimexpr\\linewidth-{0:.0f}pt<{2}pt {2}pt\\else\\ifdim\\dimexpr\\linewidth-{0:.0f}pt<{1:.0f}pt"
+      "\\linewidth-{0:.0f}pt\\else{1:.0f}pt\\fi\\fi\\relax",
+      others, width_in_points(table, 0), least);
 }
 
 /// The table in pieces that a page has room for; the note stands below the last one.
@@ -180,7 +185,7 @@ std::string latex_long_table(const Table& whole) {
   std::string text = fmt::format(
       "{{\\footnotesize\\setlength{{\\tabcolsep}}{{3pt}}\\setlength{{\\LTcapwidth}}"
       "{{\\linewidth}}\n\\begin{{longtable}}{{>{{\\raggedright}}p{{{}}}{}}}\n",
-      first_width(table), std::string(table.columns.size() - 1, 'l'));
+      first_width(table, norm_column), std::string(table.columns.size() - 1, 'l'));
   text += fmt::format("\\caption{{{}}} \\\\\n", typeset(table.caption, Notation::latex));
   text += head + "\\endfirsthead\n" + head + "\\endhead\n\\bottomrule\n\\endfoot\n";
   for (const auto& group : table.groups) {

@@ -27,6 +27,7 @@ void scale_y(Chart& chart, double factor, const std::string& label) {
     for (Place& place : rule.path) place.y *= factor;
   for (Label& text : chart.labels) text.at.y *= factor;
   chart.y = make_axis({label, chart.y.log, chart.y.from * factor, top_of_values(chart) * factor}, {});
+  chart.top_of_values *= factor;
   if (chart.band > 0) add_band(chart.y, chart.band, chart.letter);
 }
 

@@ -40,12 +40,13 @@ void add_unstable_band(Chart& chart, double row) {
   const int rows = std::ranges::max(at_x | std::views::values);
   const double height = std::max(row * (rows + 1), least_height(chart.y, chart.letter));
   chart.band = height / (1 + height);
+  chart.top_of_values = chart.y.to;
   add_band(chart.y, chart.band, chart.letter);
   for (const auto& [dot, place] : crosses) dot->drawn = chart.y.value(1 - chart.band * (place + 1) / (rows + 1));
 }
 
 double top_of_values(const Chart& chart) {
-  return chart.y.value(1 - chart.band);
+  return chart.band > 0 ? chart.top_of_values : chart.y.to;
 }
 
 bool holds(const Chart& chart, const Dot& dot) {

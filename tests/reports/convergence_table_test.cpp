@@ -42,7 +42,7 @@ TEST(ConvergenceTable, HasErrorsOrdersAndFits) {
   EXPECT_THAT(text, HasSubstr("cells & $\\ell_2$ & order & $\\ell_2$ & order \\\\\n"));
   EXPECT_THAT(text, HasSubstr("$8$ & $4.69 \\times 10^{-3}$ & -- & $9.37 \\times 10^{-3}$ & -- \\\\\n"));
   EXPECT_THAT(text, HasSubstr("$32$ & $2.93 \\times 10^{-4}$ & $2.00$ & unstable & -- \\\\\n"));
-  EXPECT_THAT(text, HasSubstr("16 to 128 & \\multicolumn{2}{c}{$2.00 \\pm 0.03$} & "
+  EXPECT_THAT(text, HasSubstr("$16$ to $128$ & \\multicolumn{2}{c}{$2.00 \\pm 0.03$} & "
                               "\\multicolumn{2}{c}{$2.00 \\pm 0.03$$^*$} \\\\\n"));
 }
 
