@@ -7,6 +7,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "studies/codes/field_names.hpp"
 #include "studies/support/error.hpp"
 
 namespace mpmvv::codes {
@@ -70,14 +71,17 @@ std::size_t tag_of(std::string_view name, std::string_view text) {
                                         has_braces ? of_braces : "docs/adapters.md shows what one is"));
 }
 
+/// Returns the face that the name speaks of, as xmin_position does; empty if there is none.
+std::string face_in(const std::string& name) {
+  for (std::size_t face = 0; face < 6; ++face)
+    if (name.find(face_name(face)) != std::string::npos) return face_name(face);
+  return "";
+}
+
 /// Whether the name is that of a component or a face along an axis that the case lacks: with x in the place of y or z
 /// it exists.
 bool is_of_more_dimensions(std::string name, const TemplateFields& fields) {
-  for (const char* side : {"ymin", "ymax", "zmin", "zmax"})
-    if (const auto at = name.find(side); at != std::string::npos) {
-      name[at] = 'x';
-      return fields.get(name) != nullptr;
-    }
+  if (const std::string face = face_in(name); !face.empty()) return !fields.get("boundary_" + face);
   const auto axis = std::string_view("yzYZ").find(name.back());
   if (axis == std::string_view::npos) return false;
   name.back() = axis < 2 ? 'x' : 'X';
@@ -89,6 +93,9 @@ std::string hint(const std::string& name, const TemplateFields& fields) {
   if (name.find_first_of("{}") != std::string::npos) return of_braces;
   if (is_of_more_dimensions(name, fields))
     return "the case has fewer dimensions: between {{#is_plane}} and {{/is_plane}}, or is_solid";
+  if (const std::string face = face_in(name); name == face + "_position" || name == face + "_velocity")
+    return fmt::format(
+        "the face has no wall whose motion is known here: between {{{{#{0}_is_wall}}}} and {{{{/{0}_is_wall}}}}", face);
   return "docs/adapters.md lists them, beside those of the adapter's [fields] and [variants]";
 }
 

@@ -92,6 +92,10 @@ double cells_between_walls(const cases::Case& c, std::size_t axis, double t);
 
 double cfl_number(const cases::Case& c);  ///< wave speed × time step / cell width
 
+/// Returns the CFL number with which the P wave of the problem's own material would go as far in a step as that of the
+/// case's: another Poisson's ratio changes its speed, but not that of most CFL numbers.
+double p_wave_cfl_number(const cases::Case& c);
+
 // The problems, each defined in its own file.
 Problem bar_problem();
 Problem bar_rest_problem();

@@ -5,6 +5,7 @@
 
 #include "solver/boundary/mirror.hpp"
 #include "solver/boundary/periodic.hpp"
+#include "studies/problems/parameters.hpp"
 #include "studies/problems/setup.hpp"
 #include "studies/support/words.hpp"
 
@@ -135,6 +136,14 @@ double cfl_number(const cases::Case& c) {
   const Problem& problem = find_problem(c.problem.name, "the case");
   return problem.wave_speed(c.problem.parameters) * c.resolution.dt * c.resolution.cells /
          problem.length(c.problem.parameters);
+}
+
+double p_wave_cfl_number(const cases::Case& c) {
+  const Problem& problem = find_problem(c.problem.name, "the case");
+  const auto ratio = [&problem](const Parameters& p) {
+    return p.contains("poissons_ratio") ? p_wave_speed(p) / problem.wave_speed(p) : 1;
+  };
+  return cfl_number(c) * ratio(c.problem.parameters) / ratio(complete_parameters(problem, {}));
 }
 
 }  // namespace mpmvv::problems

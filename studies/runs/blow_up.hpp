@@ -37,10 +37,10 @@ class BlowUp {
 
   // These return why the run counts as unstable, or an empty string where it does not.
   std::string judge_energy(double energy) const {
-    return energy <= most_energy_ ? "" : fmt::format("energy {:.3g} beyond {:.3g}", energy, most_energy_);
+    return energy <= most_energy_ ? "" : fmt::format("energy {:.4g} beyond {:.3g}", energy, most_energy_);
   }
   std::string judge_error(double largest) const {
-    return largest <= most_error_ ? "" : fmt::format("displacement error {:.3g} beyond {:.3g}", largest, most_error_);
+    return largest <= most_error_ ? "" : fmt::format("displacement error {:.4g} beyond {:.3g}", largest, most_error_);
   }
 
  private:

@@ -22,22 +22,25 @@ std::vector<ParticleError> ParticleErrors::reduced() const {
 
 std::vector<ParticleError> ParticleErrors::in_squares(double width) const {
   struct Square {
-    One first;  ///< the particle with the least reference position
+    const One* nearest = nullptr;  ///< to its middle; of several the one with the least reference position
+    double distance = 0;           ///< of that one, squared
     double squares = 0;
     std::size_t count = 0;
   };
   std::map<std::pair<double, double>, Square> found;
   for (const One& one : all_) {
-    Square& square =
-        found.try_emplace({std::floor(one.X[0] / width), std::floor(one.X[1] / width)}, Square{one}).first->second;
-    if (one.X < square.first.X) square.first = one;
+    const double i = std::floor(one.X[0] / width), j = std::floor(one.X[1] / width);
+    Square& square = found[{i, j}];
+    const double distance = std::pow(one.X[0] - (i + 0.5) * width, 2) + std::pow(one.X[1] - (j + 0.5) * width, 2);
+    if (!square.nearest || std::pair(distance, one.X) < std::pair(square.distance, square.nearest->X))
+      square.nearest = &one, square.distance = distance;
     square.squares += one.now.error * one.now.error;
     ++square.count;
   }
   std::vector<ParticleError> errors;
   for (const auto& [place, square] : found)
     errors.push_back(
-        {square.first.now.x, square.first.now.y, std::sqrt(square.squares / static_cast<double>(square.count))});
+        {square.nearest->now.x, square.nearest->now.y, std::sqrt(square.squares / static_cast<double>(square.count))});
   return errors;
 }
 

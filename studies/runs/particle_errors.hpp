@@ -24,7 +24,8 @@ class ParticleErrors {
   }
 
   /// Returns each error where they are few and, in fewer than three dimensions, none hides another. Otherwise it
-  /// returns the RMS of neighbours in squares of the body at rest, at the place of one of them.
+  /// returns the RMS of neighbours in squares of the body at rest, at the place of the one nearest to the square's
+  /// middle.
   std::vector<records::ParticleError> reduced() const;
 
  private:

@@ -31,7 +31,7 @@ bool is_stable(const Case& c, const problems::Problem& problem) {
   if (c.scheme.order > 8 && !has_domains) return false;
   const bool is_turned = problem.images == solver::Images::quarter_turns;
   const double largest_cfl = is_turned && has_domains ? 0.1 : is_turned || c.scheme.order > 1 ? 0.2 : 0.5;
-  return problems::cfl_number(c) <= largest_cfl * (1 + 1e-9);
+  return problems::p_wave_cfl_number(c) <= largest_cfl * (1 + 1e-9);
 }
 
 /// Returns the case of the quarter whose mirror images make up the body; none where there is no such quarter.

@@ -10,6 +10,7 @@
 namespace mpmvv::codes::template_fields_test {
 
 using support::UsageError;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -60,7 +61,9 @@ TEST_F(TemplateFieldsOfCases, SayHowWallsMove) {
   EXPECT_EQ(left, "0.05*sin(314.1592653589793*t)");
   EXPECT_EQ(right, "1 - 0.05*sin(314.1592653589793*t)");
   EXPECT_EQ(speed, "-15.707963267948967*cos(314.1592653589793*t)");
-  EXPECT_THAT([&] { filled("{{ymin_position}}", swing()); }, ThrowsMessage<UsageError>(HasSubstr("'ymin_position'")));
+  EXPECT_THAT([&] { filled("{{ymin_position}}", swing()); },
+              ThrowsMessage<UsageError>(AllOf(HasSubstr("'ymin_position'"), HasSubstr("{{#ymin_is_wall}}"))));
+  EXPECT_THAT([&] { filled("{{zmin_position}}", swing()); }, ThrowsMessage<UsageError>(HasSubstr("fewer dimensions")));
 }
 
 TEST_F(TemplateFieldsOfCases, OfTheWholeBoundaryAreNotEnoughWhereFacesDiffer) {
@@ -75,6 +78,7 @@ TEST_F(TemplateFieldsOfCases, OfTheWholeBoundaryAreNotEnoughWhereFacesDiffer) {
   EXPECT_THAT([&] { require("{{#is_periodic}}around{{/is_periodic}}"); },
               ThrowsMessage<UsageError>(HasSubstr("ask is_periodic but nothing of a face")));
   EXPECT_NO_THROW(require("{{#is_wall}}closed{{/is_wall}} {{boundary_ymin}}"));
+  EXPECT_NO_THROW(require("{{#is_wall}}closed{{/is_wall}} {{boundary}}"));
   EXPECT_NO_THROW(require("{{#xmin_is_wall}}closed{{/xmin_is_wall}}"));
   EXPECT_NO_THROW(require("{{h}}")) << "it may have boundaries of its own";
 }

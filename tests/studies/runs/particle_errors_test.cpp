@@ -46,6 +46,12 @@ TEST(ParticleErrors, AreThoseOfEqualSquaresWhereTheyAreMany) {
   EXPECT_LE(lattice(130).reduced().size(), ParticleErrors::most);
 }
 
+TEST(ParticleErrors, OfASquareStandAtTheParticleNearestToItsMiddle) {
+  const auto errors = lattice(120).reduced();
+  EXPECT_NEAR(errors[0].x, 2 + 1.5 / 120, 1e-12);
+  EXPECT_NEAR(errors[0].y, 3 + 1.5 / 120, 1e-12);
+}
+
 TEST(ParticleErrors, OfABodyInSpaceAreSeenAlongZ) {
   ParticleErrors errors(3, 0.5);
   for (const double z : {0.25, 0.75}) {
