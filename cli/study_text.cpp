@@ -97,12 +97,17 @@ void print_limits(const records::StudyResult& study) {
                {"key"},
                {"stable", Kind::number},
                {"unstable", Kind::number},
+               {"steps", Kind::number},
+               {"growth\nseen", Kind::number},
                {"probes", Kind::number},
                {"", Kind::prose}});
   for (const Series& series : study.series)
-    if (const auto& limit = series.limit)
+    if (const auto& limit = series.limit) {
+      const std::int64_t steps = steps_at_limit(*limit);
       table.add({series.name, limit->key, number_text(limit->stable), number_text(limit->unstable),
+                 steps > 0 ? fmt::format("{}", steps) : "", reports::growth_text(steps),
                  fmt::format("{}", limit->probes.size()), remark_on(*limit)});
+    }
   table.print_apart();
 }
 

@@ -153,11 +153,12 @@ Csv limits_csv(const StudyResult& study) {
 }
 
 Csv probes_csv(const StudyResult& study) {
-  Csv csv({"series", "key", "value", "stable", "reason"});
+  Csv csv({"series", "key", "value", "stable", "steps", "reason"});
   for (const auto& series : study.series) {
     if (!series.limit) continue;
     for (const auto& p : series.limit->probes)
-      csv.add({series.name, series.limit->key, exact(p.value), fmt::format("{}", p.stable), p.reason});
+      csv.add({series.name, series.limit->key, exact(p.value), fmt::format("{}", p.stable),
+               p.steps > 0 ? fmt::format("{}", p.steps) : "", p.reason});
   }
   return csv;
 }

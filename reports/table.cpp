@@ -138,11 +138,19 @@ Table limits_table(const StudyResult& study) {
   for (const auto& series : study.series) {
     if (!series.limit) continue;
     const auto& l = *series.limit;
+    const std::int64_t steps = fits::steps_at_limit(l);
     rows.push_back({series.name, l.key, l.found ? brief(l.value()) : "not found", brief(l.stable), brief(l.unstable),
-                    yes(l.monotone), fmt::format("{}", l.probes.size())});
+                    yes(l.monotone), steps > 0 ? fmt::format("{}", steps) : "", growth_text(steps),
+                    fmt::format("{}", l.probes.size())});
   }
   return with_rows(
-      {"Stability limits", {"series", "key", "limit", "stable at", "unstable at", "monotone", "probes"}, {}}, rows);
+      {"Stability limits",
+       {"series", "key", "limit", "stable at", "unstable at", "monotone", "steps", "growth seen", "probes"},
+       {},
+       "Steps: of the run at the stable end. An instability has to grow from round-off in them. Growth "
+       "seen: the least per step that does, 10^(12/steps) - 1. Where runs are longer, slower growth shows, "
+       "and the limit lies nearer to the stable end of the search."},
+      rows);
 }
 
 Table values_table(const StudyResult& study) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "reports/utf8.hpp"
+#include "studies/fits/stability_limit.hpp"
 
 namespace mpmvv::reports {
 
@@ -18,6 +19,12 @@ std::string exact(double v) {
 
 std::string brief(double v) {
   return std::isnan(v) ? "–" : fmt::format("{:.4g}", v);
+}
+
+std::string growth_text(std::int64_t steps) {
+  const double per_cent = 100 * (fits::least_visible_growth(steps) - 1);
+  if (std::isnan(per_cent)) return "";
+  return per_cent < 99.5 ? fmt::format("{:.2g} %", per_cent) : fmt::format("{:.0f} %", per_cent);
 }
 
 std::string three_digits(double v) {

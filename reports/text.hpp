@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ std::string brief(double v);
 
 /// For people: three significant digits, all of those before the point, a dash for NaN.
 std::string three_digits(double v);
+
+/// "16 %": the least growth per step that shows in so many (fits::least_visible_growth); empty where they are 0.
+std::string growth_text(std::int64_t steps);
 
 /// Whether this is a number, or the dash for one that was not measured.
 bool is_number(const std::string& text);

@@ -162,6 +162,15 @@ StabilityLimit find_limit(const LimitSearch& search, const ProbeBatch& probe) {
   return under_way.whole_bracket();
 }
 
+std::int64_t steps_at_limit(const StabilityLimit& limit) {
+  const auto stable = std::ranges::find(limit.probes, limit.stable, &Probe::value);
+  return stable == limit.probes.end() ? 0 : stable->steps;
+}
+
+double least_visible_growth(std::int64_t steps) {
+  return steps > 0 ? std::pow(10, 12 / static_cast<double>(steps)) : support::not_measured;
+}
+
 bool LimitRange::is_open() const {
   return lower == 0 || std::isinf(upper);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@ struct Probe {
   double value = 0;
   bool stable = false;
   std::string reason;
+  std::int64_t steps = 0;  ///< of the run, to its end or to where it blew up; 0: not known, as in older stores
 };
 
 /// Stability limit of the runs that were made, by scan and bisection: all runs tried from the stable end to `stable`
@@ -28,6 +30,13 @@ struct StabilityLimit {
 
   double value() const { return (stable + unstable) / 2; }
 };
+
+/// Steps of the run at the stable end of the bracket; 0 where none is known.
+std::int64_t steps_at_limit(const StabilityLimit& limit);
+
+/// The growth per step that takes round-off, 1e-12 of what is measured, to all of it in so many steps: a slower
+/// instability goes unseen. NaN where the steps are not known (0).
+double least_visible_growth(std::int64_t steps);
 
 /// Where a limit may lie: between its ends, or beyond all that was tried, where one end alone is known.
 struct LimitRange {

@@ -27,7 +27,7 @@ struct ProbeFailed : std::runtime_error {
 /// divides the end time.
 fits::Probe probe_of(const std::string& key, double asked, const Record& r) {
   if (r.status == records::Status::failed) throw ProbeFailed(fmt::format("a probe at {} failed: {}", asked, r.reason));
-  return {key == "cfl" ? r.cfl : asked, r.status == records::Status::ok, r.reason};
+  return {key == "cfl" ? r.cfl : asked, r.status == records::Status::ok, r.reason, r.steps};
 }
 
 fits::StabilityLimit search_limit(const fits::LimitSearch& search, const SeriesPlan& series, CasePool& pool) {

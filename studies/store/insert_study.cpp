@@ -89,7 +89,7 @@ void insert_limit(Database& database, std::int64_t series, const fits::Stability
                              {"monotone", limit.monotone},
                              {"found", limit.found}});
   insert_items(database, "probes", {"series", series}, limit.probes, [](const fits::Probe& p) {
-    return Columns{{"value", p.value}, {"stable", p.stable}, {"reason", p.reason}};
+    return Columns{{"value", p.value}, {"stable", p.stable}, {"reason", p.reason}, {"steps", p.steps}};
   });
 }
 

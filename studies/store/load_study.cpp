@@ -64,7 +64,10 @@ fits::StabilityLimit load_limit(const Database& database, const Row& row) {
           .monotone = row["monotone"].flag(),
           .found = row["found"].flag(),
           .probes = load_items(database, "probes", "series", row["series"], [](const Row& p) {
-            return fits::Probe{.value = p["value"].real(), .stable = p["stable"].flag(), .reason = p["reason"].text()};
+            return fits::Probe{.value = p["value"].real(),
+                               .stable = p["stable"].flag(),
+                               .reason = p["reason"].text(),
+                               .steps = p["steps"].null() ? 0 : p["steps"].integer()};
           })};
 }
 

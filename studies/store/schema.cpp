@@ -205,8 +205,14 @@ constexpr const char* schema_16 = R"sql(
   ALTER TABLE runs ADD COLUMN threads INTEGER;
 )sql";
 
-constexpr std::array written{schema_1, schema_2,  schema_3,  schema_4,  schema_5,  schema_6,  schema_7,  schema_8,
-                             schema_9, schema_10, schema_11, schema_12, schema_13, schema_14, schema_15, schema_16};
+/// How many steps a probe of a limit took; NULL in older stores.
+constexpr const char* schema_17 = R"sql(
+  ALTER TABLE probes ADD COLUMN steps INTEGER;
+)sql";
+
+constexpr std::array written{schema_1,  schema_2,  schema_3,  schema_4,  schema_5,  schema_6,
+                             schema_7,  schema_8,  schema_9,  schema_10, schema_11, schema_12,
+                             schema_13, schema_14, schema_15, schema_16, schema_17};
 
 /// The statements for the run numbers whose schema is later than those written above. Before another schema is written
 /// above by hand, these statements must be written there as well.

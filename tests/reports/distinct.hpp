@@ -36,7 +36,8 @@ inline fits::Extrapolation extrapolation(const std::string& quantity, Numbers& n
 
 inline fits::StabilityLimit limit(bool found, bool monotone, Numbers& n) {
   fits::StabilityLimit l{"cfl", n.next(), n.next(), monotone, found, {}};
-  for (const bool stable : {true, false, true}) l.probes.push_back({n.next(), stable, stable ? "" : "det F <= 0"});
+  l.probes.push_back({l.stable, true, "", n.count()});
+  for (const bool stable : {false, true}) l.probes.push_back({n.next(), stable, stable ? "" : "det F <= 0", n.count()});
   return l;
 }
 
@@ -155,7 +156,8 @@ inline records::StudyResult limits() {
   for (const char* name : {"upper", "middle", "lower"}) {
     records::Series s{name, {}, {}, fits::StabilityLimit{}};
     s.limit->key = "cfl";
-    for (const bool stable : {true, true, false, false}) s.limit->probes.push_back({v *= 1.13, stable, ""});
+    for (const bool stable : {true, true, false, false})
+      s.limit->probes.push_back({v *= 1.13, stable, "", static_cast<int>(1e3 * v)});
     s.limit->stable = s.limit->probes[1].value, s.limit->unstable = s.limit->probes[2].value;
     s.limit->found = study.series.size() != 1;
     s.limit->monotone = study.series.size() != 2;

@@ -144,6 +144,7 @@ ExpectedTable probes(const records::StudyResult& study) {
                      {"key", s.limit->key},
                      {"value", exact(p.value)},
                      {"stable", word(p.stable)},
+                     {"steps", std::to_string(p.steps)},
                      {"reason", p.reason}});
   return table;
 }
@@ -247,6 +248,8 @@ ExpectedTable limits(const records::StudyResult& study) {
                    {"stable at", brief(s.limit->stable)},
                    {"unstable at", brief(s.limit->unstable)},
                    {"monotone", yes(s.limit->monotone)},
+                   {"steps", std::to_string(steps_at_limit(*s.limit))},
+                   {"growth seen", growth_text(steps_at_limit(*s.limit))},
                    {"probes", std::to_string(s.limit->probes.size())}});
   return table;
 }

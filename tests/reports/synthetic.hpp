@@ -100,7 +100,8 @@ inline records::StudyResult limits() {
     records::Series s{"l = " + std::to_string(k) + "h/8, 4 PPC", {}, {}, fits::StabilityLimit{}};
     s.limit->key = "cfl";
     const double limit = 0.7 + 0.06 * k;
-    for (double v = 0.3; v < 1.7; v *= 1.1) s.limit->probes.push_back({v, v < limit, v < limit ? "" : "energy"});
+    for (double v = 0.3; v < 1.7; v *= 1.1)
+      s.limit->probes.push_back({v, v < limit, v < limit ? "" : "energy", static_cast<int>(100 / v)});
     s.limit->stable = limit - 0.004;
     s.limit->unstable = limit + 0.004;
     s.limit->found = k != 8;

@@ -71,4 +71,12 @@ TEST(Text, LatexSpecialCharactersAreEscaped) {
   EXPECT_EQ(latex_text("--set a-b --- 3"), "-{}-set a-b -{}-{}- 3") << "LaTeX makes dashes of them";
 }
 
+TEST(Text, SaysTheGrowthThatShowsInSoManySteps) {
+  EXPECT_EQ(growth_text(18000), "0.15 %");
+  EXPECT_EQ(growth_text(185), "16 %");
+  EXPECT_EQ(growth_text(40), "100 %");
+  EXPECT_EQ(growth_text(12), "900 %");
+  EXPECT_EQ(growth_text(0), "");
+}
+
 }  // namespace mpmvv::reports::text_test

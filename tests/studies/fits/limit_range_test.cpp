@@ -65,4 +65,19 @@ TEST(LimitRange, OfReplicatesOfWhichNoneIsFoundHasTheirSide) {
     expect_range(both, 0, b.stable, false);
 }
 
+TEST(StepsAtLimit, AreThoseOfTheLastStableRun) {
+  const StabilityLimit limit{.key = "cfl",
+                             .stable = 0.5,
+                             .unstable = 0.6,
+                             .probes = {{0.4, true, "", 50}, {0.5, true, "", 40}, {0.6, false, "energy", 32}}};
+  EXPECT_EQ(steps_at_limit(limit), 40);
+  EXPECT_EQ(steps_at_limit({.key = "cfl", .unstable = 0.6, .probes = {{0.6, false, "energy", 32}}}), 0)
+      << "nothing is stable";
+}
+
+TEST(StepsAtLimit, MakeRoundOffGrowToAllOfIt) {
+  EXPECT_NEAR(1e-12 * std::pow(least_visible_growth(185), 185), 1, 1e-9);
+  EXPECT_TRUE(std::isnan(least_visible_growth(0)));
+}
+
 }  // namespace mpmvv::fits::limit_range_test

@@ -75,8 +75,8 @@ struct Text {
   }
 
   static std::string of(const fits::Probe& p) {
-    const auto& [value, stable, reason] = p;
-    return fmt::format("probe {} {} '{}'", value, stable, reason);
+    const auto& [value, stable, reason, steps] = p;
+    return fmt::format("probe {} {} '{}' {}", value, stable, reason, steps);
   }
 
   static std::string of(const fits::StabilityLimit& l) {
