@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reports/panels.hpp"
+#include "reports/particle_spacing.hpp"
 #include "reports/series_style.hpp"
 #include "reports/text.hpp"
 
@@ -36,28 +37,6 @@ std::vector<LastRun> last_runs(const records::StudyResult& study, const records:
   return runs;
 }
 
-/// The width of a square that is a particle's share of the body: the median, over the particles, of the distance to the
-/// eighth nearest one, which on a lattice stands at a corner of the square's ring of neighbours. The nearest ones alone
-/// would be too close where particles lie in no order.
-double spacing_of(const std::vector<ParticleError>& all) {
-  constexpr std::size_t ring = 8;
-  std::vector<double> spacings, ways;
-  for (const ParticleError& one : all) {
-    ways.clear();
-    for (const ParticleError& other : all)
-      if (const double way = std::hypot(other.x - one.x, other.y - one.y); way > 0) ways.push_back(way);
-    if (ways.empty()) continue;
-    const bool has_ring = ways.size() >= ring;
-    const auto corner = ways.begin() + (has_ring ? ring - 1 : 0);
-    std::ranges::nth_element(ways, corner);
-    spacings.push_back(has_ring ? *corner / std::sqrt(2) : *corner);
-  }
-  if (spacings.empty()) return 1;
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::ranges::nth_element(spacings, middle);
-  return *middle;
-}
-
 /// The scale of colours, from an error that nearly all particles exceed to the largest, so that a few errors near zero
 /// do not take up the scale.
 Axis shade_axis(const std::vector<LastRun>& runs) {
@@ -75,7 +54,7 @@ Axis shade_axis(const std::vector<LastRun>& runs) {
 /// larger error is drawn later.
 Panel panel_of(const LastRun& run) {
   Panel panel{run.series->name, {}};
-  const double width = spacing_of(run.errors());
+  const double width = particle_spacing(run.errors());
   std::vector<ParticleError> sorted = run.errors();
   std::ranges::stable_sort(sorted, {}, &ParticleError::error);
   for (const ParticleError& one : sorted) {

@@ -1,0 +1,61 @@
+#include "reports/particle_spacing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "reports/chart.hpp"
+
+namespace mpmvv::reports {
+
+using records::ParticleError;
+
+namespace {
+
+/// The particle and those around it: the eight nearest ones, and all that are as near as the eighth. Empty where it is
+/// alone.
+std::vector<Place> surroundings(const ParticleError& one, const std::vector<ParticleError>& all) {
+  constexpr std::size_t ring = 8;
+  constexpr double round_off = 1e-6;
+  const auto way_to = [&](const ParticleError& other) { return std::hypot(other.x - one.x, other.y - one.y); };
+  std::vector<double> ways;
+  for (const ParticleError& other : all)
+    if (const double way = way_to(other); way > 0) ways.push_back(way);
+  if (ways.empty()) return {};
+  const auto last = ways.begin() + static_cast<std::ptrdiff_t>(std::min(ring, ways.size()) - 1);
+  std::ranges::nth_element(ways, last);
+  std::vector<Place> near{{0, 0}};
+  for (const ParticleError& other : all)
+    if (const double way = way_to(other); way > 0 && way <= (1 + round_off) * *last)
+      near.push_back({other.x - one.x, other.y - one.y});
+  return near;
+}
+
+/// The spacing s of a lattice in a rectangle that has as many points and scatters as much as these do. k points along a
+/// side have the variance s² (k² - 1) / 12; so (12 a + s²) (12 b + s²) = n² s⁴ for principal variances a and b.
+double lattice_spacing(const std::vector<Place>& points) {
+  const double n = static_cast<double>(points.size());
+  double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  for (const Place& p : points) x += p.x / n, y += p.y / n;
+  for (const Place& p : points)
+    xx += (p.x - x) * (p.x - x) / n, xy += (p.x - x) * (p.y - y) / n, yy += (p.y - y) * (p.y - y) / n;
+  const double half_sum = 6 * (xx + yy), product = 144 * std::max(0.0, xx * yy - xy * xy), squares = n * n - 1;
+  return std::sqrt((half_sum + std::sqrt(half_sum * half_sum + squares * product)) / squares);
+}
+
+}  // namespace
+
+double particle_spacing(const std::vector<ParticleError>& particles) {
+  std::vector<double> spacings;
+  for (const ParticleError& one : particles)
+    if (const auto near = surroundings(one, particles); !near.empty()) spacings.push_back(lattice_spacing(near));
+  if (spacings.empty()) {
+    const double reach = 2 * std::max(std::abs(particles.front().x), std::abs(particles.front().y));
+    return reach > 0 ? reach : 1;
+  }
+  const auto quartile = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 4);
+  std::ranges::nth_element(spacings, quartile);
+  return *quartile;
+}
+
+}  // namespace mpmvv::reports

@@ -1,0 +1,58 @@
+#include "reports/particle_spacing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+/// The widths of squares that stand for particles.
+namespace mpmvv::reports::particle_spacing_test {
+
+using records::ParticleError;
+
+constexpr double spacing = 0.3;
+
+/// A lattice of particles that is turned by an angle.
+std::vector<ParticleError> lattice(int along, int across, double angle = 0) {
+  std::vector<ParticleError> all;
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (int i = 0; i < along; ++i)
+    for (int j = 0; j < across; ++j) all.push_back({spacing * (i * c - j * s), spacing * (i * s + j * c), 1});
+  return all;
+}
+
+TEST(ParticleSpacing, IsThatOfALatticeInAnyDirection) {
+  for (const double angle : {0.0, 0.4, 0.785398})
+    for (const auto& [along, across] : {std::pair{20, 20}, {20, 3}, {3, 3}, {2, 2}})
+      EXPECT_NEAR(particle_spacing(lattice(along, across, angle)), spacing, 1e-6) << along << " by " << across;
+}
+
+/// In these no particle has a ring of neighbours.
+TEST(ParticleSpacing, IsThatOfOneOrTwoRows) {
+  for (const double angle : {0.0, 0.4, 0.785398})
+    for (const int rows : {1, 2})
+      for (const int along : {2, 5, 40})
+        EXPECT_NEAR(particle_spacing(lattice(along, rows, angle)), spacing, 0.02 * spacing)
+            << rows << " rows of " << along;
+}
+
+TEST(ParticleSpacing, InSmallBodiesMostParticlesAreAtTheEdge) {
+  EXPECT_NEAR(particle_spacing(lattice(4, 4)), spacing, 0.03 * spacing);
+  EXPECT_NEAR(particle_spacing(lattice(5, 3)), spacing, 0.03 * spacing);
+}
+
+TEST(ParticleSpacing, IsAParticlesShareWhereTheyLieInLittleOrder) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> aside(-0.3 * spacing, 0.3 * spacing);
+  std::vector<ParticleError> all = lattice(20, 20);
+  for (ParticleError& one : all) one.x += aside(random), one.y += aside(random);
+  EXPECT_NEAR(particle_spacing(all), spacing, 0.05 * spacing);
+}
+
+TEST(ParticleSpacing, ALoneParticleIsInTheMiddleOfItsBody) {
+  EXPECT_DOUBLE_EQ(particle_spacing({{0.005, -0.002, 1}}), 0.01);
+  EXPECT_DOUBLE_EQ(particle_spacing({{0.005, -0.002, 1}, {0.005, -0.002, 2}}), 0.01) << "two in one place";
+  EXPECT_GT(particle_spacing({{0, 0, 1}}), 0);
+}
+
+}  // namespace mpmvv::reports::particle_spacing_test
