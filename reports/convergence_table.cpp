@@ -9,6 +9,7 @@
 #include <span>
 
 #include "reports/chart.hpp"
+#include "reports/common_problem.hpp"
 #include "reports/latex_table.hpp"
 #include "reports/norm_symbol.hpp"
 #include "reports/segment_order.hpp"
@@ -16,8 +17,6 @@
 #include "reports/text.hpp"
 #include "reports/typeset.hpp"
 #include "studies/claims/samples.hpp"
-#include "studies/support/error.hpp"
-#include "studies/support/toml_file.hpp"
 
 namespace mpmvv::reports {
 
@@ -30,25 +29,8 @@ namespace {
 
 constexpr std::size_t longest_shown = 40;
 constexpr std::size_t abreast = 4, abreast_without_orders = 5;
-constexpr std::size_t lines_on_page = 50;
+constexpr std::size_t lines_on_page = 50, lines_of_head = 4, rows_of_piece = 40;
 constexpr const char* none = "--";
-
-/// The problems that the study's file names, in its order; none where it cannot be read.
-std::vector<std::string> problems_of(const StudyResult& study) {
-  std::vector<std::string> problems;
-  const auto add = [&](const support::TomlTable& table) {
-    const std::string problem = table.text("problem", "");
-    if (!problem.empty() && std::ranges::find(problems, problem) == problems.end()) problems.push_back(problem);
-  };
-  try {
-    const auto file = support::TomlTable::parse(study.text, study.name);
-    if (const auto fixed = file.table("fixed")) add(*fixed);
-    for (const auto& series : file.tables("series")) add(series);
-  } catch (const support::UsageError&) {
-    return {};
-  }
-  return problems;
-}
 
 std::string in_three_digits(double error) {
   return error == 0 ? "0" : fmt::format("{:.2e}", error);
@@ -67,7 +49,9 @@ std::string base_of_orders(const std::string& sweep) {
   return sweep == "dt" ? "$\\Delta t$" : sweep == "ppc" ? "1/ppc" : latex_text(sweep);
 }
 
-std::string name_of(const std::pair<double, double>& window) {
+using Window = std::pair<double, double>;
+
+std::string name_of(const Window& window) {
   return fmt::format("{} to {}", brief(window.first), brief(window.second));
 }
 
@@ -79,29 +63,31 @@ bool takes_all(const Series& series, const ObservedOrder& order) {
 class ConvergenceTable {
  public:
   ConvergenceTable(const StudyResult& study, const std::string& norm) : study_(study), norm_(norm) {
+    std::set<double> levels;
+    std::set<Window> windows;
     for (const Series& series : study.series) {
       const bool has_any = std::ranges::any_of(series.points, [&](const Point& point) { return is_measured(point); });
       if (series.points.size() > longest_shown || !has_any) continue;
       series_.push_back(&series);
-      for (const Point& point : series.points) levels_.insert(point.x);
+      for (const Point& point : series.points) levels.insert(point.x);
       for (const ObservedOrder& order : orders_of(series)) {
-        windows_.insert({order.from, order.to});
+        windows.insert({order.from, order.to});
         if (!takes_all(series, order))
           fewer_.push_back(fmt::format("{} ({})", series.name, claims::points_text(series, order)));
       }
     }
+    levels_.assign(levels.begin(), levels.end());
+    windows_.assign(windows.begin(), windows.end());
   }
 
   std::string text() const {
     if (series_.empty()) return "";
-    const std::size_t most = most_abreast();
-    const std::size_t parts = (series_.size() + most - 1) / most, each = (series_.size() + parts - 1) / parts;
-    const std::size_t on_page = std::max<std::size_t>(1, lines_on_page / (levels_.size() + windows_.size() + 4));
+    const std::vector<Piece> pieces = pieces_of(most_abreast());
+    const std::size_t on_page = std::max<std::size_t>(1, lines_on_page / (pieces.front().lines() + lines_of_head));
     std::string text;
-    for (std::size_t part = 0; part < parts; ++part) {
-      if (part % on_page == 0) text += (part > 0 ? "\\end{table}\n" : "") + beginning(part == 0);
-      const auto shown = std::span(series_).subspan(part * each);
-      text += tabular(shown.first(std::min(each, shown.size()))) + "\\par\\medskip\n";
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      if (k % on_page == 0) text += (k > 0 ? "\\end{table}\n" : "") + beginning(pieces[k], k == 0);
+      text += tabular(pieces[k]) + "\\par\\medskip\n";
     }
     return text + "\\end{table}\n";
   }
@@ -119,6 +105,38 @@ class ConvergenceTable {
     return own;
   }
 
+  /// What stands in one tabular: some series, and of their rows as many as a page has room for.
+  struct Piece {
+    std::span<const Series* const> series;
+    std::span<const double> levels;
+    std::span<const Window> windows;
+
+    std::size_t lines() const { return levels.size() + windows.size(); }
+  };
+
+  /// As few pieces as have room, about as large as each other.
+  std::vector<Piece> pieces_of(std::size_t most_series) const {
+    const auto size_of_parts = [](std::size_t all, std::size_t most) {
+      const std::size_t parts = (all + most - 1) / most;
+      return (all + parts - 1) / parts;
+    };
+    const auto some_of = [](const auto& all, std::size_t from, std::size_t count) {
+      const std::size_t begin = std::min(from, all.size());
+      return std::span(all).subspan(begin, std::min(count, all.size() - begin));
+    };
+    const std::size_t all_rows = levels_.size() + windows_.size();
+    const std::size_t series = size_of_parts(series_.size(), most_series),
+                      rows = size_of_parts(all_rows, rows_of_piece);
+    std::vector<Piece> pieces;
+    for (std::size_t s = 0; s < series_.size(); s += series)
+      for (std::size_t r = 0; r < all_rows; r += rows) {
+        const auto levels = some_of(levels_, r, rows);
+        const std::size_t window = std::max(r, levels_.size()) - levels_.size();
+        pieces.push_back({some_of(series_, s, series), levels, some_of(windows_, window, rows - levels.size())});
+      }
+    return pieces;
+  }
+
   bool has_orders() const { return !windows_.empty(); }
 
   /// How many series stand abreast: fewer where the windows have long names.
@@ -128,20 +146,19 @@ class ConvergenceTable {
     return !has_orders() ? abreast_without_orders : is_long ? abreast - 1 : abreast;
   }
 
-  std::string beginning(bool is_first) const {
+  std::string beginning(const Piece& piece, bool is_first) const {
     const std::string label = fmt::format("tab:{}-{}", template_data::anchor(study_.name), norm_);
     return fmt::format(
         "\n\\begin{{table}}[htbp]\n\\centering\\footnotesize\\setlength{{\\tabcolsep}}{{2pt}}\n{}\\par\\medskip\n",
         is_first ? fmt::format("\\caption{{{}}}\n\\label{{{}}}\n", caption(), label)
-                 : fmt::format("\\caption{{As Table~\\ref{{{}}}, of further series.}}\n", label));
+                 : fmt::format("\\caption{{As Table~\\ref{{{}}}, of further {}.}}\n", label,
+                               piece.series.data() == series_.data() ? "rows" : "series"));
   }
 
   std::string caption() const {
-    const std::vector<std::string> problems = problems_of(study_);
     std::string text = latex_text(study_.title);
-    if (!problems.empty())
-      text += fmt::format(" (problem{} {})", problems.size() > 1 ? "s" : "",
-                          latex_text(fmt::format("{}", fmt::join(problems, ", "))));
+    if (const std::string problem = common_problem(study_, series_); !problem.empty())
+      text += fmt::format(" (problem {})", latex_text(problem));
     text += fmt::format(". Errors are {}", norm_symbol(norm_).definition);
     if (const std::string trial = trial_sentence(study_); !trial.empty()) text += ". " + latex_text(trial);
     return text + (has_orders() ? ". " + words_on_orders() : ".");
@@ -159,7 +176,8 @@ class ConvergenceTable {
     return text + ".";
   }
 
-  std::string tabular(std::span<const Series* const> shown) const {
+  std::string tabular(const Piece& piece) const {
+    const auto shown = piece.series;
     const std::size_t width = has_orders() ? 2 : 1;
     std::string columns = "l", rules;
     std::vector<std::string> names{""}, heads{head_of_sweep(study_.sweep)};
@@ -173,8 +191,9 @@ class ConvergenceTable {
     }
     std::string text = fmt::format("\\begin{{tabular}}{{@{{}}{}@{{}}}}\n\\toprule\n{}{}\n{}\\midrule\n", columns,
                                    latex_line(names), rules, latex_line(heads));
-    for (const double x : levels_) text += latex_line(row_at(x, shown));
-    return text + (has_orders() ? "\\midrule\n" + fitted_rows(shown) : "") + "\\bottomrule\n\\end{tabular}\n";
+    for (const double x : piece.levels) text += latex_line(row_at(x, shown));
+    if (!piece.levels.empty() && !piece.windows.empty()) text += "\\midrule\n";
+    return text + fitted_rows(piece) + "\\bottomrule\n\\end{tabular}\n";
   }
 
   std::vector<std::string> row_at(double x, std::span<const Series* const> shown) const {
@@ -193,12 +212,12 @@ class ConvergenceTable {
   }
 
   /// "16 to 64 & 1.88 ± 0.18 & ...", a line for each window.
-  std::string fitted_rows(std::span<const Series* const> shown) const {
+  std::string fitted_rows(const Piece& piece) const {
     std::string text;
-    for (const auto& window : windows_) {
+    for (const auto& window : piece.windows) {
       std::vector<std::string> row{
           fmt::format("{} to {}", latex_cell(brief(window.first)), latex_cell(brief(window.second)))};
-      for (const Series* series : shown) {
+      for (const Series* series : piece.series) {
         std::string fitted = none;
         for (const ObservedOrder& order : orders_of(*series))
           if (std::pair(order.from, order.to) == window)
@@ -213,8 +232,8 @@ class ConvergenceTable {
   const StudyResult& study_;
   const std::string norm_;
   std::vector<const Series*> series_;
-  std::set<double> levels_;
-  std::set<std::pair<double, double>> windows_;
+  std::vector<double> levels_;
+  std::vector<Window> windows_;
   std::vector<std::string> fewer_;  ///< series whose fits take fewer points than their windows have
 };
 
