@@ -108,9 +108,18 @@ data part_data(const PaperPart& part, const Sheet& column, bool is_first) {
                  {"tables", list_of(part.tables, [](const auto& t) { return data(latex_file(t.name)); })}});
 }
 
-std::string main_text(const std::vector<PaperPart>& parts, const store::Provenance& provenance, const Sheet& column) {
+/// What is said of papers of which the document shows nothing.
+std::vector<std::string> words_on_absent(const std::vector<std::string>& papers) {
+  std::vector<std::string> words;
+  for (const std::string& paper : papers)
+    words.push_back("The store has neither figures nor tables of: " + paper + ".");
+  return words;
+}
+
+std::string main_text(const PaperDocument& document, const store::Provenance& provenance, const Sheet& column) {
   constexpr double margins = 36;  ///< mm
   const std::string changed = provenance.dirty ? " with changes" : "";
+  const std::vector<PaperPart>& parts = document.parts();
   kainjow::mustache::mustache text{std::string(paper_template)};
   const auto set = [&](const PaperPart& part) { return part_data(part, column, &part == &parts.front()); };
   return text.render(object({{"commit", latex_text(store::in_short(provenance.commit) + changed)},
@@ -121,6 +130,8 @@ std::string main_text(const std::vector<PaperPart>& parts, const store::Provenan
                              {"date", provenance.time.substr(0, 10)},
                              {"text_width", fmt::format("{:g}", two_columns(column))},
                              {"page_width", fmt::format("{:g}", two_columns(column) + margins)},
+                             {"absent", list_of(words_on_absent(document.absent()),
+                                                [](const std::string& w) { return data(latex_text(w)); })},
                              {"parts", list_of(parts, set)}}));
 }
 
@@ -151,7 +162,9 @@ PaperSummary write_paper(const std::vector<StudyResult>& studies, const store::P
       ++summary.tables;
     }
   }
-  support::write_if_changed(out_dir / "main.tex", main_text(document.parts(), provenance, column));
+  const auto absent = words_on_absent(document.absent());
+  summary.without.insert(summary.without.end(), absent.begin(), absent.end());
+  support::write_if_changed(out_dir / "main.tex", main_text(document, provenance, column));
   summary.remarks = remarks_on(document.parts());
   return summary;
 }

@@ -62,6 +62,10 @@ std::vector<PrintedTables> printed_tables(const Chosen& studies, const std::stri
   return all;
 }
 
+bool has_results(const PaperPart& part) {
+  return !part.figures.empty() || !part.tables.empty();
+}
+
 }  // namespace
 
 std::string letter_of(std::size_t panel) {
@@ -77,12 +81,17 @@ PaperDocument::PaperDocument(const std::vector<StudyResult>& studies, const Shee
     add(the_named(names));
     return;
   }
-  for (const Paper& paper : papers()) add(part_of(paper));
+  for (const Paper& paper : papers()) {
+    PaperPart part = part_of(paper);
+    if (!has_results(part)) absent_.push_back(paper.source);
+    add(std::move(part));
+  }
+  if (parts_.empty()) absent_.clear();
   add(the_rest());
 }
 
 void PaperDocument::add(PaperPart part) {
-  if (!part.figures.empty() || !part.tables.empty()) parts_.push_back(std::move(part));
+  if (has_results(part)) parts_.push_back(std::move(part));
 }
 
 PaperPart PaperDocument::part_of(const Paper& paper) {
@@ -94,22 +103,23 @@ PaperPart PaperDocument::part_of(const Paper& paper) {
 }
 
 void PaperDocument::add_figure(PaperPart& part, const PaperFigure& figure, const std::string& label) {
+  std::vector<std::string> drawn, absent;
+  for (const auto& name : figure.panels) (by_name_.contains(name) ? drawn : absent).push_back(name);
+  const char* how_far = drawn.empty() ? "" : "wholly ";
+  for (const auto& name : absent)
+    part.missing.push_back(fmt::format("{} is not {}drawn: the store has no figure {}.", label, how_far, name));
+  if (!figure.without.empty()) part.missing.push_back(fmt::format("{} is not drawn: {}.", label, figure.without));
+  if (drawn.empty()) return;
   PrintedFigure printed{{}, latex_text(label + "."), figure.wide};
-  for (const auto& name : figure.panels) {
-    const auto chart = by_name_.find(name);
-    if (chart == by_name_.end()) {
-      part.missing.push_back(fmt::format("{} is not drawn: the store has no figure {}.", label, name));
-      continue;
-    }
-    const bool is_alone = figure.panels.size() == 1;
-    printed.caption += (is_alone ? " " : " " + letter_of(printed.panels.size()) + " ") +
-                       whole_caption(*chart->second, own_caption(*chart->second));
-    printed.panels.push_back(chart->second);
+  for (const auto& name : drawn) {
+    const Chart& chart = *by_name_.at(name);
+    printed.caption += (drawn.size() == 1 ? " " : " " + letter_of(printed.panels.size()) + " ") +
+                       whole_caption(chart, own_caption(chart));
+    printed.panels.push_back(&chart);
     taken_.insert(name);
   }
-  if (!figure.without.empty()) part.missing.push_back(fmt::format("{} is not drawn: {}.", label, figure.without));
   if (!figure.differs.empty()) printed.caption += latex_of(" Not as in the original: " + figure.differs + ".");
-  if (!printed.panels.empty()) part.figures.push_back(std::move(printed));
+  part.figures.push_back(std::move(printed));
 }
 
 PrintedFigure PaperDocument::alone(const Chart& chart) const {

@@ -44,6 +44,10 @@ class PaperDocument {
 
   const std::vector<PaperPart>& parts() const { return parts_; }
 
+  /// The papers of which there is neither a figure nor a table; none where this is so of all, as in a store of other
+  /// studies.
+  const std::vector<std::string>& absent() const { return absent_; }
+
  private:
   void add(PaperPart part);
   PaperPart part_of(const Paper& paper);
@@ -60,6 +64,7 @@ class PaperDocument {
   std::map<std::string, const records::StudyResult*> study_of_;  ///< by chart
   std::set<std::string> taken_;                                  ///< charts
   std::vector<PaperPart> parts_;
+  std::vector<std::string> absent_;
 };
 
 /// "(a)", "(b)".

@@ -63,7 +63,7 @@ TEST(Paper, FiguresOfThePapersComeFirstAndInTheirPanels) {
                           HasSubstr("digest & dd00 \\\\\n"), HasSubstr("compiler & GNU 12.2.0, Release \\\\\n"),
                           HasSubstr("flags & -O2 -{}-fast \\\\\n")));
   EXPECT_LT(text.find("{s-fig9a}"), text.find("{curves}"));
-  EXPECT_THAT(text, Not(HasSubstr("Nairn"))) << "the store has nothing of that paper";
+  EXPECT_THAT(text, Not(HasSubstr("\\section{Nairn"))) << "the store has nothing of that paper";
   EXPECT_TRUE(fs::exists(folder / "figures/s-fig9a.tex") && fs::exists(folder / "figures/s-fig9a.pdf"));
 }
 
@@ -74,6 +74,28 @@ TEST(Paper, SaysWhatOfAPaperIsNotDrawnAndWhy) {
   EXPECT_THAT(without, Contains("S Fig. 10 is not drawn: the store has no figure s-fig10."));
   EXPECT_THAT(without, Not(Contains(HasSubstr("S Fig. 9"))));
   EXPECT_THAT(content(folder / "main.tex"), HasSubstr("S Fig. 1 is not drawn"));
+}
+
+TEST(Paper, SaysOfWhichPapersTheStoreHasNothing) {
+  const TempFolder folder;
+  EXPECT_THAT(write({of_s()}, folder.path()).without,
+              Contains(testing::StartsWith("The store has neither figures nor tables of: Nairn")));
+  const std::string text = content(folder / "main.tex");
+  EXPECT_THAT(text, AllOf(HasSubstr("\\medskip The store has neither figures nor tables of: Nairn"),
+                          Not(HasSubstr("tables of: Steffen"))));
+  EXPECT_LT(text.find("tables of: Nairn"), text.find("\\section"));
+  EXPECT_TRUE(write({distinct::curves()}, folder.path()).without.empty()) << "a store of other studies alone";
+  EXPECT_THAT(content(folder / "main.tex"), Not(HasSubstr("Nairn")));
+}
+
+TEST(Paper, OfTwoPanelsTheOneThatIsThereHasNoLetter) {
+  const TempFolder folder;
+  records::StudyResult study = of_s();
+  study.figures.erase(study.figures.begin());
+  EXPECT_THAT(write({study}, folder.path()).without,
+              Contains("S Fig. 9 is not wholly drawn: the store has no figure s-fig9a."));
+  EXPECT_THAT(content(folder / "main.tex"),
+              AllOf(HasSubstr("\\panel{84mm}{s-fig9b}{}"), HasSubstr("\\caption{S Fig. 9. Caption of s-fig9b}")));
 }
 
 TEST(Paper, NamesAreNoFormulas) {
