@@ -139,6 +139,8 @@ void add_notes(Chart& chart, const records::StudyResult& study, const records::F
         "Blue is a large error, yellow a small one. Squares are as large as a particle's share of the body; where they "
         "overlap, "
         "the largest error is on top. Where particles are many, a square stands for neighbours, with their RMS error.");
+  if (chart.shades && std::ranges::any_of(runs, [](const LastRun& run) { return run.errors().size() == 1; }))
+    chart.notes.emplace_back("How large a lone particle is is not known: its square is a guess.");
   if (const auto names = never_sound(study, figure); !names.empty())
     chart.omissions.push_back(
         fmt::format("Not drawn, as none of its runs came to the end: {}.", fmt::join(names, "; ")));

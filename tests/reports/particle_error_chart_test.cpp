@@ -72,6 +72,18 @@ TEST(ParticleErrorChart, SquaresOfManyParticlesTileTheBody) {
   EXPECT_NEAR(frame->path[1].x, 20, 1e-12);
 }
 
+TEST(ParticleErrorChart, SquaresOfASingleRowAreAsLargeAsItsSpacing) {
+  StudyResult study = runs_study();
+  auto& row = study.series[0].points[1].particle_errors;
+  row.clear();
+  for (int i = 0; i < 10; ++i) row.push_back({0.01 + 0.02 * i, 0.01, 1e-6});
+  EXPECT_NEAR(charts_of(study).at(0).curves[0].square, 0.02, 1e-9);
+  EXPECT_THAT(charts_of(study).at(0).notes, testing::Not(Contains(HasSubstr("lone particle"))));
+  row.resize(1);
+  EXPECT_NEAR(charts_of(study).at(0).curves[0].square, 0.02, 1e-9);
+  EXPECT_THAT(charts_of(study).at(0).notes, Contains(HasSubstr("its square is a guess")));
+}
+
 /// A few that are about zero would take the colours of all others.
 TEST(ParticleErrorChart, ItsColoursAreThoseOfNearlyAllErrors) {
   StudyResult study = runs_study();
