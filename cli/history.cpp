@@ -43,6 +43,8 @@ nlohmann::json change_json(const Change& change) {
   if (!std::isnan(change.before.at)) json["at"] = {{"before", change.before.at}, {"after", change.after.at}};
   if (!std::isnan(change.before.uncertainty))
     json["uncertainty"] = {{"before", change.before.uncertainty}, {"after", change.after.uncertainty}};
+  if (!change.before.monotone || !change.after.monotone)
+    json["monotone"] = {{"before", change.before.monotone}, {"after", change.after.monotone}};
   if (change.largest)
     json["largest"] = {{"x", change.largest->x}, {"before", change.largest->before}, {"after", change.largest->after}};
   return json;

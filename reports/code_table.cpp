@@ -35,7 +35,8 @@ std::string order_and_window(const records::Series& series, const fits::Observed
 
 std::string limit_and_bracket(const fits::StabilityLimit& limit) {
   if (!limit.found) return fmt::format("no limit in {}: {}", limit.key, text_without_limit(limit));
-  return fmt::format("stable at {}, unstable at {} in {}", brief(limit.stable), brief(limit.unstable), limit.key);
+  return fmt::format("stable at {}, unstable at {} in {}{}", brief(limit.stable), brief(limit.unstable), limit.key,
+                     limit.monotone ? "" : ", not monotone");
 }
 
 /// The orders and the limit that were found.

@@ -106,7 +106,7 @@ Finding limit_finding(const StudyResult& study, const Series& series, const fits
                   .better = limit.stable < limit.unstable ? 1 : -1,
                   .quantity = limit.key};
   if (limit.found)
-    finding.number = limit.value();
+    finding.number = limit.value(), finding.monotone = limit.monotone;
   else
     finding.word = text_without_limit(limit), finding.side = side_of_all_tried(limit);
   return finding;
@@ -160,6 +160,7 @@ std::string text(const Finding& finding) {
   const std::string number = fmt::format("{:.6g}", finding.number);
   if (!std::isnan(finding.uncertainty))
     return fmt::format("{} (the finest value's ± {:.2g})", number, finding.uncertainty);
+  if (!finding.monotone) return number + ", not monotone";
   return std::isnan(finding.at) ? number : fmt::format("{} at {:g}", number, finding.at);
 }
 

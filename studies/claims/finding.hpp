@@ -32,6 +32,7 @@ struct Finding {
   std::string quantity = {};          ///< of an error, a curve, a limit or an extrapolated value: l2, cfl
   std::string series = {};            ///< of an order, error or status
   fits::Window window = {};           ///< of an order
+  bool monotone = true;               ///< of a limit: false where a stable value lies beyond an unstable one
   int side = 0;  ///< of a limit that was not found: 1 where all values tried are stable, -1 where none is, else 0
 };
 
@@ -39,7 +40,8 @@ constexpr std::array<const char*, 7> words_of(Finding::Kind) {
   return {"order", "error", "limit", "value", "status", "cost", "verdict"};
 }
 
-/// The number with six digits, and where it was measured or how uncertain it is, or the word.
+/// The number with six digits, and where it was measured, how uncertain it is or that the limit is not monotone; or the
+/// word.
 std::string text(const Finding& finding);
 
 /// Orders, errors in every norm that is fitted or drawn, curves, limits, values, extrapolated ones too, statuses, and

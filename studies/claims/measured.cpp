@@ -69,17 +69,26 @@ void measure_limit(const Series& series, Measured& out) {
             limit.value(), Interval{range->lower, range->upper});
 }
 
+/// ", that of 'b' not monotone"; empty where both are.
+std::string not_monotone_text(const Series& series, const Series& over) {
+  std::vector<std::string> names;
+  for (const Series* one : {&series, &over})
+    if (!one->limit->monotone) names.push_back("'" + one->name + "'");
+  return names.empty() ? "" : fmt::format(", that of {} not monotone", fmt::join(names, " and "));
+}
+
 void measure_limit_ratio(const Series& series, const Series& over, Measured& out) {
   const auto a = range_of_limit(series, out), b = range_of_limit(over, out);
   if (!a || !b) return;
   const Interval ratio{a->lower / b->upper, a->upper / b->lower};
   const std::string label = fmt::format("limit of '{}' over '{}'", series.name, over.name);
+  const std::string remark = not_monotone_text(series, over);
   if (ratio.lower == 0 && std::isinf(ratio.upper))
     out.missing = fmt::format("nothing is known of the {}", label);
   else if (a->is_open() || b->is_open())
-    add_open(label, ratio.lower, ratio.upper, out);
+    add_open(label + remark, ratio.lower, ratio.upper, out);
   else
-    out.add(fmt::format("{} between {:.4g} and {:.4g}", label, ratio.lower, ratio.upper),
+    out.add(fmt::format("{} between {:.4g} and {:.4g}{}", label, ratio.lower, ratio.upper, remark),
             series.limit->value() / over.limit->value(), ratio);
 }
 

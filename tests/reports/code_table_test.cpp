@@ -49,6 +49,8 @@ TEST(CodeTable, SaysUpToWhereASeriesIsStable) {
   series.limit.emplace();
   series.limit->key = "cfl", series.limit->stable = 0.7, series.limit->unstable = 0.72, series.limit->found = true;
   EXPECT_EQ(code_table(input).groups[0].rows[0][5], "stable at 0.7, unstable at 0.72 in cfl");
+  series.limit->monotone = false;
+  EXPECT_EQ(code_table(input).groups[0].rows[0][5], "stable at 0.7, unstable at 0.72 in cfl, not monotone");
   series.limit->found = false, series.limit->unstable = records::not_measured;
   series.limit->probes = {{0.35, true, ""}, {0.7, true, ""}};
   EXPECT_EQ(code_table(input).groups[0].rows[0][5], "no limit in cfl: stable at all values tried, up to 0.7");

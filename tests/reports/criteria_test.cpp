@@ -129,6 +129,8 @@ TEST(IntervalOf, ARatioOfLimitsLiesWhereTheirBracketsLetIt) {
   ClaimPart part;
   part.measure = "limit-ratio", part.found = {{"limit of 'a' over 'b' between 0.9 and 1.2", 1.05}};
   EXPECT_EQ(interval_of(part, part.found[0]), std::pair(0.9, 1.2));
+  part.found[0].what = "limit of 'a' over 'b' between 0.9 and 1.2, that of 'b' not monotone";
+  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(0.9, 1.2));
   part.found[0].what = "cfl limit of 'a' between 1 and 2, not monotone";
   EXPECT_EQ(interval_of(part, part.found[0]), std::pair(1.0, 2.0));
   part.found[0].what = "cfl limit of 'a' between b', stable at all values tried, up to 1";

@@ -12,6 +12,7 @@ using records::PartVerdict;
 using records::Point;
 
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(Criterion, SaysWhatWasAskedAndEachNumberThatWasFound) {
   const records::ClaimPart order = judge(criterion(Kind::order, "good", 1.9, {}), two_series());
@@ -92,6 +93,19 @@ TEST(Criterion, ARatioOfLimitsReachesFromTheEndsOfBothBrackets) {  // [1, 1.5] o
   EXPECT_EQ(verdict(4.1, {}), PartVerdict::fails);
   result.series[0].limit = result.series[1].limit;
   EXPECT_EQ(verdict({}, 4), PartVerdict::inconclusive) << "nothing is known of their ratio";
+}
+
+TEST(Criterion, ARatioOfLimitsSaysWhichIsNotMonotone) {
+  StudyResult result = two_series();
+  result.series[1].limit = result.series[0].limit;
+  Criterion ratio = criterion(Kind::limit_ratio, "good", 0.5, {});
+  ratio.over = "bad";
+  const auto what = [&] { return judge(ratio, result).found[0].what; };
+  EXPECT_THAT(what(), Not(HasSubstr("monotone")));
+  result.series[1].limit->monotone = false;
+  EXPECT_THAT(what(), testing::ContainsRegex(" and [0-9.]+, that of 'bad' not monotone$"));
+  result.series[0].limit->monotone = false;
+  EXPECT_THAT(what(), testing::EndsWith(", that of 'good' and 'bad' not monotone"));
 }
 
 TEST(Criterion, ReplicatesThatShareOneEndOfALimitDecideByIt) {

@@ -77,6 +77,13 @@ TEST(Findings, ALimitThatWasNotFoundSaysWhatWasSeen) {
   EXPECT_EQ(found(sample(), "cfl limit of 'a'").side, 0);
 }
 
+TEST(Findings, ALimitSaysThatItIsNotMonotone) {
+  StudyResult study = sample();
+  EXPECT_EQ(text(found(study, "cfl limit of 'a'")), "0.81");
+  study.series[0].limit->monotone = false;
+  EXPECT_EQ(text(found(study, "cfl limit of 'a'")), "0.81, not monotone");
+}
+
 TEST(Findings, CostOnlyWhereItIsEvidence) {
   StudyResult study = sample();
   study.series[0].points[0].y["ns_per_particle_step"] = 20;
