@@ -144,7 +144,7 @@ const Claim& find_claim(const std::vector<Claim>& all, const std::string& id, co
 
 int show(const ClaimsOptions& options) {
   const auto results = own_results(options.db);
-  if (!options.json) require_own_results(results, options.db);
+  require_own_results(results, options.db);
   std::vector<Claim> judged = judged_claims(results, own_mutation(options.db));
   if (!options.ids.empty()) {
     std::vector<Claim> wanted;

@@ -116,6 +116,16 @@ TEST_F(Claims, AreFoundByTheirIdsAlone) {
   EXPECT_EQ(json[0]["criteria"][0]["found"][0]["value"].is_number(), true);
 }
 
+TEST_F(Claims, NeedAResultAsJsonToo) {
+  ASSERT_EQ(call(folder_, "db forget small --db " + db_).code, 0);
+  for (const char* arguments : {"", "--json", "linear --json"}) {
+    const Answer answer = claims(arguments);
+    EXPECT_EQ(answer.code, 2) << arguments;
+    EXPECT_EQ(answer.err, "mpmvv: " + db_ + " holds no study of this program (run `mpmvv study` first)\n");
+    EXPECT_EQ(answer.out, "");
+  }
+}
+
 /// With a series that blows up at a time step of its own.
 TEST_F(Claims, AsJsonSayEachNumberAsTheTableDoes) {
   std::string text = stated_study();
