@@ -86,6 +86,26 @@ TEST_F(History, CompareAsJson) {
   EXPECT_EQ(json["changes"][1]["before"], 2);
 }
 
+records::StudyResult limit_study(double unstable, bool monotone) {
+  records::StudyResult study;
+  study.name = "steps";
+  study.kind = records::StudyKind::limit;
+  study.sweep = "cells";
+  study.series = {{"linear", {}, {}, fits::StabilityLimit{"cfl", 0.8, unstable, monotone, true, {}}}};
+  return study;
+}
+
+TEST_F(History, CompareSaysOfALimitThatItIsNotMonotone) {
+  keep(db_, limit_study(0.82, true), "00ff11", "c0ffee", "2026-01-01T00:00:00Z");
+  keep(db_, limit_study(0.9, false), "00aa22", "c0de00", "2026-01-02T00:00:00Z");
+  EXPECT_THAT(ask("compare c0f c0d").out, HasSubstr("cfl limit of 'linear': 0.81 -> 0.85, not monotone (+4.94 %)\n"));
+  const auto changes = ask("compare c0f c0d --json").json()["changes"];
+  const auto limit = std::ranges::find_if(changes, [](const auto& change) { return change["kind"] == "limit"; });
+  ASSERT_NE(limit, changes.end());
+  EXPECT_EQ((*limit)["monotone"], nlohmann::json::parse(R"({"before": true, "after": false})"));
+  EXPECT_FALSE(changes[0].contains("monotone")) << "an error";
+}
+
 records::StudyResult curve_check(double at_one) {
   records::StudyResult study;
   study.name = "laws";
