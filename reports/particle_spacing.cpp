@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "reports/chart.hpp"
+#include "studies/fits/median.hpp"
 
 namespace mpmvv::reports {
 
@@ -16,7 +17,7 @@ namespace {
 /// alone.
 std::vector<Place> surroundings(const ParticleError& one, const std::vector<ParticleError>& all) {
   constexpr std::size_t ring = 8;
-  constexpr double round_off = 1e-6;
+  constexpr double as_near = 1.01;  // a store has places with five digits
   const auto way_to = [&](const ParticleError& other) { return std::hypot(other.x - one.x, other.y - one.y); };
   std::vector<double> ways;
   for (const ParticleError& other : all)
@@ -26,7 +27,7 @@ std::vector<Place> surroundings(const ParticleError& one, const std::vector<Part
   std::ranges::nth_element(ways, last);
   std::vector<Place> near{{0, 0}};
   for (const ParticleError& other : all)
-    if (const double way = way_to(other); way > 0 && way <= (1 + round_off) * *last)
+    if (const double way = way_to(other); way > 0 && way <= as_near * *last)
       near.push_back({other.x - one.x, other.y - one.y});
   return near;
 }
@@ -43,19 +44,39 @@ double lattice_spacing(const std::vector<Place>& points) {
   return std::sqrt((half_sum + std::sqrt(half_sum * half_sum + squares * product)) / squares);
 }
 
+/// The spacing where those around a particle are the eight of a square's ring, the farthest at its corners; not
+/// measured where they lie on one side, at an edge, or in one or two rows.
+double ring_spacing(const std::vector<Place>& near, double spacing) {
+  constexpr double most_aside = 0.2, most_stretched = 2;
+  constexpr std::size_t whole_ring = 9;
+  double x = 0, y = 0, farthest = 0;
+  for (const Place& p : near) {
+    x += p.x / static_cast<double>(near.size()), y += p.y / static_cast<double>(near.size());
+    farthest = std::max(farthest, std::hypot(p.x, p.y));
+  }
+  const double ring = farthest / std::sqrt(2);
+  const bool is_ring =
+      near.size() >= whole_ring && std::hypot(x, y) < most_aside * ring && ring < most_stretched * spacing;
+  return is_ring ? ring : records::not_measured;
+}
+
+double reach_of(const ParticleError& lone) {
+  const double reach = 2 * std::max(std::abs(lone.x), std::abs(lone.y));
+  return reach > 0 ? reach : 1;
+}
+
 }  // namespace
 
 double particle_spacing(const std::vector<ParticleError>& particles) {
-  std::vector<double> spacings;
-  for (const ParticleError& one : particles)
-    if (const auto near = surroundings(one, particles); !near.empty()) spacings.push_back(lattice_spacing(near));
-  if (spacings.empty()) {
-    const double reach = 2 * std::max(std::abs(particles.front().x), std::abs(particles.front().y));
-    return reach > 0 ? reach : 1;
+  std::vector<double> spacings, rings;
+  for (const ParticleError& one : particles) {
+    const std::vector<Place> near = surroundings(one, particles);
+    if (near.empty()) continue;
+    spacings.push_back(lattice_spacing(near));
+    if (const double ring = ring_spacing(near, spacings.back()); !std::isnan(ring)) rings.push_back(ring);
   }
-  const auto quartile = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 4);
-  std::ranges::nth_element(spacings, quartile);
-  return *quartile;
+  if (spacings.empty()) return reach_of(particles.front());
+  return fits::median_of(rings.empty() ? spacings : rings);
 }
 
 }  // namespace mpmvv::reports

@@ -31,22 +31,34 @@ TEST(ParticleSpacing, IsThatOfALatticeInAnyDirection) {
 TEST(ParticleSpacing, IsThatOfOneOrTwoRows) {
   for (const double angle : {0.0, 0.4, 0.785398})
     for (const int rows : {1, 2})
-      for (const int along : {2, 5, 40})
+      for (const int along : {2, 5, 9, 40})
         EXPECT_NEAR(particle_spacing(lattice(along, rows, angle)), spacing, 0.02 * spacing)
             << rows << " rows of " << along;
 }
 
-TEST(ParticleSpacing, InSmallBodiesMostParticlesAreAtTheEdge) {
-  EXPECT_NEAR(particle_spacing(lattice(4, 4)), spacing, 0.03 * spacing);
-  EXPECT_NEAR(particle_spacing(lattice(5, 3)), spacing, 0.03 * spacing);
+TEST(ParticleSpacing, DoesNotHangOnRoundOff) {
+  std::vector<ParticleError> all = lattice(40, 2);
+  for (std::size_t k = 0; k < all.size(); ++k) all[k].x += (k % 3 == 0 ? 1e-4 : -1e-4) * spacing;
+  EXPECT_NEAR(particle_spacing(all), spacing, 0.01 * spacing);
 }
 
-TEST(ParticleSpacing, IsAParticlesShareWhereTheyLieInLittleOrder) {
+TEST(ParticleSpacing, InSmallBodiesMostParticlesAreAtTheEdge) {
+  for (const int across : {3, 4, 5}) EXPECT_NEAR(particle_spacing(lattice(5, across)), spacing, 1e-6) << across;
+}
+
+TEST(ParticleSpacing, IsAboutAParticlesShareWhereTheyLieInLittleOrder) {
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> aside(-0.3 * spacing, 0.3 * spacing);
+  std::uniform_real_distribution<double> aside(-0.2 * spacing, 0.2 * spacing);
   std::vector<ParticleError> all = lattice(20, 20);
   for (ParticleError& one : all) one.x += aside(random), one.y += aside(random);
-  EXPECT_NEAR(particle_spacing(all), spacing, 0.05 * spacing);
+  EXPECT_NEAR(particle_spacing(all), 1.1 * spacing, 0.1 * spacing);
+}
+
+TEST(ParticleSpacing, OfAStretchedLatticeLeavesFewGaps) {
+  std::vector<ParticleError> all = lattice(20, 20);
+  for (ParticleError& one : all) one.x *= 1.3, one.y /= 1.3;
+  EXPECT_GT(particle_spacing(all), 1.05 * spacing);
+  EXPECT_LT(particle_spacing(all), 1.3 * spacing);
 }
 
 TEST(ParticleSpacing, ALoneParticleIsInTheMiddleOfItsBody) {
