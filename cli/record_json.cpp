@@ -38,6 +38,8 @@ nlohmann::json record_json(const records::Record& r) {
     for (const records::RunNumber& number : *numbers) json[nlohmann::json::json_pointer(number.path)] = number.get(r);
   for (const records::ParticleError& one : r.particle_errors)
     json["particle_errors"].push_back({{"x", one.x}, {"y", one.y}, {"error", one.error}});
+  if (const fits::Rounds& rounds = r.cost.rounds; !rounds.costs.empty())
+    json["cost"].update({{"rounds", rounds.costs}, {"session", rounds.session}});
   return json;
 }
 

@@ -14,6 +14,7 @@
 #include "studies/codes/score.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/runs/rounds.hpp"
+#include "studies/runs/run_case.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/reason.hpp"
@@ -127,9 +128,9 @@ Record run_external(const Case& c, const Code& code, const fs::path& keep) {
   return record;
 }
 
-std::vector<Record> run_external_timed(const std::vector<Case>& cases, const Codes& codes) {
+std::vector<Record> run_timed(const std::vector<Case>& cases, const Codes& codes) {
   std::set<Case> of_unknown_steps;  // their cost is measured as if each were one step
-  const auto run = [&](const Case& c) {
+  const auto run_other = [&](const Case& c) {
     Record record = run_external(c, codes.at(c.scheme.code));
     if (record.status != Status::ok || record.steps > 0) return record;
     of_unknown_steps.insert(c);
@@ -137,7 +138,9 @@ std::vector<Record> run_external_timed(const std::vector<Case>& cases, const Cod
     set_cost_of_step(record);
     return record;
   };
-  std::vector<Record> records = runs::run_in_rounds(cases, run, run);
+  const auto run = [&](const Case& c) { return c.scheme.code.empty() ? runs::run_untimed(c) : run_other(c); };
+  const auto run_again = [&](const Case& c) { return c.scheme.code.empty() ? runs::time_steps(c) : run_other(c); };
+  std::vector<Record> records = runs::run_in_rounds(cases, run, run_again);
   for (Record& record : records) {
     if (!of_unknown_steps.contains(record.the_case)) continue;
     record.steps = 0;

@@ -10,6 +10,7 @@
 
 #include "studies/codes/external_run.hpp"
 #include "studies/plan/estimates.hpp"
+#include "studies/plan/work.hpp"
 #include "studies/runs/run_case.hpp"
 #include "studies/runs/run_part.hpp"
 #include "studies/settings/part.hpp"
@@ -45,6 +46,7 @@ CasePool::CasePool(store::Store& store, const RunnerOptions& options)
 
 std::vector<Record> CasePool::get(const std::vector<Case>& cases) {
   run_all(missing(cases));
+  run_all(missing(cases));  // what was timed before, where a case that had failed is sound now
   std::unique_lock lock(mutex_);
   kept_.wait(lock, [this] { return !is_writing_; });
   if (write_error_) std::rethrow_exception(write_error_);
@@ -58,6 +60,7 @@ std::vector<Case> CasePool::missing(const std::vector<Case>& cases) {
   with_store([&] {
     for (const Case& c : cases)
       if (!load_known(c)) missing.insert(c);
+    for (const Case& c : timed_apart(cases, [this](const Case& one) { return known(one); })) missing.insert(c);
     for (const Case& c : missing) remaining_.add(c, costs_.time(c).seconds);
     progress_.total += missing.size();
     if (!missing.empty()) report_to(options_.more_work);
@@ -72,6 +75,11 @@ double CasePool::seconds(const std::vector<Case>& cases) {
       if (!load_known(c)) sum += costs_.time(c).seconds;
   });
   return sum;
+}
+
+std::optional<Record> CasePool::known(const Case& c) const {
+  const auto record = records_.find(c);
+  return record == records_.end() ? store_.find(c, provenance_.digest) : record->second;
 }
 
 bool CasePool::load_known(const Case& c) {
@@ -104,7 +112,7 @@ void CasePool::expect(double seconds) {
 /// Notes how many threads have shared a case, and so what it took on one core.
 Record CasePool::finish(Record record, int threads) {
   record.threads = threads;
-  const int runs = std::max(1, record.the_case.measure.repeat);
+  const int runs = 1 + record.the_case.measure.repeat;
   const std::lock_guard lock(mutex_);
   remaining_.finish(record.the_case, runs * threads * record.wall_seconds);
   return record;
@@ -123,10 +131,7 @@ void CasePool::time_all(const std::vector<Case>& cases) {
   std::vector<Record> records;
   {
     const Admission::Place place(admission_, options_.jobs, memory);
-    std::vector<Case> own, others;
-    for (const Case& c : cases) (c.scheme.code.empty() ? own : others).push_back(c);
-    records = runs::run_timed(own);
-    for (Record& record : codes::run_external_timed(others, options_.codes)) records.push_back(std::move(record));
+    records = codes::run_timed(cases, options_.codes);
   }
   for (const Record& record : records) keep(finish(record, 1));
 }
@@ -190,7 +195,7 @@ void CasePool::keep(const Record& record) {
     }
     lock.lock();
     for (const Record& kept : batch) {
-      records_.emplace(kept.the_case, kept);
+      records_.insert_or_assign(kept.the_case, kept);
       // Another program may have kept the case while it ran here; it then counts as run, not as taken from the store.
       from_store_.erase(kept.the_case);
       counts_.reused = from_store_.size();

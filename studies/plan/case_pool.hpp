@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <stop_token>
 #include <vector>
@@ -28,7 +29,7 @@ class CasePool {
   /// Records in the order of the cases. Several threads may call it.
   std::vector<records::Record> get(const std::vector<cases::Case>& cases);
 
-  /// The cases whose records are neither in memory nor in the store, each once.
+  /// The cases whose records are neither in memory nor in the store, each once, and those that must be timed anew.
   std::vector<cases::Case> missing(const std::vector<cases::Case>& cases);
 
   /// Runs a case whose cost is not measured. It is one of several that take `seconds_of_all` together; this decides how
@@ -56,6 +57,7 @@ class CasePool {
   RunnerCounts counts() const { return counts_; }
 
  private:
+  std::optional<records::Record> known(const cases::Case& c) const;
   bool load_known(const cases::Case& c);
   void run_all(std::vector<cases::Case> missing);
   bool count_if_done(const cases::Case& c);

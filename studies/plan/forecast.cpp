@@ -29,7 +29,10 @@ class Forecaster {
         store_(store),
         jobs_(jobs),
         costs_(costs) {
-    for (const std::vector<Case>& timed : work.timed) cases_.insert(timed.begin(), timed.end());
+    for (const std::vector<Case>& timed : work.timed) {
+      cases_.insert(timed.begin(), timed.end());
+      for (const Case& c : timed_apart(timed, [this](const Case& one) { return stored(one); })) timed_anew_.insert(c);
+    }
     for (const LimitTask& limit : work.limits) limits_[limit.plan].push_back(limit);
     if (store) stored_studies_ = store->studies(digest_);
   }
@@ -42,9 +45,13 @@ class Forecaster {
   }
 
  private:
+  std::optional<records::Record> stored(const Case& c) const {
+    return store_ ? store_->find(c, digest_) : std::nullopt;
+  }
+
   bool is_stored(const Case& c) const {
-    const auto record = store_ ? store_->find(c, digest_) : std::nullopt;
-    return record && !records::is_worth_another_try(*record);
+    const auto record = stored(c);
+    return record && !records::is_worth_another_try(*record) && !timed_anew_.contains(c);
   }
 
   void add_study(const std::vector<StudyPlan>& plans, std::size_t k) {
@@ -128,6 +135,7 @@ class Forecaster {
   }
 
   std::set<Case> cases_;  ///< of sweeps
+  std::set<Case> timed_anew_;
   std::set<std::size_t> checks_;
   std::map<std::size_t, std::vector<LimitTask>> limits_;  ///< by study
   const store::Store* store_;

@@ -68,8 +68,8 @@ class Splitter {
     for (const Case& c : std::set<Case>(all.runs.begin(), all.runs.end())) add_run(c);
     for (const std::size_t check : all.checks)
       add({.runs = {}, .checks = {check}, .limits = {}, .timed = {}}, about_check);
-    for (const std::vector<Case>& cases : all.timed) add_timed(cases);
-    std::erase_if(pieces_, [](const Piece& piece) { return piece.microseconds == 0; });
+    for (const std::vector<Case>& cases : all.timed)
+      add({.runs = {}, .checks = {}, .limits = {}, .timed = {cases}}, seconds_of(cases, costs_));
     std::ranges::stable_sort(pieces_, std::greater{}, &Piece::microseconds);
     return pieces_;
   }
@@ -103,26 +103,10 @@ class Splitter {
       add(work, seconds);
   }
 
-  /// Studies that time the same case are one piece.
-  void add_timed(const std::vector<Case>& cases) {
-    const Work work{.runs = {}, .checks = {}, .limits = {}, .timed = {cases}};
-    const std::size_t own = add(work, seconds_of(cases, costs_));
-    for (const Case& c : cases) {
-      const auto [place, is_new] = timed_.try_emplace(c, own);
-      if (is_new || place->second == own) continue;
-      Piece& other = pieces_[place->second];
-      append(pieces_[own].work, other.work);
-      pieces_[own].microseconds += other.microseconds;
-      for (const std::vector<Case>& study : std::exchange(other, {}).work.timed)
-        for (const Case& moved : study) timed_[moved] = own;
-    }
-  }
-
   const std::vector<StudyPlan>& plans_;
   const CostModel& costs_;
   std::vector<Piece> pieces_;
   std::map<Case, std::size_t> families_;  ///< the piece of each search
-  std::map<Case, std::size_t> timed_;     ///< piece of a timed case
 };
 
 std::optional<std::size_t> number_from(std::string_view text) {

@@ -32,6 +32,7 @@ Point point_of(double x, const Record& r) {
   for (const records::RunNumber& number : records::run_by_products()) add(number.name, number.get(r));
   add("energy_loss", records::energy_loss(r.energy));
   point.particle_errors = r.particle_errors;
+  point.rounds = r.cost.rounds;
   return point;
 }
 
@@ -39,6 +40,7 @@ Point point_of(double x, const Record& r) {
 Point point_of(double x, std::span<const Record> records) {
   Point point = point_of(x, records.front());
   if (records.size() == 1) return point;
+  point.rounds = {};
   for (const Record& r : records)
     if (r.status != Status::ok) return {x, r.status, r.reason, {}};
   for (const Record& r : records)
@@ -114,11 +116,15 @@ class StudyRunner {
       outcomes[k] = outcome_of(plans[k], inputs);
       is_done[k] = 1;
     };
+    const Work work = work_of(plans);
     const std::vector<StudyInputs> all_inputs =
-        run_beside_each_other(plans, work_of(plans), store_.studies(provenance_.digest), pool_, options_.jobs, finish);
+        run_beside_each_other(plans, work, store_.studies(provenance_.digest), pool_, options_.jobs, finish);
     for (const bool timed : {false, true})
-      for (std::size_t k = 0; k < plans.size(); ++k)
-        if (!is_done[k] && is_timed(plans[k]) == timed) finish(k, all_inputs[k]);
+      for (std::size_t k = 0; k < plans.size(); ++k) {
+        if (is_done[k] || is_timed(plans[k]) != timed) continue;
+        if (timed) pool_.get(timed_with(plans[k], work));
+        finish(k, all_inputs[k]);
+      }
     return outcomes;
   }
 

@@ -1,9 +1,12 @@
 #pragma once
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "studies/cases/case.hpp"
 #include "studies/plan/study.hpp"
+#include "studies/records/record.hpp"
 
 namespace mpmvv::plan {
 
@@ -19,7 +22,7 @@ struct Work {
   std::vector<cases::Case> runs;                ///< of sweeps, but for what is timed
   std::vector<std::size_t> checks;              ///< indices of their studies
   std::vector<LimitTask> limits;                ///< which cases they probe shows as they go on
-  std::vector<std::vector<cases::Case>> timed;  ///< by study; those of one study take turns
+  std::vector<std::vector<cases::Case>> timed;  ///< those that take turns: of a study, and of all that share one
 };
 
 /// All that the studies ask for; a case once for each that asks for it.
@@ -28,6 +31,14 @@ Work work_of(const std::vector<StudyPlan>& plans);
 /// The cases of a series, those of one swept value together; those of all series.
 std::vector<cases::Case> sweep_cases(const StudyPlan& plan, const SeriesPlan& series);
 std::vector<cases::Case> sweep_cases(const StudyPlan& plan);
+
+/// All cases that take turns with the timed cases of the study; none when it has none.
+std::vector<cases::Case> timed_with(const StudyPlan& plan, const Work& work);
+
+/// Those of the timed cases that have been timed, but must be timed anew, so that all of them take turns: one of the
+/// others has never been run, or two were timed in different sessions. `find` looks up the record of a case.
+std::vector<cases::Case> timed_apart(const std::vector<cases::Case>& cases,
+                                     const std::function<std::optional<records::Record>(const cases::Case&)>& find);
 
 /// Whether the study measures costs.
 bool is_timed(const StudyPlan& plan);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "studies/cases/case.hpp"
+#include "studies/fits/paired_rounds.hpp"
 #include "studies/support/not_measured.hpp"
 #include "studies/support/words.hpp"
 
@@ -61,11 +62,12 @@ inline double energy_loss(const Energy& e) {
   return e.initial_total > 0 ? 1 - (e.kinetic + e.strain) / e.initial_total : not_measured;
 }
 
-/// Cost measured alone on the machine, in the processor time of one thread: the median of the repetitions, and their
-/// range divided by the median.
+/// Cost measured alone on the machine, in the processor time of one thread: the geometric mean of the repetitions, and
+/// their range divided by it.
 struct Cost {
   double step_seconds = not_measured;  ///< step loop alone
   double spread = not_measured;
+  fits::Rounds rounds = {};  ///< in ns per particle and step
 };
 
 /// The displacement error of a particle at the end, or the RMS of neighbours where there are many, in m.
@@ -88,7 +90,7 @@ struct Record {
   Balance balance;
   double wall_seconds = not_measured;          ///< of one run; other runs may have shared the machine
   int threads = 1;                             ///< that shared it; runs in older stores have one
-  double ns_per_particle_step = not_measured;  ///< step loop alone; the median where the case asks for its cost
+  double ns_per_particle_step = not_measured;  ///< step loop alone; a mean where the case asks for its cost
   double output_floor = not_measured;    ///< RMS displacement error made by the rounding of another code's output, m
   double solution_floor = not_measured;  ///< RMS displacement error of a solution not exact for the body's law, m
   double images = 1;  ///< images of the part that was run, itself included, that make up the body; 1: all of it was run

@@ -21,6 +21,7 @@ struct Point {
       y;  ///< by quantity: `l1`, `l2`, `linf`, `..._all_steps`, `wall_seconds`, ...; curves: `y`
   std::map<std::string, std::vector<double>> replicates = {};  ///< by quantity, where `y` is their mean
   std::vector<ParticleError> particle_errors = {};             ///< of a run that was asked for them
+  fits::Rounds rounds = {};                                    ///< of a run whose cost was measured
 };
 
 /// The code, other than our own solver, that ran a series.

@@ -1,8 +1,11 @@
 #include "studies/runs/rounds.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "studies/fits/median.hpp"
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <random>
 
 namespace mpmvv::runs {
 
@@ -12,13 +15,22 @@ using records::Status;
 
 namespace {
 
-/// Sets the cost of a record to the median of `costs`, in ns per particle and step; does nothing without any.
-void set_cost(Record& record, const std::vector<double>& costs) {
+/// An id that no other session has, here or on another machine: its end in µs since 1970, and a random number.
+std::string new_session() {
+  const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
+  std::random_device random;
+  return fmt::format("{}-{:08x}{:08x}", std::chrono::duration_cast<std::chrono::microseconds>(since_1970).count(),
+                     random(), random());
+}
+
+/// Sets the cost of a record to the geometric mean of `costs`, in ns per particle and step; does nothing without any.
+void set_cost(Record& record, const std::vector<double>& costs, const std::string& session) {
   if (costs.empty()) return;
   const auto [least, most] = std::minmax_element(costs.begin(), costs.end());
-  record.ns_per_particle_step = fits::median_of(costs);
+  record.ns_per_particle_step = fits::geometric_mean(costs);
   record.cost.step_seconds = 1e-9 * record.ns_per_particle_step * static_cast<double>(record.particles * record.steps);
   record.cost.spread = (*most - *least) / record.ns_per_particle_step;
+  record.cost.rounds = {costs, session};
 }
 
 }  // namespace
@@ -28,20 +40,24 @@ std::vector<Record> run_in_rounds(const std::vector<Case>& cases, const std::fun
   std::vector<Record> records;
   for (const Case& c : cases) records.push_back(run(c));
   std::vector<std::vector<double>> costs(cases.size());
+  std::vector<std::size_t> turns(cases.size());
+  std::iota(turns.begin(), turns.end(), 0);
   bool due = true;
   for (int round = 0; due; ++round) {
     due = false;
-    for (std::size_t k = 0; k < cases.size(); ++k) {
+    for (const std::size_t k : turns) {
       if (records[k].status != Status::ok || round >= cases[k].measure.repeat) continue;
       due = true;
-      const Record now = round > 0 ? run_again(cases[k]) : records[k];
+      const Record now = run_again(cases[k]);
       costs[k].push_back(now.ns_per_particle_step);
       if (now.status == Status::ok) continue;
       records[k] = now;
       costs[k].clear();
     }
+    std::ranges::reverse(turns);
   }
-  for (std::size_t k = 0; k < cases.size(); ++k) set_cost(records[k], costs[k]);
+  const std::string session = new_session();
+  for (std::size_t k = 0; k < cases.size(); ++k) set_cost(records[k], costs[k], session);
   return records;
 }
 

@@ -28,8 +28,8 @@ using records::Status;
 
 namespace {
 
-/// Returns the processor time of this thread in seconds: what steps cost on one core, whatever else the machine does
-/// meanwhile.
+/// Returns the processor time of this thread in seconds. It contains no waiting for a processor; but other programs
+/// share caches, memory and the clock's frequency, and so change it.
 double processor_seconds() {
   timespec spent{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
@@ -59,12 +59,12 @@ void note_errors_over_steps(records::Errors& errors, const ErrorNorms& now) {
 }
 
 /// Runs steps to the end or until the run blows up, and calls `observe` after every `stride` sound steps. Returns the
-/// seconds spent in the steps alone.
+/// seconds spent in the steps alone: the processor's of one thread, else the clock's.
 template <int D, class Observe>
-double advance(solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Case& c, std::int64_t stride, Record& record,
-               const Observe& observe) {
+double advance(solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Case& c, int threads, std::int64_t stride,
+               Record& record, const Observe& observe) {
   const BlowUp<D> blow_up(c, prepared.setup, prepared.is_driven(), record.energy.initial_total);
-  const auto clock = c.measure.repeat > 0 ? &processor_seconds : &wall_seconds;
+  const auto clock = threads == 1 ? &processor_seconds : &wall_seconds;
   double step_seconds = 0;
   while (record.steps < c.resolution.steps) {
     const std::int64_t left = c.resolution.steps - record.steps;
@@ -128,7 +128,7 @@ void run(const Case& c, const problems::Problem& problem, const Manner& manner, 
   if (vtu) vtu->write(mpm, prepared.X);
   VelocityError<D> velocity_error;
   const std::int64_t stride = every_step || vtu || c.measure.velocity_error ? 1 : watch_interval;
-  const double step_seconds = advance(mpm, prepared, c, stride, record, [&] {
+  const double step_seconds = advance(mpm, prepared, c, manner.threads, stride, record, [&] {
     if (every_step) note_errors_over_steps(record.error, displacement_errors(mpm, prepared));
     if (c.measure.velocity_error) velocity_error.note(mpm, prepared);
     if (vtu && VtuSeries::due(record.steps, c.resolution.steps)) vtu->write(mpm, prepared.X);
@@ -186,7 +186,7 @@ Record run_once(const Case& c, const Manner& manner, VtuSeries* vtu) {
 }  // namespace
 
 Record run_case(const Case& c, int threads, const Output& output) {
-  if (c.measure.repeat > 0) return run_timed({c}).front();
+  if (c.measure.repeat > 0) return run_in_rounds({c}, run_untimed, time_steps).front();
   std::optional<VtuSeries> frames;
   if (!output.vtu.empty()) frames.emplace(output.vtu);
   return run_once(c, {.threads = threads, .tell_steps = output.steps}, frames ? &*frames : nullptr);
@@ -197,12 +197,13 @@ Record run_without_images(const Case& c, solver::Images images, int threads,
   return run_once(c, {.threads = threads, .images = images, .tell_steps = tell_steps}, nullptr);
 }
 
-std::vector<Record> run_timed(const std::vector<Case>& cases) {
-  const auto run = [](const Case& c) { return run_once(c, {}, nullptr); };
-  return run_in_rounds(cases, run, [](const Case& c) {
-    return record_of(c, [&c]<int D>(const problems::Problem& problem, Record& record) {
-      record.ns_per_particle_step = cost_of_steps<D>(c, problem);
-    });
+Record run_untimed(const Case& c) {
+  return run_once(c, {}, nullptr);
+}
+
+Record time_steps(const Case& c) {
+  return record_of(c, [&c]<int D>(const problems::Problem& problem, Record& record) {
+    record.ns_per_particle_step = cost_of_steps<D>(c, problem);
   });
 }
 

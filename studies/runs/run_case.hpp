@@ -16,8 +16,9 @@ struct Output {
 };
 
 /// Runs one case to its end, or until it blows up. An error on the way (no memory, say) gives a record with status
-/// `failed`. Apart from the cost, records do not depend on `threads`. A case that asks for its cost goes to
-/// `run_timed`, which uses neither `threads` nor `output`. Throws UsageError when the states cannot be written.
+/// `failed`. Apart from the cost, records do not depend on `threads`. A case that asks for its cost
+/// is run in rounds (rounds.hpp) of its own, and neither `threads` nor `output` is used. Throws UsageError when the
+/// states cannot be written.
 records::Record run_case(const cases::Case& c, int threads, const Output& output = {});
 
 /// Runs a case whose body, motion, boundary, grid and particles have the given images: it runs only the particles of
@@ -26,8 +27,9 @@ records::Record run_case(const cases::Case& c, int threads, const Output& output
 records::Record run_without_images(const cases::Case& c, solver::Images images, int threads,
                                    const std::function<void(std::int64_t)>& tell_steps = nullptr);
 
-/// Runs cases whose cost is measured: on one thread, as often as each says (`repeat`), taking turns. The caller sees to
-/// it that nothing else runs on the machine.
-std::vector<records::Record> run_timed(const std::vector<cases::Case>& cases);
+/// For rounds: runs a case on one thread, whether it asks for its cost or not; and runs its steps once more, with
+/// nothing else in between, for a record with their cost alone.
+records::Record run_untimed(const cases::Case& c);
+records::Record time_steps(const cases::Case& c);
 
 }  // namespace mpmvv::runs

@@ -97,6 +97,7 @@ std::pair<records::Point, std::string> load_point(const Database& database, cons
     require_intact(database, Sealed::run, row["run"]);
     point.y = run_quantities(row);
     point.particle_errors = particle_errors_of(row["particle_errors"]);
+    point.rounds = rounds_of(row);
     case_text = row["case_text"].text();
   }
   database.each("SELECT quantity, value FROM point_values WHERE point = ?", {row["point"]},

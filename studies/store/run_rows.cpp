@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <sstream>
+
 #include "studies/store/particle_errors.hpp"
 #include "studies/store/seal.hpp"
 
@@ -18,6 +20,13 @@ template <class Visit>
 void for_numbers(const Visit& visit) {
   for (const auto* numbers : {&records::run_errors(), &records::run_by_products()})
     for (const RunNumber& number : *numbers) visit(number);
+}
+
+/// With all digits.
+void add_rounds(const fits::Rounds& rounds, Columns& columns) {
+  if (!rounds.costs.empty())
+    columns.insert(columns.end(),
+                   {{"step_costs", fmt::format("{}", fmt::join(rounds.costs, " "))}, {"cost_session", rounds.session}});
 }
 
 Columns run_columns(const Record& r) {
@@ -41,6 +50,7 @@ Columns run_columns(const Record& r) {
                   {"failure", r.failure == records::Failure::none ? Value() : Value(to_string(r.failure))}};
   for_numbers([&](const RunNumber& number) { columns.emplace_back(number.name, number.get(r)); });
   columns.emplace_back("particle_errors", value_of(r.particle_errors));
+  add_rounds(r.cost.rounds, columns);
   return columns;
 }
 
@@ -56,7 +66,8 @@ std::int64_t insert_run_row(Database& database, const Columns& columns, const Va
   const std::int64_t kept = database.insert(
       "runs", columns,
       fmt::format("ON CONFLICT (case_text, digest) DO UPDATE SET {} WHERE status = 'failed' AND "
-                  "(excluded.status <> 'failed' OR excluded.failure IS 'case' OR failure IS NOT 'case')",
+                  "(excluded.status <> 'failed' OR excluded.failure IS 'case' OR failure IS NOT 'case') "
+                  "OR status = 'ok' AND excluded.cost_session IS NOT NULL",
                   fmt::join(replacements, ", ")));
   if (kept > 0) seal(database, Sealed::run, id_of(database, case_text, digest).integer());
   return kept;
@@ -119,8 +130,18 @@ std::optional<Record> find_run(const Database& database, const cases::Case& c, c
                    .threads = threads.null() ? 1 : static_cast<int>(threads.integer())};
     for_numbers([&](const RunNumber& number) { number.set(*found) = row[number.name].real(); });
     found->particle_errors = particle_errors_of(row["particle_errors"]);
+    found->cost.rounds = rounds_of(row);
   });
   return found;
+}
+
+fits::Rounds rounds_of(const Row& row) {
+  fits::Rounds rounds;
+  if (row["step_costs"].null()) return rounds;
+  std::istringstream costs(row["step_costs"].text());
+  for (double cost = 0; costs >> cost;) rounds.costs.push_back(cost);
+  rounds.session = row["cost_session"].text();
+  return rounds;
 }
 
 std::map<std::string, double> run_quantities(const Row& row) {

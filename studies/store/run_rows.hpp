@@ -17,7 +17,8 @@ std::int64_t provenance_id(Database& database, const Provenance& p);
 Provenance read_provenance(const Row& row);
 
 /// Keeps a run unless its key is there. A `failed` run gives way to one that was carried out and to a later failure;
-/// only a failure of the case does not give way to one of the machine.
+/// only a failure of the case does not give way to one of the machine. A sound run gives way to one that was timed
+/// later, with others.
 void insert_run(Database& database, const records::Record& r, const Provenance& p);
 
 /// The same with a row's columns; returns 1 when it was kept, else 0.
@@ -28,6 +29,9 @@ std::optional<records::Record> find_run(const Database& database, const cases::C
 
 /// What a row of `runs` gives to a point of a series: the errors that were measured, cost, energy, size.
 std::map<std::string, double> run_quantities(const Row& row);
+
+/// What the run cost in each round.
+fits::Rounds rounds_of(const Row& row);
 
 /// Copies the runs that `to` lacks, and those that say more than a failed run there; returns their number.
 std::int64_t copy_runs(const Database& from, Database& to);

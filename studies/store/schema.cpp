@@ -205,8 +205,12 @@ constexpr const char* schema_16 = R"sql(
   ALTER TABLE runs ADD COLUMN threads INTEGER;
 )sql";
 
-/// How many steps a probe of a limit took; NULL in older stores.
+/// What a case cost in each timed round, in ns per particle and step, separated by blanks; and the id that all cases
+/// timed in the same rounds share. NULL in older stores and where nothing was timed. How many steps a probe of a limit
+/// took; NULL in older stores.
 constexpr const char* schema_17 = R"sql(
+  ALTER TABLE runs ADD COLUMN step_costs TEXT;
+  ALTER TABLE runs ADD COLUMN cost_session TEXT;
   ALTER TABLE probes ADD COLUMN steps INTEGER;
 )sql";
 

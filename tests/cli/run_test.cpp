@@ -63,6 +63,9 @@ TEST(RunCommand, CostIsEvidenceOnlyWhenItIsAskedFor) {
   const double seconds = costed["cost"]["step_seconds"];
   EXPECT_GT(seconds, 0);
   EXPECT_GE(costed["cost"]["spread"], 0);
+  EXPECT_EQ(costed["cost"]["rounds"].size(), 3U);
+  EXPECT_TRUE(costed["cost"]["session"].is_string());
+  EXPECT_FALSE(plain["cost"].contains("rounds"));
   EXPECT_NEAR(seconds,
               1e-9 * costed["ns_per_particle_step"].get<double>() * costed["particles"].get<double>() *
                   costed["steps"].get<double>(),

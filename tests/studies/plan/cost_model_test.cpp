@@ -37,7 +37,7 @@ TEST_F(CostModels, LearnFromTheSameCaseElseFromLikeOnesElseGuess) {
   const CostModel::Time like = model.time(cube("32"));  // on an eighth, as the other
   EXPECT_EQ(like.source, Source::like_cases);
   EXPECT_NEAR(like.seconds, 8 * 6, 1e-9) << "the mean of all runs, by particles and steps";
-  EXPECT_NEAR(model.time(cube("32", "3")).seconds, 3 * 8 * like.seconds, 1e-9) << "three times the whole";
+  EXPECT_NEAR(model.time(cube("32", "3")).seconds, 4 * 8 * like.seconds, 1e-9) << "four times the whole";
 }
 
 /// As of a code that chooses its time step and does not say how many it took.

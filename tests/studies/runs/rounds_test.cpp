@@ -1,5 +1,6 @@
 #include "studies/runs/rounds.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +9,8 @@
 
 namespace mpmvv::runs::rounds_test {
 
+using testing::ElementsAre;
+
 cases::Case repeated(const std::string& name, int repeat) {
   cases::Case c;
   c.problem.name = name;
@@ -15,8 +18,8 @@ cases::Case repeated(const std::string& name, int repeat) {
   return c;
 }
 
-TEST(Rounds, RunEachCaseOnceAndMeasureSoundOnesInTurns) {
-  const std::vector<double> costs{20, 90, 70, 30, 40};
+TEST(Rounds, RunEachCaseOnceAndThenMeasureSoundOnesInTurns) {
+  const std::vector<double> costs{20, 30, 60, 40, 90, 30, 30};
   std::string calls;
   std::size_t measured = 0;
   const auto records = run_in_rounds(
@@ -35,12 +38,18 @@ TEST(Rounds, RunEachCaseOnceAndMeasureSoundOnesInTurns) {
         r.ns_per_particle_step = costs[measured++];
         return r;
       });
-  EXPECT_EQ(calls, "abc+a+b+a+b+b");
-  EXPECT_EQ(records[0].ns_per_particle_step, 50);  // of 50, 20 and 70
-  EXPECT_EQ(records[1].ns_per_particle_step, 45);  // of 50, 90, 30 and 40
-  EXPECT_DOUBLE_EQ(records[1].cost.step_seconds, 45e-9 * 1000 * 100);
-  EXPECT_DOUBLE_EQ(records[1].cost.spread, 60. / 45);
+  EXPECT_EQ(calls, "abc+a+b+b+a+a+b+b") << "every other round in reversed order";
+  EXPECT_THAT(records[0].cost.rounds.costs, ElementsAre(20, 40, 90));
+  EXPECT_THAT(records[1].cost.rounds.costs, ElementsAre(30, 60, 30, 30));
+  EXPECT_NEAR(records[0].ns_per_particle_step, std::cbrt(20. * 40 * 90), 1e-12);
+  const double mean = std::pow(30. * 60 * 30 * 30, 0.25);
+  EXPECT_NEAR(records[1].ns_per_particle_step, mean, 1e-12);
+  EXPECT_NEAR(records[1].cost.step_seconds, 1e-9 * mean * 1000 * 100, 1e-15);
+  EXPECT_NEAR(records[1].cost.spread, 30 / mean, 1e-12);
+  EXPECT_EQ(records[0].cost.rounds.session, records[1].cost.rounds.session);
+  EXPECT_FALSE(records[0].cost.rounds.session.empty());
   EXPECT_EQ(records[2].ns_per_particle_step, 50);
+  EXPECT_EQ(records[2].cost.rounds, fits::Rounds{});
   EXPECT_TRUE(std::isnan(records[2].cost.step_seconds));
 }
 
@@ -65,8 +74,22 @@ TEST(Rounds, ARepetitionThatIsNotSoundReplacesTheRun) {
   EXPECT_EQ(records[0].status, records::Status::failed);
   EXPECT_EQ(records[0].reason, "no licence");
   EXPECT_TRUE(std::isnan(records[0].cost.step_seconds));
+  EXPECT_EQ(records[0].cost.rounds, fits::Rounds{});
   EXPECT_EQ(records[1].status, records::Status::ok);
-  EXPECT_EQ(records[1].ns_per_particle_step, 40);
+  EXPECT_NEAR(records[1].ns_per_particle_step, 40, 1e-12);
+}
+
+TEST(Rounds, OfEachCallAreASessionOfTheirOwn) {
+  const auto session = [] {
+    const auto run = [](const cases::Case& c) {
+      records::Record r;
+      r.the_case = c;
+      r.ns_per_particle_step = 40;
+      return r;
+    };
+    return run_in_rounds({repeated("a", 3)}, run, run).front().cost.rounds.session;
+  };
+  EXPECT_NE(session(), session());
 }
 
 }  // namespace mpmvv::runs::rounds_test

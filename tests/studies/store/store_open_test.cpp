@@ -232,7 +232,7 @@ TEST_F(StoreOpen, AStoreOfSchema14KeepsItsStudies) {
   EXPECT_EQ(database.scalar("SELECT count(*) FROM points").integer(), 0) << "foreign keys are on again";
 }
 
-/// Which does not say how many threads shared a run.
+/// Which does not say how many threads shared a run, nor what it cost in each round.
 TEST_F(StoreOpen, ARunOfSchema15HadOneThread) {
   open_store(file_, Mode::create_or_write, migrations().first(15))
       .execute(fmt::format(
@@ -247,6 +247,7 @@ TEST_F(StoreOpen, ARunOfSchema15HadOneThread) {
   }
   const Store store(file_, Mode::write);
   EXPECT_EQ(store.find(bar(8), "d1").value().threads, 1);
+  EXPECT_EQ(store.find(bar(8), "d1")->cost.rounds, fits::Rounds{});
   EXPECT_EQ(store.last_seconds(bar(8)), 96);
   EXPECT_EQ(store.step_costs().begin()->second, 1);
 }

@@ -29,15 +29,16 @@ std::string describe(const Record& r) {
                                  r.threads, to_string(r.status), to_string(r.failure), r.reason);
   for (const auto* numbers : {&records::run_errors(), &records::run_by_products()})
     for (const records::RunNumber& number : *numbers) text += fmt::format(" {} = {}", number.name, number.get(r));
-  return text;
+  return text + fmt::format(" {} {}", fmt::join(r.cost.rounds.costs, " "), r.cost.rounds.session);
 }
 
 /// A member that is no number of a run would not be kept.
 TEST(RunNumbers, AreAllMembers) {
   using namespace records;
   EXPECT_EQ(std::ssize(run_errors()), count_members<Errors>() + count_members<Balance>());
+  constexpr int rounds = 1;         // of the cost
   constexpr int of_the_record = 6;  // wall_seconds, ns_per_particle_step, cfl, images, output_floor, solution_floor
-  EXPECT_EQ(std::ssize(run_by_products()), count_members<Energy>() + count_members<Cost>() + of_the_record);
+  EXPECT_EQ(std::ssize(run_by_products()), count_members<Energy>() + count_members<Cost>() - rounds + of_the_record);
   // case, particles, steps, threads, status, failure, reason, errors of particles; error, energy, balance, cost
   constexpr int without_a_number = 12;
   EXPECT_EQ(count_members<Record>(), without_a_number + of_the_record);
@@ -58,7 +59,7 @@ TEST_F(StoreTest, ARecordComesBackWhole) {
              .velocity = 12.5,
              .stress = 3e7};
   r.balance = {.mass = -1e-3, .momentum = 2e-16, .angular_momentum = 0.4};
-  r.cost = {.step_seconds = 0.7, .spread = 0.02};
+  r.cost = {.step_seconds = 0.7, .spread = 0.02, .rounds = {{1.0 / 3, 6e-300, 41}, "17-ab"}};
   r.threads = 8;
   r.status = Status::unstable;
   r.reason = "det F <= 0 at step 7, 'particle' \"3\"\nα";
@@ -66,6 +67,30 @@ TEST_F(StoreTest, ARecordComesBackWhole) {
   const std::optional<Record> found = store.find(r.the_case, "d1");
   ASSERT_TRUE(found);
   EXPECT_EQ(describe(*found), describe(r));
+}
+
+TEST_F(StoreTest, WhatIsTimedAnewReplacesWhatWasTimedBefore) {
+  Store store(file_, Store::Mode::create_or_write);
+  const auto timed = [](const std::string& session, Status status = Status::ok) {
+    Record r = record(8);
+    r.status = status;
+    if (status == Status::ok) r.cost.rounds = {{1, 2, 3}, session};
+    return r;
+  };
+  const auto kept = [&] { return store.find(record(8).the_case, "d1").value().cost.rounds.session; };
+  for (const char* session : {"first", "second"}) {
+    store.keep(timed(session), provenance());
+    EXPECT_EQ(kept(), session);
+  }
+  store.keep(timed("", Status::failed), provenance());
+  EXPECT_EQ(kept(), "second");
+  EXPECT_THAT(store.check(), testing::IsEmpty());
+  Store(folder_ / "other.db", Store::Mode::create_or_write).keep(timed("third"), provenance());
+  Store::merge(file_, folder_ / "other.db");
+  EXPECT_EQ(kept(), "second") << "of two stores the first counts";
+  Store::merge(folder_ / "merged.db", file_);
+  EXPECT_EQ(Store(folder_ / "merged.db", Store::Mode::read).find(record(8).the_case, "d1")->cost.rounds,
+            timed("second").cost.rounds);
 }
 
 /// With five digits.

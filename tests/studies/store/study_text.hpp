@@ -60,8 +60,9 @@ struct Text {
   }
 
   static std::string of(const records::Point& p) {
-    const auto& [x, status, reason, y, replicates, particle_errors] = p;
-    return fmt::format("point {} {} '{}' {} {}\n{}", x, to_string(status), reason, y, replicates, of(particle_errors));
+    const auto& [x, status, reason, y, replicates, particle_errors, rounds] = p;
+    return fmt::format("point {} {} '{}' {} {} {} {}\n{}", x, to_string(status), reason, y, replicates, rounds.costs,
+                       rounds.session, of(particle_errors));
   }
 
   static std::string of(const records::ParticleError& e) {
