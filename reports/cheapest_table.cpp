@@ -31,9 +31,9 @@ std::vector<Bid> bids(double error, const records::StudyResult& study, const rec
   return result;
 }
 
-/// Whether the range of the bid's times reaches down to that of the cheapest, which may then be no cheaper.
+/// Whether the interval of their ratio reaches down to 1.
 bool may_be_as_cheap(const Bid& bid, const Bid& cheapest) {
-  return bid.work.cost - bid.work.half_range <= cheapest.work.cost + cheapest.work.half_range;
+  return fits::quotient(bid.work, cheapest.work).lower <= 1;
 }
 
 /// The names of those that may be as cheap as the first; a dash without any.

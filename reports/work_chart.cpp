@@ -56,7 +56,7 @@ Chart work_chart(const records::StudyResult& study, const records::Figure& figur
   chart.x = make_axis({figure.xlabel, figure.log_x, figure.x_min, figure.x_max, 0.06, 0.06}, costs);
   chart.y = make_axis({figure.ylabel, figure.log_y, figure.y_min, figure.y_max, 0.06, 0.08}, errors);
   chart.notes.emplace_back("Rings: the Pareto front, the runs than which no other is both cheaper and more accurate.");
-  if (has_bars) chart.notes.emplace_back("Bars: the range of the repeated times, its middle at their median.");
+  if (has_bars) chart.notes.emplace_back("Bars: the range of the repeated times, its middle at their geometric mean.");
   if (!without.empty())
     chart.omissions.push_back(fmt::format("Without a point, unstable or not measured: {}.", fmt::join(without, "; ")));
   return chart;

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/statistics/linear_regression.hpp>
+#include <array>
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 
 #include "studies/claims/samples.hpp"
 #include "studies/claims/window_points.hpp"
@@ -20,56 +22,73 @@ using records::StudyResult;
 
 namespace {
 
-/// A number that times make, and how far it may lie from there.
-struct Known {
-  double value, half_range = 0;
-};
+/// A weighted sum of what was measured at points of a series.
+struct Sum {
+  std::vector<double> weights = {}, values = {}, half_ranges = {};
+  std::vector<fits::Rounds> rounds = {};
 
-/// The norm at a point; of a time also half the range of its repetitions.
-Known known_at(const Point& point, const std::string& norm) {
-  const double value = error_at(point, norm);
-  return {value, norm == "ns_per_particle_step" ? value * half_spread(point) : 0};
-}
+  void add(const Point& point, const std::string& norm) {
+    const bool is_time = norm == "ns_per_particle_step";
+    values.push_back(error_at(point, norm));
+    half_ranges.push_back(is_time ? values.back() * half_spread(point) : 0);
+    rounds.push_back(is_time ? point.rounds : fits::Rounds{});
+  }
+  double of(std::span<const double> numbers) const {
+    return std::inner_product(weights.begin(), weights.end(), numbers.begin(), 0.0);
+  }
+  fits::Ranged ranged() const {
+    double squares = 0;
+    for (std::size_t k = 0; k < weights.size(); ++k) squares += std::pow(weights[k] * half_ranges[k], 2);
+    return {of(values), std::sqrt(squares)};
+  }
+};
 
 /// Slope of the least-squares line through the points in the window; NaN when there are no two, or when one is unstable
 /// or not measured.
-Known slope_of(const Criterion& c, const Series& series) {
-  std::vector<double> x, y, half_ranges;
-  for (const Point& point : series.points) {
-    if (!c.window.holds(point.x)) continue;
-    const auto [value, half_range] = known_at(point, c.norm);
-    x.push_back(point.x), y.push_back(value), half_ranges.push_back(half_range);
-  }
-  if (x.size() < 2) return {support::not_measured};
-  const double mean = boost::math::statistics::mean(x);
-  double width = 0, squares = 0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    width += std::pow(x[k] - mean, 2);
-    squares += std::pow((x[k] - mean) * half_ranges[k], 2);
-  }
-  return {boost::math::statistics::simple_ordinary_least_squares(x, y).second, std::sqrt(squares) / width};
-}
-
-Known first_value(const Criterion& c, const Series& series) {
+Sum slope_of(const Criterion& c, const Series& series) {
+  Sum sum;
+  std::vector<double> x;
   for (const Point& point : series.points)
-    if (c.window.holds(point.x)) return known_at(point, c.norm);
-  return {support::not_measured};
+    if (c.window.holds(point.x)) x.push_back(point.x), sum.add(point, c.norm);
+  const double mean = x.empty() ? 0 : boost::math::statistics::mean(x);
+  double width = 0;
+  for (const double one : x) width += std::pow(one - mean, 2);
+  const bool is_known = std::ranges::all_of(sum.values, [](double value) { return std::isfinite(value); });
+  for (const double one : x) sum.weights.push_back(is_known ? (one - mean) / width : support::not_measured);
+  return sum;
 }
 
-/// Where the quotient may lie: anywhere where the divisor may be 0.
-Interval quotient(const Known& a, const Known& b) {
-  constexpr double anywhere = std::numeric_limits<double>::infinity();
-  if (b.half_range == 0 && a.half_range == 0) return {a.value / b.value, a.value / b.value};
-  if (!(std::abs(b.value) > b.half_range)) return {-anywhere, anywhere};
-  const double low = a.value - a.half_range, high = a.value + a.half_range;
-  const double least = b.value - b.half_range, most = b.value + b.half_range;
-  const auto [lower, upper] = std::minmax({low / least, low / most, high / least, high / most});
-  return {lower, upper};
+Sum first_value(const Criterion& c, const Series& series) {
+  Sum sum;
+  for (const Point& point : series.points)
+    if (sum.values.empty() && c.window.holds(point.x)) sum.weights.push_back(1), sum.add(point, c.norm);
+  return sum;
 }
 
-void add_quotient(const std::string& label, const Known& a, const Known& b, Measured& out) {
-  const Interval interval = quotient(a, b);
-  out.add(label, a.value / b.value, interval, range_text(interval));
+/// The rounds of both; empty unless they are paired.
+std::vector<fits::Rounds> paired(const Sum& a, const Sum& b) {
+  std::vector<fits::Rounds> all = a.rounds;
+  all.insert(all.end(), b.rounds.begin(), b.rounds.end());
+  return fits::are_paired(all) ? all : std::vector<fits::Rounds>{};
+}
+
+/// Anywhere where the divisor's sign depends on a round.
+fits::Estimate quotient(const Sum& a, const Sum& b) {
+  const double divisor = b.ranged().value;
+  const auto rounds = paired(a, b);
+  if (rounds.empty() || !std::isfinite(a.ranged().value / divisor)) return fits::quotient(a.ranged(), b.ranged());
+  return fits::over_rounds(rounds, [&](std::span<const double> costs) {
+    const double now = b.of(costs.subspan(a.values.size()));
+    return now * divisor > 0 ? a.of(costs.first(a.values.size())) / now : std::numeric_limits<double>::infinity();
+  });
+}
+
+/// Adds a quotient with its interval. One of ranges is wider than one of rounds, so the evidence says which it is.
+void add(const std::string& label, const fits::Estimate& quotient, bool is_paired, Measured& out) {
+  const Interval interval{quotient.lower, quotient.upper};
+  std::string text = range_text(interval);
+  if (!text.empty() && !is_paired && std::isfinite(quotient.value)) text += ", not timed together";
+  out.add(label, quotient.value, interval, text);
 }
 
 /// Says which of two series never gets down to the error, or that neither does; empty when both do.
@@ -96,20 +115,20 @@ void measure_slope(const Criterion& c, const StudyResult& result, const Series& 
   const bool share = c.kind == Criterion::Kind::slope_share;
   const std::string label = fmt::format("slope of '{}' in {} over {} of '{}', {}", series.name, c.norm,
                                         share ? "the value" : "that", over.name, over_window(c, result));
-  add_quotient(label, slope_of(c, series), share ? first_value(c, over) : slope_of(c, over), out);
+  const Sum slope = slope_of(c, series), divisor = share ? first_value(c, over) : slope_of(c, over);
+  add(label, quotient(slope, divisor), !paired(slope, divisor).empty(), out);
 }
 
 void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
   const auto own = front_of(series, c.norm, out), other = front_of(over, c.norm, out);
   for (const double error : fits::decades(c.window.from, c.window.to)) {
     const std::string label = fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error);
-    const auto [cost, own_error, half_range] = fits::work_to_reach(error, own);
-    const auto [other_cost, other_error, other_half_range] = fits::work_to_reach(error, other);
-    if (const std::string never = never_there(series, cost, over, other_cost); !never.empty())
-      out.add(label, std::isinf(cost) ? cost : 0, never);
+    const fits::WorkPoint work = fits::work_to_reach(error, own), other_work = fits::work_to_reach(error, other);
+    if (const std::string never = never_there(series, work.cost, over, other_work.cost); !never.empty())
+      out.add(label, std::isinf(work.cost) ? work.cost : 0, never);
     else
-      add_quotient(label, {cost, half_range}, {other_cost, other_half_range}, out);
-    if (std::isinf(cost) && std::isinf(other_cost) && !c.at_most)
+      add(label, fits::quotient(work, other_work), fits::are_paired(std::array{work.rounds, other_work.rounds}), out);
+    if (std::isinf(work.cost) && std::isinf(other_work.cost) && !c.at_most)
       out.missing = fmt::format("neither '{}' nor '{}' reaches {} {:.0e}", series.name, over.name, c.norm, error);
   }
 }

@@ -1,8 +1,9 @@
 #pragma once
 #include "studies/claims/measured.hpp"
 
-/// Measures of what runs cost. A time has the range of its repetitions (`step_seconds_spread`), and what is computed
-/// from times an interval, by half of these ranges; no other number has such a range.
+/// Measures of what runs cost. What is computed from times that were measured in the same rounds has the interval of
+/// these rounds (paired_rounds.hpp). Else a time has the range of its repetitions (`step_seconds_spread`), and what is
+/// computed from it an interval, by half of these ranges. No other number has such an interval.
 namespace mpmvv::claims {
 
 /// The slope of a series over that of `over`, or over the first value of it.

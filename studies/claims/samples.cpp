@@ -107,13 +107,26 @@ std::vector<ErrorSample> replicate_samples_of(const records::Series& series, con
   return samples;
 }
 
+namespace {
+
+/// What all steps cost in each round, if `cost` is their mean.
+fits::Rounds rounds_of(const records::Point& point, double cost) {
+  fits::Rounds rounds = point.rounds;
+  const double mean = fits::geometric_mean(rounds.costs);
+  for (double& one : rounds.costs) one *= cost / mean;
+  return rounds;
+}
+
+}  // namespace
+
 std::vector<fits::WorkPoint> work_points(const records::Series& series, const std::string& norm) {
   std::vector<fits::WorkPoint> points;
   for (const records::Point& point : series.points) {
     const auto cost = point.y.find("step_seconds"), error = point.y.find(norm);
     if (point.status == records::Status::ok && cost != point.y.end() && error != point.y.end() && cost->second > 0 &&
         error->second > 0 && std::isfinite(error->second))
-      points.push_back({cost->second, error->second, cost->second * half_spread(point)});
+      points.push_back(
+          {cost->second, error->second, cost->second * half_spread(point), rounds_of(point, cost->second)});
   }
   return points;
 }

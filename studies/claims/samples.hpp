@@ -53,7 +53,7 @@ std::vector<fits::ErrorSample> replicate_samples_of(const records::Series& serie
 /// The sound points of a series whose cost was measured, in their own order.
 std::vector<fits::WorkPoint> work_points(const records::Series& series, const std::string& norm);
 
-/// Half the range of a point's times over their median; 0 where its cost was not measured.
+/// Half the range of a point's times over their mean; 0 where its cost was not measured.
 double half_spread(const records::Point& point);
 
 }  // namespace mpmvv::claims

@@ -42,6 +42,15 @@ TEST(CheapestTable, SeriesWhoseRangesOverlapAreAsCheap) {
               testing::ElementsAre("1e-02", "best", "10", "reaches, wide", "–", "–", "–", "0 of 3"));
 }
 
+TEST(CheapestTable, SeriesTimedTogetherAreComparedRoundByRound) {
+  records::StudyResult study = measured({});
+  study.series = {timed("best", 10, 1), timed("always dearer", 11, 1), timed("dearer by chance", 11, 1)};
+  for (records::Series& series : study.series) series.points[0].rounds = {{1, 2, 3}, "one"};
+  study.series[2].points[0].rounds.costs[0] *= 1.2;
+  EXPECT_THAT(cheapest_table(study).groups.at(0).rows.at(0),
+              testing::ElementsAre("1e-02", "best", "10", "dearer by chance", "always dearer", "11", "1.10", "0 of 3"));
+}
+
 TEST(CheapestTable, AnInfiniteErrorHasNoDecades) {
   EXPECT_TRUE(claims::work_points(measured({INFINITY}).series[0], "l2").empty());
   EXPECT_TRUE(cheapest_table(measured({INFINITY})).empty());

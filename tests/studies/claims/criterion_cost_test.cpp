@@ -48,8 +48,10 @@ TEST(CostCriterion, ASlopeHasTheRangeOfItsTimes) {
   EXPECT_EQ(verdict(0.628, 1), PartVerdict::inconclusive);
   EXPECT_EQ(verdict(0.629, 1), PartVerdict::fails);
   const ClaimPart part = judge(slope(Criterion::Kind::slope_ratio, 0.4, 1), two_lines(0.2));
-  EXPECT_THAT(part.evidence, HasSubstr("over order 1 to 3 (0.371 to 0.629) = 0.5 (asked: 0.4 to 1, but an interval "
-                                       "reaches across)"));
+  EXPECT_THAT(
+      part.evidence,
+      HasSubstr("over order 1 to 3 (0.371 to 0.629), not timed together = 0.5 (asked: 0.4 to 1, but an interval "
+                "reaches across)"));
   EXPECT_THAT(part.found[0].what, Not(HasSubstr("0.371")));
   EXPECT_EQ(judge(slope(Criterion::Kind::slope_share, 0.212, 0.36), two_lines(0.2)).verdict, PartVerdict::holds)
       << "2 ± 0.5148 over 7";
@@ -72,7 +74,38 @@ TEST(CostCriterion, WhereTheDivisorMayBe0NothingIsDecided) {
   std::swap(result.series[0].name, result.series[1].name);
   const ClaimPart part = judge(slope(Criterion::Kind::slope_ratio, 100, 101), result);
   EXPECT_EQ(part.verdict, PartVerdict::inconclusive);
-  EXPECT_THAT(part.evidence, HasSubstr("(without bounds) = 2 (asked"));
+  EXPECT_THAT(part.evidence, HasSubstr("(without bounds), not timed together = 2 (asked"));
+}
+
+/// Two lines whose times rise and fall together, by a factor of ten, and `noise` of `slow` at x = 1 alone.
+StudyResult two_timed_lines(double noise, const std::string& session_of_steep = "one") {
+  StudyResult result = two_lines(0.2);
+  for (Series& series : result.series)
+    for (Point& point : series.points) {
+      const double mean = point.y.at("ns_per_particle_step");
+      const double own = series.name == "slow" && point.x == 1 ? std::exp(noise) : 1;
+      point.rounds = {{mean * own, 10 * mean, mean / own / 10}, series.name == "slow" ? "one" : session_of_steep};
+    }
+  return result;
+}
+
+TEST(CostCriterion, TimesOfTheSameRoundsAreComparedRoundByRound) {
+  const Criterion c = slope(Criterion::Kind::slope_ratio, 0.4, 0.6);
+  EXPECT_THAT(judge(c, two_timed_lines(0)).evidence, HasSubstr("over order 1 to 3 = 0.5 (asked: 0.4 to 0.6)"));
+  const ClaimPart part = judge(c, two_timed_lines(0.01));
+  EXPECT_EQ(part.verdict, PartVerdict::holds);
+  EXPECT_THAT(part.evidence, HasSubstr("over order 1 to 3 (0.485 to 0.516) = 0.5 (asked"))
+      << "without one of two rounds the time is 5 exp(±0.005), and the logarithm of the slope changes by 0.00625";
+  EXPECT_EQ(judge(c, two_timed_lines(0.2)).verdict, PartVerdict::inconclusive);
+  EXPECT_THAT(judge(c, two_timed_lines(0.01, "another")).evidence, HasSubstr("(0.371 to 0.629), not timed together"));
+}
+
+/// Without one of the rounds the times of `slow` are 5 exp(0.7) and 9: they fall.
+TEST(CostCriterion, WhereTheSignOfTheDivisorDependsOnARoundNothingIsDecided) {
+  Criterion c = slope(Criterion::Kind::slope_ratio, 100, 101);
+  c.series = {"steep"}, c.over = "slow";
+  EXPECT_EQ(judge(c, two_timed_lines(0.01)).verdict, PartVerdict::fails);
+  EXPECT_THAT(judge(c, two_timed_lines(1.4)).evidence, HasSubstr("(without bounds) = 2 (asked"));
 }
 
 /// The same numbers as errors are what they are.
@@ -110,6 +143,25 @@ TEST(CostCriterion, ARatioOfTimesHasTheirRange) {
   EXPECT_EQ(verdict(0.01, 0.3035, 0.4036), PartVerdict::holds) << "0.3536 ± 0.05";
   EXPECT_EQ(verdict(0.01, 0.3036, 0.4036), PartVerdict::inconclusive);
   EXPECT_EQ(verdict(0.01, 0.3035, 0.4035), PartVerdict::inconclusive);
+}
+
+/// At 0.01 the cost of `cheap` is the root of the product of its two, in each round.
+TEST(CostCriterion, ARatioOfTimesOfTheSameRoundsIsComparedRoundByRound) {
+  StudyResult result = two_costs();
+  for (Series& series : result.series)
+    for (Point& point : series.points) point.rounds = {{1, 20, 3}, "one"};
+  result.series[0].points[0].rounds.costs[1] = 20 * std::exp(0.1);
+  const auto evidence = [&](double error) {
+    Criterion c = criterion(Criterion::Kind::cost_ratio, "cheap", {}, 1);
+    c.over = "dear", c.window = {error, error};
+    return judge(c, result).evidence;
+  };
+  EXPECT_THAT(evidence(0.001), HasSubstr("at l2 1e-03 = 0.25 (asked")) << "the same in all rounds";
+  EXPECT_THAT(evidence(0.1), HasSubstr("at l2 1e-01 (0.433 to 0.577) = 0.5 (asked")) << "exp(± 4.303 / 3 * 0.1)";
+  EXPECT_THAT(evidence(0.01), HasSubstr("at l2 1e-02 (0.329 to 0.38) = 0.3536 (asked")) << "half of that";
+  result.series[1].points[1].rounds.session = "another";
+  EXPECT_THAT(evidence(0.1), HasSubstr("(0.433 to 0.577) = 0.5")) << "which this error does not need";
+  EXPECT_THAT(evidence(0.01), HasSubstr("(0.304 to 0.404), not timed together = 0.3536"));
 }
 
 TEST(CostCriterion, WhatNeverGetsThereHasNoRange) {

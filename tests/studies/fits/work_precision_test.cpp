@@ -58,6 +58,15 @@ TEST(WorkPrecision, RangesAddInSquaresBetweenTwoPoints) {
   EXPECT_NEAR(work_to_reach(0.001, front).half_range, 20, 1e-12);
 }
 
+TEST(WorkPrecision, RoundsFollowTheSamePowerLaw) {
+  const std::vector<WorkPoint> front{{1, 0.1, 0, {{1, 2, 0.5}, "one"}}, {100, 0.001, 0, {{100, 200, 50}, "one"}}};
+  const Rounds between = work_to_reach(0.01, front).rounds;
+  EXPECT_EQ(between.session, "one");
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(between.costs[k], 10 * front[0].rounds.costs[k], 1e-12);
+  EXPECT_EQ(work_to_reach(0.5, front).rounds, front[0].rounds);
+  EXPECT_EQ(work_to_reach(0.01, {front[0], {100, 0.001, 0, {{100, 200, 50}, "another"}}}).rounds, Rounds{});
+}
+
 TEST(WorkPrecision, Decades) {
   EXPECT_THAT(decades(0.002, 0.5), ElementsAre(0.1, 0.01));
   EXPECT_THAT(decades(0.01, 0.1), ElementsAre(0.1, 0.01));
