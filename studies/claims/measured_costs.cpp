@@ -34,6 +34,7 @@ struct Sum {
     rounds.push_back(is_time ? point.rounds : fits::Rounds{});
   }
   double of(std::span<const double> numbers) const {
+    if (numbers.empty()) return support::not_measured;
     return std::inner_product(weights.begin(), weights.end(), numbers.begin(), 0.0);
   }
   fits::Ranged ranged() const {

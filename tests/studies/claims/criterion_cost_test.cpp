@@ -69,6 +69,16 @@ TEST(CostCriterion, TheDivisorWidensTheRange) {
   EXPECT_EQ(verdict(1.59, 2.69), PartVerdict::inconclusive);
 }
 
+TEST(CostCriterion, WithoutAPointOfTheDivisorNothingIsKnown) {
+  StudyResult result = two_lines(0.2);
+  result.series[1].points.clear();
+  for (const auto kind : {Criterion::Kind::slope_ratio, Criterion::Kind::slope_share}) {
+    const ClaimPart part = judge(slope(kind, 0.4, 1), result);
+    EXPECT_EQ(part.verdict, PartVerdict::inconclusive);
+    EXPECT_THAT(part.evidence, HasSubstr("is not known"));
+  }
+}
+
 TEST(CostCriterion, WhereTheDivisorMayBe0NothingIsDecided) {
   StudyResult result = two_lines(1);
   std::swap(result.series[0].name, result.series[1].name);
