@@ -130,7 +130,8 @@ Table skip_table(const Benchmark& benchmark) {
 
 Table thread_table(const Benchmark& benchmark) {
   Table table{
-      "What two threads make of a case, quadratic B-splines, whole end time: ns per particle and step by the clock",
+      "What two threads make of a case, quadratic B-splines, whole end time: ns per particle and step, of one by the "
+      "processor's time, of two by the clock",
       {"case", "one thread", "one thread, range %", "two threads", "two threads, range %", "times as fast"},
       {}};
   for_pairs(benchmark, "threads", "one", "two",

@@ -18,7 +18,7 @@ inline cases::Case case_of(const std::string& settings) {
   return settings::make_case(list);
 }
 
-/// Which seconds count: the processor's, of one thread, or the clock's.
+/// Which seconds count: the processor's, after a first run; or those of a first run, of several threads by the clock.
 enum class Seconds { processor, clock };
 
 /// Runs the case to its end; what the record says of its steps is the time, set-up and norms apart.

@@ -1,6 +1,6 @@
 #include "tests/benchmark/studied_case.hpp"
 
-/// What two threads make of a step: the same case on one and on two, both by the clock.
+/// What two threads make of a step: the same case on one, by the processor's time, and on two, by the clock.
 namespace mpmvv {
 
 void add_thread_benchmarks() {

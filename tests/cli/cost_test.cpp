@@ -46,8 +46,8 @@ TEST_F(CostCommand, EndsWithTheMeanOfTheCases) {
                         "cases: pass, 0.000 (99 %: 0.000 to 0.000; at most 1.03)\n"));
 }
 
-/// What runs once is timed by the clock, which goes on while other processes run.
-TEST_F(CostCommand, CountsTheProcessorsTime) {
+/// What runs once finds the machine cold.
+TEST_F(CostCommand, CountsRepeatedTimes) {
   EXPECT_EQ(beside("case \"$*\" in *'--repeat 3'*) " + cost(1e9) + ";; *) " + cost(1e-3) + ";; esac").code, 0);
 }
 
