@@ -41,7 +41,7 @@ struct Measure {
       1;  ///< unstable when the largest displacement error exceeds this times the problem's displacement scale
   double blowup_energy = 10;  ///< unstable when kinetic + strain energy exceeds this times the initial total
   bool whole = false;         ///< run the whole body, even where a part and its images give the same numbers
-  int repeat = 0;             ///< runs, alone on the machine, whose median cost is kept; 0: the cost is no evidence
+  int repeat = 0;             ///< timed runs, alone on the machine, whose mean cost is kept; 0: the cost is no evidence
 
   auto operator<=>(const Measure&) const = default;
 };

@@ -180,7 +180,7 @@ const std::vector<SettingKey>& setting_keys() {
       {"blowup_energy", "unstable beyond this energy, in initial energies",
        read_by(&parse_number, &Measure::blowup_energy)},
       {"whole", "all of a body, not the part of which images make it", flag(&Measure::whole)},
-      {"repeat", "run alone so often (3 or more) and keep the median cost",
+      {"repeat", "time the steps so often (3 or more), alone and by turns, and keep the mean cost",
        read_by(whole_from(3, 99), &Measure::repeat), KeyOf::every, Absent{"", "not measured"}},
   };
   return keys;

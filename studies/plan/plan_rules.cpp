@@ -143,7 +143,7 @@ void require_cost(const StudyPlan& plan, const std::string& where) {
   if (!plan.check.empty() || plan.sweep.empty() || !every_series_has(plan, "repeat"))
     throw UsageError(
         fmt::format("cost in {} without a sweep and `repeat` in every series (it says how often a case runs "
-                    "for its median cost)",
+                    "for its cost)",
                     where));
 }
 
