@@ -60,7 +60,7 @@ records::ClaimPart judge(const Criterion& criterion, const records::StudyResult&
   }
   if (criterion.kind == Criterion::Kind::awaited) {
     part.verdict = PartVerdict::inconclusive;
-    part.evidence = "not run yet";
+    part.evidence = criterion.reason.empty() ? "no study judges it" : criterion.reason;
     return part;
   }
   part.verdict = PartVerdict::inconclusive;

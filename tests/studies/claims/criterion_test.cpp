@@ -292,7 +292,10 @@ TEST(Criterion, ARatioOfCostsGetsNoMilderTheMoreRunsAreUnstable) {
 }
 
 TEST(Criterion, WhatIsAwaitedKeepsAClaimFromBeingConfirmed) {
-  EXPECT_EQ(judge(criterion(Kind::awaited, "", {}, {}), two_series()).verdict, PartVerdict::inconclusive);
+  Criterion awaited = criterion(Kind::awaited, "", {}, {});
+  EXPECT_EQ(judge(awaited, two_series()).verdict, PartVerdict::inconclusive);
+  awaited.reason = "the paper does not print the density";
+  EXPECT_EQ(judge(awaited, two_series()).evidence, awaited.reason) << "no run says more";
 }
 
 TEST(Criterion, AnUnknownSeriesIsInconclusive) {
