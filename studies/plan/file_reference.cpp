@@ -86,7 +86,7 @@ Measure measure_of(Criterion::Kind kind) {
     case Criterion::Kind::shown:
       return {"none: the figure is the evidence", {}};
     case Criterion::Kind::awaited:
-      return {"none: no study can judge this part of the claim yet", {}};
+      return {"none: no study can judge this part of the claim; `reason` says what would decide it", {}};
   }
   return {};
 }
