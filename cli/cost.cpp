@@ -15,6 +15,7 @@
 #include "cli/help.hpp"
 #include "cli/shipped.hpp"
 #include "cli/table.hpp"
+#include "studies/fits/median.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 #include "studies/support/process.hpp"
@@ -62,7 +63,7 @@ struct TimedRun {
   std::string program, options;
 };
 
-/// The clock would count what other processes take. A run that repeats its steps counts the processor's time.
+/// Each run times its steps three times.
 support::ProcessEnd end_of(const TimedRun& run) {
   std::vector<std::string> command{run.program, "run", "--json", "--repeat", "3"};
   std::istringstream words(run.options);
@@ -70,14 +71,16 @@ support::ProcessEnd end_of(const TimedRun& run) {
   return support::run_process(command, ".", {}, std::chrono::minutes(5));
 }
 
-/// ns per particle and step; none where the program has not carried the run out.
+/// ns per particle and step, the median of the run's rounds; none where the program has not carried the run out. An
+/// older program gives the median alone.
 std::optional<double> cost_of(const support::ProcessEnd& end) {
   if (!end.good()) return {};
   const auto record = nlohmann::json::parse(end.output, nullptr, false);
   if (!record.is_object() || record.value("status", nlohmann::json()) != "ok") return {};
   const auto cost = record.value("ns_per_particle_step", nlohmann::json());
   if (!cost.is_number()) return {};
-  const double ns = cost;  // comparing the JSON value would take two seconds to compile
+  const auto rounds = record.value(nlohmann::json::json_pointer("/cost/rounds"), std::vector<double>());
+  const double ns = rounds.empty() ? cost.get<double>() : fits::median_of(rounds);
   return ns > 0 ? std::optional(ns) : std::nullopt;
 }
 

@@ -16,8 +16,9 @@ namespace mpmvv::cli {
 namespace {
 
 nlohmann::json json_of(const plan::StudyForecast& s) {
-  return {{"study", s.study}, {"cases", s.cases}, {"stored", s.stored}, {"shared", s.shared},   {"runs", s.runs},
-          {"parts", s.parts}, {"timed", s.timed}, {"probes", s.probes}, {"seconds", s.seconds}, {"why", s.why}};
+  return {{"study", s.study},   {"cases", s.cases},     {"stored", s.stored}, {"shared", s.shared},
+          {"runs", s.runs},     {"parts", s.parts},     {"timed", s.timed},   {"anew", s.anew},
+          {"probes", s.probes}, {"seconds", s.seconds}, {"why", s.why}};
 }
 
 void print_studies(const std::vector<plan::StudyForecast>& studies) {

@@ -71,7 +71,7 @@ std::vector<double> error_decades(const records::StudyResult& study, const recor
 
 Table cheapest_table(const records::StudyResult& study) {
   Table table{"Cheapest series for a given error (step seconds on one core, power laws between measured runs)",
-              {"error", "cheapest", "cheapest, s", "as cheap within ranges", "next", "next, s", "times as much",
+              {"error", "cheapest", "cheapest, s", "as cheap within intervals", "next", "next, s", "times as much",
                "do not reach it"},
               {}};
   for (const records::Figure& figure : study.figures) {

@@ -88,7 +88,7 @@ fits::Estimate quotient(const Sum& a, const Sum& b) {
 void add(const std::string& label, const fits::Estimate& quotient, bool is_paired, Measured& out) {
   const Interval interval{quotient.lower, quotient.upper};
   std::string text = range_text(interval);
-  if (!text.empty() && !is_paired && std::isfinite(quotient.value)) text += ", not timed together";
+  if (!text.empty() && !is_paired && std::isfinite(quotient.value)) text += ", not timed in the same rounds";
   out.add(label, quotient.value, interval, text);
 }
 

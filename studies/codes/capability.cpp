@@ -51,12 +51,11 @@ bool has_name(const std::string& text, const std::string& name) {
 }
 
 /// Returns the condition on the boundary as a whole, such as is_wall, by which the templates tell boundaries; empty if
-/// they have none, or also fields of faces or the text of the boundary, which names the faces.
+/// they have none, or also fields of faces.
 std::string whole_condition(const Adapter& adapter) {
   std::string text;
   for (const InputFile& input : adapter.inputs) text += input.text + "\n";
   for (const std::string& word : adapter.command) text += word + "\n";
-  if (text.find("{{boundary}}") != std::string::npos) return "";
   for (std::size_t face = 0; face < 6; ++face)
     for (const std::string& field : {"boundary_" + face_name(face), face_name(face) + "_is_"})
       if (text.find(field) != std::string::npos) return "";
@@ -98,8 +97,7 @@ void require_able(const Adapter& adapter, const Case& c) {
   if (const std::string whole = whole_condition(adapter); boundaries_of(c, problem).size() > 1 && !whole.empty())
     throw support::UsageError(fmt::format(
         "code '{}' cannot run problem '{}': its faces differ, {}, and the templates of {} ask {} but nothing "
-        "of a face (such as xmin_is_wall or boundary_xmin; or {{{{boundary}}}}, the faces' words in one; "
-        "docs/adapters.md)",
+        "of a face (such as xmin_is_wall or boundary_xmin, docs/adapters.md)",
         adapter.name, problem.name, c.scheme.boundary, adapter.folder.string(), whole));
   const StartState start = start_state(on_few_cells(c));
   if (!able.initial_velocity && !is_at_rest(start, problem.wave_speed(c.problem.parameters)))

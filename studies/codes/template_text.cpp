@@ -78,10 +78,19 @@ std::string face_in(const std::string& name) {
   return "";
 }
 
+bool is_motion_of(const std::string& face, const std::string& name) {
+  return name == face + "_position" || name == face + "_velocity";
+}
+
 /// Whether the name is that of a component or a face along an axis that the case lacks: with x in the place of y or z
 /// it exists.
 bool is_of_more_dimensions(std::string name, const TemplateFields& fields) {
-  if (const std::string face = face_in(name); !face.empty()) return !fields.get("boundary_" + face);
+  if (const std::string face = face_in(name); !face.empty()) {
+    if (fields.get("boundary_" + face)) return false;
+    if (is_motion_of(face, name)) return true;
+    name[name.find(face)] = 'x';
+    return fields.get(name) != nullptr;
+  }
   const auto axis = std::string_view("yzYZ").find(name.back());
   if (axis == std::string_view::npos) return false;
   name.back() = axis < 2 ? 'x' : 'X';
@@ -93,7 +102,7 @@ std::string hint(const std::string& name, const TemplateFields& fields) {
   if (name.find_first_of("{}") != std::string::npos) return of_braces;
   if (is_of_more_dimensions(name, fields))
     return "the case has fewer dimensions: between {{#is_plane}} and {{/is_plane}}, or is_solid";
-  if (const std::string face = face_in(name); name == face + "_position" || name == face + "_velocity")
+  if (const std::string face = face_in(name); is_motion_of(face, name))
     return fmt::format(
         "the face has no wall whose motion is known here: between {{{{#{0}_is_wall}}}} and {{{{/{0}_is_wall}}}}", face);
   return "docs/adapters.md lists them, beside those of the adapter's [fields] and [variants]";

@@ -133,11 +133,12 @@ void CasePool::time_all(const std::vector<Case>& cases) {
     const Admission::Place place(admission_, options_.jobs, memory);
     records = codes::run_timed(cases, options_.codes);
   }
-  for (const Record& record : records) keep(finish(record, 1));
+  for (Record& record : records) record = finish(record, 1);
+  keep(std::move(records));
 }
 
 void CasePool::run(const Case& c, double seconds_of_all) {
-  if (!count_if_done(c)) keep(record_of(c, seconds_of_all));
+  if (!count_if_done(c)) keep({record_of(c, seconds_of_all)});
 }
 
 /// Whether a thread has run the case since it was found missing.
@@ -176,9 +177,9 @@ int CasePool::threads_for(double memory, double seconds, double seconds_of_all) 
 }
 
 /// One thread at a time writes to the store, all that has finished in one transaction; the others go on running.
-void CasePool::keep(const Record& record) {
+void CasePool::keep(std::vector<Record> records) {
   std::unique_lock lock(mutex_);
-  finished_.push_back(record);
+  std::ranges::move(records, std::back_inserter(finished_));
   if (is_writing_) return;
   is_writing_ = true;
   while (!finished_.empty()) {

@@ -67,7 +67,7 @@ class CasePool {
   void report_to(const std::function<void(const Progress&)>& listener);
   int threads_for(double memory, double seconds, double seconds_of_all) const;
   void time_all(const std::vector<cases::Case>& cases);
-  void keep(const records::Record& record);
+  void keep(std::vector<records::Record> records);
 
   store::Store& store_;
   RunnerOptions options_;

@@ -82,6 +82,7 @@ class Forecaster {
       const double seconds = add_time(c, study);
       if (c.measure.repeat > 0) {
         ++study.timed;
+        study.anew += timed_anew_.count(c);
         result_.timed_seconds += seconds;
       } else {
         loads_.push_back({seconds, c.scheme.code.empty()});
@@ -123,7 +124,8 @@ class Forecaster {
                             ? "its check is in the store"
                             : fmt::format("its check has not been run by this program, and counts {} s", about_check));
     const std::size_t all = study.runs + study.probes;
-    add(all > 0, "{} not in the store for this program", all);
+    add(all > study.anew, "{} not in the store for this program", all - study.anew);
+    add(study.anew > 0, "{} in the store timed anew, in the same rounds as the others", study.anew);
     add(plan.check.empty() && all == 0, "all there");
     add(study.parts > 0, "{} on a part of the body that its images complete", study.parts);
     add(study.timed > 0, "{} timed, alone at the end", study.timed);

@@ -92,9 +92,12 @@ bool is_timed(const StudyPlan& plan) {
   return std::ranges::any_of(sweep_cases(plan), [](const Case& c) { return is_timed(c); });
 }
 
-/// A probe runs the whole body: near the limit round-off decides, and it grows differently in a part of the body.
+/// A probe runs the whole body: near the limit round-off decides, and it grows differently in a part of the body. Its
+/// cost is not asked for.
 Case probe_case(const fits::LimitSearch& search, const SeriesPlan& replicate, double value) {
-  return settings::as_whole(case_at(replicate, search.key, value, replicate.where));
+  Case probe = case_at(replicate, search.key, value, replicate.where);
+  probe.measure.repeat = 0;
+  return settings::as_whole(probe);
 }
 
 std::vector<Case> scan_cases(const StudyPlan& plan, const SeriesPlan& replicate) {

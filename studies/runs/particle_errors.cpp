@@ -22,7 +22,7 @@ std::vector<ParticleError> ParticleErrors::reduced() const {
 
 std::vector<ParticleError> ParticleErrors::in_squares(double width) const {
   struct Square {
-    const One* nearest = nullptr;  ///< to its middle; of several the one with the least reference position
+    const One* nearest = nullptr;  ///< to its middle; of several, to round-off, the one with the least position at rest
     double distance = 0;           ///< of that one, squared
     double squares = 0;
     std::size_t count = 0;
@@ -32,7 +32,9 @@ std::vector<ParticleError> ParticleErrors::in_squares(double width) const {
     const double i = std::floor(one.X[0] / width), j = std::floor(one.X[1] / width);
     Square& square = found[{i, j}];
     const double distance = std::pow(one.X[0] - (i + 0.5) * width, 2) + std::pow(one.X[1] - (j + 0.5) * width, 2);
-    if (!square.nearest || std::pair(distance, one.X) < std::pair(square.distance, square.nearest->X))
+    const double nearer = square.distance - distance, round_off = 1e-9 * width * width;
+    const bool is_first = !square.nearest || one.X < square.nearest->X;
+    if (!square.nearest || nearer > round_off || (nearer >= -round_off && is_first))
       square.nearest = &one, square.distance = distance;
     square.squares += one.now.error * one.now.error;
     ++square.count;

@@ -67,7 +67,8 @@ std::int64_t insert_run_row(Database& database, const Columns& columns, const Va
       "runs", columns,
       fmt::format("ON CONFLICT (case_text, digest) DO UPDATE SET {} WHERE status = 'failed' AND "
                   "(excluded.status <> 'failed' OR excluded.failure IS 'case' OR failure IS NOT 'case') "
-                  "OR status = 'ok' AND excluded.cost_session IS NOT NULL",
+                  "OR status = 'ok' AND excluded.cost_session IS NOT NULL "
+                  "OR cost_session IS NOT NULL AND excluded.status <> 'ok'",
                   fmt::join(replacements, ", ")));
   if (kept > 0) seal(database, Sealed::run, id_of(database, case_text, digest).integer());
   return kept;

@@ -281,7 +281,7 @@ TEST(ReadBackTables, CheapestSeriesStandsBesideItsCost) {
   cheapest.add("costs: l2", {{"error", "1e-01"},
                              {"cheapest", "fast"},
                              {"cheapest, s", brief(fast)},
-                             {"as cheap within ranges", "–"},
+                             {"as cheap within intervals", "–"},
                              {"next", "slow"},
                              {"next, s", brief(slow)},
                              {"times as much", fmt::format("{:.2f}", slow / fast)},

@@ -78,7 +78,6 @@ TEST_F(TemplateFieldsOfCases, OfTheWholeBoundaryAreNotEnoughWhereFacesDiffer) {
   EXPECT_THAT([&] { require("{{#is_periodic}}around{{/is_periodic}}"); },
               ThrowsMessage<UsageError>(HasSubstr("ask is_periodic but nothing of a face")));
   EXPECT_NO_THROW(require("{{#is_wall}}closed{{/is_wall}} {{boundary_ymin}}"));
-  EXPECT_NO_THROW(require("{{#is_wall}}closed{{/is_wall}} {{boundary}}"));
   EXPECT_NO_THROW(require("{{#xmin_is_wall}}closed{{/xmin_is_wall}}"));
   EXPECT_NO_THROW(require("{{h}}")) << "it may have boundaries of its own";
 }

@@ -73,6 +73,19 @@ TEST_F(Forecasts, LetTheLongestStartFirstAndTimedOnesWait) {
   EXPECT_GE(two.seconds - two.timed_seconds, beside / 2);
 }
 
+TEST_F(Forecasts, SayWhatIsTimedAnewBesideWhatIsMissing) {
+  const auto timed = [&](const std::string& cells) {
+    return std::vector{study("timed", cells, "cfl = 0.4\nrepeat = 3")};
+  };
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  RunnerCounts counts;
+  run_studies(timed("[8, 10]"), store, {}, counts);
+  const StudyForecast more = forecast(timed("[8, 10, 12]"), &store, 1).studies.at(0);
+  EXPECT_EQ(more.timed, 3U);
+  EXPECT_EQ(more.anew, 2U);
+  EXPECT_THAT(more.why, HasSubstr("1 not in the store for this program; 2 in the store timed anew"));
+}
+
 TEST_F(Forecasts, CountTheChecksThatAreNotThere) {
   const auto file = folder_ / "jump.toml";
   std::ofstream(file) << "title = \"Jump\"\nclaims = []\ncheck = \"jump-errors\"\n";

@@ -52,6 +52,13 @@ TEST(ParticleErrors, OfASquareStandAtTheParticleNearestToItsMiddle) {
   EXPECT_NEAR(errors[0].y, 3 + 1.5 / 120, 1e-12);
 }
 
+TEST(ParticleErrors, OfSquaresWithFourInTheMiddleAreEquallySpaced) {
+  const auto errors = lattice(80).reduced();  // squares of 2 by 2
+  ASSERT_EQ(errors.size(), 1600U);
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    EXPECT_NEAR(errors[k].y - 3, (2.0 * static_cast<double>(k % 40) + 0.5) / 80, 1e-12) << k;
+}
+
 TEST(ParticleErrors, OfABodyInSpaceAreSeenAlongZ) {
   ParticleErrors errors(3, 0.5);
   for (const double z : {0.25, 0.75}) {

@@ -83,6 +83,8 @@ TEST_F(StoreTest, WhatIsTimedAnewReplacesWhatWasTimedBefore) {
     EXPECT_EQ(kept(), session);
   }
   store.keep(timed("", Status::failed), provenance());
+  EXPECT_EQ(store.find(record(8).the_case, "d1").value().status, Status::failed) << "it can be timed no more";
+  store.keep(timed("second"), provenance());
   EXPECT_EQ(kept(), "second");
   EXPECT_THAT(store.check(), testing::IsEmpty());
   Store(folder_ / "other.db", Store::Mode::create_or_write).keep(timed("third"), provenance());
