@@ -22,11 +22,11 @@ void for_numbers(const Visit& visit) {
     for (const RunNumber& number : *numbers) visit(number);
 }
 
-/// With all digits.
+/// With all digits; nulls where nothing was timed.
 void add_rounds(const fits::Rounds& rounds, Columns& columns) {
-  if (!rounds.costs.empty())
-    columns.insert(columns.end(),
-                   {{"step_costs", fmt::format("{}", fmt::join(rounds.costs, " "))}, {"cost_session", rounds.session}});
+  const bool is_timed = !rounds.costs.empty();
+  columns.emplace_back("step_costs", is_timed ? Value(fmt::format("{}", fmt::join(rounds.costs, " "))) : Value());
+  columns.emplace_back("cost_session", is_timed ? Value(rounds.session) : Value());
 }
 
 Columns run_columns(const Record& r) {

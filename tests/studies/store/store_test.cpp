@@ -84,6 +84,7 @@ TEST_F(StoreTest, WhatIsTimedAnewReplacesWhatWasTimedBefore) {
   }
   store.keep(timed("", Status::failed), provenance());
   EXPECT_EQ(store.find(record(8).the_case, "d1").value().status, Status::failed) << "it can be timed no more";
+  EXPECT_EQ(kept(), "");
   store.keep(timed("second"), provenance());
   EXPECT_EQ(kept(), "second");
   EXPECT_THAT(store.check(), testing::IsEmpty());
