@@ -44,6 +44,7 @@ std::string found_text(const ClaimPart& part) {
   if (known.empty()) return "-";
   if (known.size() <= 2) return fmt::format("{}", fmt::join(texts, ", "));
   const auto [least, most] = std::ranges::minmax(known);
+  if (least == most) return value_text(part, least);  // also where all are infinite, to runs that blew up
   return fmt::format("{} to {}", value_text(part, least), value_text(part, most));
 }
 

@@ -96,6 +96,14 @@ TEST_F(Claims, SayWhyTheyAreInconclusive) {
                                 "of 'bspline2' in l2 over cells 8 to 64 =")));
 }
 
+TEST_F(Claims, ANumberThatIsFoundEverywhereStandsOnce) {
+  const std::string text = stated_study() +
+                           "[[criterion]]\nclaim = \"linear\"\nstatement = \"as itself\"\nmeasure = \"error-ratio\"\n"
+                           "series = [\"linear\"]\nover = \"linear\"\nnorm = \"l2\"\nwindow = [8, 64]\nat_most = 2\n";
+  const Answer study = call(folder_, "study " + folder_.write("itself.toml", text) + " --db " + folder_ / "i.db");
+  EXPECT_THAT(study.out, ContainsRegex("holds +at most 2 +1 +as itself\n")) << study.err;
+}
+
 TEST_F(Claims, AndGroundsFitATerminalOf80Columns) {
   const std::string study = "study small.toml --verbose --db " + db_,
                     page = "claims linear second --verbose --db " + db_;
