@@ -12,7 +12,6 @@ using records::PartVerdict;
 using records::Point;
 
 using testing::HasSubstr;
-using testing::Not;
 
 TEST(Criterion, SaysWhatWasAskedAndEachNumberThatWasFound) {
   const records::ClaimPart order = judge(criterion(Kind::order, "good", 1.9, {}), two_series());
@@ -65,58 +64,6 @@ TEST(Criterion, ALimitBeyondAllThatWasTriedIsDecidedWhereItsSideDoes) {
   EXPECT_EQ(judged(true, false, {}, 0.8).verdict, PartVerdict::holds) << "below 0.25";
   EXPECT_THAT(judged(false, true, 0.8, {}).evidence,
               HasSubstr("cfl limit of 'good', unstable at all values tried, down to 0.25: below 0.25"));
-}
-
-TEST(Criterion, ARatioOfLimitsReachesFromTheEndsOfBothBrackets) {  // [1, 1.5] over [2, 4]
-  StudyResult result = two_series();
-  result.series[1].limit = result.series[0].limit;
-  result.series[0].limit->stable = 1, result.series[0].limit->unstable = 1.5;
-  result.series[1].limit->stable = 2, result.series[1].limit->unstable = 4;
-  const auto verdict = [&result](std::optional<double> at_least, std::optional<double> at_most) {
-    Criterion ratio = criterion(Kind::limit_ratio, "good", at_least, at_most);
-    ratio.over = "bad";
-    return judge(ratio, result).verdict;
-  };
-  EXPECT_EQ(verdict(0.25, 0.75), PartVerdict::holds);
-  EXPECT_EQ(verdict(0.26, {}), PartVerdict::inconclusive);
-  EXPECT_EQ(verdict({}, 0.74), PartVerdict::inconclusive);
-  EXPECT_EQ(verdict(0.76, {}), PartVerdict::fails);
-  EXPECT_EQ(verdict({}, 0.24), PartVerdict::fails);
-  result.series[0].limit->found = false;  // above 1, over [2, 4]: above 0.25
-  result.series[0].limit->unstable = NAN;
-  result.series[0].limit->probes = {{0.5, true, ""}, {1, true, ""}};
-  EXPECT_EQ(verdict(0.25, {}), PartVerdict::holds);
-  EXPECT_EQ(verdict(0.26, {}), PartVerdict::inconclusive);
-  EXPECT_EQ(verdict({}, 0.24), PartVerdict::fails);
-  std::swap(result.series[0].limit, result.series[1].limit);  // [2, 4] over what is above 1: below 4
-  EXPECT_EQ(verdict({}, 4), PartVerdict::holds);
-  EXPECT_EQ(verdict(4.1, {}), PartVerdict::fails);
-  result.series[0].limit = result.series[1].limit;
-  EXPECT_EQ(verdict({}, 4), PartVerdict::inconclusive) << "nothing is known of their ratio";
-}
-
-TEST(Criterion, ARatioOfLimitsSaysWhichIsNotMonotone) {
-  StudyResult result = two_series();
-  result.series[1].limit = result.series[0].limit;
-  Criterion ratio = criterion(Kind::limit_ratio, "good", 0.5, {});
-  ratio.over = "bad";
-  const auto what = [&] { return judge(ratio, result).found[0].what; };
-  EXPECT_THAT(what(), Not(HasSubstr("monotone")));
-  result.series[1].limit->monotone = false;
-  EXPECT_THAT(what(), testing::ContainsRegex(" and [0-9.]+, that of 'bad' not monotone$"));
-  result.series[0].limit->monotone = false;
-  EXPECT_THAT(what(), testing::EndsWith(", that of 'good' and 'bad' not monotone"));
-}
-
-TEST(Criterion, ReplicatesThatShareOneEndOfALimitDecideByIt) {
-  StudyResult result = two_series();
-  fits::StabilityLimit& limit = *result.series[0].limit;  // one is stable up to 1, the other throughout
-  limit.stable = 1, limit.unstable = NAN, limit.found = false;
-  limit.probes = {{0.5, true, ""}, {0.5, true, ""}, {1, true, ""}, {1.5, false, ""}, {1.5, true, ""}};
-  const auto judged = [&](double at_least) { return judge(criterion(Kind::limit, "good", at_least, {}), result); };
-  EXPECT_EQ(judged(0.9).verdict, PartVerdict::holds);
-  EXPECT_EQ(judged(1.2).verdict, PartVerdict::inconclusive);
-  EXPECT_THAT(judged(0.9).evidence, HasSubstr("replicates disagree: above 1"));
 }
 
 TEST(Criterion, AFailedRunLeavesItOpen) {

@@ -1,0 +1,41 @@
+#include <gmock/gmock.h>
+
+#include "studies/store/store.hpp"
+#include "tests/studies/store/store_samples.hpp"
+
+namespace mpmvv::store::timed_runs_test {
+
+using records::Record;
+using records::Status;
+
+using namespace store_samples;
+using TimedRuns = StoreTest;
+
+TEST_F(TimedRuns, MadeAnewReplaceThoseBefore) {
+  Store store(file_, Store::Mode::create_or_write);
+  const auto timed = [](const std::string& session, Status status = Status::ok) {
+    Record r = record(8);
+    r.status = status;
+    if (status == Status::ok) r.cost.rounds = {{1, 2, 3}, session};
+    return r;
+  };
+  const auto kept = [&] { return store.find(record(8).the_case, "d1").value().cost.rounds.session; };
+  for (const char* session : {"first", "second"}) {
+    store.keep(timed(session), provenance());
+    EXPECT_EQ(kept(), session);
+  }
+  store.keep(timed("", Status::failed), provenance());
+  EXPECT_EQ(store.find(record(8).the_case, "d1").value().status, Status::failed) << "it can be timed no more";
+  EXPECT_EQ(kept(), "");
+  store.keep(timed("second"), provenance());
+  EXPECT_EQ(kept(), "second");
+  EXPECT_THAT(store.check(), testing::IsEmpty());
+  Store(folder_ / "other.db", Store::Mode::create_or_write).keep(timed("third"), provenance());
+  Store::merge(file_, folder_ / "other.db");
+  EXPECT_EQ(kept(), "second") << "of two stores the first counts";
+  Store::merge(folder_ / "merged.db", file_);
+  EXPECT_EQ(Store(folder_ / "merged.db", Store::Mode::read).find(record(8).the_case, "d1")->cost.rounds,
+            timed("second").cost.rounds);
+}
+
+}  // namespace mpmvv::store::timed_runs_test
