@@ -99,8 +99,9 @@ std::string remedy(const ClaimPart& part, const Found& found) {
   if (is_said_to_be(part, found, "below ") || is_said_to_be(part, found, "above "))
     return "A search beyond the values tried might decide.";
   if (bracket_of(part, found)) return "A finer search might decide.";
-  const char* others = range_of(part, found).empty() ? "points" : is_of_times(part) ? "repetitions" : "replicates";
-  return fmt::format("Other {} might lie on its other side.", others);
+  const bool has_range = !range_of(part, found).empty();
+  if (has_range && is_of_times(part)) return "More rounds in one session might decide.";
+  return fmt::format("Other {} might lie on its other side.", has_range ? "replicates" : "points");
 }
 
 /// What was compared without what the row above says as well: "at cfl = 0.2" below "l2 of 'a' at cfl = 0.1".

@@ -71,7 +71,7 @@ TEST(IntervalText, SaysTheRangeOfTimes) {
   EXPECT_EQ(reach_of(part, part.found[0]), 0);
   EXPECT_EQ(interval_text(part, part.found[1]), "");
   EXPECT_EQ(interval_of(part, part.found[1]), std::pair(0.55, 0.55));
-  EXPECT_THAT(undecided_text(part), HasSubstr("at l2 1e-02 = 0.5 (0.3 to 0.7). Other repetitions might lie"));
+  EXPECT_THAT(undecided_text(part), HasSubstr("at l2 1e-02 = 0.5 (0.3 to 0.7). More rounds in one session might"));
 }
 
 TEST(IntervalText, SaysTheRangeOfReplicates) {
