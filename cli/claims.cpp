@@ -122,6 +122,7 @@ void print_page(const Claim& c, const std::vector<records::StudyResult>& results
     if (!text.empty()) print_indented(text);
   std::vector<LabelledPart> parts;
   for (const claims::JudgedPart& judged : c.parts) parts.push_back({judged.study, judged.part});
+  if (parts.empty() && c.id == reports::mutants_claim) print_indented("not judged yet for this version of the program");
   print("\n");
   print_criteria("study", parts);
   if (options.verbose) print_grounds(parts);

@@ -108,7 +108,7 @@ void print_record(const Record& r) {
   else if (records::has_unknown_steps(r) && !std::isnan(r.wall_seconds))
     print("\ntook {}\n", duration_text(r.wall_seconds));
   if (r.the_case.measure.repeat > 0)
-    print("cost {} s of steps, geometric mean of {} runs (range {:.0f} %)\n", error_text(r.cost.step_seconds),
+    print("cost {} s of steps, geometric mean of {} rounds (range {:.0f} %)\n", error_text(r.cost.step_seconds),
           r.the_case.measure.repeat, 100 * r.cost.spread);
 }
 

@@ -95,6 +95,7 @@ TEST_F(MutationResultsOnDisk, OfTheStoresFolderCountWhereTheyKnowMore) {
 TEST_F(MutationResultsOnDisk, AreMadeAnewByTheTree) {
   const auto page = [&] { return in_folder("claims X-mutants --db results/r.db").out; };
   EXPECT_THAT(page(), HasSubstr("repeat: ./run mutants && ./run alarms\n"));
+  EXPECT_THAT(page(), HasSubstr("not judged yet for this version of the program\n"));
   folder_.write("tests/mutation/summary.json", summary(own_digest(), 5, {}));
   EXPECT_THAT(page(), testing::AllOf(HasSubstr("repeat: ./run mutants && ./run alarms\n"), Not(HasSubstr("no study"))));
   ASSERT_EQ(in_folder("report --db results/r.db --out report").code, 0);
