@@ -50,14 +50,9 @@ nlohmann::json part_json(const claims::JudgedPart& judged) {
   const auto bound = [](const std::optional<double>& value) {
     return value ? nlohmann::json(*value) : nlohmann::json();
   };
-  return {{"study", judged.study},
-          {"statement", part.statement},
-          {"verdict", to_string(part.verdict)},
-          {"measure", part.measure},
-          {"at_least", bound(part.at_least)},
-          {"at_most", bound(part.at_most)},
-          {"found", found},
-          {"reason", part.reason}};
+  return {{"study", judged.study},   {"statement", part.statement},      {"verdict", to_string(part.verdict)},
+          {"measure", part.measure}, {"at_least", bound(part.at_least)}, {"at_most", bound(part.at_most)},
+          {"found", found},          {"evidence", part.evidence},        {"reason", part.reason}};
 }
 
 nlohmann::json claim_json(const Claim& c) {
@@ -140,7 +135,8 @@ const Claim& find_claim(const std::vector<Claim>& all, const std::string& id, co
   if (const auto found = std::ranges::find(all, id, &Claim::id); found != all.end()) return *found;
   std::vector<std::string> known;
   for (const Claim& c : all) known.push_back(c.id);
-  throw support::UsageError(fmt::format("unknown claim '{}' in {} (known: {})", id, db, support::listed(known)));
+  throw support::UsageError(fmt::format("unknown claim '{}': no study of this program in {} names it (known: {})", id,
+                                        db, support::listed(known)));
 }
 
 int show(const ClaimsOptions& options) {

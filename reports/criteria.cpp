@@ -144,6 +144,7 @@ std::size_t count(const claims::Claim& claim, PartVerdict verdict) {
 }  // namespace
 
 std::string asked_text(const ClaimPart& part) {
+  if (part.measure == "awaited") return "awaited";
   if (part.at_least && part.at_least == part.at_most) return fmt::format("{}", *part.at_least);
   if (part.at_least && part.at_most) return fmt::format("{} to {}", *part.at_least, *part.at_most);
   if (part.at_least) return fmt::format("at least {}", *part.at_least);

@@ -116,7 +116,8 @@ FileTable criterion_table() {
        {"window", "two numbers", "as [Measures](#measures) says", "first and last swept value that count"},
        {"at_least", "number", "no bound", "the least that the number may be; this or `at_most` or both"},
        {"at_most", "number", "no bound", "the most that the number may be"},
-       {"reason", "text", "none", "why it fails, written after looking at the evidence"}}};
+       {"reason", "text", "none",
+        "why it fails, written after looking at the evidence; of `awaited`: what would decide it"}}};
 }
 
 }  // namespace

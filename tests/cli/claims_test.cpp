@@ -116,12 +116,13 @@ TEST_F(Claims, AndGroundsFitATerminalOf80Columns) {
 TEST_F(Claims, AreFoundByTheirIdsAlone) {
   const Answer unknown = claims("secnod");
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err,
-              HasSubstr("unknown claim 'secnod' in " + db_ + " (known: second, linear; did you mean 'second'?)"));
+  EXPECT_THAT(unknown.err, HasSubstr("unknown claim 'secnod': no study of this program in " + db_ +
+                                     " names it (known: second, linear; did you mean 'second'?)"));
   const auto json = claims("linear --json").json()["claims"];
   ASSERT_EQ(json.size(), 1U);
   EXPECT_EQ(json[0]["criteria"][0]["at_most"], 1e-9);
   EXPECT_EQ(json[0]["criteria"][0]["found"][0]["value"].is_number(), true);
+  EXPECT_THAT(json[0]["criteria"][0]["evidence"].get<std::string>(), HasSubstr("asked: at most 1e-09"));
 }
 
 TEST_F(Claims, NeedAResultAsJsonToo) {

@@ -30,6 +30,12 @@ TEST(AskedText, HasAllDigitsOfABound) {
   EXPECT_EQ(asked_text(asked(std::nullopt, std::nullopt)), "");
 }
 
+TEST(AskedText, OfAnAwaitedPartIsThatWord) {
+  ClaimPart part;
+  part.measure = support::to_string(claims::Criterion::Kind::awaited);
+  EXPECT_EQ(asked_text(part), "awaited");
+}
+
 TEST(ToldFromBounds, HasFourDigitsOrThoseThatDiffer) {
   EXPECT_EQ(told_from_bounds(asked(1, std::nullopt), 1.0183456), "1.018");
   EXPECT_EQ(told_from_bounds(asked(0.33, 0.49), 0.329997), "0.329997");
