@@ -53,7 +53,8 @@ void BatchBench::build_group(std::size_t first) {
 bool BatchBench::is_sound(GateStage stage, std::chrono::seconds limit) {
   if (sound_.contains(stage)) return true;
   together_.choose(nullptr);
-  const Trial unedited = together_.meet(stage, limit);
+  Trial unedited = together_.meet(stage, limit);
+  if (unedited.caught) unedited = together_.meet(stage, limit);  // on a busy machine a test may fail once
   if (!unedited.caught) return sound_.insert(stage).second;
   tell_(fmt::format("with none of them chosen {} complains of {}: each goes alone", to_string(stage),
                     unedited.by.front()));
