@@ -7,6 +7,7 @@
 #include "studies/store/store.hpp"
 #include "studies/store/trial.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/cli/small_store.hpp"
 #include "tests/cli/small_study.hpp"
 
 namespace mpmvv::cli::claims_test {
@@ -35,16 +36,10 @@ std::string stated_study() {
 
 class Claims : public testing::Test {
  protected:
-  void SetUp() override {
-    const std::string file = folder_.write("small.toml", stated_study());
-    const Answer study = call(folder_, "study " + file + " --db " + db_);
-    ASSERT_EQ(study.code, 0) << study.err;
-  }
-
   Answer claims(const std::string& arguments = "") { return call(folder_, "claims " + arguments + " --db " + db_); }
 
   Folder folder_;
-  std::string db_ = folder_ / "r.db";
+  std::string db_ = store_of(folder_, stated_study());
 };
 
 TEST_F(Claims, HaveALineEach) {

@@ -6,6 +6,7 @@
 
 #include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/cli/small_store.hpp"
 #include "tests/cli/small_study.hpp"
 
 namespace mpmvv::cli::figure_test {
@@ -19,10 +20,7 @@ using testing::StartsWith;
 /// A folder with a store of one study that has one figure, `small`.
 class Figure : public testing::Test {
  protected:
-  Figure() {
-    folder_.write("small.toml", small_study);
-    call(folder_, "study small.toml --db r.db", there_);
-  }
+  Figure() { store_of(folder_); }
 
   Answer draw(const std::string& arguments) const {
     return call(folder_, "figure " + arguments + " --db r.db", there_);

@@ -1,10 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "tests/cli/program.hpp"
-#include "tests/cli/small_study.hpp"
+#include "tests/cli/small_store.hpp"
 
 namespace mpmvv::cli::gate_text_test {
 
@@ -18,8 +19,6 @@ class GateText : public testing::Test {
  protected:
   void SetUp() override {
     unsetenv("GITHUB_ACTIONS");  // set where GitHub runs these tests, and then the gate prints annotations, too
-    const std::string study = folder_.write("small.toml", small_study);
-    ASSERT_EQ(call(folder_, "study " + study + " --db " + db_).code, 0);
     std::filesystem::create_directories(folder_ / "goldens");
     golden("small",
            "[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"ok\"\n"
@@ -32,13 +31,14 @@ class GateText : public testing::Test {
     return call(folder_, "gate --db " + db_ + " --goldens " + (folder_ / "goldens") + " " + options);
   }
 
+  Folder folder_;
+
  private:
   void golden(const std::string& study, const std::string& expectations) {
     folder_.write("goldens/" + study + ".toml", "reviewed = \"now\"\nstudy = \"" + study + "\"\n" + expectations);
   }
 
-  Folder folder_;
-  std::string db_ = folder_ / "r.db";
+  std::string db_ = store_of(folder_);
 };
 
 TEST_F(GateText, WhatFailsComesFirstAndWhatPassesIsCounted) {
@@ -62,6 +62,17 @@ TEST_F(GateText, VerboseNamesEachGolden) {
   EXPECT_THAT(answer.out, AllOf(HasSubstr("status of 'linear' at 8: expected ok, measured ok\n"),
                                 HasSubstr("no study 'one' in the store"), HasSubstr("no study 'two' in the store"),
                                 Not(HasSubstr("nothing in the store"))));
+}
+
+TEST_F(GateText, AnnotatesForGithub) {
+  const std::string mark = "::error file=" + (folder_ / "goldens/small.toml") + ",line=7,title=small%3A status";
+  EXPECT_THAT(gate("--github").out, AllOf(HasSubstr("1 pass, 1 fail"), HasSubstr(mark)));
+  EXPECT_EQ(gate("--github --json").code, 2);
+  setenv("GITHUB_ACTIONS", "true", 1);
+  EXPECT_THAT(gate().out, HasSubstr(mark));
+  EXPECT_EQ(gate("--json").json()["fail"], 1);
+  unsetenv("GITHUB_ACTIONS");
+  EXPECT_THAT(gate().out, Not(HasSubstr("::error")));
 }
 
 }  // namespace mpmvv::cli::gate_text_test

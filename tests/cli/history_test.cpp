@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "studies/store/store.hpp"
 #include "studies/store/trial.hpp"
@@ -209,37 +208,6 @@ TEST_F(History, VersionsOfAnotherCode) {
   const Answer answer = ask("trend --code other");
   EXPECT_EQ(answer.code, 2);
   EXPECT_THAT(answer.err, HasSubstr("of other codes: my-code"));
-}
-
-TEST_F(History, GateAnnotatesForGithub) {
-  const std::string own = folder_ / "own.db";
-  const std::string study = folder_.write("small.toml", R"(title = "Small"
-claims = []
-[fixed]
-problem = "bar"
-integrator = "cd"
-boundary = "periodic"
-basis = "linear"
-ppc = 4
-cfl = 0.3
-[[series]]
-name = "linear"
-[sweep]
-cells = [8]
-)");
-  ASSERT_EQ(call(folder_, "study " + study + " --db " + own).code, 0);
-  std::filesystem::create_directories(folder_ / "goldens");
-  folder_.write("goldens/small.toml",
-                "study = \"small\"\n[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"unstable\"\n");
-  const std::string gate = "gate --db " + own + " --goldens " + (folder_ / "goldens");
-  const std::string mark = "::error file=" + (folder_ / "goldens/small.toml") + ",line=2,title=small%3A status";
-  EXPECT_THAT(call(folder_, gate + " --github").out, AllOf(HasSubstr("0 pass, 1 fail"), HasSubstr(mark)));
-  EXPECT_EQ(call(folder_, gate + " --github --json").code, 2);
-  setenv("GITHUB_ACTIONS", "true", 1);
-  EXPECT_THAT(call(folder_, gate).out, HasSubstr(mark));
-  EXPECT_EQ(call(folder_, gate + " --json").json()["fail"], 1);
-  unsetenv("GITHUB_ACTIONS");
-  EXPECT_THAT(call(folder_, gate).out, Not(HasSubstr("::error")));
 }
 
 /// The words of the front door that the workflow calls.

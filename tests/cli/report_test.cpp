@@ -1,13 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <regex>
 
 #include "studies/store/store.hpp"
 #include "studies/store/trial.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/cli/small_store.hpp"
 #include "tests/cli/small_study.hpp"
 
 /// What the command gathers for a report beside the results themselves.
@@ -35,7 +35,7 @@ class ReportCommand : public testing::Test {
 };
 
 TEST_F(ReportCommand, WritesPagesAndTheirFiguresOnce) {
-  ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
+  store_of(folder_);
   const Answer first = report();
   ASSERT_EQ(first.code, 0) << first.err;
   for (const char* name :
@@ -51,7 +51,7 @@ nlohmann::json points_in(const std::string& script) {
 }
 
 TEST_F(ReportCommand, SaysHowToRepeatEveryPoint) {
-  ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
+  store_of(folder_);
   ASSERT_EQ(report().code, 0);
   for (const char* file : {"studies/small.html", "claims/S-fig10.html"})
     EXPECT_THAT(page(file), HasSubstr("<script src=\"../points/small.js\" defer></script>")) << file;
@@ -175,7 +175,7 @@ ylabel = "error"
 
 /// A store with studies of one's own alone: the goldens that it has nothing for are a line, and no verdict.
 TEST_F(ReportCommand, OfOwnStudiesIsAboutThese) {
-  ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
+  store_of(folder_);
   ASSERT_EQ(report("--goldens " MPMVV_SOURCE_DIR "/goldens").code, 0);
   const std::string front = page("index.html");
   EXPECT_THAT(front,
@@ -214,7 +214,7 @@ TEST_F(ReportCommand, RepeatsAStudyOfAnAdapterFromItsFolder) {
 }
 
 TEST_F(ReportCommand, SaysWhatChangedSinceTheVersionBefore) {
-  ASSERT_EQ(call(folder_, "study " + folder_.write("small.toml", small_study) + " --db " + db_).code, 0);
+  store_of(folder_);
   {
     store::Store store(db_, store::Store::Mode::write);
     store::Provenance earlier = store::current_provenance();

@@ -9,6 +9,7 @@
 #include "studies/store/provenance.hpp"
 #include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/cli/small_store.hpp"
 #include "tests/cli/small_study.hpp"
 
 namespace mpmvv::cli::store_commands_test {
@@ -34,8 +35,7 @@ void damage(const std::string& file) {
 
 TEST(DbCommand, AMergeThatFailsLeavesNoTarget) {
   const Folder folder;
-  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db", target = folder / "target.db";
-  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  const std::string db = store_of(folder), target = folder / "target.db";
   damage(db);
   const Answer merge = call(folder, "db merge --db " + target + " " + db);
   EXPECT_EQ(merge.code, 2);
@@ -65,8 +65,7 @@ class SmallFiles {
 
 TEST(DbCommand, AnExportThatFailsLeavesWhatWasThere) {
   const Folder folder;
-  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
-  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  const std::string db = store_of(folder);
   const std::string csv = folder.write("old.csv", "old");
   {
     const SmallFiles limit(1000);
@@ -79,14 +78,13 @@ TEST(DbCommand, AnExportThatFailsLeavesWhatWasThere) {
 
 TEST(DbCommand, ForgetsAStudyThatNoReportCanHave) {
   const Folder folder;
-  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
-  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  const std::string db = store_of(folder);
   const Answer absent = call(folder, "db forget smal --db " + db);
   EXPECT_EQ(absent.code, 2);
   EXPECT_THAT(absent.err, HasSubstr("(known: small; did you mean 'small'?)"));
   EXPECT_EQ(call(folder, "db forget small --db " + db).code, 0);
   EXPECT_THAT(call(folder, "db info --db " + db).out, HasSubstr("records   8: 8 ok, 0 unstable, 0 failed\n"));
-  EXPECT_THAT(call(folder, "study " + file + " --db " + db).out, HasSubstr("0 cases run"));
+  EXPECT_THAT(call(folder, "study " + (folder / "small.toml") + " --db " + db).out, HasSubstr("0 cases run"));
 }
 
 TEST(DbCommand, PrintsTheFileOfAStudyThatTheStoreKeeps) {
@@ -103,8 +101,7 @@ TEST(DbCommand, PrintsTheFileOfAStudyThatTheStoreKeeps) {
 
 TEST(DbCommand, InfoHasNumbersForPrograms) {
   const Folder folder;
-  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
-  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  const std::string db = store_of(folder);
   const auto info = call(folder, "db info --json --db " + db).json();
   EXPECT_EQ(info["records"], 8);
   EXPECT_EQ(info["ok"], 8);
@@ -116,8 +113,7 @@ TEST(DbCommand, InfoHasNumbersForPrograms) {
 
 TEST(GateCommand, DoesNotPassWhatIsNotAsItWasWritten) {
   const Folder folder;
-  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
-  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  const std::string db = store_of(folder);
   std::filesystem::create_directories(folder / "goldens");
   folder.write("goldens/small.toml",
                "study = \"small\"\nreviewed = \"by hand\"\n[[order]]\nseries = \"bspline2\"\nnorm = \"l2\"\n"
@@ -137,8 +133,7 @@ TEST(GateCommand, DoesNotPassWhatIsNotAsItWasWritten) {
 
 TEST(StoreCommands, CheckSaysOfAStoreThatCannotBeOpenedWhatIsWrongAndNotToCheckIt) {
   const Folder folder;
-  const std::string db = folder / "r.db", check = "db check --db " + db;
-  ASSERT_EQ(call(folder, "study " + folder.write("small.toml", small_study) + " --db " + db).code, 0);
+  const std::string db = store_of(folder), check = "db check --db " + db;
   std::string bytes = read_text(db);
   for (std::size_t at; (at = bytes.find("claim_found")) != std::string::npos;) bytes[at] = 'C';
   folder.write("r.db", bytes);
@@ -154,8 +149,7 @@ TEST(StoreCommands, CheckSaysOfAStoreThatCannotBeOpenedWhatIsWrongAndNotToCheckI
 
 TEST(GateCommand, ExitCodesOfTheContract) {
   const Folder folder;
-  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
-  ASSERT_EQ(call(folder, "study " + file + " --db " + db).code, 0);
+  const std::string db = store_of(folder);
   std::filesystem::create_directories(folder / "goldens");
   const std::string gate = "gate --db " + db + " --goldens " + (folder / "goldens") + " ";
   const Answer empty = call(folder, gate);
@@ -222,10 +216,9 @@ TEST(GateCommand, SaysWhichStudyFileHasChangedSinceItWasRun) {
 TEST(GateCommand, DoesNotPassWhatIsOlderThanAsked) {
   const Folder folder;
   std::filesystem::create_directories(folder / "goldens");
-  folder.write("small.toml", small_study);
+  store_of(folder);
   folder.write("goldens/small.toml",
                "reviewed = \"now\"\nstudy = \"small\"\n[[status]]\nseries = \"linear\"\nat = 8\nexpected = \"ok\"\n");
-  ASSERT_EQ(carry_out(folder, "mpmvv study small.toml --db r.db").code, 0);
   EXPECT_EQ(carry_out(folder, "mpmvv gate --db r.db --max-age 12").code, 0);
   {
     store::Store store(folder / "r.db", store::Store::Mode::write);
@@ -246,9 +239,8 @@ TEST(GateCommand, DoesNotPassWhatIsOlderThanAsked) {
 
 TEST(ClaimsCommand, ATrialSaysNothingOfItsClaims) {
   const Folder folder;
-  const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";
-  const std::string study = "study " + file + " --db " + db, claim = "claims S-fig10 --db " + db;
-  ASSERT_EQ(call(folder, study).code, 0);
+  const std::string db = store_of(folder);
+  const std::string study = "study " + (folder / "small.toml") + " --db " + db, claim = "claims S-fig10 --db " + db;
   EXPECT_THAT(call(folder, claim).out, HasSubstr("S-fig10: confirmed"));
   EXPECT_THAT(call(folder, study + " --set shuffle=3").err, HasSubstr("small: takes the place of the study in "));
   const std::string page = call(folder, claim).out;
