@@ -52,6 +52,15 @@ TEST(ListCommand, WordsStandBesideTheirKeys) {
                                               ContainsRegex("\nmasses +lumped, consistent\n")));
 }
 
+TEST(ListCommand, HasProblemsAndWordsForPrograms) {
+  const Folder folder;
+  const auto all = call(folder, "list --json").json();
+  EXPECT_THAT(all["bases"].get<std::vector<std::string>>(),
+              testing::IsSupersetOf({"linear", "bspline2", "bspline3", "bspline2-open", "bspline3-open", "ugimp",
+                                     "gimp", "cpgimp", "cpdi"}));
+  EXPECT_EQ(all["problems"][0]["name"], "bar");
+}
+
 TEST(ListCommand, DialectsAreThoseOfTheCommandThatWritesFormulas) {
   const Folder folder;
   EXPECT_THAT(call(folder, "list dialects").out, ContainsRegex("dialect +of what\nc +C and C\\+\\+, with math.h"));

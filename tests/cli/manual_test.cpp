@@ -34,9 +34,8 @@ class Manual : public testing::Test {
 
   std::set<std::string> commands() const { return named("", "\n  ([a-z]+) +[A-Z]"); }
 
-  /// What bash offers for the last of these words.
+  /// What bash offers for the last of these words, with the completion that lies in the folder.
   std::string offered(const std::string& words) const {
-    folder_.write("mpmvv.bash", said("completion bash"));
     const Answer bash =
         shell("cd '" + (folder_ / "") + "' && bash -c 'source ./mpmvv.bash; COMP_WORDS=(mpmvv " + words +
               "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _mpmvv; echo \"${COMPREPLY[*]}\"' 2>&1");
@@ -124,6 +123,7 @@ TEST_F(Manual, IsSoundShell) {
 }
 
 TEST_F(Manual, CompletesInBash) {
+  folder_.write("mpmvv.bash", said("completion bash"));
   folder_.write("mine.db", "");
   std::filesystem::create_directories(folder_ / "mine");
   EXPECT_EQ(offered("r"), "run report\n");

@@ -78,13 +78,4 @@ TEST(SolutionCommand, SaysWhereItsPointsAreWrong) {
   }
 }
 
-TEST(ListCommand, NamesProblemsAndWords) {
-  const Folder folder;
-  const auto all = call(folder, "list --json").json();
-  EXPECT_THAT(all["bases"].get<std::vector<std::string>>(),
-              testing::IsSupersetOf({"linear", "bspline2", "bspline3", "bspline2-open", "bspline3-open", "ugimp",
-                                     "gimp", "cpgimp", "cpdi"}));
-  EXPECT_EQ(all["problems"][0]["name"], "bar");
-}
-
 }  // namespace mpmvv::cli::solution_test

@@ -42,12 +42,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Misspelt{"--integratr", "--integrator", "run --integratr cd"},
                     Misspelt{"--bd", "--db", "gate --bd r.db"}, Misspelt{"--vrsion", "--version", "--vrsion"},
                     Misspelt{"BSpline3", "bspline3", "run --problem bar --basis BSpline3 --cells 8 --ppc 2 --cfl 0.1"},
-                    Misspelt{"rnig", "ring", "run --problem rnig --cells 8 --ppc 2 --cfl 0.1"},
                     Misspelt{"basis", "bases", "list basis"},
                     Misspelt{"amplitud", "amplitude",
                              "run --problem bar --cells 8 --ppc 2 --cfl 0.1 --param amplitud=1"},
-                    Misspelt{.word = "pcp", .meant = "ppc", .in_study = "ppc"},
-                    Misspelt{.word = "criterio", .meant = "criterion", .in_study = "criterion"},
-                    Misspelt{.word = "perodic", .meant = "periodic", .in_study = "periodic"}));
+                    Misspelt{.word = "pcp", .meant = "ppc", .in_study = "ppc"}));
 
 }  // namespace mpmvv::cli::suggestion_test

@@ -56,8 +56,9 @@ TEST_F(StudyRunner, JobsShareThePoolAndTheStoreAndChangeNothing) {
   }
   for (std::size_t s = 0; s < 2; ++s)
     for (std::size_t k = 0; k < 4; ++k)
-      EXPECT_EQ(outcomes[0][0].result.series[s].points[k].y.at("l2"),
-                outcomes[1][0].result.series[s].points[k].y.at("l2"));
+      for (const char* error : {"l1", "l2", "linf"})
+        EXPECT_EQ(outcomes[0][0].result.series[s].points[k].y.at(error),
+                  outcomes[1][0].result.series[s].points[k].y.at(error));
 }
 
 TEST_F(StudyRunner, TimesWhatIsTimedWhenNothingElseWaits) {
