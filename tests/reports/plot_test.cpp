@@ -36,13 +36,6 @@ std::string message(const std::vector<Plot>& drawn, const fs::path& folder,
   return "no error";
 }
 
-/// A folder with a program `gnuplot` that is this shell script.
-void pretend_gnuplot(const fs::path& folder, const std::string& script) {
-  fs::create_directories(folder);
-  std::ofstream(folder / "gnuplot") << "#!/bin/sh\n" << script << "\n";
-  fs::permissions(folder / "gnuplot", fs::perms::owner_all);
-}
-
 TEST(Plot, DrawsSvgAndPdf) {
   const TempFolder folder;
   EXPECT_EQ(draw(plots(synthetic::convergence()), folder.path()), 1);

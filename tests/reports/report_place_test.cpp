@@ -48,12 +48,6 @@ std::string refusal(const std::string& label, const fs::path& out) {
   return "no error";
 }
 
-void pretend_gnuplot(const fs::path& folder, const std::string& script) {
-  fs::create_directories(folder);
-  std::ofstream(folder / "gnuplot") << "#!/bin/sh\n" << script << "\n";
-  fs::permissions(folder / "gnuplot", fs::perms::owner_all);
-}
-
 TEST(ReportPlace, AFailedReportLeavesTheOldOneWhole) {
   const TempFolder folder;
   write_report(input("old"), folder / "out", silent);

@@ -49,4 +49,12 @@ class PathVariable {
   std::string before_;
 };
 
+/// Makes a folder with a program `gnuplot` that is this shell script.
+inline void pretend_gnuplot(const std::filesystem::path& folder, const std::string& script) {
+  std::filesystem::create_directories(folder);
+  const auto program = folder / "gnuplot";
+  std::ofstream(program) << "#!/bin/sh\n" << script << "\n";
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+}
+
 }  // namespace mpmvv::reports
