@@ -60,8 +60,6 @@ TEST(ReportPlace, AFailedReportLeavesTheOldOneWhole) {
     EXPECT_THAT(refusal("new", folder / "a/b/first"), HasSubstr("broken"));
     EXPECT_FALSE(fs::exists(folder / "a")) << "a first report that fails leaves nothing";
   }
-  fs::create_directories(folder / "out/tables/probes/obstacle");
-  fs::create_directories(folder / "out/figures/bar-cfl-map.svg.d");
 }
 
 TEST(ReportPlace, AFolderInTheWayIsNamedAndNothingIsChanged) {
