@@ -19,6 +19,7 @@
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
+#include "studies/support/shell.hpp"
 
 namespace mpmvv::cli {
 
@@ -26,22 +27,17 @@ using reports::SeriesCommand;
 
 namespace {
 
-/// The text, in single quotes where a shell would take it apart.
-std::string shell_word(const std::string& text) {
-  const bool is_plain = std::ranges::all_of(text, [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string_view("{}+-.,=_/").find(static_cast<char>(c)) != std::string_view::npos;
-  });
-  return is_plain ? text : "'" + std::regex_replace(text, std::regex("'"), R"('\'')") + "'";
-}
+constexpr const char* any_value = "{}";  ///< for which a reader puts the value of a point
 
 std::string option_text(const std::string& key, const std::string& value) {
-  if (key.starts_with("param.")) return fmt::format(" --param {}={}", key.substr(6), shell_word(value));
+  const std::string word = value == any_value ? value : support::shell_word(value);
+  if (key.starts_with("param.")) return fmt::format(" --param {}={}", key.substr(6), word);
   std::string option = key;
   std::ranges::replace(option, '_', '-');
   const auto& keys = settings::setting_keys();
   const auto known = std::ranges::find(keys, key, &settings::SettingKey::key);
   if (known != keys.end() && known->member && known->member->is_flag) return value == "true" ? " --" + option : "";
-  return fmt::format(" --{} {}", option, shell_word(value));
+  return fmt::format(" --{} {}", option, word);
 }
 
 /// Whether a search asks for the whole body where a run would take a part of it.
@@ -59,7 +55,7 @@ std::string run_command(const plan::SeriesPlan& series, const std::string& key) 
   std::string text = "mpmvv run";
   for (const settings::Setting& setting : series.settings)
     if (const auto value = last.extract(setting.key)) text += option_text(setting.key, value.mapped());
-  return is_varied ? text + option_text(key, "{}") : text;
+  return is_varied ? text + option_text(key, any_value) : text;
 }
 
 /// The commands of a series: of its sweep, of the search of its limit, or both.
@@ -86,7 +82,7 @@ std::string trial_options(const std::string& trial) {
   for (std::sregex_iterator it(trial.begin(), trial.end(), one), end; it != end; ++it) {
     const std::smatch& part = *it;
     options += fmt::format(" {} {}={}", part[3] == part[4] ? "--set" : "--set-where-taken", part[1].str(),
-                           shell_word(part[2]));
+                           support::shell_word(part[2]));
   }
   return options;
 }

@@ -2,8 +2,11 @@
 #include <fmt/ranges.h>
 
 #include "cli/engines.hpp"
+#include "studies/support/shell.hpp"
 
 namespace mpmvv::cli {
+
+using support::shell_quoted;
 
 namespace {
 
@@ -53,17 +56,11 @@ merge=$(sbatch --parsable --dependency="afterany:${array%%;*}" "$folder/merge.sh
 echo "shards ${1:-1-$shards}: job ${array%%;*}; merge, gate and report: job ${merge%%;*}, $folder/merge.log"
 )sh";
 
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
 std::string list(const std::string& option, const std::vector<std::string>& values) {
   std::vector<std::string> words;
   for (const std::string& value : values) {
     if (!option.empty()) words.push_back(option);
-    words.push_back(quoted(value));
+    words.push_back(shell_quoted(value));
   }
   return fmt::format("({})", fmt::join(words, " "));
 }
@@ -93,8 +90,8 @@ std::string directives(const Submission& s, const char* name, const char* log, s
 std::string variables(const Submission& s) {
   return fmt::format(
       "program={}\nplace={}\nfolder={}\ndb={}\nstudies={}\ncosts={}\ngated={}\ngoldens={}\nshards={}\njobs={}\n",
-      quoted(s.program), quoted(s.place), quoted(s.folder), quoted(s.db), list("", s.files), list("--costs", s.costs),
-      list("--only", s.gated), list("--goldens", s.goldens), s.shards, s.jobs);
+      shell_quoted(s.program), shell_quoted(s.place), shell_quoted(s.folder), shell_quoted(s.db), list("", s.files),
+      list("--costs", s.costs), list("--only", s.gated), list("--goldens", s.goldens), s.shards, s.jobs);
 }
 
 }  // namespace
