@@ -1,7 +1,5 @@
 #include "cli/earlier.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "cli/change_text.hpp"

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "cli/console.hpp"
 #include "cli/criteria_text.hpp"
 #include "cli/error_tables.hpp"

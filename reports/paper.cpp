@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "page_template.hpp"
 #include "reports/paper_document.hpp"
 #include "reports/plot.hpp"

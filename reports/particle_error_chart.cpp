@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "reports/panels.hpp"
 #include "reports/particle_spacing.hpp"

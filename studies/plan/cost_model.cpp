@@ -1,7 +1,5 @@
 #include "studies/plan/cost_model.hpp"
 
-#include <algorithm>
-
 #include "studies/plan/estimates.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/settings/part.hpp"

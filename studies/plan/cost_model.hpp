@@ -1,8 +1,4 @@
 #pragma once
-#include <map>
-#include <string>
-#include <tuple>
-
 #include "studies/cases/case.hpp"
 #include "studies/store/store.hpp"
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 
 #include "studies/codes/fields.hpp"
 #include "studies/plan/study_inputs.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <utility>
 
 #include "studies/plan/file_tables.hpp"
 #include "studies/plan/plan_rules.hpp"

@@ -1,5 +1,4 @@
 #include <array>
-#include <cmath>
 
 #include "tests/goldens/healthy_study.hpp"
 

@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-
 #include "reports/criteria.hpp"
 
 namespace mpmvv::reports::criterion_bar_test {

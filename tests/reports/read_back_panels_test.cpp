@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "tests/reports/distinct.hpp"
 #include "tests/reports/read_back_drawing.hpp"

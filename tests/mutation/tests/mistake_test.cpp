@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <fstream>
 #include <set>
-#include <sstream>
 
 #include "studies/support/error.hpp"
 #include "tests/mutation/anchor.hpp"

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "studies/claims/measured.hpp"
 #include "tests/studies/claims/criterion_samples.hpp"

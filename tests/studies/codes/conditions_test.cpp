@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-
 #include "studies/settings/settings.hpp"
 
 namespace mpmvv::codes::conditions_test {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "studies/support/error.hpp"
 #include "tests/numbers.hpp"

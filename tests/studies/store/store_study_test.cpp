@@ -1,7 +1,4 @@
-#include <fmt/ranges.h>
 #include <gmock/gmock.h>
-
-#include <limits>
 
 #include "tests/numbers.hpp"
 #include "tests/studies/store/store_samples.hpp"

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "studies/store/schema.hpp"
 #include "tests/numbers.hpp"

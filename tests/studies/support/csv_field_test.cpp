@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "studies/support/csv.hpp"
 
 namespace mpmvv::support::csv_field_test {
