@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "studies/settings/part.hpp"
+#include "tests/studies/plan/two_bases.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
 namespace mpmvv::plan::study_runner_test {
@@ -19,24 +20,7 @@ using store::Store;
 using store::store_samples::StoreTest;
 using StudyRunner = StoreTest;
 
-constexpr const char* text = R"(title = "Bar"
-claims = []
-[fixed]
-problem = "bar"
-boundary = "periodic"
-integrator = "cd"
-ppc = 2
-cfl = 0.4
-steps = 20
-[[series]]
-name = "quadratic"
-basis = "bspline2"
-[[series]]
-name = "cubic"
-basis = "bspline3"
-[sweep]
-cells = [4, 8, 16, 32]
-)";
+const std::string text = two_bases("4, 8, 16, 32");
 
 TEST_F(StudyRunner, JobsShareThePoolAndTheStoreAndChangeNothing) {
   const auto file = folder_ / "bar.toml";

@@ -1,10 +1,10 @@
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "studies/plan/forecast.hpp"
 #include "studies/plan/study_runner.hpp"
+#include "tests/studies/plan/two_bases.hpp"
 #include "tests/studies/store/store_samples.hpp"
 
 /// Cases whose cost is measured: all of a study take turns in one session.
@@ -15,26 +15,7 @@ using store::Store;
 using TimedStudies = store::store_samples::StoreTest;
 
 std::string timed_text(const std::string& cells) {
-  return fmt::format(R"(title = "Bar"
-claims = []
-[fixed]
-problem = "bar"
-boundary = "periodic"
-integrator = "cd"
-ppc = 2
-cfl = 0.4
-repeat = 3
-steps = 20
-[[series]]
-name = "quadratic"
-basis = "bspline2"
-[[series]]
-name = "cubic"
-basis = "bspline3"
-[sweep]
-cells = [{}]
-)",
-                     cells);
+  return two_bases(cells, "repeat = 3");
 }
 
 /// The sessions in which the points of a study were timed.
