@@ -113,7 +113,9 @@ class HelpExamples : public Help {
     ASSERT_TRUE(example.starts_with("mpmvv ")) << example;
     const Answer answer = call(folder_, example.substr(6), "cd '" + (folder_ / "") + "' && ");
     EXPECT_EQ(answer.code, 0) << example << "\n" << answer.err;
-    if (example.starts_with("mpmvv run")) EXPECT_THAT(answer.out, Not(HasSubstr("unstable"))) << example;
+    if (example.starts_with("mpmvv run")) {
+      EXPECT_THAT(answer.out, Not(HasSubstr("unstable"))) << example;
+    }
     EXPECT_LE(example.size(), 98U) << example;
   }
 

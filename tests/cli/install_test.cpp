@@ -73,8 +73,9 @@ TEST(ProcessorNightly, WithoutTheInstructionsOfTheBuildGetsALine) {
   EXPECT_THAT(old.out, MatchesRegex("mpmvv: this processor lacks .*AVX2 and FMA[^\n]*\n"));
   const Answer newer = shell("qemu-x86_64 -cpu Haswell '" MPMVV_PROGRAM "' --version 2>&1");
   EXPECT_EQ(newer.code, built.find("-mavx512vl") == std::string::npos ? 0 : 2);
-  if (newer.code != 0)
+  if (newer.code != 0) {
     EXPECT_THAT(newer.out, HasSubstr("mpmvv: this processor lacks what the program is built for, AVX-512;"));
+  }
 }
 
 /// What a run found; not what it cost.

@@ -86,7 +86,7 @@ double neo_hookean_difference(double A, const Elasticity& material, double end) 
 TEST(Wave, KnowsHowFarAFiniteLawLeavesIt) {
   const Elasticity material{1e4, 0.3, 1};
   const double c = std::sqrt((material.lambda() + 2 * material.mu()) / material.density);
-  for (const auto [ct, A, least] : {std::tuple{0.5, 1e-3, 0.98},
+  for (const auto& [ct, A, least] : {std::tuple{0.5, 1e-3, 0.98},
                                     {1.75, 1e-3, 0.97},
                                     {2.5, 1e-3, 0.85},
                                     {4.25, 1e-3, 0.97},

@@ -65,7 +65,9 @@ TEST(ErrorChart, UnstablePointsHaveABandAboveAllValuesOneBelowTheOther) {
   for (const Curve& curve : chart.curves)
     for (const Dot& dot : curve.dots) {
       EXPECT_TRUE(holds(chart, dot) || dot.mark == Mark::absent) << curve.name << dot.x;
-      if (dot.mark != Mark::unstable && dot.mark != Mark::absent) EXPECT_LT(dot.drawn, top_of_values(chart));
+      if (dot.mark != Mark::unstable && dot.mark != Mark::absent) {
+        EXPECT_LT(dot.drawn, top_of_values(chart));
+      }
     }
   ASSERT_EQ(chart.y.tics.back().text, "unstable");
   EXPECT_FALSE(std::ranges::any_of(chart.y.tics, [&](const Tic& tic) {

@@ -194,8 +194,12 @@ TEST(StabilityLimit, IslandsNearTheBracketThatTheScanMissesAreFound) {
     EXPECT_NEAR(found.stable, below ? 0.975 : 1.025, 0.011);
     EXPECT_NEAR(found.unstable, below ? 1.04 : 0.96, 0.01);
     for (const Probe& p : found.probes) {
-      if (below ? p.value <= found.stable : p.value >= found.stable) EXPECT_TRUE(p.stable) << p.value;
-      if (below ? p.value >= found.unstable : p.value <= found.unstable) EXPECT_FALSE(p.stable) << p.value;
+      if (below ? p.value <= found.stable : p.value >= found.stable) {
+        EXPECT_TRUE(p.stable) << p.value;
+      }
+      if (below ? p.value >= found.unstable : p.value <= found.unstable) {
+        EXPECT_FALSE(p.stable) << p.value;
+      }
     }
   }
 }
