@@ -34,12 +34,11 @@ struct ClaimsOptions {
 nlohmann::json found_json(const records::ClaimPart& part, const records::Found& found) {
   nlohmann::json json{{"what", found.what}, {"value", found.value}, {"text", found_text(part, found)}};
   if (std::isinf(found.value)) json["infinite"] = found.value > 0 ? 1 : -1;
-  const double half_width = reports::reach_of(part, found);
-  const auto [lower, upper] = reports::interval_of(part, found);
-  if (half_width > 0)
-    json["half_width"] = half_width;
-  else if (lower < upper && std::isfinite(lower))
-    json["interval"] = {lower, upper};
+  if (found.lower < found.upper && part.is_order())
+    json["half_width"] = found.value - found.lower;
+  else if (found.lower < found.upper && std::isfinite(found.lower))
+    json["interval"] = {found.lower, found.upper};
+  if (!found.remark.empty()) json["remark"] = found.remark;
   return json;
 }
 

@@ -11,6 +11,7 @@
 #include "cli/numbers.hpp"
 #include "cli/table.hpp"
 #include "reports/criteria.hpp"
+#include "studies/claims/found_text.hpp"
 
 namespace mpmvv::cli {
 
@@ -30,7 +31,7 @@ std::string value_text(const ClaimPart& part, double value) {
 }
 
 std::string found_text(const ClaimPart& part, const Found& found) {
-  return std::isnan(found.value) ? "-" : value_text(part, found.value) + reports::interval_text(part, found);
+  return std::isnan(found.value) ? "-" : value_text(part, found.value) + claims::interval_text(part, found);
 }
 
 std::string found_text(const ClaimPart& part) {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "reports/criterion_bar.hpp"
 #include "reports/text.hpp"
+#include "studies/claims/found_text.hpp"
 
 namespace mpmvv::reports {
 
@@ -22,59 +22,15 @@ namespace {
 
 using namespace template_data;
 
-/// What the evidence has in brackets behind a number that was found, from `start` on; empty without it.
-std::string bracketed(const ClaimPart& part, const Found& found, const std::string& start) {
-  const std::string before = found.what + " (" + start;
-  const auto at = part.evidence.find(before);
-  if (at == std::string::npos) return "";
-  const auto from = at + before.size();
-  return part.evidence.substr(from, part.evidence.find(')', from) - from);
-}
-
-/// Half of the interval of a number that was found, "0.74", as the evidence says it; empty without an interval.
-std::string half_width_of(const ClaimPart& part, const Found& found) {
-  const std::string text = bracketed(part, found, "±");
-  return text.substr(0, text.find(','));
-}
-
-/// " (finest segment 1.41)" of an order whose finest segment lies outside of its interval; else empty.
-std::string finest_segment_text(const ClaimPart& part, const Found& found) {
-  const std::string text = bracketed(part, found, "±");
-  const auto at = text.find(", ");
-  return at == std::string::npos ? "" : " (" + text.substr(at + 2) + ")";
-}
-
 bool is_of_times(const ClaimPart& part) {
   return part.measure == "cost-ratio" || part.measure.starts_with("slope-");
-}
-
-/// The range that times or replicates leave a number, "0.93 to 1.6" or "without bounds"; empty without one.
-std::string range_of(const ClaimPart& part, const Found& found) {
-  return is_of_times(part) || part.measure.starts_with("error") ? bracketed(part, found, "") : "";
-}
-
-/// Whether the evidence says this of what was found, in place of a bare number.
-bool is_said_to_be(const ClaimPart& part, const Found& found, const std::string& words) {
-  return part.evidence.find(fmt::format("{}: {}", found.what, words)) != std::string::npos;
-}
-
-/// The bracket of a limit or of a ratio of limits, as the name of the number says it; none where none was found.
-std::optional<std::pair<double, double>> bracket_of(const ClaimPart& part, const Found& found) {
-  const std::string between = "' between ";
-  const auto at = found.what.rfind(between);
-  if (!part.measure.starts_with("limit") || at == std::string::npos) return std::nullopt;
-  std::istringstream bracket(found.what.substr(at + between.size()));
-  double stable = 0, unstable = 0;
-  std::string conjunction;
-  if (!(bracket >> stable >> conjunction >> unstable)) return std::nullopt;
-  return std::minmax({stable, unstable});
 }
 
 /// How far inside its bounds a number lies, relative to the bound; negative beyond one. Where an interval leaves the
 /// verdict open, this is measured from the end of the interval that lies nearest to a bound or farthest beyond it.
 double margin(const ClaimPart& part, const Found& found) {
   const bool is_open = part.verdict == PartVerdict::inconclusive;
-  const auto [lower, upper] = is_open ? interval_of(part, found) : std::pair{found.value, found.value};
+  const auto [lower, upper] = is_open ? std::pair{found.lower, found.upper} : std::pair{found.value, found.value};
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](std::optional<double> bound, double inside) {
     if (bound) least = std::min(least, inside / std::max(std::abs(*bound), 1e-12));
@@ -96,12 +52,11 @@ const Found& deciding_number(const ClaimPart& part) {
 
 /// What might decide, where the interval of a number reaches across a bound.
 std::string remedy(const ClaimPart& part, const Found& found) {
-  if (is_said_to_be(part, found, "below ") || is_said_to_be(part, found, "above "))
-    return "A search beyond the values tried might decide.";
-  if (bracket_of(part, found)) return "A finer search might decide.";
-  const bool has_range = !range_of(part, found).empty();
-  if (has_range && is_of_times(part)) return "More rounds in one session might decide.";
-  return fmt::format("Other {} might lie on its other side.", has_range ? "replicates" : "points");
+  const bool is_open = found.lower < found.upper && (found.lower == found.value || found.upper == found.value);
+  if (part.is_limit())
+    return is_open ? "A search beyond the values tried might decide." : "A finer search might decide.";
+  if (is_of_times(part)) return "More rounds in one session might decide.";
+  return fmt::format("Other {} might lie on its other side.", part.is_order() ? "points" : "replicates");
 }
 
 /// What was compared without what the row above says as well: "at cfl = 0.2" below "l2 of 'a' at cfl = 0.1".
@@ -112,11 +67,10 @@ std::string beyond(const std::string& above, const std::string& what) {
 }
 
 data found_data(const ClaimPart& part, const Found& found, const std::string& above) {
-  return object(
-      {{"what", beyond(above, found.what)},
-       {"asked", asked_text(part)},
-       {"value", found_text(part, found.value) + interval_text(part, found) + finest_segment_text(part, found)},
-       {"bar", criterion_bar(part, found.value, interval_of(part, found))}});
+  return object({{"what", beyond(above, found.what)},
+                 {"asked", asked_text(part)},
+                 {"value", found_text(part, found.value) + claims::interval_text(part, found)},
+                 {"bar", criterion_bar(part, found.value, {found.lower, found.upper})}});
 }
 
 data part_data(const claims::JudgedPart& line) {
@@ -162,38 +116,11 @@ std::string told_from_bounds(const ClaimPart& part, double value) {
   return std::isnan(value) ? brief(value) : rounded(value);
 }
 
-std::string interval_text(const ClaimPart& part, const Found& found) {
-  if (is_said_to_be(part, found, "below ")) return " or less";
-  if (is_said_to_be(part, found, "above ")) return " or more";
-  if (is_said_to_be(part, found, "1 (both unstable)")) return " (both unstable)";
-  if (const std::string range = range_of(part, found); !range.empty()) return " (" + range + ")";
-  const std::string half = half_width_of(part, found);
-  return half.empty() ? "" : " ± " + half;
-}
-
-double reach_of(const ClaimPart& part, const Found& found) {
-  const std::string half = half_width_of(part, found);
-  return half.empty() ? 0 : std::stod(half);
-}
-
-std::pair<double, double> interval_of(const ClaimPart& part, const Found& found) {
-  constexpr double anywhere = std::numeric_limits<double>::infinity();
-  if (is_said_to_be(part, found, "below ")) return {0, found.value};
-  if (is_said_to_be(part, found, "above ")) return {found.value, anywhere};
-  if (const auto bracket = bracket_of(part, found)) return *bracket;
-  const std::string range = range_of(part, found);
-  const auto to = range.find(" to ");
-  if (to != std::string::npos) return {std::stod(range), std::stod(range.substr(to + 4))};
-  if (!range.empty()) return {-anywhere, anywhere};
-  const double reach = reach_of(part, found);
-  return {found.value - reach, found.value + reach};
-}
-
 std::string undecided_text(const ClaimPart& part) {
   if (part.found.empty() || part.evidence.find("an interval reaches across") == std::string::npos) return part.evidence;
   const Found& found = deciding_number(part);
   return fmt::format("An interval reaches across a bound: {} = {}{}. {}", found.what, found_text(part, found.value),
-                     interval_text(part, found), remedy(part, found));
+                     claims::interval_text(part, found), remedy(part, found));
 }
 
 std::string deciding_text(const claims::Claim& claim) {
@@ -208,7 +135,7 @@ std::string deciding_text(const claims::Claim& claim) {
   const Found& found = deciding_number(*deciding);
   const std::string subject = deciding->measure == "value" ? deciding->statement + ": " : "";
   return fmt::format("{}{}: {}{} (asked: {}{})", subject, found.what, found_text(*deciding, found.value),
-                     interval_text(*deciding, found), asked_text(*deciding),
+                     claims::interval_text(*deciding, found), asked_text(*deciding),
                      decisive == inconclusive ? "; inconclusive" : "");
 }
 

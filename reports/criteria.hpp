@@ -1,6 +1,5 @@
 #pragma once
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "reports/report.hpp"
@@ -14,17 +13,6 @@ std::string asked_text(const records::ClaimPart& part);
 
 /// A number that was found, with four digits, or with as many as tell it from the bounds.
 std::string told_from_bounds(const records::ClaimPart& part, double value);
-
-/// " ± 0.74" of what was found, " (0.93 to 1.6)" of what times or replicates make, " or less" of a limit below all that
-/// was tried, " (both unstable)" of the ratio of two runs without a result; empty where it has no interval.
-std::string interval_text(const records::ClaimPart& part, const records::Found& found);
-
-/// Half the width of the interval of a number that was found; 0 without one, of what times make and of limits.
-double reach_of(const records::ClaimPart& part, const records::Found& found);
-
-/// Where a number that was found may lie: by its ±, by its times or replicates, a limit by its bracket. From itself to
-/// itself without an interval.
-std::pair<double, double> interval_of(const records::ClaimPart& part, const records::Found& found);
 
 /// Why a criterion is inconclusive.
 std::string undecided_text(const records::ClaimPart& part);

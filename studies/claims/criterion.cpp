@@ -5,10 +5,12 @@
 
 #include <cmath>
 
+#include "studies/claims/found_text.hpp"
 #include "studies/claims/measured.hpp"
 
 namespace mpmvv::claims {
 
+using records::Found;
 using records::PartVerdict;
 
 namespace {
@@ -19,27 +21,24 @@ std::string bounds_text(const Criterion& c) {
 }
 
 /// Whether the whole interval is inside the bounds, wholly outside, or reaches across one of them.
-PartVerdict verdict_on(const Criterion& c, const Interval& interval) {
-  const auto [lower, upper] = interval;
-  if ((c.at_least && upper < *c.at_least) || (c.at_most && lower > *c.at_most)) return PartVerdict::fails;
-  const bool inside = (!c.at_least || lower >= *c.at_least) && (!c.at_most || upper <= *c.at_most);
+PartVerdict verdict_on(const Criterion& c, const Found& found) {
+  if ((c.at_least && found.upper < *c.at_least) || (c.at_most && found.lower > *c.at_most)) return PartVerdict::fails;
+  const bool inside = (!c.at_least || found.lower >= *c.at_least) && (!c.at_most || found.upper <= *c.at_most);
   return inside ? PartVerdict::holds : PartVerdict::inconclusive;
 }
 
-/// What was measured, as "LABEL = NUMBER" or in words.
-std::string measured_text(const Measured::Number& number) {
-  if (!number.words.empty()) return fmt::format("{}: {}", number.label, number.words);
-  if (std::isnan(number.value)) return fmt::format("{}{} is not known", number.label, number.remark);
-  return fmt::format("{}{} = {:.4g}", number.label, number.remark, number.value);
+std::string measured_text(const records::ClaimPart& part, const Found& found) {
+  const std::string text = std::isnan(found.value) ? " is not known" : fmt::format(" = {:.4g}", found.value);
+  return found.what + text + interval_text(part, found);
 }
 
 /// What was found; of a part that fails without the numbers that decided nothing, and with what is missing in their
 /// place.
-std::vector<records::Found> found_of(const Measured& measured, PartVerdict verdict) {
+std::vector<Found> found_of(const Measured& measured, PartVerdict verdict) {
   const bool fails = verdict == PartVerdict::fails;
-  std::vector<records::Found> found;
+  std::vector<Found> found;
   for (const Measured::Number& number : measured.numbers)
-    if (number.is_sure || !fails) found.push_back({number.label, number.value});
+    if (number.is_sure || !fails) found.push_back(number.found);
   if (fails && !measured.missing.empty()) found.push_back({measured.missing, support::not_measured});
   return found;
 }
@@ -68,11 +67,11 @@ records::ClaimPart judge(const Criterion& criterion, const records::StudyResult&
   std::vector<std::string> texts;
   bool all_hold = true, one_fails = false, all_known = measured.missing.empty() && !measured.numbers.empty();
   for (const Measured::Number& number : measured.numbers) {
-    texts.push_back(measured_text(number));
-    const PartVerdict verdict = verdict_on(criterion, number.interval);
+    texts.push_back(measured_text(part, number.found));
+    const PartVerdict verdict = verdict_on(criterion, number.found);
     all_hold = all_hold && verdict == PartVerdict::holds;
     one_fails = one_fails || (number.is_sure && verdict == PartVerdict::fails);
-    all_known = all_known && !std::isnan(number.value);
+    all_known = all_known && !std::isnan(number.found.value);
   }
   if (!measured.missing.empty()) texts.push_back(measured.missing);
   if (one_fails || (all_known && all_hold)) part.verdict = one_fails ? PartVerdict::fails : PartVerdict::holds;

@@ -49,11 +49,9 @@ std::optional<LimitRange> range_of_limit(const Series& series, Measured& out) {
 }
 
 /// Adds a number of which one end alone is known.
-void add_open(const std::string& label, double lower, double upper, Measured& out) {
-  const bool is_below = lower == 0;
-  const double end = is_below ? upper : lower;
-  out.add(label, end, Interval{lower, upper});
-  out.numbers.back().words = fmt::format("{} {:.4g}", is_below ? "below" : "above", end);
+void add_open(const std::string& label, double lower, double upper, const std::string& remark, Measured& out) {
+  const double end = lower == 0 ? upper : lower;
+  out.add(label, end, Interval{lower, upper}, remark);
 }
 
 void measure_limit(const Series& series, Measured& out) {
@@ -62,19 +60,18 @@ void measure_limit(const Series& series, Measured& out) {
   const StabilityLimit& limit = *series.limit;
   const std::string label = fmt::format("{} limit of '{}'", limit.key, series.name);
   if (range->is_open())
-    add_open(fmt::format("{}, {}", label, text_without_limit(limit)), range->lower, range->upper, out);
+    add_open(fmt::format("{}, {}", label, text_without_limit(limit)), range->lower, range->upper, "", out);
   else
-    out.add(fmt::format("{} between {:.4g} and {:.4g}{}", label, limit.stable, limit.unstable,
-                        limit.monotone ? "" : ", not monotone"),
-            limit.value(), Interval{range->lower, range->upper});
+    out.add(fmt::format("{} between {:.4g} and {:.4g}", label, limit.stable, limit.unstable), limit.value(),
+            Interval{range->lower, range->upper}, limit.monotone ? "" : "not monotone");
 }
 
-/// ", that of 'b' not monotone"; empty where both are.
+/// "that of 'b' not monotone"; empty where both are.
 std::string not_monotone_text(const Series& series, const Series& over) {
   std::vector<std::string> names;
   for (const Series* one : {&series, &over})
     if (!one->limit->monotone) names.push_back("'" + one->name + "'");
-  return names.empty() ? "" : fmt::format(", that of {} not monotone", fmt::join(names, " and "));
+  return names.empty() ? "" : fmt::format("that of {} not monotone", fmt::join(names, " and "));
 }
 
 void measure_limit_ratio(const Series& series, const Series& over, Measured& out) {
@@ -86,10 +83,10 @@ void measure_limit_ratio(const Series& series, const Series& over, Measured& out
   if (ratio.lower == 0 && std::isinf(ratio.upper))
     out.missing = fmt::format("nothing is known of the {}", label);
   else if (a->is_open() || b->is_open())
-    add_open(label + remark, ratio.lower, ratio.upper, out);
+    add_open(label, ratio.lower, ratio.upper, remark, out);
   else
-    out.add(fmt::format("{} between {:.4g} and {:.4g}{}", label, ratio.lower, ratio.upper, remark),
-            series.limit->value() / over.limit->value(), ratio);
+    out.add(fmt::format("{} between {:.4g} and {:.4g}", label, ratio.lower, ratio.upper),
+            series.limit->value() / over.limit->value(), ratio, remark);
 }
 
 void measure_value(const Criterion& c, const StudyResult& result, Measured& out) {
@@ -148,17 +145,6 @@ void measure_series(const Criterion& c, const StudyResult& result, const Series&
 }
 
 }  // namespace
-
-std::string range_text(const Interval& interval) {
-  const auto [lower, upper] = interval;
-  if (std::isinf(upper)) return " (without bounds)";
-  constexpr double round_off = 1e-12;
-  if (!(upper - lower > round_off * std::max(std::abs(lower), std::abs(upper)))) return "";
-  for (int digits = 3;; ++digits) {
-    const std::string from = fmt::format("{:.{}g}", lower, digits), to = fmt::format("{:.{}g}", upper, digits);
-    if (from != to) return " (" + from + " to " + to + ")";
-  }
-}
 
 Measured measure(const Criterion& c, const StudyResult& result) {
   Measured out;

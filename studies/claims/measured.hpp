@@ -11,28 +11,21 @@ struct Interval {
   double lower, upper;
 };
 
-/// " (0.93 to 1.6)", with as many digits as tell the ends apart; " (without bounds)"; empty for less than round-off.
-std::string range_text(const Interval& interval);
-
 /// Numbers measured for a criterion. `missing` says why something cannot be judged; else it is empty.
 struct Measured {
   struct Number {
-    std::string label;
-    double value;
-    Interval interval;        ///< the value alone where no uncertainty is known
-    std::string words;        ///< what people read instead of the bare number; else empty
-    std::string remark = {};  ///< stands behind the label; without "; ", which parts the numbers of the evidence
-    bool is_sure = true;      ///< false where something of the same series is missing, without which it may differ
+    records::Found found;
+    bool is_sure = true;  ///< false where something of the same series is missing, without which it may differ
   };
 
   std::vector<Number> numbers;
   std::string missing;
 
-  void add(const std::string& label, double value, const std::string& words = "") {
-    numbers.push_back({label, value, {value, value}, words});
+  void add(const std::string& what, double value, const std::string& remark = "") {
+    add(what, value, {value, value}, remark);
   }
-  void add(const std::string& label, double value, const Interval& interval, const std::string& remark = "") {
-    numbers.push_back({label, value, interval, "", remark});
+  void add(const std::string& what, double value, const Interval& interval, const std::string& remark = "") {
+    numbers.push_back({{what, value, interval.lower, interval.upper, remark}});
   }
 
   /// Adds what was measured of one series.

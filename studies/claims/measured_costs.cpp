@@ -10,6 +10,7 @@
 #include <numeric>
 #include <span>
 
+#include "studies/claims/found_text.hpp"
 #include "studies/claims/samples.hpp"
 #include "studies/claims/window_points.hpp"
 #include "studies/fits/work_precision.hpp"
@@ -86,10 +87,9 @@ fits::Estimate quotient(const Sum& a, const Sum& b) {
 
 /// Adds a quotient with its interval. One of ranges is wider than one of rounds, so the evidence says which it is.
 void add(const std::string& label, const fits::Estimate& quotient, bool is_paired, Measured& out) {
-  const Interval interval{quotient.lower, quotient.upper};
-  std::string text = range_text(interval);
-  if (!text.empty() && !is_paired && std::isfinite(quotient.value)) text += ", not timed in the same rounds";
-  out.add(label, quotient.value, interval, text);
+  const bool has_range = std::isfinite(quotient.value) && !range_text(quotient.lower, quotient.upper).empty();
+  out.add(label, quotient.value, Interval{quotient.lower, quotient.upper},
+          has_range && !is_paired ? "not timed in the same rounds" : "");
 }
 
 /// Says which of two series never gets down to the error, or that neither does; empty when both do.

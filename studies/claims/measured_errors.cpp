@@ -33,7 +33,7 @@ std::vector<double> replicates_at(const Series& series, double x, const std::str
 void add_mean(const std::string& label, double value, const std::vector<double>& replicates, Measured& out) {
   if (replicates.size() < 2) return out.add(label, value);
   const fits::ReplicateMean mean = fits::mean_of_replicates(replicates);
-  out.add(label, value, Interval{mean.lower, mean.upper}, range_text({mean.lower, mean.upper}));
+  out.add(label, value, Interval{mean.lower, mean.upper});
 }
 
 /// Adds a ratio with the interval of its replicates: runs with the same offset or order, one divided by the other.
@@ -46,7 +46,7 @@ void add_mean_ratio(const std::string& label, double value, const std::vector<do
   if (own.size() == other.size()) std::ranges::transform(own, other, std::back_inserter(ratios), std::divides{});
   if (ratios.empty() || (std::ranges::all_of(own, above_0) && std::ranges::all_of(other, above_0)))
     return add_mean(label, value, ratios, out);
-  out.add(label, value, Interval{-anywhere, anywhere}, range_text({-anywhere, anywhere}));
+  out.add(label, value, Interval{-anywhere, anywhere});
 }
 
 /// Says which number of a series makes no ratio: of one below 0 the sign would decide, and nothing is divided by 0.
@@ -76,7 +76,7 @@ void measure_ratios(const Criterion& c, const StudyResult& result, const Series&
       const std::string label =
           fmt::format("{} of '{}' over '{}' {}", c.norm, series.name, over.name, at_point(result, point.x));
       if (both_unstable)
-        out.add(label, 1, "1 (both unstable)");
+        out.add(label, 1, "both unstable");
       else
         add_mean_ratio(label, own / other, replicates_at(series, point.x, c.norm), replicates_at(over, point.x, c.norm),
                        out);

@@ -53,11 +53,12 @@ void add_order(const std::string& label, const ObservedOrder& fit, const StudyRe
                Measured& out) {
   constexpr double least_seen = 0.005;
   const double width = fits::half_width(fit), finest = finest_segment(fit, is_finer(fit.to, fit.from, result.sweep));
-  std::string text = width > 0 ? fmt::format("±{:.2g}", width) : "";
+  std::vector<std::string> remarks;
   if (width > 0 && std::abs(finest - fit.order) > std::max(1.001 * width, least_seen))
-    text += fmt::format(", finest segment {:.2f}", finest);
+    remarks.push_back(fmt::format("finest segment {:.2f}", finest));
+  if (!remark.empty()) remarks.push_back(remark);
   out.add(label, fit.order, Interval{fit.order - width, fit.order + width},
-          (text.empty() ? "" : " (" + text + ")") + remark);
+          fmt::format("{}", fmt::join(remarks, ", ")));
 }
 
 /// A series with one quantity: `norm` divided by `over_norm`, under the name `norm`.
@@ -82,7 +83,7 @@ void measure_order(const Criterion& c, const StudyResult& result, const Series& 
   const bool is_decided = !unstable.empty() && c.at_least;  // a lower bound fails, whatever the order of the others
   if (!unstable.empty() && !is_decided && fit.points < 3 && !fit.replicates && out.missing.empty())
     out.missing = fmt::format("too few points of '{}' are stable: {} of at least 3", series.name, fit.points);
-  const std::string without = unstable.empty() ? "" : fmt::format(", unstable at {}", fmt::join(unstable, ", "));
+  const std::string without = unstable.empty() ? "" : fmt::format("unstable at {}", fmt::join(unstable, ", "));
   if (!is_decided || !std::isnan(fit.order))
     add_order(fmt::format("order of '{}' in {} {}", series.name, c.norm, over_window(c, result)), fit, result, without,
               out);

@@ -88,6 +88,8 @@ struct ClaimText {
 struct Found {
   std::string what;
   double value = support::not_measured;
+  double lower = value, upper = value;  ///< where it may lie; the value alone where no uncertainty is known
+  std::string remark = {};              ///< "finest segment 1.42"; without "; ", which parts numbers of the evidence
 };
 
 /// One criterion of a claim, judged.
@@ -100,6 +102,9 @@ struct ClaimPart {
   std::string measure = {};  ///< the criterion's word, "order"; empty where no criterion of a study was judged
   std::optional<double> at_least = {}, at_most = {};
   std::vector<Found> found = {};  ///< in the order of the evidence
+
+  bool is_order() const { return measure.starts_with("order"); }
+  bool is_limit() const { return measure.starts_with("limit"); }
 };
 
 enum class StudyKind { convergence, limit, check };

@@ -169,7 +169,8 @@ void insert_part(Database& database, std::int64_t study, std::size_t ordinal, co
                {"at_most", part.at_most}});
   insert_items(database, "claim_found", {"study", study}, part.found, [ordinal](const records::Found& found) {
     const Value infinite = std::isinf(found.value) ? Value(found.value > 0 ? 1 : -1) : Value();
-    return Columns{{"part", ordinal}, {"what", found.what}, {"value", found.value}, {"infinite", infinite}};
+    return Columns{{"part", ordinal},      {"what", found.what},   {"value", found.value},  {"infinite", infinite},
+                   {"lower", found.lower}, {"upper", found.upper}, {"remark", found.remark}};
   });
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -155,10 +156,17 @@ records::Value load_value(const Row& row) {
 }
 
 records::Found load_found(const Row& row) {
+  constexpr double without_end = std::numeric_limits<double>::infinity();
   const Value& infinite = row["infinite"];
-  const double without_end = std::numeric_limits<double>::infinity();
-  return {.what = row["what"].text(),
-          .value = infinite.null() ? row["value"].real() : static_cast<double>(infinite.integer()) * without_end};
+  records::Found found{
+      .what = row["what"].text(),
+      .value = infinite.null() ? row["value"].real() : static_cast<double>(infinite.integer()) * without_end};
+  if (row["remark"].null()) return found;
+  found.remark = row["remark"].text();
+  if (!std::isfinite(found.value)) return found;
+  found.lower = row["lower"].optional_real().value_or(-without_end);
+  found.upper = row["upper"].optional_real().value_or(without_end);
+  return found;
 }
 
 records::ClaimPart load_part(const Database& database, const Row& row) {

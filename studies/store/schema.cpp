@@ -214,9 +214,17 @@ constexpr const char* schema_17 = R"sql(
   ALTER TABLE probes ADD COLUMN steps INTEGER;
 )sql";
 
+constexpr const char* schema_18 = R"sql(
+  -- Where a number that was found may lie, NULL: no end there, and what is to be said of it. NULL: an older store, which
+  -- has only the number.
+  ALTER TABLE claim_found ADD COLUMN lower REAL;
+  ALTER TABLE claim_found ADD COLUMN upper REAL;
+  ALTER TABLE claim_found ADD COLUMN remark TEXT;
+)sql";
+
 constexpr std::array written{schema_1,  schema_2,  schema_3,  schema_4,  schema_5,  schema_6,
                              schema_7,  schema_8,  schema_9,  schema_10, schema_11, schema_12,
-                             schema_13, schema_14, schema_15, schema_16, schema_17};
+                             schema_13, schema_14, schema_15, schema_16, schema_17, schema_18};
 
 /// The statements for the run numbers whose schema is later than those written above. Before another schema is written
 /// above by hand, these statements must be written there as well.

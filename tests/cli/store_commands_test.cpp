@@ -164,7 +164,7 @@ TEST(GateCommand, ExitCodesOfTheContract) {
   const auto claims = call(folder, "claims --db " + db + " --json").json()["claims"];
   const auto found = std::find_if(claims.begin(), claims.end(), [](const auto& c) { return c["id"] == "S-fig10"; });
   const std::string evidence = (*found)["evidence"];
-  const double order = std::stod(evidence.substr(evidence.find(") = ") + 4));
+  const double order = std::stod(evidence.substr(evidence.find(" = ") + 3));
   golden("bspline2", order);
   EXPECT_EQ(call(folder, gate + "--junit " + (folder / "gate.xml")).code, 0);
   EXPECT_THAT(read_text(folder / "gate.xml"), HasSubstr("<testsuites"));

@@ -46,57 +46,17 @@ TEST(ToldFromBounds, HasFourDigitsOrThoseThatDiffer) {
   EXPECT_EQ(told_from_bounds(asked(0, std::nullopt), 1e-310), "1e-310");
 }
 
-/// Both of the two runs are unstable: their ratio counts as 1 but is no evidence.
-TEST(IntervalText, SaysWhichRatioIsThatOfTwoUnstableRuns) {
-  records::StudyResult study;
-  study.sweep = "cfl";
-  for (const char* name : {"a", "b"})
-    study.series.push_back(
-        {name, {{0.1, records::Status::ok, "", {{"l2", 0.5}}}, {0.4, records::Status::unstable, "", {}}}, {}, {}});
-  claims::Criterion criterion;
-  criterion.kind = claims::Criterion::Kind::error_ratio, criterion.series = {"a"}, criterion.over = "b";
-  criterion.norm = "l2", criterion.window = {0.1, 0.4}, criterion.at_most = 1;
-  const ClaimPart part = claims::judge(criterion, study);
-  EXPECT_EQ(part.verdict, PartVerdict::holds);
-  ASSERT_EQ(part.found.size(), 2u);
-  EXPECT_EQ(interval_text(part, part.found[0]), "");
-  EXPECT_EQ(interval_text(part, part.found[1]), " (both unstable)");
-  EXPECT_THAT(part.evidence, HasSubstr("at cfl = 0.4: 1 (both unstable) (asked: at most 1)"));
-}
-
-/// The number is 0.5, 0.3 to 0.7; it is the other one that decides, which lies nearer to the bound but has no range.
-TEST(IntervalText, SaysTheRangeOfTimes) {
+/// The number is 0.5, 0.3 to 0.7; the other one lies nearer to the bound but has no range.
+TEST(UndecidedText, NamesTheNumberWhoseIntervalReachesAcross) {
   ClaimPart part = asked(std::nullopt, 0.6);
   part.measure = "cost-ratio", part.verdict = PartVerdict::inconclusive;
-  part.found = {{"cost of 'a' over 'b' at l2 1e-02", 0.5}, {"cost of 'a' over 'b' at l2 1e-03", 0.55}};
-  part.evidence =
-      "cost of 'a' over 'b' at l2 1e-02 (0.3 to 0.7) = 0.5; cost of 'a' over 'b' at l2 1e-03 = 0.55 (asked: at most "
-      "0.6, but an interval reaches across)";
-  EXPECT_EQ(interval_text(part, part.found[0]), " (0.3 to 0.7)");
-  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(0.3, 0.7));
-  EXPECT_EQ(reach_of(part, part.found[0]), 0);
-  EXPECT_EQ(interval_text(part, part.found[1]), "");
-  EXPECT_EQ(interval_of(part, part.found[1]), std::pair(0.55, 0.55));
+  part.found = {{"cost of 'a' over 'b' at l2 1e-02", 0.5, 0.3, 0.7}, {"cost of 'a' over 'b' at l2 1e-03", 0.55}};
+  part.evidence = "(asked: at most 0.6, but an interval reaches across)";
   EXPECT_THAT(undecided_text(part), HasSubstr("at l2 1e-02 = 0.5 (0.3 to 0.7). More rounds in one session might"));
-}
-
-TEST(IntervalText, SaysTheRangeOfReplicates) {
-  ClaimPart part = asked(std::nullopt, 0.6);
-  part.measure = "error", part.verdict = PartVerdict::inconclusive;
-  part.found = {{"l2 of 'a' at cells = 8", 0.5}};
-  part.evidence = "l2 of 'a' at cells = 8 (0.3 to 0.7) = 0.5 (asked: at most 0.6, but an interval reaches across)";
-  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(0.3, 0.7));
+  part.measure = "error", part.found[0].what = "l2 of 'a' at cells = 8";
   EXPECT_THAT(undecided_text(part), HasSubstr("= 0.5 (0.3 to 0.7). Other replicates might lie"));
-}
-
-TEST(IntervalOf, AnOrderLiesWithinItsHalfWidthWhateverItsFinestSegment) {
-  ClaimPart part = asked(1.95, std::nullopt);
-  part.measure = "order", part.verdict = PartVerdict::inconclusive;
-  part.found = {{"order of 'a'", 2}};
-  part.evidence = "order of 'a' (±0.1, finest segment 1.41) = 2 (asked: at least 1.95, but an interval reaches across)";
-  EXPECT_EQ(interval_text(part, part.found[0]), " ± 0.1");
-  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(1.9, 2.1));
-  EXPECT_THAT(undecided_text(part), HasSubstr("order of 'a' = 2 ± 0.1. Other points"));
+  part.measure = "order", part.found = {{"order of 'a'", 0.5, 0.3, 0.7, "finest segment 1.41"}};
+  EXPECT_THAT(undecided_text(part), HasSubstr("order of 'a' = 0.5 ± 0.2 (finest segment 1.41). Other points"));
 }
 
 fits::StabilityLimit limit(double stable, double unstable) {
@@ -121,33 +81,22 @@ ClaimPart judged_limits(const std::vector<fits::StabilityLimit>& limits, double 
   return claims::judge(criterion, study);
 }
 
-TEST(IntervalOf, ALimitLiesInItsBracket) {
+TEST(UndecidedText, OfABracketAsksForAFinerSearch) {
   for (const auto& found : {limit(0.4375, 0.4401), limit(0.4401, 0.4375)}) {
     const ClaimPart part = judged_limits({found}, 0.439);
     ASSERT_EQ(part.verdict, PartVerdict::inconclusive);
-    EXPECT_EQ(interval_of(part, part.found[0]), std::pair(0.4375, 0.4401));
-    EXPECT_EQ(reach_of(part, part.found[0]), 0);
+    EXPECT_EQ(part.found[0].lower, 0.4375);
+    EXPECT_EQ(part.found[0].upper, 0.4401);
     EXPECT_THAT(undecided_text(part), HasSubstr("= 0.4388. A finer search might decide."));
   }
 }
 
-TEST(IntervalOf, ARatioOfLimitsLiesWhereTheirBracketsLetIt) {
-  ClaimPart part;
-  part.measure = "limit-ratio", part.found = {{"limit of 'a' over 'b' between 0.9 and 1.2", 1.05}};
-  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(0.9, 1.2));
-  part.found[0].what = "limit of 'a' over 'b' between 0.9 and 1.2, that of 'b' not monotone";
-  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(0.9, 1.2));
-  part.found[0].what = "cfl limit of 'a' between 1 and 2, not monotone";
-  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(1.0, 2.0));
-  part.found[0].what = "cfl limit of 'a' between b', stable at all values tried, up to 1";
-  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(1.05, 1.05)) << "the name of a series is no bracket";
-}
-
 /// That of 'b' lies nearer to the bound, but it is 'a' that may lie anywhere beyond it.
-TEST(IntervalOf, ALimitBeyondAllValuesTriedHasOneEnd) {
+TEST(UndecidedText, OfALimitBeyondAllValuesTriedAsksForMore) {
   const ClaimPart part = judged_limits({limit_above_one(), limit(1.1, 1.15)}, 1.2);
   ASSERT_EQ(part.verdict, PartVerdict::inconclusive);
-  EXPECT_EQ(interval_of(part, part.found[0]), std::pair(1.0, HUGE_VAL));
+  EXPECT_EQ(part.found[0].lower, 1);
+  EXPECT_EQ(part.found[0].upper, HUGE_VAL);
   EXPECT_THAT(undecided_text(part), HasSubstr("limit of 'a', stable at all values tried, up to 1 = 1 or more. A search "
                                               "beyond the values tried might decide."));
 }

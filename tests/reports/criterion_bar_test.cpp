@@ -22,12 +22,4 @@ TEST(CriterionBar, ShowsAnIntervalThatReachesOutOfTheBand) {
   EXPECT_EQ(criterion_bar({}, 0.9, {0.7, 1.1}), "") << "nothing was asked";
 }
 
-TEST(IntervalText, SaysOnWhichSideALimitLies) {
-  records::ClaimPart part;
-  part.evidence = "cfl limit of 'a', unstable at all values tried, down to 0.25: below 0.25 (asked: at least 0.8)";
-  EXPECT_EQ(interval_text(part, {"cfl limit of 'a', unstable at all values tried, down to 0.25", 0.25}), " or less");
-  part.evidence = "cfl limit of 'a', stable at all values tried, up to 1: above 1 (asked: at least 0.8)";
-  EXPECT_EQ(interval_text(part, {"cfl limit of 'a', stable at all values tried, up to 1", 1}), " or more");
-}
-
 }  // namespace mpmvv::reports::criterion_bar_test

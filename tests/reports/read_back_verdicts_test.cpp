@@ -94,9 +94,9 @@ TEST(ReadBackPage, GoldensStandBelowTheTitleOfTheirStudy) {
 TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
   using enum records::PartVerdict;
   ReportInput input = read_back::input_of(distinct::everything());
-  records::ClaimPart asked = part(inconclusive, 1.8, std::nullopt, {{"order of 'a'", 1.97}, {"order of 'b'", 2.5}});
-  asked.evidence =
-      "order of 'a' (±0.28) = 1.97; order of 'b' (±0.1) = 2.5 (asked: at least 1.8, but an interval reaches across)";
+  records::ClaimPart asked =
+      part(inconclusive, 1.8, std::nullopt, {{"order of 'a'", 1.97, 1.69, 2.25}, {"order of 'b'", 2.5, 2.4, 2.6}});
+  asked.evidence = "order of 'a' = 1.97 ± 0.28 (asked: at least 1.8, but an interval reaches across)";
   input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::open, "", {}, {"all-numbers"}}};
   input.claims[0].parts = {{"all-numbers", asked}};
   const std::string page = WrittenReport(input).page("claims/X-one.html");
@@ -111,8 +111,8 @@ TEST(ReadBackPage, AnIntervalStandsBesideWhatWasFound) {
 TEST(ReadBackPage, TheFinestSegmentStandsBesideAnOrderWhoseIntervalItLeaves) {
   using enum records::PartVerdict;
   ReportInput input = read_back::input_of(distinct::everything());
-  records::ClaimPart asked = part(holds, 1.6, std::nullopt, {{"order of 'a'", 1.88}});
-  asked.evidence = "order of 'a' (±0.21, finest segment 1.42) = 1.88 (asked: at least 1.6)";
+  records::ClaimPart asked =
+      part(holds, 1.6, std::nullopt, {{"order of 'a'", 1.88, 1.67, 2.09, "finest segment 1.42"}});
   input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::open, "", {}, {}}};
   input.claims[0].parts = {{"all-numbers", asked}};
   EXPECT_THAT(WrittenReport(input).page("claims/X-one.html"),
@@ -134,11 +134,11 @@ TEST(ReadBackPage, BracketsAndRangesOfTimesAreLinesOnTheBand) {
   using enum records::PartVerdict;
   ReportInput input = read_back::input_of(distinct::everything());
   records::ClaimPart limit =
-      part(inconclusive, std::nullopt, 0.439, {{"cfl limit of 'a' between 0.4375 and 0.4401", 0.4388}});
+      part(inconclusive, std::nullopt, 0.439, {{"cfl limit of 'a' between 0.4375 and 0.4401", 0.4388, 0.4375, 0.4401}});
   limit.measure = "limit";
-  records::ClaimPart cost = part(inconclusive, std::nullopt, 0.6, {{"cost of 'a' over 'b' at l2 1e-02", 0.5}});
-  cost.measure = "cost-ratio",
-  cost.evidence = "cost of 'a' over 'b' at l2 1e-02 (0.3 to 0.7) = 0.5 (asked: at most 0.6)";
+  records::ClaimPart cost =
+      part(inconclusive, std::nullopt, 0.6, {{"cost of 'a' over 'b' at l2 1e-02", 0.5, 0.3, 0.7}});
+  cost.measure = "cost-ratio";
   input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::open, "", {}, {}}};
   input.claims[0].parts = {
       {"all-numbers", limit}, {"all-numbers", cost}, {"all-numbers", part(holds, 1, 3, {{"c", 2}})}};

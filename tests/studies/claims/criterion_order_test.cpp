@@ -26,7 +26,7 @@ TEST(Criterion, HowWellAnOrderIsKnownIsNoPartOfWhatWasFound) {
   Criterion c = criterion(Kind::order, "good", 1.5, {});
   c.window = {8, 128};
   EXPECT_EQ(judge(c, result).found.at(0).what, "order of 'good' in l2 over cells 8 to 128");
-  EXPECT_THAT(judge(c, result).evidence, HasSubstr("over cells 8 to 128 (±0.64, finest segment 3.00) = 2"));
+  EXPECT_THAT(judge(c, result).evidence, HasSubstr("over cells 8 to 128 = 2 ± 0.64 (finest segment 3.00)"));
 }
 
 TEST(Criterion, SaysInWordsThatAnOrderIsNotKnown) {
@@ -51,7 +51,7 @@ TEST(Criterion, AnOrderWhoseIntervalReachesAcrossABoundIsInconclusive) {  // 2 �
   Criterion c = criterion(Kind::order, "good", 1.5, {});
   c.window = {8, 128};
   EXPECT_THAT(judge(c, result).evidence,
-              HasSubstr("(±0.64, finest segment 3.00) = 2 (asked: at least 1.5, but an interval reaches across)"));
+              HasSubstr("= 2 ± 0.64 (finest segment 3.00) (asked: at least 1.5, but an interval reaches across)"));
   EXPECT_EQ(judge(c, result).reason, "") << "which says why it fails";
 }
 
@@ -74,9 +74,9 @@ TEST(Criterion, SaysWhereTheFinestSegmentLeavesTheIntervalOfAnOrder) {
     return judge(c, result);
   };
   EXPECT_EQ(judged().verdict, PartVerdict::holds);
-  EXPECT_THAT(judged().evidence, HasSubstr("(±0.21, finest segment 1.42) = 1.883"));
+  EXPECT_THAT(judged().evidence, HasSubstr("= 1.883 ± 0.21 (finest segment 1.42)"));
   result.sweep = "cfl";  // now the finest segment is the first
-  EXPECT_THAT(judged().evidence, HasSubstr("(±0.21) = "));
+  EXPECT_THAT(judged().evidence, HasSubstr("= -1.883 ± 0.21 (asked"));
 }
 
 /// Each series must pass.

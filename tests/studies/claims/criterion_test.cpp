@@ -63,7 +63,7 @@ TEST(Criterion, ALimitBeyondAllThatWasTriedIsDecidedWhereItsSideDoes) {
   EXPECT_EQ(judged(false, false, 0.8, {}).verdict, PartVerdict::holds) << "above 1";
   EXPECT_EQ(judged(true, false, {}, 0.8).verdict, PartVerdict::holds) << "below 0.25";
   EXPECT_THAT(judged(false, true, 0.8, {}).evidence,
-              HasSubstr("cfl limit of 'good', unstable at all values tried, down to 0.25: below 0.25"));
+              HasSubstr("cfl limit of 'good', unstable at all values tried, down to 0.25 = 0.25 or less"));
 }
 
 TEST(Criterion, AFailedRunLeavesItOpen) {
@@ -180,13 +180,13 @@ TEST(Criterion, CostRatioAtEachPowerOfTen) {
   EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02 = 0.25"));
   ratio.over = "poor", ratio.at_least = {};
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::holds) << judge(ratio, result).evidence;
-  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02: 'poor' never reaches it"));
+  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02 = 0 ('poor' never reaches it)"));
   ratio.series = {"poor"}, ratio.over = "dear";
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::fails) << "what never gets there costs without end";
-  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02: 'poor' never reaches it"));
+  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02 = inf ('poor' never reaches it)"));
   ratio.over = "poor";
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::fails) << "and so it does beside another that does not either";
-  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02: neither ever reaches it"));
+  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("at l2 1e-02 = inf (neither ever reaches it)"));
   ratio.at_least = 10, ratio.at_most = {};
   EXPECT_EQ(judge(ratio, result).verdict, PartVerdict::inconclusive) << "but not so many times as much";
   result.series[2].points.clear();
@@ -231,7 +231,8 @@ TEST(Criterion, ARatioOfCostsGetsNoMilderTheMoreRunsAreUnstable) {
     EXPECT_EQ(judged("bad", "bad", 0.5, 2, result).verdict, PartVerdict::fails) << unstable;
     EXPECT_EQ(judged("good", "bad", {}, 1, result).verdict, PartVerdict::holds) << unstable;
   }
-  EXPECT_THAT(judged("bad", "good", {}, 1, with_cost(4)).evidence, HasSubstr("at l2 1e-03: 'bad' never reaches it"));
+  EXPECT_THAT(judged("bad", "good", {}, 1, with_cost(4)).evidence,
+              HasSubstr("at l2 1e-03 = inf ('bad' never reaches it)"));
   StudyResult unmeasured = with_cost(3);
   unmeasured.series[1].points[0].y.erase("step_seconds");
   EXPECT_EQ(judged("bad", "good", {}, 1, unmeasured).verdict, PartVerdict::inconclusive) << "a sound run has no cost";

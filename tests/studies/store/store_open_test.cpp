@@ -252,6 +252,25 @@ TEST_F(StoreOpen, ARunOfSchema15HadOneThread) {
   EXPECT_EQ(store.step_costs().begin()->second, 1);
 }
 
+/// Which does not say where a number that was found may lie.
+TEST_F(StoreOpen, AFoundNumberOfSchema17HasNoInterval) {
+  open_store(file_, Mode::create_or_write, migrations().first(17))
+      .execute(
+          "INSERT INTO provenance VALUES (3, 'd1', 'c0ffee', 0, '', '', '', '');"
+          "INSERT INTO studies VALUES (5, 's', 'd1', 3, '', '', 'convergence', '', '', NULL, NULL);"
+          "INSERT INTO claim_parts VALUES (5, 0, 'S-fig10', 'flat', 'holds', '= 1', '', 'order', 0, 2);"
+          "INSERT INTO claim_found VALUES (5, 0, 0, 'order', 1, NULL)");
+  {
+    Database old(file_, Database::Access::write);
+    seal(old, Sealed::study, 5);
+  }
+  const Store store(file_, Mode::write);
+  EXPECT_THAT(store.check(), testing::IsEmpty());
+  const records::Found found = store.studies("d1").at(0).parts.at(0).found.at(0);
+  EXPECT_EQ(found.lower, 1);
+  EXPECT_EQ(found.upper, 1);
+}
+
 /// The page on a number of one's own says its schema: that it is an old one, the slow tests alone would find.
 TEST(Schema, OfANumberOfOnesOwnIsTheNextOne) {
   EXPECT_THAT(walk("number-entry"), HasSubstr(fmt::format("({}, ", migrations().size() + 1)));

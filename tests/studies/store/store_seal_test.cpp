@@ -101,7 +101,8 @@ class SealedStore : public StoreTest {
     for (const records::ClaimPart& p : s.parts) {
       text += p.claim + p.statement + p.evidence + to_string(p.verdict) + p.measure;
       text += fmt::format("{} {}", p.at_least.value_or(0), p.at_most.value_or(0));
-      for (const records::Found& f : p.found) text += fmt::format("{} {}", f.what, f.value);
+      for (const records::Found& f : p.found)
+        text += fmt::format("{} {} {} {} {}", f.what, f.value, f.lower, f.upper, f.remark);
     }
     for (const records::ClaimText& c : s.statements) text += c.statement + c.source + c.where + c.study;
     for (const records::Figure& f : s.figures)

@@ -110,8 +110,8 @@ struct Text {
   }
 
   static std::string of(const records::Found& f) {
-    const auto& [what, value] = f;
-    return fmt::format("found {} {}", what, value);
+    const auto& [what, value, lower, upper, remark] = f;
+    return fmt::format("found {} {} {} {} '{}'", what, value, lower, upper, remark);
   }
 
   static std::string of(const records::ClaimText& c) {
