@@ -14,6 +14,7 @@
 #include "cli/table.hpp"
 #include "reports/criteria.hpp"
 #include "studies/claims/claim.hpp"
+#include "studies/claims/found_text.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/words.hpp"
 
@@ -34,10 +35,12 @@ struct ClaimsOptions {
 nlohmann::json found_json(const records::ClaimPart& part, const records::Found& found) {
   nlohmann::json json{{"what", found.what}, {"value", found.value}, {"text", found_text(part, found)}};
   if (std::isinf(found.value)) json["infinite"] = found.value > 0 ? 1 : -1;
-  if (found.lower < found.upper && part.is_order())
-    json["half_width"] = found.value - found.lower;
-  else if (found.lower < found.upper && std::isfinite(found.lower))
-    json["interval"] = {found.lower, found.upper};
+  if (claims::has_interval(found)) {
+    if (part.is_order())
+      json["half_width"] = found.value - found.lower;
+    else
+      json["interval"] = {found.lower, found.upper};
+  }
   if (!found.remark.empty()) json["remark"] = found.remark;
   return json;
 }

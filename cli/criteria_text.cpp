@@ -31,7 +31,9 @@ std::string value_text(const ClaimPart& part, double value) {
 }
 
 std::string found_text(const ClaimPart& part, const Found& found) {
-  return std::isnan(found.value) ? "-" : value_text(part, found.value) + claims::interval_text(part, found);
+  if (std::isnan(found.value)) return "-";
+  const std::string text = value_text(part, found.value) + claims::interval_text(part, found);
+  return claims::has_interval(found) || found.remark.empty() ? text : fmt::format("{} ({})", text, found.remark);
 }
 
 std::string found_text(const ClaimPart& part) {

@@ -15,7 +15,8 @@ struct LabelledPart {
 std::string asked_text(const records::ClaimPart& part);  ///< "1.75 to 2.25"
 std::string found_text(const records::ClaimPart& part);  ///< "1.97 ± 0.2", "1.97, unstable", of more their range
 
-/// One number that was found: "1.97 ± 0.2", "unstable"; "-" where it was not measured.
+/// One number that was found: "1.97 ± 0.2", "unstable"; without an interval its remark, "inf ('a' never reaches it)";
+/// "-" where it was not measured.
 std::string found_text(const records::ClaimPart& part, const records::Found& found);
 
 /// Prints a line for each criterion: label, verdict, what was asked and found, statement.

@@ -69,8 +69,8 @@ std::string beyond(const std::string& above, const std::string& what) {
 data found_data(const ClaimPart& part, const Found& found, const std::string& above) {
   return object({{"what", beyond(above, found.what)},
                  {"asked", asked_text(part)},
-                 {"value", found_text(part, found.value) + claims::interval_text(part, found)},
-                 {"bar", criterion_bar(part, found.value, {found.lower, found.upper})}});
+                 {"value", found_text(part, found.value) + claims::interval_and_remark(part, found)},
+                 {"bar", criterion_bar(part, found)}});
 }
 
 data part_data(const claims::JudgedPart& line) {
@@ -116,11 +116,13 @@ std::string told_from_bounds(const ClaimPart& part, double value) {
   return std::isnan(value) ? brief(value) : rounded(value);
 }
 
+/// An older store has no intervals, so the evidence has to do.
 std::string undecided_text(const ClaimPart& part) {
   if (part.found.empty() || part.evidence.find("an interval reaches across") == std::string::npos) return part.evidence;
   const Found& found = deciding_number(part);
+  if (!claims::has_interval(found)) return part.evidence;
   return fmt::format("An interval reaches across a bound: {} = {}{}. {}", found.what, found_text(part, found.value),
-                     claims::interval_text(part, found), remedy(part, found));
+                     claims::interval_and_remark(part, found), remedy(part, found));
 }
 
 std::string deciding_text(const claims::Claim& claim) {
@@ -135,7 +137,7 @@ std::string deciding_text(const claims::Claim& claim) {
   const Found& found = deciding_number(*deciding);
   const std::string subject = deciding->measure == "value" ? deciding->statement + ": " : "";
   return fmt::format("{}{}: {}{} (asked: {}{})", subject, found.what, found_text(*deciding, found.value),
-                     claims::interval_text(*deciding, found), asked_text(*deciding),
+                     claims::interval_and_remark(*deciding, found), asked_text(*deciding),
                      decisive == inconclusive ? "; inconclusive" : "");
 }
 

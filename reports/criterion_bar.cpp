@@ -7,6 +7,8 @@
 #include <tuple>
 #include <vector>
 
+#include "studies/claims/found_text.hpp"
+
 namespace mpmvv::reports {
 
 namespace {
@@ -53,27 +55,27 @@ std::vector<double> numbers_of(const records::ClaimPart& part) {
 }
 
 /// The line of an interval; empty where it is a number alone.
-std::string reach(const Scale& scale, const std::pair<double, double>& interval) {
-  const auto [lower, upper] = interval;
-  if (!(lower < upper)) return "";
-  return fmt::format(R"(<path class="reach" d="M{:.3g} {:g}H{:.3g}"/>)", scale.pixel(lower), bar_height / 2,
-                     scale.pixel(upper));
+std::string reach(const Scale& scale, const records::Found& found) {
+  if (!claims::has_interval(found)) return "";
+  return fmt::format(R"(<path class="reach" d="M{:.3g} {:g}H{:.3g}"/>)", scale.pixel(found.lower), bar_height / 2,
+                     scale.pixel(found.upper));
 }
 
 }  // namespace
 
-std::string criterion_bar(const records::ClaimPart& part, double found, const std::pair<double, double>& interval) {
+std::string criterion_bar(const records::ClaimPart& part, const records::Found& found) {
   const auto& [at_least, at_most] = std::tie(part.at_least, part.at_most);
-  if ((!at_least && !at_most) || std::isnan(found)) return "";
+  const double value = found.value;
+  if ((!at_least && !at_most) || std::isnan(value)) return "";
   const Scale scale(numbers_of(part));
   const double left = at_least ? scale.pixel(*at_least) : 0, right = at_most ? scale.pixel(*at_most) : bar_width;
-  const double at = std::isfinite(found) ? scale.pixel(found) : found > 0 ? bar_width - edge / 2 : edge / 2;
-  const bool holds = (!at_least || found >= *at_least) && (!at_most || found <= *at_most);
+  const double at = std::isfinite(value) ? scale.pixel(value) : value > 0 ? bar_width - edge / 2 : edge / 2;
+  const bool holds = (!at_least || value >= *at_least) && (!at_most || value <= *at_most);
   return fmt::format(
       R"(<svg class="bar" aria-hidden="true"><path d="M0 {0:g}H{1:g}"/>)"
       R"(<path class="band" d="M{2:.3g} {0:g}h{3:.3g}"/>{6}<path class="{4}" d="M{5:.3g} {0:g}h0"/></svg>)",
       bar_height / 2, bar_width, left, std::max(1.0, right - left), holds ? "within" : "beyond", at,
-      reach(scale, interval));
+      reach(scale, found));
 }
 
 }  // namespace mpmvv::reports

@@ -29,7 +29,7 @@ PartVerdict verdict_on(const Criterion& c, const Found& found) {
 
 std::string measured_text(const records::ClaimPart& part, const Found& found) {
   const std::string text = std::isnan(found.value) ? " is not known" : fmt::format(" = {:.4g}", found.value);
-  return found.what + text + interval_text(part, found);
+  return found.what + text + interval_and_remark(part, found);
 }
 
 /// What was found; of a part that fails without the numbers that decided nothing, and with what is missing in their

@@ -8,7 +8,7 @@
 namespace mpmvv::claims {
 
 std::string range_text(double lower, double upper) {
-  if (std::isinf(upper)) return "without bounds";
+  if (std::isinf(lower) || std::isinf(upper)) return "without bounds";
   constexpr double round_off = 1e-12;
   if (!(upper - lower > round_off * std::max(std::abs(lower), std::abs(upper)))) return "";
   for (int digits = 3;; ++digits) {
@@ -17,19 +17,23 @@ std::string range_text(double lower, double upper) {
   }
 }
 
+bool has_interval(const records::Found& found) {
+  return std::isfinite(found.value) && !range_text(found.lower, found.upper).empty();
+}
+
 std::string interval_text(const records::ClaimPart& part, const records::Found& found) {
-  std::string beside, range;
-  if (part.is_order()) {
-    if (found.lower < found.value) beside = fmt::format(" ± {:.2g}", found.value - found.lower);
-  } else if (part.is_limit()) {
-    if (found.lower < found.upper && found.upper == found.value) beside = " or less";
-    if (found.lower == found.value && std::isinf(found.upper)) beside = " or more";
-  } else if (std::isfinite(found.value)) {
-    range = range_text(found.lower, found.upper);
-  }
-  const std::string separator = range.empty() || found.remark.empty() ? "" : ", ";
-  const std::string bracketed = range + separator + found.remark;
-  return bracketed.empty() ? beside : fmt::format("{} ({})", beside, bracketed);
+  if (!has_interval(found)) return "";
+  if (part.is_order()) return fmt::format(" ± {:.2g}", found.value - found.lower);
+  if (!part.is_limit()) return fmt::format(" ({})", range_text(found.lower, found.upper));
+  if (found.upper == found.value) return " or less";
+  return std::isinf(found.upper) ? " or more" : "";
+}
+
+std::string interval_and_remark(const records::ClaimPart& part, const records::Found& found) {
+  const std::string interval = interval_text(part, found);
+  if (found.remark.empty()) return interval;
+  if (!interval.ends_with(')')) return fmt::format("{} ({})", interval, found.remark);
+  return fmt::format("{}, {})", interval.substr(0, interval.size() - 1), found.remark);
 }
 
 }  // namespace mpmvv::claims

@@ -8,9 +8,15 @@ namespace mpmvv::claims {
 /// "0.93 to 1.6", with as many digits as tell the ends apart; "without bounds"; empty for less than round-off.
 std::string range_text(double lower, double upper);
 
+/// Whether a number may lie elsewhere than where it was found, by more than round-off.
+bool has_interval(const records::Found& found);
+
 /// What stands behind a number that was found: " ± 0.21" of an order, " (0.93 to 1.6)" of what times or replicates
-/// make, " or less" of a limit below all that was tried, and its remark, " (finest segment 1.42)". Empty without an
-/// interval and a remark. The bracket of a limit stands in its name.
+/// make, " or less" of a limit below all that was tried. Empty without an interval, and of a limit with a bracket,
+/// which its name has.
 std::string interval_text(const records::ClaimPart& part, const records::Found& found);
+
+/// The same with the remark on the number: " ± 0.21 (finest segment 1.42)".
+std::string interval_and_remark(const records::ClaimPart& part, const records::Found& found);
 
 }  // namespace mpmvv::claims

@@ -87,9 +87,9 @@ fits::Estimate quotient(const Sum& a, const Sum& b) {
 
 /// Adds a quotient with its interval. One of ranges is wider than one of rounds, so the evidence says which it is.
 void add(const std::string& label, const fits::Estimate& quotient, bool is_paired, Measured& out) {
-  const bool has_range = std::isfinite(quotient.value) && !range_text(quotient.lower, quotient.upper).empty();
-  out.add(label, quotient.value, Interval{quotient.lower, quotient.upper},
-          has_range && !is_paired ? "not timed in the same rounds" : "");
+  out.add(label, quotient.value, Interval{quotient.lower, quotient.upper});
+  records::Found& found = out.numbers.back().found;
+  if (!is_paired && has_interval(found)) found.remark = "not timed in the same rounds";
 }
 
 /// Says which of two series never gets down to the error, or that neither does; empty when both do.

@@ -215,8 +215,8 @@ constexpr const char* schema_17 = R"sql(
 )sql";
 
 constexpr const char* schema_18 = R"sql(
-  -- Where a number that was found may lie, NULL: no end there, and what is to be said of it. NULL: an older store, which
-  -- has only the number.
+  -- Where a number that was found may lie (NULL: no end there; of one that is itself infinite or unknown they say
+  -- nothing) and what is to be said of it. A remark of NULL: an older store, which has only the number.
   ALTER TABLE claim_found ADD COLUMN lower REAL;
   ALTER TABLE claim_found ADD COLUMN upper REAL;
   ALTER TABLE claim_found ADD COLUMN remark TEXT;

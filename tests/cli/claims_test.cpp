@@ -139,7 +139,9 @@ TEST_F(Claims, AsJsonSayEachNumberAsTheTableDoes) {
   text.insert(text.find("[sweep]"), "[[series]]\nname = \"wild\"\nbasis = \"linear\"\ncfl = 5\n");
   text +=
       "[[criterion]]\nclaim = \"linear\"\nstatement = \"none is wild\"\nmeasure = \"error\"\nseries = [\"wild\"]\n"
-      "norm = \"l2\"\nwindow = [64, 64]\nat_most = 1\n";
+      "norm = \"l2\"\nwindow = [64, 64]\nat_most = 1\n"
+      "[[criterion]]\nclaim = \"linear\"\nstatement = \"as itself\"\nmeasure = \"error-ratio\"\n"
+      "series = [\"wild\"]\nover = \"wild\"\nnorm = \"l2\"\nwindow = [64, 64]\nat_most = 2\n";
   const std::string db = folder_ / "json.db";
   const Answer study = call(folder_, "study " + folder_.write("json.toml", text) + " --db " + db);
   ASSERT_EQ(study.code, 0) << study.err;
@@ -147,7 +149,8 @@ TEST_F(Claims, AsJsonSayEachNumberAsTheTableDoes) {
     const auto page = call(folder_, "claims " + claim + " --json --db " + db).json()["claims"][0];
     return page["criteria"][criterion]["found"][0];
   };
-  const auto order = found("second", 0), error = found("linear", 0), wild = found("linear", 1);
+  const auto order = found("second", 0), error = found("linear", 0), wild = found("linear", 1),
+             both_wild = found("linear", 2);
   EXPECT_EQ(order["text"], "1.969 ± 0.12");
   EXPECT_NEAR(order["half_width"].get<double>(), 0.119062, 1e-6) << "with all digits";
   EXPECT_FALSE(order.contains("infinite"));
@@ -156,6 +159,9 @@ TEST_F(Claims, AsJsonSayEachNumberAsTheTableDoes) {
   EXPECT_TRUE(wild["value"].is_null());
   EXPECT_EQ(wild["infinite"], 1);
   EXPECT_EQ(wild["text"], "inf");
+  EXPECT_FALSE(wild.contains("remark"));
+  EXPECT_EQ(both_wild["text"], "1 (both unstable)");
+  EXPECT_EQ(both_wild["remark"], "both unstable");
 }
 
 TEST_F(Claims, OfTheProgramAreKnownToStudiesAnywhere) {

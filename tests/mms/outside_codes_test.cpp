@@ -87,13 +87,13 @@ TEST(Wave, KnowsHowFarAFiniteLawLeavesIt) {
   const Elasticity material{1e4, 0.3, 1};
   const double c = std::sqrt((material.lambda() + 2 * material.mu()) / material.density);
   for (const auto& [ct, A, least] : {std::tuple{0.5, 1e-3, 0.98},
-                                    {1.75, 1e-3, 0.97},
-                                    {2.5, 1e-3, 0.85},
-                                    {4.25, 1e-3, 0.97},
-                                    {1, 1e-2, 0.2},
-                                    {1.43, 1e-2, 0.2},
-                                    {2, 1e-2, 0.1},
-                                    {3, 1e-2, 0.1}}) {
+                                     {1.75, 1e-3, 0.97},
+                                     {2.5, 1e-3, 0.85},
+                                     {4.25, 1e-3, 0.97},
+                                     {1, 1e-2, 0.2},
+                                     {1.43, 1e-2, 0.2},
+                                     {2, 1e-2, 0.1},
+                                     {3, 1e-2, 0.1}}) {
     const double difference = neo_hookean_difference(A, material, ct / c);
     const double most = Wave(A, material).nonlinear_error(ct / c);
     EXPECT_LT(difference, most) << ct;

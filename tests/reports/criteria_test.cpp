@@ -46,6 +46,13 @@ TEST(ToldFromBounds, HasFourDigitsOrThoseThatDiffer) {
   EXPECT_EQ(told_from_bounds(asked(0, std::nullopt), 1e-310), "1e-310");
 }
 
+TEST(UndecidedText, OfAnOlderStoreIsTheEvidence) {
+  ClaimPart part = asked(1.8, std::nullopt);
+  part.measure = "order", part.verdict = PartVerdict::inconclusive, part.found = {{"order of 'a'", 1.97}};
+  part.evidence = "order of 'a' (±0.28) = 1.97 (asked: at least 1.8, but an interval reaches across)";
+  EXPECT_EQ(undecided_text(part), part.evidence);
+}
+
 /// The number is 0.5, 0.3 to 0.7; the other one lies nearer to the bound but has no range.
 TEST(UndecidedText, NamesTheNumberWhoseIntervalReachesAcross) {
   ClaimPart part = asked(std::nullopt, 0.6);

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "reports/criteria.hpp"
+#include <cmath>
 
 namespace mpmvv::reports::criterion_bar_test {
 
@@ -14,12 +14,13 @@ TEST(CriterionBar, ShowsAnIntervalThatReachesOutOfTheBand) {
   records::ClaimPart part;
   part.at_least = 0, part.at_most = 1;
   part.found = {{"order", 0.9}};
-  EXPECT_THAT(criterion_bar(part, 0.9, {0.9, 0.9}), Not(HasSubstr("reach")));
-  const std::string bar = criterion_bar(part, 0.9, {0.7, 1.1});
+  EXPECT_THAT(criterion_bar(part, part.found[0]), Not(HasSubstr("reach")));
+  EXPECT_THAT(criterion_bar(part, {"order", 0.9, 0.9, 0.9 + 1e-15}), Not(HasSubstr("reach"))) << "round-off";
+  const std::string bar = criterion_bar(part, {"order", 0.9, 0.7, 1.1});
   EXPECT_THAT(bar, HasSubstr(R"(<path class="reach" d="M57.6 7H76.9"/>)"));
   EXPECT_THAT(bar, HasSubstr("within"));
-  EXPECT_THAT(criterion_bar(part, 0.9, {0.9, HUGE_VAL}), HasSubstr(R"(<path class="reach" d="M67.3 7H89"/>)"));
-  EXPECT_EQ(criterion_bar({}, 0.9, {0.7, 1.1}), "") << "nothing was asked";
+  EXPECT_THAT(criterion_bar(part, {"order", 0.9, 0.9, HUGE_VAL}), HasSubstr(R"(<path class="reach" d="M67.3 7H89"/>)"));
+  EXPECT_EQ(criterion_bar({}, {"order", 0.9, 0.7, 1.1}), "") << "nothing was asked";
 }
 
 }  // namespace mpmvv::reports::criterion_bar_test

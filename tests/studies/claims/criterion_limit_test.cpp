@@ -11,7 +11,6 @@ using namespace criterion_samples;
 using records::PartVerdict;
 
 using testing::HasSubstr;
-using testing::Not;
 
 TEST(CriterionOfLimits, ARatioOfLimitsReachesFromTheEndsOfBothBrackets) {  // [1, 1.5] over [2, 4]
   StudyResult result = two_series();

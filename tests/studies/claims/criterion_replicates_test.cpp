@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "studies/claims/measured.hpp"
 #include "tests/studies/claims/criterion_samples.hpp"
 
 namespace mpmvv::claims::criterion_replicates_test {

@@ -206,6 +206,17 @@ StudyResult with_cost(std::size_t unstable) {
   return result;
 }
 
+/// Both of two runs are unstable: their ratio counts as 1 but is no evidence.
+TEST(Criterion, ARatioOfTwoUnstableRunsSaysSo) {
+  StudyResult result = two_series();
+  for (records::Series& series : result.series) series.points[1] = {16, Status::unstable, "", {}};
+  Criterion ratio = criterion(Kind::error_ratio, "good", {}, 1);
+  ratio.over = "bad", ratio.window = {16, 16};
+  const records::ClaimPart part = judge(ratio, result);
+  EXPECT_EQ(part.verdict, PartVerdict::holds);
+  EXPECT_THAT(part.evidence, HasSubstr("at cells = 16 = 1 (both unstable) (asked: at most 1)"));
+}
+
 TEST(Criterion, ASpreadGetsNoMilderTheMoreRunsAreUnstable) {
   for (std::size_t unstable = 1; unstable <= 4; ++unstable) {
     const records::ClaimPart part = judge(criterion(Kind::spread, "bad", {}, 2), with_cost(unstable));

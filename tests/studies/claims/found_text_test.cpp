@@ -12,7 +12,7 @@ constexpr double without_end = HUGE_VAL;
 std::string beside(const std::string& measure, const records::Found& found) {
   records::ClaimPart part;
   part.measure = measure;
-  return interval_text(part, found);
+  return interval_and_remark(part, found);
 }
 
 TEST(RangeText, HasAsManyDigitsAsTellItsEndsApart) {
@@ -20,6 +20,20 @@ TEST(RangeText, HasAsManyDigitsAsTellItsEndsApart) {
   EXPECT_EQ(range_text(0.3, 0.7), "0.3 to 0.7");
   EXPECT_EQ(range_text(1, 1 + 1e-14), "");
   EXPECT_EQ(range_text(-without_end, without_end), "without bounds");
+  EXPECT_EQ(range_text(-without_end, 1), "without bounds");
+}
+
+TEST(HasInterval, OfMoreThanRoundOffAroundANumber) {
+  EXPECT_TRUE(has_interval({"limit", 1, 1, without_end}));
+  EXPECT_FALSE(has_interval({"cost", 0.25, 0.25, 0.25 + 1e-16}));
+  EXPECT_FALSE(has_interval({"cost", without_end, -without_end, without_end}));
+  EXPECT_FALSE(has_interval({"order"}));
+}
+
+TEST(IntervalText, HasNoRemark) {
+  records::ClaimPart part;
+  part.measure = "order";
+  EXPECT_EQ(interval_text(part, {"order", 2, 1.9, 2.1, "finest segment 1.41"}), " ± 0.1");
 }
 
 TEST(IntervalText, OfAnOrderIsHalfItsWidthAndSaysWhereTheFinestSegmentLies) {
