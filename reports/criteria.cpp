@@ -82,9 +82,9 @@ data part_data(const claims::JudgedPart& line) {
                  {"verdict", to_string(part.verdict)},
                  {"evidence", part.evidence},
                  {"has_evidence", part.found.empty()},
+                 {"is_awaited", part.measure == "awaited"},
                  {"undecided", undecided_text(part)},
                  {"is_undecided", !part.found.empty() && part.verdict == PartVerdict::inconclusive},
-                 {"asked", asked_text(part)},
                  {"found", list_of(part.found, found)},
                  {"reason", part.reason},
                  {"has_reason", !part.reason.empty()}});
