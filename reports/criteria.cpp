@@ -69,7 +69,9 @@ std::string beyond(const std::string& above, const std::string& what) {
 data found_data(const ClaimPart& part, const Found& found, const std::string& above) {
   return object({{"what", beyond(above, found.what)},
                  {"asked", asked_text(part)},
-                 {"value", found_text(part, found.value) + claims::interval_and_remark(part, found)},
+                 {"value", found_text(part, found.value) + claims::interval_text(part, found)},
+                 {"remark", found.remark},
+                 {"has_remark", !found.remark.empty()},
                  {"bar", criterion_bar(part, found)}});
 }
 

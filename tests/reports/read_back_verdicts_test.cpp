@@ -116,7 +116,7 @@ TEST(ReadBackPage, TheFinestSegmentStandsBesideAnOrderWhoseIntervalItLeaves) {
   input.claims = {{"X-one", "a sentence", "", "", claims::Claim::Verdict::open, "", {}, {}}};
   input.claims[0].parts = {{"all-numbers", asked}};
   EXPECT_THAT(WrittenReport(input).page("claims/X-one.html"),
-              testing::HasSubstr(">1.88 ± 0.21 (finest segment 1.42)<"));
+              testing::HasSubstr(">1.88 ± 0.21 <span class=\"soft remark\">finest segment 1.42</span><"));
 }
 
 TEST(ReadBackPage, WhatIsMissingStandsBesideANumberThatFails) {
