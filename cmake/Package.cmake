@@ -1,4 +1,6 @@
-# From which commit a package is and who made it, found out when cpack makes it.
+# From which commit a package is and who made it, found out when cpack makes it, which sets no policies.
+cmake_policy(VERSION 3.25)
+
 function(ask result)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${CMAKE_CURRENT_LIST_DIR}
     OUTPUT_VARIABLE text ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
