@@ -3,6 +3,7 @@
 #include <memory>
 #include <ranges>
 
+#include "cli/checks.hpp"
 #include "cli/command.hpp"
 #include "cli/console.hpp"
 #include "cli/help.hpp"
@@ -24,6 +25,7 @@ namespace {
 struct DbOptions {
   std::string db, out, study;
   std::vector<std::filesystem::path> others;
+  std::size_t keep = 0;
   bool json = false;
 };
 
@@ -120,6 +122,15 @@ int forget(const DbOptions& options) {
   return 0;
 }
 
+int prune(const DbOptions& options) {
+  const Store::Pruned pruned = Store::prune(options.db, options.keep, store::current_provenance().digest);
+  for (const store::Version& version : pruned.versions) print("{}, {}\n", label(version), version.time);
+  print("{} removed from {}: {}, {}; the file is {:.1f} MB smaller\n", count_text(pruned.versions.size(), "version"),
+        options.db, count_text(static_cast<std::size_t>(pruned.studies), "study", "studies"),
+        count_text(static_cast<std::size_t>(pruned.records), "record"), 1e-6 * static_cast<double>(pruned.bytes));
+  return 0;
+}
+
 int print_study_file(const DbOptions& options) {
   print_text(study_text(options));
   return 0;
@@ -165,6 +176,12 @@ void add_db(CLI::App& app, int& exit_code) {
       ->add_option("study", options->study, "name of the study")
       ->required()
       ->type_name("STUDY");
+  add("prune", "Remove all versions of mpmvv but the newest, with their runs; what other codes ran stays", &prune,
+      {"mpmvv db prune --keep 30 --db results.db"})
+      ->add_option("--keep", options->keep, "how many of the newest versions stay, beside that of the running program")
+      ->check(from_to(1, 1000000))
+      ->required()
+      ->type_name("NUMBER");
   add("study", "Print the file of a study, as the store keeps it", &print_study_file,
       {"mpmvv db study s-fig4 --db results.db"})
       ->add_option("study", options->study, "name of the study")

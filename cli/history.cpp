@@ -158,9 +158,9 @@ std::string cell(const Trend& trend, std::size_t version) {
 void print_trends(const std::vector<Version>& versions, const std::vector<Trend>& trends) {
   std::vector<Table::Column> columns{{"study"}};
   const std::size_t first = versions.size() - shown_versions(versions.size());
-  for (std::size_t v = 0; v < versions.size(); ++v) {
+  for (std::size_t v = first; v < versions.size(); ++v) {
     print("{:>3}  {}, {}\n", v + 1, label(versions[v]), versions[v].time);
-    if (v >= first) columns.push_back({fmt::format("version\n{}", v + 1), Table::Kind::number});
+    columns.push_back({fmt::format("version\n{}", v + 1), Table::Kind::number});
   }
   columns.push_back({"result", Table::Kind::prose});
   Table table(columns, 0);

@@ -85,8 +85,15 @@ class Elements {
 
   std::string size(double marker) const { return fmt::format("ps {:g} ", marker * mark_scale_); }
 
-  static std::string points_text(int index, int mark, int type, const std::string& look) {
-    return fmt::format("data index {} using 1:($4=={}?$3:NaN) with points pt {} {}", index, mark, type, look);
+  static std::string points_text(int index, int mark, int type, const std::string& look,
+                                 const std::string& thinning = {}) {
+    return fmt::format("data index {} {}using 1:($4=={}?$3:NaN) with points pt {} {}", index, thinning, mark, type,
+                       look);
+  }
+
+  static std::string thinning(const Curve& curve) {
+    if (curve.every == 1) return {};
+    return fmt::format("every {}::{} ", curve.every, (curve.dots.size() - 1) % curve.every);
   }
 
   std::string crosses(const Curve& curve, int index) const {
@@ -95,7 +102,7 @@ class Elements {
 
   void add_marks(std::vector<std::string>& marks, const Curve& curve, int index) {
     const auto points = [&](int mark, int type, const std::string& look) {
-      marks.push_back(points_text(index, mark, type, look));
+      marks.push_back(points_text(index, mark, type, look, mark == 1 ? thinning(curve) : ""));
     };
     if (curve.square > 0) {
       marks.push_back(fmt::format("data index {0} using 1:3:({1}):({1}):5 with boxxyerror fs solid noborder lc palette",

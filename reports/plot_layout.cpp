@@ -66,6 +66,11 @@ std::vector<std::string> lines_of(const std::string& text, double font, double r
   return lines;
 }
 
+/// The label of the vertical axis in lines that are no longer than the axis.
+std::vector<std::string> y_label_lines(const Chart& chart, const PageSize& page) {
+  return lines_of(chart.y.label, page.font, page.height - label_room * page.font);
+}
+
 /// The key below the axes, in as many columns as fit beside one another; what fits into none is broken into lines.
 void set_key(Layout& layout, const Chart& chart) {
   const double font = layout.page.font, beside = (sample_width + sample_gap + key_gap) * font;
@@ -143,6 +148,7 @@ Layout report_layout(const Chart& chart) {
   layout.page.width = chart.width * points_per_pixel;
   layout.page.height = chart.height * points_per_pixel;
   layout.top = 0.8 * layout.page.font;
+  layout.y_label = y_label_lines(chart, layout.page);
   set_key(layout, chart);
   return layout;
 }
@@ -155,7 +161,7 @@ Layout paper_layout(const Chart& chart, double width, double font, double height
   layout.has_named_rows = chart.y.names;
   if (chart.y.names) layout.page.height = chart.height * points_per_pixel * font / PageSize{}.font;
   layout.top = (chart.to_scale ? 1.8 : 0.8) * font;
-  layout.y_label = lines_of(chart.y.label, font, layout.page.height - label_room * font);
+  layout.y_label = y_label_lines(chart, layout.page);
   set_sides(layout, chart);
   if (chart.to_scale) {
     const double shape = (chart.y.to - chart.y.from) / (chart.x.to - chart.x.from);

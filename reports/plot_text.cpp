@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <string_view>
@@ -102,10 +103,11 @@ std::string report_axes(const Chart& chart, const Layout& layout) {
     text += fmt::format("set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n", layout.axes_bottom(),
                         layout.axes_top());
   text += fmt::format("set rmargin {}\n", chart.right_margin);
-  for (const auto& [letter, axis] : {std::pair{"x", &chart.x}, std::pair{"y", &chart.y}})
-    text += fmt::format("set {}label {} noenhanced\n", letter, quoted(axis->label, Notation::plain)) +
-            axis_text(letter, *axis, Notation::plain);
-  return text;
+  std::vector<std::string> y_label;
+  for (const std::string& line : layout.y_label) y_label.push_back(quoted(line, Notation::plain));
+  text += fmt::format("set xlabel {} noenhanced\n", quoted(chart.x.label, Notation::plain));
+  text += fmt::format("set ylabel {} noenhanced\n", fmt::join(y_label, R"(."\n".)"));
+  return text + axis_text("x", chart.x, Notation::plain) + axis_text("y", chart.y, Notation::plain);
 }
 
 /// The axes and their labels where the layout has them, as LaTeX's letters are not the plotting program's.

@@ -16,8 +16,9 @@ using claims::Trend;
 
 namespace {
 
-constexpr std::size_t most_commits = 10;     ///< as texts below the axis
-constexpr std::size_t version_letters = 12;  ///< of what another code says of its version
+constexpr std::size_t most_commits = 7;         ///< as texts below the axis
+constexpr std::size_t most_markers_drawn = 25;  ///< on a curve
+constexpr std::size_t version_letters = 12;     ///< of what another code says of its version
 
 /// What the trends of one figure have in common: a figure has one axis.
 struct Shown {
@@ -60,8 +61,8 @@ Axis version_axis(const History& history) {
   axis.names = true;
   axis.from = 0.5;
   axis.to = static_cast<double>(versions.size()) + 0.5;
-  const std::size_t step = 1 + (versions.size() - 1) / most_commits;
-  for (std::size_t v = 0; v < versions.size(); v += step)
+  const std::size_t last = versions.size() - 1, step = 1 + last / most_commits;
+  for (std::size_t v = last % step; v <= last; v += step)
     axis.tics.push_back({static_cast<double>(v + 1), name_of(versions[v], history)});
   return axis;
 }
@@ -72,6 +73,7 @@ bool is_unstable(const std::string& remark) {
 
 Curve trend_curve(const Trend& trend, int style) {
   Curve curve{label(trend), label(trend), style, true, true, true, {}};
+  curve.every = 1 + (trend.numbers.size() - 1) / most_markers_drawn;
   for (std::size_t v = 0; v < trend.numbers.size(); ++v) {
     const double number = trend.numbers[v];
     const bool drawable = std::isfinite(number);
@@ -147,6 +149,7 @@ Chart trend_chart(const std::string& study, const Shown& shown, const History& h
   chart.name = fmt::format("{}{}-{}", code.empty() ? "" : code + "~", study, file_part(shown));
   chart.caption = fmt::format("Study {}: {} in {}.", study, label.substr(0, label.find(" (")), where);
   chart.height = 240;
+  chart.right_margin = 6;  // half of the newest version's name
   std::vector<const Trend*> trends = drawn_trends(study, history);
   std::erase_if(trends, [&](const Trend* trend) { return shown_in(*trend) != shown; });
   std::vector<double> numbers;

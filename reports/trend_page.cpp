@@ -1,5 +1,6 @@
 #include "reports/trend_page.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "page_template.hpp"
@@ -14,6 +15,7 @@ namespace {
 using template_data::data;
 
 constexpr const char* trends_folder = "trends";
+constexpr std::size_t versions_at_first = 10;  ///< in the table above the figures; the earlier ones open with a click
 
 data version_data(const store::Version& version, std::size_t number) {
   return template_data::object({{"number", std::to_string(number)},
@@ -32,9 +34,29 @@ Charts charts_of(const History& history) {
   return charts;
 }
 
+/// The versions from number `last` down to `first`, counted from 1.
+data version_table(const History& history, std::size_t first, std::size_t last, bool is_earlier) {
+  data versions{data::type::list};
+  for (std::size_t number = last; number >= first; --number)
+    versions << version_data(history.versions[number - 1], number);
+  const std::string code = history.code.empty() ? "mpmvv" : history.code;
+  return template_data::object({{"caption", (is_earlier ? "Earlier versions of " : "Versions of ") + code},
+                                {"is_earlier", is_earlier},
+                                {"count", std::to_string(last + 1 - first)},
+                                {"versions", versions}});
+}
+
+/// The newest first.
+data version_tables(const History& history) {
+  const std::size_t all = history.versions.size(), earlier = all - std::min(all, versions_at_first);
+  data tables{data::type::list};
+  tables << version_table(history, earlier + 1, all, false);
+  if (earlier > 0) tables << version_table(history, 1, earlier, true);
+  return tables;
+}
+
 data history_data(const History& history, const Charts& charts, const std::filesystem::path& out_dir) {
-  data versions{data::type::list}, sections{data::type::list};
-  for (std::size_t v = 0; v < history.versions.size(); ++v) versions << version_data(history.versions[v], v + 1);
+  data sections{data::type::list};
   for (const auto& [study, of_study] : charts)
     sections << template_data::object(
         {{"study", study},
@@ -45,7 +67,7 @@ data history_data(const History& history, const Charts& charts, const std::files
   return template_data::object({{"code", history.code.empty() ? "mpmvv" : history.code},
                                 {"time_of", history.code.empty() ? "first result" : "last study"},
                                 {"names", history.code.empty() ? "commits" : "says of itself"},
-                                {"versions", versions},
+                                {"version_tables", version_tables(history)},
                                 {"sections", sections}});
 }
 

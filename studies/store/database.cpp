@@ -161,6 +161,7 @@ void Database::each(const std::string& query, const Values& values,
     if (names.empty()) names = column_names(statement.get());  // tables may have changed since it was prepared
     try {
       Values row;
+      row.reserve(names.size());
       for (int i = 0; i < static_cast<int>(names.size()); ++i) row.push_back(column(statement.get(), i));
       visit(Row(names, std::move(row)));
     } catch (const WrongKind&) {

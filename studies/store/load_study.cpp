@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "studies/store/particle_errors.hpp"
+#include "studies/store/load_points.hpp"
 #include "studies/store/run_rows.hpp"
 #include "studies/store/seal.hpp"
 #include "studies/store/study_rows.hpp"
@@ -87,41 +87,15 @@ fits::Extrapolation load_extrapolation(const Row& row) {
           .remark = row["remark"].text()};
 }
 
-/// A point and the text of its case.
-std::pair<records::Point, std::string> load_point(const Database& database, const Row& row) {
-  records::Point point{.x = row["x"].real(),
-                       .status = support::from_word<records::Status>(row["point_status"].text(), "status"),
-                       .reason = row["point_reason"].text(),
-                       .y = {}};
-  std::string case_text;
-  if (!row["run"].null()) {
-    require_intact(database, Sealed::run, row["run"]);
-    point.y = run_quantities(row);
-    point.particle_errors = particle_errors_of(row["particle_errors"]);
-    point.rounds = rounds_of(row);
-    case_text = row["case_text"].text();
-  }
-  database.each("SELECT quantity, value FROM point_values WHERE point = ?", {row["point"]},
-                [&](const Row& own) { point.y[own["quantity"].text()] = own["value"].real(); });
-  database.each("SELECT quantity, value FROM point_replicates WHERE point = ? ORDER BY quantity, ordinal",
-                {row["point"]},
-                [&](const Row& one) { point.replicates[one["quantity"].text()].push_back(one["value"].real()); });
-  return {point, case_text};
-}
-
 /// A series and the texts of its cases.
 std::pair<records::Series, std::vector<std::string>> load_series(const Database& database, const Row& row) {
   records::Series series{.name = row["name"].text(), .points = {}, .orders = {}, .limit = std::nullopt};
   std::vector<std::string> cases;
   const Value& id = row["id"];
-  database.each(
-      "SELECT points.id AS point, points.status AS point_status, points.reason AS point_reason, x, run, runs.* "
-      "FROM points LEFT JOIN runs ON runs.id = points.run WHERE series = ? ORDER BY ordinal",
-      {id}, [&](const Row& point_row) {
-        auto [point, case_text] = load_point(database, point_row);
-        series.points.push_back(std::move(point));
-        cases.push_back(std::move(case_text));
-      });
+  for (StoredPoint& stored : load_points(database, id)) {
+    series.points.push_back(std::move(stored.point));
+    cases.push_back(std::move(stored.case_text));
+  }
   series.orders = load_items(database, "fits", "series", id, [&](const Row& r) { return load_order(database, r); });
   database.each("SELECT * FROM limits WHERE series = ?", {id},
                 [&](const Row& r) { series.limit = load_limit(database, r); });

@@ -114,7 +114,7 @@ std::optional<Record> find_run(const Database& database, const cases::Case& c, c
   std::optional<Record> found;
   const std::string case_text = cases::canonical_text(c);
   database.each("SELECT * FROM runs WHERE case_text = ? AND digest = ?", {case_text, digest}, [&](const Row& row) {
-    require_intact(database, Sealed::run, row["id"]);
+    require_intact_run(database, row);
     if (row["case_text"].text() != case_text || row["digest"].text() != digest)
       database.fail_damaged("an index leads to the run of another case");
     const Value &failure = row["failure"], &threads = row["threads"];

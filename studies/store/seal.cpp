@@ -152,6 +152,14 @@ void require_intact(const Database& database, Sealed kind, const Value& id) {
     database.fail_damaged(complaint(database, table, id) + "; `mpmvv db check` lists all that is not");
 }
 
+void require_intact_run(const Database& database, const Row& run) {
+  bool is_intact = false;
+  database.each("SELECT * FROM provenance WHERE id = ?", {run["provenance"]}, [&](const Row& provenance) {
+    is_intact = run["seal"].held() == Value(seal_of_run(run, provenance)).held();
+  });
+  if (!is_intact) require_intact(database, Sealed::run, run["id"]);
+}
+
 std::vector<std::string> broken_seals(const Database& database) {
   std::vector<std::string> broken;
   for (const Sealed kind : all_kinds)

@@ -26,6 +26,9 @@ void seal_all(Database& database);
 /// UsageError when the row has no seal, or one that does not fit what it holds.
 void require_intact(const Database& database, Sealed kind, const Value& id);
 
+/// The same of a run whose row, with all its columns, has been read already.
+void require_intact_run(const Database& database, const Row& run);
+
 /// The rows whose seal does not fit what they hold, in words for people.
 std::vector<std::string> broken_seals(const Database& database);
 

@@ -200,19 +200,20 @@ std::optional<Provenance> Store::study_provenance(const std::string& study, cons
 Contents Store::contents() const {
   const Database& database = impl_->database;
   Transaction one_state(impl_->database, Kind::read);
-  const auto with_status = [&](Status status) {
-    return database.scalar("SELECT count(*) FROM runs WHERE status = ?", {to_string(status)}).integer();
-  };
+  std::map<std::string, std::int64_t> with_status;
+  database.each("SELECT status, count(*) AS records FROM runs GROUP BY status", {},
+                [&](const Row& row) { with_status[row["status"].text()] = row["records"].integer(); });
   Contents contents{
       .schema = database.scalar("PRAGMA user_version").integer(),
       .bytes = database.scalar("SELECT page_count * page_size FROM pragma_page_count, pragma_page_size").integer(),
       .studies = database.scalar("SELECT count(*) FROM studies").integer(),
-      .records = database.scalar("SELECT count(*) FROM runs").integer(),
-      .ok = with_status(Status::ok),
-      .unstable = with_status(Status::unstable),
-      .failed = with_status(Status::failed),
+      .records = 0,
+      .ok = with_status[to_string(Status::ok)],
+      .unstable = with_status[to_string(Status::unstable)],
+      .failed = with_status[to_string(Status::failed)],
       .programs = {},
       .codes = {}};
+  for (const auto& [status, records] : with_status) contents.records += records;
   database.each(
       "SELECT provenance.digest, git_commit, dirty, count(*) AS records, max(kept_at) AS last FROM runs "
       "JOIN provenance ON provenance.id = runs.provenance GROUP BY provenance.digest, git_commit, dirty ORDER BY last "
@@ -257,7 +258,7 @@ std::string Store::export_csv() const {
       "SELECT runs.*, git_commit, dirty, compiler, flags, build_type, cpu FROM runs JOIN provenance "
       "ON provenance.id = runs.provenance ORDER BY runs.id",
       {}, [&](const Row& row) {
-        require_intact(impl_->database, Sealed::run, row["id"]);
+        require_intact_run(impl_->database, row);
         if (csv.empty()) csv = support::csv_line(row.names());
         csv += support::csv_line(texts_of(row.values()));
       });

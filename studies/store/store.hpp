@@ -108,6 +108,18 @@ class Store {
   /// UsageError when there is none.
   std::size_t forget(const std::string& study);
 
+  /// What `prune` removed.
+  struct Pruned {
+    std::vector<Version> versions;  ///< by the time of their first result
+    std::int64_t studies, records;
+    std::int64_t bytes;  ///< by which the file is smaller
+  };
+
+  /// Keeps the `newest` of `versions()`, and of the others the running program's. Removes the studies that only mpmvv
+  /// ran in all others, and every run that no study refers to in them, also of programs that kept no study. All or
+  /// nothing. Then the file shrinks, which takes free space for a copy of what is left.
+  static Pruned prune(const std::filesystem::path& file, std::size_t newest, const std::string& running_digest);
+
   /// All records as CSV (17 digits, NaN empty), with digest and commit.
   std::string export_csv() const;
 

@@ -34,9 +34,8 @@ std::vector<StoredStudy> load_studies_of_code(const Database& database, const st
 
 /// A condition on rows of `studies`: none of the same name and digest was kept later.
 inline constexpr const char* is_newest =
-    "NOT EXISTS (SELECT 1 FROM studies AS later NOT INDEXED WHERE later.name = studies.name AND "
-    "later.digest = studies.digest AND "
-    "(later.kept_at, later.id) > (studies.kept_at, studies.id))";
+    "studies.id IN (SELECT id FROM (SELECT id, row_number() OVER "
+    "(PARTITION BY name, digest ORDER BY kept_at DESC, id DESC) AS place FROM studies NOT INDEXED) WHERE place = 1)";
 
 /// The code that ran the series of this row; none: our own solver, or a check.
 std::optional<records::OtherCode> other_code(const Row& series);

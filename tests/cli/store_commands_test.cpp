@@ -87,6 +87,24 @@ TEST(DbCommand, ForgetsAStudyThatNoReportCanHave) {
   EXPECT_THAT(call(folder, "study " + (folder / "small.toml") + " --db " + db).out, HasSubstr("0 cases run"));
 }
 
+TEST(DbCommand, PruneNamesTheVersionsThatItRemoves) {
+  const Folder folder;
+  const std::string db = store_of(folder);
+  store::Provenance old = store::current_provenance();
+  old.digest = "0123456789abcdef", old.commit = "c0ffee", old.dirty = false, old.time = "2024-05-06T07:08:09Z";
+  records::StudyResult study;
+  study.name = "old";
+  store::Store(db, store::Store::Mode::write).keep_study(study, {}, old);
+  const Answer prune = call(folder, "db prune --keep 1 --db " + db);
+  EXPECT_EQ(prune.code, 0);
+  EXPECT_THAT(prune.out,
+              MatchesRegex("c0ffee [(]digest 0123456789ab[)], 2024-05-06T07:08:09Z\n1 version removed from " + db +
+                           ": 1 study, 0 records; the file is [0-9.]+ MB smaller\n"));
+  EXPECT_THAT(call(folder, "db prune --keep 1 --db " + db).out, HasSubstr("0 versions removed"));
+  EXPECT_THAT(call(folder, "db info --db " + db).out, HasSubstr("records   8: 8 ok"));
+  EXPECT_EQ(call(folder, "db prune --keep 0 --db " + db).code, 2);
+}
+
 TEST(DbCommand, PrintsTheFileOfAStudyThatTheStoreKeeps) {
   const Folder folder;
   const std::string file = folder.write("small.toml", small_study), db = folder / "r.db";

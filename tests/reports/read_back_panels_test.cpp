@@ -96,9 +96,9 @@ TEST(ReadBackFigures, TrendsStandAboveTheCommitsOfTheirVersions) {
     }
   }
   read_back::ExpectedTable versions;
-  versions.add("", {{"version", "1"}, {"first result", "2026-01-01"}, {"commits", "first1"}, {"digest", "d1a"}});
-  versions.add("", {{"version", "2"}, {"first result", "2026-01-02"}, {"commits", "second later2"}, {"digest", "d2b"}});
   versions.add("", {{"version", "3"}, {"first result", "2026-01-03"}, {"commits", "third3"}, {"digest", "d3c"}});
+  versions.add("", {{"version", "2"}, {"first result", "2026-01-02"}, {"commits", "second later2"}, {"digest", "d2b"}});
+  versions.add("", {{"version", "1"}, {"first result", "2026-01-01"}, {"commits", "first1"}, {"digest", "d1a"}});
   report.expect_html(versions);
 }
 

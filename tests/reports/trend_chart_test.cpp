@@ -1,8 +1,10 @@
 #include "reports/trend_chart.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/plot_elements.hpp"
 #include "reports/unstable_band.hpp"
 
 namespace mpmvv::reports::trend_chart_test {
@@ -149,6 +151,19 @@ TEST(TrendChart, BuildsOfOneCommitAreToldFromEachOther) {
   EXPECT_EQ(names_of({clean, dirty}, ""), (std::vector<std::string>{"c0ffee012345", "c0ffee012345-dirty"}));
   EXPECT_EQ(names_of({dirty, {"aabbccddee112233", dirty.commits, ""}}, ""),
             (std::vector<std::string>{"5f6a7b8c9d", "aabbccddee11"}));
+}
+
+TEST(TrendChart, OfManyVersionsSomeAreNamedAndMarkedTheNewestAmongThem) {
+  History history{"", {}, {{"bars", Finding::Kind::order, "order of 'a'", std::vector<double>(100, 2)}}};
+  for (int v = 1; v <= 100; ++v) history.versions.push_back({fmt::format("d{}", v), {fmt::format("c{}", v)}, ""});
+  const Chart chart = trend_charts("bars", history).at(0);
+  ASSERT_EQ(chart.x.tics.size(), 7U);
+  EXPECT_EQ(chart.x.tics.front().text, "c10");
+  EXPECT_EQ(chart.x.tics.back().text, "c100");
+  EXPECT_EQ(chart.curves[0].every, 4U);
+  EXPECT_EQ(chart.curves[0].dots.size(), 100U);
+  EXPECT_NE(plot_elements(chart, 1).find("data index 0 every 4::3 using 1:($4==1?$3:NaN) with points"),
+            std::string::npos);
 }
 
 }  // namespace mpmvv::reports::trend_chart_test

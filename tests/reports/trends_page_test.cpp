@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -67,6 +68,21 @@ TEST(TrendsPage, NamesVersionsByTheFirstLettersOfTheirHashes) {
   in.histories[0].versions[0] = {"0123456789abcdef", {"fedcba98765432100-dirty"}, "2026-01-01T00:00:00Z"};
   EXPECT_THAT(page_of(in, folder, "trend.html"),
               AllOf(HasSubstr("<code>0123456789ab</code>"), HasSubstr("<code>fedcba987654-dirty</code>")));
+}
+
+TEST(TrendsPage, EarlierVersionsOpenWithAClick) {
+  const TempFolder folder;
+  auto in = input();
+  History history{"", {}, {{"bars", Finding::Kind::order, "order of 'a'", std::vector<double>(12, 2)}}};
+  for (int v = 1; v <= 12; ++v) history.versions.push_back({fmt::format("digest{}", v), {"c0"}, "2026-01-01"});
+  in.histories = {history};
+  const auto page = page_of(in, folder, "trend.html");
+  const auto earlier = page.find("<details><summary>2 earlier versions</summary>");
+  ASSERT_NE(earlier, std::string::npos);
+  EXPECT_LT(page.find("<code>digest12</code>"), page.find("<code>digest3</code>")) << "the newest first";
+  EXPECT_LT(page.find("<code>digest3</code>"), earlier);
+  EXPECT_GT(page.find("<code>digest2</code>"), earlier);
+  EXPECT_THAT(page, AllOf(HasSubstr("<caption>Versions of mpmvv"), HasSubstr("<caption>Earlier versions of mpmvv")));
 }
 
 TEST(TrendsPage, IsDrawnOnce) {
