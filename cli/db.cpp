@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <ranges>
 
 #include "cli/checks.hpp"
 #include "cli/command.hpp"
@@ -12,7 +11,6 @@
 #include "cli/outputs.hpp"
 #include "studies/store/store.hpp"
 #include "studies/store/trial.hpp"
-#include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
 
 namespace mpmvv::cli {
@@ -72,18 +70,6 @@ void print_contents(const std::string& file, const Contents& contents) {
   }
 }
 
-/// The text of the study as this program kept it or, where it did not, the last version that did.
-std::string study_text(const DbOptions& options) {
-  Store::require_study(options.db, options.study);
-  const Store store(options.db, Store::Mode::read);
-  std::vector<std::string> digests{store::current_provenance().digest};
-  for (const store::Version& version : store.versions() | std::views::reverse) digests.push_back(version.digest);
-  for (const std::string& digest : digests)
-    for (const records::StudyResult& study : store.studies(digest))
-      if (study.name == options.study) return store::without_trial(study.text);
-  throw support::UsageError(fmt::format("no version in {} has the study '{}'", options.db, options.study));
-}
-
 int info(const DbOptions& options) {
   const Contents contents = Store(options.db, Store::Mode::read).contents();
   if (options.json)
@@ -132,7 +118,8 @@ int prune(const DbOptions& options) {
 }
 
 int print_study_file(const DbOptions& options) {
-  print_text(study_text(options));
+  const Store store(options.db, Store::Mode::read);
+  print_text(store::without_trial(store.study_text(options.study, store::current_provenance().digest)));
   return 0;
 }
 

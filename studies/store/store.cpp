@@ -197,6 +197,18 @@ std::optional<Provenance> Store::study_provenance(const std::string& study, cons
   return found;
 }
 
+std::string Store::study_text(const std::string& study, const std::string& digest) const {
+  require_versions(impl_->database, study);
+  std::string text;
+  impl_->database.each(
+      "SELECT id, text FROM studies WHERE name = ? ORDER BY digest = ? DESC, kept_at DESC, id DESC LIMIT 1",
+      {study, digest}, [&](const Row& row) {
+        require_intact(impl_->database, Sealed::study, row["id"]);
+        text = row["text"].text();
+      });
+  return text;
+}
+
 Contents Store::contents() const {
   const Database& database = impl_->database;
   Transaction one_state(impl_->database, Kind::read);

@@ -87,6 +87,10 @@ class Store {
   /// Provenance of the study's last keeping; nullopt when absent.
   std::optional<Provenance> study_provenance(const std::string& study, const std::string& digest) const;
 
+  /// The text of a study as this digest kept it or, where it did not, as it was kept last. UsageError when there is
+  /// none.
+  std::string study_text(const std::string& study, const std::string& digest) const;
+
   Contents contents() const;
 
   /// For `db check`: integrity_check, foreign_key_check and all seals; what is wrong, empty when sound.
