@@ -106,6 +106,7 @@ class Reader {
  public:
   Drawing read(const SvgNode& root) {
     visit(root);
+    find_x_label();
     find_key();
     return std::move(drawing_);
   }
@@ -163,7 +164,7 @@ class Reader {
     }
   }
 
-  /// A tic's behind its line of the grid, an axis's before all curves, anything else behind these.
+  /// A tic's text stands behind its line of the grid. The label of the ordinate alone is turned.
   void add_text(const SvgNode& group) {
     const std::string text = flat_text(group.get_child("text")), place = attribute(group, "transform");
     const auto at = numbers_in(place);
@@ -179,20 +180,28 @@ class Reader {
       grid_line_.clear();
     } else if (place.find("rotate") != std::string::npos) {
       drawing_.y.label = text;
-    } else if (!has_elements_) {
-      drawing_.x.label = text;
     } else {
+      if (attribute(group, "text-anchor") == "middle") centred_.push_back(drawing_.labels.size());
       drawing_.labels.push_back({{at.at(0), at.at(1)}, text});
     }
   }
 
   void finish_element() {
-    has_elements_ = true;
     const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
     append(drawing_.marks, element_->marks);
     append(drawing_.lines, element_->lines);
     append(drawing_.boxes, element_->boxes);
     element_.reset();
+  }
+
+  /// Of the centred texts only the label of the abscissa stands below the frame. Where among all it is drawn depends on
+  /// gnuplot's version.
+  void find_x_label() {
+    const auto is_it = [&](std::size_t label) { return drawing_.labels[label].at.y > drawing_.bottom; };
+    const auto found = std::ranges::find_if(centred_, is_it);
+    if (found == centred_.end()) return;
+    drawing_.x.label = drawing_.labels[*found].text, drawing_.x.label_at = drawing_.labels[*found].at;
+    drawing_.labels.erase(drawing_.labels.begin() + static_cast<std::ptrdiff_t>(*found));
   }
 
   /// The key's samples stand below the frame, each before its text; a marker stands in the middle of its line.
@@ -216,9 +225,9 @@ class Reader {
 
   Drawing drawing_;
   std::optional<Element> element_;
-  std::vector<ReadMark> samples_;  ///< markers and beginnings of lines that belong to no element: the key's
-  std::vector<Spot> grid_line_;    ///< that waits for its text
-  bool has_elements_ = false;
+  std::vector<ReadMark> samples_;     ///< markers and beginnings of lines that belong to no element: the key's
+  std::vector<Spot> grid_line_;       ///< that waits for its text
+  std::vector<std::size_t> centred_;  ///< places of the centred texts among the labels
 };
 
 }  // namespace

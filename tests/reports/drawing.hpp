@@ -12,20 +12,21 @@ struct ReadTic {
   std::string text;
 };
 
+/// Where in the picture, in pixels from its left and upper edge.
+struct Spot {
+  double x = 0, y = 0;
+};
+
 struct ReadAxis {
   std::string label;
   std::vector<ReadTic> tics;
+  Spot label_at = {};  ///< of the abscissa's
 
   /// Whether the numbers at the tics grow by ratios. Throws std::runtime_error where they are too few to tell, or stand
   /// where neither a linear nor a logarithmic axis has them.
   bool is_log() const;
   double value(double pixel) const;
   const std::string& name(double pixel) const;  ///< of the nearest tic
-};
-
-/// Where in the picture, in pixels from its left and upper edge.
-struct Spot {
-  double x = 0, y = 0;
 };
 
 /// What tells one series from another.

@@ -85,10 +85,9 @@ TEST(PaperFigure, PointsStandWhereTheyWereMeasured) {
 TEST(PaperFigure, TheKeyStandsBelowTheAxissLabelAndThatBelowTheTics) {
   for (const double width : {60.0, 84.0, 174.0}) {
     const Drawing drawing = read_back::read_drawing(drawn(distinct::laws(), sheet(Format::svg, width)));
-    const auto label = std::ranges::find(drawing.labels, "abscissa of laws", &read_back::ReadText::text);
-    ASSERT_NE(label, drawing.labels.end());
-    EXPECT_GT(label->at.y - drawing.bottom, 8 / 0.75 * 2) << "a row for the tics";
-    for (const auto& entry : drawing.key) EXPECT_GT(entry.at.y - label->at.y, 8 / 0.75) << entry.text;
+    ASSERT_EQ(drawing.x.label, "abscissa of laws");
+    EXPECT_GT(drawing.x.label_at.y - drawing.bottom, 8 / 0.75 * 2) << "a row for the tics";
+    for (const auto& entry : drawing.key) EXPECT_GT(entry.at.y - drawing.x.label_at.y, 8 / 0.75) << entry.text;
   }
 }
 
