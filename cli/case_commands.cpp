@@ -7,7 +7,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <regex>
 #include <set>
 #include <system_error>
 
@@ -77,13 +76,10 @@ std::vector<SeriesCommand> commands_of(const plan::StudyPlan& plan, const plan::
 /// The options that repeat a trial. "shuffle = 3 in 2 of 2 series" was given by --set; what fewer series took, by
 /// --set-where-taken.
 std::string trial_options(const std::string& trial) {
-  static const std::regex one(R"((\S+) = (.*?) in (\d+) of (\d+) series(; |$))");
   std::string options;
-  for (std::sregex_iterator it(trial.begin(), trial.end(), one), end; it != end; ++it) {
-    const std::smatch& part = *it;
-    options += fmt::format(" {} {}={}", part[3] == part[4] ? "--set" : "--set-where-taken", part[1].str(),
-                           support::shell_word(part[2]));
-  }
+  for (const store::TrialSetting& setting : store::settings_of(trial))
+    options += fmt::format(" {} {}={}", setting.in_all ? "--set" : "--set-where-taken", setting.key,
+                           support::shell_word(setting.value));
   return options;
 }
 

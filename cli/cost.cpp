@@ -79,8 +79,11 @@ std::optional<double> cost_of(const support::ProcessEnd& end) {
   if (!record.is_object() || record.value("status", nlohmann::json()) != "ok") return {};
   const auto cost = record.value("ns_per_particle_step", nlohmann::json());
   if (!cost.is_number()) return {};
-  const auto rounds = record.value(nlohmann::json::json_pointer("/cost/rounds"), std::vector<double>());
-  const double ns = rounds.empty() ? cost.get<double>() : fits::median_of(rounds);
+  const nlohmann::json::json_pointer place("/cost/rounds");
+  const auto rounds = record.contains(place) ? record.at(place) : nlohmann::json();
+  const auto is_number = [](const nlohmann::json& round) { return round.is_number(); };
+  const bool has_rounds = rounds.is_array() && !rounds.empty() && std::ranges::all_of(rounds, is_number);
+  const double ns = has_rounds ? fits::median_of(rounds.get<std::vector<double>>()) : cost.get<double>();
   return ns > 0 ? std::optional(ns) : std::nullopt;
 }
 

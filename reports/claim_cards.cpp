@@ -1,7 +1,6 @@
 #include "reports/claim_cards.hpp"
 
 #include <algorithm>
-#include <regex>
 #include <utility>
 
 #include "reports/claim_picture.hpp"
@@ -49,10 +48,14 @@ struct PaperClaims {
 
 /// The year of a source: its last number of four digits; later than all years where there is none.
 int year_of(const std::string& source) {
-  constexpr int unknown = 9999;
-  static const std::regex year("(?:.*[^0-9]|^)([0-9]{4})(?:[^0-9].*)?");
-  std::smatch match;
-  return std::regex_match(source, match, year) ? std::stoi(match[1]) : unknown;
+  constexpr std::string_view digits = "0123456789";
+  int year = 9999;
+  for (std::size_t at = source.find_first_of(digits); at != std::string::npos;) {
+    const std::size_t end = std::min(source.find_first_not_of(digits, at), source.size());
+    if (end - at == 4) year = std::stoi(source.substr(at, 4));
+    at = source.find_first_of(digits, end);
+  }
+  return year;
 }
 
 /// The claims by paper; the papers by year, then by name.

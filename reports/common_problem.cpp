@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <regex>
 
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
@@ -15,13 +14,10 @@ namespace {
 
 /// The problem of `--set problem=...`; empty where only some series have it, none without such a setting.
 std::optional<std::string> problem_of_trial(const records::StudyResult& study) {
-  static const std::regex setting(R"((^|; )problem = (\S+) in (\d+) of (\d+) series)");
-  const std::string trial = store::trial_of(study.text);
-  std::smatch last;
-  for (auto at = std::sregex_iterator(trial.begin(), trial.end(), setting); at != std::sregex_iterator(); ++at)
-    last = *at;
-  if (last.empty()) return std::nullopt;
-  return last[3] == last[4] ? last[2].str() : "";
+  std::optional<std::string> problem;
+  for (const store::TrialSetting& setting : store::settings_of(store::trial_of(study.text)))
+    if (setting.key == "problem") problem = setting.in_all ? setting.value : "";
+  return problem;
 }
 
 }  // namespace

@@ -113,8 +113,8 @@ std::string what_went_wrong(const support::ProcessEnd& end, std::chrono::millise
       lacks_terminal ? fmt::format("; it needs the terminals svg, pdfcairo and cairolatex ({})", advice) : "");
 }
 
-/// Replaces, digit for digit, the time that cairo writes into a PDF (it knows no SOURCE_DATE_EPOCH) by a fixed one, so
-/// that the same picture is the same file.
+/// Replaces, digit for digit, the time that cairo 1.16 writes into a PDF (it knows no SOURCE_DATE_EPOCH) by a fixed
+/// one, so that the same picture is the same file. Cairo 1.18 compresses it, so there the date stays.
 void fix_creation_date(const fs::path& pdf) {
   const std::string key = "/CreationDate (D:", date = "19700101000000";
   std::fstream file(pdf, std::ios::in | std::ios::out | std::ios::binary);
@@ -154,9 +154,7 @@ int draw(const std::vector<Plot>& plots, const fs::path& folder, std::chrono::mi
   }
   if (changed.empty()) return 0;
 
-  // Otherwise cairo from 1.17 on compresses the objects of a PDF, and with them its date (fix_creation_date).
-  const std::map<std::string, std::string> variables{{"LC_ALL", "C.UTF-8"}, {"CAIRO_DEBUG_PDF", "1"}};
-  const auto end = support::run_process(command, folder, variables, limit, kept_variables);
+  const auto end = support::run_process(command, folder, {{"LC_ALL", "C.UTF-8"}}, limit, kept_variables);
   auto culprit = std::ranges::find_if_not(changed, [&](const Plot* p) { return has_pictures(folder, *p); });
   if (culprit == changed.end() && !end.good()) --culprit;
   if (culprit != changed.end()) {

@@ -246,8 +246,9 @@ std::vector<std::string> Store::check() const {
       if (const std::string& text = row.values().front().text(); text != "ok") faults.push_back(text);
     });
     impl_->database.each("PRAGMA foreign_key_check", {}, [&](const Row& row) {
-      faults.push_back(fmt::format("row {} of table {} refers to a missing row of table {}", row["rowid"].to_string(),
-                                   row["table"].text(), row["parent"].text()));
+      const std::string which = row["rowid"].null() ? "a row" : "row " + row["rowid"].to_string();
+      faults.push_back(fmt::format("{} of table {} refers to a missing row of table {}", which, row["table"].text(),
+                                   row["parent"].text()));
     });
     for (std::string& broken : broken_seals(impl_->database)) faults.push_back(std::move(broken));
   } catch (const support::UsageError& e) {

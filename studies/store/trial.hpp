@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 namespace mpmvv::store {
 
@@ -13,5 +14,13 @@ std::string without_trial(const std::string& text);
 /// What `study --set` has put on top of the study that has this text in the store, "shuffle = 3 in 2 of 2 series";
 /// empty for a study as its file has it.
 std::string trial_of(const std::string& text);
+
+struct TrialSetting {
+  std::string key, value;
+  bool in_all;  ///< all series have it, not only those that take it
+};
+
+/// The settings of a trial, in their order. Empty where `trial` is not what `trial_of` returns.
+std::vector<TrialSetting> settings_of(const std::string& trial);
 
 }  // namespace mpmvv::store

@@ -4,9 +4,15 @@
 
 namespace mpmvv::support {
 
+/// The text with `\x00` in place of each NUL, at which an exception's `what()` would end.
+inline std::string without_nul(std::string text) {
+  for (std::size_t at; (at = text.find('\0')) != std::string::npos;) text.replace(at, 1, "\\x00");
+  return text;
+}
+
 /// Bad input: one line that says what is wrong, where, and what would be right. The program exits with 2.
 struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit UsageError(const std::string& message) : std::runtime_error(without_nul(message)) {}
 };
 
 /// A file or folder cannot be written, as on a full disk. A type of its own, because the case that was run is not at

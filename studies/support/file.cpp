@@ -22,9 +22,11 @@ std::optional<std::string> read_file(const fs::path& file) {
   if (std::error_code absent; !fs::is_regular_file(file, absent)) return std::nullopt;
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
-  std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (in.bad()) return std::nullopt;
-  return content;
+  try {
+    return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  } catch (const std::ios_base::failure&) {  // the system opens it, but does not give what is in it
+    return std::nullopt;
+  }
 }
 
 std::string require_file(const fs::path& file, const std::string& wanted) {

@@ -19,7 +19,12 @@ std::size_t after_quotes(std::string_view text, std::size_t at) {
   const bool of_many_lines = text.substr(at).starts_with(std::string(3, quote));
   const std::string end(of_many_lines ? 3 : 1, quote);
   for (std::size_t i = at + end.size(); i < text.size(); ++i) {
-    if (text.substr(i).starts_with(end)) return i + end.size();
+    if (text.substr(i).starts_with(end)) {
+      std::size_t behind = i + end.size();
+      const std::size_t last = of_many_lines ? std::min(behind + 2, text.size()) : behind;
+      while (behind < last && text[behind] == quote) ++behind;  // up to two quotes of its own stand before its end
+      return behind;
+    }
     if (!of_many_lines && text[i] == '\n') return i;
     if (quote == '"' && text[i] == '\\') ++i;
   }

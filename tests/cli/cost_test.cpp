@@ -51,6 +51,16 @@ TEST_F(CostCommand, CountsRepeatedTimes) {
   EXPECT_EQ(beside("case \"$*\" in *'--repeat 3'*) " + cost(1e9) + ";; *) " + cost(1e-3) + ";; esac").code, 0);
 }
 
+/// Rounds that are no numbers do not count. mpmvv writes null where nothing was measured.
+TEST_F(CostCommand, TakesTheMedianOfTheRounds) {
+  const auto rounds = [&](const std::string& list) {
+    return beside("echo '{\"status\": \"ok\", \"ns_per_particle_step\": 1e9, \"cost\": " + list + "}'").code;
+  };
+  EXPECT_EQ(rounds(R"({"rounds": [1e-3, 1e-3, 1e9]})"), 1);
+  for (const char* none : {R"({"rounds": [1e-3, null]})", R"({"rounds": []})", R"({"rounds": 1e-3})", "[]", "null"})
+    EXPECT_EQ(rounds(none), 0) << none;
+}
+
 /// A part has fewer particles to a node than the body. Versions that know of no parts run all of it anyway.
 TEST_F(CostCommand, TimesWholeBodies) {
   const std::string at_whole = "case \"$*\" in *--whole*) ";

@@ -50,6 +50,21 @@ TEST_F(File, IsRequiredToBeOneAndNothingElse) {
   }
 }
 
+TEST_F(File, ThatTheSystemDoesNotGiveIsNamed) {
+  const std::filesystem::path memory = "/proc/self/mem";  // it is there, and its first byte cannot be read
+  EXPECT_EQ(read_file(memory), std::nullopt);
+  try {
+    require_file(memory, "a study file");
+    FAIL();
+  } catch (const UsageError& e) {
+    EXPECT_STREQ(e.what(), "cannot read '/proc/self/mem': it may not be read (a study file)");
+  }
+}
+
+TEST_F(File, AMessageGoesOnBehindAByteOfZero) {
+  EXPECT_STREQ(UsageError(std::string("1\0 for m", 8)).what(), "1\\x00 for m");
+}
+
 TEST_F(File, AppearsWholeOrNotAtAll) {
   EXPECT_TRUE(write_if_changed(folder / "new", "text"));
   EXPECT_FALSE(write_if_changed(folder / "new", "text"));

@@ -141,7 +141,9 @@ TEST(TomlFile, WhatIsTooDeepIsAnErrorWithItsLine) {
         repeated("\"=,\\\"]\".", much) + "a = 1", repeated("'#'.", much) + "a = 1",
         "a = { b = { " + repeated("c.", much) + "d = 1 } }", "a = " + repeated("[", much) + repeated("]", much),
         "a = " + repeated("{ a = ", much) + "1" + repeated(" }", much),
-        "a = " + repeated("[\n", 1000) + repeated("]", 1000), "b = ']]]]'\na = " + repeated("[", 100)})
+        "a = " + repeated("[\n", 1000) + repeated("]", 1000), "b = ']]]]'\na = " + repeated("[", 100),
+        "x = { a = \"\"\"a\"\"\"\", " + repeated("b.", much) + "c = 1 }",
+        "x = { a = '''a''''', " + repeated("b.", much) + "c = 1 }"})
     EXPECT_THAT(message([&] { parse("x = 1\n" + text); }),
                 AllOf(HasSubstr("too deep in one another in bar.toml:"), Not(HasSubstr("bar.toml:1 "))))
         << text.substr(0, 20);
