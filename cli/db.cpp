@@ -111,9 +111,13 @@ int forget(const DbOptions& options) {
 int prune(const DbOptions& options) {
   const Store::Pruned pruned = Store::prune(options.db, options.keep, store::current_provenance().digest);
   for (const store::Version& version : pruned.versions) print("{}, {}\n", label(version), version.time);
-  print("{} removed from {}: {}, {}; the file is {:.1f} MB smaller\n", count_text(pruned.versions.size(), "version"),
-        options.db, count_text(static_cast<std::size_t>(pruned.studies), "study", "studies"),
-        count_text(static_cast<std::size_t>(pruned.records), "record"), 1e-6 * static_cast<double>(pruned.bytes));
+  const std::string size = pruned.bytes > 0
+                               ? fmt::format("the file is {:.1f} MB smaller", 1e-6 * static_cast<double>(pruned.bytes))
+                               : "the file keeps its size";
+  print("{} removed from {}: {}, {}; {}\n", count_text(pruned.versions.size(), "version"), options.db,
+        count_text(static_cast<std::size_t>(pruned.studies), "study", "studies"),
+        count_text(static_cast<std::size_t>(pruned.records), "record"), size);
+  if (!pruned.why_not_smaller.empty()) print("the space stays in the file: {}\n", pruned.why_not_smaller);
   return 0;
 }
 
@@ -163,7 +167,7 @@ void add_db(CLI::App& app, int& exit_code) {
       ->add_option("study", options->study, "name of the study")
       ->required()
       ->type_name("STUDY");
-  add("prune", "Remove all versions of mpmvv but the newest, with their runs; what other codes ran stays", &prune,
+  add("prune", "Remove all versions of mpmvv but the newest, by their first result; what other codes ran stays", &prune,
       {"mpmvv db prune --keep 30 --db results.db"})
       ->add_option("--keep", options->keep, "how many of the newest versions stay, beside that of the running program")
       ->check(from_to(1, 1000000))

@@ -44,7 +44,7 @@ struct Curve {
   std::vector<Dot> dots;
   double size = 0.8;  ///< of the markers
   double square = 0;  ///< width of the squares that dots are drawn as, in the axes' units, each in its shade; 0: none
-  std::size_t every = 1;  ///< of the dots inside one in so many has its marker, counted back from the last dot
+  std::size_t every = 1;  ///< one dot in so many has its marker, counted back from the last, if it is inside
 };
 
 inline constexpr double report_letter = 0.04, paper_letter = 0.06;

@@ -1,6 +1,7 @@
 #include "reports/claim_cards.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "reports/claim_picture.hpp"

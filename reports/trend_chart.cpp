@@ -73,7 +73,6 @@ bool is_unstable(const std::string& remark) {
 
 Curve trend_curve(const Trend& trend, int style) {
   Curve curve{label(trend), label(trend), style, true, true, true, {}};
-  curve.every = 1 + (trend.numbers.size() - 1) / most_markers_drawn;
   for (std::size_t v = 0; v < trend.numbers.size(); ++v) {
     const double number = trend.numbers[v];
     const bool drawable = std::isfinite(number);
@@ -90,6 +89,14 @@ bool marks(const Chart& chart, Mark mark) {
       chart.curves, [mark](const Curve& curve) { return std::ranges::count(curve.dots, mark, &Dot::mark) > 0; });
 }
 
+/// Marks as many versions as a curve without gaps has room for, the newest among them.
+void thin_marks(Chart& chart) {
+  const std::size_t every = 1 + (chart.curves.front().dots.size() - 1) / most_markers_drawn;
+  if (every == 1) return;
+  for (Curve& curve : chart.curves) curve.every = every;
+  chart.caption += fmt::format(" One version in {} has a mark.", every);
+}
+
 /// Places the crosses, and says in the caption what the marks mean that not every chart
 /// has.
 void place_marks(Chart& chart) {
@@ -98,6 +105,7 @@ void place_marks(Chart& chart) {
   if (marks(chart, Mark::outside)) chart.caption += " Hollow: a run of the window is unstable or failed.";
   if (marks(chart, Mark::unstable)) chart.caption += " Crosses in the band at the upper edge: unstable.";
   if (marks(chart, Mark::absent)) chart.caption += " Without a mark: not run, or failed.";
+  if (!marks(chart, Mark::absent) && !marks(chart, Mark::unstable)) thin_marks(chart);
 }
 
 /// Whether the trend has two numbers or more, or one and an unstable run: one number alone has no course.
@@ -149,7 +157,7 @@ Chart trend_chart(const std::string& study, const Shown& shown, const History& h
   chart.name = fmt::format("{}{}-{}", code.empty() ? "" : code + "~", study, file_part(shown));
   chart.caption = fmt::format("Study {}: {} in {}.", study, label.substr(0, label.find(" (")), where);
   chart.height = 240;
-  chart.right_margin = 6;  // half of the newest version's name
+  chart.right_margin = name_of(history.versions.back(), history).size() / 2;  // below the frame's right corner
   std::vector<const Trend*> trends = drawn_trends(study, history);
   std::erase_if(trends, [&](const Trend* trend) { return shown_in(*trend) != shown; });
   std::vector<double> numbers;

@@ -1,5 +1,7 @@
 #include "reports/trend_page.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
@@ -40,10 +42,11 @@ data version_table(const History& history, std::size_t first, std::size_t last, 
   for (std::size_t number = last; number >= first; --number)
     versions << version_data(history.versions[number - 1], number);
   const std::string code = history.code.empty() ? "mpmvv" : history.code;
-  return template_data::object({{"caption", (is_earlier ? "Earlier versions of " : "Versions of ") + code},
-                                {"is_earlier", is_earlier},
-                                {"count", std::to_string(last + 1 - first)},
-                                {"versions", versions}});
+  return template_data::object(
+      {{"caption", (is_earlier ? "Earlier versions of " : "Versions of ") + code},
+       {"is_earlier", is_earlier},
+       {"count", fmt::format("{} earlier version{}", last + 1 - first, last == first ? "" : "s")},
+       {"versions", versions}});
 }
 
 /// The newest first.

@@ -26,7 +26,7 @@ void seal_all(Database& database);
 /// UsageError when the row has no seal, or one that does not fit what it holds.
 void require_intact(const Database& database, Sealed kind, const Value& id);
 
-/// The same of a run whose row, with all its columns, has been read already.
+/// The same of a run whose row has been read already: all of its columns, and no others.
 void require_intact_run(const Database& database, const Row& run);
 
 /// The rows whose seal does not fit what they hold, in words for people.

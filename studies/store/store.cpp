@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "studies/store/code_versions.hpp"
+#include "studies/store/program_versions.hpp"
 #include "studies/store/run_rows.hpp"
 #include "studies/store/schema.hpp"
 #include "studies/store/seal.hpp"
@@ -163,21 +164,7 @@ std::vector<CodeSeries> Store::code_series(const std::string& digest) const {
 }
 
 std::vector<Version> Store::versions() const {
-  std::vector<Version> versions;
-  impl_->database.each(
-      "SELECT digest, git_commit, dirty, min(kept_at) AS first FROM provenance JOIN "
-      "(SELECT provenance, kept_at FROM runs UNION ALL SELECT provenance, kept_at FROM studies) AS kept "
-      "ON kept.provenance = provenance.id WHERE digest IN (SELECT digest FROM studies) "
-      "GROUP BY digest, git_commit, dirty ORDER BY first, min(provenance.id)",
-      {}, [&](const Row& row) {
-        const std::string commit = row["git_commit"].text() + (row["dirty"].flag() ? "-dirty" : "");
-        const auto known = std::ranges::find(versions, row["digest"].text(), &Version::digest);
-        if (known == versions.end())
-          versions.push_back({row["digest"].text(), {commit}, row["first"].text()});
-        else
-          known->commits.push_back(commit);
-      });
-  return versions;
+  return versions_of_program(impl_->database);
 }
 
 std::vector<Version> Store::versions_of_code(const std::string& code) const {
@@ -201,7 +188,7 @@ std::string Store::study_text(const std::string& study, const std::string& diges
   require_versions(impl_->database, study);
   std::string text;
   impl_->database.each(
-      "SELECT id, text FROM studies WHERE name = ? ORDER BY digest = ? DESC, kept_at DESC, id DESC LIMIT 1",
+      "SELECT id, text FROM studies NOT INDEXED WHERE name = ? ORDER BY digest = ? DESC, kept_at DESC, id DESC LIMIT 1",
       {study, digest}, [&](const Row& row) {
         require_intact(impl_->database, Sealed::study, row["id"]);
         text = row["text"].text();
@@ -271,7 +258,7 @@ std::string Store::export_csv() const {
       "SELECT runs.*, git_commit, dirty, compiler, flags, build_type, cpu FROM runs JOIN provenance "
       "ON provenance.id = runs.provenance ORDER BY runs.id",
       {}, [&](const Row& row) {
-        require_intact_run(impl_->database, row);
+        require_intact(impl_->database, Sealed::run, row["id"]);
         if (csv.empty()) csv = support::csv_line(row.names());
         csv += support::csv_line(texts_of(row.values()));
       });

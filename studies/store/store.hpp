@@ -114,14 +114,16 @@ class Store {
 
   /// What `prune` removed.
   struct Pruned {
-    std::vector<Version> versions;  ///< by the time of their first result
-    std::int64_t studies, records;
-    std::int64_t bytes;  ///< by which the file is smaller
+    std::vector<Version> versions = {};  ///< by the time of their first result
+    std::int64_t studies = 0, records = 0;
+    std::int64_t bytes = 0;            ///< by which the file is smaller
+    std::string why_not_smaller = {};  ///< where its free space could not be given back
   };
 
-  /// Keeps the `newest` of `versions()`, and of the others the running program's. Removes the studies that only mpmvv
-  /// ran in all others, and every run that no study refers to in them, also of programs that kept no study. All or
-  /// nothing. Then the file shrinks, which takes free space for a copy of what is left.
+  /// Keeps the `newest` versions that have studies of their own, and that of the running program. Of all others it
+  /// removes these studies, and then every run of our own solver that no study refers to: also that of a study which
+  /// such a version runs at this time. What other codes ran stays. All or nothing; the deletion takes as much free
+  /// space as goes, and giving it back as much as stays.
   static Pruned prune(const std::filesystem::path& file, std::size_t newest, const std::string& running_digest);
 
   /// All records as CSV (17 digits, NaN empty), with digest and commit.

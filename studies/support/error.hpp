@@ -5,9 +5,10 @@
 namespace mpmvv::support {
 
 /// The text with `\x00` in place of each NUL, at which an exception's `what()` would end.
-inline std::string without_nul(std::string text) {
-  for (std::size_t at; (at = text.find('\0')) != std::string::npos;) text.replace(at, 1, "\\x00");
-  return text;
+inline std::string without_nul(const std::string& text) {
+  std::string all;
+  for (const char c : text) c == '\0' ? all += "\\x00" : all += c;
+  return all;
 }
 
 /// Bad input: one line that says what is wrong, where, and what would be right. The program exits with 2.

@@ -179,7 +179,7 @@ class Reader {
         drawing_.x.tics.push_back({a.x, text});
       grid_line_.clear();
     } else if (place.find("rotate") != std::string::npos) {
-      drawing_.y.label = text;
+      drawing_.y.label += (drawing_.y.label.empty() ? "" : " ") + text;
     } else {
       if (attribute(group, "text-anchor") == "middle") centred_.push_back(drawing_.labels.size());
       drawing_.labels.push_back({{at.at(0), at.at(1)}, text});

@@ -197,6 +197,16 @@ TEST(Plot, TextIsDrawnAsItIsWritten) {
   EXPECT_THAT(svg, testing::Not(HasSubstr("<i>")));
 }
 
+TEST(Plot, ALabelLongerThanItsAxisStandsInTwoLines) {
+  auto study = synthetic::check();
+  study.figures[0].ylabel = "the velocity's error, in % of the problem's speed, as the mean of all of its particles";
+  const Plot plot = plots(study)[0];
+  EXPECT_THAT(plot.script, HasSubstr("\"the velocity\\047s error, in % of the problem\\047s\".\"\\n\".\"speed, as"));
+  const TempFolder folder;
+  draw({plot}, folder.path());
+  EXPECT_THAT(content(folder / "s-fig4.svg"), HasSubstr("as the mean of all of its particles</text>"));
+}
+
 TEST(Plot, StudyWithoutAnyPointIsStillDrawn) {
   const TempFolder folder;
   auto study = synthetic::check();

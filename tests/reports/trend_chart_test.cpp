@@ -161,9 +161,18 @@ TEST(TrendChart, OfManyVersionsSomeAreNamedAndMarkedTheNewestAmongThem) {
   EXPECT_EQ(chart.x.tics.front().text, "c10");
   EXPECT_EQ(chart.x.tics.back().text, "c100");
   EXPECT_EQ(chart.curves[0].every, 4U);
+  EXPECT_NE(chart.caption.find("One version in 4 has a mark."), std::string::npos);
   EXPECT_EQ(chart.curves[0].dots.size(), 100U);
   EXPECT_NE(plot_elements(chart, 1).find("data index 0 every 4::3 using 1:($4==1?$3:NaN) with points"),
             std::string::npos);
+}
+
+TEST(TrendChart, WhatWasMeasuredBesideGapsIsMarked) {
+  History history{"", {}, {{"bars", Finding::Kind::order, "order of 'a'", std::vector<double>(30, 2)}}};
+  for (int v = 1; v <= 30; ++v) history.versions.push_back({fmt::format("d{}", v), {fmt::format("c{}", v)}, ""});
+  EXPECT_EQ(trend_charts("bars", history).at(0).curves[0].every, 2U);
+  for (std::size_t v = 1; v < 30; v += 2) history.trends[0].numbers[v] = support::not_measured;
+  EXPECT_EQ(trend_charts("bars", history).at(0).curves[0].every, 1U);
 }
 
 }  // namespace mpmvv::reports::trend_chart_test
