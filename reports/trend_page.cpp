@@ -22,6 +22,7 @@ constexpr std::size_t versions_at_first = 10;  ///< in the table above the figur
 data version_data(const store::Version& version, std::size_t number) {
   return template_data::object({{"number", std::to_string(number)},
                                 {"time", version.time},
+                                {"day", version.time.substr(0, version.time.find('T'))},
                                 {"commits", template_data::list_of(version.commits, store::in_short)},
                                 {"digest", store::in_short(version.digest)}});
 }
