@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -89,7 +90,8 @@ bool marks(const Chart& chart, Mark mark) {
       chart.curves, [mark](const Curve& curve) { return std::ranges::count(curve.dots, mark, &Dot::mark) > 0; });
 }
 
-/// Marks as many versions as a curve without gaps has room for, the newest among them.
+/// Marks as many versions as a curve has room for, the newest among them. Only for a chart on which all dots are alike:
+/// one that stands out must not be lost.
 void thin_marks(Chart& chart) {
   const std::size_t every = 1 + (chart.curves.front().dots.size() - 1) / most_markers_drawn;
   if (every == 1) return;
@@ -105,7 +107,8 @@ void place_marks(Chart& chart) {
   if (marks(chart, Mark::outside)) chart.caption += " Hollow: a run of the window is unstable or failed.";
   if (marks(chart, Mark::unstable)) chart.caption += " Crosses in the band at the upper edge: unstable.";
   if (marks(chart, Mark::absent)) chart.caption += " Without a mark: not run, or failed.";
-  if (!marks(chart, Mark::absent) && !marks(chart, Mark::unstable)) thin_marks(chart);
+  const auto occurs = [&](Mark mark) { return marks(chart, mark); };
+  if (std::ranges::none_of(std::array{Mark::outside, Mark::unstable, Mark::absent}, occurs)) thin_marks(chart);
 }
 
 /// Whether the trend has two numbers or more, or one and an unstable run: one number alone has no course.

@@ -144,6 +144,10 @@ std::int64_t Database::last_row_id() const {
   return sqlite3_last_insert_rowid(connection_.get());
 }
 
+std::int64_t Database::bytes() const {
+  return scalar("SELECT page_count * page_size FROM pragma_page_count, pragma_page_size").integer();
+}
+
 Database::Statement Database::prepared(const std::string& text) const {
   if (auto idle = idle_.extract(text)) return std::move(idle.mapped());
   sqlite3_stmt* raw = nullptr;

@@ -97,6 +97,7 @@ class Database {
   std::int64_t insert(const std::string& table, const Columns& columns, const std::string& conflict = {});
 
   std::int64_t last_row_id() const;
+  std::int64_t bytes() const;  ///< of the file
 
   /// Calls visit(row) for each row of an answer. A row is valid only during that call.
   void each(const std::string& query, const Values& values, const std::function<void(const Row&)>& visit) const;

@@ -13,10 +13,6 @@ namespace {
 /// Of a row of `studies`: no other code ran any of it.
 constexpr const char* is_own = "NOT EXISTS (SELECT 1 FROM series WHERE study = studies.id AND code IS NOT NULL)";
 
-std::int64_t bytes_of(const Database& database) {
-  return database.scalar("SELECT page_count * page_size FROM pragma_page_count, pragma_page_size").integer();
-}
-
 /// The versions that go: of those that kept own studies all but the newest and the running program's.
 std::vector<Version> old_versions(const Database& database, std::size_t newest, const std::string& running_digest) {
   std::set<std::string> with_own;
@@ -33,7 +29,7 @@ std::vector<Version> old_versions(const Database& database, std::size_t newest, 
 
 Store::Pruned Store::prune(const std::filesystem::path& file, std::size_t newest, const std::string& running_digest) {
   Database database = open_store(file, Mode::write);
-  const std::int64_t bytes = bytes_of(database);
+  const std::int64_t bytes = database.bytes();
   Pruned pruned;
   Transaction transaction(database, Transaction::Kind::write);
   pruned.versions = old_versions(database, newest, running_digest);
@@ -56,7 +52,7 @@ Store::Pruned Store::prune(const std::filesystem::path& file, std::size_t newest
   } catch (const support::UsageError& e) {
     pruned.why_not_smaller = e.what();
   }
-  pruned.bytes = bytes - bytes_of(database);
+  pruned.bytes = bytes - database.bytes();
   return pruned;
 }
 

@@ -202,16 +202,15 @@ Contents Store::contents() const {
   std::map<std::string, std::int64_t> with_status;
   database.each("SELECT status, count(*) AS records FROM runs GROUP BY status", {},
                 [&](const Row& row) { with_status[row["status"].text()] = row["records"].integer(); });
-  Contents contents{
-      .schema = database.scalar("PRAGMA user_version").integer(),
-      .bytes = database.scalar("SELECT page_count * page_size FROM pragma_page_count, pragma_page_size").integer(),
-      .studies = database.scalar("SELECT count(*) FROM studies").integer(),
-      .records = 0,
-      .ok = with_status[to_string(Status::ok)],
-      .unstable = with_status[to_string(Status::unstable)],
-      .failed = with_status[to_string(Status::failed)],
-      .programs = {},
-      .codes = {}};
+  Contents contents{.schema = database.scalar("PRAGMA user_version").integer(),
+                    .bytes = database.bytes(),
+                    .studies = database.scalar("SELECT count(*) FROM studies").integer(),
+                    .records = 0,
+                    .ok = with_status[to_string(Status::ok)],
+                    .unstable = with_status[to_string(Status::unstable)],
+                    .failed = with_status[to_string(Status::failed)],
+                    .programs = {},
+                    .codes = {}};
   for (const auto& [status, records] : with_status) contents.records += records;
   database.each(
       "SELECT provenance.digest, git_commit, dirty, count(*) AS records, max(kept_at) AS last FROM runs "

@@ -171,6 +171,10 @@ TEST(TrendChart, WhatWasMeasuredBesideGapsIsMarked) {
   History history{"", {}, {{"bars", Finding::Kind::order, "order of 'a'", std::vector<double>(30, 2)}}};
   for (int v = 1; v <= 30; ++v) history.versions.push_back({fmt::format("d{}", v), {fmt::format("c{}", v)}, ""});
   EXPECT_EQ(trend_charts("bars", history).at(0).curves[0].every, 2U);
+  history.trends[0].remarks.assign(30, "");
+  history.trends[0].remarks[4] = "failed";
+  EXPECT_EQ(trend_charts("bars", history).at(0).curves[0].every, 1U) << "one that is hollow stands out";
+  history.trends[0].remarks.clear();
   for (std::size_t v = 1; v < 30; v += 2) history.trends[0].numbers[v] = support::not_measured;
   EXPECT_EQ(trend_charts("bars", history).at(0).curves[0].every, 1U);
 }
