@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "solver/simd/double4.hpp"
 
@@ -36,6 +37,12 @@ struct Pack {
 /// Whether at least one of the four entries is true.
 inline bool any(const Mask4& mask) {
   return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+}
+
+/// Returns the greatest number below a whole number n > 0. n - n ε/2 rounds to it, ε being the distance of 1 to the
+/// next number. std::nextafter would be a call for each block of particles.
+inline double next_below(double n) {
+  return n * (1 - std::numeric_limits<double>::epsilon() / 2);
 }
 
 /// Returns the four numbers, each moved into [least, most], a NaN to `least`. Sets `strays` to true for the numbers

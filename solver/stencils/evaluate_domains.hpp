@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 
 #include "solver/basis/basis.hpp"
 #include "solver/fault.hpp"
@@ -26,7 +25,7 @@ template <class B, int D>
                                     DomainsByAxis<D>& domains) {
   const double inverse_h = 1 / grid.h(), least = 1 + domain_reach - B::ghost;
   double most[D];
-  for (int d = 0; d < D; ++d) most[d] = std::nextafter(grid.cells()[d] - least, 0.0);
+  for (int d = 0; d < D; ++d) most[d] = next_below(grid.cells()[d] - least);
   Mask4 outside{}, inside{-1, -1, -1, -1};
   for_packs(block, [&](const ParticlePack& pack, int k) {
     const PackVec<D> x = pack.of(particles.x);

@@ -1,7 +1,6 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -28,7 +27,7 @@ template <class B>
 std::pair<double, double> range_of(int cells) {
   if (B::ghost == 0) return {0, cells};
   const double least = std::max(1, (B::support - 1) / 2) - B::ghost;
-  return {least, std::nextafter(cells - least, 0.0)};
+  return {least, next_below(cells - least)};
 }
 
 /// Finds the positions and widths of a block's particles. Returns a fault if a particle is out of reach of the grid, if

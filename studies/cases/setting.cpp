@@ -21,9 +21,15 @@ namespace {
   throw support::UsageError(fmt::format("{} = {} in {} ({})", setting.key, setting.value, setting.where, allowed));
 }
 
-/// Reads a number. Returns whether the whole text is one that the type can hold.
+/// Reads a number. Returns whether the whole text is one that the type can hold. Throws UsageError for a text that is
+/// too long for a message.
 template <class Number>
-bool reads(const std::string& text, Number& value) {
+bool reads(const Setting& setting, Number& value) {
+  constexpr std::size_t longest = 100;
+  const std::string& text = setting.value;
+  if (text.size() > longest)
+    throw support::UsageError(fmt::format("{} = {}... in {}, {} characters (a number of at most {})", setting.key,
+                                          text.substr(0, 20), setting.where, text.size(), longest));
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   return error == std::errc{} && stop == end;
@@ -33,7 +39,7 @@ bool reads(const std::string& text, Number& value) {
 /// size: 0 or nothing.
 double number(const Setting& setting, const char* beside) {
   double value = 0;
-  if (!reads(setting.value, value) || !std::isfinite(value))
+  if (!reads(setting, value) || !std::isfinite(value))
     throw support::UsageError(
         fmt::format("{} = '{}' in {} (a finite number)", setting.key, setting.value, setting.where));
   if (value != 0 && !has_size(value))
@@ -65,7 +71,7 @@ double not_negative(const Setting& setting) {
 
 std::int64_t whole(const Setting& setting, std::int64_t least, std::int64_t most) {
   std::int64_t value = 0;
-  if (!reads(setting.value, value) || value < least || value > most)
+  if (!reads(setting, value) || value < least || value > most)
     refuse(setting, fmt::format("a whole number from {} to {}", least, most));
   return value;
 }

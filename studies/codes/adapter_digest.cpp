@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
+#include <string_view>
 
 #include "studies/cases/case.hpp"
 #include "studies/support/file.hpp"
@@ -51,13 +51,26 @@ std::string contents_named(const std::string& rest, const fs::path& folder) {
   return contents;
 }
 
+/// Returns what stands behind each `{{adapter}}/` of a word, which may have blanks in it, a third brace or an &.
+std::vector<std::string> behind_adapter(std::string_view word) {
+  constexpr std::string_view field = "adapter", blanks = " \t\n\v\f\r";
+  std::vector<std::string> rests;
+  for (auto at = word.find(field); at != std::string_view::npos; at = word.find(field, at + field.size())) {
+    std::string_view before = word.substr(0, at), rest = word.substr(at + field.size());
+    before = before.substr(0, before.find_last_not_of(blanks) + 1);
+    if (!before.ends_with("{{") && !before.ends_with("{{&")) continue;
+    rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    for (const std::string_view end : {"}}/", "}}}/"})
+      if (rest.starts_with(end)) rests.emplace_back(rest.substr(end.size()));
+  }
+  return rests;
+}
+
 /// Returns the contents of the files in the adapter's folder that a command names, as in `{{adapter}}/convert.py`.
 std::string files_named_by(const std::vector<std::string>& command, const fs::path& folder) {
-  static const std::regex prefix(R"(\{\{[{&]?\s*adapter\s*\}?\}\}/)");
   std::string contents;
   for (const std::string& word : command)
-    for (std::sregex_iterator named(word.begin(), word.end(), prefix), end; named != end; ++named)
-      contents += contents_named(named->suffix(), folder);
+    for (const std::string& rest : behind_adapter(word)) contents += contents_named(rest, folder);
   return contents;
 }
 

@@ -65,6 +65,12 @@ std::string brief(const json& value) {
   return text.size() > longest ? text.substr(0, longest) + "..." : text;
 }
 
+/// As `brief`; a list or an object by its kind alone, as dump() calls itself for each of their levels.
+std::string kind_or_text(const json& value) {
+  if (value.is_array()) return "a list";
+  return value.is_object() ? "an object" : brief(value);
+}
+
 }  // namespace
 
 void require_case_fields(const json& object, const std::string& file) {
@@ -77,7 +83,7 @@ void require_case_fields(const json& object, const std::string& file) {
     if (!object.contains(field.name)) fail_case(file, fmt::format("no field '{}'", field.name));
     const json& value = object[field.name];
     if (!field.is_right(value))
-      fail_case(file, fmt::format("{} = {}, which is not {},", field.name, brief(value), field.type));
+      fail_case(file, fmt::format("{} = {}, which is not {},", field.name, kind_or_text(value), field.type));
   }
 }
 

@@ -22,7 +22,7 @@ std::int64_t whole_line(TextLines& lines, const char* what) {
   const std::string_view text = trimmed(lines.next().value_or(""));
   std::int64_t value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || stop != text.data() + text.size())
+  if (error != std::errc() || stop != text.data() + text.size())
     throw UsageError(fmt::format("'{}' in {} ({})", text.substr(0, 40), lines.place(), what));
   return value;
 }

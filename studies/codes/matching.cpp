@@ -16,19 +16,18 @@ namespace {
 
 using Lines = std::vector<std::size_t>;  ///< the particle of each line, by its place in the case
 
-/// Returns the ids of the first three particles that no line has, for messages.
+/// Returns the ids of the first three particles that no line has, for messages; empty where it is not known which.
 std::string missing(const std::vector<bool>& taken) {
   std::vector<std::size_t> ids;
   const auto all = static_cast<std::size_t>(std::count(taken.begin(), taken.end(), false));
   for (std::size_t p = 0; p < taken.size() && ids.size() < 3; ++p)
     if (!taken[p]) ids.push_back(p + 1);
-  return fmt::format("{}{}", fmt::join(ids, ", "), all > ids.size() ? ", ..." : "");
+  return ids.empty() ? "" : fmt::format(" (of the case {}{})", fmt::join(ids, ", "), all > ids.size() ? ", ..." : "");
 }
 
 void require_count(const Snapshot& s, std::size_t particles, const std::vector<bool>& taken) {
   if (s.size() < particles)
-    fail_output("{} of {} particles are missing in {} (of the case {})", particles - s.size(), particles, s.file,
-                missing(taken));
+    fail_output("{} of {} particles are missing in {}{}", particles - s.size(), particles, s.file, missing(taken));
   if (s.size() > particles) fail_output("{} particles in {}, the case has {}", s.size(), s.file, particles);
 }
 

@@ -6,13 +6,15 @@
 #include <utility>
 
 #include "studies/records/record.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::codes {
 
 /// A fault of a code's output: the reason for its record, and its status, `unstable` if the motion blew up, else
 /// `failed`.
 struct OutputFault : std::runtime_error {
-  OutputFault(records::Status what, const std::string& reason) : std::runtime_error(reason), status(what) {}
+  OutputFault(records::Status what, const std::string& reason)
+      : std::runtime_error(support::without_nul(reason)), status(what) {}
 
   records::Status status;
 };

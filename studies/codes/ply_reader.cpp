@@ -34,8 +34,8 @@ void read_element(PlyHeader& header, const std::vector<std::string_view>& words,
     return;
   }
   const char* end = words[2].data() + words[2].size();
-  if (const auto [stop, error] = std::from_chars(words[2].data(), end, header.vertices); stop != end)
-    fail(lines, line, "element vertex, and how many");
+  const auto [stop, error] = std::from_chars(words[2].data(), end, header.vertices);
+  if (error != std::errc() || stop != end) fail(lines, line, "element vertex, and how many");
   header.has_vertices = true;
 }
 

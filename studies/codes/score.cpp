@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "studies/codes/displacement_checks.hpp"
 #include "studies/codes/excursion.hpp"
 #include "studies/codes/matching.hpp"
@@ -152,8 +149,9 @@ void measure(const problems::Problem& problem, const Output& output, Record& rec
 Record score(const cases::Case& c, const Output& output) {
   const problems::Problem& problem = problems::find_problem(c.problem.name, "the case");
   if (!problem.has_solution(c.problem.parameters))
-    throw support::UsageError(
-        fmt::format("problem '{}' has no exact solution with these parameters to score by", problem.name));
+    throw support::UsageError(fmt::format(
+        "problem '{}' has no exact solution with these parameters to score by (other ones, or another problem)",
+        problem.name));
   Record record;
   record.the_case = c;
   record.steps = c.resolution.steps;

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <string_view>
+#include <vector>
 
 #include "studies/codes/field_names.hpp"
 #include "studies/support/error.hpp"
@@ -43,20 +44,63 @@ std::string line_of(std::size_t place, const std::string& text, const std::strin
   return fmt::format("{}:{}", where, std::count(text.begin(), end, '\n') + 1);
 }
 
+std::string_view without_blanks(std::string_view text) {
+  constexpr std::string_view blanks = " \t\n\v\f\r";
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+struct Tag {
+  std::size_t place;
+  std::string_view inside;  ///< what stands between its delimiters, without blanks around it
+};
+
+/// Returns the tags of a text up to the first that the library refuses.
+std::vector<Tag> tags_of(std::string_view text) {
+  std::vector<Tag> tags;
+  std::string_view open = "{{", close = "}}";
+  for (auto place = text.find(open); place != std::string_view::npos;) {
+    const bool is_of_three = open == "{{" && close == "}}" && text.substr(place).starts_with("{{{");
+    const std::string_view end = is_of_three ? "}}}" : close;
+    const auto begin = place + open.size(), behind = text.find(end, begin);
+    if (behind == std::string_view::npos) break;
+    const std::string_view inside = without_blanks(text.substr(begin, behind - begin));
+    tags.push_back({place, inside});
+    if (inside.starts_with('=')) {
+      const std::string_view delimiters = without_blanks(inside.substr(1, inside.size() - 2));
+      if (delimiters.find(' ') == std::string_view::npos) break;
+      open = delimiters.substr(0, delimiters.find(' '));
+      close = delimiters.substr(delimiters.rfind(' ') + 1);
+    }
+    place = text.find(open, behind + end.size());
+  }
+  return tags;
+}
+
 /// Returns where the first tag of this name begins; npos if that is not found.
 std::size_t tag_of(std::string_view name, std::string_view text) {
   const auto is_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   name.remove_prefix(std::min(name.find_first_not_of('{'), name.size()));
-  std::string_view open = "{{";
-  for (auto tag = text.find(open); tag != std::string_view::npos; tag = text.find(open, tag + open.size())) {
-    const std::string_view rest = text.substr(tag + open.size());
-    const std::string_view inside = rest.substr(std::min(rest.find_first_not_of("{#^& "), rest.size()));
-    if (inside.starts_with(name) && (inside.size() == name.size() || !is_of_name(inside[name.size()]))) return tag;
-    if (!rest.starts_with('=')) continue;
-    const auto begin = rest.find_first_not_of(" \t\n", 1);  // of a template that was found valid
-    open = rest.substr(begin, rest.find_first_of(" \t\n", begin) - begin);
+  for (const Tag& tag : tags_of(text)) {
+    const std::string_view inside =
+        tag.inside.substr(std::min(tag.inside.find_first_not_of("{#^& "), tag.inside.size()));
+    if (inside.starts_with(name) && (inside.size() == name.size() || !is_of_name(inside[name.size()])))
+      return tag.place;
   }
   return std::string_view::npos;
+}
+
+/// Throws where sections stand too deep in one another: the library calls itself for each.
+void require_shallow_sections(const std::string& text, const std::string& where) {
+  constexpr int deepest = 64;
+  int depth = 0;
+  for (const auto& [place, inside] : tags_of(text)) {
+    if (inside.starts_with('#') || inside.starts_with('^')) ++depth;
+    if (inside.starts_with('/')) --depth;
+    if (depth > deepest)
+      throw support::UsageError(
+          fmt::format("sections too deep in one another in {} (at most {})", line_of(place, text, where), deepest));
+  }
 }
 
 /// Throws the error of a text that is no template. It says at which character, as in "Unclosed tag at 20".
@@ -111,6 +155,7 @@ std::string hint(const std::string& name, const TemplateFields& fields) {
 }  // namespace
 
 std::string filled(const std::string& text, const TemplateFields& fields, const std::string& where) {
+  require_shallow_sections(text, where);
   mustache::mustache page(text);
   page.set_custom_escape([](const std::string& value) { return value; });
   if (!page.is_valid()) refuse_template(page.error_message(), text, where);

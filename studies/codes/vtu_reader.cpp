@@ -48,7 +48,7 @@ class VtkFile {
   /// Returns the numbers of an array as columns, one for each component.
   std::vector<TableColumn> columns(pugi::xml_node array, const std::string& name) const {
     const std::size_t components = array.attribute("NumberOfComponents").as_uint(1);
-    if (components == 0 || components > 100) fail(fmt::format("{} components of '{}'", components, name));
+    if (components == 0 || components > 100) fail(fmt::format("{} components of '{}', not 1 to 100", components, name));
     const auto name_of = [&](std::size_t k) { return components == 1 ? name : fmt::format("{}:{}", name, k); };
     const std::string_view format = array.attribute("format").as_string("ascii");
     const auto type = number_type(array.attribute("type").as_string());
@@ -105,17 +105,28 @@ class VtkFile {
   bool is_base64_ = false;
 };
 
+/// Returns the columns of the arrays of a piece. It reads no array behind one whose numbers are not those of the
+/// points: the arrays may share their bytes, and together need far more memory than the file has.
+std::vector<TableColumn> columns_of_piece(const VtkFile& file, pugi::xml_node piece) {
+  const std::size_t points = piece.attribute("NumberOfPoints").as_ullong();
+  std::vector<TableColumn> columns;
+  const auto add = [&](pugi::xml_node array, const std::string& name) {
+    for (TableColumn& column : file.columns(array, name)) {
+      if (column.values.size() != points)
+        file.fail(fmt::format("{} numbers in '{}' of {} points", column.values.size(), column.name, points));
+      columns.push_back(std::move(column));
+    }
+  };
+  add(piece.child("Points").child("DataArray"), "Points");
+  for (const pugi::xml_node array : piece.child("PointData").children("DataArray"))
+    add(array, array.attribute("Name").as_string());
+  return columns;
+}
+
 /// Appends the arrays of a piece to those of the pieces before it.
 void add_piece(const VtkFile& file, pugi::xml_node piece, ParticleTable& table) {
   const bool is_first = table.columns.empty();
-  std::vector<TableColumn> columns = file.columns(piece.child("Points").child("DataArray"), "Points");
-  for (const pugi::xml_node array : piece.child("PointData").children("DataArray"))
-    for (TableColumn& column : file.columns(array, array.attribute("Name").as_string()))
-      columns.push_back(std::move(column));
-  const std::size_t points = piece.attribute("NumberOfPoints").as_ullong();
-  for (const TableColumn& column : columns)
-    if (column.values.size() != points)
-      file.fail(fmt::format("{} numbers in '{}' of {} points", column.values.size(), column.name, points));
+  std::vector<TableColumn> columns = columns_of_piece(file, piece);
   if (is_first) table.columns.resize(columns.size());
   if (columns.size() != table.columns.size()) file.fail("pieces with other arrays than the first");
   for (std::size_t k = 0; k < columns.size(); ++k) {

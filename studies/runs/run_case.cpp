@@ -8,7 +8,6 @@
 #include <exception>
 #include <functional>
 #include <optional>
-#include <vector>
 
 #include "studies/runs/balance.hpp"
 #include "studies/runs/blow_up.hpp"

@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <vector>
 
 #include "solver/boundary/images.hpp"
 #include "studies/records/record.hpp"

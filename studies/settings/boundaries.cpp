@@ -47,7 +47,7 @@ std::vector<std::string> boundary_faces(const std::string& text, int dimension, 
       throw UsageError(
           fmt::format("unknown face in boundary '{}' in {} (faces: {})", part, where, fmt::join(names, ", ")));
     std::string& word = words[static_cast<std::size_t>(face - names.begin())];
-    if (!word.empty()) throw UsageError(fmt::format("face '{}' given twice in boundary of {}", *face, where));
+    if (!word.empty()) throw UsageError(fmt::format("face '{}' given twice in boundary of {} (once)", *face, where));
     word = part.substr(std::min(equals + 1, part.size()));
     require_boundary_word(word, where);
   }

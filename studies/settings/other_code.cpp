@@ -41,7 +41,7 @@ void validate_other_code(const cases::Case& c, const problems::Problem& problem)
     refuse(fmt::format("stress_error with material '{}', of which its solution is not exact (leave it out)",
                        c.scheme.material));
   if (problem.is_one_particle) refuse("it is of our own solver's single particle (another problem)");
-  if (!(c.measure.blowup_error > 0)) refuse("blowup_error must be > 0");
+  if (!(c.measure.blowup_error > 0)) refuse(fmt::format("blowup_error = {} (a number > 0)", c.measure.blowup_error));
 }
 
 }  // namespace mpmvv::settings

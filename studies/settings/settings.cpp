@@ -60,8 +60,9 @@ ProblemChoice make_choice(const Settings& settings, const Problem& problem) {
   if (const auto it = settings.find("quarter"); it != settings.end()) {
     choice.quarter = parse_flag(it->second);
     if (choice.quarter && !problem.has_quarter())
-      throw UsageError(fmt::format("quarter in {} has no meaning for problem '{}', which has no planes of symmetry",
-                                   it->second.where, problem.name));
+      throw UsageError(
+          fmt::format("quarter in {} has no meaning for problem '{}', which has no planes of symmetry (leave it out)",
+                      it->second.where, problem.name));
   }
   return choice;
 }

@@ -11,6 +11,7 @@
 #include "studies/settings/boundaries.hpp"
 #include "studies/settings/traits.hpp"
 #include "studies/support/error.hpp"
+#include "studies/support/words.hpp"
 
 namespace mpmvv::settings {
 
@@ -67,6 +68,14 @@ struct Asked {
     for (std::size_t k = 0; k < faces.size(); ++k)
       if (faces[k] == solver::Wall::word && !problem.has_wall(parameters, k)) return face_name(k);
     return "";
+  }
+
+  /// Returns the faces for which the problem has a wall motion, for messages.
+  std::string walls() const {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < faces.size(); ++k)
+      if (problem.has_wall(parameters, k)) names.push_back(face_name(k));
+    return support::listed(names);
   }
 
   static std::string face_name(std::size_t k) { return fmt::format("{}{}", "xyz"[k / 2], k % 2 == 0 ? "min" : "max"); }
@@ -170,7 +179,8 @@ constexpr Rule rules[]{
      "goes forward)"},
 
     {[](const Asked& a) { return !a.wall_at_rest().empty(); },
-     "boundary 'wall' on face {wall_at_rest} of problem '{problem}', which has no moving wall there"},
+     "boundary 'wall' on face {wall_at_rest} of problem '{problem}', which has no moving wall there (faces with "
+     "one: {walls})"},
     {[](const Asked& a) { return a.has<solver::Wall>() && a.do_walls_hold_all(); },
      "wall_depth {wall_depth} of each wall, {cells_between_walls:.3g} cells apart (less: walls that hold all "
      "cells leave none to the method)"},
@@ -232,7 +242,7 @@ constexpr Rule rules[]{
     {[](const Asked& a) { return a.c.measure.nodal_error && a.has<solver::Wall>(); },
      "nodal_error with boundary 'wall', whose acceleration belongs to a step and not to the end time (leave it out)"},
     {[](const Asked& a) { return !(a.c.measure.blowup_error > 0) || !(a.c.measure.blowup_energy > 0); },
-     "blowup_error and blowup_energy must be > 0"},
+     "blowup_error = {blowup_error} and blowup_energy = {blowup_energy} (both > 0)"},
 };
 
 /// Returns the velocity updates that have a property, as in "flip or fmpm".
@@ -247,7 +257,8 @@ std::string text_of(const Rule& rule, const Asked& a) {
                      arg("velocity_update", a.s.velocity_update), arg("boundary", a.s.boundary),
                      arg("material", a.s.material), arg("problem", a.problem.name), arg("cells", a.c.resolution.cells),
                      arg("cells_across", a.cells_across()), arg("least_cells", a.least_cells()),
-                     arg("twice_ghosts", 2 * a.ghosts), arg("wall_at_rest", a.wall_at_rest()),
+                     arg("twice_ghosts", 2 * a.ghosts), arg("wall_at_rest", a.wall_at_rest()), arg("walls", a.walls()),
+                     arg("blowup_error", a.c.measure.blowup_error), arg("blowup_energy", a.c.measure.blowup_energy),
                      arg("wall_depth", a.s.wall_depth), arg("cells_between_walls", a.cells_between_walls()),
                      arg("open_cut", a.open_cut()), arg("placed_updates", updates(takes_position)),
                      arg("consistent_updates", updates(solver::takes_consistent_mass)),

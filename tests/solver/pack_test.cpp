@@ -16,6 +16,11 @@ double error_of_log(double x) {
   return std::abs(static_cast<double>(found - exact)) / std::ldexp(1, std::ilogb(static_cast<double>(exact)) - 52);
 }
 
+TEST(Fours, StopBelowAWholeNumber) {
+  for (int n = 1; n < 5000; ++n) EXPECT_EQ(next_below(n), std::nextafter(n, 0.0)) << n;
+  for (const double n : {1e6, 123456789., 2147483647., 4294967296.}) EXPECT_EQ(next_below(n), std::nextafter(n, 0.0));
+}
+
 TEST(Fours, TakeLogarithmsToAboutOneUnitInTheLastPlace) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> some(-1, 1);

@@ -91,7 +91,12 @@ TEST_F(AdapterFile, ItsDigestIsOfAllFilesThatACommandMayName) {
     support::write_if_changed(folder_ / file, "another\n");
     return read(text).digest != before;
   };
+  const std::string blanks(200'000, ' ');
+  EXPECT_TRUE(depends("{{" + blanks + "adapter" + blanks + "}}/linear.conf", "linear.conf"));
   for (const auto& [word, file] : {std::pair{"{{adapter}}/linear.conf", "linear.conf"},
+                                   {"{{{ adapter }}}/linear.conf", "linear.conf"},
+                                   {"{{& adapter }}/linear.conf", "linear.conf"},
+                                   {"adapter {{adapter}}/linear.conf", "linear.conf"},
                                    {"--conf={{adapter}}/linear.conf", "linear.conf"},
                                    {"{{ adapter }}/linear.conf", "linear.conf"},
                                    {"{{adapter}}/{{variant}}.conf", "linear.conf"},

@@ -21,9 +21,11 @@ class CaseFile : public testing::Test {
  protected:
   ~CaseFile() override { std::filesystem::remove(file_); }
 
+  std::string complaint(const json& object) const { return complaint_about(object.dump()); }
+
   /// What is said of a file with this in it; empty where it is read.
-  std::string complaint(const json& object) const {
-    std::ofstream(file_) << object.dump();
+  std::string complaint_about(const std::string& text) const {
+    std::ofstream(file_) << text;
     try {
       read_case(file_);
     } catch (const support::UsageError& e) {
@@ -62,8 +64,16 @@ TEST_F(CaseFile, WithAFieldOfAnotherTypeIsRefused) {
     for (const json& wrong : {json(true), json(), json({1, 2}), json({{"a", json::array()}})}) {
       json other = whole_;
       other[name] = wrong;
-      EXPECT_THAT(complaint(other), HasSubstr(name + " = " + wrong.dump() + ", which is not " + types.at(name)));
+      const std::string text = wrong.is_array() ? "a list" : wrong.is_object() ? "an object" : wrong.dump();
+      EXPECT_THAT(complaint(other), HasSubstr(name + " = " + text + ", which is not " + types.at(name)));
     }
+}
+
+TEST_F(CaseFile, MayHaveListsInListsWithoutEnd) {
+  const std::string list = std::string(200'000, '[') + std::string(200'000, ']'), was = whole_["dt"].dump();
+  std::string text = whole_.dump();
+  text.replace(text.find("\"dt\":" + was) + 5, was.size(), list);
+  EXPECT_THAT(complaint_about(text), HasSubstr("dt = a list, which is not a number, in "));
 }
 
 TEST_F(CaseFile, WithAFieldThatIsNoneIsRefusedAndToldWhichWasMeant) {

@@ -34,6 +34,16 @@ std::vector<std::pair<std::string, std::string>> sound_files() {
           {"nairn", nairn(s)}};
 }
 
+/// What is said of a file that is refused; empty where it is read.
+std::string complaint(codes::ParticleTable (*read)(const codes::Source&), const std::string& content) {
+  try {
+    read({content, "file"});
+  } catch (const support::UsageError& e) {
+    return e.what();
+  }
+  return "";
+}
+
 /// Reads it, or has a one-line UsageError; anything else ends the test.
 bool is_read(const std::string& format, const std::string& content) {
   const codes::Format& reader = *std::find_if(codes::formats().begin(), codes::formats().end(),
@@ -66,6 +76,28 @@ TEST(DamagedFiles, BytesAndNumbersChanged) {
       for (int k = 0; k < 1 + round % 4; ++k) damaged[random() % damaged.size()] = static_cast<char>(random());
       is_read(format, damaged);
     }
+}
+
+/// They are not read as 0.
+TEST(DamagedFiles, CountsBeyondTheirTypeAreSaid) {
+  const std::string huge = "99999999999999999999999";
+  EXPECT_EQ(complaint(codes::read_ply, "ply\nformat ascii 1.0\nelement vertex " + huge +
+                                           "\nproperty double x\n"
+                                           "end_header\n1\n"),
+            "'element vertex " + huge + "' in file:3 (element vertex, and how many)");
+  EXPECT_EQ(
+      complaint(codes::read_dump, "ITEM: TIMESTEP\n" + huge + "\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS id x\n1 2\n"),
+      "'" + huge + "' in file:2 (the number of a step)");
+}
+
+/// Arrays may share their bytes: memory for all of them may be far more than the file has.
+TEST(DamagedFiles, ArraysBehindOneOfOtherPointsAreNotRead) {
+  EXPECT_EQ(complaint(codes::read_vtu,
+                      "<VTKFile><UnstructuredGrid><Piece NumberOfPoints=\"1\"><Points><DataArray type=\"Float64\" "
+                      "NumberOfComponents=\"3\">1 2 3</DataArray></Points><PointData><DataArray type=\"Float64\" "
+                      "Name=\"m\">1 2</DataArray><DataArray type=\"Float64\" Name=\"u\">one</DataArray></PointData>"
+                      "</Piece></UnstructuredGrid></VTKFile>"),
+            "2 numbers in 'm' of 1 points in file (a VTK file in XML: .vtu or .vtp)");
 }
 
 /// Headers that promise more than the file has, and numbers beyond any type.

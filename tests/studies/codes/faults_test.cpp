@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "studies/codes/output_fault.hpp"
 #include "studies/codes/score.hpp"
 #include "tests/studies/codes/exact_state.hpp"
 
@@ -51,6 +52,18 @@ TEST_F(OutputFaults, MissingParticles) {
   expect_failed(s, "1 of 256 particles are missing in end.csv");
   s.x[7][0] = std::numeric_limits<double>::quiet_NaN();
   expect_failed(s, "1 of 256 particles are missing in end.csv");
+}
+
+TEST_F(OutputFaults, MissingParticlesAreNamedWhereItIsKnownWhich) {
+  Snapshot s = end();
+  s.id.clear(), s.X.clear(), s.mass.clear();
+  s.x.pop_back(), s.v.pop_back();
+  EXPECT_EQ(codes::score(c, {.end = s}).reason, "1 of 256 particles are missing in end.csv");
+}
+
+TEST(OutputFault, SaysAllOfItsReason) {
+  const std::string reason("time \0 s in end.csv", 19);
+  EXPECT_STREQ(codes::OutputFault(Status::failed, reason).what(), "time \\x00 s in end.csv");
 }
 
 TEST_F(OutputFaults, DoubledParticles) {

@@ -7,6 +7,7 @@
 
 #include "studies/codes/case_particles.hpp"
 #include "studies/settings/settings.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::score_test {
 
@@ -110,6 +111,14 @@ TEST(Score, IdsAreNotBlamedForAnError) {
     EXPECT_EQ(r.status, records::Status::unstable) << r.reason;
     EXPECT_THAT(r.reason, testing::HasSubstr(is_blown_up ? "displacement error 0.15 beyond" : "another origin?"));
   }
+}
+
+TEST(Score, NeedsASolution) {
+  const std::vector<settings::Setting> impact{
+      {"problem", "impact", ""}, {"basis", "linear", ""}, {"cells", "4", ""}, {"ppc", "2", ""}, {"cfl", "0.2", ""}};
+  EXPECT_THAT([&] { score(settings::make_case(impact), {}); },
+              testing::ThrowsMessage<support::UsageError>(
+                  testing::HasSubstr("no exact solution with these parameters to score by (other ones, or another")));
 }
 
 /// A body that rests where that of the exact solution moves has ids that fit its start.

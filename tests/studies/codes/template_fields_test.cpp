@@ -109,6 +109,27 @@ TEST_F(TemplateFieldsOfCases, StandBesideBracesWithOtherDelimiters) {
   EXPECT_THAT(complaint("{{= <% %> =}}\n<% hh %>"), HasSubstr("/input.mustache:4 (docs/adapters.md lists them"));
 }
 
+/// The library calls itself for each section that stands in another.
+TEST_F(TemplateFieldsOfCases, RefusedWhereSectionsAreTooDeep) {
+  const auto nested = [](int depth, const std::string& open, const std::string& close) {
+    std::string text;
+    for (int k = 0; k < depth; ++k) text += open;
+    text += "2";
+    for (int k = 0; k < depth; ++k) text += close;
+    return text;
+  };
+  EXPECT_EQ(filled(nested(64, "{{#is_plane}}", "{{/is_plane}}")), "2");
+  EXPECT_EQ(filled(nested(1, "{{! {{# }}", "") + nested(100, "{{#is_plane}}2{{/is_plane}}", "{{! # }}")),
+            std::string(102, '2'));
+  const auto refused = ThrowsMessage<UsageError>(
+      AllOf(HasSubstr("sections too deep in one another in "), HasSubstr("/input.mustache:2 (at most 64)")));
+  for (const char* before : {"\n", "{{! {{=<% %>=}}\n", "{{{ppc}} {{=<% %>=}} }}}\n"})
+    EXPECT_THAT([&] { filled(before + nested(65, "{{ # is_plane }}", "{{/is_plane}}")); }, refused) << before;
+  EXPECT_THAT([&] { filled("{{^is_solid}}\n" + nested(100'000, "{{^is_solid}}", "")); }, refused);
+  for (const char* before : {"{{=<% %>=}}\n", "{{= <%  %>\t=\t}}\n"})
+    EXPECT_THAT([&] { filled(before + nested(65, "<%#is_plane%>", "<%/is_plane%>")); }, refused) << before;
+}
+
 /// In mm, s and t: 1 MPa is 1 t/(mm s²), 1 kg/m³ is 1e-12 t/mm³.
 TEST_F(TemplateFieldsOfCases, AreInTheUnitsOfTheOutputWhereThatIsAskedFor) {
   const std::string numbers =

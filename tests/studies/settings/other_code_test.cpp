@@ -81,6 +81,11 @@ TEST(OtherCode, MayHaveALawThatTheSolutionIsNotExactFor) {
       HasSubstr("stress_error with material 'neo-hookean-log', of which its solution is not exact (leave it out)"));
 }
 
+TEST(OtherCode, BlowsUpBeyondANumber) {
+  EXPECT_THAT(complaint({{"problem", "square"}, {"code", "nairn"}, {"blowup_error", "-1"}}),
+              HasSubstr("blowup_error = -1 (a number > 0)"));
+}
+
 TEST(OtherCode, RunsTheWholeBody) {
   EXPECT_FALSE(part_of(made({{"problem", "square"}, {"code", "nairn"}})).has_value());
 }

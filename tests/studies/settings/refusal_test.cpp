@@ -51,6 +51,16 @@ TEST(Refusal, NamesAValueAndWhatIsAllowed) {
                   {"problem=cube cfl=0.1 param.poissons_ratio=0.5", "allowed: > -1 and < 0.5"}});
 }
 
+/// 100 characters are enough for each number.
+TEST(Refusal, OfALongNumberDoesNotRepeatIt) {
+  const std::string zeros(97, '0');
+  EXPECT_NO_THROW(make("problem=bar cfl=0.1" + zeros));
+  for (const std::string key : {"cfl", "cells", "param.amplitude"})
+    EXPECT_THAT([&] { make("problem=bar cfl=0.1 " + key + "=8." + zeros + "00"); },
+                testing::ThrowsMessage<support::UsageError>(key + " = 8.000000000000000000... in --" + key +
+                                                            ", 101 characters (a number of at most 100)"));
+}
+
 TEST(Refusal, OfATimeStepSaysWhichWouldDo) {
   expect_refused({{"problem=bar", "neither cfl nor dt"},
                   {"problem=bar cfl=0.1 dt=1e-5", "both cfl and dt"},
@@ -64,23 +74,27 @@ TEST(Refusal, OfParametersSaysWhichGoTogether) {
 }
 
 TEST(Refusal, OfChoicesSaysWhyTheyDoNotGoTogether) {
-  expect_refused({{"problem=bar basis=bspline2-open boundary=periodic cfl=0.1", "has no ghost nodes"},
-                  {"problem=bar boundary=xmin=dirichlet cfl=0.1", "does not name face 'xmax'"},
-                  {"problem=bar boundary=xmin=periodic,xmax=free cfl=0.1", "one face only"},
-                  {"problem=bar boundary=free wall_acceleration=difference cfl=0.1", "holds no node"},
-                  {"problem=bar basis=ugimp cfl=0.1", "without smoothing_length"},
-                  {"problem=bar integrator=usl start=half cfl=0.1", "no meaning for integrator 'usl'"},
-                  {"problem=bar boundary=dirichlet integrator=uvf wall_acceleration=difference cfl=0.1",
-                   "maps the velocity after"},
-                  {"problem=bar velocity_update=fmpm cfl=0.1",
-                   "velocity_update 'fmpm' without order (its k, from 1 on: --order 2"},
-                  {"problem=bar velocity_update=pic order=2 cfl=0.1", "no meaning"},
-                  {"problem=bar velocity_update=fmpm order=2 integrator=cd cfl=0.1", "at their ends"},
-                  {"problem=bar velocity_update=fmpm order=2 mass=consistent cfl=0.1", "nothing is expanded"},
-                  {"problem=impact nodal_error=true cells=4 cfl=0.2", "no exact acceleration"},
-                  {"problem=impact integrator=cd start=exact cells=4 cfl=0.2", "no exact velocity"},
-                  {"problem=impact material=neo-hookean-log cells=4 cfl=0.2", "it is of neo-hookean"},
-                  {"problem=ring param.poissons_ratio=0.3 cfl=0.1", "use conforming"}});
+  expect_refused(
+      {{"problem=bar basis=bspline2-open boundary=periodic cfl=0.1", "has no ghost nodes"},
+       {"problem=bar boundary=xmin=dirichlet cfl=0.1", "does not name face 'xmax'"},
+       {"problem=bar boundary=xmin=periodic,xmax=free cfl=0.1", "one face only"},
+       {"problem=bar boundary=xmin=free,xmin=free cfl=0.1", "'xmin' given twice in boundary of --boundary (once)"},
+       {"problem=vortex quarter=true cfl=0.1", "which has no planes of symmetry (leave it out)"},
+       {"problem=bar blowup_error=0 cfl=0.1", "blowup_error = 0 and blowup_energy = 10 (both > 0)"},
+       {"problem=bar boundary=free wall_acceleration=difference cfl=0.1", "holds no node"},
+       {"problem=bar basis=ugimp cfl=0.1", "without smoothing_length"},
+       {"problem=bar integrator=usl start=half cfl=0.1", "no meaning for integrator 'usl'"},
+       {"problem=bar boundary=dirichlet integrator=uvf wall_acceleration=difference cfl=0.1",
+        "maps the velocity after"},
+       {"problem=bar velocity_update=fmpm cfl=0.1",
+        "velocity_update 'fmpm' without order (its k, from 1 on: --order 2"},
+       {"problem=bar velocity_update=pic order=2 cfl=0.1", "no meaning"},
+       {"problem=bar velocity_update=fmpm order=2 integrator=cd cfl=0.1", "at their ends"},
+       {"problem=bar velocity_update=fmpm order=2 mass=consistent cfl=0.1", "nothing is expanded"},
+       {"problem=impact nodal_error=true cells=4 cfl=0.2", "no exact acceleration"},
+       {"problem=impact integrator=cd start=exact cells=4 cfl=0.2", "no exact velocity"},
+       {"problem=impact material=neo-hookean-log cells=4 cfl=0.2", "it is of neo-hookean"},
+       {"problem=ring param.poissons_ratio=0.3 cfl=0.1", "use conforming"}});
 }
 
 }  // namespace mpmvv::settings::refusal_test

@@ -49,18 +49,24 @@ TEST(Validate, ThrowsTheFirstThatIsBroken) {
                   "deformation 'exponential' with integrator 'rk4', whose stages are linear (use linear)"));
 }
 
+cases::Case case_of(std::vector<Setting> settings) {
+  for (const auto& [key, value] : std::map<std::string, std::string>{{"cells", "16"}, {"ppc", "2"}, {"cfl", "0.1"}})
+    settings.push_back({key, value, ""});
+  return make_case(settings);
+}
+
 TEST(Validate, NamesTheFaceWithoutAWall) {
   cases::Case c = bar_case();
   c.scheme.boundary = "xmin=free,xmax=wall";
   EXPECT_THAT([&] { check(c); },
               ThrowsMessage<support::UsageError>("boundary 'wall' on face xmax of problem 'bar', which has no moving "
-                                                 "wall there"));
-}
-
-cases::Case case_of(std::vector<Setting> settings) {
-  for (const auto& [key, value] : std::map<std::string, std::string>{{"cells", "16"}, {"ppc", "2"}, {"cfl", "0.1"}})
-    settings.push_back({key, value, ""});
-  return make_case(settings);
+                                                 "wall there (faces with one: none)"));
+  EXPECT_THAT(
+      [] {
+        case_of({{"problem", "swing", ""}, {"boundary", "wall", ""}});
+      },
+      ThrowsMessage<support::UsageError>(
+          HasSubstr("on face ymin of problem 'swing', which has no moving wall there (faces with one: xmin, xmax)")));
 }
 
 /// The bar is 80 cells long, and longer at the end.
