@@ -21,6 +21,7 @@ function(mpmvv_optimize target kind)
   target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0> ${${kind}})
   if(kind STREQUAL "OTHER")
     target_precompile_headers(${target} REUSE_FROM mpmvv_headers)
+    target_link_libraries(${target} PRIVATE Eigen3::Eigen)  # for tools that read the headers and not what g++ made of them
   endif()
 endfunction()
 

@@ -77,6 +77,7 @@ Scene<D> validated(Scene<D> scene) {
   const bool is_wide = width == ParticleWidth::reference || width == ParticleWidth::current;
   require(particles.size() > 0, "a scene without particles");
   require(scene.threads > 0, "a scene without threads");
+  require(scene.least_in_slab > 0, "a scene with slabs without particles");
   require(!is_wide || particles.l.size() == particles.size(), "particles without the widths that the basis takes");
   require(width != ParticleWidth::domain || particles.R.size() == particles.size(),
           "particles without the domains that the basis takes");
@@ -103,7 +104,9 @@ Step<D>::Step(Scene<D> scene)
     : scene_(validated(std::move(scene))),
       particles_(std::move(scene_.particles)),
       grid_(make_grid(scene_)),
-      slabs_(std::visit([this](const auto& basis) { return Slabs<D>(grid_, basis); }, scene_.basis)),
+      slabs_(std::visit(
+          [this](const auto& basis) { return Slabs<D>(grid_, basis, particles_.size() / scene_.least_in_slab); },
+          scene_.basis)),
       pool_(scene_.threads),
       active_nodes_(grid_.size()),
       integrator_(integrator_named(scene_.integrator)) {

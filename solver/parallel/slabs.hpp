@@ -26,7 +26,7 @@ enum class Adds { nothing, to_nodes };
 template <int D>
 class Slabs {
  public:
-  static constexpr int most = 32;
+  static constexpr std::size_t most = 32;
 
   /// The least thickness of a slab, in cells. Where there are several slabs, they are on average at least one cell
   /// thicker. Particles of the two neighbours of a slab may stray into it by one cell from either side, and their basis
@@ -37,10 +37,12 @@ class Slabs {
   template <class B>
   static constexpr int least_thickness = 2 * (1 + solver::reach(B::width)) + std::max(B::support, 4) + 1;
 
+  /// Makes as many slabs as their least thickness allows, `at_most` so many, and at least one.
   template <class B>
-  Slabs(const Grid<D>& grid, const B&)
+  Slabs(const Grid<D>& grid, const B&, std::size_t at_most = most)
       : least_thickness_(static_cast<std::size_t>(least_thickness<B>)),
-        count_(static_cast<std::size_t>(std::clamp(grid.cells()[D - 1] / (least_thickness<B> + 1), 1, most))),
+        count_(std::clamp(static_cast<std::size_t>(grid.cells()[D - 1]) / (least_thickness_ + 1), std::size_t{1},
+                          std::clamp(at_most, std::size_t{1}, most))),
         offset_(changes_between_nodes<B> ? 0.5 : 0),
         bounds_(count_ + 1),
         first_(count_ + 1) {

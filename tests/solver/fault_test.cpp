@@ -151,6 +151,8 @@ TEST(Scenes, ThatCannotBeRunAreRefused) {
   };
   EXPECT_EQ(refusal(Linear{}, [](Scene<2>& scene) { scene.particles = {}; }), "a scene without particles");
   EXPECT_EQ(refusal(Linear{}, [](Scene<2>& scene) { scene.threads = 0; }), "a scene without threads");
+  EXPECT_EQ(refusal(Linear{}, [](Scene<2>& scene) { scene.least_in_slab = 0; }),
+            "a scene with slabs without particles");
   for (const AnyBasis& basis : {AnyBasis{Gimp{}}, AnyBasis{CpGimp{}}, AnyBasis{B2Gimp{}}}) {
     EXPECT_EQ(refusal(basis, [](Scene<2>&) {}), "");
     EXPECT_EQ(refusal(basis, [](Scene<2>& scene) { scene.particles.l.pop_back(); }),

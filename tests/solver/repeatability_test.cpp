@@ -271,6 +271,15 @@ TEST(Slabs, HoldAboutAsManyParticlesEach) {
   EXPECT_LE(static_cast<double>(most), in_the_fullest_cells + 1);
 }
 
+TEST(Slabs, AreNoMoreThanAskedFor) {
+  const Grid<1> grid(Vec<1>::Zero(), 1, {400}, 1, 2);
+  EXPECT_EQ(Slabs<1>(grid, Linear{}).count(), 32);
+  EXPECT_EQ(Slabs<1>(grid, Linear{}, 3).count(), 3);
+  EXPECT_EQ(Slabs<1>(grid, Linear{}, 100).count(), 32);
+  EXPECT_EQ(Slabs<1>(grid, Linear{}, 0).count(), 1);
+  EXPECT_EQ(Slabs<1>(Grid<1>(Vec<1>::Zero(), 1, {3}, 1, 2), Linear{}, 3).count(), 1);
+}
+
 TEST(Slabs, SortKeepsTheOrderWithinACell) {
   Scene<1> scene = full_scene<1>(Linear{}, 40, 3);
   std::shuffle(scene.particles.x.begin(), scene.particles.x.end(), std::mt19937(2));

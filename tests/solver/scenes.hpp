@@ -67,6 +67,7 @@ Scene<D> full_scene(const AnyBasis& basis, int cells, int ppc, const AnyBoundary
   scene.basis = basis;
   scene.material = NeoHookeanLog{3000, 4000};
   scene.boundary.fill(boundary);
+  scene.least_in_slab = 1;  // several slabs also of few particles
   Index<D> count;
   count.fill(cells * ppc);
   scene.particles = particles_at<D>(lattice<D>(scene.lower, scene.h / ppc, count), std::pow(scene.h / ppc, D));
