@@ -21,8 +21,8 @@ enum class Adds { nothing, to_nodes };
 /// Cuts the domain across its last axis into slabs with about equally many particles. Sorts the particles so that those
 /// of a slab are contiguous and, within a slab, those that reach the same nodes. A particle may stray up to one cell
 /// out of its slab before the particles must be sorted again. Slabs are so thick that even then two slabs with another
-/// one between them share no node. The slabs depend on the grid, the basis and the particles alone, not on the number
-/// of threads.
+/// one between them share no node. The slabs depend on the grid, the basis, the particles and how many are asked for,
+/// not on the number of threads.
 template <int D>
 class Slabs {
  public:

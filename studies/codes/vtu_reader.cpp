@@ -106,7 +106,7 @@ class VtkFile {
 };
 
 /// Returns the columns of the arrays of a piece. It reads no array behind one whose numbers are not those of the
-/// points: the arrays may share their bytes, and together need far more memory than the file has.
+/// points: arrays that share their bytes may together need far more memory than the file has.
 std::vector<TableColumn> columns_of_piece(const VtkFile& file, pugi::xml_node piece) {
   const std::size_t points = piece.attribute("NumberOfPoints").as_ullong();
   std::vector<TableColumn> columns;

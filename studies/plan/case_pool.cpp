@@ -151,15 +151,15 @@ bool CasePool::count_if_done(const Case& c) {
 
 Record CasePool::record_of(const Case& c, double seconds_of_all) {
   if (!c.scheme.code.empty()) return external_record_of(c);
-  const double about = seconds({c});
   if (const auto part = settings::part_of(c)) {
-    const double memory = memory_estimate(part->body, solver::count(part->images));
-    const int threads = threads_for(memory, about, seconds_of_all);
+    const int images = solver::count(part->images);
+    const double memory = memory_estimate(part->body, images);
+    const int threads = threads_for(c, images, memory, seconds_of_all);
     const Admission::Place place(admission_, threads, memory);
     if (const auto record = runs::run_part(c, *part, threads)) return finish(*record, threads);
   }
   const double memory = memory_estimate(c);
-  const int threads = threads_for(memory, about, seconds_of_all);
+  const int threads = threads_for(c, 1, memory, seconds_of_all);
   const Admission::Place place(admission_, threads, memory);
   return finish(runs::run_case(c, threads), threads);
 }
@@ -170,10 +170,12 @@ Record CasePool::external_record_of(const Case& c) {
   return finish(codes::run_external(c, options_.codes.at(c.scheme.code)), 1);
 }
 
-/// All threads for a case that takes much memory, or that would still run when all others are done; else one.
-int CasePool::threads_for(double memory, double seconds, double seconds_of_all) const {
+/// All threads for a case that takes much memory, or that would still run when all others are done, if they can share
+/// it; else one.
+int CasePool::threads_for(const Case& c, int images, double memory, double seconds_of_all) {
   constexpr double much_memory = 1024.0 * 1024 * 1024;
-  return memory > much_memory || outlasts_others(seconds, seconds_of_all, options_.jobs) ? options_.jobs : 1;
+  const bool takes_much = memory > much_memory || outlasts_others(seconds({c}), seconds_of_all, options_.jobs);
+  return takes_much && can_be_shared(c, images) ? options_.jobs : 1;
 }
 
 /// One thread at a time writes to the store, all that has finished in one transaction; the others go on running.

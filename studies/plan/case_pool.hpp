@@ -65,7 +65,7 @@ class CasePool {
   records::Record external_record_of(const cases::Case& c);
   records::Record finish(records::Record record, int threads);
   void report_to(const std::function<void(const Progress&)>& listener);
-  int threads_for(double memory, double seconds, double seconds_of_all) const;
+  int threads_for(const cases::Case& c, int images, double memory, double seconds_of_all);
   void time_all(const std::vector<cases::Case>& cases);
   void keep(std::vector<records::Record> records);
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "solver/scene.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/settings/traits.hpp"
 
@@ -46,13 +47,21 @@ double doubles_per_particle(const cases::Scheme& scheme, int D) {
   return 3 * D + 2 * D * D + widths + 4 + stages + rate + affine + history + doubles_per_domain(scheme, D);
 }
 
+/// Number of particles, about.
+double particles(const cases::Case& c) {
+  const int D = problems::find_problem(c.problem.name, "the case").dimension();
+  return problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, D);
+}
+
 }  // namespace
 
 double work_estimate(const cases::Case& c) {
-  const int dimension = problems::find_problem(c.problem.name, "the case").dimension();
   const double expansion = c.scheme.order > 0 ? 1 + 0.2 * (c.scheme.order - 1) : 1;
-  return expansion * problems::extent(c).cells_of_body * std::pow(c.resolution.ppc, dimension) *
-         static_cast<double>(c.resolution.steps);
+  return expansion * particles(c) * static_cast<double>(c.resolution.steps);
+}
+
+bool can_be_shared(const cases::Case& c, int images) {
+  return c.scheme.code.empty() && particles(c) / images >= 3.0 * static_cast<double>(solver::Scene<1>().least_in_slab);
 }
 
 bool outlasts_others(double seconds, double all, int jobs) {
@@ -62,12 +71,11 @@ bool outlasts_others(double seconds, double all, int jobs) {
 
 double memory_estimate(const cases::Case& c, int images) {
   const int D = problems::find_problem(c.problem.name, "the case").dimension();
-  const auto [cells_of_body, cells_of_domain] = problems::extent(c);
   const int beside = 1 + 2 * ghosts_of(settings::named<solver::AnyBasis>(c.scheme.basis));
-  const double nodes = std::pow(std::pow(cells_of_domain, 1.0 / D) + beside, D);
+  const double nodes = std::pow(std::pow(problems::extent(c).cells_of_domain, 1.0 / D) + beside, D);
   const double sorting = 8 * (1 + D + D * D) + 12;  // bytes: a number, a vector, a matrix, three indices
-  const double particles = cells_of_body * std::pow(c.resolution.ppc, D) / images;
-  return (8 * doubles_per_particle(c.scheme, D) + sorting) * particles + 8 * doubles_per_node(c.scheme, D) * nodes;
+  return (8 * doubles_per_particle(c.scheme, D) + sorting) * particles(c) / images +
+         8 * doubles_per_node(c.scheme, D) * nodes;
 }
 
 }  // namespace mpmvv::plan

@@ -9,6 +9,10 @@ double work_estimate(const cases::Case& c);
 /// Seconds assumed for every check, as the store keeps no times of checks; the longest take a few.
 inline constexpr double about_check = 5;
 
+/// Whether threads can share a case of which one of every `images` particles is run: our solver's, with particles for
+/// three slabs, of which two are visited at a time.
+bool can_be_shared(const cases::Case& c, int images = 1);
+
 /// Whether a case that takes so many seconds on one core gets all threads: it takes long, and would still run when
 /// `all` seconds of work, its own among them, are done.
 bool outlasts_others(double seconds, double all, int jobs);

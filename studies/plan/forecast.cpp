@@ -85,7 +85,7 @@ class Forecaster {
         study.anew += timed_anew_.count(c);
         result_.timed_seconds += seconds;
       } else {
-        loads_.push_back({seconds, c.scheme.code.empty()});
+        loads_.push_back({seconds, can_be_shared(c)});
       }
     }
   }

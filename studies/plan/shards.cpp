@@ -145,7 +145,7 @@ Demand demand(const std::vector<StudyPlan>& plans, const Work& work, const CostM
     for (const Case& c : cases) memories.push_back(memory_estimate(c));
   };
   add(work.runs);
-  for (const Case& c : work.runs) loads.push_back({costs.time(c).seconds, c.scheme.code.empty()});
+  for (const Case& c : work.runs) loads.push_back({costs.time(c).seconds, can_be_shared(c)});
   for (const LimitTask& limit : work.limits) {
     const std::vector<Case> scan = scan_cases(plans, limit);
     add(scan);

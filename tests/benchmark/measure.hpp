@@ -38,6 +38,7 @@ template <int D>
 solver::Scene<D> waving_block(std::string_view basis, int cells, int ppc) {
   auto scene = solver::full_scene<D>(solver::basis_named(basis), cells, ppc);
   solver::set_wave(scene, 1);
+  scene.least_in_slab = solver::Scene<D>().least_in_slab;
   return scene;
 }
 

@@ -142,7 +142,7 @@ TEST(RunCommand, EveryProblemFollowsItsSolution) {
   const Folder folder;
   for (const char* choice :
        {"bar --basis cpgimp --cells 10", "square --basis cpgimp --cells 10", "cube --basis cpgimp --cells 10",
-        "ring --basis cpgimp --cells 10", "ring --basis bspline3 --cells 10 --fill conforming --quarter",
+        "ring --basis cpgimp --cells 20", "ring --basis bspline3 --cells 10 --fill conforming --quarter",
         "ring --basis bspline3 --cells 10 --fill conforming --quarter --param poissons_ratio=0.3",
         "vortex --basis bspline3 --cells 24 --fill conforming",
         "shell --basis bspline2 --cells 10 --fill conforming --quarter"}) {

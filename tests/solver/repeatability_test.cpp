@@ -271,6 +271,17 @@ TEST(Slabs, HoldAboutAsManyParticlesEach) {
   EXPECT_LE(static_cast<double>(most), in_the_fullest_cells + 1);
 }
 
+/// A body in one slab is never sorted anew.
+TEST(Slabs, OfAStepHoldAtLeastAsManyParticlesAsItsSceneSays) {
+  Scene<1> scene = drifting<1>(BSpline2{}, {50});
+  bool sorted;
+  run(scene, 100, &sorted);
+  EXPECT_TRUE(sorted);
+  scene.least_in_slab = scene.particles.size();
+  run(scene, 100, &sorted);
+  EXPECT_FALSE(sorted);
+}
+
 TEST(Slabs, AreNoMoreThanAskedFor) {
   const Grid<1> grid(Vec<1>::Zero(), 1, {400}, 1, 2);
   EXPECT_EQ(Slabs<1>(grid, Linear{}).count(), 32);

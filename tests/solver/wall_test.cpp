@@ -120,10 +120,10 @@ struct StretchedBar {
   Scene<D> scene;
 
   StretchedBar(const AnyBasis& basis, const AnyVelocityUpdate& update, double depth,
-               WallGradient gradient = WallGradient::given) {
+               WallGradient gradient = WallGradient::given, int height = 4) {
     left.rate = right.rate = 0;
     scene.h = 0.125;
-    scene.cells.fill(4);
+    scene.cells.fill(height);
     scene.cells[0] = 24;
     scene.lower = Vec<D>::Zero();
     scene.lower[0] = -1.5;
@@ -133,7 +133,7 @@ struct StretchedBar {
     scene.boundary[0] = Wall{&left, depth, gradient};
     scene.boundary[1] = Wall{&right, depth, gradient};
     Index<D> count;
-    count.fill(8);
+    count.fill(2 * height);
     count[0] = 32;
     Vec<D> corner = Vec<D>::Zero();
     corner[0] = -1;
@@ -259,8 +259,8 @@ TEST(Wall, ReactsWithTheStressOfTheBody) {
 }
 
 TEST(Wall, ThreadsDoNotMatter) {
-  StretchedBar<2> bar(B2Cpdi{}, Fmpm{4}, 1.5, WallGradient::estimated);
-  bar.scene.cells[1] = 40;
+  StretchedBar<2> bar(B2Cpdi{}, Fmpm{4}, 1.5, WallGradient::estimated, 40);
+  bar.scene.least_in_slab = 1;
   const auto run = [&bar](int threads) {
     bar.scene.threads = threads;
     Mpm<2> mpm(bar.scene);

@@ -69,7 +69,7 @@ TEST_F(CaseFile, WithAFieldOfAnotherTypeIsRefused) {
     }
 }
 
-TEST_F(CaseFile, MayHaveListsInListsWithoutEnd) {
+TEST_F(CaseFile, WithListsInListsWithoutEndIsRefused) {
   const std::string list = std::string(200'000, '[') + std::string(200'000, ']'), was = whole_["dt"].dump();
   std::string text = whole_.dump();
   text.replace(text.find("\"dt\":" + was) + 5, was.size(), list);

@@ -78,8 +78,7 @@ TEST(DamagedFiles, BytesAndNumbersChanged) {
     }
 }
 
-/// They are not read as 0.
-TEST(DamagedFiles, CountsBeyondTheirTypeAreSaid) {
+TEST(DamagedFiles, CountsBeyondTheirTypeAreRefused) {
   const std::string huge = "99999999999999999999999";
   EXPECT_EQ(complaint(codes::read_ply, "ply\nformat ascii 1.0\nelement vertex " + huge +
                                            "\nproperty double x\n"

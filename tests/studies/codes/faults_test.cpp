@@ -54,7 +54,7 @@ TEST_F(OutputFaults, MissingParticles) {
   expect_failed(s, "1 of 256 particles are missing in end.csv");
 }
 
-TEST_F(OutputFaults, MissingParticlesAreNamedWhereItIsKnownWhich) {
+TEST_F(OutputFaults, MissingParticlesAreCountedWhereItIsNotKnownWhich) {
   Snapshot s = end();
   s.id.clear(), s.X.clear(), s.mass.clear();
   s.x.pop_back(), s.v.pop_back();

@@ -30,4 +30,16 @@ TEST(MemoryEstimate, CountsTheNodesKeptOfDomains) {
   EXPECT_NEAR(of("3") - of("2"), box * particles, 1);
 }
 
+/// A bar of two slabs is visited one slab after the other.
+TEST(SharedCase, HasParticlesForThreeSlabs) {
+  const auto is_shared = [](const char* cells, int images = 1) {
+    const std::vector<settings::Setting> bar{
+        {"problem", "bar", ""}, {"cells", cells, ""}, {"ppc", "4", ""}, {"cfl", "0.2", ""}, {"basis", "bspline2", ""}};
+    return can_be_shared(settings::make_case(bar), images);
+  };
+  EXPECT_FALSE(is_shared("383"));
+  EXPECT_TRUE(is_shared("384"));
+  EXPECT_FALSE(is_shared("384", 2));
+}
+
 }  // namespace mpmvv::plan::estimates_test
