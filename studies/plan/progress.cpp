@@ -25,7 +25,7 @@ double Remaining::seconds(int jobs) const {
   double beside = std::max(0.0, expected_), longest = 0, alone = 0;
   for (const auto& [c, estimate] : estimates_) (c.measure.repeat > 0 ? alone : beside) += estimate;
   for (const auto& [c, estimate] : estimates_) {
-    const bool is_shared = can_be_shared(c) && outlasts_others(estimate, beside, jobs);
+    const bool is_shared = outlasts_others(estimate, beside, jobs) && can_be_shared(c);
     if (c.measure.repeat == 0 && !is_shared) longest = std::max(longest, estimate);
   }
   const double correction = (measured_ + trust) / (estimated_ + trust);

@@ -2,12 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include "studies/settings/settings.hpp"
+
 namespace mpmvv::plan::progress_test {
 
+/// Cases with enough particles to share.
 cases::Case sized(int cells) {
-  cases::Case c;
-  c.resolution.cells = cells;
-  return c;
+  const std::vector<settings::Setting> bar{{"problem", "bar", ""},
+                                           {"cells", std::to_string(400 + cells), ""},
+                                           {"ppc", "4", ""},
+                                           {"cfl", "0.2", ""},
+                                           {"basis", "bspline2", ""}};
+  return settings::make_case(bar);
 }
 
 cases::Case timed(int cells) {
