@@ -16,9 +16,9 @@ function(mpmvv_optimize target kind)
   set(COMPUTES "")
   set(ALGEBRA $<$<CONFIG:Release>:-O1>)
   set(OTHER $<$<CONFIG:Release,Mutants>:-Og>)
-  set(HEADERS ${OTHER})
+  set(HEADERS ${OTHER})  # of mpmvv_headers, which the targets of the kind OTHER share
   target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O0> ${${kind}})
-  # Not where an executable gets other flags than a library.
+  # With CMAKE_POSITION_INDEPENDENT_CODE an executable has other flags than a library, and no compiler shares then.
   if(kind STREQUAL "OTHER" AND NOT CMAKE_POSITION_INDEPENDENT_CODE)
     target_precompile_headers(${target} REUSE_FROM mpmvv_headers)
     target_link_libraries(${target} PRIVATE ${mpmvv_shared_headers})  # for tools that read the headers themselves
@@ -29,7 +29,7 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers.cpp CONTENT "")
 set(mpmvv_shared_headers Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json)
 add_library(mpmvv_headers OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/headers.cpp)
 target_link_libraries(mpmvv_headers PRIVATE mpmvv_flags ${mpmvv_shared_headers})
-# A compiled header out of ccache may be older than the header.
+# What ccache kept may be older than the header that CMake has written anew; clang++ would refuse it.
 target_compile_options(mpmvv_headers PRIVATE $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
 target_precompile_headers(mpmvv_headers PRIVATE
   <algorithm> <array> <charconv> <chrono> <cmath> <filesystem> <functional> <map> <memory> <mutex> <numeric> <optional>

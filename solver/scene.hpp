@@ -53,7 +53,7 @@ struct Scene {
   int threads = 1;
   /// How many particles a slab holds at least, on average, unless there is only one. Slabs are what threads share, and
   /// the blocks in smaller ones are not full: with 64 to a slab a step of a bar takes 1.1 times as long, with 32 it
-  /// takes 1.3 times as long.
+  /// takes 1.25 times as long.
   std::size_t least_in_slab = 512;
   /// A node has an acceleration if its mass exceeds this fraction of a full cell's mass (the mean mass density of the
   /// particles at rest times h^D). The default is `mass_cutoff_of` the basis. Every node with mass has a velocity. Up
