@@ -24,8 +24,8 @@ struct StudiedCase {
 constexpr StudiedCase studied_cases[] = {
     {"cube, 16 cells", "problem=cube basis=bspline2 integrator=cd boundary=periodic cells=16 ppc=4 cfl=0.4"},
     {"cube, 32 cells", "problem=cube basis=bspline2 integrator=cd boundary=periodic cells=32 ppc=2 cfl=0.4"},
-    {"square, 128 cells", "problem=square basis=bspline2 integrator=cd boundary=symmetry cells=128 ppc=4 cfl=0.4"},
-    {"square, 256 cells", "problem=square basis=bspline2 integrator=cd boundary=symmetry cells=256 ppc=2 cfl=0.4"},
+    {"square, 96 cells", "problem=square basis=bspline2 integrator=cd boundary=symmetry cells=96 ppc=4 cfl=0.4"},
+    {"square, 96 cells", "problem=square basis=bspline2 integrator=cd boundary=symmetry cells=96 ppc=2 cfl=0.4"},
     {"ring, 64 cells", "problem=ring quarter=true fill=conforming basis=cpgimp integrator=cd cells=64 ppc=2 cfl=0.4"},
     {"ring, 64 cells", "problem=ring quarter=true fill=conforming basis=bspline3 integrator=cd cells=64 ppc=2 cfl=0.4"},
     {"vortex, 48 cells", "problem=vortex fill=conforming basis=bspline3 integrator=cd cells=48 ppc=2 cfl=0.2"},
