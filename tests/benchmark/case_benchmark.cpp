@@ -18,9 +18,9 @@ struct StudiedCase {
   const char* settings;
 };
 
-/// Cube as in s-fig12 and x-cost-cube, square as in x-cost-square and x-mirror between symmetry planes, ring and shell
-/// as in x-cost-ring and x-cost-shell, vortex as in x-cost-vortex, impact as in n-cost but to its end, bar as in
-/// x-cost.
+/// Cube as in s-fig12 and x-cost-cube, square as in x-cost-square, on its finest grid, but between planes of symmetry,
+/// ring and shell as in x-cost-ring and x-cost-shell, vortex as in x-cost-vortex, impact as in n-cost but to its end,
+/// bar as in x-cost.
 constexpr StudiedCase studied_cases[] = {
     {"cube, 16 cells", "problem=cube basis=bspline2 integrator=cd boundary=periodic cells=16 ppc=4 cfl=0.4"},
     {"cube, 32 cells", "problem=cube basis=bspline2 integrator=cd boundary=periodic cells=32 ppc=2 cfl=0.4"},
