@@ -128,19 +128,26 @@ Record run_external(const Case& c, const Code& code, const fs::path& keep) {
   return record;
 }
 
-std::vector<Record> run_timed(const std::vector<Case>& cases, const Codes& codes) {
+Record run_untimed(const Case& c, const Codes& codes) {
+  return c.scheme.code.empty() ? runs::run_untimed(c) : run_external(c, codes.at(c.scheme.code));
+}
+
+std::vector<Record> time_in_rounds(std::vector<Record> records, const Codes& codes) {
   std::set<Case> of_unknown_steps;  // their cost is measured as if each were one step
-  const auto run_other = [&](const Case& c) {
+  const auto count_one = [&](Record& r) {
+    if (r.status != Status::ok || r.steps > 0) return;
+    of_unknown_steps.insert(r.the_case);
+    r.steps = 1;
+    set_cost_of_step(r);
+  };
+  const auto run_again = [&](const Case& c) {
+    if (c.scheme.code.empty()) return runs::time_steps(c);
     Record record = run_external(c, codes.at(c.scheme.code));
-    if (record.status != Status::ok || record.steps > 0) return record;
-    of_unknown_steps.insert(c);
-    record.steps = 1;
-    set_cost_of_step(record);
+    count_one(record);
     return record;
   };
-  const auto run = [&](const Case& c) { return c.scheme.code.empty() ? runs::run_untimed(c) : run_other(c); };
-  const auto run_again = [&](const Case& c) { return c.scheme.code.empty() ? runs::time_steps(c) : run_other(c); };
-  std::vector<Record> records = runs::run_in_rounds(cases, run, run_again);
+  for (Record& record : records) count_one(record);
+  records = runs::time_in_rounds(std::move(records), run_again);
   for (Record& record : records) {
     if (!of_unknown_steps.contains(record.the_case)) continue;
     record.steps = 0;

@@ -15,9 +15,12 @@ namespace mpmvv::codes {
 /// record has no CFL number, and the number of steps that the output states, or 0 where that is unknown.
 records::Record run_external(const cases::Case& c, const Code& code, const std::filesystem::path& keep = {});
 
-/// Runs cases whose cost is measured, by our own solver and by other codes, in rounds (rounds.hpp), each in as many as
-/// it says (`repeat`). The caller sees to it that nothing else runs on the machine.
-std::vector<records::Record> run_timed(const std::vector<cases::Case>& cases, const Codes& codes);
+/// Runs a case whose cost is measured once, by our own solver or by another code.
+records::Record run_untimed(const cases::Case& c, const Codes& codes);
+
+/// Measures the cost of cases that have run once, in rounds (rounds.hpp), each in as many as it says (`repeat`). The
+/// caller sees to it that nothing else runs on the machine.
+std::vector<records::Record> time_in_rounds(std::vector<records::Record> records, const Codes& codes);
 
 /// Kills the programs that run and removes their temporary folders, for a command that is about to stop. No other run
 /// begins as long as the lock is held.

@@ -95,13 +95,20 @@ bool CasePool::load_known(const Case& c) {
 void CasePool::run_all(std::vector<Case> missing) {
   const auto timed =
       std::stable_partition(missing.begin(), missing.end(), [](const Case& c) { return c.measure.repeat == 0; });
-  if (timed != missing.end()) time_all({timed, missing.end()});
+  if (timed != missing.end()) time_all(longest_first({timed, missing.end()}));
   missing.erase(timed, missing.end());
-  std::vector<std::pair<double, Case>> longest_first;
-  for (const Case& c : missing) longest_first.emplace_back(seconds({c}), c);
-  std::ranges::stable_sort(longest_first, std::greater{}, &std::pair<double, Case>::first);
+  missing = longest_first(missing);
   const double all = seconds(missing);
-  support::for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run(longest_first[k].second, all); });
+  support::for_each_parallel(missing.size(), options_.jobs, [&](std::size_t k) { run(missing[k], all); });
+}
+
+std::vector<Case> CasePool::longest_first(const std::vector<Case>& cases) {
+  std::vector<std::pair<double, Case>> with_seconds;
+  for (const Case& c : cases) with_seconds.emplace_back(seconds({c}), c);
+  std::ranges::stable_sort(with_seconds, std::greater{}, &std::pair<double, Case>::first);
+  std::vector<Case> sorted;
+  for (auto& [time, c] : with_seconds) sorted.push_back(std::move(c));
+  return sorted;
 }
 
 void CasePool::expect(double seconds) {
@@ -124,14 +131,19 @@ void CasePool::report_to(const std::function<void(const Progress&)>& listener) {
   listener(progress_);
 }
 
-/// Measures costs. Nothing else runs and nothing is written during that time.
+/// Runs each case once, beside others, and then measures costs. Nothing else runs and nothing is written during that
+/// time.
 void CasePool::time_all(const std::vector<Case>& cases) {
+  std::vector<Record> records(cases.size());
+  support::for_each_parallel(cases.size(), options_.jobs, [&](std::size_t k) {
+    const Admission::Place place(admission_, 1, memory_estimate(cases[k]));
+    records[k] = codes::run_untimed(cases[k], options_.codes);
+  });
   double memory = 0;
   for (const Case& c : cases) memory = std::max(memory, memory_estimate(c));
-  std::vector<Record> records;
   {
     const Admission::Place place(admission_, options_.jobs, memory);
-    records = codes::run_timed(cases, options_.codes);
+    records = codes::time_in_rounds(std::move(records), options_.codes);
   }
   for (Record& record : records) record = finish(record, 1);
   keep(std::move(records));

@@ -20,8 +20,8 @@ namespace mpmvv::plan {
 
 /// Gets records of cases: from memory, from the store, or by running them; only a part of the body is run where its
 /// images make up the rest. A case runs once, unless two threads ask for it at the same time. Cases run in parallel,
-/// the long ones first, as far as the machine's memory allows. Two kinds run alone: those whose cost is measured, on
-/// one thread and taking turns; and big ones, on all threads.
+/// the long ones first, as far as the machine's memory allows. Big ones run alone, on all threads. Those whose cost
+/// is measured are then timed alone, on one thread and taking turns.
 class CasePool {
  public:
   CasePool(store::Store& store, const RunnerOptions& options);
@@ -60,6 +60,7 @@ class CasePool {
   std::optional<records::Record> known(const cases::Case& c) const;
   bool load_known(const cases::Case& c);
   void run_all(std::vector<cases::Case> missing);
+  std::vector<cases::Case> longest_first(const std::vector<cases::Case>& cases);
   bool count_if_done(const cases::Case& c);
   records::Record record_of(const cases::Case& c, double seconds_of_all);
   records::Record external_record_of(const cases::Case& c);

@@ -23,7 +23,7 @@ CostModel::CostModel(const store::Store* store)
     : store_(store), costs_(store ? store->step_costs() : store::StepCosts{}) {}
 
 CostModel::Time CostModel::time(const cases::Case& c) const {
-  const int runs = 1 + c.measure.repeat;  // the first is not timed
+  const int runs = 1 + c.measure.repeat;
   if (const auto last = store_ ? store_->last_seconds(c) : std::nullopt) return {runs * *last, Source::same_case};
   const auto part = settings::part_of(c).value_or(settings::Part{c});
   const double work = runs * work_estimate(part.body) / solver::count(part.images);

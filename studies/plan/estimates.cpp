@@ -60,6 +60,10 @@ double work_estimate(const cases::Case& c) {
   return expansion * particles(c) * static_cast<double>(c.resolution.steps);
 }
 
+double share_alone(const cases::Case& c) {
+  return static_cast<double>(c.measure.repeat) / (1 + c.measure.repeat);
+}
+
 bool can_be_shared(const cases::Case& c, int images) {
   return c.scheme.code.empty() && particles(c) / images >= 3.0 * static_cast<double>(solver::Scene<1>().least_in_slab);
 }

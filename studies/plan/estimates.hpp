@@ -9,6 +9,10 @@ double work_estimate(const cases::Case& c);
 /// Seconds assumed for every check, as the store keeps no times of checks; the longest take a few.
 inline constexpr double about_check = 5;
 
+/// The share of a case's time in which it has the machine for itself, for its cost to be measured; the first of its
+/// runs is beside others.
+double share_alone(const cases::Case& c);
+
 /// Whether threads can share a case of which one of every `images` particles is run: our solver's, with particles for
 /// three slabs, of which two are visited at a time.
 bool can_be_shared(const cases::Case& c, int images = 1);

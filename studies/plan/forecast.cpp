@@ -80,13 +80,11 @@ class Forecaster {
       ++study.runs;
       if (settings::part_of(c)) ++study.parts;
       const double seconds = add_time(c, study);
-      if (c.measure.repeat > 0) {
-        ++study.timed;
-        study.anew += timed_anew_.count(c);
-        result_.timed_seconds += seconds;
-      } else {
-        loads_.push_back({seconds, can_be_shared(c)});
-      }
+      const bool is_timed = c.measure.repeat > 0;
+      study.timed += is_timed ? 1 : 0;
+      study.anew += timed_anew_.count(c);
+      result_.timed_seconds += share_alone(c) * seconds;
+      loads_.push_back({(1 - share_alone(c)) * seconds, !is_timed && can_be_shared(c)});
     }
   }
 

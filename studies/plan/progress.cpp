@@ -18,12 +18,15 @@ void Remaining::finish(const cases::Case& c, double measured) {
   estimates_.erase(left);
 }
 
-/// Cases that run in parallel take at least as long as the longest that threads do not share; timed cases come after
-/// them, one by one.
+/// Cases that run in parallel take at least as long as the longest that threads do not share; timed cases are measured
+/// after them, one by one.
 double Remaining::seconds(int jobs) const {
   constexpr double trust = 1;  // seconds for which the estimates are taken as they are
   double beside = std::max(0.0, expected_), longest = 0, alone = 0;
-  for (const auto& [c, estimate] : estimates_) (c.measure.repeat > 0 ? alone : beside) += estimate;
+  for (const auto& [c, estimate] : estimates_) {
+    alone += share_alone(c) * estimate;
+    beside += (1 - share_alone(c)) * estimate;
+  }
   for (const auto& [c, estimate] : estimates_) {
     const bool is_shared = outlasts_others(estimate, beside, jobs) && can_be_shared(c);
     if (c.measure.repeat == 0 && !is_shared) longest = std::max(longest, estimate);

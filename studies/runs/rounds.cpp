@@ -35,20 +35,18 @@ void set_cost(Record& record, const std::vector<double>& costs, const std::strin
 
 }  // namespace
 
-std::vector<Record> run_in_rounds(const std::vector<Case>& cases, const std::function<Record(const Case&)>& run,
-                                  const std::function<Record(const Case&)>& run_again) {
-  std::vector<Record> records;
-  for (const Case& c : cases) records.push_back(run(c));
-  std::vector<std::vector<double>> costs(cases.size());
-  std::vector<std::size_t> turns(cases.size());
+std::vector<Record> time_in_rounds(std::vector<Record> records, const std::function<Record(const Case&)>& run_again) {
+  std::vector<std::vector<double>> costs(records.size());
+  std::vector<std::size_t> turns(records.size());
   std::iota(turns.begin(), turns.end(), 0);
   bool due = true;
   for (int round = 0; due; ++round) {
     due = false;
     for (const std::size_t k : turns) {
-      if (records[k].status != Status::ok || round >= cases[k].measure.repeat) continue;
+      const Case& c = records[k].the_case;
+      if (records[k].status != Status::ok || round >= c.measure.repeat) continue;
       due = true;
-      const Record now = run_again(cases[k]);
+      const Record now = run_again(c);
       costs[k].push_back(now.ns_per_particle_step);
       if (now.status == Status::ok) continue;
       records[k] = now;
@@ -57,7 +55,7 @@ std::vector<Record> run_in_rounds(const std::vector<Case>& cases, const std::fun
     std::ranges::reverse(turns);
   }
   const std::string session = new_session();
-  for (std::size_t k = 0; k < cases.size(); ++k) set_cost(records[k], costs[k], session);
+  for (std::size_t k = 0; k < records.size(); ++k) set_cost(records[k], costs[k], session);
   return records;
 }
 

@@ -185,7 +185,7 @@ Record run_once(const Case& c, const Manner& manner, VtuSeries* vtu) {
 }  // namespace
 
 Record run_case(const Case& c, int threads, const Output& output) {
-  if (c.measure.repeat > 0) return run_in_rounds({c}, run_untimed, time_steps).front();
+  if (c.measure.repeat > 0) return time_in_rounds({run_untimed(c)}, time_steps).front();
   std::optional<VtuSeries> frames;
   if (!output.vtu.empty()) frames.emplace(output.vtu);
   return run_once(c, {.threads = threads, .tell_steps = output.steps}, frames ? &*frames : nullptr);

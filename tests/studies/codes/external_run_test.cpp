@@ -114,7 +114,9 @@ TEST_F(ExternalRun, IsTimedInTheSameRoundsAsOurOwnSolver) {
                                    {"repeat", "3"}})
     of_own.push_back({key, value, "test"});
   const cases::Case own = settings::make_case(of_own);
-  const auto records = run_timed({settings::make_case(settings), own}, {{"mover", mover_.code()}});
+  const Codes codes{{"mover", mover_.code()}};
+  const auto records =
+      time_in_rounds({run_untimed(settings::make_case(settings), codes), run_untimed(own, codes)}, codes);
   for (const Record& record : records) {
     EXPECT_EQ(record.status, Status::ok) << record.reason;
     EXPECT_GT(record.cost.step_seconds, 0);
@@ -130,7 +132,8 @@ TEST_F(ExternalRun, ThatFailsInARepetitionHasFailed) {
                 ") -lt 3 || exit 3\n");
   auto settings = Mover::settings();
   settings.push_back({"repeat", "3", "test"});
-  const Record record = run_timed({settings::make_case(settings)}, {{"mover", mover_.code()}}).at(0);
+  const Codes codes{{"mover", mover_.code()}};
+  const Record record = time_in_rounds({run_untimed(settings::make_case(settings), codes)}, codes).at(0);
   EXPECT_EQ(record.status, Status::failed);
   EXPECT_THAT(record.reason, HasSubstr("ended with status 3: it printed nothing; its folder: "));
   EXPECT_EQ(record.the_case.measure.repeat, 3);

@@ -20,7 +20,8 @@ class OwnStep : public testing::Test {
     mover_.script("echo '" + comments + "id,x,y,m' > particles.csv\n" + after_its_head());
     auto settings = Mover::settings();
     if (repeat > 0) settings.push_back({"repeat", std::to_string(repeat), "test"});
-    return run_timed({settings::make_case(settings)}, {{"mover", mover_.code()}}).at(0);
+    const Codes codes{{"mover", mover_.code()}};
+    return time_in_rounds({run_untimed(settings::make_case(settings), codes)}, codes).at(0);
   }
 
   const Mover mover_;

@@ -46,7 +46,8 @@ TEST(Remaining, WhatIsTimedComesAfterTheRest) {
   Remaining remaining;
   remaining.add(sized(1), 4);
   for (int cells : {1, 2}) remaining.add(timed(cells), 3);
-  EXPECT_DOUBLE_EQ(remaining.seconds(4), 10);
+  EXPECT_DOUBLE_EQ(remaining.seconds(4), 4 + 2 * 2.5) << "the first run of each is beside the rest";
+  EXPECT_DOUBLE_EQ(remaining.seconds(1), 10);
 }
 
 TEST(Remaining, IsCorrectedByWhatHasFinished) {
