@@ -97,6 +97,13 @@ std::size_t count(const claims::Claim& claim, PartVerdict verdict) {
       std::ranges::count_if(claim.parts, [&](const auto& line) { return line.part.verdict == verdict; }));
 }
 
+/// The first criterion of a verdict where no such criterion compared a number.
+std::string without_number(const claims::Claim& claim, PartVerdict verdict) {
+  const auto line = std::ranges::find(claim.parts, verdict, [](const auto& l) { return l.part.verdict; });
+  const bool says_more = line != claim.parts.end() && verdict != PartVerdict::holds;
+  return says_more ? fmt::format("{}: {}", line->part.statement, to_string(verdict)) : "";
+}
+
 }  // namespace
 
 std::string asked_text(const ClaimPart& part) {
@@ -135,7 +142,7 @@ std::string deciding_text(const claims::Claim& claim) {
   for (const auto& [study, part] : claim.parts)
     if (part.verdict == decisive && !part.found.empty())
       if (deciding == nullptr || margin_of(part) < margin_of(*deciding)) deciding = &part;
-  if (deciding == nullptr) return "";
+  if (deciding == nullptr) return without_number(claim, decisive);
   const Found& found = deciding_number(*deciding);
   const std::string subject = deciding->measure == "value" ? deciding->statement + ": " : "";
   return fmt::format("{}{}: {}{} (asked: {}{})", subject, found.what, found_text(*deciding, found.value),

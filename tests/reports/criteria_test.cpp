@@ -120,4 +120,15 @@ TEST(DecidingText, NamesWhatAValueIsOf) {
   EXPECT_EQ(deciding_text(claim), "mean pressure over theory - 1: -0.1029 (asked: -0.05 to 0.05)");
 }
 
+TEST(DecidingText, IsACriterionsStatementWhereNoNumberWasCompared) {
+  records::ClaimPart part;
+  part.statement = "the difference is subtle", part.measure = "awaited";
+  part.verdict = PartVerdict::inconclusive;
+  claims::Claim claim;
+  claim.parts = {{"a-study", part}};
+  EXPECT_EQ(deciding_text(claim), "the difference is subtle: inconclusive");
+  claim.parts[0].part.verdict = PartVerdict::holds;
+  EXPECT_EQ(deciding_text(claim), "");
+}
+
 }  // namespace mpmvv::reports::criteria_test

@@ -51,6 +51,18 @@ TEST(Report, PlantedMistakesHaveAPageOfTheirOwn) {
   EXPECT_THAT(page_of(in, folder, "mutants.html"), HasSubstr("with another build, of version c0ffee012345-dirty."));
 }
 
+TEST(Report, ASummaryOfPlantedMistakesSaysWhereTheyStand) {
+  const TempFolder folder;
+  ReportInput in = input();
+  in.mutation.emplace();
+  in.mutation->digest = in.provenance.digest;
+  in.mutation->planted = {.should_show = 2, .unit_tests = 2, .caught = 2};
+  const std::string page = page_of(in, folder, "mutants.html");
+  EXPECT_THAT(page, HasSubstr("<code>tests/mutation/planted.toml</code>"));
+  EXPECT_THAT(page, HasSubstr("2 of 2 (100 %)"));
+  EXPECT_THAT(page, Not(HasSubstr("explained"))) << "nothing random was tried";
+}
+
 TEST(Report, SecondCallWritesNothing) {
   const TempFolder folder;
   write_report(input(), folder / "out", silent);
