@@ -20,8 +20,16 @@ std::string difference(const Finding& before, const Finding& after) {
   return fmt::format(" ({:+.3g} %)", 100 * (b - a) / std::abs(a));
 }
 
+/// Two numbers that differ, with six digits or as many as it takes to tell them apart.
+std::string told_apart(double before, double after) {
+  int digits = 6;
+  const auto rounded = [&digits](double number) { return fmt::format("{:.{}g}", number, digits); };
+  while (digits < 17 && before != after && rounded(before) == rounded(after)) ++digits;
+  return fmt::format("{} -> {}", rounded(before), rounded(after));
+}
+
 std::string largest_text(const goldens::Change::AtLevel& largest) {
-  return fmt::format("most at {:g}: {:.6g} -> {:.6g}", largest.x, largest.before, largest.after);
+  return fmt::format("most at {:g}: {}", largest.x, told_apart(largest.before, largest.after));
 }
 
 }  // namespace

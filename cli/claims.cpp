@@ -52,9 +52,15 @@ nlohmann::json part_json(const claims::JudgedPart& judged) {
   const auto bound = [](const std::optional<double>& value) {
     return value ? nlohmann::json(*value) : nlohmann::json();
   };
-  return {{"study", judged.study},   {"statement", part.statement},      {"verdict", to_string(part.verdict)},
-          {"measure", part.measure}, {"at_least", bound(part.at_least)}, {"at_most", bound(part.at_most)},
-          {"found", found},          {"evidence", part.evidence},        {"reason", part.reason}};
+  return {{"study", judged.study},
+          {"statement", part.statement},
+          {"verdict", to_string(part.verdict)},
+          {"measure", part.measure},
+          {"at_least", bound(part.at_least)},
+          {"at_most", bound(part.at_most)},
+          {"found", found},
+          {"evidence", part.evidence},
+          {"reason", part.reason.empty() ? part.withheld : part.reason}};
 }
 
 nlohmann::json claim_json(const Claim& c) {

@@ -36,16 +36,34 @@ std::string found_text(const ClaimPart& part, const Found& found) {
   return claims::has_interval(found) || found.remark.empty() ? text : fmt::format("{} ({})", text, found.remark);
 }
 
+namespace {
+
+/// One or two numbers are shown themselves, of more their range.
+constexpr std::size_t most_shown = 2;
+
+/// The statement of a criterion, with the remarks on those of its numbers that are shown without an interval.
+std::string statement_with_remarks(const ClaimPart& part) {
+  std::vector<std::string> remarks;
+  for (const Found& found : part.found)
+    if (!std::isnan(found.value) && !claims::has_interval(found) && !found.remark.empty() &&
+        std::ranges::find(remarks, found.remark) == remarks.end())
+      remarks.push_back(found.remark);
+  if (remarks.empty() || part.found.size() > most_shown) return part.statement;
+  return fmt::format("{} ({})", part.statement, fmt::join(remarks, "; "));
+}
+
+}  // namespace
+
 std::string found_text(const ClaimPart& part) {
   std::vector<double> known;
   std::vector<std::string> texts;
   for (const Found& found : part.found) {
     if (std::isnan(found.value)) continue;
     known.push_back(found.value);
-    texts.push_back(found_text(part, found));
+    texts.push_back(value_text(part, found.value) + claims::interval_text(part, found));
   }
   if (known.empty()) return "-";
-  if (known.size() <= 2) return fmt::format("{}", fmt::join(texts, ", "));
+  if (known.size() <= most_shown) return fmt::format("{}", fmt::join(texts, ", "));
   const auto [least, most] = std::ranges::minmax(known);
   if (least == most) return value_text(part, least);  // also where all are infinite, to runs that blew up
   return fmt::format("{} to {}", value_text(part, least), value_text(part, most));
@@ -54,7 +72,7 @@ std::string found_text(const ClaimPart& part) {
 void print_criteria(const std::string& head, const std::vector<LabelledPart>& parts) {
   Table table({{head}, {"verdict", Kind::verdict}, {"asked"}, {"found"}, {"criterion", Kind::prose}});
   for (const auto& [label, part] : parts)
-    table.add({label, to_string(part.verdict), asked_text(part), found_text(part), part.statement});
+    table.add({label, to_string(part.verdict), asked_text(part), found_text(part), statement_with_remarks(part)});
   table.print();
 }
 

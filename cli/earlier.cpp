@@ -27,10 +27,17 @@ std::map<records::Verdict, int> gate_counts(const std::vector<goldens::Golden>& 
   return counts;
 }
 
-/// How many more goldens have each verdict now than then.
-std::map<records::Verdict, int> gate_change(const std::vector<goldens::Golden>& goldens,
+bool has_study(const std::vector<records::StudyResult>& studies, const std::string& name) {
+  return std::ranges::find(studies, name, &records::StudyResult::name) != studies.end();
+}
+
+/// How many more goldens have each verdict now than then, of the studies that both versions have.
+std::map<records::Verdict, int> gate_change(std::vector<goldens::Golden> goldens,
                                             const std::vector<records::StudyResult>& then,
                                             const std::vector<records::StudyResult>& now) {
+  std::erase_if(goldens, [&](const goldens::Golden& golden) {
+    return !has_study(then, golden.study) || !has_study(now, golden.study);
+  });
   std::map<records::Verdict, int> change = gate_counts(goldens, now);
   for (const auto& [verdict, count] : gate_counts(goldens, then)) change[verdict] -= count;
   return change;
@@ -46,10 +53,22 @@ std::vector<double> ratios_of(const std::vector<goldens::Change>& costs) {
 /// What the earlier version has and this one lacks, of the studies that both have.
 std::vector<std::string> results_gone(std::vector<records::StudyResult> then,
                                       const std::vector<records::StudyResult>& now) {
-  std::erase_if(then, [&](const records::StudyResult& study) {
-    return std::ranges::find(now, study.name, &records::StudyResult::name) == now.end();
-  });
+  std::erase_if(then, [&](const records::StudyResult& study) { return !has_study(now, study.name); });
   return goldens::compare(claims::findings_of(then), claims::findings_of(now)).only_before;
+}
+
+/// The earlier verdicts on claims that the same studies judge now. What a campaign found of the earlier version's
+/// mutants is not known any more.
+std::map<std::string, claims::Claim::Verdict> verdicts_then(const std::vector<records::StudyResult>& then,
+                                                            const std::vector<records::StudyResult>& now) {
+  std::map<std::string, claims::Claim::Verdict> verdicts;
+  const auto claims_now = claims::judge_claims(now);
+  for (const claims::Claim& claim : claims::judge_claims(then)) {
+    const auto same = std::ranges::find(claims_now, claim.id, &claims::Claim::id);
+    if (same == claims_now.end() || claim.id == reports::mutants_claim) continue;
+    if (std::ranges::is_permutation(claim.studies, same->studies)) verdicts[claim.id] = claim.verdict;
+  }
+  return verdicts;
 }
 
 }  // namespace
@@ -75,7 +94,7 @@ std::optional<reports::Earlier> earlier_version(const store::Store& store, const
   reports::Earlier earlier;
   earlier.label = store::in_short(version->commits.front());
   earlier.gate_change = gate_change(goldens, all_then, without_trials(now));
-  for (const claims::Claim& claim : claims::judge_claims(then)) earlier.claims[claim.id] = claim.verdict;
+  earlier.claims = verdicts_then(then, own_now);
   earlier.changes = changes_of(comparison);
   earlier.changes.gone = results_gone(then, own_now);
   earlier.cost_ratios = ratios_of(comparison.costs);

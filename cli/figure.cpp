@@ -98,6 +98,13 @@ std::vector<fs::path> files_of(const FigureOptions& options, const std::vector<C
   return files;
 }
 
+/// Throws where LaTeX could not read a file of this name.
+void require_name_for(Format format, const std::string& name) {
+  const auto at = name.find_first_of("%#{}\\");
+  if (format == Format::tex && at != std::string::npos)
+    throw support::UsageError(fmt::format("--out {} (LaTeX reads no file with {} in its name)", name, name[at]));
+}
+
 /// Prints the files, and for LaTeX how to take the figure into a document.
 void print_drawn(const std::vector<fs::path>& drawn, const Sheet& sheet) {
   for (const fs::path& file : drawn) print("{}\n", file.string());
@@ -171,6 +178,7 @@ std::vector<records::StudyResult> results_to_draw(const FigureOptions& options) 
 int figure(const FigureOptions& options) {
   require_known_ending(options.out);
   const Sheet sheet = sheet_of(options);
+  require_name_for(sheet.format, options.out);
   const auto [charts, others] = reports::choose_figures(results_to_draw(options), options.name);
   require_open_height(charts, options);
   const auto files = files_of(options, charts, sheet.format);

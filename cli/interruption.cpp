@@ -17,7 +17,7 @@ bool is_ignored(int signal) {
 Interruption::Interruption() {
   sigemptyset(&awaited_);
   sigaddset(&awaited_, SIGUSR1);  // the destructor sends it, so that the thread looks whether it has to end
-  for (const int signal : {SIGINT, SIGTERM})
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (!is_ignored(signal)) sigaddset(&awaited_, signal);
   pthread_sigmask(SIG_BLOCK, &awaited_, &before_);
   waiting_ = std::jthread([this](const std::stop_token& end) {

@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "cli/shipped.hpp"
 #include "reports/alarm_counts.hpp"
 #include "reports/mutation_claim.hpp"
 #include "reports/mutation_results.hpp"
@@ -30,7 +32,7 @@ inline void withhold_verdicts(records::StudyResult& trial) {
   for (records::ClaimPart& part : trial.parts)
     if (part.verdict != records::PartVerdict::shown) {
       part.verdict = records::PartVerdict::inconclusive;
-      part.evidence = fmt::format("made with --set: {}", store::trial_of(trial.text));
+      part.withheld = fmt::format("made with --set: {}", store::trial_of(trial.text));
       part.reason = "";
     }
 }
@@ -62,8 +64,13 @@ inline void require_own_results(const std::vector<records::StudyResult>& studies
                   db, store::in_short(store::current_provenance().digest), fmt::join(others, ", ")));
 }
 
-/// Where the mutation campaign and `./run alarms` publish their results, from the top of the tree.
-inline const std::filesystem::path published = "tests/mutation";
+/// Where the mutation campaign and `./run alarms` publish their results: in the tree here or, where there is none, in
+/// that of the program.
+inline std::filesystem::path published() {
+  const std::filesystem::path here = "tests/mutation";
+  std::error_code unknown;
+  return std::filesystem::exists(here, unknown) ? here : shipped(here);
+}
 
 /// What `./run mutants` leaves beside a store.
 inline std::filesystem::path mutants_beside(const std::string& db) {
@@ -75,7 +82,7 @@ inline std::filesystem::path mutants_beside(const std::string& db) {
 inline std::optional<reports::MutationResults> own_mutation(const std::string& db) {
   const std::string digest = store::current_provenance().digest;
   std::optional<reports::MutationResults> most;
-  for (const auto& file : {mutants_beside(db), published / "summary.json"}) {
+  for (const auto& file : {mutants_beside(db), published() / "summary.json"}) {
     auto results = reports::read_mutation_results(file);
     if (results && results->digest == digest && (!most || results->tried() > most->tried())) most = std::move(results);
   }
@@ -85,7 +92,7 @@ inline std::optional<reports::MutationResults> own_mutation(const std::string& d
 /// The published runs of programs without a mistake (`./run alarms`); none where they are of other sources than this
 /// program.
 inline std::vector<reports::AlarmCount> own_alarms() {
-  reports::AlarmCounts counts = reports::read_alarms(published / "alarms.toml");
+  reports::AlarmCounts counts = reports::read_alarms(published() / "alarms.toml");
   if (counts.digest != store::current_provenance().digest) counts.builds.clear();
   return counts.builds;
 }
@@ -107,12 +114,31 @@ inline std::vector<records::StudyResult> without_trials(std::vector<records::Stu
   return studies;
 }
 
+inline bool is_of_another_code(const records::Series& series) {
+  return series.code.has_value();
+}
+
+/// Whether a criterion compared a number of a series that another code ran.
+inline bool judges_another_code(const records::ClaimPart& part, const std::vector<records::Series>& series) {
+  return std::ranges::any_of(series, [&](const records::Series& s) {
+    const auto names_it = [&](const records::Found& found) {
+      return found.what.find('\'' + s.name + '\'') != std::string::npos;
+    };
+    return is_of_another_code(s) && std::ranges::any_of(part.found, names_it);
+  });
+}
+
 /// The studies by which versions of our own program are compared: those that are no trials, without the series of other
-/// codes, which have versions of their own.
+/// codes, which have versions of their own, and without the criteria on them.
 inline std::vector<records::StudyResult> own_evidence(std::vector<records::StudyResult> studies) {
   studies = without_trials(std::move(studies));
-  for (records::StudyResult& study : studies)
-    std::erase_if(study.series, [](const records::Series& series) { return series.code.has_value(); });
+  std::erase_if(studies, [](const records::StudyResult& study) {
+    return !study.series.empty() && std::ranges::all_of(study.series, is_of_another_code);
+  });
+  for (records::StudyResult& study : studies) {
+    std::erase_if(study.parts, [&](const auto& part) { return judges_another_code(part, study.series); });
+    std::erase_if(study.series, is_of_another_code);
+  }
   return studies;
 }
 

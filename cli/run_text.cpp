@@ -107,9 +107,9 @@ void print_record(const Record& r) {
           r.images > 1 ? " of the part" : "");
   else if (records::has_unknown_steps(r) && !std::isnan(r.wall_seconds))
     print("\ntook {}\n", duration_text(r.wall_seconds));
-  if (r.the_case.measure.repeat > 0)
-    print("cost {} s of steps, geometric mean of {} rounds (range {:.0f} %)\n", error_text(r.cost.step_seconds),
-          r.the_case.measure.repeat, 100 * r.cost.spread);
+  if (!std::isnan(r.cost.step_seconds))
+    print("cost {} s of {}, geometric mean of {} rounds (range {:.0f} %)\n", error_text(r.cost.step_seconds),
+          s.code.empty() ? "steps" : "the process", r.the_case.measure.repeat, 100 * r.cost.spread);
 }
 
 }  // namespace mpmvv::cli

@@ -8,8 +8,9 @@
 
 namespace mpmvv::cli {
 
-/// The folder of this name (`studies`, `goldens` or `adapters`) that comes with the program: PREFIX/share/mpmvv/... of
-/// a program in PREFIX/bin, else that of the tree in which it was built. Empty where neither is there.
+/// The folder of this name (`studies`, `goldens`, `adapters`, `tests/mutation`) that comes with the program:
+/// PREFIX/share/mpmvv/... of a program in PREFIX/bin, else that of the tree in which it was built. Empty where neither
+/// is there.
 std::filesystem::path shipped(const std::string& folder);
 
 /// Whether these are the results of a study that comes with the program, word for word, as it is or as a trial.

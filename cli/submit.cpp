@@ -72,9 +72,10 @@ void ask_for(Submission& submission, const std::vector<plan::StudyPlan>& plans, 
   }
   submission.minutes = static_cast<std::size_t>(std::ceil(time_factor * seconds / 60 + least_minutes));
   submission.megabytes = static_cast<std::size_t>(std::ceil(memory_factor * 1e-6 * bytes + least_megabytes));
-  print("{} shards, the longest about {} on {} and {:.0f} MB: asking for {} min and {} MB\n", submission.shards,
-        duration_text(seconds), count_text(static_cast<std::size_t>(submission.jobs), "job"), 1e-6 * bytes,
-        submission.minutes, submission.megabytes);
+  print("{}, the longest about {} on {} and {:.0f} MB: asking for {} min and {} MB\n",
+        count_text(submission.shards, "shard"), duration_text(seconds),
+        count_text(static_cast<std::size_t>(submission.jobs), "job"), 1e-6 * bytes, submission.minutes,
+        submission.megabytes);
 }
 
 /// Finds the folder of goldens that the studies are held against, and the names of the studies that have some.

@@ -99,7 +99,31 @@ std::string Table::row(Cells cells, std::size_t width, bool coloured) const {
   return text;
 }
 
+Table Table::without_first_column() const {
+  Table rest({columns_.begin() + 1, columns_.end()}, indent_ + gap);
+  rest.widths_.assign(widths_.begin() + 1, widths_.end());
+  return rest;
+}
+
+std::string Table::text_under_first_column(std::size_t width, bool coloured) const {
+  const auto above = [&](const std::string& cell) {
+    std::string lines;
+    for (const std::string& line : wrapped(cell, std::max(width, indent_ + 1) - indent_))
+      lines += std::string(indent_, ' ') + line + '\n';
+    return lines;
+  };
+  const Table rest = without_first_column();
+  std::string text = above(columns_.front().head) + rest.text(width, coloured), last;
+  for (const Cells& cells : rows_) {
+    if (cells.front() != last || &cells == &rows_.front()) text += above(cells.front());
+    last = cells.front();
+    text += rest.row({cells.begin() + 1, cells.end()}, width, coloured);
+  }
+  return text;
+}
+
 std::string Table::text(std::size_t width, bool coloured) const {
+  if (this->width() > width && columns_.size() > 2) return text_under_first_column(width, coloured);
   std::string text;
   for (Cells heads : head_lines()) {
     if (stands_below(width)) heads.back().clear();

@@ -7,7 +7,8 @@
 
 namespace mpmvv::cli {
 
-/// Rows of cells under their heads, each column as wide as its widest cell.
+/// Rows of cells under their heads, each column as wide as its widest cell. Where a line has no room for all of them
+/// the first column's cells stand on lines of their own, above the rows that have them.
 class Table {
  public:
   /// `verdict`: words that a terminal shows in colour. The last column may be `prose`, which is wrapped to what a line
@@ -24,7 +25,7 @@ class Table {
   void add(std::vector<std::string> cells);  ///< one for each column
 
   std::size_t width() const;  ///< in columns of the terminal, without an open last column
-  std::string text(std::size_t width, bool coloured) const;
+  std::string text(std::size_t width, bool coloured) const;  ///< in lines of this width, as far as words allow
   void print() const;        ///< as wide as the terminal is; nothing of a table without rows
   void print_apart() const;  ///< the same below an empty line
 
@@ -37,6 +38,8 @@ class Table {
   std::vector<Cells> head_lines() const;
   std::string line(const Cells& cells, bool coloured) const;
   std::string row(Cells cells, std::size_t width, bool coloured) const;
+  Table without_first_column() const;
+  std::string text_under_first_column(std::size_t width, bool coloured) const;
 
   std::vector<Column> columns_;
   std::size_t indent_;

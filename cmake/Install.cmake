@@ -33,6 +33,7 @@ file(GLOB mpmvv_studies CONFIGURE_DEPENDS studies/*.toml)
 file(GLOB mpmvv_goldens CONFIGURE_DEPENDS goldens/*.toml)
 install(FILES ${mpmvv_studies} studies/quick.txt studies/cost.txt DESTINATION ${mpmvv_data}/studies)
 install(FILES ${mpmvv_goldens} DESTINATION ${mpmvv_data}/goldens)
+install(FILES tests/mutation/summary.json tests/mutation/alarms.toml DESTINATION ${mpmvv_data}/tests/mutation)
 install(DIRECTORY adapters DESTINATION ${mpmvv_data} USE_SOURCE_PERMISSIONS)
 install(PROGRAMS tests/codes/small_mpm.py DESTINATION ${mpmvv_data}/tests/codes)  # where its adapter looks for it
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -158,7 +158,7 @@ Comparison compare(const std::vector<Finding>& before, const std::vector<Finding
   Comparison comparison;
   for (const Finding& finding : before) {
     const auto found = later.find(key_of(finding));
-    if (found == later.end()) continue;
+    if (found == later.end() || !std::ranges::is_permutation(finding.judges, found->second->judges)) continue;
     const bool cost = finding.kind == Finding::Kind::cost;
     (cost ? comparison.costs : comparison.changes).push_back(change_between(finding, *found->second));
   }

@@ -36,7 +36,7 @@ struct Comparison {
 };
 
 /// Compares the findings of the same study and name. Findings that only one side has are listed in `only_before` and
-/// `only_after`.
+/// `only_after`. The verdict on a claim is compared only where the same studies judge it on both sides.
 Comparison compare(const std::vector<claims::Finding>& before, const std::vector<claims::Finding>& after);
 
 }  // namespace mpmvv::goldens

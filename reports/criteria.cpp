@@ -97,7 +97,14 @@ std::size_t count(const claims::Claim& claim, PartVerdict verdict) {
       std::ranges::count_if(claim.parts, [&](const auto& line) { return line.part.verdict == verdict; }));
 }
 
-/// The first criterion of a verdict where no such criterion compared a number.
+/// Whether the criterion's verdict hangs on a number: an interval that reaches across a bound leaves it open, a series
+/// that could not be run, or a trial, is no number's doing.
+bool hangs_on_a_number(const ClaimPart& part) {
+  if (part.found.empty() || !part.withheld.empty()) return false;
+  return part.verdict != PartVerdict::inconclusive || margin(part, deciding_number(part)) < 0;
+}
+
+/// The first criterion of a verdict that hangs on no number.
 std::string without_number(const claims::Claim& claim, PartVerdict verdict) {
   const auto line = std::ranges::find(claim.parts, verdict, [](const auto& l) { return l.part.verdict; });
   const bool says_more = line != claim.parts.end() && verdict != PartVerdict::holds;
@@ -127,6 +134,7 @@ std::string told_from_bounds(const ClaimPart& part, double value) {
 
 /// An older store has no intervals, so the evidence has to do.
 std::string undecided_text(const ClaimPart& part) {
+  if (!part.withheld.empty()) return part.withheld;
   if (part.found.empty() || part.evidence.find("an interval reaches across") == std::string::npos) return part.evidence;
   const Found& found = deciding_number(part);
   if (!claims::has_interval(found)) return part.evidence;
@@ -140,7 +148,7 @@ std::string deciding_text(const claims::Claim& claim) {
   const ClaimPart* deciding = nullptr;
   const auto margin_of = [](const ClaimPart& part) { return margin(part, deciding_number(part)); };
   for (const auto& [study, part] : claim.parts)
-    if (part.verdict == decisive && !part.found.empty())
+    if (part.verdict == decisive && hangs_on_a_number(part))
       if (deciding == nullptr || margin_of(part) < margin_of(*deciding)) deciding = &part;
   if (deciding == nullptr) return without_number(claim, decisive);
   const Found& found = deciding_number(*deciding);

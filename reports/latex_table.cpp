@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
+#include <sstream>
+#include <utility>
 
 #include "reports/norm_symbol.hpp"
 #include "reports/text.hpp"
@@ -81,22 +84,6 @@ std::size_t longest_in(const Table& table, std::size_t column) {
   return longest;
 }
 
-/// Columns of short texts are as wide as these, those of prose share the rest of the line.
-std::string column_types(const Table& table) {
-  constexpr std::size_t prose = 20;
-  std::string types;
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    types += longest_in(table, c) > prose ? ">{\\raggedright\\arraybackslash}X" : "l";
-  return types;
-}
-
-/// A title over all columns; a long one takes several lines.
-std::string group_line(const Table& table, const std::string& title) {
-  constexpr std::size_t one_line = 60;
-  return fmt::format("\\multicolumn{{{}}}{{{}}}{{\\emph{{{}}}}} \\\\", table.columns.size(),
-                     title.size() > one_line ? "p{0.95\\linewidth}" : "l", latex_text(title));
-}
-
 /// About how wide a text is in points, in letters of 8 points.
 double width_in_points(const std::string& text) {
   constexpr double letter = 4.4, power = 47;
@@ -109,6 +96,59 @@ double width_in_points(const Table& table, std::size_t column) {
   double width = width_in_points(table.columns[column]);
   for_each_cell(table, column, [&](const std::string& cell) { width = std::max(width, width_in_points(cell)); });
   return width;
+}
+
+/// The width of a column whose texts are broken: that of its longest word.
+double longest_word_in_points(const Table& table, std::size_t column) {
+  double width = 0;
+  const auto consider = [&](const std::string& text) {
+    std::istringstream words(text);
+    for (std::string word; words >> word;) width = std::max(width, width_in_points(word));
+  };
+  consider(table.columns[column]);
+  for_each_cell(table, column, consider);
+  return width;
+}
+
+/// Whether a text of 125 mm has room for the table whose columns are broken or not.
+bool has_room(const Table& table, const std::vector<bool>& is_broken) {
+  constexpr double text_width = 355, gap = 6;
+  double others = 0, widest_word = 0;
+  for (std::size_t c = 0; c < is_broken.size(); ++c) {
+    others += gap + (is_broken[c] ? 0 : width_in_points(table, c));
+    if (is_broken[c]) widest_word = std::max(widest_word, longest_word_in_points(table, c));
+  }
+  return others + static_cast<double>(std::ranges::count(is_broken, true)) * widest_word <= text_width;
+}
+
+/// The columns whose texts are broken: prose, and as many more as it takes, those that become the narrowest by it
+/// first.
+std::vector<bool> broken_columns(const Table& table) {
+  constexpr std::size_t prose = 20;
+  std::vector<bool> is_broken;
+  std::vector<std::pair<double, std::size_t>> gains;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    is_broken.push_back(longest_in(table, c) > prose);
+    gains.emplace_back(width_in_points(table, c) - longest_word_in_points(table, c), c);
+  }
+  std::ranges::stable_sort(gains, std::greater{}, &std::pair<double, std::size_t>::first);
+  for (const auto& [gain, c] : gains)
+    if (gain > 0 && !has_room(table, is_broken)) is_broken[c] = true;
+  return is_broken;
+}
+
+/// Other columns are as wide as their texts, those that are broken share the rest of the line.
+std::string column_types(const Table& table) {
+  std::string types;
+  for (const bool is_broken : broken_columns(table)) types += is_broken ? ">{\\raggedright\\arraybackslash}X" : "l";
+  return types;
+}
+
+/// A title over all columns; a long one takes several lines.
+std::string group_line(const Table& table, const std::string& title) {
+  constexpr std::size_t one_line = 60;
+  return fmt::format("\\multicolumn{{{}}}{{{}}}{{\\emph{{{}}}}} \\\\", table.columns.size(),
+                     title.size() > one_line ? "p{0.95\\linewidth}" : "l", latex_text(title));
 }
 
 /// The width of a long table's first column: that of its texts, or what the other columns leave of the line.

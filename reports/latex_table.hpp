@@ -18,7 +18,8 @@ std::string latex_line(const std::vector<std::string>& cells);
 /// has symbols, which a line below the table explains. Columns without a number are left out. Empty without rows.
 std::string latex_long_table(const Table& table);
 
-/// The tables as booktabs tables, long ones in pieces. Columns of prose share what the others leave of the line.
+/// The tables as booktabs tables, long ones in pieces. Columns of prose, and others where the line is too short for
+/// all, are broken and share what the rest leaves of it.
 std::string latex_tables(const std::vector<Table>& tables);
 
 /// The first lines of a file of tables: its title and the packages that it needs, as comments.

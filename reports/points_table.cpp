@@ -73,7 +73,9 @@ struct Column {
   std::string in_common(int dimension) const {
     const std::string unit = records::unit_of(quantity, dimension);
     if (is_constant())
-      return fmt::format("{} = {}{}", quantity, brief(numbers.front()), unit.empty() ? "" : " " + unit);
+      return fmt::format("{} = {}{}", quantity,
+                         is_count(quantity) ? text_of(quantity, numbers.front()) : brief(numbers.front()),
+                         unit.empty() ? "" : " " + unit);
     return is_round_off() ? fmt::format("{} at most {:.1e}", quantity, largest()) : "";
   }
 };

@@ -191,8 +191,10 @@ std::vector<Finding> findings_of(const std::vector<StudyResult>& studies) {
   }
   for (const Claim& claim : judge_claims(studies))
     if (!claim.studies.empty())
-      findings.push_back(
-          {.kind = Finding::Kind::verdict, .name = "claim " + claim.id, .word = to_string(claim.verdict)});
+      findings.push_back({.kind = Finding::Kind::verdict,
+                          .name = "claim " + claim.id,
+                          .word = to_string(claim.verdict),
+                          .judges = claim.studies});
   return findings;
 }
 

@@ -22,17 +22,18 @@ struct Finding {
 
   std::string study = {};  ///< empty for the verdict of a claim
   Kind kind = Kind::value;
-  std::string name = {};              ///< "order of 'linear' in l2 over [16, 128]"; differs within a study
-  double number = not_measured;       ///< of an error or a cost: that of the finest level
-  std::string word = {};              ///< a status, a verdict, why there is no number; else empty
-  int better = 0;                     ///< 1: the larger the better; -1: the smaller; 0: neither
-  std::vector<Level> levels = {};     ///< of an error or curve, in increasing x
-  double at = not_measured;           ///< of an error: the swept value of the finest level; of a status: its run's
-  double uncertainty = not_measured;  ///< of an extrapolated value
-  std::string quantity = {};          ///< of an error, a curve, a limit or an extrapolated value: l2, cfl
-  std::string series = {};            ///< of an order, error or status
-  fits::Window window = {};           ///< of an order
-  bool monotone = true;               ///< of a limit: false where a stable value lies beyond an unstable one
+  std::string name = {};                 ///< "order of 'linear' in l2 over [16, 128]"; differs within a study
+  double number = not_measured;          ///< of an error or a cost: that of the finest level
+  std::string word = {};                 ///< a status, a verdict, why there is no number; else empty
+  int better = 0;                        ///< 1: the larger the better; -1: the smaller; 0: neither
+  std::vector<Level> levels = {};        ///< of an error or curve, in increasing x
+  double at = not_measured;              ///< of an error: the swept value of the finest level; of a status: its run's
+  double uncertainty = not_measured;     ///< of an extrapolated value
+  std::string quantity = {};             ///< of an error, a curve, a limit or an extrapolated value: l2, cfl
+  std::string series = {};               ///< of an order, error or status
+  fits::Window window = {};              ///< of an order
+  bool monotone = true;                  ///< of a limit: false where a stable value lies beyond an unstable one
+  std::vector<std::string> judges = {};  ///< of the verdict on a claim: the studies that have criteria of it
   int side = 0;  ///< of a limit that was not found: 1 where all values tried are stable, -1 where none is, else 0
 };
 

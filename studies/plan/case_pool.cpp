@@ -1,7 +1,6 @@
 #include "studies/plan/case_pool.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <functional>
@@ -14,6 +13,7 @@
 #include "studies/runs/run_case.hpp"
 #include "studies/runs/run_part.hpp"
 #include "studies/settings/part.hpp"
+#include "studies/support/memory.hpp"
 #include "studies/support/parallel.hpp"
 
 namespace mpmvv::plan {
@@ -23,9 +23,9 @@ using records::Record;
 
 namespace {
 
-/// Four fifths of the memory that is free now.
+/// Four fifths of the memory that programs can have now.
 double usable_memory() {
-  return 0.8 * static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return 0.8 * support::available_memory();
 }
 
 std::string label(const Case& c) {
@@ -200,7 +200,7 @@ void CasePool::keep(std::vector<Record> records) {
     const std::vector<Record> batch = std::exchange(finished_, {});
     lock.unlock();
     try {
-      store_.keep(batch, provenance_);
+      store_.keep(batch, store::with_present_time(provenance_));
     } catch (...) {
       lock.lock();
       write_error_ = std::current_exception();

@@ -1,6 +1,7 @@
 #include "studies/plan/progress.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "studies/plan/estimates.hpp"
 
@@ -13,8 +14,10 @@ void Remaining::add(const cases::Case& c, double estimate) {
 void Remaining::finish(const cases::Case& c, double measured) {
   const auto left = estimates_.find(c);
   if (left == estimates_.end()) return;
-  estimated_ += left->second;
-  measured_ += measured;
+  if (std::isfinite(measured)) {
+    estimated_ += left->second;
+    measured_ += measured;
+  }
   estimates_.erase(left);
 }
 

@@ -156,7 +156,7 @@ class StudyRunner {
     fit(plan, result);
     extrapolate_series(plan, result);
     for (const claims::Criterion& criterion : plan.criteria) result.parts.push_back(claims::judge(criterion, result));
-    pool_.with_store([&] { store_.keep_study(result, cases, provenance_); });
+    pool_.with_store([&] { store_.keep_study(result, cases, store::with_present_time(provenance_)); });
     return outcome;
   }
 

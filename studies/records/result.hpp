@@ -102,6 +102,7 @@ struct ClaimPart {
   std::string measure = {};  ///< the criterion's word, "order"; empty where no criterion of a study was judged
   std::optional<double> at_least = {}, at_most = {};
   std::vector<Found> found = {};  ///< in the order of the evidence
+  std::string withheld = {};      ///< why it is inconclusive whatever was found; may be empty
 
   bool is_order() const { return measure.starts_with("order"); }
   bool is_limit() const { return measure.starts_with("limit"); }

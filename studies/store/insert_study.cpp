@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "studies/store/run_rows.hpp"
 #include "studies/store/seal.hpp"
 #include "studies/store/study_rows.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::store {
 
@@ -37,7 +37,11 @@ void insert_point(Database& database, std::int64_t series, std::size_t ordinal, 
       run = row["id"];
       from_run = run_quantities(row);
     });
-    if (run.null()) throw std::logic_error("a study's run must be kept before the study: " + case_text);
+    if (run.null())
+      throw support::UsageError(
+          "the store has lost a run of this study since it was made, as `mpmvv db prune` takes it "
+          "(run the study again): " +
+          case_text);
   }
   const std::int64_t id =
       insert_item(database, "points", {"series", series}, ordinal,

@@ -35,4 +35,9 @@ Provenance current_provenance() {
           .time = time_text(std::chrono::system_clock::now())};
 }
 
+Provenance with_present_time(Provenance provenance) {
+  provenance.time = time_text(std::chrono::system_clock::now());
+  return provenance;
+}
+
 }  // namespace mpmvv::store

@@ -22,4 +22,7 @@ std::string time_text(std::chrono::system_clock::time_point time);
 /// The provenance of a result that the running program makes now.
 Provenance current_provenance();
 
+/// The same with the time of now, for a program that goes on making results.
+Provenance with_present_time(Provenance provenance);
+
 }  // namespace mpmvv::store

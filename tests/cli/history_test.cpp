@@ -125,6 +125,8 @@ TEST_F(History, OfACurveCompareSaysWhereItChangedMost) {
   EXPECT_EQ(change["name"], "curve 'a' of y");
   EXPECT_EQ(change["largest"], nlohmann::json::parse(R"({"x": 1.0, "before": 1.0, "after": 2.0})"));
   EXPECT_FALSE(change.contains("before") || change.contains("after")) << "it has no number of its own";
+  keep(db_, curve_check(1 + 2e-9), "00aa22", "c0de00", "2026-01-03T00:00:00Z");
+  EXPECT_THAT(ask("compare c0f c0d").out, HasSubstr(": most at 1: 1 -> 1.000000002\n")) << "digits enough to see it";
 }
 
 TEST_F(History, AVersionAgainstItselfIsUnchanged) {
@@ -182,6 +184,24 @@ void keep_of_code(const std::string& db, const std::string& version, const std::
   const store::Provenance p{"00aa22", "c0de00",  false, "GNU 12.2.0",
                             "-O3",    "Release", "CPU", "2026-02-0" + version.substr(2) + "T00:00:00Z"};
   store::Store(db, store::Store::Mode::create_or_write).keep_study(study, {}, p);
+}
+
+TEST_F(History, WhatAnotherCodeRanIsNoEvidenceOfOurVersions) {
+  records::StudyResult mixed = bar_study(1, 5e-3), theirs = bar_study(2, 1e-3);
+  theirs.series[0].name = "theirs", theirs.series[0].code = records::OtherCode{"my-code", "1.3", "", "reference", "aa"};
+  mixed.series.push_back(theirs.series[0]);
+  for (const char* series : {"linear", "theirs"}) {
+    records::ClaimPart part{"T-a", std::string("order of ") + series, records::PartVerdict::holds, "", ""};
+    part.found = {{std::string("order of '") + series + "' in l2", 1}};
+    mixed.parts.push_back(part), theirs.parts = {part};
+  }
+  theirs.name = "theirs", theirs.claims = {"T-b"}, theirs.parts[0].claim = "T-b", mixed.claims = {"T-a"};
+  for (const auto& [digest, commit, day] : {std::tuple{"00ff11", "c0ffee", "3"}, {"00aa22", "c0de00", "4"}})
+    for (const auto& study : {mixed, theirs})
+      keep(db_, study, digest, commit, std::string("2026-01-0") + day + "T00:00:00Z");
+  const Answer answer = ask("compare c0f c0d --all");
+  EXPECT_THAT(answer.out, AllOf(HasSubstr("criterion of T-a: order of linear"), HasSubstr("claim T-a")));
+  EXPECT_THAT(answer.out, AllOf(Not(HasSubstr("order of theirs")), Not(HasSubstr("T-b"))));
 }
 
 TEST_F(History, VersionsOfAnotherCode) {

@@ -21,6 +21,7 @@ class Interrupted : public testing::TestWithParam<std::vector<int>> {
     const pid_t child = fork();
     if (child != 0) return child;
     signal(SIGINT, SIG_DFL);  // a shell without job control has what it starts in the background ignore it
+    signal(SIGHUP, SIG_DFL);  // as does nohup
     freopen("/dev/null", "w", stdout);
     freopen((folder_ / "messages").c_str(), "w", stderr);
     execl(program().c_str(), "mpmvv", "study", file_.c_str(), "--jobs", "8", "--db", db_.c_str(), nullptr);
@@ -64,6 +65,7 @@ using Signals = std::vector<int>;
 
 /// SIGUSR1 alone, which a cluster may send, changes nothing.
 INSTANTIATE_TEST_SUITE_P(, Interrupted,
-                         testing::Values(Signals{SIGINT}, Signals{SIGTERM}, Signals{SIGUSR1, SIGUSR1, SIGTERM}));
+                         testing::Values(Signals{SIGINT}, Signals{SIGTERM}, Signals{SIGHUP},
+                                         Signals{SIGUSR1, SIGUSR1, SIGTERM}));
 
 }  // namespace mpmvv::cli::interruption_test

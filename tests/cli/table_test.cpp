@@ -71,6 +71,21 @@ TEST(Table, ProseStandsBelowItsRowWhereThatLeavesLittle) {
             "      it should be\n");
 }
 
+TEST(Table, WithoutRoomForAllItsColumnsPutsTheFirstAbove) {
+  Table table({{"order of"}, {"in"}, {"order", Kind::number}, {"asymptotic"}});
+  for (const char* series : {"a name of some length", "another"})
+    for (const char* norm : {"l1", "l2"}) table.add({series, norm, "1.98", "yes"});
+  EXPECT_EQ(table.text(40, false),
+            "  order of\n"
+            "    in  order  asymptotic\n"
+            "  a name of some length\n"
+            "    l1   1.98  yes\n"
+            "    l2   1.98  yes\n"
+            "  another\n"
+            "    l1   1.98  yes\n"
+            "    l2   1.98  yes\n");
+}
+
 TEST(Table, AHeadOfProseBelowMakesNoLineTooWide) {
   Table table({{"criterion"}, {"found"}, {"what is asked", Kind::prose}}, 0);
   table.add({"of a name of some length", "0.5 to 0.7", "not much"});

@@ -222,6 +222,19 @@ TEST(Compare, OfVerdictsOnACriterionHoldsIsTheBestAndFailsTheWorst) {
   EXPECT_TRUE(std::isnan(change(shown, shown))) << "nothing is asked";
 }
 
+TEST(Compare, OfAClaimThatOtherStudiesJudgeSaysNothing) {
+  const auto judged_by = [](const std::vector<std::string>& studies) {
+    Finding finding = word("claim B-v", studies.size() == 2 ? "partly" : "refuted");
+    finding.judges = studies;
+    return std::vector{finding};
+  };
+  const Comparison comparison = compare(judged_by({"a", "b"}), judged_by({"b"}));
+  EXPECT_THAT(comparison.changes, IsEmpty()) << "study a has not run yet";
+  EXPECT_THAT(comparison.only_before, IsEmpty());
+  EXPECT_THAT(comparison.only_after, IsEmpty());
+  EXPECT_EQ(compare(judged_by({"a", "b"}), judged_by({"b", "a"})).changes.size(), 1U);
+}
+
 TEST(Compare, CostIsShownApart) {
   const std::vector<Finding> before{number(Kind::cost, "a", 10, -1), number(Kind::cost, "b", 10, -1)};
   const Comparison comparison = compare(before, {number(Kind::cost, "a", 11, -1), number(Kind::cost, "b", 20, -1)});

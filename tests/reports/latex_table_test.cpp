@@ -61,6 +61,24 @@ TEST(LatexTables, ProseSharesTheRestOfTheLine) {
   EXPECT_THAT(latex_tables({Table{"c", {"a", "b"}, {{"", {{"1", "2"}}}}}}), HasSubstr("\\begin{tabular}{ll}"));
 }
 
+/// The text takes 125 mm, 355 points; a letter some 4.4.
+TEST(LatexTables, WhereTheLineIsTooShortTheColumnsThatGainMostAreBroken) {
+  Table table{"c", {"series", "growth seen", "key", "number"}, {{"", {{"6 PPC, 512 cells", "2 %", "k", "1"}}}}};
+  EXPECT_THAT(latex_tables({table}), HasSubstr("\\begin{tabular}{llll}"));
+  table.groups[0].rows[0][2] = std::string(20, 'k');
+  for (int k = 0; k < 4; ++k) {
+    table.columns.push_back("stable");
+    table.groups[0].rows[0].push_back("0.04");
+  }
+  const std::string broken = ">{\\raggedright\\arraybackslash}X";
+  EXPECT_THAT(latex_tables({table}), HasSubstr("{\\linewidth}{" + broken + "lllllll}"));
+  for (int k = 0; k < 3; ++k) {
+    table.columns.push_back("b");
+    table.groups[0].rows[0].push_back("0.04");
+  }
+  EXPECT_THAT(latex_tables({table}), HasSubstr("{\\linewidth}{" + broken + broken + "lllllllll}"));
+}
+
 TEST(LatexTables, APageHasRoomForAPiece) {
   Table table{"c", {"a", "b"}, {{"first", {}}, {"second", {}}}, "said of all"};
   for (int k = 0; k < 30; ++k) table.groups[k < 20 ? 0 : 1].rows.push_back({fmt::format("row {}", k), "1"});

@@ -59,6 +59,13 @@ TEST(Remaining, IsCorrectedByWhatHasFinished) {
   EXPECT_NEAR(remaining.seconds(1), 200, 5) << "nobody has asked for it";
 }
 
+TEST(Remaining, ARunThatFailedSaysNothingOfTheOthers) {
+  Remaining remaining;
+  for (int cells : {1, 2}) remaining.add(sized(cells), 100);
+  remaining.finish(sized(1), support::not_measured);
+  EXPECT_DOUBLE_EQ(remaining.seconds(1), 100);
+}
+
 TEST(Remaining, ExpectsWhatIsNotKnownByItsCasesYet) {
   Remaining remaining;
   remaining.expect(8);
