@@ -29,9 +29,9 @@ std::string labels(const std::vector<const Version*>& versions) {
 
 std::string in_short(const std::string& commit) {
   constexpr std::size_t letters = 12;
-  const auto dash = std::min(commit.find('-'), commit.size());
-  const bool is_hash = commit.substr(0, dash).find_first_not_of("0123456789abcdef") == std::string::npos;
-  return is_hash ? commit.substr(0, std::min(dash, letters)) + commit.substr(dash) : commit;
+  const auto end = std::min(commit.find_first_of("- "), commit.size());
+  const bool is_hash = commit.substr(0, end).find_first_not_of("0123456789abcdef") == std::string::npos;
+  return is_hash ? commit.substr(0, std::min(end, letters)) + commit.substr(end) : commit;
 }
 
 std::string label(const Version& version) {

@@ -56,9 +56,11 @@ TEST(Report, ASummaryOfPlantedMistakesSaysWhereTheyStand) {
   ReportInput in = input();
   in.mutation.emplace();
   in.mutation->digest = in.provenance.digest;
+  in.mutation->commit = "c0ffee0123456789 with changes";
   in.mutation->planted = {.should_show = 2, .unit_tests = 2, .caught = 2};
   const std::string page = page_of(in, folder, "mutants.html");
   EXPECT_THAT(page, HasSubstr("<code>tests/mutation/planted.toml</code>"));
+  EXPECT_THAT(page, HasSubstr("with the tests and goldens of commit c0ffee012345"));
   EXPECT_THAT(page, HasSubstr("2 of 2 (100 %)"));
   EXPECT_THAT(page, Not(HasSubstr("explained"))) << "nothing random was tried";
 }
