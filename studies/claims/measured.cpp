@@ -34,7 +34,7 @@ void measure_status(const Criterion& c, const StudyResult& result, const Series&
   double ok = 0, all = 0;
   for (const Point& point : series.points)
     if (c.window.holds(point.x)) ok += point.status == Status::ok ? 1 : 0, ++all;
-  if (const auto failed = values_with(Status::failed, c, series); !failed.empty())
+  if (const auto failed = values_with(Status::failed, c.window, series); !failed.empty())
     out.missing = fmt::format("'{}' could not be run at {}", series.name, fmt::join(failed, ", "));
   out.add(fmt::format("stable share of '{}' {}", series.name, over_window(c, result)), ok / all);
 }
@@ -136,7 +136,7 @@ void measure_series(const Criterion& c, const StudyResult& result, const Series&
     case Criterion::Kind::limit_ratio:
       return measure_limit_ratio(series, *over, out);
     case Criterion::Kind::cost_ratio:
-      return measure_cost_ratios(c, series, *over, out);
+      return measure_cost_ratios(c, result, series, *over, out);
     case Criterion::Kind::value:
     case Criterion::Kind::awaited:
     case Criterion::Kind::shown:

@@ -28,13 +28,17 @@ struct Measured {
     numbers.push_back({{what, value, interval.lower, interval.upper, remark}});
   }
 
+  void add_missing(const std::string& what) {
+    if (!what.empty()) missing += (missing.empty() ? "" : "; ") + what;
+  }
+
   /// Adds what was measured of one series.
   void append(const Measured& of_series) {
     for (const Number& number : of_series.numbers) {
       numbers.push_back(number);
       numbers.back().is_sure = of_series.missing.empty();
     }
-    if (!of_series.missing.empty()) missing += (missing.empty() ? "" : "; ") + of_series.missing;
+    add_missing(of_series.missing);
   }
 };
 

@@ -99,14 +99,27 @@ std::string never_there(const Series& series, double cost, const Series& over, d
   return std::isinf(other_cost) ? fmt::format("'{}' never reaches it", over.name) : "";
 }
 
-/// What a series has to pay for which error: nothing buys any where all its runs are unstable. `out.missing` says where
-/// it is not known.
-std::vector<fits::WorkPoint> front_of(const Series& series, const std::string& norm, Measured& out) {
-  auto front = fits::pareto_front(work_points(series, norm));
+/// What a series has to pay for which error.
+struct CostCurve {
+  std::vector<fits::WorkPoint> front;  ///< empty also where all runs are unstable: nothing buys any error
+  std::string missing;                 ///< says what of it is not known; else empty
+
+  /// An error that is not reached costs infinitely much, unless a run that is missing might reach it.
+  fits::WorkPoint work_to_reach(double error) const {
+    fits::WorkPoint work = fits::work_to_reach(error, front);
+    if (std::isinf(work.cost) && !missing.empty()) work.cost = support::not_measured;
+    return work;
+  }
+};
+
+CostCurve cost_curve_of(const Series& series, const std::string& norm, const StudyResult& result) {
+  constexpr double anywhere = std::numeric_limits<double>::infinity();
+  CostCurve curve{fits::pareto_front(work_points(series, norm)), failures_of(series, {-anywhere, anywhere}, result)};
   const auto is_unstable = [](const Point& point) { return point.status == records::Status::unstable; };
   const bool never_stable = !series.points.empty() && std::ranges::all_of(series.points, is_unstable);
-  if (front.empty() && !never_stable) out.missing = fmt::format("no cost of '{}'", series.name);
-  return front;
+  if (curve.missing.empty() && curve.front.empty() && !never_stable)
+    curve.missing = fmt::format("no cost of '{}'", series.name);
+  return curve;
 }
 
 }  // namespace
@@ -120,13 +133,15 @@ void measure_slope(const Criterion& c, const StudyResult& result, const Series& 
   add(label, quotient(slope, divisor), !paired(slope, divisor).empty(), out);
 }
 
-void measure_cost_ratios(const Criterion& c, const Series& series, const Series& over, Measured& out) {
-  const auto own = front_of(series, c.norm, out), other = front_of(over, c.norm, out);
+void measure_cost_ratios(const Criterion& c, const StudyResult& result, const Series& series, const Series& over,
+                         Measured& out) {
+  const CostCurve own = cost_curve_of(series, c.norm, result), other = cost_curve_of(over, c.norm, result);
+  for (const CostCurve* curve : {&own, &other}) out.add_missing(curve->missing);
   for (const double error : fits::decades(c.window.from, c.window.to)) {
     const std::string label = fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error);
-    const fits::WorkPoint work = fits::work_to_reach(error, own), other_work = fits::work_to_reach(error, other);
+    const fits::WorkPoint work = own.work_to_reach(error), other_work = other.work_to_reach(error);
     if (const std::string never = never_there(series, work.cost, over, other_work.cost); !never.empty())
-      out.add(label, std::isinf(work.cost) ? work.cost : 0, never);
+      out.add(label, std::isinf(work.cost) ? work.cost : work.cost / other_work.cost, never);
     else
       add(label, fits::quotient(work, other_work), fits::are_paired(std::array{work.rounds, other_work.rounds}), out);
     if (std::isinf(work.cost) && std::isinf(other_work.cost) && !c.at_most)

@@ -11,7 +11,10 @@ void measure_slope(const Criterion& c, const records::StudyResult& result, const
                    const records::Series& over, Measured& out);
 
 /// A series that never gets down to an error costs infinitely much there, whatever the other one does. Where neither
-/// gets there, this does not show how much more it costs, so a lower bound alone cannot be judged.
-void measure_cost_ratios(const Criterion& c, const records::Series& series, const records::Series& over, Measured& out);
+/// gets there, this does not show how much more it costs, so a lower bound alone cannot be judged. All runs of a series
+/// make its cost curve: where one of them failed, nothing is judged, and how much an error costs that the others do not
+/// reach is not known.
+void measure_cost_ratios(const Criterion& c, const records::StudyResult& result, const records::Series& series,
+                         const records::Series& over, Measured& out);
 
 }  // namespace mpmvv::claims

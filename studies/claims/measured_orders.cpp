@@ -27,8 +27,7 @@ namespace {
 /// Why the fit does without `missing` of the `all` points that are not unstable.
 std::string why_missing(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
                         std::ptrdiff_t missing, std::ptrdiff_t all) {
-  if (const auto failed = values_with(Status::failed, c, series); !failed.empty())
-    return fmt::format("'{}' failed at {} = {}", series.name, result.sweep, fmt::join(failed, ", "));
+  if (std::string failures = failures_of(series, c.window, result); !failures.empty()) return failures;
   const std::string near_floor = left_out(series, norm);
   return fmt::format("'{}': {} of {} stable points are no use{}", series.name, missing, all,
                      near_floor.empty() ? "" : ", left out: " + near_floor);
@@ -79,7 +78,7 @@ Series quotient(const Series& series, const std::string& norm, const std::string
 
 void measure_order(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
   const ObservedOrder fit = stable_order(c, result, series, c.norm, out);
-  const std::vector<double> unstable = values_with(Status::unstable, c, series);
+  const std::vector<double> unstable = values_with(Status::unstable, c.window, series);
   const bool is_decided = !unstable.empty() && c.at_least;  // a lower bound fails, whatever the order of the others
   if (!unstable.empty() && !is_decided && fit.points < 3 && !fit.replicates && out.missing.empty())
     out.missing = fmt::format("too few points of '{}' are stable: {} of at least 3", series.name, fit.points);
@@ -100,7 +99,7 @@ void measure_order_difference(const Criterion& c, const StudyResult& result, con
   add_order(fmt::format("order of '{}' in {} ({:.2f}) less that in {} ({:.2f}) {}", series.name, c.norm, own,
                         c.over_norm, other, over_window(c, result)),
             fit, result, "", out);
-  if (const auto unstable = values_with(Status::unstable, c, series); !unstable.empty())
+  if (const auto unstable = values_with(Status::unstable, c.window, series); !unstable.empty())
     out.missing = fmt::format("'{}' is unstable at {}", series.name, fmt::join(unstable, ", "));
 }
 

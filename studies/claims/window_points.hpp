@@ -1,5 +1,6 @@
 #pragma once
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <limits>
 #include <string>
@@ -36,11 +37,20 @@ inline std::string at_point(const records::StudyResult& result, double x) {
 }
 
 /// The swept values in the window whose points have this status.
-inline std::vector<double> values_with(records::Status status, const Criterion& c, const records::Series& series) {
+inline std::vector<double> values_with(records::Status status, const fits::Window& window,
+                                       const records::Series& series) {
   std::vector<double> values;
   for (const records::Point& point : series.points)
-    if (c.window.holds(point.x) && point.status == status) values.push_back(point.x);
+    if (window.holds(point.x) && point.status == status) values.push_back(point.x);
   return values;
+}
+
+/// "'linear' failed at cells = 16, 32"; empty where no run in the window failed.
+inline std::string failures_of(const records::Series& series, const fits::Window& window,
+                               const records::StudyResult& result) {
+  const std::vector<double> failed = values_with(records::Status::failed, window, series);
+  if (failed.empty()) return "";
+  return fmt::format("'{}' failed at {} = {}", series.name, result.sweep, fmt::join(failed, ", "));
 }
 
 }  // namespace mpmvv::claims

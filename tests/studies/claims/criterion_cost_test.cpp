@@ -186,4 +186,43 @@ TEST(CostCriterion, WhatNeverGetsThereHasNoRange) {
   EXPECT_EQ(judge(c, result).verdict, PartVerdict::holds);
 }
 
+/// The series over the other one at errors from 0.001 to 0.1.
+ClaimPart cost_ratio(const char* series, const char* over, double from, std::optional<double> at_least,
+                     std::optional<double> at_most, const StudyResult& result) {
+  Criterion c = criterion(Criterion::Kind::cost_ratio, series, at_least, at_most);
+  c.over = over, c.window = {from, 0.1};
+  return judge(c, result);
+}
+
+/// Whatever the other runs say: one that failed might have reached an error, or have done so for less.
+TEST(CostCriterion, ARunThatFailedLeavesTheRatioOfCostsOpen) {
+  StudyResult result = two_costs();
+  result.sweep = "cells";
+  result.series[1].points[1] = {1000, Status::failed, "the machine was stopped", {}};
+  const ClaimPart part = cost_ratio("cheap", "dear", 0.001, {}, 1, result);
+  EXPECT_EQ(part.verdict, PartVerdict::inconclusive);
+  EXPECT_THAT(part.evidence, HasSubstr("at l2 1e-01 = 0.5 (0.4 to 0.6, not timed in the same rounds); "));
+  EXPECT_THAT(part.evidence, HasSubstr("at l2 1e-03 is not known; 'dear' failed at cells = 1000 (asked"));
+  EXPECT_THAT(part.evidence, Not(HasSubstr("never reaches it")));
+  EXPECT_EQ(cost_ratio("dear", "cheap", 0.001, {}, 1, result).verdict, PartVerdict::inconclusive);
+  EXPECT_EQ(cost_ratio("cheap", "dear", 0.1, {}, 1, result).verdict, PartVerdict::inconclusive)
+      << "at an error that a sound run reaches";
+  result.series[0].points.clear();
+  result.series[1].points[0].status = Status::failed;
+  EXPECT_THAT(cost_ratio("cheap", "dear", 0.1, 1, {}, result).evidence,
+              HasSubstr("1e-01 is not known; no cost of 'cheap'; 'dear' failed at cells = 10, 1000 (asked"));
+}
+
+TEST(CostCriterion, ARunThatFailedDoesNotHideThatAnotherSeriesFails) {
+  StudyResult result = two_costs();
+  result.series.push_back(result.series[1]);
+  result.series[2].name = "lost";
+  result.series[2].points[1] = {1000, Status::failed, "the machine was stopped", {}};
+  Criterion c = criterion(Criterion::Kind::cost_ratio, "dear", {}, 1);
+  c.series.push_back("lost"), c.over = "cheap", c.window = {0.1, 0.1};
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::fails);
+  c.at_most = 3;
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::inconclusive);
+}
+
 }  // namespace mpmvv::claims::criterion_cost_test
