@@ -61,6 +61,25 @@ void require_searched(const StudyPlan& plan, const std::vector<std::string>& ser
           fmt::format("criterion in {} on the limit of series '{}', which the study does not search", where, name));
 }
 
+/// Throws where the measure would take a time for an exact number: another session measures another one.
+void require_interval(Criterion::Kind kind, const std::string& norm, const std::string& where) {
+  using enum claims::Criterion::Kind;
+  if (norm == "ns_per_particle_step" && kind != slope_ratio && kind != slope_share)
+    throw UsageError(
+        fmt::format("norm '{}' in {} with measure '{}', which has no interval for times (slope-ratio, slope-share, or "
+                    "cost-ratio with the norm of an error)",
+                    norm, where, support::to_string(kind)));
+}
+
+/// The norm that a criterion names under `key`, which the named series must have.
+std::string read_norm(const support::TomlTable& table, const char* key, const StudyPlan& plan,
+                      const std::vector<std::string>& series, Criterion::Kind kind) {
+  std::string norm = norm_of(table, key);
+  require_interval(kind, norm, table.where(key));
+  require_measured(plan, norm, series, table.where(key));
+  return norm;
+}
+
 /// Throws unless the window, which is one of errors, holds a power of ten: costs are compared at these.
 void require_decades(const fits::Window& window, const std::string& where) {
   if (!(window.from > 0) || fits::decades(window.from, window.to).empty())
@@ -70,14 +89,8 @@ void require_decades(const fits::Window& window, const std::string& where) {
 /// Reads the norm and the window, and checks that the `compared` series have them.
 void read_norm_and_window(const support::TomlTable& table, const StudyPlan& plan,
                           const std::vector<std::string>& compared, Criterion& c) {
-  if (c.kind != Criterion::Kind::status) {
-    c.norm = norm_of(table, "norm");
-    require_measured(plan, c.norm, compared, table.where("norm"));
-  }
-  if (c.kind == Criterion::Kind::order_difference) {
-    c.over_norm = norm_of(table, "over_norm");
-    require_measured(plan, c.over_norm, c.series, table.where("over_norm"));
-  }
+  if (c.kind != Criterion::Kind::status) c.norm = read_norm(table, "norm", plan, compared, c.kind);
+  if (c.kind == Criterion::Kind::order_difference) c.over_norm = read_norm(table, "over_norm", plan, c.series, c.kind);
   c.window = read_window(table, "window");
   if (c.kind == Criterion::Kind::cost_ratio) {
     require_cost(plan, table.where("measure"));

@@ -94,6 +94,32 @@ TEST(MistakeInAStudy, OfACriterionOrAClaimIsNamed) {
                   {"measure = \"order\"", "measure = \"cost-ratio\"\nover = \"linear\"", "`repeat` in every series"}});
 }
 
+/// As numbers without an interval times would hold in one session and fail in the next.
+TEST(MistakeInAStudy, OfACriterionThatTakesTimesForExactIsNamed) {
+  const auto with = [](const std::string& measure, const std::string& norms) {
+    std::string text = cli::small_study;
+    const auto replace = [&](const std::string& from, const std::string& to) {
+      text.replace(text.find(from), from.size(), to);
+    };
+    replace("ppc = 4", "ppc = 4\nrepeat = 3");
+    replace("measure = \"order\"\nseries = [\"bspline2\"]\nnorm = \"l2\"",
+            "measure = \"" + measure + "\"\nseries = [\"bspline2\"]\n" + norms);
+    return complaint([&] { parse_study(text, "bad.toml"); });
+  };
+  const std::string time = "norm = \"ns_per_particle_step\"", over = "\nover = \"linear\"";
+  for (const auto& [measure, norms] : {std::pair{"error-ratio", time + over},
+                                       {"error", time},
+                                       {"spread", time},
+                                       {"order", time},
+                                       {"cost-ratio", time + over},
+                                       {"order-difference", time + "\nover_norm = \"l2\""},
+                                       {"order-difference", "norm = \"l2\"\nover_" + time}})
+    EXPECT_THAT(with(measure, norms), AllOf(HasSubstr("norm 'ns_per_particle_step' in bad.toml:"),
+                                            HasSubstr(std::string("with measure '") + measure +
+                                                      "', which has no interval for times (slope-")));
+  for (const char* measure : {"slope-ratio", "slope-share"}) EXPECT_EQ(with(measure, time + over), "");
+}
+
 TEST(MistakeInAStudy, OfAFigureIsNamed) {
   expect_refused({{"caption", "quantity = \"l3\"\ncaption", "unknown quantity 'l3'"},
                   {"caption", "quantity = \"nodal_l2\"\ncaption", "without nodal_error"},
