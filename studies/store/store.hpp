@@ -68,7 +68,7 @@ class Store {
   std::vector<std::string> codes() const;
 
   /// What the studies, without trials, say about this version of a code, in name order: the series that it ran, and the
-  /// claims that these judge.
+  /// claims that these judge, also the parts of which nothing could be measured.
   std::vector<records::StudyResult> studies_of_code(const std::string& code, const Version& version) const;
 
   /// The series of studies of this digest that other codes ran, in the order of the studies.

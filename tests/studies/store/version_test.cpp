@@ -92,6 +92,35 @@ TEST_F(CodeVersions, EachKeepsItsOwnResults) {
   EXPECT_THAT(store_->check(), IsEmpty());
 }
 
+/// A part of which nothing could be measured has no number that names a series, but keeps its claim from being
+/// confirmed.
+TEST_F(CodeVersions, HaveThePartsOfWhichNothingCouldBeMeasured) {
+  using records::PartVerdict;
+  records::Series theirs = series("theirs", {point(8)});
+  theirs.code = records::OtherCode{"my-code", "1.3", "", "reference", "aa"};
+  records::StudyResult mixed = study("mixed", "", {series("ours", {point(8)}), theirs}),
+                       all = study("all", "", {theirs});
+  mixed.claims = all.claims = {"C", "D"};
+  mixed.parts = {
+      {"C", "first", PartVerdict::holds, "order of 'theirs' = 2", "", "order", 1, 3, {{"order of 'theirs'", 2}}},
+      {"C", "ours", PartVerdict::fails, "order of 'ours' = 1", "", "order", 2, 3, {{"order of 'ours'", 1}}},
+      {"C", "second", PartVerdict::inconclusive, "'theirs' has no limit", "", "limit", 1, {}, {}},
+      {"C", "that 'theirs' costs less", PartVerdict::inconclusive, "no study judges it", "", "awaited"},
+      {"D", "third", PartVerdict::inconclusive, "'ours' has no limit", "", "limit", 1, {}, {}}};
+  all.parts = {mixed.parts[0], {"D", "fourth", PartVerdict::inconclusive, "the paper has no time", "", "awaited"}};
+  store_->keep_study(mixed, {}, built("d1", "aaa", "2026-01-01T00:00:00Z"));
+  store_->keep_study(all, {}, built("d1", "aaa", "2026-01-01T00:00:00Z"));
+  const auto studies = store_->studies_of_code("my-code", store_->versions_of_code("my-code").at(0));
+  const auto statements = [&](std::size_t k) {
+    std::vector<std::string> texts;
+    for (const records::ClaimPart& part : studies.at(k).parts) texts.push_back(part.statement);
+    return texts;
+  };
+  EXPECT_THAT(statements(0), ElementsAre("first", "fourth")) << "all series are of the code";
+  EXPECT_THAT(statements(1), ElementsAre("first", "second", "that 'theirs' costs less"));
+  EXPECT_THAT(studies[1].claims, ElementsAre("C"));
+}
+
 TEST_F(CodeVersions, WhatIsJudgedIsTheLastOneKept) {
   keep_by(*store_, "1.3", "aa", 1, 2.0);
   keep_by(*store_, "1.4", "cc", 3, 2.1);
