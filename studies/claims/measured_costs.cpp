@@ -60,10 +60,12 @@ Sum slope_of(const Criterion& c, const Series& series) {
   return sum;
 }
 
+/// The value of the first point in the window; NaN when there is none, or when it is unstable or not measured.
 Sum first_value(const Criterion& c, const Series& series) {
   Sum sum;
   for (const Point& point : series.points)
-    if (sum.values.empty() && c.window.holds(point.x)) sum.weights.push_back(1), sum.add(point, c.norm);
+    if (sum.values.empty() && c.window.holds(point.x)) sum.add(point, c.norm);
+  for (const double value : sum.values) sum.weights.push_back(std::isfinite(value) ? 1 : support::not_measured);
   return sum;
 }
 

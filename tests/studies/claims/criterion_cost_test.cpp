@@ -70,6 +70,25 @@ TEST(CostCriterion, TheDivisorWidensTheRange) {
   EXPECT_EQ(verdict(1.59, 2.69), PartVerdict::inconclusive);
 }
 
+/// As a divisor an infinite value would make any slope an exact 0.
+TEST(CostCriterion, AShareOfAnUnstableValueIsNotKnown) {
+  StudyResult result = two_lines(0);
+  const auto judged = [&](double at_least, double at_most) {
+    Criterion c = slope(Criterion::Kind::slope_share, at_least, at_most);
+    c.norm = "l2";
+    return judge(c, result);
+  };
+  ASSERT_EQ(judged(0.28, 0.29).verdict, PartVerdict::holds) << "2 over 7";
+  result.series[1].points[1] = {3, Status::unstable, "blown up", {}};
+  EXPECT_EQ(judged(0.28, 0.29).verdict, PartVerdict::holds) << "it is divided by the first value";
+  result.series[1].points[0] = {1, Status::unstable, "blown up", {}};
+  for (const double at_least : {-0.1, 0.1}) {
+    const ClaimPart part = judged(at_least, 0.2);
+    EXPECT_EQ(part.verdict, PartVerdict::inconclusive);
+    EXPECT_THAT(part.evidence, HasSubstr("over order 1 to 3 is not known (asked"));
+  }
+}
+
 TEST(CostCriterion, WithoutAPointOfTheDivisorNothingIsKnown) {
   StudyResult result = two_lines(0.2);
   result.series[1].points.clear();
