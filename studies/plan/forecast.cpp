@@ -93,11 +93,12 @@ class Forecaster {
     loads_.push_back({about_check, false});
   }
 
-  /// The probes of a scan count as one load: what comes after them is not known yet.
+  /// The probes of a scan count as one load: what comes after them is not known yet. Several of its values may lead to
+  /// the same run, which a sweep or another search may ask for, too.
   void add_scan(const std::vector<Case>& scan, StudyForecast& study) {
     double seconds = 0;
     for (const Case& c : scan) {
-      if (is_stored(c)) continue;
+      if (is_stored(c) || !run_.insert(c).second) continue;
       ++study.probes;
       seconds += add_time(c, study);
     }
@@ -143,7 +144,7 @@ class Forecaster {
   const CostModel& costs_;
   const std::string digest_ = store::current_provenance().digest;
   std::vector<records::StudyResult> stored_studies_;
-  std::set<Case> run_;       ///< cases that some study so far runs
+  std::set<Case> run_;       ///< cases that some study so far runs, probes included
   std::vector<Load> loads_;  ///< those that run in parallel
   Forecast result_;
   std::array<std::size_t, 3> sources_{};               ///< of the present study's times

@@ -20,7 +20,7 @@ struct StudyForecast {
   std::size_t parts = 0;   ///< of these, runs of a part of the body
   std::size_t timed = 0;   ///< of these, runs alone on the machine, after all others
   std::size_t anew = 0;    ///< of these, cases whose times the store has, but not of the same rounds
-  std::size_t probes = 0;  ///< of the scans for limits, less what the store has
+  std::size_t probes = 0;  ///< of the scans for limits, each once, less what the store has or a sweep so far runs
   double seconds = 0;      ///< of all that it runs, one after the other on one core; a check counts `about_check`
   std::string why;         ///< in words
 };

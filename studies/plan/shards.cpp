@@ -52,6 +52,13 @@ void append(Work& to, const Work& more) {
   append(to.timed, more.timed);
 }
 
+/// Those that are not in `seen` yet, each once. A run that several ask for is made once.
+std::vector<Case> not_in(std::set<Case>& seen, const std::vector<Case>& cases) {
+  std::vector<Case> others;
+  std::ranges::copy_if(cases, std::back_inserter(others), [&](const Case& c) { return seen.insert(c).second; });
+  return others;
+}
+
 double seconds_of(const std::vector<Case>& cases, const CostModel& costs) {
   double sum = 0;
   for (const Case& c : cases) sum += costs.time(c).seconds;
@@ -69,7 +76,7 @@ class Splitter {
     for (const std::size_t check : all.checks)
       add({.runs = {}, .checks = {check}, .limits = {}, .timed = {}}, about_check);
     for (const std::vector<Case>& cases : all.timed)
-      add({.runs = {}, .checks = {}, .limits = {}, .timed = {cases}}, seconds_of(cases, costs_));
+      add({.runs = {}, .checks = {}, .limits = {}, .timed = {cases}}, seconds_of(not_in(seen_, cases), costs_));
     std::ranges::stable_sort(pieces_, std::greater{}, &Piece::microseconds);
     return pieces_;
   }
@@ -91,12 +98,12 @@ class Splitter {
     const Work work{.runs = {}, .checks = {}, .limits = {limit}, .timed = {}};
     const auto [place, is_new] = families_.try_emplace(family(scan.front()), pieces_.size());
     if (is_new) pieces_.emplace_back();
-    add_to(place->second, work, seconds_of(scan, costs_));
+    add_to(place->second, work, seconds_of(not_in(seen_, scan), costs_));
   }
 
   void add_run(const Case& c) {
     const Work work{.runs = {c}, .checks = {}, .limits = {}, .timed = {}};
-    const double seconds = costs_.time(c).seconds;
+    const double seconds = seconds_of(not_in(seen_, {c}), costs_);
     if (const auto place = families_.find(family(c)); place != families_.end())
       add_to(place->second, work, seconds);
     else
@@ -106,6 +113,7 @@ class Splitter {
   const std::vector<StudyPlan>& plans_;
   const CostModel& costs_;
   std::vector<Piece> pieces_;
+  std::set<Case> seen_;                   ///< those that some piece so far runs
   std::map<Case, std::size_t> families_;  ///< the piece of each search
 };
 
@@ -141,21 +149,16 @@ std::vector<Work> split(const std::vector<StudyPlan>& plans, const CostModel& co
 Demand demand(const std::vector<StudyPlan>& plans, const Work& work, const CostModel& costs, int jobs) {
   std::vector<Load> loads(work.checks.size(), {about_check, false});
   std::vector<double> memories;
-  const auto add = [&](const std::vector<Case>& cases) {
-    for (const Case& c : cases) memories.push_back(memory_estimate(c));
+  std::set<Case> seen;
+  const auto added = [&](const std::vector<Case>& cases) {
+    std::vector<Case> own = not_in(seen, cases);
+    for (const Case& c : own) memories.push_back(memory_estimate(c));
+    return own;
   };
-  add(work.runs);
-  for (const Case& c : work.runs) loads.push_back({costs.time(c).seconds, can_be_shared(c)});
-  for (const LimitTask& limit : work.limits) {
-    const std::vector<Case> scan = scan_cases(plans, limit);
-    add(scan);
-    loads.push_back({seconds_of(scan, costs)});
-  }
+  for (const Case& c : added(work.runs)) loads.push_back({costs.time(c).seconds, can_be_shared(c)});
+  for (const LimitTask& limit : work.limits) loads.push_back({seconds_of(added(scan_cases(plans, limit)), costs)});
   double timed = 0;
-  for (const std::vector<Case>& cases : work.timed) {
-    add(cases);
-    timed += seconds_of(cases, costs);
-  }
+  for (const std::vector<Case>& cases : work.timed) timed += seconds_of(added(cases), costs);
   const auto at_once = std::min(static_cast<std::ptrdiff_t>(jobs), std::ssize(memories));
   std::ranges::partial_sort(memories, memories.begin() + at_once, std::greater{});
   return {seconds_on(jobs, std::move(loads)) + timed,

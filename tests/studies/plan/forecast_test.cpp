@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "studies/plan/estimates.hpp"
 #include "studies/plan/study_runner.hpp"
 #include "tests/studies/store/store_samples.hpp"
@@ -59,6 +61,27 @@ TEST_F(Forecasts, GuessWithoutAStoreAndCountScans) {
   EXPECT_EQ(limit.cases, 0U);
   EXPECT_EQ(limit.probes, 3U);
   EXPECT_GT(limit.seconds, 0);
+}
+
+/// Steps divide the end time: many of the values lead to the same few numbers of steps.
+TEST_F(Forecasts, CountAProbeOnceThatSeveralAskFor) {
+  const std::string bar =
+      "title = \"Bar\"\nclaims = []\n[fixed]\nproblem = \"bar\"\nbasis = \"bspline2\"\ncells = 8\n"
+      "integrator = \"cd\"\nppc = 2\n[[series]]\nname = \"bar\"\n";
+  const std::string limit = bar + "[limit]\nkey = \"cfl\"\nfrom = 0.2\nto = 0.4\nscan_ratio = 1.001\n";
+  const std::vector<StudyPlan> plans{parse_study(bar + "[sweep]\ncfl = [0.2, 0.4]\n", "ends.toml"),
+                                     parse_study(limit, "limit.toml"), parse_study(limit, "again.toml")};
+  const std::vector<cases::Case> scan = scan_cases(plans, {.plan = 1, .series = 0, .replicate = 0});
+  const std::size_t different = std::set(scan.begin(), scan.end()).size();
+  ASSERT_LT(different, scan.size());
+  const Forecast all = forecast(plans, nullptr, 1);
+  EXPECT_EQ(all.studies[0].runs, 2U);
+  EXPECT_EQ(all.studies[1].probes, different - 2) << "the ends are swept";
+  EXPECT_EQ(all.studies[2].probes, 0U);
+  Store store(folder_ / "r.db", Store::Mode::create_or_write);
+  RunnerCounts counts;
+  run_studies(plans, store, {}, counts);
+  EXPECT_EQ(counts.ran, different) << "all are stable, so nothing is bisected";
 }
 
 TEST_F(Forecasts, LetTheLongestStartFirstAndTimedOnesWait) {

@@ -106,6 +106,21 @@ TEST(Shards, AreAsLongAsTheirLongestPieceAllows) {
   EXPECT_LT(std::ranges::max(seconds), 1.1 * all / 4);
 }
 
+/// A search that three studies ask for, and six runs of which each takes about half as long.
+TEST(Shards, CountARunOnceThatSeveralStudiesAskFor) {
+  const std::string bars = "cells = 8\n[[series]]\nname = \"bars\"\n";
+  const std::string search = "[limit]\nkey = \"cfl\"\nfrom = 0.2\nto = 1.6\nscan_ratio = 2\n";
+  const std::string swept = "[sweep]\nshuffle = [1, 2, 3, 4, 5, 6]\n";
+  const auto study = [&](const std::string& text) { return parse_study(head + text, "bars.toml"); };
+  const StudyPlan runs = study("cfl = 0.2\n" + bars + swept), limit = study(bars + search);
+  const std::vector<StudyPlan> plans{runs, limit, limit, study(bars + search + "[sweep]\ncfl = [0.2, 0.8]\n"), runs};
+  const CostModel costs(nullptr);
+  const auto needed = [&](const std::vector<StudyPlan>& of) { return demand(of, work_of(of), costs, 1); };
+  const double all = needed(plans).seconds;
+  EXPECT_NEAR(all, needed({runs, limit}).seconds, 1e-9 * all);
+  for (const Work& work : split(plans, costs, 2)) EXPECT_LT(demand(plans, work, costs, 1).seconds, 0.6 * all);
+}
+
 TEST(Shards, AskForTheMemoryOfTheCasesThatRunAtOnce) {
   const std::vector<StudyPlan> plans = all_kinds();
   const Work work = work_of(plans);
