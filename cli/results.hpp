@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -118,16 +119,6 @@ inline bool is_of_another_code(const records::Series& series) {
   return series.code.has_value();
 }
 
-/// Whether a criterion compared a number of a series that another code ran.
-inline bool judges_another_code(const records::ClaimPart& part, const std::vector<records::Series>& series) {
-  return std::ranges::any_of(series, [&](const records::Series& s) {
-    const auto names_it = [&](const records::Found& found) {
-      return found.what.find('\'' + s.name + '\'') != std::string::npos;
-    };
-    return is_of_another_code(s) && std::ranges::any_of(part.found, names_it);
-  });
-}
-
 /// The studies by which versions of our own program are compared: those that are no trials, without the series of other
 /// codes, which have versions of their own, and without the criteria on them.
 inline std::vector<records::StudyResult> own_evidence(std::vector<records::StudyResult> studies) {
@@ -136,7 +127,9 @@ inline std::vector<records::StudyResult> own_evidence(std::vector<records::Study
     return !study.series.empty() && std::ranges::all_of(study.series, is_of_another_code);
   });
   for (records::StudyResult& study : studies) {
-    std::erase_if(study.parts, [&](const auto& part) { return judges_another_code(part, study.series); });
+    std::vector<records::Series> theirs;
+    std::ranges::copy_if(study.series, std::back_inserter(theirs), is_of_another_code);
+    std::erase_if(study.parts, [&](const records::ClaimPart& part) { return records::speaks_of(part, theirs); });
     std::erase_if(study.series, is_of_another_code);
   }
   return studies;

@@ -108,6 +108,10 @@ struct ClaimPart {
   bool is_limit() const { return measure.starts_with("limit"); }
 };
 
+/// Whether the part names one of the series in quotes: in its evidence, or, where nothing could be measured, in what
+/// was asked.
+bool speaks_of(const ClaimPart& part, const std::vector<Series>& series);
+
 enum class StudyKind { convergence, limit, check };
 constexpr std::array<const char*, 3> words_of(StudyKind) {
   return {"convergence", "limit", "check"};

@@ -33,21 +33,14 @@ std::vector<std::string> texts_of(const Values& values) {
   return texts;
 }
 
-/// Whether the part names one of the series in quotes: in its evidence, or, where nothing could be measured, in what
-/// was asked.
-bool speaks_of(const records::ClaimPart& part, const std::vector<records::Series>& series) {
-  const std::string text = part.found.empty() ? part.statement + part.evidence : part.evidence;
-  return std::ranges::any_of(
-      series, [&](const records::Series& s) { return text.find(fmt::format("'{}'", s.name)) != std::string::npos; });
-}
-
 /// Leaves of a study the series that the code ran, and the claims whose criteria name one of these. Where it ran all of
 /// them, all criteria are on it.
 records::StudyResult only_of_code(records::StudyResult study, const std::string& code) {
   const auto others =
       std::erase_if(study.series, [&](const records::Series& s) { return !s.code || s.code->name != code; });
   study.values.clear();
-  if (others > 0) std::erase_if(study.parts, [&](const records::ClaimPart& p) { return !speaks_of(p, study.series); });
+  if (others > 0)
+    std::erase_if(study.parts, [&](const records::ClaimPart& p) { return !records::speaks_of(p, study.series); });
   std::erase_if(study.claims, [&](const std::string& claim) {
     return std::ranges::find(study.parts, claim, &records::ClaimPart::claim) == study.parts.end();
   });

@@ -191,8 +191,9 @@ TEST_F(History, WhatAnotherCodeRanIsNoEvidenceOfOurVersions) {
   theirs.series[0].name = "theirs", theirs.series[0].code = records::OtherCode{"my-code", "1.3", "", "reference", "aa"};
   mixed.series.push_back(theirs.series[0]);
   for (const char* series : {"linear", "theirs"}) {
-    records::ClaimPart part{"T-a", std::string("order of ") + series, records::PartVerdict::holds, "", ""};
-    part.found = {{std::string("order of '") + series + "' in l2", 1}};
+    const std::string found = std::string("order of '") + series + "' in l2";
+    records::ClaimPart part{"T-a", std::string("order of ") + series, records::PartVerdict::holds, found + " = 1", ""};
+    part.found = {{found, 1}};
     mixed.parts.push_back(part), theirs.parts = {part};
   }
   theirs.name = "theirs", theirs.claims = {"T-b"}, theirs.parts[0].claim = "T-b", mixed.claims = {"T-a"};

@@ -104,9 +104,9 @@ struct Text {
   }
 
   static std::string of(const records::ClaimPart& p) {
-    const auto& [claim, statement, verdict, evidence, reason, measure, at_least, at_most, found] = p;
-    return fmt::format("part {} {} {} {} '{}' {} {} {}\n{}", claim, statement, to_string(verdict), evidence, reason,
-                       measure, of(at_least), of(at_most), of(found));
+    const auto& [claim, statement, verdict, evidence, reason, measure, at_least, at_most, found, withheld] = p;
+    return fmt::format("part {} {} {} {} '{}' {} {} {}\n{}{}", claim, statement, to_string(verdict), evidence, reason,
+                       measure, of(at_least), of(at_most), of(found), withheld);
   }
 
   static std::string of(const records::Found& f) {

@@ -1,37 +1,42 @@
 #include "studies/support/memory.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
-
-#include "tests/studies/temp_folder.hpp"
+#include <string>
 
 namespace mpmvv::support::memory_test {
 
+namespace fs = std::filesystem;
+
 class Memory : public testing::Test {
  protected:
-  void write(const std::string& file, const std::string& text) {
-    std::filesystem::create_directories((folder_ / file).parent_path());
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& file, const std::string& text) const {
+    fs::create_directories((folder_ / file).parent_path());
     std::ofstream(folder_ / file) << text;
   }
 
-  TempFolder folder_;
+  const fs::path folder_ = fs::temp_directory_path() / ("mpmvv_memory_test_" + std::to_string(getpid()));
 };
 
 TEST_F(Memory, IsWhatTheSystemHasAvailable) {
   write("proc/meminfo", "MemTotal:  4000 kB\nMemFree:  100 kB\nMemAvailable:  3000 kB\n");
-  EXPECT_EQ(available_memory(folder_.path()), 3000 * 1024);
+  EXPECT_EQ(available_memory(folder_), 3000 * 1024);
   write("sys/fs/cgroup/memory.max", "max\n");
-  EXPECT_EQ(available_memory(folder_.path()), 3000 * 1024);
+  EXPECT_EQ(available_memory(folder_), 3000 * 1024);
 }
 
 TEST_F(Memory, IsWhatAContainersLimitLeaves) {
   write("proc/meminfo", "MemAvailable:  3000 kB\n");
   write("sys/fs/cgroup/memory.max", "2048000\n");
   write("sys/fs/cgroup/memory.current", "1024000\n");
-  EXPECT_EQ(available_memory(folder_.path()), 1024000);
+  EXPECT_EQ(available_memory(folder_), 1024000);
   write("sys/fs/cgroup/memory.current", "4096000\n");
-  EXPECT_EQ(available_memory(folder_.path()), 0);
+  EXPECT_EQ(available_memory(folder_), 0);
 }
 
 TEST_F(Memory, OfThisMachineIsSome) {
