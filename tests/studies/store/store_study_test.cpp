@@ -262,7 +262,7 @@ TEST_F(StoredStudyTest, ProvenanceComesBackWhole) {
 TEST_F(StoredStudyTest, AStudyWhoseRunIsMissingIsRefusedWhole) {
   store_->keep_study(study("s", "old"), {}, provenance());
   const StudyResult s = study("s", "new", {series("a", {point(99)})});
-  EXPECT_THROW(store_->keep_study(s, {{bar(99)}}, provenance()), std::logic_error);
+  EXPECT_THROW(store_->keep_study(s, {{bar(99)}}, provenance()), support::UsageError);
   EXPECT_EQ(store_->studies("d1").at(0).title, "old");
 }
 
