@@ -1,5 +1,7 @@
 #include "cli/table.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <sstream>
 #include <utility>
@@ -99,31 +101,44 @@ std::string Table::row(Cells cells, std::size_t width, bool coloured) const {
   return text;
 }
 
-Table Table::without_first_column() const {
-  Table rest({columns_.begin() + 1, columns_.end()}, indent_ + gap);
-  rest.widths_.assign(widths_.begin() + 1, widths_.end());
+std::size_t Table::columns_above(std::size_t width) const {
+  std::size_t above = 0;
+  for (std::size_t taken = this->width(); taken > width && above + 2 < columns_.size(); ++above)
+    taken -= widths_[above] + (above == 0 ? 0 : gap);  // the rest is indented by a gap
+  return above;
+}
+
+Table Table::without_first(std::size_t columns) const {
+  const auto first = static_cast<std::ptrdiff_t>(columns);
+  Table rest({columns_.begin() + first, columns_.end()}, indent_ + gap);
+  rest.widths_.assign(widths_.begin() + first, widths_.end());
   return rest;
 }
 
-std::string Table::text_under_first_column(std::size_t width, bool coloured) const {
-  const auto above = [&](const std::string& cell) {
+std::string Table::text_below_first(std::size_t columns, std::size_t width, bool coloured) const {
+  const auto first = static_cast<std::ptrdiff_t>(columns);
+  const auto above = [&](const Cells& cells) {
     std::string lines;
-    for (const std::string& line : wrapped(cell, std::max(width, indent_ + 1) - indent_))
+    const std::string joined = fmt::format("{}", fmt::join(cells.begin(), cells.begin() + first, ", "));
+    for (const std::string& line : wrapped(joined, std::max(width, indent_ + 1) - indent_))
       lines += std::string(indent_, ' ') + line + '\n';
     return lines;
   };
-  const Table rest = without_first_column();
-  std::string text = above(columns_.front().head) + rest.text(width, coloured), last;
+  Cells heads;
+  for (const Column& column : columns_) heads.push_back(fmt::format("{}", fmt::join(lines_of(column.head), " ")));
+  const Table rest = without_first(columns);
+  std::string text = above(heads) + rest.text(width, coloured), last;
   for (const Cells& cells : rows_) {
-    if (cells.front() != last || &cells == &rows_.front()) text += above(cells.front());
-    last = cells.front();
-    text += rest.row({cells.begin() + 1, cells.end()}, width, coloured);
+    const std::string head = above(cells);
+    if (head != last) text += head;
+    last = head;
+    text += rest.row({cells.begin() + first, cells.end()}, width, coloured);
   }
   return text;
 }
 
 std::string Table::text(std::size_t width, bool coloured) const {
-  if (this->width() > width && columns_.size() > 2) return text_under_first_column(width, coloured);
+  if (const std::size_t above = columns_above(width); above > 0) return text_below_first(above, width, coloured);
   std::string text;
   for (Cells heads : head_lines()) {
     if (stands_below(width)) heads.back().clear();

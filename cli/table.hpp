@@ -8,7 +8,7 @@
 namespace mpmvv::cli {
 
 /// Rows of cells under their heads, each column as wide as its widest cell. Where a line has no room for all of them
-/// the first column's cells stand on lines of their own, above the rows that have them.
+/// the cells of the first, or of as many as it takes, stand on lines of their own, above the rows that have them.
 class Table {
  public:
   /// `verdict`: words that a terminal shows in colour. The last column may be `prose`, which is wrapped to what a line
@@ -38,8 +38,9 @@ class Table {
   std::vector<Cells> head_lines() const;
   std::string line(const Cells& cells, bool coloured) const;
   std::string row(Cells cells, std::size_t width, bool coloured) const;
-  Table without_first_column() const;
-  std::string text_under_first_column(std::size_t width, bool coloured) const;
+  std::size_t columns_above(std::size_t width) const;  ///< how many stand above the rows
+  Table without_first(std::size_t columns) const;
+  std::string text_below_first(std::size_t columns, std::size_t width, bool coloured) const;
 
   std::vector<Column> columns_;
   std::size_t indent_;

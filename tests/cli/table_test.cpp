@@ -84,6 +84,19 @@ TEST(Table, WithoutRoomForAllItsColumnsPutsTheFirstAbove) {
             "  another\n"
             "    l1   1.98  yes\n"
             "    l2   1.98  yes\n");
+  EXPECT_EQ(table.text(21, false),
+            "  order of, in\n"
+            "    order  asymptotic\n"
+            "  a name of some\n"
+            "  length, l1\n"
+            "     1.98  yes\n"
+            "  a name of some\n"
+            "  length, l2\n"
+            "     1.98  yes\n"
+            "  another, l1\n"
+            "     1.98  yes\n"
+            "  another, l2\n"
+            "     1.98  yes\n");
 }
 
 TEST(Table, AHeadOfProseBelowMakesNoLineTooWide) {
