@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <functional>
 #include <sstream>
@@ -86,10 +87,12 @@ std::size_t longest_in(const Table& table, std::size_t column) {
 
 /// About how wide a text is in points, in letters of 8 points.
 double width_in_points(const std::string& text) {
-  constexpr double letter = 4.4, power = 47;
+  constexpr double letter = 4.4, capital = 6, power = 47;
   if (is_written_number(text) && text.find('e') != std::string::npos) return power;
-  const auto starts_character = [](unsigned char byte) { return (byte & 0xC0u) != 0x80; };
-  return letter * static_cast<double>(std::ranges::count_if(text, starts_character));
+  double width = 0;
+  for (const unsigned char byte : text)
+    if ((byte & 0xC0u) != 0x80) width += std::isupper(byte) != 0 ? capital : letter;  // a byte that starts a character
+  return width;
 }
 
 double width_in_points(const Table& table, std::size_t column) {
