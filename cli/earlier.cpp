@@ -66,7 +66,8 @@ std::map<std::string, claims::Claim::Verdict> verdicts_then(const std::vector<re
   for (const claims::Claim& claim : claims::judge_claims(then)) {
     const auto same = std::ranges::find(claims_now, claim.id, &claims::Claim::id);
     if (same == claims_now.end() || claim.id == reports::mutants_claim) continue;
-    if (std::ranges::is_permutation(claim.studies, same->studies)) verdicts[claim.id] = claim.verdict;
+    if (!claim.studies.empty() && std::ranges::is_permutation(claim.studies, same->studies))
+      verdicts[claim.id] = claim.verdict;
   }
   return verdicts;
 }
@@ -88,13 +89,13 @@ std::optional<reports::Earlier> earlier_version(const store::Store& store, const
   const auto versions = store.versions();
   const store::Version* version = version_before(versions, store::current_provenance().digest);
   if (version == nullptr) return std::nullopt;
-  const auto all_then = without_trials(store.studies(version->digest));
+  const auto all_then = without_trials(store.studies(version->digest)), all_now = without_trials(now);
   const auto then = own_evidence(all_then), own_now = own_evidence(now);
   const goldens::Comparison comparison = goldens::compare(claims::findings_of(then), claims::findings_of(own_now));
   reports::Earlier earlier;
   earlier.label = store::in_short(version->commits.front());
-  earlier.gate_change = gate_change(goldens, all_then, without_trials(now));
-  earlier.claims = verdicts_then(then, own_now);
+  earlier.gate_change = gate_change(goldens, all_then, all_now);
+  earlier.claims = verdicts_then(all_then, all_now);
   earlier.changes = changes_of(comparison);
   earlier.changes.gone = results_gone(then, own_now);
   earlier.cost_ratios = ratios_of(comparison.costs);

@@ -70,7 +70,8 @@ inline void require_own_results(const std::vector<records::StudyResult>& studies
 inline std::filesystem::path published() {
   const std::filesystem::path here = "tests/mutation";
   std::error_code unknown;
-  return std::filesystem::exists(here, unknown) ? here : shipped(here);
+  const std::filesystem::path there = std::filesystem::exists(here, unknown) ? "" : shipped(here);
+  return there.empty() ? here : there;
 }
 
 /// What `./run mutants` leaves beside a store.
@@ -115,22 +116,18 @@ inline std::vector<records::StudyResult> without_trials(std::vector<records::Stu
   return studies;
 }
 
-inline bool is_of_another_code(const records::Series& series) {
-  return series.code.has_value();
-}
-
 /// The studies by which versions of our own program are compared: those that are no trials, without the series of other
 /// codes, which have versions of their own, and without the criteria on them.
 inline std::vector<records::StudyResult> own_evidence(std::vector<records::StudyResult> studies) {
   studies = without_trials(std::move(studies));
   std::erase_if(studies, [](const records::StudyResult& study) {
-    return !study.series.empty() && std::ranges::all_of(study.series, is_of_another_code);
+    return !study.series.empty() && std::ranges::all_of(study.series, records::is_of_another_code);
   });
   for (records::StudyResult& study : studies) {
     std::vector<records::Series> theirs;
-    std::ranges::copy_if(study.series, std::back_inserter(theirs), is_of_another_code);
+    std::ranges::copy_if(study.series, std::back_inserter(theirs), records::is_of_another_code);
     std::erase_if(study.parts, [&](const records::ClaimPart& part) { return records::speaks_of(part, theirs); });
-    std::erase_if(study.series, is_of_another_code);
+    std::erase_if(study.series, records::is_of_another_code);
   }
   return studies;
 }

@@ -103,7 +103,8 @@ std::string Table::row(Cells cells, std::size_t width, bool coloured) const {
 
 std::size_t Table::columns_above(std::size_t width) const {
   std::size_t above = 0;
-  for (std::size_t taken = this->width(); taken > width && above + 2 < columns_.size(); ++above)
+  const auto is_text = [&] { return above + 2 < columns_.size() && columns_[above].kind == Kind::text; };
+  for (std::size_t taken = this->width(); taken > width && is_text(); ++above)
     taken -= widths_[above] + (above == 0 ? 0 : gap);  // the rest is indented by a gap
   return above;
 }

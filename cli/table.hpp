@@ -8,7 +8,7 @@
 namespace mpmvv::cli {
 
 /// Rows of cells under their heads, each column as wide as its widest cell. Where a line has no room for all of them
-/// the cells of the first, or of as many as it takes, stand on lines of their own, above the rows that have them.
+/// the first texts, as many as it takes, stand on lines of their own, above the rows that have them.
 class Table {
  public:
   /// `verdict`: words that a terminal shows in colour. The last column may be `prose`, which is wrapped to what a line

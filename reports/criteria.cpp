@@ -97,11 +97,18 @@ std::size_t count(const claims::Claim& claim, PartVerdict verdict) {
       std::ranges::count_if(claim.parts, [&](const auto& line) { return line.part.verdict == verdict; }));
 }
 
+bool reaches_across_a_bound(const ClaimPart& part, const Found& found) {
+  const auto holds = [&](const std::optional<double>& bound) {
+    return bound && found.lower < *bound && *bound < found.upper;
+  };
+  return holds(part.at_least) || holds(part.at_most);
+}
+
 /// Whether the criterion's verdict hangs on a number: an interval that reaches across a bound leaves it open, a series
 /// that could not be run, or a trial, is no number's doing.
 bool hangs_on_a_number(const ClaimPart& part) {
   if (part.found.empty() || !part.withheld.empty()) return false;
-  return part.verdict != PartVerdict::inconclusive || margin(part, deciding_number(part)) < 0;
+  return part.verdict != PartVerdict::inconclusive || reaches_across_a_bound(part, deciding_number(part));
 }
 
 /// The first criterion of a verdict that hangs on no number.

@@ -80,7 +80,7 @@ std::vector<double> costs_of(const ReportInput& input) {
   std::vector<double> costs;
   for (records::StudyResult study : input.studies) {
     if (!store::trial_of(study.text).empty()) continue;
-    std::erase_if(study.series, [](const records::Series& series) { return series.code.has_value(); });
+    std::erase_if(study.series, records::is_of_another_code);
     for (const claims::Finding& finding : claims::findings_of(study))
       if (finding.kind == claims::Finding::Kind::cost && std::isfinite(finding.number)) costs.push_back(finding.number);
   }

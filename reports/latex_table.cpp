@@ -113,21 +113,22 @@ double longest_word_in_points(const Table& table, std::size_t column) {
   return width;
 }
 
-/// Whether a text of 125 mm has room for the table whose columns are broken or not.
-bool has_room(const Table& table, const std::vector<bool>& is_broken) {
-  constexpr double text_width = 355, gap = 6;
+/// The width that the table takes at least; columns that are broken share the rest of the line equally.
+double least_width(const Table& table, const std::vector<bool>& is_broken) {
+  constexpr double gap = 6;
   double others = 0, widest_word = 0;
   for (std::size_t c = 0; c < is_broken.size(); ++c) {
     others += gap + (is_broken[c] ? 0 : width_in_points(table, c));
     if (is_broken[c]) widest_word = std::max(widest_word, longest_word_in_points(table, c));
   }
-  return others + static_cast<double>(std::ranges::count(is_broken, true)) * widest_word <= text_width;
+  return others + static_cast<double>(std::ranges::count(is_broken, true)) * widest_word;
 }
 
 /// The columns whose texts are broken: prose, and as many more as it takes, those that become the narrowest by it
 /// first.
 std::vector<bool> broken_columns(const Table& table) {
   constexpr std::size_t prose = 20;
+  constexpr double text_width = 355;
   std::vector<bool> is_broken;
   std::vector<std::pair<double, std::size_t>> gains;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -135,8 +136,12 @@ std::vector<bool> broken_columns(const Table& table) {
     gains.emplace_back(width_in_points(table, c) - longest_word_in_points(table, c), c);
   }
   std::ranges::stable_sort(gains, std::greater{}, &std::pair<double, std::size_t>::first);
-  for (const auto& [gain, c] : gains)
-    if (gain > 0 && !has_room(table, is_broken)) is_broken[c] = true;
+  for (const auto& [gain, c] : gains) {
+    const double width = least_width(table, is_broken);
+    std::vector<bool> with_one_more = is_broken;
+    with_one_more[c] = true;
+    if (width > text_width && least_width(table, with_one_more) < width) is_broken = with_one_more;
+  }
   return is_broken;
 }
 

@@ -30,7 +30,8 @@ Claim::Verdict verdict_of(const std::vector<JudgedPart>& parts) {
 std::string evidence_of(const std::vector<JudgedPart>& parts) {
   std::vector<std::string> texts;
   for (const auto& [study, part] : parts) {
-    const std::string reason = part.reason.empty() ? "" : " Reason: " + part.reason;
+    const std::string& why = part.reason.empty() ? part.withheld : part.reason;
+    const std::string reason = why.empty() ? "" : " Reason: " + why;
     texts.push_back(fmt::format("{}: {} [{}].{}", part.statement, part.evidence, to_string(part.verdict), reason));
   }
   return fmt::format("{}", fmt::join(texts, "\n"));

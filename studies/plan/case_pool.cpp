@@ -104,7 +104,9 @@ void CasePool::run_all(std::vector<Case> missing) {
 
 std::vector<Case> CasePool::longest_first(const std::vector<Case>& cases) {
   std::vector<std::pair<double, Case>> with_seconds;
-  for (const Case& c : cases) with_seconds.emplace_back(seconds({c}), c);
+  with_store([&] {
+    for (const Case& c : cases) with_seconds.emplace_back(costs_.time(c).seconds, c);
+  });
   std::ranges::stable_sort(with_seconds, std::greater{}, &std::pair<double, Case>::first);
   std::vector<Case> sorted;
   for (auto& [time, c] : with_seconds) sorted.push_back(std::move(c));

@@ -31,8 +31,8 @@ double Remaining::seconds(int jobs) const {
     beside += (1 - share_alone(c)) * estimate;
   }
   for (const auto& [c, estimate] : estimates_) {
-    const bool is_shared = outlasts_others(estimate, beside, jobs) && can_be_shared(c);
-    if (c.measure.repeat == 0 && !is_shared) longest = std::max(longest, estimate);
+    const bool is_shared = c.measure.repeat == 0 && outlasts_others(estimate, beside, jobs) && can_be_shared(c);
+    if (!is_shared) longest = std::max(longest, (1 - share_alone(c)) * estimate);
   }
   const double correction = (measured_ + trust) / (estimated_ + trust);
   return correction * (std::max(beside / jobs, longest) + alone);

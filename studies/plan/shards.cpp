@@ -157,11 +157,16 @@ Demand demand(const std::vector<StudyPlan>& plans, const Work& work, const CostM
   };
   for (const Case& c : added(work.runs)) loads.push_back({costs.time(c).seconds, can_be_shared(c)});
   for (const LimitTask& limit : work.limits) loads.push_back({seconds_of(added(scan_cases(plans, limit)), costs)});
-  double timed = 0;
-  for (const std::vector<Case>& cases : work.timed) timed += seconds_of(added(cases), costs);
+  double alone = 0;
+  for (const std::vector<Case>& cases : work.timed)
+    for (const Case& c : added(cases)) {
+      const double seconds = costs.time(c).seconds;
+      alone += share_alone(c) * seconds;
+      loads.push_back({(1 - share_alone(c)) * seconds, false});
+    }
   const auto at_once = std::min(static_cast<std::ptrdiff_t>(jobs), std::ssize(memories));
   std::ranges::partial_sort(memories, memories.begin() + at_once, std::greater{});
-  return {seconds_on(jobs, std::move(loads)) + timed,
+  return {seconds_on(jobs, std::move(loads)) + alone,
           std::accumulate(memories.begin(), memories.begin() + at_once, 0.0)};
 }
 

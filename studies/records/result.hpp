@@ -108,6 +108,10 @@ struct ClaimPart {
   bool is_limit() const { return measure.starts_with("limit"); }
 };
 
+inline bool is_of_another_code(const Series& series) {
+  return series.code.has_value();
+}
+
 /// Whether the part names one of the series in quotes: in its evidence, or, where nothing could be measured, in what
 /// was asked.
 bool speaks_of(const ClaimPart& part, const std::vector<Series>& series);

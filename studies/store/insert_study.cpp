@@ -39,7 +39,7 @@ void insert_point(Database& database, std::int64_t series, std::size_t ordinal, 
     });
     if (run.null())
       throw support::UsageError(
-          "the store has lost a run of this study since it was made, as `mpmvv db prune` takes it "
+          "a run of this study is not in the store, where `mpmvv db prune` may have removed it "
           "(run the study again): " +
           case_text);
   }

@@ -1,8 +1,9 @@
 #include "studies/support/memory.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -12,28 +13,40 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The file's number; none where there is no such file, or a word ("max").
-std::optional<double> number_in(const fs::path& file) {
+/// The number that stands behind this word in a file; of the file's first word if that is a number and `word` empty.
+std::optional<double> number_in(const fs::path& file, const std::string& word = "") {
   std::ifstream in(file);
   double number = 0;
+  for (std::string found; !word.empty() && found != word;)
+    if (!(in >> found)) return std::nullopt;
   return in >> number ? std::optional(number) : std::nullopt;
 }
 
 double of_the_system(const fs::path& root) {
-  std::ifstream in(root / "proc/meminfo");
-  double kilobytes = 0;
-  for (std::string word; in >> word;)
-    if (word == "MemAvailable:" && in >> kilobytes) return 1024 * kilobytes;
-  return std::numeric_limits<double>::infinity();
+  if (const auto kilobytes = number_in(root / "proc/meminfo", "MemAvailable:")) return 1024 * *kilobytes;
+  return static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// The folder of the program's control group, whose line in /proc is "0::/its/path".
+fs::path control_group(const fs::path& root) {
+  std::ifstream in(root / "proc/self/cgroup");
+  const fs::path all = root / "sys/fs/cgroup";
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("0::/") && fs::exists(all / line.substr(4) / "memory.max")) return all / line.substr(4);
+  return all;
 }
 
 }  // namespace
 
+/// What the system reads files into counts as used, but it is given back where a program asks for memory.
 double available_memory(const fs::path& root) {
-  const auto limit = number_in(root / "sys/fs/cgroup/memory.max");
+  const fs::path group = control_group(root);
+  const auto limit = number_in(group / "memory.max");
   const double system = of_the_system(root);
   if (!limit) return system;
-  return std::min(system, std::max(0.0, *limit - number_in(root / "sys/fs/cgroup/memory.current").value_or(0)));
+  const double used =
+      number_in(group / "memory.current").value_or(0) - number_in(group / "memory.stat", "inactive_file").value_or(0);
+  return std::clamp(*limit - used, 0.0, system);
 }
 
 }  // namespace mpmvv::support

@@ -78,6 +78,8 @@ TEST_F(Figure, AFigureOfTwoStudiesIsNamedAfterBoth) {
   EXPECT_EQ(draw("b~errors --format tex").out,
             "b~errors.tex\nb~errors-lines.pdf\n  \\input{b\\string~errors} with \\usepackage{graphicx,xcolor}\n");
   EXPECT_THAT(read_text(folder_ / "b~errors.tex"), HasSubstr("{b\\string~errors-lines}"));
+  EXPECT_EQ(draw("b~errors --out 'a%b.tex'").err, "mpmvv: --out a%b.tex (LaTeX reads no file with % in its name)\n");
+  EXPECT_EQ(draw("b~errors --out 'a%b.svg'").code, 0);
 }
 
 TEST_F(Figure, AFontThatTheMachineLacksIsNamed) {

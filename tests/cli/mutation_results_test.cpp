@@ -103,6 +103,21 @@ TEST_F(MutationResultsOnDisk, AreMadeAnewByTheTree) {
               HasSubstr("<code>./run mutants &amp;&amp; ./run alarms</code>"));
 }
 
+/// What a campaign found of an earlier version is gone, so nothing is said of a change.
+TEST_F(MutationResultsOnDisk, AreNotHeldAgainstAnEarlierVersion) {
+  store::Provenance earlier = store::current_provenance();
+  earlier.digest = "00ff", earlier.commit = "c0ffee", earlier.time = "2001-01-01T00:00:00Z";
+  {
+    store::Store store(folder_ / "results/r.db", store::Store::Mode::write);
+    store.keep_study(store.studies(own_digest()).at(0), {}, earlier);
+  }
+  folder_.write("tests/mutation/summary.json", summary(own_digest(), 5, {}));
+  ASSERT_EQ(in_folder("report --db results/r.db --out report").code, 0);
+  const std::string page = read_text(folder_ / "report/index.html");
+  EXPECT_THAT(page, HasSubstr("Since the version before"));
+  EXPECT_THAT(page, Not(HasSubstr("was open")));
+}
+
 TEST_F(MutationResultsOnDisk, AnythingElseIsRefused) {
   for (const char* file : {"tests/mutation/summary.json", "results/mutants.json"}) {
     folder_.write(file, "{\"digest\": 5}");

@@ -53,6 +53,9 @@ TEST(RunCommand, CostIsEvidenceOnlyWhenItIsAskedFor) {
   EXPECT_EQ(costed["cost"]["rounds"].size(), 3U);
   EXPECT_TRUE(costed["cost"]["session"].is_string());
   EXPECT_FALSE(plain["cost"].contains("rounds"));
+  const std::string in_words = "run --problem bar --cells 16 --ppc 4 --repeat 3 ";
+  EXPECT_THAT(call(folder, in_words + "--cfl 0.3").out, HasSubstr(" s of steps, geometric mean of 3 rounds"));
+  EXPECT_THAT(call(folder, in_words + "--cfl 3").out, AllOf(HasSubstr("unstable"), Not(HasSubstr("cost"))));
   EXPECT_NEAR(seconds,
               1e-9 * costed["ns_per_particle_step"].get<double>() * costed["particles"].get<double>() *
                   costed["steps"].get<double>(),

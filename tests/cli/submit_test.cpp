@@ -127,7 +127,9 @@ TEST_F(Submit, TheLastJobNamesMissingShardsAndMergesWhenAllAreThere) {
 
 TEST_F(Submit, TheLastJobGatesByTheGoldensThatItIsGiven) {
   write_golden("strict", "unstable");
-  ASSERT_EQ(submit("--shards 1 --goldens strict --dry-run").code, 0);
+  const Answer submitted = submit("--shards 1 --goldens strict --dry-run");
+  ASSERT_EQ(submitted.code, 0);
+  EXPECT_THAT(submitted.out, HasSubstr("1 shard, the longest"));
   ASSERT_EQ(carry_out_script("shard.sh", "SLURM_ARRAY_TASK_ID=1").code, 0);
   const Answer merge = carry_out_script("merge.sh");
   EXPECT_EQ(merge.code, 1) << merge.out;

@@ -131,13 +131,16 @@ TEST(DecidingText, IsACriterionsStatementWhereNoNumberWasCompared) {
   EXPECT_EQ(deciding_text(claim), "");
 }
 
-TEST(DecidingText, NamesNoNumberThatLiesWithinItsBounds) {
+TEST(DecidingText, NamesNoNumberThatLeavesNothingOpen) {
   ClaimPart part = asked(0.5, 2);
   part.statement = "first order", part.verdict = PartVerdict::inconclusive;
   part.found = {{"order of 'a'", 1, 0.9, 1.1}};
   claims::Claim claim;
   claim.parts = {{"a-study", part}};
   EXPECT_EQ(deciding_text(claim), "first order: inconclusive") << "a series could not be run";
+  claim.parts[0].part.found = {{"order of 'a'", 3, 2.9, 3.1}};
+  EXPECT_EQ(deciding_text(claim), "first order: inconclusive") << "nor here, where it lies beyond them";
+  claim.parts[0].part.found = part.found;
   claim.parts[0].part.found[0].upper = 2.5;
   EXPECT_THAT(deciding_text(claim), HasSubstr("order of 'a': 1 (0.9 to 2.5) (asked: 0.5 to 2; inconclusive)"));
   claim.parts[0].part.withheld = "made with --set: ppc = 4 in 1 of 1 series";

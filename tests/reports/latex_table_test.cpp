@@ -77,6 +77,9 @@ TEST(LatexTables, WhereTheLineIsTooShortTheColumnsThatGainMostAreBroken) {
     table.groups[0].rows[0].push_back("0.04");
   }
   EXPECT_THAT(latex_tables({table}), HasSubstr("{\\linewidth}{" + broken + broken + "lllllllll}"));
+  table.groups[0].rows[0][2] = std::string(45, 'k');
+  EXPECT_THAT(latex_tables({table}), HasSubstr("{\\linewidth}{ll" + broken + "llllllll}"))
+      << "all that are broken would have to be as wide as the long word";
 }
 
 TEST(LatexTables, APageHasRoomForAPiece) {

@@ -119,6 +119,25 @@ TEST_F(ExternalSeries, FailedRunsAreTriedAgainUnlessThatIsRefused) {
   EXPECT_EQ(counts.ran, 3U);
 }
 
+/// A run waits until another has started, and fails where it stays alone.
+TEST_F(ExternalSeries, FirstRunsOfTimedCasesAreBesideEachOther) {
+  const std::string started = "'" + (mover_.top() / "started").string() + "'";
+  mover_.script("echo one >> " + started + "\nk=0\nwhile test $(wc -l < " + started +
+                ") -lt 2; do sleep 0.01; k=$((k + 1)); test $k -lt 300 || exit 1; done\n" + codes::Mover::moving);
+  std::string timed = both;
+  timed.replace(timed.find("ppc = 2"), 7, "ppc = 2\nrepeat = 3");
+  StudyPlan read = plan(timed);
+  CodeFinder finder("");
+  ASSERT_EQ(complete_series(read, file(), finder), "");
+  RunnerOptions options;
+  options.codes = finder.codes();
+  options.jobs = 6;
+  store::Store store(mover_.top() / "r.db", store::Store::Mode::create_or_write);
+  RunnerCounts counts;
+  EXPECT_EQ(run_studies({read}, store, options, counts)[0].failed, 0U);
+  EXPECT_EQ(counts.ran, 6U);
+}
+
 TEST_F(ExternalSeries, StabilityLimitsAreSearchedWithTheirRuns) {
   mover_.script(std::string("awk -v c=\"$2\" 'BEGIN { exit !(c > 0.7) }' && { echo blown up; exit 1; }\n") +
                 codes::Mover::moving);

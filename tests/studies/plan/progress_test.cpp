@@ -48,6 +48,8 @@ TEST(Remaining, WhatIsTimedComesAfterTheRest) {
   for (int cells : {1, 2}) remaining.add(timed(cells), 3);
   EXPECT_DOUBLE_EQ(remaining.seconds(4), 4 + 2 * 2.5) << "the first run of each is beside the rest";
   EXPECT_DOUBLE_EQ(remaining.seconds(1), 10);
+  remaining.add(timed(3), 60);
+  EXPECT_DOUBLE_EQ(remaining.seconds(4), 10 + 2 * 2.5 + 50) << "its first run of ten seconds is one thread's";
 }
 
 TEST(Remaining, IsCorrectedByWhatHasFinished) {

@@ -22,6 +22,14 @@ using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
 
+TEST(Provenance, OfAProgramThatGoesOnHasTheTimeOfNow) {
+  Provenance then = current_provenance();
+  then.time = "2001-01-01T00:00:00Z", then.commit = "c0ffee";
+  const Provenance now = with_present_time(then);
+  EXPECT_GE(now.time, current_provenance().time.substr(0, 16)) << "to the minute";
+  EXPECT_EQ(now.commit, "c0ffee");
+}
+
 /// `studies/checks/mapping` -> `studies/checks`, `solver/basis` -> `solver`.
 std::string room_of(const std::string& folder) {
   const std::size_t first = folder.find('/');

@@ -262,7 +262,12 @@ TEST_F(StoredStudyTest, ProvenanceComesBackWhole) {
 TEST_F(StoredStudyTest, AStudyWhoseRunIsMissingIsRefusedWhole) {
   store_->keep_study(study("s", "old"), {}, provenance());
   const StudyResult s = study("s", "new", {series("a", {point(99)})});
-  EXPECT_THROW(store_->keep_study(s, {{bar(99)}}, provenance()), support::UsageError);
+  try {
+    store_->keep_study(s, {{bar(99)}}, provenance());
+    ADD_FAILURE() << "it is kept";
+  } catch (const support::UsageError& e) {
+    EXPECT_THAT(e.what(), testing::StartsWith("a run of this study is not in the store, where `mpmvv db prune` may"));
+  }
   EXPECT_EQ(store_->studies("d1").at(0).title, "old");
 }
 

@@ -35,12 +35,22 @@ TEST_F(Memory, IsWhatAContainersLimitLeaves) {
   write("sys/fs/cgroup/memory.max", "2048000\n");
   write("sys/fs/cgroup/memory.current", "1024000\n");
   EXPECT_EQ(available_memory(folder_), 1024000);
+  write("sys/fs/cgroup/memory.stat", "anon 1\ninactive_file 24000\n");
+  EXPECT_EQ(available_memory(folder_), 1048000) << "files that were read are given up for programs";
   write("sys/fs/cgroup/memory.current", "4096000\n");
   EXPECT_EQ(available_memory(folder_), 0);
 }
 
+TEST_F(Memory, IsWhatTheProgramsOwnGroupLeaves) {
+  write("proc/meminfo", "MemAvailable:  3000 kB\n");
+  write("proc/self/cgroup", "0::/slurm/job_3\n");
+  write("sys/fs/cgroup/slurm/job_3/memory.max", "1000000\n");
+  EXPECT_EQ(available_memory(folder_), 1000000);
+}
+
 TEST_F(Memory, OfThisMachineIsSome) {
   EXPECT_GT(available_memory(), 0);
+  EXPECT_GT(available_memory(folder_), 0) << "where there is no /proc";
 }
 
 }  // namespace mpmvv::support::memory_test
