@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "studies/claims/found_text.hpp"
+
 namespace mpmvv::cli {
 
 using claims::Finding;
@@ -20,16 +22,9 @@ std::string difference(const Finding& before, const Finding& after) {
   return fmt::format(" ({:+.3g} %)", 100 * (b - a) / std::abs(a));
 }
 
-/// Two numbers that differ, with six digits or as many as it takes to tell them apart.
-std::string told_apart(double before, double after) {
-  int digits = 6;
-  const auto rounded = [&digits](double number) { return fmt::format("{:.{}g}", number, digits); };
-  while (digits < 17 && before != after && rounded(before) == rounded(after)) ++digits;
-  return fmt::format("{} -> {}", rounded(before), rounded(after));
-}
-
 std::string largest_text(const goldens::Change::AtLevel& largest) {
-  return fmt::format("most at {:g}: {}", largest.x, told_apart(largest.before, largest.after));
+  const auto [before, after] = claims::told_apart(largest.before, largest.after, 6);
+  return fmt::format("most at {:g}: {} -> {}", largest.x, before, after);
 }
 
 }  // namespace

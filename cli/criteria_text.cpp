@@ -41,30 +41,34 @@ namespace {
 /// One or two numbers are shown themselves, of more their range.
 constexpr std::size_t most_shown = 2;
 
+std::vector<Found> known_numbers(const ClaimPart& part) {
+  std::vector<Found> known = part.found;
+  std::erase_if(known, [](const Found& found) { return std::isnan(found.value); });
+  return known;
+}
+
 /// The statement of a criterion, with the remarks on those of its numbers that are shown without an interval.
 std::string statement_with_remarks(const ClaimPart& part) {
+  const std::vector<Found> known = known_numbers(part);
   std::vector<std::string> remarks;
-  for (const Found& found : part.found)
-    if (!std::isnan(found.value) && !claims::has_interval(found) && !found.remark.empty() &&
+  for (const Found& found : known)
+    if (!claims::has_interval(found) && !found.remark.empty() &&
         std::ranges::find(remarks, found.remark) == remarks.end())
       remarks.push_back(found.remark);
-  if (remarks.empty() || part.found.size() > most_shown) return part.statement;
+  if (remarks.empty() || known.size() > most_shown) return part.statement;
   return fmt::format("{} ({})", part.statement, fmt::join(remarks, "; "));
 }
 
 }  // namespace
 
 std::string found_text(const ClaimPart& part) {
-  std::vector<double> known;
+  const std::vector<Found> known = known_numbers(part);
   std::vector<std::string> texts;
-  for (const Found& found : part.found) {
-    if (std::isnan(found.value)) continue;
-    known.push_back(found.value);
-    texts.push_back(value_text(part, found.value) + claims::interval_text(part, found));
-  }
+  for (const Found& found : known) texts.push_back(value_text(part, found.value) + claims::interval_text(part, found));
   if (known.empty()) return "-";
   if (known.size() <= most_shown) return fmt::format("{}", fmt::join(texts, ", "));
-  const auto [least, most] = std::ranges::minmax(known);
+  const auto [first, last] = std::ranges::minmax_element(known, {}, &Found::value);
+  const double least = first->value, most = last->value;
   if (least == most) return value_text(part, least);  // also where all are infinite, to runs that blew up
   return fmt::format("{} to {}", value_text(part, least), value_text(part, most));
 }

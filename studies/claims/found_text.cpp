@@ -7,14 +7,19 @@
 
 namespace mpmvv::claims {
 
+std::pair<std::string, std::string> told_apart(double a, double b, int digits) {
+  constexpr int all_digits = 17;
+  const auto rounded = [&digits](double number) { return fmt::format("{:.{}g}", number, digits); };
+  while (a != b && digits < all_digits && rounded(a) == rounded(b)) ++digits;
+  return {rounded(a), rounded(b)};
+}
+
 std::string range_text(double lower, double upper) {
   if (std::isinf(lower) || std::isinf(upper)) return "without bounds";
   constexpr double round_off = 1e-12;
   if (!(upper - lower > round_off * std::max(std::abs(lower), std::abs(upper)))) return "";
-  for (int digits = 3;; ++digits) {
-    const std::string from = fmt::format("{:.{}g}", lower, digits), to = fmt::format("{:.{}g}", upper, digits);
-    if (from != to) return from + " to " + to;
-  }
+  const auto [from, to] = told_apart(lower, upper, 3);
+  return from + " to " + to;
 }
 
 bool has_interval(const records::Found& found) {

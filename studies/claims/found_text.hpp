@@ -1,9 +1,13 @@
 #pragma once
 #include <string>
+#include <utility>
 
 #include "studies/records/result.hpp"
 
 namespace mpmvv::claims {
+
+/// Two numbers with so many digits, or with as many more as it takes to tell them apart where they differ.
+std::pair<std::string, std::string> told_apart(double a, double b, int digits);
 
 /// "0.93 to 1.6", with as many digits as tell the ends apart; "without bounds"; empty for less than round-off.
 std::string range_text(double lower, double upper);

@@ -32,7 +32,7 @@ fs::path control_group(const fs::path& root) {
   std::ifstream in(root / "proc/self/cgroup");
   const fs::path all = root / "sys/fs/cgroup";
   for (std::string line; std::getline(in, line);)
-    if (line.starts_with("0::/") && fs::exists(all / line.substr(4) / "memory.max")) return all / line.substr(4);
+    if (line.starts_with("0::/") && std::ifstream(all / line.substr(4) / "memory.max")) return all / line.substr(4);
   return all;
 }
 
