@@ -19,7 +19,7 @@ records::StudyResult check(const std::string& name, records::PartVerdict verdict
   return study;
 }
 
-/// The same of a series that another code ran, too, whose criterion fails.
+/// A check that holds, and the series of another code whose criterion fails.
 records::StudyResult with_another_code(const std::string& name) {
   records::StudyResult study = check(name, records::PartVerdict::holds);
   study.claims = {"T-b"}, study.parts[0].claim = "T-b";
@@ -30,7 +30,7 @@ records::StudyResult with_another_code(const std::string& name) {
   return study;
 }
 
-/// A store with studies `first` and `second` of an earlier version, of which this one has run `second` alone.
+/// A store with studies `first`, `second` and `third` of an earlier version, of which this one has not run `first` yet.
 class EarlierVersion : public testing::Test {
  protected:
   EarlierVersion() {
@@ -38,7 +38,7 @@ class EarlierVersion : public testing::Test {
     store::Store store(db_, store::Store::Mode::create_or_write);
     store::Provenance now = store::current_provenance(), then = now;
     then.digest = "00ff", then.commit = "c0ffee0123456789", then.time = "2001-01-01T00:00:00Z";
-    now.digest = own_digest();
+    now.digest = own_digest(folder_);
     for (records::StudyResult study : {check("first", holds), check("second", fails)}) {
       store.keep_study(study, {}, then);
       if (study.name == "second") store.keep_study(study, {}, now);
@@ -46,12 +46,6 @@ class EarlierVersion : public testing::Test {
       folder_.write("goldens/" + study.name + ".toml",
                     "study = \"" + study.name + "\"\nreviewed = \"x\"\n[[value]]\nname = \"gap\"\nat_most = 2\n");
     }
-  }
-
-  std::string own_digest() const {
-    const std::string version = call(folder_, "--version").out;
-    const std::size_t begin = version.find("\ndigest ") + 8;
-    return version.substr(begin, version.find('\n', begin) - begin);
   }
 
   std::string front_page() const {

@@ -20,14 +20,8 @@ class MutationResultsOnDisk : public testing::Test {
     records::StudyResult breadth;
     breadth.name = "x-breadth", breadth.kind = records::StudyKind::check, breadth.claims = {"X-mutants"};
     store::Provenance own = store::current_provenance();
-    own.digest = own_digest();
+    own.digest = own_digest(folder_);
     store.keep_study(breadth, {}, own);
-  }
-
-  std::string own_digest() const {
-    const std::string version = call(folder_, "--version").out;
-    const std::size_t begin = version.find("\ndigest ") + 8;
-    return version.substr(begin, version.find('\n', begin) - begin);
   }
 
   /// So many mistakes tried, of which some are missed.
@@ -79,16 +73,16 @@ TEST_F(MutationResultsOnDisk, AreJudgedWhereTheyAreOfThisProgram) {
   EXPECT_EQ(claim()["verdict"], "open");
   folder_.write("tests/mutation/summary.json", summary("other", 5, {}));
   EXPECT_EQ(claim()["verdict"], "open");
-  folder_.write("tests/mutation/summary.json", summary(own_digest(), 5, {}));
+  folder_.write("tests/mutation/summary.json", summary(own_digest(folder_), 5, {}));
   EXPECT_EQ(claim()["verdict"], "partly") << "no runs without a mistake";
   EXPECT_THAT(claim()["evidence"].get<std::string>(), HasSubstr("5 of 5; 0 by the quick gate alone, 5 by the unit"));
 }
 
 TEST_F(MutationResultsOnDisk, OfTheStoresFolderCountWhereTheyKnowMore) {
-  folder_.write("tests/mutation/summary.json", summary(own_digest(), 5, {}));
-  folder_.write("results/mutants.json", summary(own_digest(), 3, {"sign"}));
+  folder_.write("tests/mutation/summary.json", summary(own_digest(folder_), 5, {}));
+  folder_.write("results/mutants.json", summary(own_digest(folder_), 3, {"sign"}));
   EXPECT_THAT(claim()["evidence"].get<std::string>(), HasSubstr("5 of 5"));
-  folder_.write("results/mutants.json", summary(own_digest(), 7, {"sign"}));
+  folder_.write("results/mutants.json", summary(own_digest(folder_), 7, {"sign"}));
   EXPECT_THAT(claim()["evidence"].get<std::string>(), HasSubstr("6 of 7, not sign"));
 }
 
@@ -96,7 +90,7 @@ TEST_F(MutationResultsOnDisk, AreMadeAnewByTheTree) {
   const auto page = [&] { return in_folder("claims X-mutants --db results/r.db").out; };
   EXPECT_THAT(page(), HasSubstr("repeat: ./run mutants && ./run alarms\n"));
   EXPECT_THAT(page(), HasSubstr("not judged yet for this version of the program\n"));
-  folder_.write("tests/mutation/summary.json", summary(own_digest(), 5, {}));
+  folder_.write("tests/mutation/summary.json", summary(own_digest(folder_), 5, {}));
   EXPECT_THAT(page(), testing::AllOf(HasSubstr("repeat: ./run mutants && ./run alarms\n"), Not(HasSubstr("no study"))));
   ASSERT_EQ(in_folder("report --db results/r.db --out report").code, 0);
   EXPECT_THAT(read_text(folder_ / "report/claims/X-mutants.html"),
@@ -109,9 +103,9 @@ TEST_F(MutationResultsOnDisk, AreNotHeldAgainstAnEarlierVersion) {
   earlier.digest = "00ff", earlier.commit = "c0ffee", earlier.time = "2001-01-01T00:00:00Z";
   {
     store::Store store(folder_ / "results/r.db", store::Store::Mode::write);
-    store.keep_study(store.studies(own_digest()).at(0), {}, earlier);
+    store.keep_study(store.studies(own_digest(folder_)).at(0), {}, earlier);
   }
-  folder_.write("tests/mutation/summary.json", summary(own_digest(), 5, {}));
+  folder_.write("tests/mutation/summary.json", summary(own_digest(folder_), 5, {}));
   ASSERT_EQ(in_folder("report --db results/r.db --out report").code, 0);
   const std::string page = read_text(folder_ / "report/index.html");
   EXPECT_THAT(page, HasSubstr("Since the version before"));
@@ -140,7 +134,7 @@ TEST_F(MutationResultsOnDisk, AreShownInTheReportWithTheirVersion) {
   folder_.write("tests/mutation/summary.json", summary("other", 5, {"sign"}));
   EXPECT_THAT(page(), HasSubstr("were tried with another build, of version c0ffee"));
   EXPECT_THAT(page(), HasSubstr("4 of 5 (80 %)"));
-  folder_.write("results/mutants.json", summary(own_digest(), 7, {}));
+  folder_.write("results/mutants.json", summary(own_digest(folder_), 7, {}));
   EXPECT_THAT(page(), testing::AllOf(HasSubstr("7 of 7 (100 %)"), Not(HasSubstr("another build"))));
 }
 

@@ -90,4 +90,11 @@ inline Answer carry_out(const Folder& folder, const std::string& lines) {
   return answer;
 }
 
+/// The digest of the program that is tested.
+inline std::string own_digest(const Folder& folder) {
+  const std::string version = call(folder, "--version").out;
+  const std::size_t begin = version.find("\ndigest ") + 8;
+  return version.substr(begin, version.find('\n', begin) - begin);
+}
+
 }  // namespace mpmvv::cli
