@@ -85,8 +85,11 @@ void print_extrapolations(const records::StudyResult& study) {
 }
 
 std::string remark_on(const fits::StabilityLimit& limit) {
-  if (!limit.found) return text_without_limit(limit);
-  return limit.monotone ? "" : "not monotone: a stable probe lies beyond an unstable one";
+  std::vector<std::string> remarks;
+  if (!limit.found) remarks.push_back(text_without_limit(limit));
+  if (limit.found && !limit.monotone) remarks.emplace_back("not monotone: a stable probe lies beyond an unstable one");
+  if (const std::string few = too_few_steps(limit); !few.empty()) remarks.push_back(few + ": take a longer end_time");
+  return fmt::format("{}", fmt::join(remarks, "; "));
 }
 
 void print_limits(const records::StudyResult& study) {

@@ -5,18 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "studies/claims/measured_costs.hpp"
 #include "studies/claims/measured_errors.hpp"
+#include "studies/claims/measured_limits.hpp"
 #include "studies/claims/measured_orders.hpp"
 #include "studies/claims/window_points.hpp"
 #include "studies/fits/window.hpp"
 
 namespace mpmvv::claims {
 
-using fits::LimitRange;
-using fits::StabilityLimit;
 using records::Point;
 using records::Series;
 using records::Status;
@@ -37,56 +35,6 @@ void measure_status(const Criterion& c, const StudyResult& result, const Series&
   if (const auto failed = values_with(Status::failed, c.window, series); !failed.empty())
     out.missing = fmt::format("'{}' could not be run at {}", series.name, fmt::join(failed, ", "));
   out.add(fmt::format("stable share of '{}' {}", series.name, over_window(c, result)), ok / all);
-}
-
-/// Where the limit of a series may lie; none where nothing is known, and `out.missing` says why.
-std::optional<LimitRange> range_of_limit(const Series& series, Measured& out) {
-  const auto range = series.limit ? range_of(*series.limit) : std::nullopt;
-  if (!range)
-    out.missing = fmt::format("'{}' has no limit{}", series.name,
-                              series.limit ? ": " + text_without_limit(*series.limit) : " in the range searched");
-  return range;
-}
-
-/// Adds a number of which one end alone is known.
-void add_open(const std::string& label, double lower, double upper, const std::string& remark, Measured& out) {
-  const double end = lower == 0 ? upper : lower;
-  out.add(label, end, Interval{lower, upper}, remark);
-}
-
-void measure_limit(const Series& series, Measured& out) {
-  const auto range = range_of_limit(series, out);
-  if (!range) return;
-  const StabilityLimit& limit = *series.limit;
-  const std::string label = fmt::format("{} limit of '{}'", limit.key, series.name);
-  if (range->is_open())
-    add_open(fmt::format("{}, {}", label, text_without_limit(limit)), range->lower, range->upper, "", out);
-  else
-    out.add(fmt::format("{} between {:.4g} and {:.4g}", label, limit.stable, limit.unstable), limit.value(),
-            Interval{range->lower, range->upper}, limit.monotone ? "" : "not monotone");
-}
-
-/// "that of 'b' not monotone"; empty where both are.
-std::string not_monotone_text(const Series& series, const Series& over) {
-  std::vector<std::string> names;
-  for (const Series* one : {&series, &over})
-    if (!one->limit->monotone) names.push_back("'" + one->name + "'");
-  return names.empty() ? "" : fmt::format("that of {} not monotone", fmt::join(names, " and "));
-}
-
-void measure_limit_ratio(const Series& series, const Series& over, Measured& out) {
-  const auto a = range_of_limit(series, out), b = range_of_limit(over, out);
-  if (!a || !b) return;
-  const Interval ratio{a->lower / b->upper, a->upper / b->lower};
-  const std::string label = fmt::format("limit of '{}' over '{}'", series.name, over.name);
-  const std::string remark = not_monotone_text(series, over);
-  if (ratio.lower == 0 && std::isinf(ratio.upper))
-    out.missing = fmt::format("nothing is known of the {}", label);
-  else if (a->is_open() || b->is_open())
-    add_open(label, ratio.lower, ratio.upper, remark, out);
-  else
-    out.add(fmt::format("{} between {:.4g} and {:.4g}", label, ratio.lower, ratio.upper),
-            series.limit->value() / over.limit->value(), ratio, remark);
 }
 
 void measure_value(const Criterion& c, const StudyResult& result, Measured& out) {

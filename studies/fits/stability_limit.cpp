@@ -171,6 +171,13 @@ double least_visible_growth(std::int64_t steps) {
   return steps > 0 ? std::pow(10, 12 / static_cast<double>(steps)) : support::not_measured;
 }
 
+std::string too_few_steps(const StabilityLimit& limit) {
+  const std::int64_t steps = steps_at_limit(limit);
+  if (steps == 0 || steps >= enough_steps) return "";
+  return fmt::format("only {} {} at {:.4g}, where growth that doubles on each shows from {} on", steps,
+                     steps == 1 ? "step" : "steps", limit.stable, enough_steps);
+}
+
 bool LimitRange::is_open() const {
   return lower == 0 || std::isinf(upper);
 }
@@ -194,6 +201,21 @@ std::optional<LimitRange> range_of(const StabilityLimit& limit) {
                               ? std::ranges::any_of(limit.probes, [&](auto& p) { return differs(p) && is_above(p); })
                               : std::ranges::any_of(limit.probes, is_below);
   return lies_above ? LimitRange{end, infinity, ends_stable} : LimitRange{0, end, !ends_stable};
+}
+
+std::optional<LimitRange> sure_range_of(const StabilityLimit& limit) {
+  auto range = range_of(limit);
+  if (!range || std::isnan(limit.stable) || too_few_steps(limit).empty()) return range;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double end = range->stable_below ? 0 : infinity;
+  for (const Probe& p : limit.probes) {
+    const bool is_beyond = range->stable_below ? p.value > limit.stable : p.value < limit.stable;
+    if (!p.stable || is_beyond || p.steps < enough_steps) continue;
+    end = range->stable_below ? std::max(end, p.value) : std::min(end, p.value);
+  }
+  (range->stable_below ? range->lower : range->upper) = end;
+  if (range->lower == 0 && std::isinf(range->upper)) return std::nullopt;
+  return range;
 }
 
 StabilityLimit common_limit(const std::vector<StabilityLimit>& replicates, bool stable_below) {

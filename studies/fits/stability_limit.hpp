@@ -38,6 +38,9 @@ std::int64_t steps_at_limit(const StabilityLimit& limit);
 /// instability goes unseen. NaN where the steps are not known (0).
 double least_visible_growth(std::int64_t steps);
 
+/// The fewest steps after which a run counts as stable: an instability that doubles on every step shows in them.
+inline constexpr std::int64_t enough_steps = 40;
+
 /// Where a limit may lie: between its ends, or beyond all that was tried, where one end alone is known.
 struct LimitRange {
   double lower = 0, upper = 0;  ///< 0 and infinity where nothing is known
@@ -49,9 +52,16 @@ struct LimitRange {
 /// None where neither end is known, or where all that was tried is one value, which does not tell the sides apart.
 std::optional<LimitRange> range_of(const StabilityLimit& limit);
 
+/// The same, with a stable end whose run has `enough_steps` or a number of them that is not known: shorter runs do not
+/// show that the limit lies beyond them.
+std::optional<LimitRange> sure_range_of(const StabilityLimit& limit);
+
 /// Says what is known where no limit was found: that all runs were stable, or all unstable, and up or down to which
 /// value; or that the runs differ.
 std::string text_without_limit(const StabilityLimit& limit);
+
+/// Says that the run at the stable end has fewer than `enough_steps`; empty where it has not.
+std::string too_few_steps(const StabilityLimit& limit);
 
 /// How a limit is searched: a geometric scan of [from, to], both ends included, then bisection of one bracket.
 struct LimitSearch {

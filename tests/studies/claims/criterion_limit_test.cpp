@@ -64,4 +64,23 @@ TEST(CriterionOfLimits, ReplicatesThatShareOneEndOfALimitDecideByIt) {
   EXPECT_THAT(judged(0.9).evidence, HasSubstr("replicates disagree = 1 or more (asked"));
 }
 
+TEST(CriterionOfLimits, RunsOfFewStepsDoNotShowThatALimitIsNoLower) {
+  StudyResult result = two_series();
+  fits::StabilityLimit& limit = *result.series[0].limit;  // stable up to 2, from 0.4 on in fewer than 40 steps
+  limit.stable = 2, limit.unstable = NAN, limit.found = false;
+  limit.probes = {{0.2, true, "", 80}, {0.4, true, "", 40}, {2, true, "", 8}};
+  const auto judged = [&](double at_least) { return judge(criterion(Kind::limit, "good", at_least, {}), result); };
+  EXPECT_EQ(judged(0.4).verdict, PartVerdict::holds);
+  EXPECT_EQ(judged(0.41).verdict, PartVerdict::inconclusive);
+  EXPECT_THAT(judged(0.41).evidence,
+              HasSubstr("= 0.4 or more (only 8 steps at 2, where growth that doubles on each shows from 40 on)"));
+  limit.probes = {{0.2, true, "", 30}, {2, true, "", 3}};
+  EXPECT_THAT(judged(0.1).evidence,
+              HasSubstr("no limit: stable at all values tried, up to 2, only 3 steps at 2, where growth"));
+  limit.found = true, limit.unstable = 2.1;  // an unstable run needs no steps to show that the limit is no higher
+  limit.probes.push_back({2.1, false, "energy", 2});
+  EXPECT_EQ(judge(criterion(Kind::limit, "good", {}, 2.1), result).verdict, PartVerdict::holds);
+  EXPECT_EQ(judge(criterion(Kind::limit, "good", {}, 1.9), result).verdict, PartVerdict::inconclusive);
+}
+
 }  // namespace mpmvv::claims::criterion_limit_test

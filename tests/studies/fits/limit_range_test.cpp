@@ -65,6 +65,31 @@ TEST(LimitRange, OfReplicatesOfWhichNoneIsFoundHasTheirSide) {
     expect_range(both, 0, b.stable, false);
 }
 
+TEST(LimitRange, IsSureOnTheSideOfStableRunsByThoseWithEnoughSteps) {
+  const auto sure = [](const StabilityLimit& limit) { return *sure_range_of(limit); };
+  const StabilityLimit below{.key = "cfl",
+                             .stable = 0.5,
+                             .unstable = 0.6,
+                             .found = true,
+                             .probes = {{0.3, true, "", 60},
+                                        {0.4, true, "", 40},
+                                        {0.5, true, "", 39},
+                                        {0.6, false, "energy", 5},
+                                        {0.7, true, "", 90}}};
+  EXPECT_EQ(sure(below).lower, 0.4);
+  EXPECT_EQ(sure(below).upper, 0.6);
+  const StabilityLimit above{.key = "smoothing_length",
+                             .stable = 0.5,
+                             .unstable = 0.4,
+                             .found = true,
+                             .probes = {{0.4, false, "energy", 5}, {0.5, true, "", 39}, {0.6, true, "", 40}}};
+  EXPECT_EQ(sure(above).lower, 0.4);
+  EXPECT_EQ(sure(above).upper, 0.6);
+  const StabilityLimit old{.key = "cfl", .stable = 2, .probes = {{1, true, ""}, {2, true, ""}}};
+  EXPECT_EQ(sure(old).lower, 2) << "stores of older versions do not know the steps";
+  EXPECT_FALSE(sure_range_of({.key = "cfl", .stable = 2, .probes = {{1, true, "", 9}, {2, true, "", 5}}}));
+}
+
 TEST(StepsAtLimit, AreThoseOfTheLastStableRun) {
   const StabilityLimit limit{.key = "cfl",
                              .stable = 0.5,
