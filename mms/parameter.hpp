@@ -1,6 +1,8 @@
 #pragma once
+#include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <string>
 
 #include "mms/elasticity.hpp"
@@ -32,11 +34,9 @@ inline Parameter density_parameter(double value) {
 /// Returns the parameter for the amplitude A of a motion along the axes with k half waves (1 or 2) in a unit length: k
 /// π |A| < 1.
 inline Parameter amplitude_parameter(double value, int k) {
-  if (k == 1)
-    return {"amplitude", value, "m", [](double a) { return a > -0.318 && a < 0.318; },
-            "between -1/pi and 1/pi, where det F stays positive"};
-  return {"amplitude", value, "m", [](double a) { return a > -0.159 && a < 0.159; },
-          "between -1/(2 pi) and 1/(2 pi), where det F stays positive"};
+  return {"amplitude", value, "m", [k](double a) { return k * std::numbers::pi * std::abs(a) < 1; },
+          k == 1 ? "between -1/pi and 1/pi, where det F stays positive"
+                 : "between -1/(2 pi) and 1/(2 pi), where det F stays positive"};
 }
 
 inline Elasticity elasticity(const Values& values) {

@@ -67,6 +67,12 @@ class Grid {
       for (int n = outer; n < outer + step; ++n) visit(n, n + offset);
   }
 
+  /// Calls visit(n) for every node n whose index along `axis` is i.
+  template <class Visit>
+  void for_plane(int axis, int i, const Visit& visit) const {
+    for_plane(axis, i, i, [&visit](int n, int) { visit(n); });
+  }
+
   double m(std::size_t n) const { return p[n][D]; }  ///< mass
 
   Array<Padded<D + 1>> p;  ///< momentum, and in component D the mass: they are mapped together

@@ -29,9 +29,9 @@ bool is_worth_a_matrix(const AnyBasis& basis, int products) {
 }  // namespace
 
 template <int D>
-MassProduct<D>::MassProduct(const Step<D>& s, int most) {
+MassProduct<D>::MassProduct(const Step<D>& s, int products) {
   if constexpr (may_assemble)
-    if (is_worth_a_matrix<D>(s.scene().basis, most)) matrix_.emplace(s);
+    if (is_worth_a_matrix<D>(s.scene().basis, products)) matrix_.emplace(s);
 }
 
 template <int D>

@@ -18,9 +18,9 @@ class MassProduct {
  public:
   using Field = Array<Padded<D>>;
 
-  /// `most` is the largest number of products while particles stay where they are. It decides whether the matrix is
-  /// assembled.
-  MassProduct(const Step<D>& s, int most);
+  /// `products` is how many one expansion or solve makes at most. It decides whether the matrix is assembled. That a
+  /// step may expand or solve more than once with particles where they are is not counted.
+  MassProduct(const Step<D>& s, int products);
 
   /// Assembles the matrix, if there is one. To be called before the first call of `add` after particles have moved.
   void prepare(Step<D>& s);

@@ -10,9 +10,7 @@
 namespace mpmvv::solver {
 
 template <int D>
-Mpm<D>::Mpm(Scene<D> scene)
-    : step_(std::make_unique<Step<D>>(std::move(scene))),
-      share_after_stress_(integrator_named(step_->scene().integrator).share_after_stress) {}
+Mpm<D>::Mpm(Scene<D> scene) : step_(std::make_unique<Step<D>>(std::move(scene))) {}
 
 template <int D>
 Mpm<D>::~Mpm() = default;
@@ -28,7 +26,6 @@ bool Mpm<D>::step(double dt) {
 
 template <int D>
 std::int64_t Mpm<D>::advance(double dt, std::int64_t steps) {
-  if (steps > 0) dt_ = dt;
   return step_->advance(dt, steps);
 }
 
@@ -103,7 +100,7 @@ ThermalState Mpm<D>::thermal_state(std::size_t p) const {
       [&]<class M>(const M& material) -> ThermalState {
         if constexpr (has_history<M>) {
           ThermalState state = particles().thermal[p];
-          const StressStep since{share_after_stress_ * dt_, grid().h()};
+          const StressStep since{step_->integrator().share_after_stress * step_->dt(), grid().h()};
           if (since.dt > 0) material.kirchhoff(particles().F[p], state, since);  // which advances the state
           return state;
         } else {

@@ -17,11 +17,8 @@ class Step;
 template <int D>
 class Mpm {
  public:
-  /// Throws std::invalid_argument for a scene that cannot be run: an unknown integrator, no particles, no threads,
-  /// particles without the widths or domains that the basis takes, images that the grid or the boundaries do not share,
-  /// a wall without a motion, a mirror on an axis of too few cells for the images of ghost nodes, a periodic or
-  /// mirror face of a basis that has none, a material with a history in stages, an affine velocity field on a basis
-  /// without the weights for it. Throws std::length_error if the grid has more nodes than an int counts.
+  /// Throws std::invalid_argument, which says why, for a scene that cannot be run (scene.cpp has the rules), and
+  /// std::length_error if the grid has more nodes than an int counts.
   explicit Mpm(Scene<D> scene);
   ~Mpm();
   Mpm(Mpm&&) noexcept;
@@ -40,7 +37,8 @@ class Mpm {
 
   const Particles<D>& particles() const;        ///< sorted by place; `id` is the order of creation; for `thermal`,
                                                 ///< read `thermal_state`
-  const Grid<D>& grid() const;                  ///< as the last step or `map_acceleration` has left it
+  const Grid<D>& grid() const;                  ///< as `map_acceleration` has left it, or the last step, after which
+                                                ///< the velocity update may keep other fields in f and a
   const std::array<bool, D>& periodic() const;  ///< whether each axis is periodic
   double time() const;
   std::int64_t steps() const;  ///< number of finished steps
@@ -58,8 +56,9 @@ class Mpm {
   ThermalState thermal_state(std::size_t p) const;
 
   /// Maps the particles in their current state: the grid then holds m_i and a_i = f_i/m_i, constrained, of the current
-  /// time, and never halved for `half_start`. A step leaves on the grid those of its start. Throws
-  /// std::invalid_argument for a material with a history: to evaluate its stress is to advance its state.
+  /// time, and never halved for `half_start`. Accelerations that belong to a step are not made: those of S (30), of
+  /// moving walls, and of the wall method `velocity`. Throws std::invalid_argument for a material with a history: to
+  /// evaluate its stress is to advance its state.
   void map_acceleration();
   Vec<D> node_position(std::size_t n) const;  ///< position of the node at a storage index
   bool is_accelerated(std::size_t n) const;   ///< whether the mass of a node exceeds the scene's `mass_cutoff`
@@ -68,8 +67,6 @@ class Mpm {
   double with_images(double sum) const;
 
   std::unique_ptr<Step<D>> step_;
-  double share_after_stress_;  ///< the integrator's
-  double dt_ = 0;              ///< length of the last step
 };
 
 extern template class Mpm<1>;

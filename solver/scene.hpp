@@ -46,7 +46,7 @@ struct Scene {
   const SurfaceLoad<D>* surface_load = nullptr;  ///< none when null; must outlive the run
   bool difference_acceleration = false;          ///< wall acceleration by S (30) instead of zero
   bool half_start = false;                       ///< halves the first grid acceleration, W §4
-  std::string_view integrator = "usl";
+  std::string_view integrator = "usl";           ///< its word; must outlive the scene
   AnyVelocityUpdate velocity_update;
   Deformation deformation = Deformation::linear;
   WallMethod wall_method = WallMethod::combined;
@@ -55,14 +55,18 @@ struct Scene {
   /// the blocks in smaller ones are not full: with 64 to a slab a step of a bar takes 1.1 times as long, with 32 it
   /// takes 1.25 times as long.
   std::size_t least_in_slab = 512;
-  /// A node has an acceleration if its mass exceeds this fraction of a full cell's mass (the mean mass density of the
-  /// particles at rest times h^D). The default is `mass_cutoff_of` the basis. Every node with mass has a velocity. Up
-  /// to 1e-10 the cutoff does not change a result where the motion does not shear the body along walls (tests show it).
-  /// Where a body is sheared along a symmetry wall, results of GIMP depend on it: a particle that overlaps the wall by
-  /// e cells gives a ghost node a mass of order e² and a shear force of order e. With CPDI both are of order e, and
-  /// results change in proportion to the cutoff.
+  /// A node that no wall holds has an acceleration if its mass exceeds this fraction of a full cell's mass (the mean
+  /// mass density of the particles at rest times h^D). The default is `mass_cutoff_of` the basis. Every node with mass
+  /// has a velocity. Up to 1e-10 the cutoff does not change a result where the motion does not shear the body along
+  /// walls (tests show it). Where a body is sheared along a symmetry wall, results of GIMP depend on it: a particle
+  /// that overlaps the wall by e cells gives a ghost node a mass of order e² and a shear force of order e. With CPDI
+  /// both are of order e, and results change in proportion to the cutoff.
   std::optional<double> mass_cutoff;
   std::optional<ConsistentMassSettings> consistent_mass;  ///< lumped mass when empty
 };
+
+/// Throws std::invalid_argument, which says why, for a scene that cannot be run.
+template <int D>
+void require_sound(const Scene<D>& scene);
 
 }  // namespace mpmvv::solver

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <stdexcept>
+#include <utility>
 
 #include "solver/integrator/integrators.hpp"
 #include "solver/step_grid.hpp"
@@ -19,73 +19,9 @@ Grid<D> make_grid(const Scene<D>& scene) {
       scene.basis);
 }
 
-/// Whether the grid and the boundaries are unchanged by the scene's images. With `middle` the plane y = 0 is in the
-/// middle of the domain, and both faces of that axis have the same kind of boundary. With `diagonal` and
-/// `quarter_turns` the first two axes have the same cells, lower ends and kinds of boundary, and for `quarter_turns`
-/// the origin is in the middle of both. No face that has another as its image may be a wall, which moves on its own.
 template <int D>
-bool are_shared(const Scene<D>& scene) {
-  if constexpr (D > 1) {
-    const auto kind = [&](std::size_t face) { return scene.boundary[face].index(); };
-    const auto is_wall = [&](std::size_t face) { return std::holds_alternative<Wall>(scene.boundary[face]); };
-    const auto has_middle = [&](std::size_t d) {
-      const double half = scene.h * scene.cells[d] / 2;
-      return kind(2 * d) == kind(2 * d + 1) && std::abs(scene.lower.data()[d] + half) <= 1e-12 * half;
-    };
-    if (is_wall(2) || is_wall(3)) return false;
-    if (scene.images == Images::middle) return has_middle(1);
-    return scene.cells[0] == scene.cells[1] && scene.lower[0] == scene.lower[1] && kind(0) == kind(2) &&
-           kind(1) == kind(3) && (scene.images == Images::diagonal || has_middle(0));
-  }
-  return false;
-}
-
-/// Throws std::invalid_argument, with this text, if something does not hold.
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
-}
-
-/// Requires that the nodes are there on which faces act. The images of a mirror's ghosts must lie inside the domain:
-/// the other face acts on those that lie on it or beyond.
-template <int D>
-void require_nodes_for_faces(const Scene<D>& scene) {
-  const int ghosts = ghosts_of(scene.basis);
-  const int layers = ghosts - reach(width_of(scene.basis));  // without those for corners that stick out
-  for (std::size_t face = 0; face < scene.boundary.size(); ++face) {
-    const AnyBoundary& boundary = scene.boundary[face];
-    const bool is_mirror = std::holds_alternative<Mirror>(boundary);
-    require(ghosts > 0 || !(is_mirror || std::holds_alternative<Periodic>(boundary)),
-            "a periodic or mirror face of a basis without ghost nodes");
-    require(!is_mirror || scene.cells[face / 2] > layers, "a mirror on an axis of too few cells");
-  }
-}
-
-/// Requires that the parts of a scheme can work together.
-template <int D>
-void require_scheme(const Scene<D>& scene) {
-  const bool keeps_history = std::visit([]<class M>(const M&) { return has_history<M>; }, scene.material);
-  const bool has_affine = std::visit([]<class B>(const B&) { return has_affine_fields<B>; }, scene.basis);
-  require(!keeps_history || !integrator_named(scene.integrator).is_staged, "a material with a history in stages");
-  require(has_affine || !has_affine_field(scene.velocity_update),
-          "an affine velocity field on a basis without the weights for it");
-}
-
-template <int D>
-Scene<D> validated(Scene<D> scene) {
-  const Particles<D>& particles = scene.particles;
-  const ParticleWidth width = width_of(scene.basis);
-  const bool is_wide = width == ParticleWidth::reference || width == ParticleWidth::current;
-  require(particles.size() > 0, "a scene without particles");
-  require(scene.threads > 0, "a scene without threads");
-  require(scene.least_in_slab > 0, "a scene with slabs without particles");
-  require(!is_wide || particles.l.size() == particles.size(), "particles without the widths that the basis takes");
-  require(width != ParticleWidth::domain || particles.R.size() == particles.size(),
-          "particles without the domains that the basis takes");
-  require(scene.images == Images::none || are_shared(scene), "images that the grid or the boundaries do not share");
-  for (const AnyBoundary& boundary : scene.boundary)
-    if (const auto* wall = std::get_if<Wall>(&boundary)) require(wall->motion, "a wall without a motion");
-  require_nodes_for_faces(scene);
-  require_scheme(scene);
+Scene<D> sound(Scene<D> scene) {
+  require_sound(scene);
   return scene;
 }
 
@@ -101,7 +37,7 @@ double full_cell_mass(const Particles<D>& particles, double h) {
 
 template <int D>
 Step<D>::Step(Scene<D> scene)
-    : scene_(validated(std::move(scene))),
+    : scene_(sound(std::move(scene))),
       particles_(std::move(scene_.particles)),
       grid_(make_grid(scene_)),
       slabs_(std::visit(
@@ -166,7 +102,7 @@ template <int D>
 std::int64_t Step<D>::advance(double dt, std::int64_t steps) {
   const std::int64_t before = steps_;
   for (std::int64_t k = 0; k < steps && fault_ == Fault::none; ++k) step(dt);
-  settle();
+  finish_waiting();
   return steps_ - before;
 }
 

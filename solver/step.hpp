@@ -46,16 +46,18 @@ class Step {
   void check();  ///< finds the faults of the current positions and widths, which a step finds when it maps particles
 
   Particles<D>& particles() {
-    settle();
+    finish_waiting();
     return particles_;
   }
   Grid<D>& grid() { return grid_; }
   const Grid<D>& grid() const { return grid_; }
   const Scene<D>& scene() const { return scene_; }  ///< without its particles, which have moved to `particles`
   const std::array<bool, D>& periodic() const { return periodic_; }
+  const Integrator& integrator() const { return integrator_; }
   double time() const { return time_; }
   void set_time(double t) { time_ = t; }         ///< sets the time of body and surface forces, for a stage in a step
   std::int64_t steps() const { return steps_; }  ///< number of finished steps
+  double dt() const { return dt_; }              ///< length of the current step, between steps of the last one
   std::int64_t moves() const { return moves_; }  ///< how often particles have moved or been sorted
   Fault fault() const { return fault_; }         ///< the first fault found
   Vec<D> node_position(std::size_t n) const;     ///< position of the node at a storage index
@@ -77,7 +79,7 @@ class Step {
   void advance_velocity(double dt);  ///< v_i += a_i Δt, constrained                               S (6), W (16), S (30)
 
   // From the grid to particles: the last sweep of a step, after which particles are ready for the next one. After it a
-  // page must not change the grid (see `sweep_and_settle`).
+  // page must not change the grid (see `last_sweep`).
   void update_particles(double dt);                                          ///< v_p, x_p by the velocity update
   void update_particles(double dt, const DeformationStep& deform);           ///< also F_p by the grid's v
   void move_particles_and_deform(double dt, const DeformationStep& deform);  ///< x_p at the rate set before, F_p by v
@@ -90,7 +92,7 @@ class Step {
   /// Visits all particles once, with these kernels in turn on each block.
   void sweep(std::initializer_list<AnyKernel<D>> kernels);
 
-  /// Makes the last sweep of a step or of a stage: these kernels, then those that update widths and bring particles
+  /// Asks for the last sweep of a step or of a stage: these kernels, then those that update widths and bring particles
   /// back in through periodic faces. Whatever sets F in a step must also check it. `UpdateDeformation` does so itself;
   /// a page whose own kernel sets F adds `CheckDeformation`.
   ///
@@ -98,9 +100,9 @@ class Step {
   /// to the particles. Of the grid the kernels may read only v and a, which stay as they are until then. p and f are
   /// cleared before the visit.
   template <class... Kernels>
-  void sweep_and_settle(const Kernels&... kernels) {
-    settle();
-    waiting_.set(kernels..., UpdateWidth<D>{particles_}, SettlePosition<D>{particles_, periodic_, slabs_, must_sort_});
+  void last_sweep(const Kernels&... kernels) {
+    finish_waiting();
+    waiting_.set(kernels..., UpdateWidth<D>{particles_}, WrapPosition<D>{particles_, periodic_, slabs_, must_sort_});
     waiting_since_ = steps_;
   }
 
@@ -135,13 +137,15 @@ class Step {
   void make_room();
   void add_walls();
   void step(double dt);
-  void settle();
+  void finish_waiting();  ///< makes the sweep that waits, if there is one
   void sort();
   void note(Fault found);
   void note_waiting(Fault found);
   auto end_waiting(const auto& visit);
   void map(std::initializer_list<AnyKernel<D>> kernels);
-  void map_forces(const auto& with, const auto&... before);
+  void map_forces(const auto& mapping, const auto&... before);
+  template <template <int, bool> class Update>
+  void last_sweep_of(double dt, const auto&... after);
   void add_surface_load();
   void add_grid_body_force();
   void clear_grid();
@@ -166,7 +170,7 @@ class Step {
   std::unique_ptr<ExpandedInverse<D>> expanded_inverse_;
   double least_mass_ = 0;
   double time_ = 0;
-  double dt_ = 0;  ///< length of the current step
+  double dt_ = 0;
   std::int64_t steps_ = 0;
   std::int64_t moves_ = 0;
   bool has_expanded_velocity_ = false;

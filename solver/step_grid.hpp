@@ -82,7 +82,7 @@ void Step<D>::add_grid_body_force() {
 
 template <int D>
 void Step<D>::advance_velocity(double dt) {
-  for (auto& wall : walls_) wall.advance();
+  for (auto& wall : walls_) wall.pass_to_end();
   for_nodes([&](std::size_t n) { grid_.v[n] += dt * grid_.a[n]; });
   if (!holds_lumped()) return;
   hold(grid_.v);
@@ -136,21 +136,20 @@ void Step<D>::restore_velocity() {
 
 template <int D>
 VelocityFields<D> Step<D>::velocity_fields(double dt) {
-  return std::visit([&](const auto& update) { return update.fields(*this, dt); }, scene_.velocity_update);
+  return std::visit([&](const auto& update) { return update.prepare(*this, dt); }, scene_.velocity_update);
 }
 
 /// Sets the acceleration of nodes that boundaries hold. Moving walls set theirs in any case, by `MovingWall`.
 template <int D>
 void Step<D>::set_difference_acceleration(double dt) {
-  const auto difference = [&](int n, int) {  // a_i = (v_i^{k+1} - v_i^k)/Δt, v^k as mapped                     S (30)
+  const auto difference = [&](int n) {  // a_i = (v_i^{k+1} - v_i^k)/Δt, v^k as mapped                     S (30)
     const auto i = static_cast<std::size_t>(n);
     if (is_accelerated(i)) grid_.a[i] = (grid_.v[i] - grid_.p[i].template head<padded_size<D>>() / grid_.m(i)) / dt;
   };
   for_faces([&](const auto& boundary, Face face) {
     if (!boundary.holds) return;
     const FaceNodes<D> nodes{grid_, face};
-    for (int layer = 0; layer <= nodes.layers(); ++layer)
-      grid_.for_plane(face.axis, nodes.ghost(layer), nodes.ghost(layer), difference);
+    for (int layer = 0; layer <= nodes.layers(); ++layer) grid_.for_plane(face.axis, nodes.at(layer), difference);
   });
 }
 

@@ -1,6 +1,4 @@
 #pragma once
-#include <functional>
-
 #include "solver/kernels/block_kernels.hpp"
 #include "solver/kernels/map_surface_load.hpp"
 #include "solver/kernels/map_to_grid.hpp"
@@ -14,13 +12,13 @@ namespace mpmvv::solver {
 
 template <int D>
 void Step<D>::sweep(std::initializer_list<AnyKernel<D>> kernels) {
-  settle();
+  finish_waiting();
   note(solver::sweep<D>(Adds::to_nodes, scene_.basis, particles_, grid_, slabs_, pool_, kernels));
 }
 
 template <int D>
 void Step<D>::check() {
-  settle();
+  finish_waiting();
   note(solver::sweep<D>(Adds::nothing, scene_.basis, particles_, grid_, slabs_, pool_, {}));
 }
 
@@ -37,7 +35,7 @@ auto Step<D>::end_waiting(const auto& visit) {
 }
 
 template <int D>
-void Step<D>::settle() {
+void Step<D>::finish_waiting() {
   if (waiting_.empty()) return;
   note_waiting(end_waiting([this](const auto& kernels) {
     return solver::sweep<D>(Adds::nothing, scene_.basis, particles_, grid_, slabs_, pool_, kernels);
@@ -85,27 +83,25 @@ void Step<D>::map_momentum() {
 template <int D>
 void Step<D>::map_momentum_and_forces() {
   clear_grid();
-  map_forces(
-      [this](const auto& forces) {
-        return Fused{MapMomentum<D>{particles_, grid_}, forces};
-      },
-      MapAffineMomentum<D>{particles_, grid_});
+  map_forces(Fused{MapMomentum<D>{particles_, grid_}, MapForces<D>{particles_, grid_}},
+             MapAffineMomentum<D>{particles_, grid_});
   sum_momentum_images();
 }
 
 template <int D>
 void Step<D>::deform_and_map_forces(const DeformationStep& deform) {
-  settle();  // a mapping anew would update F twice
-  map_forces(std::identity{}, EvaluateVelocityGradient<D>{grid_}, UpdateDeformation<D>{particles_, deform});
+  finish_waiting();  // a mapping anew would update F twice
+  map_forces(MapForces<D>{particles_, grid_}, EvaluateVelocityGradient<D>{grid_},
+             UpdateDeformation<D>{particles_, deform});
 }
 
-/// Maps f: by the kernels `before`, those of stress and body force, and then the one that `with` makes of `MapForces`.
+/// Maps f by the kernel `mapping`, after the kernels `before` and those of stress and body force.
 template <int D>
-void Step<D>::map_forces(const auto& with, const auto&... before) {
+void Step<D>::map_forces(const auto& mapping, const auto&... before) {
   BodyForce<D>* const force = scene_.body_force_on == BodyForceOn::particles ? scene_.body_force : nullptr;
   if (force) force->prepare(time_);
   const EvaluateStress<D> stress{particles_, scene_.material, dt_};
-  map({before..., stress, EvaluateBodyForce<D>{particles_, force, time_}, with(MapForces<D>{particles_, grid_})});
+  map({before..., stress, EvaluateBodyForce<D>{particles_, force, time_}, mapping});
   if (scene_.surface_load) add_surface_load();
   sum_images(grid_.f);
 }
@@ -125,33 +121,33 @@ void Step<D>::update_velocities_and_map_momentum(double dt) {
   sum_momentum_images();
 }
 
+/// Makes the last sweep of a step with the kernel that updates velocity and position, and with the kernels `after` it.
 template <int D>
-void Step<D>::update_particles(double dt) {
+template <template <int, bool> class Update>
+void Step<D>::last_sweep_of(double dt, const auto&... after) {
   const VelocityFields<D> fields = velocity_fields(dt);
   const UpdateAffineField<D> affine{particles_, grid_};
   if (are_flip(fields, grid_))
-    sweep_and_settle(affine, UpdateVelocityAndPosition<D, true>{particles_, grid_, fields, dt});
+    last_sweep(affine, Update<D, true>{particles_, grid_, fields, dt}, after...);
   else
-    sweep_and_settle(affine, UpdateVelocityAndPosition<D, false>{particles_, grid_, fields, dt});
-  if (fields.include(grid_.f)) settle();  // the next mapping clears f before a sweep that waits
+    last_sweep(affine, Update<D, false>{particles_, grid_, fields, dt}, after...);
+  if (fields.include(grid_.f)) finish_waiting();  // the next mapping clears f before a sweep that waits
+}
+
+template <int D>
+void Step<D>::update_particles(double dt) {
+  last_sweep_of<UpdateVelocityAndPosition>(dt);
 }
 
 template <int D>
 void Step<D>::update_particles(double dt, const DeformationStep& deform) {
-  const VelocityFields<D> fields = velocity_fields(dt);
-  const UpdateAffineField<D> affine{particles_, grid_};
-  const UpdateDeformation<D> deformation{particles_, deform};
-  if (are_flip(fields, grid_))
-    sweep_and_settle(affine, UpdateParticle<D, true>{particles_, grid_, fields, dt}, deformation);
-  else
-    sweep_and_settle(affine, UpdateParticle<D, false>{particles_, grid_, fields, dt}, deformation);
-  if (fields.include(grid_.f)) settle();  // the next mapping clears f before a sweep that waits
+  last_sweep_of<UpdateParticle>(dt, UpdateDeformation<D>{particles_, deform});
 }
 
 template <int D>
 void Step<D>::move_particles_and_deform(double dt, const DeformationStep& deform) {
-  sweep_and_settle(MoveByRate<D>{particles_, dt}, EvaluateVelocityGradient<D>{grid_},
-                   UpdateDeformation<D>{particles_, deform});
+  last_sweep(MoveByRate<D>{particles_, dt}, EvaluateVelocityGradient<D>{grid_},
+             UpdateDeformation<D>{particles_, deform});
 }
 
 }  // namespace mpmvv::solver

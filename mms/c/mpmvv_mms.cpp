@@ -24,8 +24,13 @@ using namespace mpmvv::mms;
 
 thread_local std::string message;
 
-mpmvv_status failed(mpmvv_status status, const std::string& why) {
-  message = why;
+/// Keeps the message, or a short one that needs no allocation where there is no memory for it.
+mpmvv_status failed(mpmvv_status status, std::string_view why) noexcept {
+  try {
+    message = why;
+  } catch (const std::bad_alloc&) {
+    message = "no memory";
+  }
   return status;
 }
 
@@ -35,8 +40,7 @@ mpmvv_status guarded(const Work& work) noexcept {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    message = "no memory";  // short enough to be stored without an allocation
-    return MPMVV_NO_MEMORY;
+    return failed(MPMVV_NO_MEMORY, "no memory");
   } catch (const std::domain_error& error) {
     return failed(MPMVV_NOT_FINITE, error.what());
   } catch (const std::exception& error) {

@@ -2,7 +2,7 @@
 
 #include "mms/expression/traced.hpp"
 
-/// The operators of `Traced`. They simplify: in sums and products constants move to the front, where they are combined.
+/// The operators of `Traced`. They simplify: constants move to the front, where those of a product are combined.
 namespace mpmvv::mms::expression {
 
 namespace {

@@ -12,8 +12,8 @@ struct Face {
   bool upper;
 };
 
-/// The planes of nodes at and beyond a face, by index along its axis: that of the face itself, and for each ghost layer
-/// that of the layer and its mirror image inside the domain.
+/// The planes of nodes at and beyond a face, by index along its axis: layer 0 is the face itself, and the others are
+/// the ghost layers beyond it. The image of a layer lies as far inside the domain.
 template <int D>
 struct FaceNodes {
   const Grid<D>& grid;
@@ -21,8 +21,8 @@ struct FaceNodes {
 
   int layers() const { return grid.ghost(); }
   int plane() const { return face.upper ? grid.inside(face.axis) - 1 : 0; }
-  int ghost(int layer) const { return face.upper ? plane() + layer : -layer; }
-  int image(int layer) const { return face.upper ? plane() - layer : layer; }
+  int at(int layer) const { return face.upper ? plane() + layer : -layer; }
+  int image(int layer) const { return at(-layer); }
 };
 
 /// What a boundary treatment must offer, on one face.

@@ -15,7 +15,7 @@ struct Dirichlet {
   void constrain(Grid<D>& grid, Face face, Array<Padded<D>>& field) const {
     const FaceNodes<D> nodes{grid, face};
     for (int layer = 0; layer <= nodes.layers(); ++layer)
-      grid.for_plane(face.axis, nodes.ghost(layer), nodes.ghost(layer), [&](int n, int) { field[n].setZero(); });
+      grid.for_plane(face.axis, nodes.at(layer), [&](int n) { field[n].setZero(); });
   }
 
   template <int D>

@@ -94,9 +94,11 @@ void sum_over_quarter_turns(int nodes, T* plane) {
 template <int D, class T>
 void sum_over(Images images, const Grid<D>& grid, Array<T>& field) {
   if constexpr (D > 1) {
+    if (images == Images::none) return;
     if (images == Images::middle) return sum_over_middle(grid, field.data());
     const int nodes = grid.nodes(0);
-    for (std::size_t first = 0; first < field.size(); first += static_cast<std::size_t>(nodes * nodes)) {
+    const auto plane = static_cast<std::size_t>(nodes) * static_cast<std::size_t>(nodes);
+    for (std::size_t first = 0; first < field.size(); first += plane) {
       if (images == Images::diagonal) sum_over_diagonal(nodes, &field[first]);
       if (images == Images::quarter_turns) sum_over_quarter_turns(nodes, &field[first]);
     }

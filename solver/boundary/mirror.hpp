@@ -15,13 +15,12 @@ struct Mirror {
     const FaceNodes<D> nodes{grid, face};
     const T reversed = reversed_along<T>(face.axis);
     for (int layer = 1; layer <= nodes.layers(); ++layer)
-      grid.for_plane(face.axis, nodes.ghost(layer), nodes.image(layer), [&](int ghost, int image) {
+      grid.for_plane(face.axis, nodes.at(layer), nodes.image(layer), [&](int ghost, int image) {
         field[image] += reversed.cwiseProduct(field[ghost]);
         field[ghost] = reversed.cwiseProduct(field[image]);
       });
     const T doubled = T::Ones() + reversed;
-    grid.for_plane(face.axis, nodes.plane(), nodes.plane(),
-                   [&](int n, int) { field[n] = doubled.cwiseProduct(field[n]); });
+    grid.for_plane(face.axis, nodes.plane(), [&](int n) { field[n] = doubled.cwiseProduct(field[n]); });
   }
 
   /// Nothing to do: a field made from sums over images is mirrored already.

@@ -16,9 +16,9 @@ struct Symmetry {
   void constrain(Grid<D>& grid, Face face, Array<Padded<D>>& field) const {
     const FaceNodes<D> nodes{grid, face};
     const int normal = face.axis;
-    grid.for_plane(normal, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][normal] = 0; });
+    grid.for_plane(normal, nodes.plane(), [&](int n) { field[n][normal] = 0; });
     for (int layer = 1; layer <= nodes.layers(); ++layer)
-      grid.for_plane(normal, nodes.ghost(layer), nodes.image(layer),
+      grid.for_plane(normal, nodes.at(layer), nodes.image(layer),
                      [&](int ghost, int image) { field[ghost][normal] = -field[image][normal]; });
   }
 
@@ -27,9 +27,9 @@ struct Symmetry {
   void constrain_transposed(Grid<D>& grid, Face face, Array<Padded<D>>& field) const {
     const FaceNodes<D> nodes{grid, face};
     const int normal = face.axis;
-    grid.for_plane(normal, nodes.plane(), nodes.plane(), [&](int n, int) { field[n][normal] = 0; });
+    grid.for_plane(normal, nodes.plane(), [&](int n) { field[n][normal] = 0; });
     for (int layer = 1; layer <= nodes.layers(); ++layer)
-      grid.for_plane(normal, nodes.ghost(layer), nodes.image(layer), [&](int ghost, int image) {
+      grid.for_plane(normal, nodes.at(layer), nodes.image(layer), [&](int ghost, int image) {
         field[image][normal] -= field[ghost][normal];
         field[ghost][normal] = 0;
       });

@@ -33,8 +33,11 @@ struct Wall {
   void constrain(Grid<D>&, Face, Array<Padded<D>>&) const {}
 };
 
-/// A wall in motion. It holds the planes of nodes that lie at most d cells inside it, and those outside it that have
-/// mass, as far as these follow each other without a gap. It holds only the velocity along its normal, at
+/// A wall in motion. A step calls `move` at its start, `meet` whenever momenta have been mapped, `pass_to_end` when
+/// grid velocities are advanced, and `set_acceleration` after that. In between it calls `hold` and `clear`, as often as
+/// it makes velocities and increments. The wall holds the planes of nodes that lie at most d cells inside it, and those
+/// outside it that have mass, as far as these follow each other without a gap. It holds only the velocity along its
+/// normal, at
 ///   v_i = v_b + ∇v_b (x_i - x_wall),                                                N §2.5
 /// and leaves tangential ones as they are. Within a step x_wall and ∇v_b are those of t^n, as the weights are, and v_b
 /// is that of t^n + Δt, the time of v⁺. A motion at constant rate, v = rate X, is then kept exactly on the nodes held.
@@ -77,7 +80,7 @@ class MovingWall {
   }
 
   /// Says that momenta mapped from now on are those of t^n + Δt. Before, they are those of t^n.
-  void advance() { mapped_velocity_ = end_velocity_; }
+  void pass_to_end() { mapped_velocity_ = end_velocity_; }
 
   /// Whether it makes a difference at which end of the step v_b is taken.
   bool accelerates() const { return mapped_velocity_ != end_velocity_; }
@@ -124,7 +127,7 @@ class MovingWall {
   template <class Visit>
   void for_plane(const Grid<D>& grid, int plane, const Visit& visit) const {
     std::size_t line = 0;
-    grid.for_plane(face_.axis, plane - ghost_, plane - ghost_, [&](int n, int) { visit(n, line++); });
+    grid.for_plane(face_.axis, plane - ghost_, [&](int n) { visit(n, line++); });
   }
 
   /// Calls visit(n, x_i - x_wall, ∇v_b) for every node held.

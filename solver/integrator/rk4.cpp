@@ -37,8 +37,8 @@ void rk4(Step<D>& s, double dt) {
     s.map_momentum_and_forces();  // m_i, p_i; τ_p = τ(F_p), f_i
     s.set_velocity();             // v_i
     s.set_acceleration();         // a_i
-    s.sweep_and_settle(AdvanceStage<D>{s.particles(), s.grid(), stage.weight, stage.next},
-                       CheckDeformation<D>{s.particles()});
+    s.last_sweep(AdvanceStage<D>{s.particles(), s.grid(), stage.weight, stage.next},
+                 CheckDeformation<D>{s.particles()});
   }
 }
 

@@ -22,8 +22,8 @@ void uvf(Step<D>& s, double dt) {
   s.sum_momentum_images();
   s.set_velocity();  // v_i = p_i / m_i                                     W (51)
 
-  s.sweep_and_settle(UpdatePosition<D>{particles, grid, dt},               // x_p; L_p by v           W (17), (10)
-                     UpdateDeformation<D>{particles, s.deformation(dt)});  // F_p                      W (11)
+  s.last_sweep(UpdatePosition<D>{particles, grid, dt},               // x_p; L_p by v           W (17), (10)
+               UpdateDeformation<D>{particles, s.deformation(dt)});  // F_p                      W (11)
 }
 
 }  // namespace

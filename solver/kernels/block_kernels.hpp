@@ -51,6 +51,7 @@ struct EvaluateStress {
   void evaluate_each(const auto& m, Block<D>& block, const StressStep& step) const {
     for (int k = 0; k < block.count; ++k) {
       const std::size_t p = block.begin + static_cast<std::size_t>(k);
+      block.tau[k].setZero();
       block.tau[k].template topRows<D>() = m.kirchhoff(particles.F[p], particles.thermal[p], step);
     }
   }
@@ -143,7 +144,7 @@ struct MoveByRate {
 /// Brings particles that left through a periodic face back in on the other side. Sets `must_sort` if one has strayed so
 /// far from its slab that the particles must be sorted. A position that is NaN passes here: the next sweep finds it.
 template <int D>
-struct SettlePosition {
+struct WrapPosition {
   Particles<D>& particles;
   const std::array<bool, D>& periodic;
   const Slabs<D>& slabs;

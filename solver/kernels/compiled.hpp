@@ -37,7 +37,7 @@ struct Compiled {
                                       &run_kernel<D, CheckDeformation<D>>,
                                       &run_kernel<D, UpdateWidth<D>>,
                                       &run_kernel<D, MoveByRate<D>>,
-                                      &run_kernel<D, SettlePosition<D>>};
+                                      &run_kernel<D, WrapPosition<D>>};
 };
 
 }  // namespace mpmvv::solver

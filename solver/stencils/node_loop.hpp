@@ -48,7 +48,8 @@ template <int K, class... Kernels>
     const auto visit_four = [&](const auto& nodes) __attribute__((always_inline)) {
       (visit(kernels, four, nodes, block), ...);
     };
-    if (!visit_together(block, 4 * pack, visit_four)) visit_each(block, grid, 4 * pack, 4, kernels...);
+    if (!visit_together<(uses_gradients<Kernels> || ...)>(block, 4 * pack, visit_four))
+      visit_each(block, grid, 4 * pack, 4, kernels...);
   });
   return 4 * packs;
 }

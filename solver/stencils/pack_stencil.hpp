@@ -24,10 +24,13 @@ struct PackStencil {
   std::array<Pack, nodes> N, dN;
 
   /// Puts together the stencils of the four particles of the block from the k-th on.
-  [[gnu::always_inline]] PackStencil(const PointBlock<1, K>& block, int k, const Starts& starts)
-      : first(static_cast<std::size_t>(block.first[k])),
-        N(on_nodes(block.N[0], k, starts, std::make_integer_sequence<int, nodes>{})),
-        dN(on_nodes(block.dN[0], k, starts, std::make_integer_sequence<int, nodes>{})) {}
+  template <bool with_gradients>
+  [[gnu::always_inline]] static PackStencil of(const PointBlock<1, K>& block, int k, const Starts& starts) {
+    constexpr auto each_node = std::make_integer_sequence<int, nodes>{};
+    PackStencil stencil{static_cast<std::size_t>(block.first[k]), on_nodes(block.N[0], k, starts, each_node), {}};
+    if constexpr (with_gradients) stencil.dN = on_nodes(block.dN[0], k, starts, each_node);
+    return stencil;
+  }
 
   /// Returns Σ_i N_ip φ_i.
   [[gnu::always_inline]] PackVec<1> gather(const Array<Padded<1>>& field) const { return PackVec<1>(sum(N, field)); }
@@ -96,16 +99,16 @@ inline constexpr bool is_line<PointBlock<1, K>> = true;
 
 /// Calls visit(nodes) once for the four particles from the k-th on, if the first node of each lies 0 to 2 nodes after
 /// that of the k-th particle. Returns whether it did.
-template <int K>
+template <bool with_gradients, int K>
 [[gnu::always_inline]] inline bool visit_together(const PointBlock<1, K>& block, int k, const auto& visit) {
   const Int4 nodes = load4(block.first + k) - block.first[k];
   const Mask4 after = __builtin_convertvector(nodes, Mask4), by_0 = after == 0, by_1 = after == 1, by_2 = after == 2;
   if (all(by_0))
-    visit(PackStencil<K, 0>(block, k, {by_0}));
+    visit(PackStencil<K, 0>::template of<with_gradients>(block, k, {by_0}));
   else if (all(by_0 | by_1))
-    visit(PackStencil<K, 1>(block, k, {by_0, by_1}));
+    visit(PackStencil<K, 1>::template of<with_gradients>(block, k, {by_0, by_1}));
   else if (all(by_0 | by_1 | by_2))
-    visit(PackStencil<K, 2>(block, k, {by_0, by_1, by_2}));
+    visit(PackStencil<K, 2>::template of<with_gradients>(block, k, {by_0, by_1, by_2}));
   else
     return false;
   return true;

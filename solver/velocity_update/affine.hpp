@@ -16,7 +16,8 @@ namespace mpmvv::solver {
 template <class B>
 inline constexpr bool has_affine_fields = B::ghost > 0 && B::support > 2 && B::width != ParticleWidth::domain;
 
-/// A particle's stencil with N_ip (x_i - x_p) in the place of the gradients, and the diagonal of D_p as `inertia`.
+/// A particle's stencil with N_ip (x_i - x_p) in the place of the gradients `dN`, so that `gather_with_gradient` sums
+/// first moments, and the diagonal of D_p as `inertia`.
 template <int D, int K>
 struct ArmStencil : Stencil<D, K> {
   Vec<D> inertia;
@@ -30,6 +31,13 @@ struct ArmStencil : Stencil<D, K> {
         this->dN[d][i] = arm * nodes.N[d][i];
         inertia[d] += arm * this->dN[d][i];
       }
+  }
+
+  /// Returns the weights N_ip (x_i - x_p)_d.
+  Weights<D, K> arms_along(int d) const {
+    Weights<D, K> arms = *this;
+    std::ranges::copy(this->dN[d], arms.N[d]);
+    return arms;
   }
 };
 
@@ -51,11 +59,8 @@ struct MapAffineMomentum {
     for (int k = 0; k < block.count; ++k) {
       const std::size_t p = block.begin + static_cast<std::size_t>(k);
       const ArmStencil<D, K> nodes(block.template stencil<false>(k, grid), grid, particles.x[p]);
-      for (int d = 0; d < D; ++d) {
-        Weights<D, K> along = nodes;
-        std::ranges::copy(nodes.dN[d], along.N[d]);
-        along.scatter(padded<D>(particles.m[p] * particles.C[p].col(d), 0), grid.p);
-      }
+      for (int d = 0; d < D; ++d)
+        nodes.arms_along(d).scatter(padded<D>(particles.m[p] * particles.C[p].col(d), 0), grid.p);
     }
   }
 };

@@ -12,7 +12,7 @@ struct Apic : VelocityUpdate {
   static constexpr bool has_affine_field = true;
 
   template <int D>
-  VelocityFields<D> fields(Step<D>&, double) const {
+  VelocityFields<D> prepare(Step<D>&, double) const {
     return {.after = 1};
   }
 };

@@ -21,7 +21,7 @@ struct Flip : VelocityUpdate {
   explicit Flip(FlipPosition follow = FlipPosition::first_order) : position(follow) {}
 
   template <int D>
-  VelocityFields<D> fields(Step<D>& s, double dt) const {
+  VelocityFields<D> prepare(Step<D>& s, double dt) const {
     auto& grid = s.grid();
     if (position == FlipPosition::particle) return {.acceleration = &grid.a, .before = 0.5, .after = 0.5};
     if (position == FlipPosition::first_order) return {.acceleration = &grid.a, .drift = &grid.v};

@@ -19,8 +19,8 @@ struct Fmpm : VelocityUpdate {
   bool expands_grid_velocity(std::int64_t steps) const { return steps % interval == 0; }
 
   template <int D>
-  VelocityFields<D> fields(Step<D>& s, double dt) const {
-    if (!expands_grid_velocity(s.steps())) return Flip(FlipPosition::second_order).fields(s, dt);
+  VelocityFields<D> prepare(Step<D>& s, double dt) const {
+    if (!expands_grid_velocity(s.steps())) return Flip(FlipPosition::second_order).prepare(s, dt);
     s.expand_velocity();
     return {.before = 0.5, .after = 0.5};
   }

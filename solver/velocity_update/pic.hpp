@@ -10,7 +10,7 @@ struct Pic : VelocityUpdate {
   static constexpr std::string_view word = "pic";
 
   template <int D>
-  VelocityFields<D> fields(Step<D>&, double) const {
+  VelocityFields<D> prepare(Step<D>&, double) const {
     return {.after = 1};
   }
 };

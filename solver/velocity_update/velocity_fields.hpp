@@ -26,8 +26,8 @@ struct VelocityFields {
 };
 
 /// The base of velocity updates: the properties that they have unless they redeclare them. Besides these a velocity
-/// update has a `word`, its name in study files and on the command line, and fields(step, dt), which returns its
-/// `VelocityFields` when the grid's v is that of the step's end.
+/// update has a `word`, its name in study files and on the command line, and prepare(step, dt), which returns its
+/// `VelocityFields` when the grid's v is that of the step's end. To make them it may overwrite v, a and f on the grid.
 struct VelocityUpdate {
   static constexpr bool adds_accelerations = false;     ///< particles keep their velocity and add an acceleration
   static constexpr bool takes_consistent_mass = false;  ///< is defined with the consistent mass, too

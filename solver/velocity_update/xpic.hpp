@@ -18,7 +18,7 @@ struct Xpic : VelocityUpdate {
   /// Overwrites the grid's forces and accelerations, which are no longer needed: f then holds m̃_k⁻¹ p + Δt a, and a
   /// holds v.
   template <int D>
-  VelocityFields<D> fields(Step<D>& s, double dt) const {
+  VelocityFields<D> prepare(Step<D>& s, double dt) const {
     auto& grid = s.grid();
     s.for_nodes([&](std::size_t n) { grid.f[n] = grid.v[n] - dt * grid.a[n]; });
     s.expand_inverse(grid.f);

@@ -35,7 +35,7 @@ struct Four {
     return reaches(0, node) || reaches(1, node) || reaches(2, node) || reaches(3, node);
   }
   /// Calls check(nodes) with those of the four; whether they are taken together.
-  bool visit(const auto& check) const { return visit_together(block, place, check); }
+  bool visit(const auto& check) const { return visit_together<true>(block, place, check); }
 };
 
 /// Values on nodes, and NaN where none of the four reaches them.

@@ -62,6 +62,74 @@ TEST(RefusedScene, HasAHistoryInStages) {
   EXPECT_EQ(refusal(scene), "a material with a history in stages");
 }
 
+TEST(RefusedScene, HasAxesWithoutCellsOrPeriodicOnOneFace) {
+  Scene<2> scene = full_scene<2>(BSpline2{}, 8, 2, Free{});
+  scene.boundary[2] = Periodic{};
+  EXPECT_EQ(refusal(scene), "an axis that is periodic on one face only");
+  scene.boundary[2] = Free{};
+  scene.cells[1] = 0;
+  EXPECT_EQ(refusal(scene), "an axis without cells");
+  scene.cells[1] = 8, scene.h = 0;
+  EXPECT_EQ(refusal(scene), "cells without a width");
+}
+
+TEST(RefusedScene, HasPlanesOfSymmetryThatReachTheOtherFace) {
+  for (const int cells : {1, 2})
+    EXPECT_EQ(refusal(full_scene<1>(BSpline2{}, cells, 4, Symmetry{})),
+              "a plane of symmetry on an axis of too few cells");
+  EXPECT_EQ(refusal(full_scene<1>(BSpline2{}, 3, 4, Symmetry{})), "");
+}
+
+TEST(RefusedScene, HasNumbersOutOfTheirRange) {
+  Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2);
+  scene.basis = UGimp{1.5};
+  EXPECT_EQ(refusal(scene), "a smoothing length that is not in (0, 1]");
+  scene.basis = UGimp{1};
+  EXPECT_EQ(refusal(scene), "");
+  scene.velocity_update = Fmpm(2, 0);
+  EXPECT_EQ(refusal(scene), "an expanded inverse every 0 steps");
+  for (const AnyVelocityUpdate& update : {AnyVelocityUpdate{Fmpm(0)}, AnyVelocityUpdate{Xpic(0)}}) {
+    scene.velocity_update = update;
+    EXPECT_EQ(refusal(scene), "an expanded inverse without terms");
+  }
+}
+
+TEST(RefusedScene, HasAConsistentMassThatItsVelocityUpdateDoesNotTake) {
+  Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2);
+  scene.consistent_mass = ConsistentMassSettings{};
+  EXPECT_EQ(refusal(scene), "");
+  scene.velocity_update = Xpic(4);
+  EXPECT_EQ(refusal(scene), "the consistent mass with a velocity update that lumped masses define");
+}
+
+TEST(RefusedScene, HasDifferencesWhereNoneCanBeTaken) {
+  Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2, Symmetry{});
+  scene.difference_acceleration = true;
+  EXPECT_EQ(refusal(scene), "");
+  for (const char* integrator : {"rk4", "uvf"}) {
+    scene.integrator = integrator;
+    EXPECT_EQ(refusal(scene), "differences for accelerations at walls with an integrator that has none to take");
+  }
+  scene.integrator = "usl", scene.velocity_update = Pic{};
+  EXPECT_EQ(refusal(scene), "differences for accelerations at walls, of which nothing is made");
+}
+
+TEST(RefusedScene, HasAMovingWallInStages) {
+  struct AtRest final : WallMotion {
+    double position(double) const override { return 0; }
+    double velocity(double) const override { return 0; }
+    double gradient(double) const override { return 0; }
+  } const at_rest;
+  Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2, Free{});
+  scene.boundary[0] = Wall{.motion = &at_rest};
+  EXPECT_EQ(refusal(scene), "");
+  for (const char* integrator : {"rk4", "cd", "uvf"}) {
+    scene.integrator = integrator;
+    EXPECT_EQ(refusal(scene),
+              "a moving wall with an integrator whose steps do not have positions and velocities at their ends");
+  }
+}
+
 TEST(RefusedScene, HasMoreNodesThanIndicesCount) {
   EXPECT_THROW(Grid<2>(Vec<2>::Zero(), 1, {50'000, 50'000}, 1, 2), std::length_error);
   EXPECT_THROW(Grid<3>(Vec<3>::Zero(), 1, {2'000'000'000, 2'000'000'000, 2'000'000'000}, 1, 2), std::length_error);
