@@ -44,6 +44,11 @@ TEST_F(HowTo, TheStudyFileIsListedKeyByKey) {
   EXPECT_EQ(listed[0]["keys"][0]["key"], "title");
 }
 
+TEST_F(HowTo, AStudyFindsOrdersInTime) {
+  folder_.write("time.toml", walk("time.toml"));
+  EXPECT_THAT(follow(walk("time")), AllOf(HasSubstr("h^0.93"), HasSubstr("h^1.01"), HasSubstr(" 2.18 ")));
+}
+
 TEST_F(HowTo, AStudySearchesLimits) {
   folder_.write("limits.toml", walk("limits.toml"));
   EXPECT_THAT(follow(walk("limits")), testing::ContainsRegex("limit"));
