@@ -113,10 +113,10 @@ Tile cost_tile(const ReportInput& input) {
 }
 
 Tile age_tile(const ReportInput& input) {
-  const std::string time = input.newest_result.empty() ? input.provenance.time : input.newest_result;
+  const auto origins = origins_of(input.provenances);
+  const std::string time = origins.empty() ? "" : origins.front().provenance.time;
   Tile tile{"Newest result", "#provenance", time, "", "", "", true};
-  tile.detail = fmt::format("of {} {}, version {}", input.studies.size(),
-                            input.studies.size() == 1 ? "study" : "studies", version_text(input.provenance));
+  tile.detail = fmt::format("of {}, version {}", studies_text(input.studies.size()), versions_text(origins));
   if (input.earlier)
     tile.change = fmt::format("{} of {} results differ from {}", input.earlier->changes.differ.size(),
                               input.earlier->changes.compared, input.earlier->label);

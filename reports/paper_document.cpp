@@ -75,6 +75,7 @@ PaperDocument::PaperDocument(const std::vector<StudyResult>& studies, const Shee
     add(the_named(names));
     return;
   }
+  for (const StudyResult& study : studies) shown_.push_back(&study);
   for (const Paper& paper : papers()) {
     PaperPart part = part_of(paper);
     if (!has_results(part)) absent_.push_back(paper.source);
@@ -144,9 +145,8 @@ std::vector<std::string> PaperDocument::charts_named(const std::string& name) co
 
 PaperPart PaperDocument::the_named(const std::vector<std::string>& names) {
   PaperPart part{"Figures and tables", {}, {}, {}};
-  Chosen chosen;
   const auto add_study = [&](const StudyResult* study) {
-    if (std::ranges::find(chosen, study) == chosen.end()) chosen.push_back(study);
+    if (std::ranges::find(shown_, study) == shown_.end()) shown_.push_back(study);
   };
   for (const std::string& name : names) {
     const auto charts = charts_named(name);
@@ -156,7 +156,7 @@ PaperPart PaperDocument::the_named(const std::vector<std::string>& names) {
     }
     if (charts.empty()) add_study(&*std::ranges::find(studies_, name, &StudyResult::name));
   }
-  part.tables = printed_tables(chosen, "named");
+  part.tables = printed_tables(shown_, "named");
   return part;
 }
 
