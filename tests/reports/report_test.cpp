@@ -119,6 +119,17 @@ TEST(Report, SaysOfEveryStudyWhereItComesFrom) {
   EXPECT_THAT(page.substr(older), HasSubstr("2 studies, the newest of <time>2026-01-01T00:00:00Z<"));
 }
 
+TEST(Report, CountsClaimsOfPapersAndOurOwnApart) {
+  const TempFolder folder;
+  auto in = input();
+  claims::Claim own = in.claims[0];
+  own.id = "X-order", own.source = "mpmvv";
+  in.claims.push_back(own);
+  EXPECT_THAT(page_of(in, folder), AllOf(HasSubstr("<strong>1 of 2</strong>"),
+                                         HasSubstr("of the papers are confirmed, 1 of 1 of our own; all together: "
+                                                   "2 confirmed, 1 open</span>")));
+}
+
 TEST(Report, SaysWhatChangedInTheGate) {
   const TempFolder folder;
   auto in = input();
