@@ -110,8 +110,8 @@ class Elements {
       return;
     }
     if (has_ranges(curve))
-      marks.push_back(fmt::format("data index {} using 1:3:($1-$5):($5>0?$1+$5:NaN) with xerrorbars pt -1 lw 1 {}",
-                                  index, colour_of(curve.style)));
+      marks.push_back(
+          fmt::format("data index {} using 1:3:5:6 with xerrorbars pt -1 lw 1 {}", index, colour_of(curve.style)));
     const auto [filled, hollow] = marker_of(curve.style);
     const auto add_hollow = [&, filled = filled, hollow = hollow](int mark) {
       points(mark, filled, size(curve.size) + "lc rgb '#FFFFFF'");
@@ -148,10 +148,6 @@ std::string quoted(const std::string& text, Notation notation) {
 
 std::string plot_elements(const Chart& chart, double mark_scale) {
   return Elements(chart, mark_scale).text();
-}
-
-bool has_ranges(const Curve& curve) {
-  return std::ranges::any_of(curve.dots, [](const Dot& dot) { return dot.half_range > 0; });
 }
 
 int key_marker(const Curve& curve) {
