@@ -14,6 +14,7 @@ namespace {
 
 constexpr int cross = 2;
 constexpr double half_shown = 0.44;  ///< of a box's width, on either side of its centre
+constexpr double behind = 1.3;       ///< of a square's width: of one behind it that closes gaps to its neighbours
 
 std::string rule_style(const Rule& rule) {
   switch (rule.kind) {
@@ -105,8 +106,10 @@ class Elements {
       marks.push_back(points_text(index, mark, type, look, mark == 1 ? thinning(curve) : ""));
     };
     if (curve.square > 0) {
-      marks.push_back(fmt::format("data index {0} using 1:3:({1}):({1}):5 with boxxyerror fs solid noborder lc palette",
-                                  index, plot_number(0.5 * curve.square)));
+      for (const double part : {behind, 1.0})
+        marks.push_back(
+            fmt::format("data index {0} using 1:3:({1}):({1}):5 with boxxyerror fs solid noborder lc palette", index,
+                        plot_number(0.5 * part * curve.square)));
       return;
     }
     if (has_ranges(curve))
