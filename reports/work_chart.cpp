@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "reports/chart.hpp"
+#include "reports/process_time.hpp"
 #include "reports/series_style.hpp"
 #include "studies/claims/samples.hpp"
 #include "studies/fits/work_precision.hpp"
@@ -60,6 +61,7 @@ Chart work_chart(const records::StudyResult& study, const records::Figure& figur
   if (std::ranges::any_of(chart.curves, has_ranges))
     chart.notes.emplace_back(
         "Bars: from the smallest to the largest of the repeated times; points: their geometric mean.");
+  if (const auto note = process_time_note(figure_series(study, figure)); !note.empty()) chart.notes.push_back(note);
   if (!without.empty())
     chart.omissions.push_back(fmt::format("Without a point, unstable or not measured: {}.", fmt::join(without, "; ")));
   return chart;
