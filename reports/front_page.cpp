@@ -121,7 +121,7 @@ Page front_page(const ReportInput& input, const std::vector<Section>& sections) 
   const auto row = [&](const records::StudyResult& study) { return study_row(input, study); };
   return framed_page("index.html", "mpmvv: " + gate_text(gate), front_template, input,
                      object({{"tiles", first_screen(input)},
-                             {"groups", failing_goldens(gate.judged)},
+                             {"groups", failing_goldens(gate.judged, input.studies)},
                              {"has_failing", gate_verdict(gate.judged).value_or(Verdict::pass) != Verdict::pass},
                              {"has_gate", !gate.judged.empty()},
                              {"missing", missing_goldens_text(gate.without_study)},

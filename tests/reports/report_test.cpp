@@ -198,6 +198,16 @@ TEST(Report, GoldensAreSortedByTheWorstVerdictAndHowManyHaveIt) {
                                          HasSubstr("data-key=\"not judged 0\"")));
 }
 
+TEST(Report, GoldensOfValuesSayWhatTheseMean) {
+  const TempFolder folder;
+  auto in = input();
+  in.gate.push_back({"weights", "value 'partition_of_unity'", records::Verdict::fail, "at most 1e-16", "2.2e-16", ""});
+  const std::string golden = "partition_of_unity&apos;<br/><span class=\"soft\">largest |ΣN - 1|</span></th>";
+  EXPECT_THAT(page_of(in, folder, "gate.html"), HasSubstr(golden));
+  EXPECT_THAT(content(folder / "out/index.html"), HasSubstr(golden));
+  EXPECT_THAT(content(folder / "out/gate.html"), HasSubstr("<th scope=\"row\">limit</th>"));
+}
+
 TEST(Report, WordsSayThatAQuarterMayBeAllThatACaseAsksFor) {
   const TempFolder folder;
   EXPECT_THAT(page_of(input(), folder),
