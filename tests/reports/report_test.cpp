@@ -208,6 +208,11 @@ TEST(Report, GoldensOfValuesSayWhatTheseMean) {
   EXPECT_THAT(content(folder / "out/gate.html"), HasSubstr("<th scope=\"row\">limit</th>"));
 }
 
+TEST(Report, WordsHaveThoseOfVerdictsAndReasons) {
+  const TempFolder folder;
+  EXPECT_THAT(page_of(input(), folder), AllOf(HasSubstr("<dt>awaited</dt>"), HasSubstr("<dt>rule of widths</dt>")));
+}
+
 TEST(Report, WordsSayThatAQuarterMayBeAllThatACaseAsksFor) {
   const TempFolder folder;
   EXPECT_THAT(page_of(input(), folder),
