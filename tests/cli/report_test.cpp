@@ -238,29 +238,6 @@ TEST_F(ReportCommand, SaysWhatChangedSinceTheVersionBefore) {
                     HasSubstr("claim S-fig10: "), Not(HasSubstr(": claim S-fig10"))));
 }
 
-/// Not from where the program comes that writes them.
-TEST_F(ReportCommand, ItAndThePaperSayWhereTheResultsComeFrom) {
-  store_of(folder_);
-  {
-    store::Store store(db_, store::Store::Mode::write);
-    store::Provenance other = store::current_provenance();
-    records::StudyResult study = store.studies(other.digest).at(0);
-    study.name = "elsewhere";
-    for (auto& series : study.series) series.points.clear();
-    other.commit = "c0ffee0123456789", other.dirty = true, other.cpu = "another processor";
-    store.keep_study(study, {{}, {}}, other);
-  }
-  ASSERT_EQ(report().code, 0);
-  EXPECT_THAT(page("index.html"),
-              AllOf(HasSubstr("c0ffee012345-dirty"), HasSubstr("another processor"),
-                    HasSubstr(store::current_provenance().cpu), HasSubstr("<td>1 study, the newest of ")));
-  const std::string paper = "paper elsewhere --db " + db_ + " --out " + (folder_ / "paper");
-  ASSERT_EQ(call(folder_, paper).code, 0);
-  EXPECT_THAT(read_text(folder_ / "paper/main.tex"),
-              AllOf(HasSubstr("c0ffee0123456789 with changes"), HasSubstr("processor & another processor "),
-                    Not(HasSubstr("2 studies"))));
-}
-
 /// A study of a series that another code ran and of one of ours, and the goldens of both.
 records::StudyResult study_of_another_code() {
   records::StudyResult study;
