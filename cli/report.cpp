@@ -59,16 +59,15 @@ void add_gate_lines(reports::ReportInput& input, const std::vector<goldens::Gold
     input.gate.push_back({r.study, r.name, r.verdict, r.expected, r.measured, r.reason});
 }
 
-/// Adds when the studies were kept, and which of their series other codes ran. The series are those of the studies as
-/// they were read: the store may have others by now, where a study is being kept at the same time.
-void add_times_and_codes(reports::ReportInput& input, const store::Store& store) {
-  for (const records::StudyResult& study : input.studies) {
-    const auto kept = store.study_provenance(study.name, input.provenance.digest);
-    if (!kept) continue;
-    input.newest_result = std::max(input.newest_result, kept->time);
+/// Which series of the studies other codes ran. They are those of the studies as they were read: the store may have
+/// others by now, where a study is being kept at the same time.
+std::vector<store::CodeSeries> code_series_of(const reports::ReportInput& input) {
+  std::vector<store::CodeSeries> codes;
+  for (const records::StudyResult& study : input.studies)
     for (const records::Series& series : study.series)
-      if (series.code) input.codes.push_back({study.name, series.name, *series.code, kept->time});
-  }
+      if (series.code && input.provenances.contains(study.name))
+        codes.push_back({study.name, series.name, *series.code, input.provenances.at(study.name).time});
+  return codes;
 }
 
 /// The history of the program and of each other code, where the store has at least two versions: a trend needs two.
@@ -91,7 +90,8 @@ std::vector<reports::History> histories_in(const store::Store& store) {
 /// All that the store and what lies beside it say of this program.
 reports::ReportInput report_input(const ReportOptions& options) {
   reports::ReportInput input;
-  input.provenance = store::current_provenance();
+  const store::Provenance own = store::current_provenance();
+  input.digest = own.digest, input.written = own.time;
   input.studies = own_results(options.db);
   const std::filesystem::path folder = goldens_for(input.studies, options.goldens);
   require_apart("--out", options.out, {options.db, folder, published()});
@@ -105,13 +105,14 @@ reports::ReportInput report_input(const ReportOptions& options) {
   input.alarms = own_alarms();
   input.histories = histories_in(store);
   input.earlier = earlier_version(store, goldens, input.studies);
-  add_times_and_codes(input, store);
+  input.provenances = provenances_of(input.studies, store);
+  input.codes = code_series_of(input);
   for (const records::StudyResult& study : input.studies) {
     input.dimensions[study.name] = dimension_of(study);
     if (auto commands = case_commands(study); !commands.empty()) input.commands[study.name] = std::move(commands);
     input.calls[study.name] = study_call(study);
   }
-  input.benchmark = own_benchmark(options.db, input.provenance.digest);
+  input.benchmark = own_benchmark(options.db, input.digest);
   return input;
 }
 

@@ -15,6 +15,7 @@
 #include "reports/alarm_counts.hpp"
 #include "reports/mutation_claim.hpp"
 #include "reports/mutation_results.hpp"
+#include "reports/origin.hpp"
 #include "studies/claims/claim.hpp"
 #include "studies/claims/trend.hpp"
 #include "studies/store/provenance.hpp"
@@ -63,6 +64,16 @@ inline void require_own_results(const std::vector<records::StudyResult>& studies
       fmt::format("{} holds no study of this program, whose digest is {}, but of {} (run `mpmvv study` first; `mpmvv "
                   "figure` can also draw results of another version, with --of)",
                   db, store::in_short(store::current_provenance().digest), fmt::join(others, ", ")));
+}
+
+/// Where these results of the running program's own digest come from.
+inline reports::Provenances provenances_of(const std::vector<records::StudyResult>& studies,
+                                           const store::Store& store) {
+  reports::Provenances provenances;
+  for (const records::StudyResult& study : studies)
+    if (auto kept = store.study_provenance(study.name, store::current_provenance().digest))
+      provenances[study.name] = std::move(*kept);
+  return provenances;
 }
 
 /// Where the mutation campaign and `./run alarms` publish their results: in the tree here or, where there is none, in

@@ -44,6 +44,14 @@ std::string ratio(double value) {
   return std::isnan(value) ? "–" : fmt::format("{:.2f}", value);
 }
 
+/// A difference of numbers with no more digits than their ranges, which add, bear.
+std::string to_range(double value, double range) {
+  if (!(range > 0)) return three_digits(value);
+  const int place = static_cast<int>(std::floor(std::log10(range)));
+  const double unit = std::pow(10, std::max(0, place));
+  return fmt::format("{:.{}f}", std::round(value / unit) * unit + 0.0, std::max(0, -place));
+}
+
 double machine(const Benchmark& benchmark, const std::string& name, const std::string& counter) {
   const BenchmarkRow* row = benchmark.find("machine/" + name);
   return row ? row->median(counter) : support::not_measured;
@@ -121,9 +129,12 @@ Table skip_table(const Benchmark& benchmark) {
   for_pairs(benchmark, "skip", "paid", "skipped",
             [&](const std::string&, const BenchmarkRow& paid, const BenchmarkRow& skipped) {
               const double with = paid.median(per_step), without = skipped.median(per_step);
-              group_titled(table, "").rows.push_back({paid.label, nanoseconds(with), percent(paid.range(per_step)),
-                                                      nanoseconds(without), percent(skipped.range(per_step)),
-                                                      nanoseconds(with - without), percent((with - without) / with)});
+              const double of_with = paid.range(per_step), of_without = skipped.range(per_step);
+              const double saved = 1e9 * (with - without), range = 1e9 * (with * of_with + without * of_without);
+              const double share = 100 * without / with;
+              group_titled(table, "").rows.push_back({paid.label, nanoseconds(with), percent(of_with),
+                                                      nanoseconds(without), percent(of_without), to_range(saved, range),
+                                                      to_range(100 - share, share * (of_with + of_without))});
             });
   return table;
 }

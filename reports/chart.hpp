@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ struct Dot {
   double drawn = 0;  ///< where the mark stands on the y axis
   Mark mark = Mark::inside;
   double shade = support::not_measured;  ///< its colour on the chart's scale, where its curve has squares
-  double half_range = 0;                 ///< of x, drawn as a bar to either side; 0: none
+  double least_x = support::not_measured, most_x = support::not_measured;  ///< a bar from one to the other; NaN: none
 };
 
 /// How a curve is told from others: by a number of its own, or as a member of a group that shares colour and marker,
@@ -52,6 +53,15 @@ inline constexpr double report_letter = 0.04, paper_letter = 0.06;
 /// Whether the curve has an entry in the key.
 inline bool has_key(const Curve& curve) {
   return !curve.key.empty() && !curve.dots.empty();
+}
+
+inline bool has_range(const Dot& dot) {
+  return dot.least_x < dot.most_x;
+}
+
+/// Whether a dot of the curve has a range in x.
+inline bool has_ranges(const Curve& curve) {
+  return std::ranges::any_of(curve.dots, has_range);
 }
 
 struct Place {

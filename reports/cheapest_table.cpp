@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reports/chart.hpp"
+#include "reports/process_time.hpp"
 #include "reports/table.hpp"
 #include "reports/text.hpp"
 #include "studies/claims/samples.hpp"
@@ -74,16 +75,20 @@ Table cheapest_table(const records::StudyResult& study) {
               {"error", "cheapest", "cheapest, s", "as cheap within intervals", "next", "next, s", "times as much",
                "do not reach it"},
               {}};
+  std::vector<const records::Series*> shown;
   for (const records::Figure& figure : study.figures) {
     if (figure.kind != records::Figure::Kind::work_precision) continue;
-    const std::size_t all = figure_series(study, figure).size();
+    const auto drawn = figure_series(study, figure);
+    for (const records::Series* series : drawn)
+      if (std::ranges::find(shown, series) == shown.end()) shown.push_back(series);
     Table::Group group{fmt::format("{}: {}", figure.name, figure.quantity), {}};
     for (const double error : error_decades(study, figure)) {
       const auto ranked = bids(error, study, figure);
-      if (!ranked.empty()) group.rows.push_back(row_of(error, ranked, all));
+      if (!ranked.empty()) group.rows.push_back(row_of(error, ranked, drawn.size()));
     }
     if (!group.rows.empty()) table.groups.push_back(std::move(group));
   }
+  table.note = process_time_note(shown);
   return table;
 }
 

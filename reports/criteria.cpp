@@ -111,11 +111,24 @@ bool hangs_on_a_number(const ClaimPart& part) {
   return part.verdict != PartVerdict::inconclusive || reaches_across_a_bound(part, deciding_number(part));
 }
 
+/// "; study w-fig3" behind what one of several studies says; else empty.
+std::string study_text(const claims::Claim& claim, const claims::JudgedPart& line) {
+  const bool is_only = std::ranges::all_of(claim.parts, [&](const auto& other) { return other.study == line.study; });
+  return is_only ? "" : "; study " + line.study;
+}
+
 /// The first criterion of a verdict that hangs on no number.
 std::string without_number(const claims::Claim& claim, PartVerdict verdict) {
   const auto line = std::ranges::find(claim.parts, verdict, [](const auto& l) { return l.part.verdict; });
   const bool says_more = line != claim.parts.end() && verdict != PartVerdict::holds;
-  return says_more ? fmt::format("{}: {}", line->part.statement, to_string(verdict)) : "";
+  return says_more ? fmt::format("{}: {}{}", line->part.statement, to_string(verdict), study_text(claim, *line)) : "";
+}
+
+/// By what the criteria of a verdict are ordered, the deciding one first: how far its number lies inside its bounds. A
+/// number on its bound, as a share of 1 or a count, is last: most often it can lie nowhere else.
+std::pair<bool, double> rank(const ClaimPart& part) {
+  const double inside = margin(part, deciding_number(part));
+  return {inside == 0, inside};
 }
 
 }  // namespace
@@ -152,17 +165,17 @@ std::string undecided_text(const ClaimPart& part) {
 std::string deciding_text(const claims::Claim& claim) {
   using enum PartVerdict;
   const PartVerdict decisive = count(claim, fails) > 0 ? fails : count(claim, inconclusive) > 0 ? inconclusive : holds;
-  const ClaimPart* deciding = nullptr;
-  const auto margin_of = [](const ClaimPart& part) { return margin(part, deciding_number(part)); };
-  for (const auto& [study, part] : claim.parts)
-    if (part.verdict == decisive && hangs_on_a_number(part))
-      if (deciding == nullptr || margin_of(part) < margin_of(*deciding)) deciding = &part;
+  const claims::JudgedPart* deciding = nullptr;
+  for (const claims::JudgedPart& line : claim.parts)
+    if (line.part.verdict == decisive && hangs_on_a_number(line.part))
+      if (deciding == nullptr || rank(line.part) < rank(deciding->part)) deciding = &line;
   if (deciding == nullptr) return without_number(claim, decisive);
-  const Found& found = deciding_number(*deciding);
-  const std::string subject = deciding->measure == "value" ? deciding->statement + ": " : "";
-  return fmt::format("{}{}: {}{} (asked: {}{})", subject, found.what, found_text(*deciding, found.value),
-                     claims::interval_and_remark(*deciding, found), asked_text(*deciding),
-                     decisive == inconclusive ? "; inconclusive" : "");
+  const ClaimPart& part = deciding->part;
+  const Found& found = deciding_number(part);
+  const std::string subject = part.measure == "value" ? part.statement + ": " : "";
+  return fmt::format("{}{}: {}{} (asked: {}{}{})", subject, found.what, found_text(part, found.value),
+                     claims::interval_and_remark(part, found), asked_text(part),
+                     decisive == inconclusive ? "; inconclusive" : "", study_text(claim, *deciding));
 }
 
 std::string count_text(const claims::Claim& claim) {

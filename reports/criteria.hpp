@@ -18,9 +18,11 @@ std::string told_from_bounds(const records::ClaimPart& part, double value);
 std::string undecided_text(const records::ClaimPart& part);
 
 /// The number on which a claim's verdict hangs, "order of 'linear': 0.43 ± 0.02 (asked: at most 0.5)": of the criteria
-/// that decide it, the one that lies farthest beyond its bound or, where none fails, nearest to it; where an interval
-/// leaves one open, by the interval. A check's value does not name what it is of: its criterion's statement stands
-/// before it. Where the verdict hangs on no number it is the statement of the first criterion that does not hold.
+/// that decide it, the one that lies farthest beyond its bound or, where none fails, nearest to it (one on its
+/// bound only where there is no other); where an interval leaves one open, by the interval. Where several studies judge
+/// the claim, that of the number stands behind it. A check's value does not name what it is of: its criterion's
+/// statement stands before it. Where the verdict hangs on no number it is the statement of the first criterion that
+/// does not hold.
 std::string deciding_text(const claims::Claim& claim);
 
 /// "7 of 8 criteria hold", "shown in figures", "not judged yet".

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "reports/page_frame.hpp"
 #include "reports/text.hpp"
@@ -54,17 +55,23 @@ Tile gate_tile(const ReportInput& input) {
   return tile;
 }
 
+std::string confirmed_text(const std::vector<claims::Claim>& claims) {
+  const auto confirmed = std::ranges::count(claims, claims::Claim::Verdict::confirmed, &claims::Claim::verdict);
+  return fmt::format("{} of {}", confirmed, claims.size());
+}
+
 Tile claims_tile(const ReportInput& input) {
   const auto& claims = input.claims;
-  const auto confirmed = std::ranges::count(claims, claims::Claim::Verdict::confirmed, &claims::Claim::verdict);
-  Tile tile{"Claims",
-            claims.empty() ? "#studies" : "#claims",
-            claims.empty() ? "none" : fmt::format("{} of {}", confirmed, claims.size()),
-            "",
-            "",
-            ""};
-  tile.detail = claims.empty() ? "no study names a claim" : claim_counts(claims);
-  if (!input.earlier || claims.empty()) return tile;
+  if (claims.empty()) return {"Claims", "#studies", "none", "", "no study names a claim", ""};
+  Tile tile{"Claims", "#claims", confirmed_text(claims), "", claim_counts(claims), ""};
+  std::vector<claims::Claim> own, of_papers;
+  std::ranges::partition_copy(claims, std::back_inserter(own), std::back_inserter(of_papers), is_own);
+  if (!own.empty() && !of_papers.empty()) {
+    tile.number = confirmed_text(of_papers);
+    tile.detail = fmt::format("of the papers are confirmed, {} of our own; all together: {}", confirmed_text(own),
+                              claim_counts(claims));
+  }
+  if (!input.earlier) return tile;
   std::vector<std::string> changes;
   for (const claims::Claim& claim : claims) {
     const auto then = input.earlier->claims.find(claim.id);
@@ -113,10 +120,10 @@ Tile cost_tile(const ReportInput& input) {
 }
 
 Tile age_tile(const ReportInput& input) {
-  const std::string time = input.newest_result.empty() ? input.provenance.time : input.newest_result;
+  const auto origins = origins_of(input.provenances);
+  const std::string time = origins.empty() ? "" : origins.front().provenance.time;
   Tile tile{"Newest result", "#provenance", time, "", "", "", true};
-  tile.detail = fmt::format("of {} {}, version {}", input.studies.size(),
-                            input.studies.size() == 1 ? "study" : "studies", version_text(input.provenance));
+  tile.detail = fmt::format("of {}, version {}", studies_text(input.studies.size()), versions_text(origins));
   if (input.earlier)
     tile.change = fmt::format("{} of {} results differ from {}", input.earlier->changes.differ.size(),
                               input.earlier->changes.compared, input.earlier->label);

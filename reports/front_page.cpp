@@ -78,8 +78,10 @@ bool shows_shipped(const ReportInput& input) {
   return std::ranges::any_of(input.calls, [](const auto& call) { return call.second.study == call.first; });
 }
 
-data provenance_data(const store::Provenance& p) {
-  return object({{"digest", p.digest},
+data provenance_data(const Origin& origin) {
+  const store::Provenance& p = origin.provenance;
+  return object({{"studies", studies_text(origin.studies)},
+                 {"digest", p.digest},
                  {"commit", p.commit},
                  {"dirty", p.dirty},
                  {"compiler", p.compiler},
@@ -119,7 +121,7 @@ Page front_page(const ReportInput& input, const std::vector<Section>& sections) 
   const auto row = [&](const records::StudyResult& study) { return study_row(input, study); };
   return framed_page("index.html", "mpmvv: " + gate_text(gate), front_template, input,
                      object({{"tiles", first_screen(input)},
-                             {"groups", failing_goldens(gate.judged)},
+                             {"groups", failing_goldens(gate.judged, input.studies)},
                              {"has_failing", gate_verdict(gate.judged).value_or(Verdict::pass) != Verdict::pass},
                              {"has_gate", !gate.judged.empty()},
                              {"missing", missing_goldens_text(gate.without_study)},
@@ -131,7 +133,8 @@ Page front_page(const ReportInput& input, const std::vector<Section>& sections) 
                              {"studies", list_of(input.studies, row)},
                              {"study_cards", study_cards(sections)},
                              {"has_shipped", shows_shipped(input)},
-                             {"provenance", provenance_data(input.provenance)}}));
+                             {"origins", list_of(origins_of(input.provenances), provenance_data)},
+                             {"written", input.written}}));
 }
 
 }  // namespace mpmvv::reports

@@ -10,9 +10,25 @@ namespace mpmvv::reports {
 using namespace template_data;
 using records::Verdict;
 
-data gate_group_data(const GateGroup& group) {
-  const auto line = [](const GateLine& g) {
+namespace {
+
+/// What the value of a check means that a golden is of; empty for other goldens.
+std::string meaning_of(const GateLine& golden, const std::vector<records::StudyResult>& studies) {
+  const auto study = std::ranges::find(studies, golden.study, &records::StudyResult::name);
+  if (study == studies.end()) return "";
+  for (const records::Value& value : study->values)
+    if (golden.name == fmt::format("value '{}'", value.name)) return value.meaning;
+  return "";
+}
+
+}  // namespace
+
+data gate_group_data(const GateGroup& group, const std::vector<records::StudyResult>& studies) {
+  const auto line = [&](const GateLine& g) {
+    const std::string meaning = meaning_of(g, studies);
     return object({{"name", g.name},
+                   {"meaning", meaning},
+                   {"has_meaning", !meaning.empty()},
                    {"verdict", to_string(g.verdict)},
                    {"expected", g.expected},
                    {"measured", g.measured},
@@ -27,10 +43,10 @@ data gate_group_data(const GateGroup& group) {
                  {"lines", list_of(group.lines, line)}});
 }
 
-data failing_goldens(const std::vector<GateLine>& judged) {
+data failing_goldens(const std::vector<GateLine>& judged, const std::vector<records::StudyResult>& studies) {
   std::vector<GateLine> lines;
   std::ranges::copy_if(judged, std::back_inserter(lines), [](const GateLine& g) { return g.verdict != Verdict::pass; });
-  return list_of(gate_groups(lines), gate_group_data);
+  return list_of(gate_groups(lines), [&](const GateGroup& group) { return gate_group_data(group, studies); });
 }
 
 std::string missing_goldens_text(const std::vector<GateLine>& lines) {

@@ -12,7 +12,7 @@ using namespace template_data;
 namespace {
 
 data titled_group(const ReportInput& input, const GateGroup& group) {
-  data content = gate_group_data(group);
+  data content = gate_group_data(group, input.studies);
   const auto study = std::ranges::find(input.studies, group.study, &records::StudyResult::name);
   if (study != input.studies.end()) content.set("study_title", study->title);
   return content;

@@ -23,13 +23,9 @@ Page framed_page(const std::string& file, const std::string& title, std::string_
   content.set("has_codes", !input.codes.empty());
   content.set("has_mutants", input.mutation.has_value());
   content.set("has_benchmark", input.benchmark.has_value());
-  content.set("version", version_text(input.provenance));
+  content.set("version", versions_text(origins_of(input.provenances)));
   kainjow::mustache::mustache page{std::string(text)};
   return {file, marked_up_text(page.render(content))};
-}
-
-std::string version_text(const store::Provenance& provenance) {
-  return store::in_short(provenance.commit + (provenance.dirty ? "-dirty" : ""));
 }
 
 std::string command_of(const ReportInput& input, const std::vector<std::string>& studies) {

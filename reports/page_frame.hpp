@@ -13,9 +13,6 @@ namespace mpmvv::reports {
 Page framed_page(const std::string& file, const std::string& title, std::string_view text, const ReportInput& input,
                  template_data::data content);
 
-/// The commit of a program as short as people write it, and whether its tree was dirty.
-std::string version_text(const store::Provenance& provenance);
-
 /// The command that runs these studies once more.
 std::string command_of(const ReportInput& input, const std::vector<std::string>& studies);
 

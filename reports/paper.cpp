@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "page_template.hpp"
 #include "reports/paper_document.hpp"
 #include "reports/plot.hpp"
@@ -114,18 +116,32 @@ std::vector<std::string> words_on_absent(const std::vector<std::string>& papers)
   return words;
 }
 
-std::string main_text(const PaperDocument& document, const store::Provenance& provenance, const Sheet& column) {
+std::vector<Origin> origins_of_shown(const PaperDocument& document, Provenances provenances) {
+  std::erase_if(provenances, [&](const auto& of_study) {
+    return std::ranges::find(document.shown(), of_study.first, &StudyResult::name) == document.shown().end();
+  });
+  return origins_of(provenances);
+}
+
+data origin_data(const Origin& origin) {
+  const store::Provenance& p = origin.provenance;
+  return object({{"commit", latex_text(p.commit + (p.dirty ? " with changes" : ""))},
+                 {"digest", latex_text(p.digest)},
+                 {"compiler", latex_text(p.compiler + ", " + p.build_type)},
+                 {"flags", latex_text(p.flags)},
+                 {"cpu", latex_text(p.cpu)},
+                 {"studies", studies_text(origin.studies)},
+                 {"date", p.time.substr(0, 10)}});
+}
+
+std::string main_text(const PaperDocument& document, const std::vector<Origin>& origins, const Sheet& column) {
   constexpr double margins = 36;  ///< mm
-  const std::string changed = provenance.dirty ? " with changes" : "";
   const std::vector<PaperPart>& parts = document.parts();
   kainjow::mustache::mustache text{std::string(paper_template)};
   const auto set = [&](const PaperPart& part) { return part_data(part, column, &part == &parts.front()); };
-  return text.render(object({{"commit", latex_text(store::in_short(provenance.commit) + changed)},
-                             {"whole_commit", latex_text(provenance.commit + changed)},
-                             {"digest", latex_text(provenance.digest)},
-                             {"compiler", latex_text(provenance.compiler + ", " + provenance.build_type)},
-                             {"flags", latex_text(provenance.flags)},
-                             {"date", provenance.time.substr(0, 10)},
+  return text.render(object({{"versions", latex_text(versions_text(origins))},
+                             {"date", origins.empty() ? "" : origins.front().provenance.time.substr(0, 10)},
+                             {"origins", list_of(origins, origin_data)},
                              {"text_width", fmt::format("{:g}", two_columns(column))},
                              {"page_width", fmt::format("{:g}", two_columns(column) + margins)},
                              {"absent", list_of(words_on_absent(document.absent()),
@@ -143,7 +159,7 @@ void require_own_document(const fs::path& main) {
 
 }  // namespace
 
-PaperSummary write_paper(const std::vector<StudyResult>& studies, const store::Provenance& provenance,
+PaperSummary write_paper(const std::vector<StudyResult>& studies, const Provenances& provenances,
                          const fs::path& out_dir, const Sheet& column, const std::vector<std::string>& names) {
   require_own_document(out_dir / "main.tex");
   const PaperDocument document(studies, column, names);
@@ -162,7 +178,7 @@ PaperSummary write_paper(const std::vector<StudyResult>& studies, const store::P
   }
   const auto absent = words_on_absent(document.absent());
   summary.without.insert(summary.without.end(), absent.begin(), absent.end());
-  support::write_if_changed(out_dir / "main.tex", main_text(document, provenance, column));
+  support::write_if_changed(out_dir / "main.tex", main_text(document, origins_of_shown(document, provenances), column));
   summary.remarks = remarks_on(document.parts());
   return summary;
 }

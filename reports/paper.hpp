@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "reports/origin.hpp"
 #include "reports/sheet.hpp"
 #include "studies/records/result.hpp"
-#include "studies/store/provenance.hpp"
 
 namespace mpmvv::reports {
 
@@ -20,9 +20,9 @@ struct PaperSummary {
 /// Writes OUT/main.tex, which latexmk compiles, OUT/figures/NAME.{tex,pdf,gp,dat} and OUT/tables/*.tex: the figures of
 /// the papers in their order, then those of all other studies, and in each part its fitted orders (orders-KEY.tex), its
 /// extrapolated values (extrapolations-KEY.tex) and the errors of each study (errors-STUDY.tex). With names, what these
-/// mean, in their order (PaperDocument). Throws UsageError when a name means nothing, gnuplot is missing or fails, or a
-/// file cannot be written.
-PaperSummary write_paper(const std::vector<records::StudyResult>& studies, const store::Provenance& provenance,
+/// mean, in their order (PaperDocument). It says of the studies that it shows where they come from. Throws UsageError
+/// when a name means nothing, gnuplot is missing or fails, or a file cannot be written.
+PaperSummary write_paper(const std::vector<records::StudyResult>& studies, const Provenances& provenances,
                          const std::filesystem::path& out_dir, const Sheet& column,
                          const std::vector<std::string>& names = {});
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <regex>
 
 #include "reports/convergence_table.hpp"
@@ -38,11 +37,6 @@ std::string whole_caption(const Chart& chart, const std::string& caption) {
   if (!chart.trial.empty()) text += " " + latex_text(chart.trial);
   for (const std::string& omission : chart.omissions) text += " " + latex_of(omission);
   return text;
-}
-
-bool is_of(const StudyResult& study, const Paper& paper) {
-  const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(paper.key[0])));
-  return study.name.starts_with(std::string{letter, '-'});
 }
 
 template <class Belongs>
@@ -81,6 +75,7 @@ PaperDocument::PaperDocument(const std::vector<StudyResult>& studies, const Shee
     add(the_named(names));
     return;
   }
+  for (const StudyResult& study : studies) shown_.push_back(&study);
   for (const Paper& paper : papers()) {
     PaperPart part = part_of(paper);
     if (!has_results(part)) absent_.push_back(paper.source);
@@ -97,7 +92,7 @@ void PaperDocument::add(PaperPart part) {
 PaperPart PaperDocument::part_of(const Paper& paper) {
   PaperPart part{paper.source, {}, {}, {}};
   part.tables =
-      printed_tables(studies_where(studies_, [&](const StudyResult& s) { return is_of(s, paper); }), paper.key);
+      printed_tables(studies_where(studies_, [&](const StudyResult& s) { return paper.has(s.name); }), paper.key);
   for (const PaperFigure& figure : paper.figures) add_figure(part, figure, paper.key + " Fig. " + figure.number);
   return part;
 }
@@ -133,7 +128,7 @@ PaperPart PaperDocument::the_rest() const {
     for (const Chart& chart : of_study)
       if (!taken_.contains(chart.name)) part.figures.push_back(alone(chart));
   const auto is_further = [](const StudyResult& study) {
-    return std::ranges::none_of(papers(), [&](const Paper& paper) { return is_of(study, paper); });
+    return std::ranges::none_of(papers(), [&](const Paper& paper) { return paper.has(study.name); });
   };
   part.tables = printed_tables(studies_where(studies_, is_further), "further");
   return part;
@@ -150,9 +145,8 @@ std::vector<std::string> PaperDocument::charts_named(const std::string& name) co
 
 PaperPart PaperDocument::the_named(const std::vector<std::string>& names) {
   PaperPart part{"Figures and tables", {}, {}, {}};
-  Chosen chosen;
   const auto add_study = [&](const StudyResult* study) {
-    if (std::ranges::find(chosen, study) == chosen.end()) chosen.push_back(study);
+    if (std::ranges::find(shown_, study) == shown_.end()) shown_.push_back(study);
   };
   for (const std::string& name : names) {
     const auto charts = charts_named(name);
@@ -162,7 +156,7 @@ PaperPart PaperDocument::the_named(const std::vector<std::string>& names) {
     }
     if (charts.empty()) add_study(&*std::ranges::find(studies_, name, &StudyResult::name));
   }
-  part.tables = printed_tables(chosen, "named");
+  part.tables = printed_tables(shown_, "named");
   return part;
 }
 

@@ -48,6 +48,9 @@ class PaperDocument {
   /// studies.
   const std::vector<std::string>& absent() const { return absent_; }
 
+  /// The studies of which it shows something: with names those that they mean, else all.
+  const std::vector<const records::StudyResult*>& shown() const { return shown_; }
+
  private:
   void add(PaperPart part);
   PaperPart part_of(const Paper& paper);
@@ -65,6 +68,7 @@ class PaperDocument {
   std::set<std::string> taken_;                                  ///< charts
   std::vector<PaperPart> parts_;
   std::vector<std::string> absent_;
+  std::vector<const records::StudyResult*> shown_;
 };
 
 /// "(a)", "(b)".

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "page_template.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/toml_file.hpp"
@@ -29,13 +31,18 @@ PaperFigure figure_from(const support::TomlTable& table) {
 }
 
 Paper paper_from(const support::TomlTable& table) {
-  table.allow_only({"key", "source", "figure"});
-  Paper paper{table.text("key"), table.text("source"), {}};
+  table.allow_only({"key", "source", "series", "figure"});
+  Paper paper{table.text("key"), table.text("source"), {}, table.texts("series")};
   for (const auto& figure : table.tables("figure")) paper.figures.push_back(figure_from(figure));
   return paper;
 }
 
 }  // namespace
+
+bool Paper::has(const std::string& study) const {
+  const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(key[0])));
+  return study.starts_with(std::string{letter, '-'});
+}
 
 std::vector<Paper> read_papers(const std::string& text, const std::string& name) {
   std::vector<Paper> all;

@@ -27,6 +27,9 @@ struct Paper {
   std::string key;  ///< S; its studies' names begin with `s-`
   std::string source;
   std::vector<PaperFigure> figures;
+  std::vector<std::string> series = {};  ///< that have the same look in all studies of the paper
+
+  bool has(const std::string& study) const;
 };
 
 /// The papers of reports/papers.toml.

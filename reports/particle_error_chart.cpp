@@ -113,7 +113,7 @@ bool lacks_mirror_images(const LastRun& run) {
          (is_beside(&ParticleError::x) || is_beside(&ParticleError::y));
 }
 
-/// The series of which nothing is drawn as no run came to its end.
+/// The series of which nothing is drawn as no run is sound.
 std::vector<std::string> never_sound(const records::StudyResult& study, const records::Figure& figure) {
   std::vector<std::string> names;
   for (const Series* series : figure_series(study, figure))
@@ -136,13 +136,13 @@ void add_notes(Chart& chart, const records::StudyResult& study, const records::F
   if (chart.shades)
     chart.notes.emplace_back(
         "Blue is a large error, yellow a small one. Squares are as large as a particle's share of the body; where they "
-        "overlap, "
-        "the largest error is on top. Where particles are many, a square stands for neighbours, with their RMS error.");
+        "overlap, the largest error is on top, and larger ones behind them close gaps of a stretched body. Where "
+        "particles are many, a square stands for neighbours, with their RMS error.");
   if (chart.shades && std::ranges::any_of(runs, [](const LastRun& run) { return run.errors().size() == 1; }))
     chart.notes.emplace_back("How large a lone particle is is not known: its square is a guess.");
   if (const auto names = never_sound(study, figure); !names.empty())
     chart.omissions.push_back(
-        fmt::format("Not drawn, as none of its runs came to the end: {}.", fmt::join(names, "; ")));
+        fmt::format("Not drawn, as all its runs are unstable or failed: {}.", fmt::join(names, "; ")));
   if (std::ranges::any_of(runs, lacks_mirror_images))
     chart.omissions.emplace_back(
         "A part of the body was run; its mirror images in planes across the axes, which make the rest, are not drawn.");

@@ -27,13 +27,13 @@ std::string plot_data(const Chart& chart) {
     text += fmt::format("# {}: x, value, drawn at, mark (1 in a window, 0 outside, -1 unstable, -2 none){}\n",
                         one_line(curve.name),
                         curve.square > 0 ? ", error"
-                        : has_bars       ? ", half of the range of x"
+                        : has_bars       ? ", smallest and largest x"
                                          : "");
     for (const auto& d : curve.dots) {
       const int mark = d.mark == Mark::inside ? 1 : d.mark == Mark::outside ? 0 : d.mark == Mark::unstable ? -1 : -2;
       text += fmt::format("{} {} {} {}{}\n", plot_number(d.x), plot_number(d.value), plot_number(d.drawn), mark,
                           curve.square > 0 ? " " + plot_number(d.shade)
-                          : has_bars       ? " " + plot_number(d.half_range)
+                          : has_bars       ? fmt::format(" {} {}", plot_number(d.least_x), plot_number(d.most_x))
                                            : "");
     }
     text += "\n\n";

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int cross = 2;
 constexpr double half_shown = 0.44;  ///< of a box's width, on either side of its centre
+constexpr double behind = 1.3;       ///< of a square's width: of one behind it that closes gaps to its neighbours
 
 std::string rule_style(const Rule& rule) {
   switch (rule.kind) {
@@ -105,13 +106,15 @@ class Elements {
       marks.push_back(points_text(index, mark, type, look, mark == 1 ? thinning(curve) : ""));
     };
     if (curve.square > 0) {
-      marks.push_back(fmt::format("data index {0} using 1:3:({1}):({1}):5 with boxxyerror fs solid noborder lc palette",
-                                  index, plot_number(0.5 * curve.square)));
+      for (const double part : {behind, 1.0})
+        marks.push_back(
+            fmt::format("data index {0} using 1:3:({1}):({1}):5 with boxxyerror fs solid noborder lc palette", index,
+                        plot_number(0.5 * part * curve.square)));
       return;
     }
     if (has_ranges(curve))
-      marks.push_back(fmt::format("data index {} using 1:3:($1-$5):($5>0?$1+$5:NaN) with xerrorbars pt -1 lw 1 {}",
-                                  index, colour_of(curve.style)));
+      marks.push_back(
+          fmt::format("data index {} using 1:3:5:6 with xerrorbars pt -1 lw 1 {}", index, colour_of(curve.style)));
     const auto [filled, hollow] = marker_of(curve.style);
     const auto add_hollow = [&, filled = filled, hollow = hollow](int mark) {
       points(mark, filled, size(curve.size) + "lc rgb '#FFFFFF'");
@@ -148,10 +151,6 @@ std::string quoted(const std::string& text, Notation notation) {
 
 std::string plot_elements(const Chart& chart, double mark_scale) {
   return Elements(chart, mark_scale).text();
-}
-
-bool has_ranges(const Curve& curve) {
-  return std::ranges::any_of(curve.dots, [](const Dot& dot) { return dot.half_range > 0; });
 }
 
 int key_marker(const Curve& curve) {

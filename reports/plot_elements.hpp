@@ -27,9 +27,6 @@ std::string placed_key(const Layout& layout, Notation notation, double mark_scal
 /// The point type that stands for a curve: filled, or a cross where nothing else of it is drawn.
 int key_marker(const Curve& curve);
 
-/// Whether a dot of the curve has a range in x.
-bool has_ranges(const Curve& curve);
-
 /// The data that plot_elements refers to: a block for each curve that has dots, for each rule, one for the boxes and
 /// one for the band of the unstable, in the order in which it counts them. gnuplot would not count an empty block.
 std::string plot_data(const Chart& chart);

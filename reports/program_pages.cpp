@@ -33,7 +33,7 @@ std::vector<Page> program_pages(const ReportInput& input) {
     pages.push_back(framed_page("mutants.html", "Planted mistakes", mutants_template, input,
                                 object({{"tables", list_of(mutant_tables(*input.mutation, input.alarms), table_data)},
                                         {"is_summary", input.mutation->mistakes.empty()},
-                                        {"is_of_another_build", input.mutation->digest != input.provenance.digest},
+                                        {"is_of_another_build", input.mutation->digest != input.digest},
                                         {"commit", store::in_short(input.mutation->commit)}})));
   return pages;
 }

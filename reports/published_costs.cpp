@@ -77,9 +77,10 @@ Table others_table(const Benchmark& benchmark, const std::vector<PublishedCost>&
     auto group = std::ranges::find(table.groups, code.on, &Table::Group::title);
     if (group == table.groups.end()) group = table.groups.insert(group, Table::Group{code.on, {}});
     const double ours = own->median("per_particle_step");
+    const bool is_comparable = code.hardware != "not said";
     group->rows.push_back({code.name, code.what, code.precision, code.hardware, code.published,
                            three_digits(1e9 * code.per_particle_step()), three_digits(1e9 * ours),
-                           three_digits(code.per_particle_step() / ours), code.source.substr(scheme.size()),
+                           is_comparable ? three_digits(code.per_particle_step() / ours) : "–", code.source,
                            code.date});
   }
   return table;

@@ -10,13 +10,13 @@
 #include "reports/alarm_counts.hpp"
 #include "reports/benchmark.hpp"
 #include "reports/mutation_results.hpp"
+#include "reports/origin.hpp"
 #include "reports/study_call.hpp"
 #include "studies/claims/claim.hpp"
 #include "studies/claims/trend.hpp"
 #include "studies/records/result.hpp"
 #include "studies/records/verdict.hpp"
 #include "studies/store/code_series.hpp"
-#include "studies/store/provenance.hpp"
 #include "studies/store/version.hpp"
 
 namespace mpmvv::reports {
@@ -67,7 +67,9 @@ struct ReportInput {
   std::vector<records::StudyResult> studies;
   std::vector<GateLine> gate;
   std::vector<claims::Claim> claims;
-  store::Provenance provenance;
+  std::string digest;       ///< of the program
+  std::string written;      ///< when, ISO 8601, UTC
+  Provenances provenances;  ///< of the studies
   std::optional<Benchmark> benchmark = {};
   std::vector<History> histories = {};  ///< of our own program and of other codes, where there are two versions
   std::optional<MutationResults> mutation = {};
@@ -77,7 +79,6 @@ struct ReportInput {
   std::map<std::string, std::vector<SeriesCommand>> commands = {};  ///< by study
   std::map<std::string, int> dimensions = {};                       ///< of the bodies, by study; 0 where they differ
   std::map<std::string, StudyCall> calls = {};  ///< by study; a study without one is called by its file, STUDY.toml
-  std::string newest_result = {};               ///< its time, ISO 8601, UTC; may be empty
 };
 
 /// What a call wrote: files whose content is already right are left alone.
@@ -91,9 +92,9 @@ struct ReportSummary {
 /// OUT/claims/, and where there is something to show benchmark.html, codes.html, mutants.html and trend.html;
 /// OUT/figures/ NAME.{gp,dat,svg,pdf} (STUDY~NAME where studies share the name), OUT/trends/NAME.*,
 /// OUT/tables/STUDY.csv, STUDY.tex and, where there are any, WHAT/STUDY.csv, program/benchmark.tex, program/codes.tex
-/// and program/mutants.tex. Nothing leads outside OUT. What an earlier report wrote there and this one does not is
-/// removed. Throws UsageError, and leaves OUT as it was, when a file cannot be written, is no report's, or gnuplot is
-/// missing or fails.
+/// and program/mutants.tex. Nothing comes from outside OUT, and only links to the sources of published costs lead
+/// there. What an earlier report wrote in OUT and this one does not is removed. Throws UsageError, and leaves OUT as it
+/// was, when a file cannot be written, is no report's, or gnuplot is missing or fails.
 ReportSummary write_report(const ReportInput& input, const std::filesystem::path& out_dir,
                            const std::function<void(const std::string&)>& progress);
 

@@ -121,7 +121,7 @@ Page study_page(const ReportInput& input, const Section& section) {
                              {"goldens", gate_counts(goldens)},
                              {"has_goldens", !goldens.empty()},
                              {"study_anchor", anchor(study.name)},
-                             {"groups", failing_goldens(goldens)},
+                             {"groups", failing_goldens(goldens, input.studies)},
                              {"commands", commands},
                              {"has_commands", commands.is_non_empty_list()},
                              {"command", command_of(input, {study.name})},

@@ -36,8 +36,14 @@ std::string css_class(const ColumnKind& kind) {
 data table_data(const Table& table) {
   std::vector<ColumnKind> kinds;
   for (std::size_t c = 0; c < table.columns.size(); ++c) kinds.push_back(kind_of_column(table, c));
+  constexpr std::string_view https = "https://";
   const auto cell = [&](const std::vector<std::string>& texts, std::size_t c) {
-    return object({{"text", texts[c]}, {"number", kinds[c].number}, {"kind", css_class(kinds[c])}});
+    const bool is_address = texts[c].starts_with(https);
+    return object({{"text", is_address ? texts[c].substr(https.size()) : texts[c]},
+                   {"address", texts[c]},
+                   {"is_address", is_address},
+                   {"number", kinds[c].number},
+                   {"kind", css_class(kinds[c])}});
   };
   const auto cells = [&](const std::vector<std::string>& texts, std::size_t from) {
     data list{data::type::list};

@@ -4,7 +4,7 @@
 
 namespace mpmvv::reports {
 
-/// A table for its template: numbers stand on the right, short texts in one line.
+/// A table for its template: numbers stand on the right, short texts in one line, addresses are links.
 template_data::data table_data(const Table& table);
 
 }  // namespace mpmvv::reports

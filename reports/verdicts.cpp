@@ -32,6 +32,10 @@ std::string claim_counts(const std::vector<claims::Claim>& claims) {
   return counts(claims, {confirmed, partly, refuted, shown, open});
 }
 
+bool is_own(const claims::Claim& claim) {
+  return claim.source.empty() || claim.source == "mpmvv";
+}
+
 std::optional<Verdict> gate_verdict(const std::vector<GateLine>& lines) {
   for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
     if (std::ranges::count(lines, verdict, &GateLine::verdict) > 0) return verdict;

@@ -11,6 +11,9 @@ namespace mpmvv::reports {
 std::string gate_counts(const std::vector<GateLine>& lines);
 std::string claim_counts(const std::vector<claims::Claim>& claims);
 
+/// Whether no paper claims it.
+bool is_own(const claims::Claim& claim);
+
 /// The verdict on all of them together, which is the worst; none where there is no golden.
 std::optional<records::Verdict> gate_verdict(const std::vector<GateLine>& lines);
 std::string gate_word(const std::vector<GateLine>& lines);  ///< that verdict, or "not judged"

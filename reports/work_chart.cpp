@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "reports/chart.hpp"
+#include "reports/process_time.hpp"
 #include "reports/series_style.hpp"
 #include "studies/claims/samples.hpp"
 #include "studies/fits/work_precision.hpp"
@@ -14,11 +15,13 @@ using fits::WorkPoint;
 
 namespace {
 
-/// The range of the repetitions is drawn where it can be seen; no part of a bar is at a cost below zero.
+/// The range of the repetitions is drawn where it can be seen.
 Dot dot_of_work(const WorkPoint& point) {
-  constexpr double least_seen = 0.02, longest = 0.95;  // of the cost
+  constexpr double least_seen = 0.04;  // of the cost
   Dot dot{point.cost, point.error, point.error, Mark::inside};
-  if (point.half_range > least_seen * point.cost) dot.half_range = std::min(point.half_range, longest * point.cost);
+  if (point.rounds.costs.empty()) return dot;
+  const auto [least, most] = std::ranges::minmax(point.rounds.costs);
+  if (most - least > least_seen * point.cost) dot.least_x = least, dot.most_x = most;
   return dot;
 }
 
@@ -46,17 +49,19 @@ Chart work_chart(const records::StudyResult& study, const records::Figure& figur
   if (!band.path.empty()) chart.rules.push_back(std::move(band));
 
   std::vector<double> costs, errors;
-  bool has_bars = false;
   for (const Curve& curve : chart.curves)
     for (const Dot& dot : curve.dots) {
-      costs.insert(costs.end(), {dot.x - dot.half_range, dot.x + dot.half_range});
+      costs.push_back(dot.x);
       errors.push_back(dot.value);
-      has_bars |= dot.half_range > 0;
+      if (has_range(dot)) costs.insert(costs.end(), {dot.least_x, dot.most_x});
     }
   chart.x = make_axis({figure.xlabel, figure.log_x, figure.x_min, figure.x_max, 0.06, 0.06}, costs);
   chart.y = make_axis({figure.ylabel, figure.log_y, figure.y_min, figure.y_max, 0.06, 0.08}, errors);
   chart.notes.emplace_back("Rings: the Pareto front, the runs than which no other is both cheaper and more accurate.");
-  if (has_bars) chart.notes.emplace_back("Bars: the range of the repeated times, its middle at their geometric mean.");
+  if (std::ranges::any_of(chart.curves, has_ranges))
+    chart.notes.emplace_back(
+        "Bars: from the smallest to the largest of the repeated times; points: their geometric mean.");
+  if (const auto note = process_time_note(figure_series(study, figure)); !note.empty()) chart.notes.push_back(note);
   if (!without.empty())
     chart.omissions.push_back(fmt::format("Without a point, unstable or not measured: {}.", fmt::join(without, "; ")));
   return chart;

@@ -94,6 +94,13 @@ void add(const std::string& label, const fits::Estimate& quotient, bool is_paire
   if (!is_paired && has_interval(found)) found.remark = "not timed in the same rounds";
 }
 
+/// Says which of two series another code ran, whose time is not that of the steps alone.
+void remark_on_processes(const Series& series, const Series& over, records::Found& found) {
+  for (const Series* one : {&series, &over})
+    if (records::is_of_another_code(*one))
+      found.remark += fmt::format("{}'{}': time of the whole process", found.remark.empty() ? "" : ", ", one->name);
+}
+
 /// Says which of two series never gets down to the error, or that neither does; empty when both do.
 std::string never_there(const Series& series, double cost, const Series& over, double other_cost) {
   if (std::isinf(cost) && std::isinf(other_cost)) return "neither ever reaches it";
@@ -142,10 +149,12 @@ void measure_cost_ratios(const Criterion& c, const StudyResult& result, const Se
   for (const double error : fits::decades(c.window.from, c.window.to)) {
     const std::string label = fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error);
     const fits::WorkPoint work = own.work_to_reach(error), other_work = other.work_to_reach(error);
-    if (const std::string never = never_there(series, work.cost, over, other_work.cost); !never.empty())
+    if (const std::string never = never_there(series, work.cost, over, other_work.cost); !never.empty()) {
       out.add(label, std::isinf(work.cost) ? work.cost : work.cost / other_work.cost, never);
-    else
+    } else {
       add(label, fits::quotient(work, other_work), fits::are_paired(std::array{work.rounds, other_work.rounds}), out);
+      remark_on_processes(series, over, out.numbers.back().found);
+    }
     if (std::isinf(work.cost) && std::isinf(other_work.cost) && !c.at_most)
       out.missing = fmt::format("neither '{}' nor '{}' reaches {} {:.0e}", series.name, over.name, c.norm, error);
   }

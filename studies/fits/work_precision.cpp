@@ -39,12 +39,13 @@ Estimate quotient(const WorkPoint& cost, const WorkPoint& over) {
 }
 
 std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points) {
+  constexpr double rounding = 1e-9;  // of an error
   std::sort(points.begin(), points.end(), [](const WorkPoint& a, const WorkPoint& b) {
     return a.cost != b.cost ? a.cost < b.cost : a.error < b.error;
   });
   std::vector<WorkPoint> front;
   for (const WorkPoint& point : points)
-    if (front.empty() || point.error < front.back().error) front.push_back(point);
+    if (front.empty() || point.error < (1 - rounding) * front.back().error) front.push_back(point);
   return front;
 }
 

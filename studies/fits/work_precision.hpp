@@ -23,7 +23,8 @@ struct WorkPoint {
   bool operator==(const WorkPoint&) const = default;
 };
 
-/// The points of which no other is both cheaper (or as cheap) and more accurate (or as accurate), by increasing cost.
+/// The points of which no other is both cheaper (or as cheap) and more accurate (or as accurate, to rounding), by
+/// increasing cost.
 std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points);
 
 /// The cost of reaching an error. Between two points of the front it follows the power law through both, also in each

@@ -188,3 +188,11 @@ test("what is printed has no bars of buttons, and black text on white", () =>
     assert.deepEqual([ink, paper], ["rgb(0, 0, 0)", "rgb(255, 255, 255)"]);
     assert.ok((await page.pdf()).length > 10000);
   }));
+
+test("what is folded is printed", () =>
+  at("gate.html", async page => {
+    assert.ok((await shown(page, ".goldens:not([open])")) > 0);
+    assert.equal(await shown(page, ".goldens:not([open]) tbody tr"), 0);
+    await page.emulateMedia({ media: "print" });
+    assert.ok((await shown(page, ".goldens:not([open]) tbody tr")) > 0);
+  }));

@@ -51,19 +51,20 @@ TEST(WorkChart, DrawsErrorAgainstCostAndTheFrontOfAllSeries) {
 
 TEST(WorkChart, TheRangeOfRepeatedTimesIsABarWhereItIsSeen) {
   auto study = work_study();
-  study.series[1].points[0].y["step_seconds_spread"] = 0.5;
-  study.series[1].points[1].y["step_seconds_spread"] = 0.02;
-  study.series[1].points[2].y["step_seconds_spread"] = 3;
+  auto& points = study.series[1].points;
+  points[0].rounds = {{50, 50, 400}, "a session"};  // their geometric mean is 100, the run's cost 1
+  points[1].rounds = {{99, 100, 101}, "a session"};
   const Chart chart = charts_of(study).at(0);
   const auto& dots = chart.curves[1].dots;
-  EXPECT_DOUBLE_EQ(dots[0].half_range, 0.25);
-  EXPECT_EQ(dots[1].half_range, 0) << "hidden by its point";
-  EXPECT_LT(dots[2].half_range, 16) << "no cost is below zero";
-  EXPECT_LE(chart.x.from, dots[0].x - dots[0].half_range);
-  EXPECT_THAT(chart.notes, testing::Contains(HasSubstr("Bars: the range of the repeated times")));
+  EXPECT_DOUBLE_EQ(dots[0].least_x, 0.5);
+  EXPECT_DOUBLE_EQ(dots[0].most_x, 4);
+  EXPECT_FALSE(has_range(dots[1])) << "hidden by its point";
+  EXPECT_FALSE(has_range(dots[2])) << "a store without rounds";
+  EXPECT_LE(chart.x.from, dots[0].least_x);
+  EXPECT_THAT(chart.notes, testing::Contains(HasSubstr("Bars: from the smallest to the largest of the repeated")));
   const Plot plot = plot_of(chart);
-  EXPECT_THAT(plot.script, HasSubstr("data index 1 using 1:3:($1-$5):($5>0?$1+$5:NaN) with xerrorbars"));
-  EXPECT_THAT(plot.data, HasSubstr("\n1 0.5 0.5 1 0.25\n"));
+  EXPECT_THAT(plot.script, HasSubstr("data index 1 using 1:3:5:6 with xerrorbars"));
+  EXPECT_THAT(plot.data, testing::ContainsRegex("\n1 0.5 0.5 1 0.5[0-9]* [34][.0-9]*\n4 0.125 0.125 1 NaN NaN\n"));
   EXPECT_THAT(charts_of(work_study()).at(0).notes, testing::Not(testing::Contains(HasSubstr("Bars"))));
 }
 

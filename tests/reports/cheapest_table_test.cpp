@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/chart.hpp"
 #include "reports/table.hpp"
 #include "studies/claims/samples.hpp"
 #include "studies/fits/work_precision.hpp"
@@ -49,6 +50,16 @@ TEST(CheapestTable, SeriesTimedTogetherAreComparedRoundByRound) {
   study.series[2].points[0].rounds.costs[0] *= 1.2;
   EXPECT_THAT(cheapest_table(study).groups.at(0).rows.at(0),
               testing::ElementsAre("1e-02", "best", "10", "dearer by chance", "always dearer", "11", "1.10", "0 of 3"));
+}
+
+TEST(CheapestTable, SaysWhoseTimeIsThatOfTheWholeProcess) {
+  records::StudyResult study = measured({});
+  study.series = {timed("ours", 10, 0), timed("theirs", 12, 0)};
+  EXPECT_EQ(cheapest_table(study).note, "");
+  study.series[1].code = records::OtherCode{"my-code", "1.3", "", ""};
+  const char* note = "Of other codes the time is that of the whole process, start included, not of the steps: theirs.";
+  EXPECT_EQ(cheapest_table(study).note, note);
+  EXPECT_THAT(work_chart(study, study.figures[0]).notes, testing::Contains(note));
 }
 
 TEST(CheapestTable, AnInfiniteErrorHasNoDecades) {

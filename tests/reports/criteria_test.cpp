@@ -120,6 +120,30 @@ TEST(DecidingText, NamesWhatAValueIsOf) {
   EXPECT_EQ(deciding_text(claim), "mean pressure over theory - 1: -0.1029 (asked: -0.05 to 0.05)");
 }
 
+ClaimPart holding(const std::string& what, double value, double at_least) {
+  ClaimPart part = asked(at_least, std::nullopt);
+  part.verdict = PartVerdict::holds, part.found = {{what, value}};
+  return part;
+}
+
+TEST(DecidingText, NamesTheStudyWhereSeveralJudgeTheClaim) {
+  claims::Claim claim;
+  claim.parts = {{"one", holding("order of 'a'", 2, 1)}, {"one", holding("order of 'b'", 1.5, 1)}};
+  EXPECT_EQ(deciding_text(claim), "order of 'b': 1.5 (asked: at least 1)");
+  claim.parts[0].study = "two";
+  EXPECT_EQ(deciding_text(claim), "order of 'b': 1.5 (asked: at least 1; study one)");
+  claim.parts[0].part.statement = "first order", claim.parts[0].part.verdict = PartVerdict::inconclusive;
+  EXPECT_EQ(deciding_text(claim), "first order: inconclusive; study two");
+}
+
+TEST(DecidingText, IsOfANumberOnItsBoundOnlyWhereThereIsNoOther) {
+  claims::Claim claim;
+  claim.parts = {{"one", holding("stable of 'a'", 1, 1)}, {"one", holding("order of 'a'", 1.5, 1)}};
+  EXPECT_EQ(deciding_text(claim), "order of 'a': 1.5 (asked: at least 1)");
+  claim.parts.pop_back();
+  EXPECT_EQ(deciding_text(claim), "stable of 'a': 1 (asked: at least 1)");
+}
+
 TEST(DecidingText, IsACriterionsStatementWhereNoNumberWasCompared) {
   records::ClaimPart part;
   part.statement = "the difference is subtle", part.measure = "awaited";

@@ -29,6 +29,12 @@ store::Provenance provenance() {
   return p;
 }
 
+Provenances provenances(const std::vector<records::StudyResult>& studies) {
+  Provenances all;
+  for (const auto& study : studies) all[study.name] = provenance();
+  return all;
+}
+
 Sheet column() {
   Sheet sheet;
   sheet.format = Format::tex;
@@ -36,7 +42,7 @@ Sheet column() {
 }
 
 PaperSummary write(const std::vector<records::StudyResult>& studies, const fs::path& folder) {
-  return write_paper(studies, provenance(), folder, column());
+  return write_paper(studies, provenances(studies), folder, column());
 }
 
 /// A study under the name of one of S's, with the two panels of a figure of S.
@@ -104,16 +110,32 @@ TEST(Paper, NamesAreNoFormulas) {
   store::Provenance made = provenance();
   made.commit = "59e7e5289b0123456789";
   const TempFolder folder;
-  write_paper({study}, made, folder.path(), column());
+  write_paper({study}, {{"a_b", made}}, folder.path(), column());
   EXPECT_THAT(content(folder / "main.tex"),
               AllOf(HasSubstr("\nmpmvv 59e7e5289b01, 2026"), HasSubstr("\\caption{a\\_b. Caption of laws}")));
   EXPECT_THAT(content(folder / "tables/orders-further.tex"), HasSubstr("\\emph{a\\_b (h\\_p): laws}"));
 }
 
+TEST(Paper, SaysWhereTheStudiesThatItShowsComeFrom) {
+  const TempFolder folder;
+  const std::vector<records::StudyResult> studies{distinct::curves(), distinct::laws(), of_s()};
+  Provenances from = provenances(studies);
+  from.at("laws").dirty = true, from.at("laws").cpu = "another", from.at("laws").time = "2026-03-05";
+  write_paper(studies, from, folder.path(), column());
+  EXPECT_THAT(content(folder / "main.tex"),
+              AllOf(HasSubstr("\nmpmvv 0123456789ab-dirty, 0123456789ab, 2026-03-05\n"),
+                    HasSubstr("0123456789abcdef with changes"), HasSubstr("processor & another "),
+                    HasSubstr("results & 1 study, the newest of 2026-03-05 "),
+                    HasSubstr("results & 2 studies, the newest of 2026-03-04 ")));
+  write_paper(studies, from, folder.path(), column(), {"curves"});
+  EXPECT_THAT(content(folder / "main.tex"), AllOf(HasSubstr("\nmpmvv 0123456789ab, 2026-03-04\n"),
+                                                  HasSubstr("results & 1 study, "), Not(HasSubstr("another"))));
+}
+
 TEST(Paper, NamesChooseFiguresAndTheirOrder) {
   const TempFolder folder;
   const auto named = [&](const std::vector<std::string>& names) {
-    write_paper({distinct::curves(), distinct::laws(), of_s()}, provenance(), folder.path(), column(), names);
+    write_paper({distinct::curves(), distinct::laws(), of_s()}, {}, folder.path(), column(), names);
     return content(folder / "main.tex");
   };
   const std::string both = named({"s-fig9b", "laws"});
@@ -130,7 +152,7 @@ TEST(Paper, AStudyWithoutAFigureIsNamedForItsTables) {
   const TempFolder folder;
   auto study = distinct::laws();
   study.figures.clear();
-  const auto summary = write_paper({study}, provenance(), folder.path(), column(), {"laws"});
+  const auto summary = write_paper({study}, {}, folder.path(), column(), {"laws"});
   EXPECT_EQ(summary.figures, 0);
   EXPECT_EQ(summary.tables, 2);
 }

@@ -101,6 +101,9 @@ TEST(ParticleErrorChart, IsDrawnInThePaletteAndItsErrorsAreInTheData) {
   const Plot plot = plot_of(chart);
   for (const char* text : {"set palette defined", "set logscale cb", "lc palette", "displacement error (m)"})
     EXPECT_THAT(plot.script, HasSubstr(text));
+  const auto behind = plot.script.find("using 1:3:(0.06"), square = plot.script.find("using 1:3:(0.05");
+  EXPECT_LT(behind, square) << "larger squares close gaps";
+  EXPECT_NE(square, std::string::npos);
   EXPECT_THAT(plot.data, HasSubstr(" 1 1.6681005372000587e-06\n"));
   EXPECT_THAT(description_of(chart), HasSubstr("100 of theirs, errors from 1e-06 to 0.0001"));
 }
@@ -138,7 +141,7 @@ TEST(ParticleErrorChart, ASeriesThatIsUnstableOnEveryMeshIsNamed) {
   study.series.push_back({"lost", {{8, Status::unstable, "", {}}, {16, Status::unstable, "", {}}}, {}, {}});
   study.series.push_back({"not asked", {{8, Status::ok, "", {}}}, {}, {}});
   EXPECT_THAT(charts_of(study).at(0).omissions,
-              testing::ElementsAre("Not drawn, as none of its runs came to the end: lost."));
+              testing::ElementsAre("Not drawn, as all its runs are unstable or failed: lost."));
 }
 
 }  // namespace mpmvv::reports::particle_error_chart_test

@@ -61,6 +61,16 @@ TEST(PublishedCosts, AFieldThatIsMissingUnknownOrNoSizeIsRefused) {
   }
 }
 
+TEST(PublishedCosts, HaveNoRatioWhereTheHardwareIsNotSaid) {
+  std::string unsaid = entry;
+  unsaid.replace(unsaid.find("a processor"), 11, "not said");
+  Benchmark benchmark;
+  benchmark.rows = {{"case/3D, 8 per cell/linear/cube", "", {{"per_particle_step", {50e-9}}}}};
+  const Table table = others_table(benchmark, read_published_costs(unsaid, "codes"));
+  EXPECT_THAT(table.groups.at(0).rows.at(0), ElementsAre("Other", "3D", "single", "not said", "2 s for 10 steps",
+                                                         "200000", "50.0", "–", "https://example.org", "2020"));
+}
+
 TEST(PublishedCosts, StandBesideACaseOfTheSameKind) {
   const auto codes = read_published_costs(entry, "codes");
   Benchmark benchmark;
@@ -69,7 +79,7 @@ TEST(PublishedCosts, StandBesideACaseOfTheSameKind) {
   ASSERT_EQ(table.groups.size(), 1u);
   EXPECT_EQ(table.groups[0].title, "one thread");
   EXPECT_THAT(table.groups[0].rows, ElementsAre(ElementsAre("Other", "3D", "single", "a processor", "2 s for 10 steps",
-                                                            "200000", "50.0", "4000", "example.org", "2020")));
+                                                            "200000", "50.0", "4000", "https://example.org", "2020")));
   benchmark.rows.insert(benchmark.rows.begin(),
                         {"case/3D, 8 per cell/linear/another", "", {{"per_particle_step", {80e-9}}}});
   auto of_one_case = codes;

@@ -41,15 +41,15 @@ TEST(ReadBackPage, VerdictsStandBesideWhatTheyAreOf) {
   ReportInput input = read_back::input_of(distinct::everything());
   input.gate = {{"all-numbers", "golden one", records::Verdict::pass, "1.1 to 1.2", "1.15", "why pass"},
                 {"all-numbers", "golden two", records::Verdict::pass, "2.1 to 2.2", "2.15", "why too"}};
-  input.provenance = {"d1935", "c0331", true, "GNU 12", "-O9", "Fast", "a processor", "2026-01-02"};
+  store::Provenance& p = input.provenances[input.studies.at(0).name];
+  p = {"d1935", "c0331", true, "GNU 12", "-O9", "Fast", "a processor", "2026-01-02"};
   ExpectedTable provenance;
-  const auto& p = input.provenance;
   provenance.add("", {{"", "commit"}, {"", p.commit + " dirty: built from changes that are not committed"}});
   provenance.add("", {{"", "digest"}, {"", p.digest}});
   provenance.add("", {{"", "compiler"}, {"", p.compiler + ", " + p.build_type}});
   provenance.add("", {{"", "flags"}, {"", p.flags}});
   provenance.add("", {{"", "processor"}, {"", p.cpu}});
-  provenance.add("", {{"", "report written"}, {"", p.time}});
+  provenance.add("", {{"", "results"}, {"", "1 study, the newest of " + p.time}});
   const WrittenReport report(input);
   report.expect_html(provenance);
   ExpectedTable gate;

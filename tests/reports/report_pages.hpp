@@ -17,7 +17,10 @@ inline ReportInput input() {
              {"bar-cfl", "limit", records::Verdict::inconclusive, "1.1 to 1.3", "–", "not <found>"}};
   in.claims = {synthetic::claim("order 2.01 & <script>alert(1)</script>"),
                {"S-fig9", "a limit", "A paper", "", claims::Claim::Verdict::open, "", {}, {}}};
-  in.provenance = {"00ff", "8be1f2c", true, "GNU 12.2.0", "-O3 \"-march\"", "Release", "CPU", "2026-01-01T00:00:00Z"};
+  in.digest = "00ff", in.written = "2026-01-02T00:00:00Z";
+  for (const auto& study : in.studies)
+    in.provenances[study.name] = {in.digest,        "8be1f2c", true,  "GNU 12.2.0",
+                                  "-O3 \"-march\"", "Release", "CPU", "2026-01-01T00:00:00Z"};
   return in;
 }
 

@@ -40,7 +40,7 @@ TEST(Report, PlantedMistakesHaveAPageOfTheirOwn) {
   ReportInput in = input();
   EXPECT_THAT(page_of(in, folder), Not(HasSubstr("mutants.html")));
   in.mutation.emplace();
-  in.mutation->digest = in.provenance.digest;
+  in.mutation->digest = in.digest;
   in.mutation->mistakes = {{.name = "a <sign>"}};
   EXPECT_THAT(page_of(in, folder, "mutants.html"), HasSubstr("a &lt;sign&gt;"));
   EXPECT_THAT(page_of(in, folder), HasSubstr("<a href=\"mutants.html\">"));
@@ -55,7 +55,7 @@ TEST(Report, ASummaryOfPlantedMistakesSaysWhereTheyStand) {
   const TempFolder folder;
   ReportInput in = input();
   in.mutation.emplace();
-  in.mutation->digest = in.provenance.digest;
+  in.mutation->digest = in.digest;
   in.mutation->commit = "c0ffee0123456789 with changes";
   in.mutation->planted = {.should_show = 2, .unit_tests = 2, .caught = 2};
   const std::string page = page_of(in, folder, "mutants.html");
@@ -96,11 +96,38 @@ TEST(Report, VerdictAndProvenanceStandOnTheFirstPage) {
               AllOf(HasSubstr("tile inconclusive"), HasSubstr("1 inconclusive, 1 pass"), HasSubstr("1 of 2"),
                     HasSubstr("1 confirmed, 1 open"), HasSubstr("version 8be1f2c-dirty</span>")));
   EXPECT_THAT(page, HasSubstr("dirty: built from"));
-  in.provenance.dirty = false;
+  for (auto& [study, provenance] : in.provenances) provenance.dirty = false;
   in.gate[0].verdict = records::Verdict::fail;
   page = page_of(in, folder);
   EXPECT_THAT(page, AllOf(HasSubstr("<title>mpmvv: fail</title>"), Not(HasSubstr("dirty: built from")),
                           HasSubstr("version 8be1f2c</span>")));
+}
+
+TEST(Report, SaysOfEveryStudyWhereItComesFrom) {
+  const TempFolder folder;
+  auto in = input();
+  store::Provenance& newest = in.provenances.at("weights");
+  newest.commit = "77aa001", newest.dirty = false, newest.cpu = "another CPU", newest.time = "2026-01-01T12:00:00Z";
+  const auto page = page_of(in, folder);
+  EXPECT_THAT(page, AllOf(HasSubstr("of 3 studies, version 77aa001, 8be1f2c-dirty</span>"),
+                          HasSubstr("<footer>mpmvv 77aa001, 8be1f2c-dirty</footer>")));
+  const auto other = page.find("<td>another CPU</td>"), older = page.find("<td>CPU</td>");
+  ASSERT_NE(older, std::string::npos);
+  EXPECT_LT(other, older) << "the newest first";
+  EXPECT_THAT(page.substr(other, older - other),
+              AllOf(HasSubstr("1 study, the newest of <time>2026-01-01T12:00:00Z<"), HasSubstr("dirty: built from")));
+  EXPECT_THAT(page.substr(older), HasSubstr("2 studies, the newest of <time>2026-01-01T00:00:00Z<"));
+}
+
+TEST(Report, CountsClaimsOfPapersAndOurOwnApart) {
+  const TempFolder folder;
+  auto in = input();
+  claims::Claim own = in.claims[0];
+  own.id = "X-order", own.source = "mpmvv";
+  in.claims.push_back(own);
+  EXPECT_THAT(page_of(in, folder), AllOf(HasSubstr("<strong>1 of 2</strong>"),
+                                         HasSubstr("of the papers are confirmed, 1 of 1 of our own; all together: "
+                                                   "2 confirmed, 1 open</span>")));
 }
 
 TEST(Report, SaysWhatChangedInTheGate) {
@@ -169,6 +196,21 @@ TEST(Report, GoldensAreSortedByTheWorstVerdictAndHowManyHaveIt) {
     in.gate.push_back({"bar-bases", "one more", verdict, "1", "2", ""});
   EXPECT_THAT(page_of(in, folder), AllOf(HasSubstr("data-key=\"fail 2\""), HasSubstr("data-key=\"inconclusive 1\""),
                                          HasSubstr("data-key=\"not judged 0\"")));
+}
+
+TEST(Report, GoldensOfValuesSayWhatTheseMean) {
+  const TempFolder folder;
+  auto in = input();
+  in.gate.push_back({"weights", "value 'partition_of_unity'", records::Verdict::fail, "at most 1e-16", "2.2e-16", ""});
+  const std::string golden = "partition_of_unity&apos;<br/><span class=\"soft\">largest |ΣN - 1|</span></th>";
+  EXPECT_THAT(page_of(in, folder, "gate.html"), HasSubstr(golden));
+  EXPECT_THAT(content(folder / "out/index.html"), HasSubstr(golden));
+  EXPECT_THAT(content(folder / "out/gate.html"), HasSubstr("<th scope=\"row\">limit</th>"));
+}
+
+TEST(Report, WordsHaveThoseOfVerdictsAndReasons) {
+  const TempFolder folder;
+  EXPECT_THAT(page_of(input(), folder), AllOf(HasSubstr("<dt>awaited</dt>"), HasSubstr("<dt>rule of widths</dt>")));
 }
 
 TEST(Report, WordsSayThatAQuarterMayBeAllThatACaseAsksFor) {

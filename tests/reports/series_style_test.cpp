@@ -34,4 +34,15 @@ TEST(SeriesStyle, FiguresWithoutACommonSeriesBeginAnew) {
   EXPECT_EQ(series_styles(study), expected);
 }
 
+TEST(SeriesStyle, WhatAPaperNamesHasOneStyleInAllOfItsStudies) {
+  records::StudyResult study;
+  study.name = "w-fig7";
+  for (const char* name : {"USL-cpGIMP", "another", "CD-cpGIMP"}) study.series.push_back({name, {}, {}, {}});
+  study.figures.emplace_back();
+  const std::map<std::string, int> expected{{"USL-cpGIMP", 1}, {"another", 0}, {"CD-cpGIMP", 2}};
+  EXPECT_EQ(series_styles(study), expected);
+  study.name = "own";
+  EXPECT_EQ(series_styles(study).at("USL-cpGIMP"), 0);
+}
+
 }  // namespace mpmvv::reports::series_style_test

@@ -232,6 +232,14 @@ TEST(CostCriterion, ARunThatFailedLeavesTheRatioOfCostsOpen) {
               HasSubstr("1e-01 is not known; no cost of 'cheap'; 'dear' failed at cells = 10, 1000 (asked"));
 }
 
+TEST(CostCriterion, SaysWhoseTimeIsThatOfTheWholeProcess) {
+  StudyResult result = two_costs();
+  result.series[0].code = records::OtherCode{"my-code", "1.3", "", ""};
+  EXPECT_EQ(cost_ratio("cheap", "dear", 0.1, {}, 1, result).found.at(0).remark,
+            "not timed in the same rounds, 'cheap': time of the whole process");
+  EXPECT_EQ(cost_ratio("dear", "dear", 0.1, {}, 1, result).found.at(0).remark, "");
+}
+
 TEST(CostCriterion, ARunThatFailedDoesNotHideThatAnotherSeriesFails) {
   StudyResult result = two_costs();
   result.series.push_back(result.series[1]);

@@ -38,6 +38,11 @@ TEST(WorkPrecision, NoPointOfTheFrontIsBeatenAndEveryOtherIs) {
   EXPECT_THAT(pareto_front({}), IsEmpty());
 }
 
+TEST(WorkPrecision, RoundOffMakesNoRunMoreAccurate) {
+  EXPECT_THAT(pareto_front({{1, 2.63256775652536e-05}, {2, 2.63256775652494e-05}, {3, 2.63e-05}}),
+              ElementsAre(WorkPoint{1, 2.63256775652536e-05}, WorkPoint{3, 2.63e-05}));
+}
+
 TEST(WorkPrecision, CostOfAPowerLawIsExactBetweenItsPoints) {
   std::vector<WorkPoint> points;
   for (const double cost : {1.0, 4.0, 16.0}) points.push_back({cost, std::pow(cost, -1.5)});
