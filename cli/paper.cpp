@@ -31,7 +31,9 @@ int paper(const PaperOptions& options) {
   require_own_results(studies, options.db);
   for (const auto& study : studies)
     if (is_trial(study)) note("{}: {}\n", study.name, reports::trial_sentence(study));
-  const auto summary = reports::write_paper(studies, store::current_provenance(), options.out, column, options.names);
+  const store::Provenance provenance = store::current_provenance();
+  const auto codes = store::Store(options.db, store::Store::Mode::read).code_series(provenance.digest);
+  const auto summary = reports::write_paper(studies, provenance, options.out, column, options.names, codes);
   print("{}/main.tex: {} ({} drawn), {}\n", options.out,
         count_text(static_cast<std::size_t>(summary.figures), "figure"), summary.figures_drawn,
         count_text(static_cast<std::size_t>(summary.tables), "table"));

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <set>
+#include <utility>
+
 #include "page_template.hpp"
 #include "reports/paper_document.hpp"
 #include "reports/plot.hpp"
@@ -114,7 +117,24 @@ std::vector<std::string> words_on_absent(const std::vector<std::string>& papers)
   return words;
 }
 
-std::string main_text(const PaperDocument& document, const store::Provenance& provenance, const Sheet& column) {
+/// The versions of other codes that ran the studies shown, each once: name, and version with its digest.
+std::set<std::pair<std::string, std::string>> versions_of(const std::vector<store::CodeSeries>& codes,
+                                                          const std::set<std::string>& shown) {
+  std::set<std::pair<std::string, std::string>> versions;
+  for (const auto& [study, series, code, kept_at] : codes)
+    if (shown.contains(study)) versions.emplace(code.name, fmt::format("{}, digest {}", code.version, code.digest));
+  return versions;
+}
+
+data codes_data(const std::vector<store::CodeSeries>& codes, const std::set<std::string>& shown) {
+  data list{data::type::list};
+  for (const auto& [name, version] : versions_of(codes, shown))
+    list << object({{"name", latex_text(name)}, {"version", latex_text(version)}});
+  return list;
+}
+
+std::string main_text(const PaperDocument& document, const store::Provenance& provenance, const Sheet& column,
+                      const std::vector<store::CodeSeries>& codes) {
   constexpr double margins = 36;  ///< mm
   const std::string changed = provenance.dirty ? " with changes" : "";
   const std::vector<PaperPart>& parts = document.parts();
@@ -125,6 +145,7 @@ std::string main_text(const PaperDocument& document, const store::Provenance& pr
                              {"digest", latex_text(provenance.digest)},
                              {"compiler", latex_text(provenance.compiler + ", " + provenance.build_type)},
                              {"flags", latex_text(provenance.flags)},
+                             {"codes", codes_data(codes, document.shown())},
                              {"date", provenance.time.substr(0, 10)},
                              {"text_width", fmt::format("{:g}", two_columns(column))},
                              {"page_width", fmt::format("{:g}", two_columns(column) + margins)},
@@ -144,7 +165,8 @@ void require_own_document(const fs::path& main) {
 }  // namespace
 
 PaperSummary write_paper(const std::vector<StudyResult>& studies, const store::Provenance& provenance,
-                         const fs::path& out_dir, const Sheet& column, const std::vector<std::string>& names) {
+                         const fs::path& out_dir, const Sheet& column, const std::vector<std::string>& names,
+                         const std::vector<store::CodeSeries>& codes) {
   require_own_document(out_dir / "main.tex");
   const PaperDocument document(studies, column, names);
   const auto plots = plots_of(document.parts(), column);
@@ -162,7 +184,7 @@ PaperSummary write_paper(const std::vector<StudyResult>& studies, const store::P
   }
   const auto absent = words_on_absent(document.absent());
   summary.without.insert(summary.without.end(), absent.begin(), absent.end());
-  support::write_if_changed(out_dir / "main.tex", main_text(document, provenance, column));
+  support::write_if_changed(out_dir / "main.tex", main_text(document, provenance, column, codes));
   summary.remarks = remarks_on(document.parts());
   return summary;
 }

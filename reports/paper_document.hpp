@@ -28,7 +28,7 @@ struct PaperPart {
   std::string title;
   std::vector<PrintedFigure> figures;
   std::vector<std::string> missing;   ///< figures that are not drawn, and why
-  std::vector<PrintedTables> tables;  ///< fitted orders, extrapolated values, and the errors of each study
+  std::vector<PrintedTables> tables;  ///< fitted orders, extrapolated values; errors, limits and costs of each study
 };
 
 /// Sorts the figures and tables of studies into the parts of a document: the figures of the papers in their order, then
@@ -43,6 +43,8 @@ class PaperDocument {
   PaperDocument& operator=(const PaperDocument&) = delete;
 
   const std::vector<PaperPart>& parts() const { return parts_; }
+
+  const std::set<std::string>& shown() const { return shown_; }  ///< the studies whose results it has
 
   /// The papers of which there is neither a figure nor a table; none where this is so of all, as in a store of other
   /// studies.
@@ -63,6 +65,7 @@ class PaperDocument {
   std::map<std::string, const Chart*> by_name_;
   std::map<std::string, const records::StudyResult*> study_of_;  ///< by chart
   std::set<std::string> taken_;                                  ///< charts
+  std::set<std::string> shown_;                                  ///< studies
   std::vector<PaperPart> parts_;
   std::vector<std::string> absent_;
 };
