@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <regex>
+#include <utility>
 
 #include "cli/lines.hpp"
 #include "cli/table.hpp"
@@ -19,16 +21,38 @@ namespace {
 
 /// Runs of a series that ended for the same reason.
 struct Reason {
-  std::string series, why;
+  std::string series, gist;
+  std::string first;                     ///< what the first one said
   std::vector<std::string> values = {};  ///< of the swept key
 };
+
+/// A run's reason and behind it, where a failed run has left its folder, that.
+std::pair<std::string, std::string> with_folder(const std::string& reason) {
+  const std::string mark = "; its folder: ";
+  const auto at = std::min(reason.rfind(mark), reason.size());
+  return {reason.substr(0, at), at == reason.size() ? "" : reason.substr(at + mark.size())};
+}
+
+/// The reason without what is each run's own, its error and its folder.
+std::string gist_of(const std::string& reason) {
+  static const std::regex error("^displacement error [^ ]+");
+  return std::regex_replace(with_folder(reason).first, error, "displacement error");
+}
+
+/// What one run said as it is; of several the gist, with the folder of the first one.
+std::string text_of(const Reason& reason) {
+  if (reason.values.size() == 1) return reason.first;
+  const std::string folder = with_folder(reason.first).second;
+  return reason.gist + (folder.empty() ? "" : "; folder of the first one: " + folder);
+}
 
 std::vector<Reason> reasons_of(Status status, const Series& series) {
   std::vector<Reason> reasons;
   for (const Point& point : series.points) {
     if (point.status != status) continue;
-    auto reason = std::ranges::find(reasons, point.reason, &Reason::why);
-    if (reason == reasons.end()) reason = reasons.insert(reason, {series.name, point.reason});
+    const std::string gist = gist_of(point.reason);
+    auto reason = std::ranges::find(reasons, gist, &Reason::gist);
+    if (reason == reasons.end()) reason = reasons.insert(reason, {series.name, gist, point.reason});
     reason->values.push_back(fmt::format("{:.6g}", point.x));
   }
   return reasons;
@@ -37,13 +61,13 @@ std::vector<Reason> reasons_of(Status status, const Series& series) {
 void print_table(Status status, const std::vector<Reason>& reasons, const std::string& sweep) {
   Table table({{to_string(status)}, {sweep}, {"why", Table::Kind::prose}});
   for (const Reason& reason : reasons)
-    table.add({reason.series, fmt::format("{}", fmt::join(reason.values, ", ")), reason.why});
+    table.add({reason.series, fmt::format("{}", fmt::join(reason.values, ", ")), text_of(reason)});
   table.print_apart();
 }
 
 /// A code that goes on to its end is found unstable by its error alone.
 bool may_have_ended(const Reason& reason) {
-  return reason.why.starts_with("displacement error ");
+  return reason.gist.starts_with("displacement error ");
 }
 
 }  // namespace
