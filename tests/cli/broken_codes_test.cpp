@@ -67,7 +67,7 @@ TEST_F(StudyOfABrokenCode, SaysWhyARunFailed) {
   mover_.script(std::string(Mover::moving) + "[ $2 = 4 ] || { echo no such mesh; exit 3; }\n");
   const Answer answer = in_folder("study s.toml --db r.db");
   EXPECT_EQ(answer.code, 1);
-  EXPECT_THAT(answer.out, AllOf(ContainsRegex("\n +failed +cells +why\n +theirs +8 +[^\n]*mover ended with"),
+  EXPECT_THAT(answer.out, AllOf(ContainsRegex("\n +failed +cells +why\n +theirs +8, 16 +[^\n]*mover ended with"),
                                 HasSubstr("3 cases run, 0 taken from r.db, 2 failed")));
 }
 
