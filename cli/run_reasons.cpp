@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <regex>
+#include <string_view>
 #include <utility>
 
 #include "cli/lines.hpp"
@@ -24,6 +24,7 @@ struct Reason {
   std::string series, gist;
   std::string first;                     ///< what the first one said
   std::vector<std::string> values = {};  ///< of the swept key
+  std::vector<std::string> errors = {};  ///< beyond their bound, of the same runs; empty where this is not the reason
 };
 
 /// A run's reason and behind it, where a failed run has left its folder, that.
@@ -33,15 +34,25 @@ std::pair<std::string, std::string> with_folder(const std::string& reason) {
   return {reason.substr(0, at), at == reason.size() ? "" : reason.substr(at + mark.size())};
 }
 
-/// The reason without what is each run's own, its error and its folder.
-std::string gist_of(const std::string& reason) {
-  static const std::regex error("^displacement error [^ ]+");
-  return std::regex_replace(with_folder(reason).first, error, "displacement error");
+constexpr std::string_view error_mark = "displacement error ";
+
+/// The error that the reason begins with; empty where it is another one.
+std::string error_in(const std::string& reason) {
+  if (!reason.starts_with(error_mark)) return "";
+  return reason.substr(error_mark.size(), reason.find(' ', error_mark.size()) - error_mark.size());
 }
 
-/// What one run said as it is; of several the gist, with the folder of the first one.
+/// The reason without what is each run's own, its error and its folder.
+std::string gist_of(const std::string& reason) {
+  const std::string error = error_in(reason), text = with_folder(reason).first;
+  return error.empty() ? text : text.substr(error_mark.size() + error.size());
+}
+
+/// What one run said as it is; of several the gist, with their errors or the folder of the first one.
 std::string text_of(const Reason& reason) {
   if (reason.values.size() == 1) return reason.first;
+  if (!reason.errors.empty())
+    return fmt::format("displacement errors {}{}", fmt::join(reason.errors, ", "), reason.gist);
   const std::string folder = with_folder(reason.first).second;
   return reason.gist + (folder.empty() ? "" : "; folder of the first one: " + folder);
 }
@@ -54,6 +65,7 @@ std::vector<Reason> reasons_of(Status status, const Series& series) {
     auto reason = std::ranges::find(reasons, gist, &Reason::gist);
     if (reason == reasons.end()) reason = reasons.insert(reason, {series.name, gist, point.reason});
     reason->values.push_back(fmt::format("{:.6g}", point.x));
+    if (const std::string error = error_in(point.reason); !error.empty()) reason->errors.push_back(error);
   }
   return reasons;
 }
@@ -67,7 +79,7 @@ void print_table(Status status, const std::vector<Reason>& reasons, const std::s
 
 /// A code that goes on to its end is found unstable by its error alone.
 bool may_have_ended(const Reason& reason) {
-  return reason.gist.starts_with("displacement error ");
+  return !reason.errors.empty();
 }
 
 }  // namespace
