@@ -100,6 +100,16 @@ std::string end_text(const support::ProcessEnd& end) {
   return fmt::format("{} ({})", status->get<std::string>(), reason->get<std::string>());
 }
 
+/// Throws unless the program says of itself that it is mpmvv.
+void require_ours(const std::string& program) {
+  const support::ProcessEnd end = support::run_process({program, "--version"}, ".", {}, std::chrono::seconds(30));
+  if (end.good() && end.output.starts_with("mpmvv ")) return;
+  throw support::UsageError(
+      fmt::format("baseline '{}' is no mpmvv, by what it says to --version: '{}' (another build "
+                  "of this one)",
+                  program, end.output.substr(0, end.output.find('\n'))));
+}
+
 double required_cost(const TimedRun& run) {
   const support::ProcessEnd end = end_of(run);
   if (const auto cost = cost_of(end)) return *cost;
@@ -197,6 +207,7 @@ int cost(const CostOptions& options) {
                     baseline = std::filesystem::absolute(options.baseline);
   if (!support::is_program(baseline))
     throw support::UsageError(fmt::format("baseline '{}' is no program (another build of this one)", options.baseline));
+  require_ours(baseline);
   const auto columns = note_columns();
   std::vector<CostedCase> costed;
   std::vector<std::string> left_out;

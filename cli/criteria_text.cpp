@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "cli/console.hpp"
 #include "cli/lines.hpp"
@@ -30,9 +31,20 @@ std::string value_text(const ClaimPart& part, double value) {
   return reports::told_from_bounds(part, value);
 }
 
+namespace {
+
+/// What stands behind the number; of a limit its bracket, too.
+std::string interval_text(const ClaimPart& part, const Found& found) {
+  const std::string text = claims::interval_text(part, found);
+  if (!part.is_limit() || !text.empty() || !claims::has_interval(found)) return text;
+  return fmt::format(" ({})", claims::range_text(found.lower, found.upper));
+}
+
+}  // namespace
+
 std::string found_text(const ClaimPart& part, const Found& found) {
   if (std::isnan(found.value)) return "-";
-  const std::string text = value_text(part, found.value) + claims::interval_text(part, found);
+  const std::string text = value_text(part, found.value) + interval_text(part, found);
   return claims::has_interval(found) || found.remark.empty() ? text : fmt::format("{} ({})", text, found.remark);
 }
 
@@ -47,16 +59,23 @@ std::vector<Found> known_numbers(const ClaimPart& part) {
   return known;
 }
 
-/// The statement of a criterion, with the remarks on those of its numbers that are shown without an interval.
+/// Whether the remark on a number stands beside its criterion: those on numbers with an interval are among the grounds,
+/// but that a limit is not monotone says what the limit is.
+bool has_remark(const ClaimPart& part, const Found& found) {
+  return !found.remark.empty() && (part.is_limit() || !claims::has_interval(found));
+}
+
+/// The statement of a criterion, with the remarks on its numbers; one that is not on all says on which.
 std::string statement_with_remarks(const ClaimPart& part) {
-  const std::vector<Found> known = known_numbers(part);
+  std::map<std::string, std::vector<std::string>> numbers;  // by remark
+  for (const Found& found : part.found)
+    if (has_remark(part, found)) numbers[found.remark].push_back(found.what);
   std::vector<std::string> remarks;
-  for (const Found& found : known)
-    if (!claims::has_interval(found) && !found.remark.empty() &&
-        std::ranges::find(remarks, found.remark) == remarks.end())
-      remarks.push_back(found.remark);
-  if (remarks.empty() || known.size() > most_shown) return part.statement;
-  return fmt::format("{} ({})", part.statement, fmt::join(remarks, "; "));
+  for (const auto& [remark, whats] : numbers)
+    remarks.push_back(whats.size() == part.found.size() ? remark
+                      : whats.size() == 1               ? fmt::format("{}: {}", whats.front(), remark)
+                                          : fmt::format("{} of {}: {}", whats.size(), part.found.size(), remark));
+  return remarks.empty() ? part.statement : fmt::format("{} ({})", part.statement, fmt::join(remarks, "; "));
 }
 
 }  // namespace
@@ -64,7 +83,7 @@ std::string statement_with_remarks(const ClaimPart& part) {
 std::string found_text(const ClaimPart& part) {
   const std::vector<Found> known = known_numbers(part);
   std::vector<std::string> texts;
-  for (const Found& found : known) texts.push_back(value_text(part, found.value) + claims::interval_text(part, found));
+  for (const Found& found : known) texts.push_back(value_text(part, found.value) + interval_text(part, found));
   if (known.empty()) return "-";
   if (known.size() <= most_shown) return fmt::format("{}", fmt::join(texts, ", "));
   const auto [first, last] = std::ranges::minmax_element(known, {}, &Found::value);

@@ -207,7 +207,8 @@ void add_figure(CLI::App& app, int& exit_code) {
   command->add_option("--db", options->db, "results store")->required()->type_name("FILE");
   command
       ->add_option("--of", options->of,
-                   "version in the store, by the first letters of its commit or digest (default: this program)")
+                   "version of mpmvv in the store, by the first letters of its commit or digest (default: this "
+                   "program)")
       ->type_name("VERSION");
   command->add_option("--format", options->format, "pdf, svg, tex (default: as --out ends, else pdf)")
       ->type_name("WORD");

@@ -9,6 +9,7 @@
 #include "cli/console.hpp"
 #include "cli/numbers.hpp"
 #include "cli/table.hpp"
+#include "studies/plan/cautions.hpp"
 #include "studies/plan/forecast.hpp"
 
 namespace mpmvv::cli {
@@ -44,6 +45,13 @@ void print_studies(const std::vector<plan::StudyForecast>& studies) {
   table.print();
 }
 
+std::vector<std::string> texts_of_cautions(const std::vector<plan::StudyPlan>& plans) {
+  std::vector<std::string> texts;
+  for (const plan::StudyPlan& study : plans)
+    for (const plan::Caution& caution : plan::cautions(study)) texts.push_back(caution_text(study.name, caution));
+  return texts;
+}
+
 }  // namespace
 
 void print_forecast(const std::vector<plan::StudyPlan>& plans, const plan::Work& work, const std::string& db,
@@ -54,11 +62,9 @@ void print_forecast(const std::vector<plan::StudyPlan>& plans, const plan::Work&
   const store::Store* store = held ? &*held : nullptr;
   const plan::Forecast all = plan::forecast(plans, work, store, plan::CostModel(costs ? costs : store), jobs);
   if (as_json) {
-    nlohmann::json json{{"jobs", jobs},
-                        {"core_seconds", all.core_seconds},
-                        {"timed_seconds", all.timed_seconds},
-                        {"seconds", all.seconds},
-                        {"studies", nlohmann::json::array()}};
+    nlohmann::json json{
+        {"jobs", jobs},           {"core_seconds", all.core_seconds},   {"timed_seconds", all.timed_seconds},
+        {"seconds", all.seconds}, {"studies", nlohmann::json::array()}, {"cautions", texts_of_cautions(plans)}};
     for (const plan::StudyForecast& study : all.studies) json["studies"].push_back(json_of(study));
     return print_json(json);
   }
@@ -66,6 +72,7 @@ void print_forecast(const std::vector<plan::StudyPlan>& plans, const plan::Work&
   print("about {} on {}, {} on one; of it {} alone on the machine, at the end\n", duration_text(all.seconds),
         count_text(static_cast<std::size_t>(jobs), "job"), duration_text(all.core_seconds),
         duration_text(all.timed_seconds));
+  for (const std::string& caution : texts_of_cautions(plans)) note("{}\n", caution);
 }
 
 }  // namespace mpmvv::cli

@@ -49,10 +49,14 @@ void make_folder_of(const std::filesystem::path& file) {
   if (file.has_parent_path()) support::make_folder(file.parent_path());
 }
 
-nlohmann::json gate_json(const goldens::GateReport& report, const std::vector<store::CodeSeries>& judged) {
+nlohmann::json gate_json(const goldens::GateReport& report, const GatedCodes& gated) {
   nlohmann::json codes = nlohmann::json::array();
-  for (const store::CodeSeries& s : judged)
-    codes.push_back({{"study", s.study}, {"code", s.code.name}, {"version", s.code.version}, {"time", s.kept_at}});
+  for (const auto& [ran, shares_version] : gated.judged)
+    codes.push_back({{"study", ran.study},
+                     {"code", ran.code.name},
+                     {"version", ran.code.version},
+                     {"digest", ran.code.digest},
+                     {"time", ran.kept_at}});
   nlohmann::json results = nlohmann::json::array();
   for (const goldens::GateResult& r : report.results)
     results.push_back({{"study", r.study},
@@ -79,17 +83,31 @@ void note_changed(const std::vector<records::StudyResult>& results, const std::v
       note("{}: {} has changed since it was run (`mpmvv study` runs what is new)\n", study.name, file.string());
 }
 
-/// The versions of other codes whose results are judged.
-std::vector<store::CodeSeries> judged_codes(const GateOptions& options) {
-  auto all = store::Store(options.db, store::Store::Mode::read).code_series(store::current_provenance().digest);
-  std::erase_if(all, [&](const store::CodeSeries& s) {
-    return !options.only.empty() && std::ranges::find(options.only, s.study) == options.only.end();
-  });
-  const auto same = [](const store::CodeSeries& a, const store::CodeSeries& b) {
-    return a.study == b.study && a.code.name == b.code.name;
-  };
-  all.erase(std::unique(all.begin(), all.end(), same), all.end());
-  return all;
+/// Whether the store has several programs that say this version of themselves. It counts no trials.
+bool shares_version(const store::Store& store, const records::OtherCode& code) {
+  const auto codes = store.codes();
+  if (std::ranges::find(codes, code.name) == codes.end()) return false;
+  return std::ranges::count_if(store.versions_of_code(code.name), [&](const store::Version& version) {
+           return version.commits.front() == code.version;
+         }) > 1;
+}
+
+/// The versions of other codes that ran the studies whose goldens are judged, and the studies without.
+GatedCodes gated_codes(const GateOptions& options, const goldens::GateReport& report) {
+  const store::Store store(options.db, store::Store::Mode::read);
+  std::set<std::string> with_goldens;
+  for (const goldens::GateResult& r : report.results) with_goldens.insert(r.study);
+  GatedCodes codes;
+  std::set<std::pair<std::string, std::string>> seen;
+  std::set<std::string> without;
+  for (const store::CodeSeries& s : store.code_series(store::current_provenance().digest)) {
+    if (!with_goldens.contains(s.study))
+      without.insert(s.study);
+    else if (seen.emplace(s.study, s.code.name).second)
+      codes.judged.push_back({s, shares_version(store, s.code)});
+  }
+  if (options.only.empty()) codes.without_golden = {without.begin(), without.end()};
+  return codes;
 }
 
 /// Where the study files lie that note_changed looks at.
@@ -113,9 +131,9 @@ int gate(const GateOptions& options) {
                          .outdated = outdated(results, {options.db, store::Store::Mode::read}, options.max_age)});
   if (!options.junit.empty()) support::write_if_changed(options.junit, goldens::junit_xml(report));
   if (options.json)
-    print_json(gate_json(report, judged_codes(options)));
+    print_json(gate_json(report, gated_codes(options, report)));
   else
-    print_gate(report, judged_codes(options), options.verbose);
+    print_gate(report, gated_codes(options, report), options.verbose);
   if (options.github || (in_github_actions() && !options.json)) print_text(goldens::github_annotations(report));
   return report.exit_code();
 }

@@ -51,9 +51,20 @@ void print_absent(const goldens::GateReport& report) {
                  0);
 }
 
+/// "judged: my-code 1.0 in orders, of 2026-01-01T00:00:00Z"; with the digest where the version does not tell the
+/// program from others.
+void print_judged(const GatedCodes& codes) {
+  for (const auto& [ran, shares_version] : codes.judged)
+    print("judged: {} {} in {}, of {}\n", ran.code.name,
+          shares_version ? store::label({ran.code.digest, {ran.code.version}, ""}) : ran.code.version, ran.study,
+          ran.kept_at);
+  if (!codes.without_golden.empty())
+    print_indented(fmt::format("no goldens of: {}", fmt::join(codes.without_golden, ", ")), 0);
+}
+
 }  // namespace
 
-void print_gate(const goldens::GateReport& report, const std::vector<store::CodeSeries>& judged, bool verbose) {
+void print_gate(const goldens::GateReport& report, const GatedCodes& codes, bool verbose) {
   Table table({{"verdict", Table::Kind::verdict}, {"study"}, {"golden", Table::Kind::prose}}, 0);
   std::map<std::string, std::set<std::string>> said;  // by study
   for (const Verdict verdict : {Verdict::fail, Verdict::inconclusive, Verdict::pass})
@@ -64,8 +75,7 @@ void print_gate(const goldens::GateReport& report, const std::vector<store::Code
     }
   table.print();
   if (!verbose) print_absent(report);
-  for (const store::CodeSeries& s : judged)
-    print("judged: {} {} in {}, of {}\n", s.code.name, s.code.version, s.study, s.kept_at);
+  print_judged(codes);
   print("gate: {} pass, {} fail, {} inconclusive\n", report.count(Verdict::pass), report.count(Verdict::fail),
         report.count(Verdict::inconclusive));
 }

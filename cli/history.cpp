@@ -13,6 +13,7 @@
 #include "cli/results.hpp"
 #include "cli/table.hpp"
 #include "goldens/comparison.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::cli {
 
@@ -89,16 +90,20 @@ nlohmann::json comparison_json(const goldens::Comparison& comparison, const Vers
           {"only_to", comparison.only_after}};
 }
 
+std::string whose(const std::string& code) {
+  return code.empty() ? "mpmvv" : code;
+}
+
 /// The second version. Where none is named it is that of the running program, or the newest of another code.
 const Version& second_version(const CompareOptions& options, const std::vector<Version>& versions) {
-  if (!options.b.empty()) return store::find_version(versions, options.b);
+  if (!options.b.empty()) return store::find_version(versions, options.b, whose(options.code));
   return options.code.empty() ? store::find_version(versions, store::current_provenance().digest) : versions.back();
 }
 
 int compare_versions(const CompareOptions& options) {
   const Store store(options.db, Store::Mode::read);
   const auto versions = versions_in(store, options.code);
-  const Version& a = store::find_version(versions, options.a);
+  const Version& a = store::find_version(versions, options.a, whose(options.code));
   const Version& b = second_version(options, versions);
   const goldens::Comparison comparison =
       goldens::compare(findings_in(store, options.code, a), findings_in(store, options.code, b));
@@ -179,6 +184,8 @@ void print_trends(const std::vector<Version>& versions, const std::vector<Trend>
 int trend(const TrendOptions& options) {
   const Store store(options.db, Store::Mode::read);
   const auto versions = versions_in(store, options.code);
+  if (versions.empty())
+    throw support::UsageError(fmt::format("{} holds no study of mpmvv (run `mpmvv study` first)", options.db));
   const auto trends = trends_in(store, options.code, versions);
   if (options.json)
     print_json(trends_json(versions, trends, options.code));

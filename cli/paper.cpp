@@ -31,8 +31,10 @@ int paper(const PaperOptions& options) {
   require_own_results(studies, options.db);
   for (const auto& study : studies)
     if (is_trial(study)) note("{}: {}\n", study.name, reports::trial_sentence(study));
-  const auto provenances = provenances_of(studies, store::Store(options.db, store::Store::Mode::read));
-  const auto summary = reports::write_paper(studies, provenances, options.out, column, options.names);
+  const store::Store store(options.db, store::Store::Mode::read);
+  const auto codes = store.code_series(store::current_provenance().digest);
+  const auto summary =
+      reports::write_paper(studies, provenances_of(studies, store), options.out, column, options.names, codes);
   print("{}/main.tex: {} ({} drawn), {}\n", options.out,
         count_text(static_cast<std::size_t>(summary.figures), "figure"), summary.figures_drawn,
         count_text(static_cast<std::size_t>(summary.tables), "table"));

@@ -19,6 +19,7 @@
 #include "cli/study_choice.hpp"
 #include "cli/study_text.hpp"
 #include "studies/codes/external_run.hpp"
+#include "studies/plan/cautions.hpp"
 #include "studies/plan/claim_reader.hpp"
 #include "studies/plan/external_series.hpp"
 #include "studies/plan/shards.hpp"
@@ -79,6 +80,24 @@ int run_shard(const StudyOptions& options, const std::vector<plan::StudyPlan>& p
   return outcome.failed == 0 && outcome.troubles.empty() ? 0 : 1;
 }
 
+/// Whether the series was run, and a run of it went well.
+bool has_sound_run(const records::Series& series) {
+  const auto is_ok = [](const records::Point& point) { return point.status == records::Status::ok; };
+  return std::ranges::any_of(series.points, is_ok) ||
+         (series.limit && std::ranges::any_of(series.limit->probes, &fits::Probe::stable));
+}
+
+/// Notes what is to be known before the errors of the study's sound runs are believed.
+void note_cautions(const plan::StudyPlan& study, const records::StudyResult& result) {
+  for (plan::Caution& caution : plan::cautions(study)) {
+    std::erase_if(caution.series, [&](const std::string& name) {
+      const auto series = std::ranges::find(result.series, name, &records::Series::name);
+      return series == result.series.end() || !has_sound_run(*series);
+    });
+    if (!caution.series.empty()) note("{}\n", plan::caution_text(study.name, caution));
+  }
+}
+
 int run_studies(const StudyOptions& options, const std::vector<plan::StudyPlan>& plans, const codes::Codes& codes,
                 store::Store& store) {
   plan::RunnerCounts counts;
@@ -88,10 +107,12 @@ int run_studies(const StudyOptions& options, const std::vector<plan::StudyPlan>&
   for (plan::StudyOutcome& outcome : outcomes) {
     failed += outcome.failed;
     if (is_trial(outcome.result)) withhold_verdicts(outcome.result);
-    if (outcome.trouble.empty())
-      print_study(outcome.result, options.verbose);
-    else
+    if (!outcome.trouble.empty()) {
       note("study {} is not kept: {}\n", outcome.result.name, outcome.trouble);
+      continue;
+    }
+    print_study(outcome.result, options.verbose);
+    note_cautions(*std::ranges::find(plans, outcome.result.name, &plan::StudyPlan::name), outcome.result);
   }
   const auto lost = std::ranges::count_if(outcomes, [](const auto& outcome) { return !outcome.trouble.empty(); });
   print("{} run, {} taken from {}, {} failed{}\n", count_text(counts.ran, "case"), counts.reused, options.db, failed,

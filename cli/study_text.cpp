@@ -7,6 +7,7 @@
 #include "cli/criteria_text.hpp"
 #include "cli/error_tables.hpp"
 #include "cli/numbers.hpp"
+#include "cli/run_reasons.hpp"
 #include "cli/table.hpp"
 #include "reports/text.hpp"
 #include "studies/claims/samples.hpp"
@@ -39,15 +40,6 @@ void print_left_out(const records::StudyResult& study) {
     for (const fits::ObservedOrder& order : series.orders)
       if (const std::string values = claims::left_out(series, order.norm); !values.empty())
         print_indented(fmt::format("left out of the order of '{}' in {}: {}", series.name, order.norm, values));
-}
-
-/// Why runs ended with this status.
-void print_reasons_of(records::Status status, const records::StudyResult& study) {
-  Table table({{to_string(status)}, {study.sweep, Kind::number}, {"why", Kind::prose}});
-  for (const Series& series : study.series)
-    for (const records::Point& point : series.points)
-      if (point.status == status) table.add({series.name, fmt::format("{:.6g}", point.x), point.reason});
-  table.print_apart();
 }
 
 /// Prints on what grounds fits say what they do: floors, replicates and remarks.
@@ -135,8 +127,7 @@ void print_criteria(const records::StudyResult& study, bool verbose) {
 void print_study(const records::StudyResult& study, bool verbose) {
   print("{}: {}\n", study.name, study.title);
   print_errors(study);
-  print_reasons_of(records::Status::failed, study);
-  if (verbose) print_reasons_of(records::Status::unstable, study);
+  print_run_reasons(study, verbose);
   print_orders(study);
   print_left_out(study);
   print_extrapolations(study);

@@ -10,6 +10,7 @@
 #include "goldens/judgement.hpp"
 #include "studies/store/trial.hpp"
 #include "studies/support/error.hpp"
+#include "studies/support/words.hpp"
 
 namespace mpmvv::goldens {
 
@@ -140,8 +141,8 @@ GateReport run_gate(const std::vector<Golden>& goldens, const std::vector<StudyR
   for (const Golden& golden : goldens) known.insert(golden.study);
   for (const std::string& study : scope.only)
     if (!known.contains(study))
-      throw support::UsageError(
-          fmt::format("unknown study '{}' in the goldens (known: {})", study, fmt::join(known, ", ")));
+      throw support::UsageError(fmt::format("unknown study '{}' in the goldens (known: {})", study,
+                                            support::listed({known.begin(), known.end()})));
   GateReport report;
   for (const Golden& golden : goldens) {
     if (scope.only.empty() || std::ranges::count(scope.only, golden.study) > 0)

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "page_template.hpp"
 #include "reports/paper_document.hpp"
@@ -117,9 +119,7 @@ std::vector<std::string> words_on_absent(const std::vector<std::string>& papers)
 }
 
 std::vector<Origin> origins_of_shown(const PaperDocument& document, Provenances provenances) {
-  std::erase_if(provenances, [&](const auto& of_study) {
-    return std::ranges::find(document.shown(), of_study.first, &StudyResult::name) == document.shown().end();
-  });
+  std::erase_if(provenances, [&](const auto& of_study) { return !document.shows(of_study.first); });
   return origins_of(provenances);
 }
 
@@ -134,7 +134,24 @@ data origin_data(const Origin& origin) {
                  {"date", p.time.substr(0, 10)}});
 }
 
-std::string main_text(const PaperDocument& document, const std::vector<Origin>& origins, const Sheet& column) {
+/// The versions of other codes that ran the studies shown, each once: name, and version with its digest.
+std::set<std::pair<std::string, std::string>> versions_of(const std::vector<store::CodeSeries>& codes,
+                                                          const PaperDocument& document) {
+  std::set<std::pair<std::string, std::string>> versions;
+  for (const auto& [study, series, code, kept_at] : codes)
+    if (document.shows(study)) versions.emplace(code.name, fmt::format("{}, digest {}", code.version, code.digest));
+  return versions;
+}
+
+data codes_data(const std::vector<store::CodeSeries>& codes, const PaperDocument& document) {
+  data list{data::type::list};
+  for (const auto& [name, version] : versions_of(codes, document))
+    list << object({{"name", latex_text(name)}, {"version", latex_text(version)}});
+  return list;
+}
+
+std::string main_text(const PaperDocument& document, const std::vector<Origin>& origins, const Sheet& column,
+                      const std::vector<store::CodeSeries>& codes) {
   constexpr double margins = 36;  ///< mm
   const std::vector<PaperPart>& parts = document.parts();
   kainjow::mustache::mustache text{std::string(paper_template)};
@@ -142,6 +159,7 @@ std::string main_text(const PaperDocument& document, const std::vector<Origin>& 
   return text.render(object({{"versions", latex_text(versions_text(origins))},
                              {"date", origins.empty() ? "" : origins.front().provenance.time.substr(0, 10)},
                              {"origins", list_of(origins, origin_data)},
+                             {"codes", codes_data(codes, document)},
                              {"text_width", fmt::format("{:g}", two_columns(column))},
                              {"page_width", fmt::format("{:g}", two_columns(column) + margins)},
                              {"absent", list_of(words_on_absent(document.absent()),
@@ -160,7 +178,8 @@ void require_own_document(const fs::path& main) {
 }  // namespace
 
 PaperSummary write_paper(const std::vector<StudyResult>& studies, const Provenances& provenances,
-                         const fs::path& out_dir, const Sheet& column, const std::vector<std::string>& names) {
+                         const fs::path& out_dir, const Sheet& column, const std::vector<std::string>& names,
+                         const std::vector<store::CodeSeries>& codes) {
   require_own_document(out_dir / "main.tex");
   const PaperDocument document(studies, column, names);
   const auto plots = plots_of(document.parts(), column);
@@ -178,7 +197,8 @@ PaperSummary write_paper(const std::vector<StudyResult>& studies, const Provenan
   }
   const auto absent = words_on_absent(document.absent());
   summary.without.insert(summary.without.end(), absent.begin(), absent.end());
-  support::write_if_changed(out_dir / "main.tex", main_text(document, origins_of_shown(document, provenances), column));
+  support::write_if_changed(out_dir / "main.tex",
+                            main_text(document, origins_of_shown(document, provenances), column, codes));
   summary.remarks = remarks_on(document.parts());
   return summary;
 }

@@ -10,6 +10,7 @@
 #include "reports/latex_table.hpp"
 #include "reports/orders_table.hpp"
 #include "reports/plot.hpp"
+#include "reports/table.hpp"
 #include "reports/text.hpp"
 #include "reports/typeset.hpp"
 
@@ -47,11 +48,23 @@ Chosen studies_where(const std::vector<StudyResult>& studies, const Belongs& bel
   return chosen;
 }
 
+/// A study's table below a line that says what it is; empty without rows.
+std::string headed(const StudyResult& study, const Table& table) {
+  if (table.empty()) return "";
+  const std::string trial = trial_sentence(study);
+  return fmt::format("\\par\\medskip\\noindent{{\\footnotesize {}. {}.{}\\par}}\n{}", latex_text(study.title),
+                     latex_of(table.caption), trial.empty() ? "" : " " + latex_text(trial), latex_tables({table}));
+}
+
 /// The tables of these studies that have rows; `key` tells the files of a part from those of others.
 std::vector<PrintedTables> printed_tables(const Chosen& studies, const std::string& key) {
   std::vector<PrintedTables> all{{"orders-" + key, latex_long_table(orders_table(studies))},
                                  {"extrapolations-" + key, latex_long_table(extrapolated_table(studies))}};
-  for (const StudyResult* study : studies) all.push_back({"errors-" + study->name, latex_convergence_tables(*study)});
+  for (const StudyResult* study : studies) {
+    all.push_back({"errors-" + study->name, latex_convergence_tables(*study)});
+    all.push_back({"limits-" + study->name, headed(*study, limits_table(*study))});
+    all.push_back({"costs-" + study->name, headed(*study, cheapest_table(*study))});
+  }
   std::erase_if(all, [](const PrintedTables& tables) { return tables.text.empty(); });
   return all;
 }

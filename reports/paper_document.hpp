@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -28,7 +29,7 @@ struct PaperPart {
   std::string title;
   std::vector<PrintedFigure> figures;
   std::vector<std::string> missing;   ///< figures that are not drawn, and why
-  std::vector<PrintedTables> tables;  ///< fitted orders, extrapolated values, and the errors of each study
+  std::vector<PrintedTables> tables;  ///< fitted orders, extrapolated values; errors, limits and costs of each study
 };
 
 /// Sorts the figures and tables of studies into the parts of a document: the figures of the papers in their order, then
@@ -48,8 +49,10 @@ class PaperDocument {
   /// studies.
   const std::vector<std::string>& absent() const { return absent_; }
 
-  /// The studies of which it shows something: with names those that they mean, else all.
-  const std::vector<const records::StudyResult*>& shown() const { return shown_; }
+  /// Whether it shows something of this study: with names those that they mean, else all.
+  bool shows(const std::string& study) const {
+    return std::ranges::find(shown_, study, &records::StudyResult::name) != shown_.end();
+  }
 
  private:
   void add(PaperPart part);

@@ -38,7 +38,7 @@ std::vector<Found> found_of(const Measured& measured, PartVerdict verdict) {
   const bool fails = verdict == PartVerdict::fails;
   std::vector<Found> found;
   for (const Measured::Number& number : measured.numbers)
-    if (number.is_sure || !fails) found.push_back(number.found);
+    if (!fails || (number.is_sure && !std::isnan(number.found.value))) found.push_back(number.found);
   if (fails && !measured.missing.empty()) found.push_back({measured.missing, support::not_measured});
   return found;
 }

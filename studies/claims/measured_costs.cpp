@@ -101,13 +101,6 @@ void remark_on_processes(const Series& series, const Series& over, records::Foun
       found.remark += fmt::format("{}'{}': time of the whole process", found.remark.empty() ? "" : ", ", one->name);
 }
 
-/// Says which of two series never gets down to the error, or that neither does; empty when both do.
-std::string never_there(const Series& series, double cost, const Series& over, double other_cost) {
-  if (std::isinf(cost) && std::isinf(other_cost)) return "neither ever reaches it";
-  if (std::isinf(cost)) return fmt::format("'{}' never reaches it", series.name);
-  return std::isinf(other_cost) ? fmt::format("'{}' never reaches it", over.name) : "";
-}
-
 /// What a series has to pay for which error.
 struct CostCurve {
   std::vector<fits::WorkPoint> front;  ///< empty also where all runs are unstable: nothing buys any error
@@ -149,14 +142,16 @@ void measure_cost_ratios(const Criterion& c, const StudyResult& result, const Se
   for (const double error : fits::decades(c.window.from, c.window.to)) {
     const std::string label = fmt::format("cost of '{}' over '{}' at {} {:.0e}", series.name, over.name, c.norm, error);
     const fits::WorkPoint work = own.work_to_reach(error), other_work = other.work_to_reach(error);
-    if (const std::string never = never_there(series, work.cost, over, other_work.cost); !never.empty()) {
-      out.add(label, std::isinf(work.cost) ? work.cost : work.cost / other_work.cost, never);
-    } else {
+    if (std::isinf(work.cost) && std::isinf(other_work.cost))
+      out.add(label, support::not_measured, "neither ever reaches it");
+    else if (std::isinf(work.cost))
+      out.add(label, work.cost, fmt::format("'{}' never reaches it", series.name));
+    else if (std::isinf(other_work.cost))
+      out.add(label, work.cost / other_work.cost, fmt::format("'{}' never reaches it", over.name));
+    else
       add(label, fits::quotient(work, other_work), fits::are_paired(std::array{work.rounds, other_work.rounds}), out);
+    if (!std::isinf(work.cost) && !std::isinf(other_work.cost))
       remark_on_processes(series, over, out.numbers.back().found);
-    }
-    if (std::isinf(work.cost) && std::isinf(other_work.cost) && !c.at_most)
-      out.missing = fmt::format("neither '{}' nor '{}' reaches {} {:.0e}", series.name, over.name, c.norm, error);
   }
 }
 

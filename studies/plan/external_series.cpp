@@ -10,6 +10,7 @@
 #include "studies/plan/study_inputs.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/suggestion.hpp"
+#include "studies/support/words.hpp"
 
 namespace mpmvv::plan {
 
@@ -54,7 +55,7 @@ void complete_variant(std::vector<Setting>& settings, const Adapter& adapter, co
         fmt::format("no variant for code '{}' in {} (one of: {})", adapter.name, where, fmt::join(known, ", ")));
   if (given && std::ranges::find(known, given->value) == known.end())
     throw UsageError(fmt::format("unknown variant '{}' of code '{}' in {} (known: {})", given->value, adapter.name,
-                                 given->where, fmt::join(known, ", ")));
+                                 given->where, support::listed(known)));
 }
 
 bool is_step(const std::string& key) {

@@ -23,10 +23,21 @@ struct ProbeFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// How a probe of another code that fails where it would blow up becomes unstable; empty for other failures.
+std::string remedy(const Record& r) {
+  const std::string& code = r.the_case.scheme.code;
+  if (code.empty() || r.failure != records::Failure::of_case) return "";
+  return fmt::format(
+      " (if this is how '{}' says that the motion blew up: put words of it into `unstable` of [command] in its "
+      "adapter)",
+      code);
+}
+
 /// The probe, at the value that was really run: the time step is made smaller than the CFL number asks for, so that it
 /// divides the end time.
 fits::Probe probe_of(const std::string& key, double asked, const Record& r) {
-  if (r.status == records::Status::failed) throw ProbeFailed(fmt::format("a probe at {} failed: {}", asked, r.reason));
+  if (r.status == records::Status::failed)
+    throw ProbeFailed(fmt::format("a probe at {} failed: {}{}", asked, r.reason, remedy(r)));
   return {key == "cfl" ? r.cfl : asked, r.status == records::Status::ok, r.reason, r.steps};
 }
 

@@ -29,7 +29,7 @@ struct OtherCode {
   std::string name, version;
   std::string variant;  ///< empty when the code has only one
   std::string force_form;
-  std::string digest = {};  ///< of its adapter and its program's file; empty when read from a store
+  std::string digest = {};  ///< of its adapter and its program's file; empty in a study that was read from a store
 };
 
 struct Series {

@@ -50,6 +50,12 @@ std::string code_lines(const std::vector<records::Series>& series) {
   return text;
 }
 
+std::string digest_in(const std::string& lines, const records::OtherCode& code) {
+  for (const CodeLine& line : lines_of(lines))
+    if (line.code == code.name && line.version.commits.front() == code.version) return line.version.digest;
+  return "";
+}
+
 std::string code_line(const std::string& code, const Version& version) {
   return fmt::format("{} {} {}", code, version.commits.front(), version.digest);
 }

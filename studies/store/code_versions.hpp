@@ -12,6 +12,9 @@ namespace mpmvv::store {
 /// The lines of the codes that ran these series; empty where none did.
 std::string code_lines(const std::vector<records::Series>& series);
 
+/// The digest that the lines give the code; empty where they do not name it.
+std::string digest_in(const std::string& lines, const records::OtherCode& code);
+
 /// The line of a code's version.
 std::string code_line(const std::string& code, const Version& version);
 

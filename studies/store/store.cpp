@@ -152,11 +152,14 @@ std::vector<records::ClaimText> Store::statements(const std::string& digest) con
 std::vector<CodeSeries> Store::code_series(const std::string& digest) const {
   std::vector<CodeSeries> all;
   impl_->database.each(
-      fmt::format("SELECT studies.name AS study_name, kept_at, series.* FROM series JOIN studies ON studies.id = "
-                  "series.study WHERE digest = ? AND code IS NOT NULL AND {} ORDER BY studies.name, ordinal",
-                  is_newest),
+      fmt::format(
+          "SELECT studies.name AS study_name, kept_at, codes, series.* FROM series JOIN studies ON studies.id = "
+          "series.study WHERE digest = ? AND code IS NOT NULL AND {} ORDER BY studies.name, ordinal",
+          is_newest),
       {digest}, [&](const Row& row) {
         all.push_back({row["study_name"].text(), row["name"].text(), *other_code(row), row["kept_at"].text()});
+        records::OtherCode& code = all.back().code;
+        if (!row["codes"].null()) code.digest = digest_in(row["codes"].text(), code);
       });
   return all;
 }

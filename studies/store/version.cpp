@@ -38,13 +38,13 @@ std::string label(const Version& version) {
   return fmt::format("{} (digest {})", in_short(version.commits.front()), in_short(version.digest));
 }
 
-const Version& find_version(const std::vector<Version>& versions, const std::string& prefix) {
+const Version& find_version(const std::vector<Version>& versions, const std::string& prefix, const std::string& code) {
   auto found = matching(versions, [&](const std::string& text) { return text == prefix; });
   if (found.empty()) found = matching(versions, [&](const std::string& text) { return text.starts_with(prefix); });
   if (found.size() == 1) return *found.front();
   if (found.empty())
     throw support::UsageError(
-        fmt::format("no results of a version '{}' (there are: {})", prefix,
+        fmt::format("no results of a version '{}' of {} (there are: {})", prefix, code,
                     versions.empty() ? "none" : labels(matching(versions, [](auto&) { return true; }))));
   throw support::UsageError(
       fmt::format("version '{}' may be {} (a longer prefix, or the digest)", prefix, labels(found)));

@@ -22,6 +22,7 @@ std::string label(const Version& version);
 
 /// The version that a prefix of a commit or of a digest names. A version named in full is preferred to those that only
 /// begin so. UsageError, with the versions that there are, when none or more than one fits.
-const Version& find_version(const std::vector<Version>& versions, const std::string& prefix);
+const Version& find_version(const std::vector<Version>& versions, const std::string& prefix,
+                            const std::string& code = "mpmvv");
 
 }  // namespace mpmvv::store

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
+
+#include "studies/support/words.hpp"
 
 namespace mpmvv::support {
 
@@ -14,14 +17,38 @@ std::string lower_case(std::string word) {
   return word;
 }
 
-std::vector<std::string> split(const std::string& list, const std::string& separator) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(separator, begin), list.size());
-    words.push_back(list.substr(begin, end - begin));
-    begin = end + separator.size();
+/// The items of a list as `listed` writes it.
+std::vector<std::string> items_of(const std::string& list) {
+  const std::string separator = ", ";
+  std::vector<std::string> items;
+  for (std::size_t begin = 0; begin < list.size();) {
+    const std::string end_mark = list[begin] == '\'' ? "'" + separator : separator;
+    const std::size_t quotes = end_mark.size() - separator.size(),
+                      end = std::min(list.find(end_mark, begin + quotes), list.size() - quotes);
+    items.push_back(list.substr(begin + quotes, end - begin - quotes));
+    begin = end + end_mark.size();
   }
-  return words;
+  return items;
+}
+
+/// " and 9 more; `mpmvv list problems` prints all" behind those that come nearest to the word.
+std::string nearest_few(std::vector<std::string> known, const std::string& word, const std::string& kind) {
+  constexpr std::size_t few = 8;
+  static const std::map<std::string, std::string> printed_by{
+      {"command", "--help"},
+      {"option", "--help"},
+      {"problem", "mpmvv list problems"},
+      {"check", "mpmvv list checks"},
+      {"list", "mpmvv list"},
+      {"key", "mpmvv list study-file"},
+      {"claim", "mpmvv claims --db FILE"},
+  };
+  const std::size_t more = known.size() - few;
+  std::ranges::stable_sort(known, {}, [&word](const std::string& item) { return edit_distance(word, item); });
+  known.resize(few);
+  const auto command = printed_by.find(kind);
+  return fmt::format("{} and {} more{}", listed(known), more,
+                     command == printed_by.end() ? "" : fmt::format("; `{}` prints all", command->second));
 }
 
 }  // namespace
@@ -51,14 +78,20 @@ std::optional<std::string> nearest_word(const std::string& word, const std::vect
 }
 
 std::string with_suggestion(const std::string& message) {
-  const std::string list_mark = " (known: ";
+  constexpr std::size_t most_listed = 12;
+  const std::string start = "unknown ", list_mark = " (known: ";
   const std::size_t word = message.find(" '") + 2, list = message.rfind(list_mark);
-  if (!message.starts_with("unknown ") || list == std::string::npos || !message.ends_with(')')) return message;
+  if (!message.starts_with(start) || list == std::string::npos || !message.ends_with(')')) return message;
   const std::size_t word_end = message.find('\'', word), list_begin = list + list_mark.size();
   if (word_end > list) return message;
-  const auto known = split(message.substr(list_begin, message.size() - 1 - list_begin), ", ");
-  const auto meant = nearest_word(message.substr(word, word_end - word), known);
-  return meant ? fmt::format("{}; did you mean '{}'?)", message.substr(0, message.size() - 1), *meant) : message;
+  const std::string unknown = message.substr(word, word_end - word);
+  std::string known_text = message.substr(list_begin, message.size() - 1 - list_begin);
+  const auto known = items_of(known_text);
+  if (known.size() > most_listed)
+    known_text = nearest_few(known, unknown, message.substr(start.size(), word - 2 - start.size()));
+  const auto meant = nearest_word(unknown, known);
+  return fmt::format("{}{}{}{})", message.substr(0, list), meant ? fmt::format("; did you mean '{}'?", *meant) : "",
+                     list_mark, known_text);
 }
 
 }  // namespace mpmvv::support

@@ -15,7 +15,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b);
 std::optional<std::string> nearest_word(const std::string& word, const std::vector<std::string>& known);
 
 /// Messages of the form "unknown KIND 'WORD' in PLACE (known: A, B)", whoever made them, also say which of the known
-/// words is probably meant; others stay as they are.
+/// words is probably meant, and of a long list only the nearest words; others stay as they are.
 std::string with_suggestion(const std::string& message);
 
 }  // namespace mpmvv::support

@@ -10,7 +10,10 @@
 namespace mpmvv::support {
 
 std::string listed(const std::vector<std::string>& names) {
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+  std::vector<std::string> items;
+  for (const std::string& name : names)
+    items.push_back(name.find(',') == std::string::npos ? name : fmt::format("'{}'", name));
+  return items.empty() ? "none" : fmt::format("{}", fmt::join(items, ", "));
 }
 
 std::size_t place_of(const std::string& word, std::span<const char* const> words) {

@@ -23,7 +23,7 @@ std::string to_string(Enum e) {
   return words_of(e).at(static_cast<std::size_t>(e));
 }
 
-/// "a, b", or "none" for an empty list: for messages that list what is known.
+/// "a, b, 'c, d'", or "none" for an empty list: for messages that list what is known.
 std::string listed(const std::vector<std::string>& names);
 
 /// The index of the word in `words`; words.size() when it is not there.

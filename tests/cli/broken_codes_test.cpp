@@ -67,8 +67,53 @@ TEST_F(StudyOfABrokenCode, SaysWhyARunFailed) {
   mover_.script(std::string(Mover::moving) + "[ $2 = 4 ] || { echo no such mesh; exit 3; }\n");
   const Answer answer = in_folder("study s.toml --db r.db");
   EXPECT_EQ(answer.code, 1);
-  EXPECT_THAT(answer.out, AllOf(ContainsRegex("\n +failed +cells +why\n +theirs +8 +[^\n]*mover ended with"),
+  EXPECT_THAT(answer.out, AllOf(ContainsRegex("\n +failed +cells +why\n +theirs +8, 16 +[^\n]*mover ended with"),
                                 HasSubstr("3 cases run, 0 taken from r.db, 2 failed")));
+}
+
+TEST_F(StudyOfABrokenCode, SaysOnceWhySeveralRunsOfASeriesFailed) {
+  mover_.script("echo no such mesh; exit 3\n");
+  EXPECT_THAT(
+      in_folder("study s.toml --db r.db").out,
+      AllOf(ContainsRegex("\n +theirs +4, 8, 16 +[^\n]*mover ended with status 3: no such mesh; folder of the first "
+                          "one: [^\n]*mpmvv-failed-"),
+            Not(ContainsRegex("no such mesh[^\r]*no such mesh"))));
+}
+
+/// It goes on to its end, far from where it should be.
+TEST_F(StudyOfABrokenCode, SaysWhyItsRunsAreUnstableAndThatTheyMayHaveEnded) {
+  mover_.script(std::regex_replace(Mover::moving, std::regex("\\$2 [+] t"), "$2 + 0.9 * t"));
+  std::ofstream(mover_.top() / "s.toml") << std::regex_replace(Mover::study, std::regex("cfl = 0.5"),
+                                                               "$&\nblowup_error = 1e-6");
+  const std::string hint = "then a wrong force is more likely than too long a time step";
+  const std::string out = in_folder("study s.toml --db r.db").out;
+  EXPECT_THAT(out, AllOf(ContainsRegex("\n +unstable +cells +why\n +theirs +4, 8, 16 +displacement errors 0[.0-9]+, "
+                                       "0[.0-9]+, 0[.0-9]+ beyond 1e-06\n"),
+                         HasSubstr("may have come to its end"), HasSubstr("blowup_error = 10")));
+  mover_.script("echo blown up\n");
+  EXPECT_THAT(in_folder("study s.toml --db other.db").out,
+              AllOf(HasSubstr("the code says: blown up"), Not(HasSubstr("may have come to its end"))));
+}
+
+TEST_F(StudyOfABrokenCode, ALimitSearchThatFailsNamesTheRemedy) {
+  mover_.script("echo particle outside of domain; exit 3\n");
+  std::ofstream(mover_.top() / "s.toml") << R"(title = "Limit"
+[fixed]
+problem = "translation"
+ppc = 2
+cells = 4
+[[series]]
+name = "theirs"
+code = "mover"
+[limit]
+key = "cfl"
+from = 0.2
+to = 2
+)";
+  const Answer answer = in_folder("study s.toml --db r.db");
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.err, AllOf(HasSubstr("particle outside of domain"),
+                                HasSubstr("put words of it into `unstable` of [command] in its adapter")));
 }
 
 TEST_F(StudyOfABrokenCode, TheGateSaysOnceWhatARunSaid) {

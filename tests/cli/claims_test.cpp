@@ -112,7 +112,7 @@ TEST_F(Claims, AreFoundByTheirIdsAlone) {
   const Answer unknown = claims("secnod");
   EXPECT_EQ(unknown.code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("unknown claim 'secnod': no study of this program in " + db_ +
-                                     " names it (known: second, linear; did you mean 'second'?)"));
+                                     " names it; did you mean 'second'? (known: second, linear)"));
   const auto json = claims("linear --json").json()["claims"];
   ASSERT_EQ(json.size(), 1U);
   EXPECT_EQ(json[0]["criteria"][0]["at_most"], 1e-9);
@@ -164,13 +164,34 @@ TEST_F(Claims, AsJsonSayEachNumberAsTheTableDoes) {
   EXPECT_EQ(both_wild["remark"], "both unstable");
 }
 
+/// One of two ratios of costs is that to a series which never gets there.
+TEST_F(Claims, ARemarkStandsBesideTheNumberThatItIsOn) {
+  records::StudyResult study;
+  study.name = "remarked", study.claims = {"R"};
+  const double unknown = support::not_measured;
+  records::ClaimPart costs{"R", "cheaper", records::PartVerdict::inconclusive, "", ""};
+  costs.measure = "cost-ratio", costs.at_most = 1;
+  costs.found = {{"cost at l2 1e-02", 0.5}, {"cost at l2 1e-03", unknown, unknown, unknown, "neither ever reaches it"}};
+  records::ClaimPart limit{"R", "stable", records::PartVerdict::holds, "", ""};
+  limit.measure = "limit", limit.at_least = 1;
+  limit.found = {{"cfl limit of 'a' between 1.28 and 1.333", 1.3065, 1.28, 1.333, "not monotone"}};
+  study.parts = {costs, limit};
+  const store::Provenance p{own_digest(folder_),   "c0ffee", false, "GNU 12.2.0", "-O3", "Release", "CPU",
+                            "2026-01-01T00:00:00Z"};
+  store::Store(db_, store::Store::Mode::create_or_write).keep_study(study, {}, p);
+  EXPECT_THAT(claims("R").out,
+              AllOf(ContainsRegex("at most 1 +0.5 +cheaper .cost at l2 1e-03: neither ever reaches it.\n"),
+                    ContainsRegex("at least 1 +1.306 .1.28 to 1.33. +stable .not monotone.\n")));
+}
+
 TEST_F(Claims, OfTheProgramAreKnownToStudiesAnywhere) {
   std::string text = small_study;
   text.replace(text.find("[\"S-fig10\"]"), 11, "[\"S-fig10\", \"S-fg11\"]");
   const Answer study = call(folder_, "study " + folder_.write("other.toml", text) + " --db " + db_);
   EXPECT_EQ(study.code, 2);
-  EXPECT_THAT(study.err, AllOf(HasSubstr("unknown claim 'S-fg11' in "), HasSubstr("(known: B-fig16.5, B-i, "),
-                               HasSubstr("did you mean 'S-fig11'?)")));
+  EXPECT_THAT(study.err,
+              AllOf(HasSubstr("unknown claim 'S-fg11' in "), HasSubstr("; did you mean 'S-fig11'? (known: S-fig11, "),
+                    HasSubstr(" more; `mpmvv claims --db FILE` prints all)\n")));
 }
 
 TEST_F(Claims, HaveColoursOnATerminalThatWantsSome) {

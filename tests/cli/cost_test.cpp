@@ -15,7 +15,8 @@ using testing::HasSubstr;
 class CostCommand : public testing::Test {
  protected:
   Answer beside(const std::string& answer, const std::string& form = " --json") {
-    const std::string baseline = folder_.write("baseline", "#!/bin/sh\n" + answer + "\n");
+    const std::string baseline =
+        folder_.write("baseline", "#!/bin/sh\n[ \"$1\" = --version ] && echo mpmvv c0ffee && exit\n" + answer + "\n");
     std::filesystem::permissions(baseline, std::filesystem::perms::owner_all);
     const std::string cases = folder_.write(
         "cost.txt", "# one\n\n--problem bar --basis linear --integrator cd --cells 8 --ppc 1 --cfl 0.2 --steps 4\n");
@@ -87,6 +88,9 @@ TEST_F(CostCommand, RefusesABaselineThatIsNoSuchProgram) {
               HasSubstr("a run that ends ok): unstable (at step 3)"));
   EXPECT_THAT(beside("exit 3").err, HasSubstr("it prints nothing, and its exit code is 3\n"));
   EXPECT_THAT(call(folder_, "cost /nope").err, HasSubstr("baseline '/nope' is no program (another build of this one)"));
+  const Answer beside_ls = call(folder_, "cost /bin/ls");
+  EXPECT_EQ(beside_ls.code, 2);
+  EXPECT_THAT(beside_ls.err, testing::AllOf(HasSubstr("baseline '/bin/ls' is no mpmvv"), HasSubstr("'ls (")));
   EXPECT_EQ(beside(cost(0)).code, 2);
   EXPECT_EQ(beside(cost(-1)).code, 2);
   EXPECT_EQ(call(folder_, "cost " + folder_.write("text", "no program") + " --cases " + (folder_ / "cost.txt")).code,

@@ -81,7 +81,7 @@ TEST(DbCommand, ForgetsAStudyThatNoReportCanHave) {
   const std::string db = store_of(folder);
   const Answer absent = call(folder, "db forget smal --db " + db);
   EXPECT_EQ(absent.code, 2);
-  EXPECT_THAT(absent.err, HasSubstr("(known: small; did you mean 'small'?)"));
+  EXPECT_THAT(absent.err, HasSubstr("; did you mean 'small'? (known: small)"));
   EXPECT_EQ(call(folder, "db forget small --db " + db).code, 0);
   EXPECT_THAT(call(folder, "db info --db " + db).out, HasSubstr("records   8: 8 ok, 0 unstable, 0 failed\n"));
   EXPECT_THAT(call(folder, "study " + (folder / "small.toml") + " --db " + db).out, HasSubstr("0 cases run"));
@@ -123,7 +123,7 @@ TEST(DbCommand, PrintsTheFileOfAStudyThatTheStoreKeeps) {
   EXPECT_EQ(call(folder, "db study another --db " + db).out, other.text) << "as it was kept last";
   const Answer absent = call(folder, "db study smal --db " + db);
   EXPECT_EQ(absent.code, 2);
-  EXPECT_THAT(absent.err, HasSubstr("(known: another, small; did you mean 'small'?)"));
+  EXPECT_THAT(absent.err, HasSubstr("; did you mean 'small'? (known: another, small)"));
 }
 
 TEST(DbCommand, InfoHasNumbersForPrograms) {

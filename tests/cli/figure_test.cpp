@@ -52,7 +52,8 @@ TEST_F(Figure, AnotherVersionsResultsAreDrawnWhereItIsNamed) {
   const Answer unnamed = ask("");
   EXPECT_EQ(unnamed.code, 2);
   EXPECT_THAT(unnamed.err, AllOf(HasSubstr("but of c0ffee (digest 00ff11)"), HasSubstr("--of")));
-  EXPECT_THAT(ask(" --of dead").err, HasSubstr("no results of a version 'dead' (there are: c0ffee (digest 00ff11))"));
+  EXPECT_THAT(ask(" --of dead").err,
+              HasSubstr("no results of a version 'dead' of mpmvv (there are: c0ffee (digest 00ff11))"));
   ASSERT_EQ(ask(" --of c0f --out old.svg").code, 0);
   ASSERT_EQ(draw("small --out own.svg").code, 0);
   EXPECT_EQ(read_text(folder_ / "old.svg"), read_text(folder_ / "own.svg"));
@@ -112,7 +113,7 @@ TEST_F(Figure, BadOptionsGetOneLineAndWriteNothing) {
        "--font with --format tex (LaTeX sets the document's own font; leave it out)"},
       {"small --format pdf --out a.svg", "--format pdf with --out a.svg (a file that ends with .pdf)"},
       {"small --out a.png", "--out a.png (a file that ends with .pdf, .svg or .tex, or a folder: a.png/)"},
-      {"smal", "unknown figure 'smal' (known: small, S-fig10; did you mean 'small'?)"}};
+      {"smal", "unknown figure 'smal'; did you mean 'small'? (known: small, S-fig10)"}};
   for (const auto& [arguments, message] : calls) {
     const Answer answer = draw(arguments);
     EXPECT_EQ(answer.code, 2) << arguments;

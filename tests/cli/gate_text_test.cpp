@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "studies/store/store.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_store.hpp"
 
@@ -29,6 +30,17 @@ class GateText : public testing::Test {
 
   Answer gate(const std::string& options = "") {
     return call(folder_, "gate --db " + db_ + " --goldens " + (folder_ / "goldens") + " " + options);
+  }
+
+  /// Keeps a study of one series that this version of a code ran.
+  void keep(const std::string& name, const std::string& version, const std::string& digest, const std::string& day) {
+    records::StudyResult study;
+    study.name = name, study.sweep = "cells";
+    study.series = {{"theirs", {{8, records::Status::ok, "", {{"l2", 0.1}}}}, {}, {}}};
+    study.series[0].code = records::OtherCode{"my-code", version, "", "reference", digest};
+    const store::Provenance p{
+        own_digest(folder_), "c0ffee", false, "GNU 12.2.0", "-O3", "Release", "CPU", "2026-01-" + day + "T00:00:00Z"};
+    store::Store(db_, store::Store::Mode::create_or_write).keep_study(study, {}, p);
   }
 
   Folder folder_;
@@ -62,6 +74,20 @@ TEST_F(GateText, VerboseNamesEachGolden) {
   EXPECT_THAT(answer.out, AllOf(HasSubstr("status of 'linear' at 8: expected ok, measured ok\n"),
                                 HasSubstr("no study 'one' in the store"), HasSubstr("no study 'two' in the store"),
                                 Not(HasSubstr("nothing in the store"))));
+}
+
+TEST_F(GateText, NamesTheVersionsOfCodesWhoseGoldensAreJudged) {
+  for (const char* other : {"two", "cost", "limit"}) keep(other, "1.4", "aa11", "01");
+  EXPECT_THAT(gate().out, HasSubstr("judged: my-code 1.4 in two, of 2026-01-01T00:00:00Z\nno goldens of: cost, limit\n"
+                                    "gate: "));
+  EXPECT_THAT(gate("--only two").out, Not(HasSubstr("no goldens of")));
+  EXPECT_THAT(gate("--only one").out, Not(HasSubstr("judged")));
+  keep("two", "1.4", "bb22", "02");
+  EXPECT_THAT(gate().out, HasSubstr("judged: my-code 1.4 (digest bb22) in two, of 2026-01-02T00:00:00Z\n"))
+      << "two programs of one version";
+  const auto codes = gate("--json").json()["codes"];
+  ASSERT_EQ(codes.size(), 1U);
+  EXPECT_EQ(codes[0]["digest"], "bb22");
 }
 
 TEST_F(GateText, AnnotatesForGithub) {

@@ -53,7 +53,9 @@ class HelpExamples : public Help {
     write_output();
     folder_.write("cases.txt", "--problem bar --cells 8 --ppc 2 --cfl 0.4\n");
     folder_.write("points.csv", "X,Y,t\n0.2,0.7,0.001\n");
-    folder_.write("other/mpmvv", "#!/bin/sh\necho '{\"status\": \"ok\", \"ns_per_particle_step\": 1e9}'\n");
+    folder_.write("other/mpmvv",
+                  "#!/bin/sh\n[ $1 = --version ] && echo mpmvv c0ffee && exit\necho '{\"status\": \"ok\", "
+                  "\"ns_per_particle_step\": 1e9}'\n");
     std::filesystem::permissions(folder_ / "other/mpmvv", std::filesystem::perms::owner_all);
     ASSERT_EQ(call(folder_, "study " + study + " --db " + db_).code, 0);
     for (const auto& [digest, of_code] : {std::pair{"3f2a91", "1.3"}, {"c0ffee", "1.4"}}) {

@@ -146,6 +146,14 @@ TEST_F(History, VersionsThatAreNoneOrTwoAreRefused) {
   EXPECT_EQ(call(folder_, "compare a b --db " + (folder_ / "absent.db")).code, 2);
 }
 
+TEST_F(History, OfAStoreWithoutStudiesThereIsNone) {
+  const std::string db = folder_ / "empty.db";
+  store::Store(db, store::Store::Mode::create_or_write);
+  const Answer answer = call(folder_, "trend --db " + db);
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_EQ(answer.err, "mpmvv: " + db + " holds no study of mpmvv (run `mpmvv study` first)\n");
+}
+
 TEST_F(History, TrendFollowsTheTime) {
   const auto json = ask("trend --json").json();
   EXPECT_EQ(json["versions"][0]["digest"], "00ff11");
@@ -226,6 +234,8 @@ TEST_F(History, VersionsOfAnotherCode) {
   EXPECT_EQ(codes[0]["code"], "my-code");
   EXPECT_EQ(codes[0]["versions"][1]["version"], "1.4");
   EXPECT_THAT(ask("db info").out, ContainsRegex("code my-code\n +1[.]3 [(]digest aa11[)], last study 2026-02-03T"));
+  EXPECT_THAT(ask("compare 2.0 --code my-code").err,
+              HasSubstr("no results of a version '2.0' of my-code (there are: "));
   const Answer answer = ask("trend --code other");
   EXPECT_EQ(answer.code, 2);
   EXPECT_THAT(answer.err, HasSubstr("of other codes: my-code"));

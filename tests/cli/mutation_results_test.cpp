@@ -143,7 +143,7 @@ TEST(Program, KnowsNothingOfMutants) {
   EXPECT_THAT(call(folder, "--help").out, Not(HasSubstr("mutant")));
   const Answer answer = call(folder, "mutants --list");
   EXPECT_EQ(answer.code, 2);
-  EXPECT_THAT(answer.err, HasSubstr("unknown command 'mutants' (known: run, "));
+  EXPECT_THAT(answer.err, HasSubstr("unknown command 'mutants' (known: "));
 }
 
 }  // namespace mpmvv::cli::mutation_results_test

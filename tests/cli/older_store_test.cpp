@@ -24,7 +24,7 @@ TEST(OlderStore, IsBroughtUpToDateWithoutARun) {
   EXPECT_THAT(info.err, HasSubstr("(`mpmvv db update` brings it up to date)"));
   const Answer unknown = call(folder, "db forget bats --db " + db);
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("(known: bars; did you mean 'bars'?)"));
+  EXPECT_THAT(unknown.err, HasSubstr("; did you mean 'bars'? (known: bars)"));
   EXPECT_EQ(read_text(db), before) << "nothing is written";
   for (int twice = 0; twice < 2; ++twice) {
     const Answer update = call(folder, "db update --db " + db);

@@ -91,6 +91,44 @@ ylabel = "error"
                     HasSubstr("# No golden of \"b misplaced\": a planted mistake, force_form = \"misplaced\"")));
 }
 
+/// A planted mistake that the exact solution hides where it ends: the particles are back at their places.
+TEST_F(OtherCodes, AStudyWhoseSolutionReturnsSaysSo) {
+  std::string study = R"(title = "Returning"
+[fixed]
+problem = "bar-rest"
+ppc = 2
+cfl = 0.5
+[[series]]
+name = "theirs"
+code = "small-mpm"
+variant = "linear"
+[[series]]
+name = "no b"
+code = "small-mpm"
+variant = "linear"
+force_form = "none"
+[[series]]
+name = "ours"
+basis = "linear"
+integrator = "usl"
+boundary = "periodic"
+[sweep]
+cells = [4, 8]
+)";
+  study.insert(study.find("ppc"), "end_time = 0.02\n");
+  folder_.write("r.toml", study);
+  const std::string caution =
+      "r, 'theirs', 'no b': at the end of the case, 0.02 s, the exact solution is where it started";
+  EXPECT_THAT(in_folder("mpmvv study r.toml --db r.db --plan").err, HasSubstr(caution));
+  EXPECT_THAT(in_folder("mpmvv study r.toml --db r.db --plan --json").json()["cautions"][0].get<std::string>(),
+              HasSubstr(caution));
+  const Answer answer = in_folder("mpmvv study r.toml --db r.db");
+  EXPECT_THAT(answer.err, HasSubstr(caution));
+  EXPECT_EQ(answer.err.find(caution), answer.err.rfind(caution)) << "once";
+  folder_.write("r.toml", study.replace(study.find("0.02"), 4, "0.01"));
+  EXPECT_THAT(in_folder("mpmvv study r.toml --db r.db --plan").err, Not(HasSubstr("where it started")));
+}
+
 TEST_F(OtherCodes, TheAdapterSaysTheColumnsOfWhatIsScored) {
   const std::string adapter = walk("own-code-adapter"), file = "file = \"particles.csv\"";
   const auto at = adapter.find(file);

@@ -134,11 +134,13 @@ TEST_F(OwnStudies, AreCostedBeforeTheCasesOfTheProgram) {
   const std::string theirs = read_text(std::string(MPMVV_SOURCE_DIR) + "/studies/cost.txt");
   const auto first = theirs.find("\n--problem") + 1;
   const std::string mine = "--problem bar --basis linear --integrator cd --cells 8 --ppc 1 --cfl 0.2 --steps 4";
-  EXPECT_THAT(in_folder("mpmvv cost /bin/true").err,
+  std::filesystem::permissions(folder_.write("other", "#!/bin/sh\n[ $1 = --version ] && echo mpmvv c0ffee\n"),
+                               std::filesystem::perms::owner_all);
+  EXPECT_THAT(in_folder("mpmvv cost other").err,
               HasSubstr("does not carry out the case '" + theirs.substr(first, theirs.find('\n', first) - first)));
   std::filesystem::create_directories(folder_ / "studies");
   folder_.write("studies/cost.txt", mine);
-  EXPECT_THAT(in_folder("mpmvv cost /bin/true").err, HasSubstr("does not carry out the case '" + mine));
+  EXPECT_THAT(in_folder("mpmvv cost other").err, HasSubstr("does not carry out the case '" + mine));
 }
 
 TEST_F(OwnStudies, AreListedWithTheirTitlesAndClaims) {

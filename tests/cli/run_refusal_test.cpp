@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
     , BadRun,
     testing::Values(
         BadInput{"run --problem bar --basis bspline4 --cells 8 --ppc 2 --cfl 0.1",
-                 "unknown basis 'bspline4' in --basis (known: linear"},
+                 "unknown basis 'bspline4' in --basis; did you mean 'bspline2'? (known: linear, bspline2"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.2 --cfl 0.3", "--cfl stands there several times (once)"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl", "--cfl without its value"},
         BadInput{"run --problem bar --cells 8 --ppc 2 --cfl 0.2 --threads 0", "--threads: 0 (a whole number from 1 to"},

@@ -168,6 +168,34 @@ TEST(Paper, ExtrapolatedValuesHaveATable) {
               HasSubstr("law 0 & $\\ell_2$ & 0.1 to 0.4 & dt = 0 & $0.00234$ & $0.003$ & $0.001$ \\\\\n"));
 }
 
+TEST(Paper, LimitsAndCostsHaveTables) {
+  const TempFolder folder;
+  auto limits = distinct::limits();
+  limits.title = "Limits of 3 % & more";
+  write({limits, distinct::costs()}, folder.path());
+  EXPECT_THAT(content(folder / "main.tex"),
+              AllOf(HasSubstr("\\input{tables/limits-limits}"), HasSubstr("\\input{tables/costs-costs}"),
+                    Not(HasSubstr("{tables/limits-costs}"))));
+  EXPECT_THAT(content(folder / "tables/limits-limits.tex"),
+              AllOf(HasSubstr("Limits of 3 \\% \\& more. Stability limits."), HasSubstr("\\toprule")));
+  EXPECT_THAT(content(folder / "tables/costs-costs.tex"), HasSubstr("Cheapest series for a given error"));
+}
+
+TEST(Paper, NamesTheVersionsOfOtherCodesThatItShows) {
+  const auto code = [](const std::string& study, const std::string& name, const std::string& version) {
+    return store::CodeSeries{study, "theirs", {name, version, "", "reference", "aa11"}, "2026-03-04T05:06:07Z"};
+  };
+  const std::vector codes{code("laws", "my_code", "1.3"), code("laws", "my_code", "1.3"), code("curves", "other", "2")};
+  const TempFolder folder;
+  const auto text = [&](const std::vector<std::string>& names) {
+    write_paper({distinct::laws(), distinct::curves()}, {}, folder.path(), column(), names, codes);
+    return content(folder / "main.tex");
+  };
+  EXPECT_THAT(text({}), AllOf(HasSubstr("my\\_code: \\texttt{1.3, digest aa11}"),
+                              HasSubstr("other: \\texttt{2, digest aa11}")));
+  EXPECT_THAT(text({"laws"}), AllOf(HasSubstr("my\\_code: \\texttt{1.3"), Not(HasSubstr("other: "))));
+}
+
 TEST(Paper, RedrawsOnlyWhatChanged) {
   const TempFolder folder;
   auto studies = std::vector{of_s(), distinct::curves()};

@@ -213,6 +213,22 @@ ClaimPart cost_ratio(const char* series, const char* over, double from, std::opt
   return judge(c, result);
 }
 
+/// At 0.001, which neither reaches, nothing is known; at 0.01 and 0.1 the dear one costs 2.8 and 2 times as much.
+TEST(CostCriterion, WhereNeitherGetsThereAnotherErrorDecides) {
+  StudyResult result = two_costs();
+  for (Series& series : result.series) series.points[1].y["l2"] = 0.01;
+  const ClaimPart fails = cost_ratio("dear", "cheap", 0.001, {}, 1, result);
+  EXPECT_EQ(fails.verdict, PartVerdict::fails);
+  EXPECT_THAT(fails.evidence, HasSubstr("at l2 1e-03 is not known (neither ever reaches it) (asked"));
+  EXPECT_THAT(fails.found, testing::SizeIs(2)) << "what is not known decides nothing";
+  const ClaimPart open = cost_ratio("dear", "cheap", 0.001, 1, {}, result);
+  EXPECT_EQ(open.verdict, PartVerdict::inconclusive);
+  ASSERT_THAT(open.found, testing::SizeIs(3));
+  const auto lost = std::ranges::find(open.found, "neither ever reaches it", &records::Found::remark);
+  ASSERT_NE(lost, open.found.end());
+  EXPECT_TRUE(std::isnan(lost->value));
+}
+
 /// Whatever the other runs say: one that failed might have reached an error, or have done so for less.
 TEST(CostCriterion, ARunThatFailedLeavesTheRatioOfCostsOpen) {
   StudyResult result = two_costs();
