@@ -235,25 +235,6 @@ TEST_F(ExternalRun, NumbersHaveAllTheirDigits) {
   EXPECT_EQ(dt, settings::make_case(settings).resolution.dt);
 }
 
-TEST_F(ExternalRun, WhatACodeCannotDoIsRefused) {
-  const auto refusal = [&](const std::string& without, const std::string& instead) {
-    std::string text = Mover::text;
-    text.replace(text.find(without), without.size(), instead);
-    mover_.adapter(text);
-    try {
-      require_able(read_adapter(mover_.folder() / "adapter.toml"), settings::make_case(Mover::settings()));
-    } catch (const UsageError& e) {
-      return std::string(e.what());
-    }
-    return std::string();
-  };
-  EXPECT_EQ(refusal("none", "none"), "");
-  EXPECT_THAT(refusal("[2]", "[1, 3]"), HasSubstr("it has 2 dimensions (it can: 1, 3)"));
-  EXPECT_THAT(refusal("\"reference\", ", ""), HasSubstr("force_form 'reference' (it can: none)"));
-  EXPECT_THAT(refusal("\"periodic\"", "\"free\""), HasSubstr("boundary 'periodic'"));
-  EXPECT_THAT(refusal("velocity = true", "velocity = false"), HasSubstr("it starts with a velocity"));
-}
-
 TEST_F(ExternalRun, TheVersionIsThatOfTheProgramOrItsFile) {
   const std::string of_file = mover_.code().version;
   mover_.script("echo another");
