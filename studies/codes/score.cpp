@@ -97,7 +97,7 @@ template <int D>
 void measure(const CaseParticles<D>& particles, const Output& output, Record& record) {
   const cases::Case& c = record.the_case;
   record.particles = static_cast<std::int64_t>(particles.size());
-  record.energy.initial_total = runs::start_energy(particles.setup, particles.energy);
+  record.energy.initial_total = runs::start_energy(c, particles.setup, particles.energy);
   for (const Snapshot* s : {output.start ? &*output.start : nullptr, &output.end})
     if (s) require_finite(*s, particles.size());
   require_end_time(c, output.end);
