@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "cli/command.hpp"
 #include "cli/console.hpp"
@@ -34,20 +35,19 @@ struct ScoreOptions {
   bool json = false;
 };
 
-/// What the adapter of the case's code says of its files; nothing where the case is of no other code, or its adapter is
-/// not here.
-codes::OutputFiles files_of_code(const cases::Case& c) {
+/// The adapter of the case's code; none where the case is of no other code, or its adapter is not here.
+std::optional<codes::Adapter> adapter_of(const cases::Case& c) {
   const std::string& code = c.scheme.code;
-  if (code.empty()) return {};
+  if (code.empty()) return std::nullopt;
   for (const std::filesystem::path& file : plan::CodeFinder(shipped("adapters")).adapter_files())
     if (file.parent_path().filename() == code) try {
-        codes::OutputFiles files = codes::read_adapter(file).output;
+        codes::Adapter adapter = codes::read_adapter(file);
         note("columns and units are those of {}, unless an option says another\n", file.string());
-        return files;
+        return adapter;
       } catch (const UsageError& e) {
         note("columns and units are not those of the code's adapter: {}\n", e.what());
       }
-  return {};
+  return std::nullopt;
 }
 
 /// The word of the option; without it the ending of the first file says the format, else the adapter.
@@ -116,7 +116,8 @@ void note_missing_errors(const records::Record& record, const std::string& files
 int score(const ScoreOptions& options) {
   const cases::Case c = codes::read_case(options.the_case);
   if (!options.db.empty()) require_keepable(c, options.the_case);
-  const codes::OutputFiles usual = files_of_code(c);
+  const std::optional<codes::Adapter> adapter = adapter_of(c);
+  const codes::OutputFiles usual = adapter ? adapter->output : codes::OutputFiles{};
   codes::Columns columns = columns_in(options, c, usual.columns);
   const std::string format = format_of(options, usual);
   const auto paths = [](const std::vector<std::string>& names) {
@@ -125,7 +126,7 @@ int score(const ScoreOptions& options) {
   codes::Output output{.end = codes::read_snapshot(paths(options.outputs), columns, format)};
   columns.step.reset();
   if (!options.start.empty()) output.start = codes::read_snapshot(paths(options.start), columns, format);
-  const records::Record record = codes::score(c, output);
+  const records::Record record = adapter ? codes::score(c, adapter->stepping, output) : codes::score(c, output);
   const std::string files = fmt::format("{}", fmt::join(options.outputs, ", "));
   const bool is_failed = record.status == records::Status::failed;
   const std::string caution = record.status == records::Status::ok ? codes::caution(c) : "";

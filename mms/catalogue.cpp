@@ -97,8 +97,10 @@ std::shared_ptr<ManufacturedSolution<2>> pulse(const Values& values) {
                                  values.at("density"));
 }
 
+/// In a periodic square of unit length no displacement is off by more than 0.71 m: of interest is a quarter of the
+/// length.
 std::shared_ptr<ManufacturedSolution<2>> translation(const Values& values) {
-  return std::make_shared<Translation<2>>(Vec<2>(values.at("velocity_x"), values.at("velocity_y")), 1);
+  return std::make_shared<Translation<2>>(Vec<2>(values.at("velocity_x"), values.at("velocity_y")), 0.25);
 }
 
 Entry aligned_entry(std::string_view name, std::string_view what, double amplitude, int k, auto make) {

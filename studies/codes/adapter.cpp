@@ -147,6 +147,9 @@ Stepping read_stepping(const TomlTable& root) {
   require_words({rule}, {"given", "own"}, "rule", table->where("rule"));
   stepping.is_given = rule == "given";
   stepping.time_tolerance = table->number("time_tolerance", stepping.time_tolerance);
+  if (!(stepping.time_tolerance >= 0 && stepping.time_tolerance <= 0.1))
+    throw UsageError(fmt::format("time_tolerance = {} in {} (of the end time: from 0 to 0.1)", stepping.time_tolerance,
+                                 table->where("time_tolerance")));
   return stepping;
 }
 

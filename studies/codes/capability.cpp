@@ -33,13 +33,6 @@ std::vector<std::string> boundaries_of(const Case& c, const Problem& problem) {
   return words;
 }
 
-/// Whether the code has this boundary, or one with which the case moves in the same way: `symmetry` for `periodic`
-/// where the problem has planes of symmetry on its faces.
-bool is_met(const std::string& word, const Problem& problem, const Capabilities& able) {
-  const bool has_planes = word == solver::Periodic::word && problem.has_quarter();
-  return has(able.boundaries, word) || (has_planes && has(able.boundaries, std::string(solver::Symmetry::word)));
-}
-
 /// Whether a text has a name that is not a part of a longer one, as is_wall is of xmin_is_wall.
 bool has_name(const std::string& text, const std::string& name) {
   const auto is_of_name = [&text](std::size_t at) {
@@ -64,16 +57,30 @@ std::string whole_condition(const Adapter& adapter) {
   return "";
 }
 
-/// Returns the case on few cells, for questions whose answer does not depend on their number.
-Case on_few_cells(Case c) {
-  c.resolution.cells = std::min(c.resolution.cells, 4);
-  c.resolution.ppc = 2;
-  return c;
+/// Returns the start of the case on as few cells as hold some particles, for questions whose answer does not depend on
+/// their number: a thin body may have none on four.
+StartState some_start(const Case& c) {
+  constexpr std::size_t some = 8;
+  Case few = c;
+  few.resolution.ppc = 2;
+  for (few.resolution.cells = 4; few.resolution.cells < c.resolution.cells; few.resolution.cells *= 2)
+    if (StartState start = start_state(few); start.size() >= some) return start;
+  return start_state(c);
 }
 
 }  // namespace
 
-void require_able(const Adapter& adapter, const Case& c) {
+Case as_given_to(const Adapter& adapter, Case c) {
+  const std::string periodic(solver::Periodic::word), symmetry(solver::Symmetry::word);
+  const std::vector<std::string>& known = adapter.capabilities.boundaries;
+  const bool has_planes = problems::find_problem(c.problem.name, "the case").has_quarter();
+  if (c.scheme.boundary == periodic && has_planes && !has(known, periodic) && has(known, symmetry))
+    c.scheme.boundary = symmetry;
+  return c;
+}
+
+void require_able(const Adapter& adapter, const Case& asked) {
+  const Case c = as_given_to(adapter, asked);
   const Problem& problem = problems::find_problem(c.problem.name, "the case");
   const Capabilities& able = adapter.capabilities;
   const auto refuse = [&](const std::string& why) {
@@ -92,14 +99,14 @@ void require_able(const Adapter& adapter, const Case& c) {
     refuse(fmt::format("material '{}' (it can: {}{})", c.scheme.material, fmt::join(able.materials, ", "), other));
   }
   for (const std::string& word : boundaries_of(c, problem))
-    if (!is_met(word, problem, able))
+    if (!has(able.boundaries, word))
       refuse(fmt::format("boundary '{}' (it can: {})", word, fmt::join(able.boundaries, ", ")));
   if (const std::string whole = whole_condition(adapter); boundaries_of(c, problem).size() > 1 && !whole.empty())
     throw support::UsageError(fmt::format(
         "code '{}' cannot run problem '{}': its faces differ, {}, and the templates of {} ask {} but nothing "
         "of a face (such as xmin_is_wall or boundary_xmin, docs/adapters.md)",
         adapter.name, problem.name, c.scheme.boundary, adapter.folder.string(), whole));
-  const StartState start = start_state(on_few_cells(c));
+  const StartState start = some_start(c);
   if (!able.initial_velocity && !is_at_rest(start, problem.wave_speed(c.problem.parameters)))
     refuse("it starts with a velocity (problems at rest: `mpmvv list problems`)");
   if (!able.initial_deformation && !is_undeformed(start))

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "studies/codes/case_fields.hpp"
@@ -32,21 +34,25 @@ std::vector<Setting> necessary_settings(const Case& c, const std::string& where)
   return given;
 }
 
-/// Returns settings from which `make_case` makes the case: the necessary ones, and those whose value is not the one
-/// that it fills in. A setting may change what others are filled in with, so this goes on until no value differs.
+/// Whether someone can give the case's value of a key: no value stands where the case has no such choice.
+bool can_be_given(const cases::SettingKey& key, const Case& c) {
+  if (!key.member || !key.is_of(c.scheme.code) || key.key == "dt" || key.key == "steps") return false;
+  if (key.key == "wall_depth") return c.scheme.wall_gradient != cases::WallGradient::none;
+  const std::vector<std::string>& words = key.member->words;
+  return words.empty() || std::ranges::find(words, cases::text_of(key.member->value(c))) != words.end();
+}
+
+/// Returns settings from which `make_case` makes the case: the necessary ones, those whose value is not that of a case
+/// of which nothing is said, and those that `make_case` fills in by others.
 std::vector<Setting> settings_of(const Case& c) {
+  constexpr std::array filled_in{"boundary", "material", "wall_depth"};
   const std::string where = "the case";
   std::vector<Setting> given = necessary_settings(c, where);
-  for (bool is_complete = false; !is_complete;) {
-    const Case made = settings::make_case(given);
-    is_complete = true;
-    for (const cases::SettingKey& key : cases::setting_keys()) {
-      if (!key.member || !key.is_of(c.scheme.code) || key.key == "dt" || key.key == "steps") continue;
-      const cases::Value value = key.member->value(c);
-      if (value == key.member->value(made)) continue;
+  for (const cases::SettingKey& key : cases::setting_keys()) {
+    if (!can_be_given(key, c)) continue;
+    const cases::Value value = key.member->value(c);
+    if (value != key.member->value(Case{}) || std::ranges::find(filled_in, key.key) != filled_in.end())
       given.push_back({key.key, cases::text_of(value), where});
-      is_complete = false;
-    }
   }
   return given;
 }

@@ -7,7 +7,6 @@ namespace mpmvv::codes {
 template <int D>
 CaseParticles<D> case_particles(const cases::Case& c) {
   auto prepared = runs::prepare_case<D>(c, problems::find_problem(c.problem.name, "the case"), 1);
-  const bool is_driven = prepared.is_driven();
   const solver::Mpm<D> mpm(std::move(prepared.scene));
   const auto& start = mpm.particles();
   const auto& grid = mpm.grid();
@@ -17,7 +16,7 @@ CaseParticles<D> case_particles(const cases::Case& c) {
                        .m = std::vector<double>(start.size()),
                        .momenta = runs::Momenta<D>(start),
                        .energy = mpm.kinetic_energy() + mpm.strain_energy(),
-                       .is_driven = is_driven,
+                       .is_driven = prepared.is_driven,
                        .lower = grid.lower(),
                        .upper = grid.lower(),
                        .period = Vec<D>::Zero(),

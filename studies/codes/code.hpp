@@ -27,6 +27,10 @@ std::optional<Code> find_code(const Adapter& adapter);
 /// Says how to get a code whose program was not found.
 std::string how_to_get(const Adapter& adapter);
 
+/// Returns the case with boundaries that the code has and with which it moves in the same way: `symmetry` for
+/// `periodic` where the problem has planes of symmetry on its faces and the code has only these.
+cases::Case as_given_to(const Adapter& adapter, cases::Case c);
+
 /// Throws UsageError, which says why, if the case is beyond the capabilities of the code.
 void require_able(const Adapter& adapter, const cases::Case& c);
 

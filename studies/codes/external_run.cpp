@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <system_error>
@@ -45,13 +44,6 @@ Output output_of(const Case& c, const Code& code, const TemplateFields& fields, 
   }
 }
 
-/// Leaves out what the output of a code that chooses its time step says of that step: the case has another.
-void leave_out_own_step(Output& output) {
-  for (Snapshot* s : {output.start ? &*output.start : nullptr, &output.end})
-    for (const char* key : {"dt", "cfl", "steps"})
-      if (s) s->says.erase(key);
-}
-
 /// Sets what one step cost. It is not measured where the number of steps is unknown.
 void set_cost_of_step(Record& record) {
   const std::int64_t all = record.particles * record.steps;
@@ -65,11 +57,9 @@ Record carry_out(const Case& c, const Code& code, const fs::path& folder) {
   std::string log;
   const double seconds = run_command(code, code.adapter.command, fields, folder, log);
   for (const auto& command : code.adapter.output.convert) run_command(code, command, fields, folder, log);
-  Output output = output_of(c, code, fields, folder, log);
-  const bool has_own_step = !code.adapter.stepping.is_given;
-  if (has_own_step) leave_out_own_step(output);
-  Record record = score(c, output);
-  if (has_own_step) record.steps = std::max<std::int64_t>(output.end.step.value_or(0), 0);
+  Record record = score(c, code.adapter.stepping, output_of(c, code, fields, folder, log));
+  if (record.status == Status::failed)
+    record.reason += fmt::format("; the code ended without an error: {}", tail_of(log));
   record.wall_seconds = seconds;
   set_cost_of_step(record);
   return record;

@@ -170,7 +170,8 @@ InputUnits units_of(const Columns& file, int dimension) {
 }
 
 /// Returns the fields for templates of input files, with numbers in the adapter's units or in m, s, kg.
-TemplateFields input_fields_of(const Case& c, const Code& code, bool in_units) {
+TemplateFields input_fields_of(const Case& asked, const Code& code, bool in_units) {
+  const Case c = as_given_to(code.adapter, asked);
   const StartState state = start_state(c);
   const Conditions known = conditions(c);
   const InputUnits unit = in_units ? units_of(code.adapter.output.columns, known.dimension) : InputUnits{};
@@ -193,7 +194,8 @@ TemplateFields input_fields_of(const Case& c, const Code& code, bool in_units) {
 
 }  // namespace
 
-TemplateFields fields_of(const Case& c, const Code& code) {
+TemplateFields fields_of(const Case& asked, const Code& code) {
+  const Case c = as_given_to(code.adapter, asked);
   TemplateFields fields;
   add_adapter(code, c.scheme.variant, fields);
   add_scheme(c, fields);

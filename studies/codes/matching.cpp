@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 #include "studies/codes/nearest_point.hpp"
 #include "studies/codes/output_fault.hpp"
@@ -50,6 +52,17 @@ Lines by_case_id(const Snapshot& s, std::size_t particles) {
   return found;
 }
 
+void require_distinct_ids(const Snapshot& s) {
+  std::unordered_set<std::int64_t> seen;
+  for (const std::int64_t id : s.id)
+    if (!seen.insert(id).second) fail_output("particle {} stands twice in {}", id, s.file);
+}
+
+/// Whether reference positions say which particle a line is, X or x - u.
+bool has_reference_places(const Snapshot& s) {
+  return !s.X.empty() || (!s.x.empty() && !s.u.empty());
+}
+
 /// Returns the particles of the lines at the end: each is that of the line of the start with the same id.
 Lines by_start_id(const Snapshot& end, const Snapshot& start, const Lines& of_start) {
   std::unordered_map<std::int64_t, std::size_t> lines;
@@ -69,19 +82,42 @@ Lines by_start_id(const Snapshot& end, const Snapshot& start, const Lines& of_st
   return found;
 }
 
+/// Moves the places into a periodic grid by whole periods.
+template <int D>
+std::vector<Vec<D>> inside(const CaseParticles<D>& particles, std::vector<Vec<D>> places) {
+  const Vec<D> middle = (particles.lower + particles.upper) / 2;
+  for (Vec<D>& place : places) place = middle + particles.difference(place, middle);
+  return places;
+}
+
+/// Returns the point nearest to a place in a periodic grid, where both are inside: a point at one of its faces is near
+/// to places at the other.
+template <int D>
+Neighbour nearest_around(const CaseParticles<D>& particles, const NearestPoint<D>& nearest, const Vec<D>& place) {
+  Neighbour best = nearest(place);
+  for (int axis = 0; axis < D; ++axis)
+    for (const int side : {-1, 1}) {
+      if (!(particles.period[axis] > 0)) continue;
+      const Neighbour other = nearest(place + side * particles.period[axis] * Vec<D>::Unit(axis));
+      if (other.distance < best.distance) best = other;
+    }
+  return best;
+}
+
 /// Returns for each place the particle whose position in `at` is nearest, one to one. It has to be within a hundredth
 /// of the particle spacing plus ten units of rounding.
 template <int D>
-Lines by_place(const CaseParticles<D>& particles, const std::vector<Vec<D>>& places, const std::vector<Vec<D>>& at,
+Lines by_place(const CaseParticles<D>& particles, std::vector<Vec<D>> places, std::vector<Vec<D>> at,
                const Snapshot& s) {
   require_units(places, at, s.file);
+  places = inside(particles, std::move(places)), at = inside(particles, std::move(at));
   const NearestPoint<D> nearest(at);
   const double exactly = 0.01 * particles.spacing + 10 * s.rounding;
   std::vector<bool> taken(at.size(), false);
   Lines found;
   double farthest = 0;
   for (std::size_t line = 0; line < places.size(); ++line) {
-    const Neighbour neighbour = nearest(places[line]);
+    const Neighbour neighbour = nearest_around(particles, nearest, places[line]);
     farthest = std::max(farthest, neighbour.distance);
     if (farthest <= exactly && taken[neighbour.point])
       fail_output("two particles in {} start where the case's particle {} does", s.file, neighbour.point + 1);
@@ -95,16 +131,14 @@ Lines by_place(const CaseParticles<D>& particles, const std::vector<Vec<D>>& pla
   return found;
 }
 
-/// Returns the reference positions of the lines: X if it is written, else x - u, moved into a periodic grid by whole
-/// periods. Empty if the file has neither.
+/// Returns the reference positions of the lines: X if it is written, else x - u, inside the grid. Empty if the file has
+/// neither.
 template <int D>
 std::vector<Vec<D>> reference_places(const CaseParticles<D>& particles, const Snapshot& s) {
   std::vector<Vec<D>> places = vecs<D>(s.X);
-  if (!places.empty() || s.x.empty() || s.u.empty()) return places;
-  const Vec<D> middle = (particles.lower + particles.upper) / 2;
-  for (std::size_t line = 0; line < s.size(); ++line)
-    places.push_back(middle + particles.difference(vec<D>(s.x[line]) - vec<D>(s.u[line]), middle));
-  return places;
+  if (!places.empty() || !has_reference_places(s)) return places;
+  for (std::size_t line = 0; line < s.size(); ++line) places.push_back(vec<D>(s.x[line]) - vec<D>(s.u[line]));
+  return inside(particles, std::move(places));
 }
 
 template <int D>
@@ -129,14 +163,12 @@ std::size_t strayed(const CaseParticles<D>& particles, const Snapshot& end, cons
 /// and no particle is taken twice.
 template <int D>
 Lines by_nearest(const CaseParticles<D>& particles, std::vector<Vec<D>> at, const Snapshot& end) {
-  const Vec<D> middle = (particles.lower + particles.upper) / 2;
-  const auto inside = [&](const Vec<D>& x) -> Vec<D> { return middle + particles.difference(x, middle); };
-  for (Vec<D>& place : at) place = inside(place);
+  at = inside(particles, std::move(at));
   const NearestPoint<D> nearest(at);
   std::vector<bool> taken(particles.size(), false);
   Lines found;
-  for (const Point& x : end.x) {
-    const Neighbour neighbour = nearest(inside(vec<D>(x)));
+  for (const Vec<D>& place : inside(particles, vecs<D>(end.x))) {
+    const Neighbour neighbour = nearest_around(particles, nearest, place);
     if (!(neighbour.distance < particles.spacing / 2) || taken[neighbour.point]) return {};
     taken[neighbour.point] = true;
     found.push_back(neighbour.point);
@@ -201,6 +233,16 @@ void require_ids_of_case(const CaseParticles<D>& particles, const Snapshot& end,
 }
 
 }  // namespace
+
+void require_each_once(const Output& output, std::size_t particles) {
+  const bool has_case_ids = !output.start && !output.end.id.empty() && !has_reference_places(output.end);
+  if (has_case_ids) by_case_id(output.end, particles);
+  for (const Snapshot* s : {output.start ? &*output.start : nullptr, &output.end}) {
+    if (!s) continue;
+    require_distinct_ids(*s);
+    require_count(*s, particles, std::vector<bool>(particles, true));
+  }
+}
 
 template <int D>
 Lines match(const CaseParticles<D>& particles, const Output& output) {

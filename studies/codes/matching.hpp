@@ -6,6 +6,10 @@
 
 namespace mpmvv::codes {
 
+/// Requires that no particle is missing or doubled, as far as numbers of lines and ids tell: positions may be no
+/// numbers. The fault is `failed`.
+void require_each_once(const Output& output, std::size_t particles);
+
 /// Returns for each line of the output's end which of the case's particles it is, one to one. It goes by the first of
 /// these that the output has:
 ///   - the reference position, X or x - u, which has to be that of a particle of the case;

@@ -8,6 +8,7 @@
 
 #include "studies/cases/setting_keys.hpp"
 #include "studies/codes/excursion.hpp"
+#include "studies/codes/matching.hpp"
 #include "studies/codes/output_fault.hpp"
 #include "studies/codes/rounding.hpp"
 #include "studies/codes/text_column.hpp"
@@ -53,23 +54,38 @@ std::string value_of(const cases::Case& c, const std::string& key) {
   return "";
 }
 
-/// Whether values of the key have a unit.
-bool has_unit(const cases::Case& c, const std::string& key) {
+/// Returns the unit that values of the key have in a case; empty if they have none.
+std::string unit_of(const cases::Case& c, const std::string& key) {
   const auto& parameters = problems::find_problem(c.problem.name, "the case").parameters;
   const auto parameter = std::ranges::find(parameters, key, &problems::Parameter::name);
-  return parameter != parameters.end() ? !parameter->unit.empty() : key == "dt" || key == "end_time";
+  if (parameter != parameters.end()) return std::string(parameter->unit);
+  return key == "dt" || key == "end_time" ? "s" : "";
+}
+
+/// Returns the text without this unit behind a number, as in `0.25 s`.
+std::string without_unit(const std::string& text, const std::string& unit) {
+  const bool has_it = !unit.empty() && text.ends_with(" " + unit);
+  return has_it ? text.substr(0, text.size() - unit.size() - 1) : text;
+}
+
+void require_same_case(const cases::Case& c, const SnapshotPart& part, bool has_own_units) {
+  for (const auto& [key, text] : part.says) {
+    const std::string unit = unit_of(c, key), said = without_unit(text, unit);
+    if (has_own_units && !unit.empty()) continue;
+    if (key == "cfl" && !is_cfl(c, said))
+      fail_output("cfl = {} in {}, the case has {:.4g}", said, part.file, problems::cfl_number(c));
+    if (const std::string value = value_of(c, key); !value.empty() && !are_same(said, value))
+      fail_output("{} = {} in {}, the case has {}", key, said, part.file, value);
+  }
 }
 
 template <std::size_t N>
-void require_finite(const std::vector<std::array<double, N>>& all, const char* what, const Snapshot& s,
-                    std::size_t particles) {
+void require_finite(const std::vector<std::array<double, N>>& all, const char* what, const Snapshot& s) {
   const auto is_finite = [](const auto& each) {
     return std::all_of(each.begin(), each.end(), [](double value) { return std::isfinite(value); });
   };
   const auto first = std::find_if_not(all.begin(), all.end(), is_finite);
   if (first == all.end()) return;
-  if (all.size() < particles)
-    fail_output("{} of {} particles are missing in {}", particles - all.size(), particles, s.file);
   const auto count = all.end() - first - std::count_if(first, all.end(), is_finite);
   throw OutputFault(
       Status::unstable,
@@ -98,13 +114,14 @@ double error_at(const MatchedEnd<D>& end, double t, std::size_t stride) {
 }  // namespace
 
 void require_same_case(const cases::Case& c, const Snapshot& s) {
-  for (const auto& [key, said] : s.says) {
-    if (s.has_own_units && has_unit(c, key)) continue;
-    if (key == "cfl" && !is_cfl(c, said))
-      fail_output("cfl = {} in {}, the case has {:.4g}", said, s.file, problems::cfl_number(c));
-    if (const std::string value = value_of(c, key); !value.empty() && !are_same(said, value))
-      fail_output("{} = {} in {}, the case has {}", key, said, s.file, value);
-  }
+  if (s.parts.empty()) require_same_case(c, {s.file, s.size(), s.says}, s.has_own_units);
+  for (const SnapshotPart& part : s.parts) require_same_case(c, part, s.has_own_units);
+}
+
+void require_last_step(const cases::Case& c, const Snapshot& s) {
+  const std::int64_t steps = c.resolution.steps;
+  if (s.step && *s.step != 0 && *s.step != steps)
+    fail_output("{} is of step {} and not of the last one, {}", s.file, *s.step, steps);
 }
 
 bool is_end_time(const cases::Case& c, double time) {
@@ -118,10 +135,18 @@ void require_end_time(const cases::Case& c, const Snapshot& s) {
                 static_cast<double>(c.resolution.steps) * c.resolution.dt);
 }
 
-void require_finite(const Snapshot& s, std::size_t particles) {
-  require_finite(s.x, "position", s, particles);
-  require_finite(s.u, "displacement", s, particles);
-  require_finite(s.v, "velocity", s, particles);
+void require_finite(const Output& output, std::size_t particles) {
+  try {
+    for (const Snapshot* s : {output.start ? &*output.start : nullptr, &output.end}) {
+      if (!s) continue;
+      require_finite(s->x, "position", *s);
+      require_finite(s->u, "displacement", *s);
+      require_finite(s->v, "velocity", *s);
+    }
+  } catch (const OutputFault&) {
+    require_each_once(output, particles);
+    throw;
+  }
 }
 
 template <int D>

@@ -12,15 +12,19 @@ namespace mpmvv::codes {
 /// compared where the file has units of its own.
 void require_same_case(const cases::Case& c, const Snapshot& s);
 
+/// Requires that the step in the file, if it has one, is the case's last. Step 0 says nothing: some codes write it into
+/// all their files.
+void require_last_step(const cases::Case& c, const Snapshot& s);
+
 /// Whether a time in s is the case's end time: to a thousandth of a time step or to 2e-6 of it, as a time is printed.
 bool is_end_time(const cases::Case& c, double time);
 
 /// Requires that the time in the file, if it has one, is the case's end time.
 void require_end_time(const cases::Case& c, const Snapshot& s);
 
-/// Requires that all positions, displacements and velocities are finite. The fault is `unstable` if the file has no
-/// fewer than `particles` particles, else `failed`.
-void require_finite(const Snapshot& s, std::size_t particles);
+/// Requires that all positions, displacements and velocities are finite. The fault is `unstable`, but `failed` where
+/// one of `particles` particles is missing or doubled (`require_each_once`).
+void require_finite(const Output& output, std::size_t particles);
 
 /// The end of an output with the particle that each line is.
 template <int D>

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 #include <fnmatch.h>
 
-#include <cmath>
-
 #include "studies/codes/fields.hpp"
 #include "studies/codes/file_order.hpp"
-#include "studies/codes/output_checks.hpp"
 #include "studies/codes/readers.hpp"
 #include "studies/problems/problem.hpp"
 #include "studies/support/error.hpp"
@@ -51,19 +48,6 @@ Output read_output(const cases::Case& c, const Code& code, const TemplateFields&
   const Adapter& adapter = code.adapter;
   Output output{{}, read(c, code, fields, folder, adapter.output.end)};
   if (!adapter.output.start.empty()) output.start = read(c, code, fields, folder, adapter.output.start);
-  const std::int64_t steps = c.resolution.steps;
-  const std::int64_t step = output.end.step.value_or(0);  // Karamelo writes step 0 into all its dumps
-  if (adapter.stepping.is_given && step != 0 && step != steps)
-    throw UsageError(fmt::format("its output is of step {} and not of the last one, {}", step, steps));
-  const double end_time = static_cast<double>(c.resolution.steps) * c.resolution.dt;
-  std::optional<double>& time = output.end.time;
-  if (time && !(std::abs(*time - end_time) <= adapter.stepping.time_tolerance * end_time))
-    throw UsageError(
-        fmt::format("its output is of the time {:.10g} s and not of the end time {:.10g} s", *time, end_time));
-  if (time && !is_end_time(c, *time)) output.time = time;
-  const bool is_planted =
-      c.scheme.force_form == cases::ForceForm::misplaced || c.scheme.force_form == cases::ForceForm::none;
-  if (time || is_planted) time = end_time;
   return output;
 }
 

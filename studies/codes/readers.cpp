@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "studies/support/error.hpp"
 #include "studies/support/file.hpp"
@@ -47,17 +49,21 @@ const std::vector<Format>& formats() {
   return all;
 }
 
-Snapshot read_snapshot(const std::filesystem::path& file, const Columns& columns, const std::string& format) {
+namespace {
+
+ParticleTable read_table(const std::filesystem::path& file, const Columns& columns, const std::string& format,
+                         bool may_be_empty) {
   const Format& known = format_of(file, format);
   if (columns.step && !known.has_steps)
     throw UsageError(fmt::format("--step {} of {}, which holds one state (it is for a dump, which may hold several)",
                                  *columns.step, file.string()));
   const std::string content = support::require_file(file, "what a code wrote of its particles");
-  const ParticleTable table = known.read({content, file.string(), columns.step});
-  return snapshot_of(table, columns, file.string());
+  return known.read({content, file.string(), columns.step, may_be_empty});
 }
 
-namespace {
+bool has_rows(const ParticleTable& table) {
+  return !table.columns.empty() && !table.columns.front().values.empty();
+}
 
 template <class T>
 void append(std::vector<T>& all, const std::vector<T>& more, const Snapshot& part, const Snapshot& first) {
@@ -68,26 +74,46 @@ void append(std::vector<T>& all, const std::vector<T>& more, const Snapshot& par
   all.insert(all.end(), more.begin(), more.end());
 }
 
+/// Adds the particles of a part to those of the parts before it.
+void append(Snapshot& whole, const Snapshot& part) {
+  if (part.time != whole.time || part.step != whole.step)
+    throw UsageError(fmt::format("{} is of another time than {} (parts of one state)", part.file, whole.file));
+  const Snapshot before = whole;
+  const auto add = [&](auto member) { append(whole.*member, part.*member, part, before); };
+  add(&Snapshot::id), add(&Snapshot::X), add(&Snapshot::x), add(&Snapshot::u), add(&Snapshot::v);
+  add(&Snapshot::mass), add(&Snapshot::stress);
+  whole.digits = std::min(whole.digits, part.digits);
+  whole.rounding = std::max(whole.rounding, part.rounding);
+  whole.rounding_of_all = std::max(whole.rounding_of_all, part.rounding_of_all);
+  whole.parts.push_back({part.file, part.size(), part.says});
+}
+
 }  // namespace
+
+Snapshot read_snapshot(const std::filesystem::path& file, const Columns& columns, const std::string& format) {
+  return snapshot_of(read_table(file, columns, format, false), columns, file.string());
+}
 
 Snapshot read_snapshot(const std::vector<std::filesystem::path>& parts, const Columns& columns,
                        const std::string& format) {
-  Snapshot whole = read_snapshot(parts.at(0), columns, format);
-  if (parts.size() > 1) whole.parts.push_back({whole.file, whole.size()});
-  for (std::size_t k = 1; k < parts.size(); ++k) {
-    const Snapshot part = read_snapshot(parts[k], columns, format), before = whole;
-    if (part.time != whole.time || part.step != whole.step || part.says != whole.says)
-      throw UsageError(fmt::format("{} is of another time or run than {} (parts of one state)", part.file, whole.file));
-    const auto add = [&](auto member) { append(whole.*member, part.*member, part, before); };
-    add(&Snapshot::id), add(&Snapshot::X), add(&Snapshot::x), add(&Snapshot::u), add(&Snapshot::v);
-    add(&Snapshot::mass), add(&Snapshot::stress);
-    whole.digits = std::min(whole.digits, part.digits);
-    whole.rounding = std::max(whole.rounding, part.rounding);
-    whole.rounding_of_all = std::max(whole.rounding_of_all, part.rounding_of_all);
-    whole.parts.push_back({part.file, part.size()});
+  if (parts.size() == 1) return read_snapshot(parts[0], columns, format);
+  std::optional<Snapshot> whole;
+  for (const std::filesystem::path& file : parts) {
+    const ParticleTable table = read_table(file, columns, format, true);
+    if (!has_rows(table)) continue;
+    Snapshot part = snapshot_of(table, columns, file.string());
+    if (whole) {
+      append(*whole, part);
+    } else {
+      part.parts.push_back({part.file, part.size(), part.says});
+      whole = std::move(part);
+    }
   }
-  if (parts.size() > 1) whole.file += fmt::format(" and {} more", parts.size() - 1);
-  return whole;
+  if (!whole)
+    throw UsageError(fmt::format("no particles in {} and {} more (parts of one state, one at least with particles)",
+                                 parts.at(0).string(), parts.size() - 1));
+  if (whole->parts.size() > 1) whole->file += fmt::format(" and {} more", whole->parts.size() - 1);
+  return *std::move(whole);
 }
 
 }  // namespace mpmvv::codes

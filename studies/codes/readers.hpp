@@ -8,12 +8,13 @@
 
 namespace mpmvv::codes {
 
-/// What a reader gets: the whole content of a file, its name for messages, and the step asked for, or none for the
-/// last.
+/// What a reader gets: the whole content of a file, its name for messages, the step asked for, or none for the last,
+/// and whether it may be without particles, as a part of a state may.
 struct Source {
   const std::string& content;
   std::string file;
   std::optional<std::int64_t> step = {};
+  bool may_be_empty = false;
 };
 
 /// A file format. Its reader trusts nothing: it throws UsageError for a file that breaks the format or ends early, and
@@ -41,8 +42,8 @@ ParticleTable read_nairn_legacy(const Source& source);
 /// UsageError if the file cannot be read.
 Snapshot read_snapshot(const std::filesystem::path& file, const Columns& columns, const std::string& format = "");
 
-/// Reads several files as one state, of which each process of a parallel code wrote one. Throws UsageError unless they
-/// have the same fields and say the same of time, step and run.
+/// Reads several files as one state, of which each process of a parallel code wrote one. Those without particles do not
+/// count. Throws UsageError unless the others have the same fields and say the same of time and step.
 Snapshot read_snapshot(const std::vector<std::filesystem::path>& parts, const Columns& columns,
                        const std::string& format = "");
 

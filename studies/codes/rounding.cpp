@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace mpmvv::codes {
 
@@ -22,6 +23,17 @@ int common_decimals(const std::vector<const TableColumn*>& columns) {
   return std::any_of(columns.begin(), columns.end(), other) ? -1 : first;
 }
 
+/// Whether there are so many different coordinates that all being short shows how they were rounded, and not that they
+/// lie on a lattice.
+bool are_many(const std::vector<const TableColumn*>& coordinates) {
+  constexpr std::size_t many = 200;
+  std::set<double> different;
+  for (const TableColumn* column : coordinates)
+    for (const double value : column->values)
+      if (different.insert(value); different.size() >= many) return true;
+  return false;
+}
+
 /// Returns the rounding of points in a text whose numbers may have so many digits.
 Rounding rounding_to(int digits_of_text, const std::vector<const TableColumn*>& coordinates) {
   Rounding rounding;
@@ -29,7 +41,10 @@ Rounding rounding_to(int digits_of_text, const std::vector<const TableColumn*>& 
   for (const TableColumn* column : coordinates) shown = std::max(shown, column->digits);
   // On a lattice coordinates need few digits; but where one is padded with zeros, the decimals are fixed.
   const bool is_fixed = std::ranges::any_of(coordinates, [](const TableColumn* column) { return column->is_padded; });
-  if (digits_of_text > shown + 2 && !is_fixed) decimals = -1;
+  if (digits_of_text > shown + 2 && !is_fixed) {
+    decimals = -1;
+    if (are_many(coordinates)) digits_of_text = shown;
+  }
   for (const TableColumn* column : coordinates) {
     const int digits = column->bits == 24   ? 7
                        : column->bits == 53 ? 16

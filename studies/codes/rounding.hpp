@@ -15,7 +15,7 @@ struct Rounding {
 /// of digits that any column of the table shows, because a coordinate that does not change may need few. If all
 /// coordinates show the same number of decimals and no exponent, they are rounded to these instead. This does not hold
 /// if other columns show over two digits more and no coordinate is padded with zeros, as 0.2500 is: the texts may then
-/// be short because the numbers are.
+/// be short because the numbers are. Where hundreds of different ones are short, they were rounded to what they show.
 Rounding rounding_of(const ParticleTable& table, const std::vector<const TableColumn*>& coordinates);
 
 /// Returns the unit that the coordinates show by themselves, whatever the digits of other columns: the length of their

@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "studies/codes/adapter.hpp"
 #include "studies/codes/snapshot.hpp"
 #include "studies/records/record.hpp"
 
@@ -19,6 +20,11 @@ struct Output {
 /// does one without stresses if a case of a code asks for their error. The caller fills in the costs. Throws UsageError
 /// if the problem has no exact solution.
 records::Record score(const cases::Case& c, const Output& output);
+
+/// As above, of a code that steps as its adapter says. A time that is not the end time, though within `time_tolerance`
+/// of it, is the one at which the output is measured. Of a code that chooses its steps the record has their number as
+/// the output states it, else 0, and no Courant number; what the output says of them is not compared with the case.
+records::Record score(const cases::Case& c, const Stepping& stepping, Output output);
 
 /// Returns a warning if the exact solution of the case ends where it starts, so that a score says little; else empty.
 std::string caution(const cases::Case& c);

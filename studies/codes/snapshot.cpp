@@ -4,6 +4,11 @@
 
 namespace mpmvv::codes {
 
+void Snapshot::leave_out(const std::string& key) {
+  says.erase(key);
+  for (SnapshotPart& part : parts) part.says.erase(key);
+}
+
 std::string name_of_particle(const Snapshot& s, std::size_t row) {
   if (!s.id.empty()) return fmt::format("particle {}", s.id[row]);
   for (const SnapshotPart& part : s.parts) {

@@ -12,10 +12,11 @@ namespace mpmvv::codes {
 using Point = std::array<double, 3>;
 using Tensor = std::array<double, 9>;  ///< row by row
 
-/// One of the files that a state was read from, and how many of its particles are in it.
+/// One of the files that a state was read from, how many of its particles are in it, and what its comments say.
 struct SnapshotPart {
   std::string file;
   std::size_t rows;
+  std::map<std::string, std::string> says = {};
 };
 
 /// The particles that a code wrote at one time. SI units. Each list has an entry for each particle, in the order of the
@@ -33,10 +34,11 @@ struct Snapshot {
   double rounding = 0;  ///< the unit in the last place of a position, or of u if that is written: RMS over particles, m
   double rounding_of_all =
       0;  ///< the same of x - X - u, from the digits that these show; 0 unless all three are written
-  std::map<std::string, std::string> says = {};  ///< what comments say of the run: `problem`, `cells`, ...
+  std::map<std::string, std::string> says = {};  ///< what comments, of the first file, say of the run: `problem`, ...
   bool has_own_units = false;  ///< whether the file's units are not m, s and kg: numbers of comments may be in these
 
   std::size_t size() const { return x.empty() ? u.size() : x.size(); }
+  void leave_out(const std::string& key);  ///< forgets what comments say of the key
 };
 
 /// Names a particle so that it is found in the file: by its id, else by its row, of several files with the one.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "studies/codes/stated_time.hpp"
 #include "studies/codes/text_column.hpp"
 #include "studies/support/error.hpp"
@@ -61,12 +63,31 @@ void add_row(ParticleTable& table, const std::vector<std::string_view>& fields, 
           fmt::format("'{}' for '{}' in {} (a number)", fields[k].substr(0, 40), table.columns[k].name, lines.place()));
 }
 
+namespace {
+
+constexpr std::string_view signs = "=:";
+
+/// Returns the parts of `cells = 8, ppc = 2` if each is a statement, with one sign; else the whole comment, as
+/// `boundary = xmin=wall,xmax=free` is.
+std::vector<std::string_view> statements_in(std::string_view comment) {
+  const auto parts = fields_of(comment, comment.find(';') == std::string_view::npos ? ',' : ';');
+  const auto has_one_sign = [](std::string_view part) {
+    const auto first = part.find_first_of(signs);
+    return first != std::string_view::npos && part.find_first_of(signs, first + 1) == std::string_view::npos;
+  };
+  return std::ranges::all_of(parts, has_one_sign) ? parts : std::vector{comment};
+}
+
+}  // namespace
+
 void note_comment(ParticleTable& table, std::string_view comment, const TextLines& lines) {
   note_time(table, comment, lines.place());
-  const auto middle = comment.find_first_of("=:");
-  if (middle == std::string_view::npos) return;
-  const std::string key(trimmed(comment.substr(0, middle))), value(trimmed(comment.substr(middle + 1)));
-  if (!key.empty() && key.find_first_of(" \t") == std::string::npos) table.says[key] = value;
+  for (const std::string_view statement : statements_in(comment)) {
+    const auto middle = statement.find_first_of(signs);
+    if (middle == std::string_view::npos) return;
+    const std::string key(trimmed(statement.substr(0, middle))), value(trimmed(statement.substr(middle + 1)));
+    if (!key.empty() && key.find_first_of(" \t") == std::string::npos) table.says[key] = value;
+  }
 }
 
 }  // namespace mpmvv::codes

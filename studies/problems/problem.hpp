@@ -86,9 +86,9 @@ Extent extent(const cases::Case& c);
 
 std::vector<int> domain_cells(const cases::Case& c);  ///< their number along each axis
 
-/// Returns the distance at time t, in cells, between the problem's walls at the two faces of an axis; infinity where it
-/// does not have both.
-double cells_between_walls(const cases::Case& c, std::size_t axis, double t);
+/// Returns the least distance during the case, in cells, between the problem's walls at the two faces of an axis;
+/// infinity where it does not have both.
+double least_cells_between_walls(const cases::Case& c, std::size_t axis);
 
 double cfl_number(const cases::Case& c);  ///< wave speed × time step / cell width
 

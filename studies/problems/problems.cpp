@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/boundary/mirror.hpp"
 #include "solver/boundary/periodic.hpp"
@@ -121,13 +122,20 @@ std::vector<int> domain_cells(const cases::Case& c) {
   });
 }
 
-double cells_between_walls(const cases::Case& c, std::size_t axis, double t) {
+double least_cells_between_walls(const cases::Case& c, std::size_t axis) {
+  constexpr int times = 400;
+  constexpr double golden = 0.6180339887498949;  // no period has its multiples always at one phase
+  const double T = c.resolution.dt * static_cast<double>(c.resolution.steps);
   const Problem& problem = find_problem(c.problem.name, "the case");
   const double h = problem.length(c.problem.parameters) / c.resolution.cells;
   const auto between = [&]<int D>(SetupFunction<D>) {
     const auto walls = make_setup<D>(problem, c.problem, h).walls;
     const auto &lower = walls[2 * axis], &upper = walls[2 * axis + 1];
-    return lower && upper ? (upper->position(t) - lower->position(t)) / h : std::numeric_limits<double>::infinity();
+    if (!lower || !upper) return std::numeric_limits<double>::infinity();
+    const auto cells_at = [&](double t) { return (upper->position(t) - lower->position(t)) / h; };
+    double least = std::min(cells_at(0), cells_at(T));
+    for (int k = 1; k <= times; ++k) least = std::min(least, cells_at(T * std::fmod(k * golden, 1)));
+    return least;
   };
   return std::visit(between, problem.setup);
 }

@@ -1,5 +1,6 @@
 #include "studies/runs/prepared_case.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -100,6 +101,7 @@ void set_boundaries(PreparedCase<D>& prepared, const cases::Scheme& scheme) {
     auto& boundary = prepared.scene.boundary[k];
     solver::from_word(faces[k], boundary);
     if (auto* wall = std::get_if<solver::Wall>(&boundary)) {
+      prepared.is_driven = true;
       wall->motion = prepared.setup.walls[k].get();
       wall->depth = scheme.wall_depth;
       wall->gradient = for_solver(scheme.wall_gradient);

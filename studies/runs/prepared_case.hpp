@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -69,6 +68,7 @@ struct PreparedCase {
   problems::Setup<D> setup;
   std::vector<solver::Vec<D>> X;  ///< reference positions by particle id
   solver::Images images = solver::Images::none;
+  bool is_driven = false;  ///< whether the case has moving walls: they put energy in, so that the energy has no bound
   std::vector<std::uint8_t> with_images;  ///< `count_of` of each particle, by id; empty where it is one for all
   std::unique_ptr<mms::PointwiseSolution<D>> points;
   std::unique_ptr<SolutionBodyForce<D>> body_force;
@@ -77,12 +77,6 @@ struct PreparedCase {
 
   /// Returns how many particles of the body a particle stands for, itself and its images.
   int count_of(std::uint32_t id) const { return with_images.empty() ? 1 : with_images[id]; }
-
-  /// Whether the problem has walls: they put energy in, so that the energy has no bound.
-  bool is_driven() const {
-    const auto is_wall = [](const auto& wall) { return wall != nullptr; };
-    return std::any_of(setup.walls.begin(), setup.walls.end(), is_wall);
-  }
 };
 
 /// Returns the mass of the body: ρ₀ times its volume.

@@ -62,7 +62,7 @@ void note_errors_over_steps(records::Errors& errors, const ErrorNorms& now) {
 template <int D, class Observe>
 double advance(solver::Mpm<D>& mpm, const PreparedCase<D>& prepared, const Case& c, int threads, std::int64_t stride,
                Record& record, const Observe& observe) {
-  const BlowUp<D> blow_up(c, prepared.setup, prepared.is_driven(), record.energy.initial_total);
+  const BlowUp<D> blow_up(c, prepared.setup, prepared.is_driven, record.energy.initial_total);
   const auto clock = threads == 1 ? &processor_seconds : &wall_seconds;
   double step_seconds = 0;
   while (record.steps < c.resolution.steps) {
@@ -119,7 +119,7 @@ void run(const Case& c, const problems::Problem& problem, const Manner& manner, 
   PreparedCase<D> prepared = prepare_case<D>(c, problem, manner.threads, manner.images);
   solver::Mpm<D> mpm(std::move(prepared.scene));
   for (const std::uint32_t id : mpm.particles().id) record.particles += prepared.count_of(id);
-  record.energy.initial_total = start_energy(prepared.setup, mpm.kinetic_energy() + mpm.strain_energy());
+  record.energy.initial_total = start_energy(c, prepared.setup, mpm.kinetic_energy() + mpm.strain_energy());
   const Momenta<D> start_momenta(mpm.particles(), prepared.images);
 
   const bool every_step = c.measure.every_step && prepared.points;

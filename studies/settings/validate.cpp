@@ -89,14 +89,12 @@ struct Asked {
     return "";
   }
 
-  /// Returns the distance between the problem's walls in cells, at the start or at the end of the run, whichever is
-  /// less; 0 for a case without walls. The case may have only one of the two.
+  /// Returns the least distance between the problem's walls in cells during the run; 0 for a case without walls. The
+  /// case may have only one of the two.
   double cells_between_walls() const {
     const auto wall = std::ranges::find(faces, solver::Wall::word);
     if (wall == faces.end()) return 0;
-    const auto axis = static_cast<std::size_t>(wall - faces.begin()) / 2;
-    const double T = c.resolution.dt * static_cast<double>(c.resolution.steps);
-    return std::min(problems::cells_between_walls(c, axis, 0), problems::cells_between_walls(c, axis, T));
+    return problems::least_cells_between_walls(c, static_cast<std::size_t>(wall - faces.begin()) / 2);
   }
   bool do_walls_hold_all() const {
     return s.wall_depth * static_cast<double>(std::ranges::count(faces, solver::Wall::word)) >= cells_between_walls();

@@ -53,6 +53,30 @@ TEST_F(ScoredIntoAStore, WhatIsNoOutputOfTheCaseIsNotKept) {
   EXPECT_FALSE(std::filesystem::exists(mover_.top() / "r.db"));
 }
 
+/// By the adapter's rule of the step and tolerance of the time.
+TEST_F(ScoredIntoAStore, ItIsJudgedAsInARun) {
+  mover_.script(
+      "t=$(awk -v t=\"$1\" 'BEGIN { printf \"%.17g\", 1.01 * t }')\n"
+      "printf '# time = %s\\n# step = 7, dt = 0.7\\nid,x,y\\n' $t > particles.csv\n"
+      "awk -v t=$t '{ printf \"%d,%.17g,%.17g\\n\", $1, $2 + t * $4, $3 + t * $5 }' input.txt >> particles.csv");
+  const auto both = [this](const std::string& step) {
+    mover_.adapter(Mover::text + step);
+    in_folder("case" + theirs_ + "> case.json");
+    std::filesystem::remove_all(mover_.top() / "again");
+    return std::pair{in_folder("run" + theirs_ + "--json --keep again"),
+                     in_folder("score case.json again/particles.csv --json")};
+  };
+  const auto [run, scored] = both("[step]\nrule = \"own\"\ntime_tolerance = 0.05\n");
+  for (const char* key : {"status", "steps", "cfl", "error", "particles"})
+    EXPECT_EQ(scored.json()[key], run.json()[key]) << key;
+  EXPECT_EQ(scored.json()["status"], "ok");
+  EXPECT_EQ(scored.json()["steps"], 7);
+  const auto [refused_run, refused] = both("[step]\nrule = \"own\"\n");
+  EXPECT_EQ(refused_run.code, 1);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.out, HasSubstr("(time_tolerance of the adapter: 1e-09)"));
+}
+
 TEST_F(ScoredIntoAStore, ACaseOfOurOwnSolverIsRefused) {
   in_folder("case" + problem_ + "> own.json");
   const Answer scored = in_folder("score own.json kept/particles.csv --db r.db");

@@ -70,6 +70,13 @@ TEST_F(AdapterFile, IsReadAsItsPageSays) {
   EXPECT_TRUE(adapter.stepping.is_given);
 }
 
+TEST_F(AdapterFile, ATimeToleranceIsAPartOfTheEndTime) {
+  const std::string line = "time_tolerance = ";
+  for (const char* right : {"0", "1e-6", "0.1"}) EXPECT_EQ(complaint_without(line + "1e-9", line + right), "");
+  for (const char* wrong : {"-1e-9", "0.11", "5"})
+    EXPECT_THAT(complaint_without(line + "1e-9", line + wrong), HasSubstr("(of the end time: from 0 to 0.1)"));
+}
+
 /// What a template says decides results as much as the file does.
 TEST_F(AdapterFile, ItsDigestIsOfItsTemplatesToo) {
   const std::string before = read(text_).digest;

@@ -7,7 +7,12 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <random>
+#include <set>
 
+#include "studies/problems/problem.hpp"
+#include "studies/settings/settings.hpp"
+#include "studies/settings/solver_words.hpp"
 #include "studies/support/error.hpp"
 #include "studies/support/suggestion.hpp"
 #include "tests/studies/codes/written_run.hpp"
@@ -117,6 +122,55 @@ TEST_F(CaseFile, NamesInItAreChecked) {
     EXPECT_THAT(complaint(other), HasSubstr(name));
   }
   EXPECT_THAT(complaint(json::array()), HasSubstr("no object in"));
+}
+
+/// Draws words and numbers for some keys of a case. Whether they go together is for `make_case` to say.
+std::vector<settings::Setting> drawn_settings(std::mt19937& random) {
+  const auto one_of = [&random](const auto& all) { return all[random() % all.size()]; };
+  std::vector<settings::Setting> given{{"problem", one_of(problems::problems()).name, "the test"}};
+  const auto give = [&](const char* key, const std::vector<std::string>& values, unsigned one_in) {
+    if (random() % one_in == 0) given.push_back({key, one_of(values), "the test"});
+  };
+  give("cells", {"1", "4", "6", "8", "16"}, 1);
+  give("ppc", {"1", "2", "3"}, 1);
+  give("cfl", {"0.05", "0.2", "0.37"}, 1);
+  for (const settings::SolverWords& list : settings::solver_words())
+    give(list.key.c_str(), list.words, list.key == "material" ? 8 : 2);
+  for (const cases::SettingKey& key : cases::setting_keys())
+    if (key.member && key.key != "force_form" && (key.member->is_flag || !key.member->words.empty()))
+      give(key.key.c_str(), key.member->is_flag ? std::vector<std::string>{"true", "false"} : key.member->words, 8);
+  give("boundary", {"periodic", "free", "symmetry", "mirror", "dirichlet", "wall"}, 3);
+  give("order", {"1", "2", "5"}, 3);
+  give("wall_depth", {"0", "0.5", "2"}, 4);
+  give("cfl_x", {"0.8"}, 8);
+  give("smoothing_length", {"0.5"}, 8);
+  give("grid_offset", {"0.3"}, 6);
+  give("shuffle", {"7"}, 6);
+  give("steps", {"3", "100"}, 4);
+  give("param.poissons_ratio", {"0.3"}, 4);
+  give("blowup_energy", {"3.5"}, 6);
+  return given;
+}
+
+TEST_F(CaseFile, HoldsAnyCaseThatSettingsMake) {
+  std::mt19937 random(20261129);
+  std::set<std::string> seen;
+  for (int draw = 0; draw < 6000; ++draw) {
+    cases::Case c;
+    try {
+      c = settings::make_case(drawn_settings(random));
+    } catch (const support::UsageError&) {
+      continue;
+    }
+    const std::string text = cases::canonical_text(c);
+    ASSERT_EQ(complaint_about(case_text(c)), "") << text;
+    ASSERT_TRUE(read_case(file_) == c) << text;
+    seen.insert(c.problem.name);
+    if (c.scheme.wall_depth == 0 && c.scheme.wall_gradient != cases::WallGradient::none) seen.insert("wall_depth 0");
+    for (const std::string& word : {c.scheme.velocity_update, c.scheme.boundary}) seen.insert(word);
+  }
+  EXPECT_THAT(seen, testing::IsSupersetOf({"bar", "square", "ring", "stretch", "swing", "wave", "flip", "apic", "fmpm",
+                                           "free", "wall", "wall_depth 0"}));
 }
 
 }  // namespace mpmvv::codes::case_file_test

@@ -85,6 +85,14 @@ TEST(CsvReader, CommentsSayTimeAndNames) {
   EXPECT_EQ(s.x.front()[0], 1.25);
 }
 
+TEST(CsvReader, CommentsSaySeveralThings) {
+  using Says = std::map<std::string, std::string>;
+  EXPECT_EQ(read("# cells = 8, ppc = 2\nx\n1\n").says, (Says{{"cells", "8"}, {"ppc", "2"}}));
+  EXPECT_EQ(read("# cells=8;ppc: 2\nx\n1\n").says, (Says{{"cells", "8"}, {"ppc", "2"}}));
+  EXPECT_EQ(read("# boundary = xmin=wall,xmax=free\nx\n1\n").says, (Says{{"boundary", "xmin=wall,xmax=free"}}));
+  EXPECT_EQ(read("# title = bar, with 8 cells\nx\n1\n").says, (Says{{"title", "bar, with 8 cells"}}));
+}
+
 /// In a file whose unit is the millisecond.
 TEST(CsvReader, TakesSecondsBehindATimeForSeconds) {
   const auto time_of = [](const std::string& comment) {
@@ -175,6 +183,19 @@ TEST(CsvReader, SeesTheDigitsOfTexts) {
   EXPECT_EQ(read("x,y,m\n0.125,0.375,1\n0.125,0.625,0.33333333333333331\n").digits, 17);
   EXPECT_EQ(read("x,y,m\n0.5,1.5,1\n1.0,0.5,0.33333333333333331\n").digits, 17)
       << "1.0 is the shortest that some write";
+}
+
+/// As `%.3e` writes them beside masses of 17 digits.
+TEST(CsvReader, SeesThatHundredsOfCoordinatesAreShort) {
+  std::string few = "x,y,m\n", many = few;
+  for (int p = 1; p <= 150; ++p) {
+    const std::string row = fmt::format("{:.3e},{:.3e},0.33333333333333331\n", p / 151.7, p / 77.7);
+    many += row;
+    if (p <= 50) few += row;
+  }
+  EXPECT_EQ(read(few).digits, 17);
+  EXPECT_EQ(read(many).digits, 4);
+  EXPECT_NEAR(read(many).rounding, 1e-3, 9e-4);
 }
 
 /// Whatever the other columns show.

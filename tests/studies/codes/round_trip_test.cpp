@@ -69,7 +69,7 @@ TEST_F(RoundTrip, EveryFormatScoresAsTheRunItself) {
         {"text.ply", ply(f, n, Bytes::text)},
         {"little.ply", ply(f, n, Bytes::little)},
         {"big.ply", ply(f, n, Bytes::big)},
-        {"end.dump", dump(f, n, 10) + dump(f, n, 20)},
+        {"end.dump", dump(f, n, 10) + dump(f, n, the_case.resolution.steps)},
         {"text.vtu", vtu(f, n, Vtk::text)},
         {"base64.vtu", vtu(f, n, Vtk::base64)},
         {"raw.vtu", vtu(f, n, Vtk::raw)},
@@ -147,10 +147,11 @@ TEST_F(RoundTrip, TheFloorIsTheErrorOfRounding) {
 
 TEST_F(RoundTrip, ADumpOfASeries) {
   const auto f = fields(end, true, false), g = fields(start, true, false);
-  const std::string both = dump(f, end.size(), 20) + dump(g, start.size(), 0);
+  const std::int64_t last = the_case.resolution.steps;
+  const std::string both = dump(f, end.size(), last) + dump(g, start.size(), 0);
   codes::Columns columns;
-  columns.step = 20;
-  expect_same(score(the_case, {.end = read("both.dump", both, columns)}), the_run, "step 20");
+  columns.step = last;
+  expect_same(score(the_case, {.end = read("both.dump", both, columns)}), the_run, "the last step");
 }
 
 }  // namespace mpmvv::round_trip_test

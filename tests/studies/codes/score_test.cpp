@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "studies/codes/case_particles.hpp"
 #include "studies/settings/settings.hpp"
@@ -88,6 +89,40 @@ TEST(Score, ADoubledIdIsAReason) {
   EXPECT_EQ(r.reason, "particle 21 stands twice in end.csv");
 }
 
+/// Whether it has blown up is not asked where the file is none of the case.
+TEST(Score, ADoubledOrMissingParticleIsSeenBesideNumbersThatAreNone) {
+  const cases::Case c = square();
+  Snapshot end = exact_end(c);
+  end.x[7] = {std::nan(""), 0, 0};
+  EXPECT_EQ(score(c, {.end = end}).status, records::Status::unstable);
+  const auto reason = [&](const Snapshot& s) {
+    const records::Record r = score(c, {.end = s});
+    EXPECT_EQ(r.status, records::Status::failed);
+    return r.reason;
+  };
+  Snapshot other = end;
+  other.id[3] = 21;
+  EXPECT_EQ(reason(other), "particle 21 stands twice in end.csv");
+  other.id[3] = 65;
+  EXPECT_THAT(reason(other), testing::HasSubstr("particle 65 in end.csv (the case has particles 1 to 64"));
+  other = end;
+  other.id.clear();
+  other.x.push_back(other.x[0]);
+  EXPECT_EQ(reason(other), "65 particles in end.csv, the case has 64");
+  other.x.resize(60);
+  EXPECT_EQ(reason(other), "4 of 64 particles are missing in end.csv");
+}
+
+TEST(Score, WhatACommentSaysMayHaveItsUnit) {
+  const cases::Case c = square();
+  Snapshot end = exact_end(c);
+  const std::string dt = fmt::format("{}", c.resolution.dt);
+  end.says = {{"dt", dt + " s"}, {"youngs_modulus", "1e4 Pa"}, {"density", "1 kg/m3"}};
+  EXPECT_EQ(score(c, {.end = end}).reason, "");
+  end.says = {{"dt", dt + " ms"}};
+  EXPECT_THAT(score(c, {.end = end}).reason, testing::HasSubstr("dt = " + dt + " ms in end.csv, the case has " + dt));
+}
+
 /// Column by column instead of row by row; the positions alone say which particle is which.
 TEST(Score, IdsInAnotherOrderAreAReason) {
   const cases::Case c = square();
@@ -119,6 +154,49 @@ TEST(Score, NeedsASolution) {
   EXPECT_THAT([&] { score(settings::make_case(impact), {}); },
               testing::ThrowsMessage<support::UsageError>(
                   testing::HasSubstr("no exact solution with these parameters to score by (other ones, or another")));
+}
+
+/// No body force is no mistake where the problem has none.
+TEST(Score, WithoutABodyForceThatTheProblemHasNotIsJudgedAsAnyOther) {
+  const std::vector<settings::Setting> given{
+      {"problem", "wave", ""}, {"cells", "8", ""}, {"ppc", "2", ""}, {"cfl", "0.2", ""}, {"end_time", "0.004", ""}};
+  cases::Case c = settings::make_case(given);
+  c.scheme.force_form = cases::ForceForm::none;
+  const CaseParticles<2> particles = case_particles<2>(c);
+  const auto at = [&particles](double t) {
+    Snapshot s{.file = "end.csv"};
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+      s.id.push_back(static_cast<std::int64_t>(p) + 1);
+      const Vec<2> x = particles.exact(p, t);
+      s.x.push_back({x[0], x[1], 0});
+    }
+    return s;
+  };
+  EXPECT_EQ(score(c, {.end = at(particles.end_time)}).reason, "");
+  EXPECT_THAT(score(c, {.end = at(0)}).reason, testing::HasSubstr("another time in end.csv"));
+  Snapshot resting = at(0);
+  resting.time = particles.end_time;
+  EXPECT_THAT(score(c, {.end = resting}).reason, testing::HasSubstr("no particle in end.csv has moved"));
+}
+
+/// With displacements, from which reference positions follow but for whole periods.
+TEST(Score, OfAShiftedPeriodicGridMatches) {
+  const std::vector<settings::Setting> given{{"problem", "bar", ""}, {"cells", "16", ""},       {"ppc", "2", ""},
+                                             {"cfl", "0.2", ""},     {"basis", "bspline2", ""}, {"steps", "20", ""}};
+  for (const char* offset : {"0.4", "0.25", "0.75"}) {
+    std::vector<settings::Setting> shifted = given;
+    shifted.push_back({"grid_offset", offset, ""});
+    const cases::Case c = settings::make_case(shifted);
+    const CaseParticles<1> particles = case_particles<1>(c);
+    Snapshot end{.file = "end.csv"};
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+      const double u = particles.setup.solution->u(particles.X[p], particles.end_time)[0];
+      const double x = particles.X[p][0] + u;
+      end.x.push_back({x < particles.upper[0] ? x : x - 1, 0, 0});
+      end.u.push_back({u, 0, 0});
+    }
+    EXPECT_EQ(score(c, {.end = end}).reason, "") << offset;
+  }
 }
 
 /// A body that rests where that of the exact solution moves has ids that fit its start.

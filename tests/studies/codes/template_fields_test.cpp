@@ -44,6 +44,21 @@ TEST_F(TemplateFieldsOfCases, ToldByFacesWhereAllAreAlike) {
               ThrowsMessage<UsageError>(HasSubstr("/input.mustache:2 (the case has fewer dimensions")));
 }
 
+/// A periodic cube moves as one between planes of symmetry.
+TEST_F(TemplateFieldsOfCases, AreOfTheBoundaryThatTheCodeHas) {
+  auto settings = Mover::settings();
+  settings[0].value = "cube";
+  settings.push_back({"force_form", "none", "test"});
+  const cases::Case cube = settings::make_case(settings);
+  const char* content =
+      "{{boundary}} {{boundary_zmax}} {{#is_symmetry}}1{{/is_symmetry}}{{#is_periodic}}2{{/is_periodic}}"
+      "{{#xmin_is_symmetry}}3{{/xmin_is_symmetry}}";
+  EXPECT_EQ(filled(content, cube), "periodic periodic 2");
+  mover_.adapter(with("[\"periodic\"]", "[\"symmetry\", \"free\"]"));
+  EXPECT_EQ(filled(content, cube), "symmetry symmetry 13");
+  EXPECT_EQ(filled("{{boundary}}"), "periodic") << "the square that translates has no planes of symmetry";
+}
+
 TEST_F(TemplateFieldsOfCases, ToldByFacesWhereTheyDiffer) {
   EXPECT_EQ(filled("{{#xmin_is_wall}}1{{/xmin_is_wall}}{{#xmax_is_wall}}2{{/xmax_is_wall}}"
                    "{{#ymin_is_wall}}3{{/ymin_is_wall}}{{#ymax_is_periodic}}4{{/ymax_is_periodic}}"

@@ -81,6 +81,15 @@ TEST(Validate, WallsLeaveNodesToTheMethod) {
   EXPECT_THAT(with_depth("80", "xmin=wall,xmax=free"), refused);
 }
 
+/// Half a period of the swing: its walls are 16 cells apart at both ends of the run, and 11.2 between.
+TEST(Validate, WallsLeaveNodesToTheMethodDuringTheWholeRun) {
+  const auto with_depth = [](const char* depth) {
+    return [=] { case_of({{"problem", "swing", ""}, {"param.amplitude", "0.15", ""}, {"wall_depth", depth, ""}}); };
+  };
+  EXPECT_NO_THROW(with_depth("5.5")());
+  EXPECT_THAT(with_depth("5.61"), ThrowsMessage<support::UsageError>(HasSubstr("of each wall, 11.2 cells apart")));
+}
+
 TEST(Validate, AQuarterIsContinuedWhereItWasCut) {
   const auto quarter = [](const char* problem, const std::string& boundary) {
     return [=] { case_of({{"problem", problem, ""}, {"quarter", "true", ""}, {"boundary", boundary, ""}}); };
