@@ -105,8 +105,9 @@ void require_use_of_normal(const SolutionOptions& options, const std::vector<std
 
 int solution_at_points(const problems::Problem& problem, const SolutionOptions& options) {
   const std::string content = content_of(options.points);
+  const std::vector<std::string> fields = fields_of(options.fields);  // inside the braces g++ 12 frees twice on a throw
   codes::PointQuery query{.points = {content, options.points == "-" ? "standard input" : options.points},
-                          .fields = fields_of(options.fields)};
+                          .fields = fields};
   require_use_of_normal(options, query.fields);
   if (!options.time.empty()) query.time = time_of(options);
   if (!options.normal.empty()) query.normal = coordinates(options.normal, problem.dimension(), "--normal");

@@ -100,8 +100,7 @@ void require_scheme(const Scene<D>& scene) {
   const bool has_wall = std::ranges::any_of(
       scene.boundary, [](const AnyBoundary& boundary) { return std::holds_alternative<Wall>(boundary); });
   require(!keeps_history || !integrator.is_staged, "a material with a history in stages");
-  require(!has_wall || !(integrator.is_staged || integrator.is_staggered),
-          "a moving wall with an integrator whose steps do not have positions and velocities at their ends");
+  require(!has_wall || !integrator.is_staged, "a moving wall in stages");
   require(has_affine || !has_affine_field(update), "an affine velocity field on a basis without the weights for it");
   require(!scene.consistent_mass || takes_consistent_mass(update),
           "the consistent mass with a velocity update that lumped masses define");
@@ -120,8 +119,8 @@ void require_sound(const Scene<D>& scene) {
   require(scene.threads > 0, "a scene without threads");
   require(scene.least_in_slab > 0, "a scene with slabs without particles");
   require_particles(scene);
-  require_faces(scene);
   require(scene.images == Images::none || are_shared(scene), "images that the grid or the boundaries do not share");
+  require_faces(scene);
   require_nodes_for_faces(scene);
   require_numbers(scene);
   require_scheme(scene);

@@ -88,7 +88,7 @@ TEST_F(StudyOfABrokenCode, SaysWhyItsRunsAreUnstableAndThatTheyMayHaveEnded) {
   const std::string hint = "then a wrong force is more likely than too long a time step";
   const std::string out = in_folder("study s.toml --db r.db").out;
   EXPECT_THAT(out, AllOf(ContainsRegex("\n +unstable +cells +why\n +theirs +4, 8, 16 +displacement errors 0[.0-9]+, "
-                                       "0[.0-9]+, 0[.0-9]+ beyond 1e-06\n"),
+                                       "0[.0-9]+, 0[.0-9]+ beyond 2.5e-07\n"),
                          HasSubstr("may have come to its end"), HasSubstr("blowup_error = 10")));
   mover_.script("echo blown up\n");
   EXPECT_THAT(in_folder("study s.toml --db other.db").out,

@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "solver/integrator/integrators.hpp"
 #include "tests/solver/each_boundary.hpp"
 #include "tests/solver/scenes.hpp"
 
@@ -80,6 +81,7 @@ TEST(EveryBoundary, IsNotSeenByABodyInTheMiddle) {
     scene.integrator = integrator;
     const auto free = after_steps(scene, Free{}, 30);
     for (const AnyBoundary& boundary : every_boundary()) {
+      if (is_moved(boundary) && integrator_named(integrator).is_staged) continue;  // refused
       SCOPED_TRACE(testing::Message() << integrator << " " << word_of(boundary));
       expect_identical(after_steps(scene, boundary, 30), free);
     }

@@ -28,7 +28,7 @@ TEST_P(RefusedScenes, HaveImagesOfGhostsThatTheBasisLacks) {
   for (const AnyBoundary& boundary : {AnyBoundary{Periodic{}}, AnyBoundary{Mirror{}}})
     for (const std::size_t face : {0U, 3U}) {
       Scene<2> scene = full_scene<2>(basis, 12, 2, Free{});
-      scene.boundary[face] = boundary;
+      scene.boundary[face] = scene.boundary[face ^ 1U] = boundary;
       EXPECT_EQ(refusal(scene), has_open_knots ? "a periodic or mirror face of a basis without ghost nodes" : "");
     }
 }
@@ -123,11 +123,8 @@ TEST(RefusedScene, HasAMovingWallInStages) {
   Scene<1> scene = full_scene<1>(BSpline2{}, 8, 2, Free{});
   scene.boundary[0] = Wall{.motion = &at_rest};
   EXPECT_EQ(refusal(scene), "");
-  for (const char* integrator : {"rk4", "cd", "uvf"}) {
-    scene.integrator = integrator;
-    EXPECT_EQ(refusal(scene),
-              "a moving wall with an integrator whose steps do not have positions and velocities at their ends");
-  }
+  scene.integrator = "rk4";
+  EXPECT_EQ(refusal(scene), "a moving wall in stages");
 }
 
 TEST(RefusedScene, HasMoreNodesThanIndicesCount) {
