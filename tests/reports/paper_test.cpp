@@ -191,8 +191,8 @@ TEST(Paper, NamesTheVersionsOfOtherCodesThatItShows) {
     write_paper({distinct::laws(), distinct::curves()}, {}, folder.path(), column(), names, codes);
     return content(folder / "main.tex");
   };
-  EXPECT_THAT(text({}), AllOf(HasSubstr("my\\_code: \\texttt{1.3, digest aa11}"),
-                              HasSubstr("other: \\texttt{2, digest aa11}")));
+  EXPECT_THAT(text({}),
+              AllOf(HasSubstr("my\\_code: \\texttt{1.3, digest aa11}"), HasSubstr("other: \\texttt{2, digest aa11}")));
   EXPECT_THAT(text({"laws"}), AllOf(HasSubstr("my\\_code: \\texttt{1.3"), Not(HasSubstr("other: "))));
 }
 
