@@ -73,9 +73,8 @@ ParticleTable read_csv(const Source& source) {
     require_no_decimal_commas(fields, lines);
     add_row(table, fields, lines);
   }
-  const bool is_empty = table.columns.empty() || table.columns.front().values.empty();
-  if (is_empty && !source.may_be_empty)
-    throw UsageError(fmt::format("no lines of numbers in {} (a header, then a line for each particle)", source.file));
+  if (table.columns.empty() || table.columns.front().values.empty())
+    throw NoParticles(fmt::format("no lines of numbers in {} (a header, then a line for each particle)", source.file));
   return table;
 }
 

@@ -51,18 +51,25 @@ const std::vector<Format>& formats() {
 
 namespace {
 
-ParticleTable read_table(const std::filesystem::path& file, const Columns& columns, const std::string& format,
-                         bool may_be_empty) {
+ParticleTable read_table(const std::filesystem::path& file, const Columns& columns, const std::string& format) {
   const Format& known = format_of(file, format);
   if (columns.step && !known.has_steps)
     throw UsageError(fmt::format("--step {} of {}, which holds one state (it is for a dump, which may hold several)",
                                  *columns.step, file.string()));
   const std::string content = support::require_file(file, "what a code wrote of its particles");
-  return known.read({content, file.string(), columns.step, may_be_empty});
+  return known.read({content, file.string(), columns.step});
 }
 
-bool has_rows(const ParticleTable& table) {
-  return !table.columns.empty() && !table.columns.front().values.empty();
+/// Reads a part of a state; nullopt if it has no particles.
+std::optional<Snapshot> read_part(const std::filesystem::path& file, const Columns& columns,
+                                  const std::string& format) try {
+  const ParticleTable table = read_table(file, columns, format);
+  if (table.columns.empty() || table.columns.front().values.empty()) return std::nullopt;
+  Snapshot part = snapshot_of(table, columns, file.string());
+  part.parts.push_back({part.file, part.size(), part.says});
+  return part;
+} catch (const NoParticles&) {
+  return std::nullopt;
 }
 
 template <class T>
@@ -85,13 +92,13 @@ void append(Snapshot& whole, const Snapshot& part) {
   whole.digits = std::min(whole.digits, part.digits);
   whole.rounding = std::max(whole.rounding, part.rounding);
   whole.rounding_of_all = std::max(whole.rounding_of_all, part.rounding_of_all);
-  whole.parts.push_back({part.file, part.size(), part.says});
+  whole.parts.push_back(part.parts.front());
 }
 
 }  // namespace
 
 Snapshot read_snapshot(const std::filesystem::path& file, const Columns& columns, const std::string& format) {
-  return snapshot_of(read_table(file, columns, format, false), columns, file.string());
+  return snapshot_of(read_table(file, columns, format), columns, file.string());
 }
 
 Snapshot read_snapshot(const std::vector<std::filesystem::path>& parts, const Columns& columns,
@@ -99,15 +106,11 @@ Snapshot read_snapshot(const std::vector<std::filesystem::path>& parts, const Co
   if (parts.size() == 1) return read_snapshot(parts[0], columns, format);
   std::optional<Snapshot> whole;
   for (const std::filesystem::path& file : parts) {
-    const ParticleTable table = read_table(file, columns, format, true);
-    if (!has_rows(table)) continue;
-    Snapshot part = snapshot_of(table, columns, file.string());
-    if (whole) {
-      append(*whole, part);
-    } else {
-      part.parts.push_back({part.file, part.size(), part.says});
+    std::optional<Snapshot> part = read_part(file, columns, format);
+    if (whole && part)
+      append(*whole, *part);
+    else if (part)
       whole = std::move(part);
-    }
   }
   if (!whole)
     throw UsageError(fmt::format("no particles in {} and {} more (parts of one state, one at least with particles)",

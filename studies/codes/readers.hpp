@@ -5,16 +5,21 @@
 
 #include "studies/codes/columns.hpp"
 #include "studies/codes/snapshot.hpp"
+#include "studies/support/error.hpp"
 
 namespace mpmvv::codes {
 
-/// What a reader gets: the whole content of a file, its name for messages, the step asked for, or none for the last,
-/// and whether it may be without particles, as a part of a state may.
+/// What a reader gets: the whole content of a file, its name for messages, and the step asked for, or none for the
+/// last.
 struct Source {
   const std::string& content;
   std::string file;
   std::optional<std::int64_t> step = {};
-  bool may_be_empty = false;
+};
+
+/// A file without particles, which a part of a state may be.
+struct NoParticles : support::UsageError {
+  using UsageError::UsageError;
 };
 
 /// A file format. Its reader trusts nothing: it throws UsageError for a file that breaks the format or ends early, and

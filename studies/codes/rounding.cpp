@@ -40,10 +40,10 @@ Rounding rounding_to(int digits_of_text, const std::vector<const TableColumn*>& 
   int decimals = common_decimals(coordinates), shown = 0;
   for (const TableColumn* column : coordinates) shown = std::max(shown, column->digits);
   // On a lattice coordinates need few digits; but where one is padded with zeros, the decimals are fixed.
-  const bool is_fixed = std::ranges::any_of(coordinates, [](const TableColumn* column) { return column->is_padded; });
-  if (digits_of_text > shown + 2 && !is_fixed) {
-    decimals = -1;
-    if (are_many(coordinates)) digits_of_text = shown;
+  const bool is_padded = std::ranges::any_of(coordinates, [](const TableColumn* column) { return column->is_padded; });
+  if (digits_of_text > shown + 2) {
+    if (!is_padded) decimals = -1;
+    if (is_padded || are_many(coordinates)) digits_of_text = shown;
   }
   for (const TableColumn* column : coordinates) {
     const int digits = column->bits == 24   ? 7

@@ -48,7 +48,8 @@ bool add_text(TableColumn& column, std::string_view text) {
   const int decimals = shown.has_exponent ? -1 : shown.decimals;
   if (column.values.empty()) column.decimals = decimals;
   if (column.decimals != decimals) column.decimals = -1;
-  column.is_padded = column.is_padded || (decimals > 1 && plain.ends_with('0'));
+  const bool is_padded = shown.decimals > 1 && std::string_view(plain).substr(0, plain.find('e')).ends_with('0');
+  column.is_padded = column.is_padded || is_padded;
   column.digits = std::max(column.digits, shown.digits);
   column.values.push_back(value);
   return true;

@@ -61,8 +61,9 @@ class VtkFile {
     return columns_of(bytes, components * type->size, fields, packing_.is_big_endian);
   }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw UsageError(fmt::format("{} in {} (a VTK file in XML: .vtu or .vtp)", what, file_));
+  [[noreturn]] void fail(const std::string& what) const { throw UsageError(fault(what)); }
+  std::string fault(const std::string& what) const {
+    return fmt::format("{} in {} (a VTK file in XML: .vtu or .vtp)", what, file_);
   }
 
  private:
@@ -148,7 +149,7 @@ ParticleTable read_vtu(const Source& source) {
   ParticleTable table;
   for (const pugi::xml_node piece : file.data().children("Piece"))
     if (piece.attribute("NumberOfPoints").as_ullong() > 0) add_piece(file, piece, table);
-  if (table.columns.empty() && !source.may_be_empty) file.fail("no points");
+  if (table.columns.empty()) throw NoParticles(file.fault("no points"));
   for (const pugi::xml_node array : file.data().child("FieldData").children("DataArray")) {
     const std::string name = array.attribute("Name").as_string();
     if (name != "TimeValue" && name != "TIME" && name != "time") continue;

@@ -187,14 +187,16 @@ TEST(CsvReader, SeesTheDigitsOfTexts) {
 
 /// As `%.3e` writes them beside masses of 17 digits.
 TEST(CsvReader, SeesThatHundredsOfCoordinatesAreShort) {
-  std::string few = "x,y,m\n", many = few;
+  std::string few = "x,y,m\n", many = few, padded = few;
   for (int p = 1; p <= 150; ++p) {
-    const std::string row = fmt::format("{:.3e},{:.3e},0.33333333333333331\n", p / 151.7, p / 77.7);
+    const std::string row = fmt::format("{:.4g},{:.4g},0.33333333333333331\n", p / 151.7, p / 77.7);
     many += row;
     if (p <= 50) few += row;
+    if (p <= 50) padded += fmt::format("{:.3e},{:.3e},0.33333333333333331\n", p / 151.7, p / 77.7);
   }
   EXPECT_EQ(read(few).digits, 17);
   EXPECT_EQ(read(many).digits, 4);
+  EXPECT_EQ(read(padded).digits, 4) << "as 1.250e-01 is";
   EXPECT_NEAR(read(many).rounding, 1e-3, 9e-4);
 }
 
