@@ -23,7 +23,7 @@ std::string boundary_cost(const Problem& p, const problems::Parameters& defaults
   if (p.boundary == solver::Periodic::word) return "none";
   if (p.boundary == solver::Symmetry::word) return "splines: order about 1, mirror: 2";
   if (p.boundary == solver::Free::word && p.is_curved(defaults))
-    return "stairs of a lattice: order about 1, fill conforming: 2";
+    return "stairs of a lattice: order about 1, fill conforming: up to 2";
   return "";
 }
 

@@ -27,6 +27,11 @@ struct Reason {
   std::vector<std::string> errors = {};  ///< beyond their bound, of the same runs; empty where this is not the reason
 };
 
+/// The reason without what the code printed last, which may be of its own run.
+std::string without_log(const std::string& reason) {
+  return reason.substr(0, reason.find("; the code ended without an error: "));
+}
+
 /// A run's reason and behind it, where a failed run has left its folder, that.
 std::pair<std::string, std::string> with_folder(const std::string& reason) {
   const std::string mark = "; its folder: ";
@@ -45,7 +50,7 @@ std::string error_in(const std::string& reason) {
 /// The reason without what is each run's own, its error and its folder.
 std::string gist_of(const std::string& reason) {
   const std::string error = error_in(reason), text = with_folder(reason).first;
-  return error.empty() ? text : text.substr(error_mark.size() + error.size());
+  return error.empty() ? without_log(text) : text.substr(error_mark.size() + error.size());
 }
 
 /// What one run said as it is; of several the gist, with their errors or the folder of the first one.

@@ -48,7 +48,7 @@ std::string ratio(double value) {
 std::string to_range(double value, double range) {
   if (!(range > 0)) return three_digits(value);
   const int place = static_cast<int>(std::floor(std::log10(range)));
-  const double unit = std::pow(10, std::max(0, place));
+  const double unit = std::pow(10, place);
   return fmt::format("{:.{}f}", std::round(value / unit) * unit + 0.0, std::max(0, -place));
 }
 

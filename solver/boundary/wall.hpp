@@ -35,9 +35,9 @@ struct Wall {
 
 /// A wall in motion. A step calls `move` at its start, `meet` whenever momenta have been mapped, `pass_to_end` when
 /// grid velocities are advanced, and `set_acceleration` after that. In between it calls `hold` and `clear`, as often as
-/// it makes velocities and increments. The wall holds the planes of nodes that lie at most d cells inside it, and those
-/// outside it that have mass, as far as these follow each other without a gap. It holds only the velocity along its
-/// normal, at
+/// it makes velocities and increments, and `hold_as_mapped` and `hold_as_advanced` around those that F follows. The
+/// wall holds the planes of nodes that lie at most d cells inside it, and those outside it that have mass, as far as
+/// these follow each other without a gap. It holds only the velocity along its normal, at
 ///   v_i = v_b + ∇v_b (x_i - x_wall),                                                N §2.5
 /// and leaves tangential ones as they are. Within a step x_wall and ∇v_b are those of t^n, as the weights are, and v_b
 /// is that of t^n + Δt, the time of v⁺. A motion at constant rate, v = rate X, is then kept exactly on the nodes held.

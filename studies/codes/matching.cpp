@@ -90,17 +90,19 @@ std::vector<Vec<D>> inside(const CaseParticles<D>& particles, std::vector<Vec<D>
   return places;
 }
 
-/// Returns the point nearest to a place in a periodic grid, where both are inside: a point at one of its faces is near
-/// to places at the other.
+/// Returns the point nearest to a place in a periodic grid, where both are inside: a point at one of its faces, edges
+/// or corners is near to places at the others.
 template <int D>
 Neighbour nearest_around(const CaseParticles<D>& particles, const NearestPoint<D>& nearest, const Vec<D>& place) {
+  const Vec<D> middle = (particles.lower + particles.upper) / 2;
   Neighbour best = nearest(place);
-  for (int axis = 0; axis < D; ++axis)
-    for (const int side : {-1, 1}) {
-      if (!(particles.period[axis] > 0)) continue;
-      const Neighbour other = nearest(place + side * particles.period[axis] * Vec<D>::Unit(axis));
-      if (other.distance < best.distance) best = other;
-    }
+  for (int images = 1; images < 1 << D;
+       ++images) {  // in each axis the place itself, or its image beyond the other face
+    Vec<D> image = place;
+    for (int axis = 0; axis < D; ++axis)
+      if ((images >> axis & 1) != 0) image[axis] += (place[axis] < middle[axis] ? 1 : -1) * particles.period[axis];
+    if (const Neighbour other = nearest(image); other.distance < best.distance) best = other;
+  }
   return best;
 }
 
@@ -239,7 +241,7 @@ void require_each_once(const Output& output, std::size_t particles) {
   if (has_case_ids) by_case_id(output.end, particles);
   for (const Snapshot* s : {output.start ? &*output.start : nullptr, &output.end}) {
     if (!s) continue;
-    require_distinct_ids(*s);
+    if (!has_reference_places(output.end)) require_distinct_ids(*s);
     require_count(*s, particles, std::vector<bool>(particles, true));
   }
 }

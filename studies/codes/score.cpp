@@ -105,9 +105,9 @@ void measure(const CaseParticles<D>& particles, const Output& output, Record& re
   const cases::Case& c = record.the_case;
   record.particles = static_cast<std::int64_t>(particles.size());
   record.energy.initial_total = runs::start_energy(c, particles.setup, particles.energy);
-  require_finite(output, particles.size());
   require_last_step(c, output.end);
   require_end_time(c, output.end);
+  require_finite(output, particles.size());
   const MatchedEnd<D> end = matched(particles, output);
   require_length_units(end);
   require_same_displacements(end);

@@ -34,9 +34,9 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator);
 /// Adds a row to the table. Throws UsageError with the line's place unless the fields are a number for each column.
 void add_row(ParticleTable& table, const std::vector<std::string_view>& fields, const TextLines& lines);
 
-/// Notes in the table what a comment says, `key = value` or `key: value`, also several with commas between, and the
-/// time and step that it states
-/// (`note_time`). Throws UsageError, which says the line's place, for a time in another unit than s.
+/// Notes in the table what a comment says, `key = value` or `key: value`, also several with commas or semicolons
+/// between, and the time and step that it states (`note_time`). Throws UsageError, which says the line's place, for a
+/// time in another unit than s.
 void note_comment(ParticleTable& table, std::string_view comment, const TextLines& lines);
 
 }  // namespace mpmvv::codes

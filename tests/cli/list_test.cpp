@@ -20,7 +20,7 @@ TEST(ListCommand, SaysWhatDefaultBoundariesCostInOrder) {
   const std::string problems = call(folder, "list problems").out;
   EXPECT_THAT(problems, AllOf(ContainsRegex("\nbar +1D +1 +100 +0.01 +periodic \\(none\\)\n"),
                               HasSubstr("symmetry (splines: order about 1, mirror: 2)\n"),
-                              HasSubstr("free (stairs of a lattice: order about 1, fill conforming: 2)\n"),
+                              HasSubstr("free (stairs of a lattice: order about 1, fill conforming: up to 2)\n"),
                               ContainsRegex("\nimpact [^\n]* free\n")));
   EXPECT_THAT(problems, ContainsRegex("\nsquare: Wallstedt[^\n]*\n    L = 1, wave speed c = sqrt\\(E/rho\\), [^\n]*\n"
                                       "    parameter +default +unit +allowed\n    amplitude +0.1 +m +between"));

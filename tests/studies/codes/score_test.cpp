@@ -199,6 +199,40 @@ TEST(Score, OfAShiftedPeriodicGridMatches) {
   }
 }
 
+/// A particle on a corner of the grid is found from all sides of it.
+TEST(Score, OfAShiftedPeriodicSquareMatchesAtItsCorner) {
+  const std::vector<settings::Setting> given{
+      {"problem", "translation", ""}, {"cells", "4", ""},         {"ppc", "2", ""}, {"cfl", "0.2", ""},
+      {"basis", "linear", ""},        {"grid_offset", "0.25", ""}};
+  const cases::Case c = settings::make_case(given);
+  const CaseParticles<2> particles = case_particles<2>(c);
+  for (const double off : {-1e-9, 0., 1e-9}) {
+    Snapshot end{.file = "end.csv"};
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+      const solver::Vec<2> X = particles.X[p], x = X + particles.setup.solution->u(X, particles.end_time);
+      end.X.push_back({X[0] + off, X[1] + off, 0});
+      end.x.push_back({x[0], x[1], 0});
+    }
+    EXPECT_EQ(score(c, {.end = end}).reason, "") << off;
+  }
+}
+
+/// Where X says which particle a line is, ids may be those of each process.
+TEST(Score, OfIdsThatMatchNothingABlowUpIsUnstable) {
+  const cases::Case c = settings::make_case(std::vector<settings::Setting>{
+      {"problem", "bar", ""}, {"cells", "16", ""}, {"ppc", "2", ""}, {"cfl", "0.2", ""}, {"basis", "bspline2", ""}});
+  const CaseParticles<1> particles = case_particles<1>(c);
+  Snapshot end{.file = "end.csv"};
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    end.id.push_back(static_cast<std::int64_t>(p % 10));
+    end.X.push_back({particles.X[p][0], 0, 0});
+    end.x.push_back({p == 3 ? NAN : particles.X[p][0], 0, 0});
+  }
+  EXPECT_EQ(score(c, {.end = end}).status, records::Status::unstable);
+  end.step = 17;
+  EXPECT_EQ(score(c, {.end = end}).status, records::Status::failed) << "of another step, whatever else it says";
+}
+
 /// A body that rests where that of the exact solution moves has ids that fit its start.
 TEST(Score, IdsOfABodyAtRestAreThoseOfItsStart) {
   const std::vector<settings::Setting> given{
