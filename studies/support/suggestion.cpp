@@ -35,9 +35,8 @@ std::vector<std::string> items_of(const std::string& list) {
 std::string nearest_few(std::vector<std::string> known, const std::string& word, const std::string& kind) {
   constexpr std::size_t few = 8;
   static const std::map<std::string, std::string> printed_by{
-      {"command", "--help"},           {"option", "--help"},   {"problem", "mpmvv list problems"},
-      {"check", "mpmvv list checks"},  {"list", "mpmvv list"}, {"key", "mpmvv list study-file"},
-      {"study", "mpmvv list studies"},
+      {"command", "--help"},          {"option", "--help"},   {"problem", "mpmvv list problems"},
+      {"check", "mpmvv list checks"}, {"list", "mpmvv list"}, {"key", "mpmvv list study-file"},
   };
   const std::size_t more = known.size() - few;
   std::ranges::stable_sort(known, {}, [&word](const std::string& item) { return edit_distance(word, item); });
