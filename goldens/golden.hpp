@@ -32,6 +32,7 @@ inline constexpr double widest_interval = 1;
 ///   - when the fit has fewer points than `points`, or, where that is 0, than the window has,
 ///   - when the error at the finest level has grown by more than the band of errors, whatever the order.
 /// It is inconclusive
+///   - without `window` where the study fits several,
 ///   - without a run at the finest level or at an end of the window, or with fewer than three points,
 ///   - when it lies outside the band and its interval reaches in,
 ///   - when half of its interval is wider than the whole band and than `interval_margin` times the reviewed half,

@@ -36,6 +36,11 @@ std::string order_text(const ObservedOrder& fit, const Series& series) {
   return fmt::format("{:.6g} ({} points{})", fit.order, fit.points, loss);
 }
 
+/// Whether the golden leaves open which of several orders it is of: another one in the study file would change that.
+bool is_ambiguous(const OrderGolden& golden, const Series& series) {
+  return golden.window.empty() && std::ranges::count(series.orders, golden.norm, &ObservedOrder::norm) > 1;
+}
+
 const ObservedOrder* find_order(const OrderGolden& golden, const Series& series) {
   const auto& window = golden.window;
   const auto found = std::ranges::find_if(series.orders, [&](const ObservedOrder& fit) {
@@ -87,6 +92,10 @@ Judgement judge_interval(const OrderGolden& golden, const ObservedOrder& fit, co
 
 Judgement judge(const OrderGolden& golden, const Series& series) {
   constexpr double absurd = 1;  // above any band: no scatter brings an order there
+  if (is_ambiguous(golden, series))
+    return inconclusive(
+        "", fmt::format("'{}' has orders in {} over several windows (window = [FROM, TO] in the golden)", golden.series,
+                        golden.norm));
   const ObservedOrder* fit = find_order(golden, series);
   if (!fit) return missing(fmt::format("no order of '{}' in {} over that window", golden.series, golden.norm));
   const std::string measured = order_text(*fit, series);

@@ -15,6 +15,18 @@ using namespace healthy_study;
 using testing::AllOf;
 using testing::HasSubstr;
 
+TEST(Gate, AnOrderWithoutAWindowIsThatOfTheOnlyOne) {
+  const auto with_another = [](StudyResult& s) {
+    s.series[0].orders.insert(s.series[0].orders.begin(), s.series[0].orders[0]);
+    s.series[0].orders[0].to = 32;
+  };
+  const GateResult result = judge(order_two, with_another);
+  EXPECT_EQ(result.verdict, Verdict::inconclusive) << "the first one is not always meant";
+  EXPECT_THAT(result.reason, HasSubstr("'a' has orders in l2 over several windows"));
+  OrderGolden golden{"a", "l2", 2, 1.85, 2.15, {16, 64}};
+  EXPECT_EQ(judge(Golden{"s", "s.toml:9", golden}, with_another).verdict, Verdict::pass);
+}
+
 TEST(Gate, AHealthyStudyPassesEverything) {
   const GateReport report = run_gate({order_two, error_at_64, limit_of_a, small_value, stable_at_64}, {healthy()});
   for (const GateResult& result : report.results) {
