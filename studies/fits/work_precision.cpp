@@ -24,8 +24,8 @@ Rounds rounds_between(const Rounds& one, const Rounds& next, double way) {
 Estimate quotient(const Ranged& number, const Ranged& over) {
   constexpr double anywhere = std::numeric_limits<double>::infinity();
   const double value = number.value / over.value;
-  if (over.half_range == 0 && number.half_range == 0) return {value, value, value};
   if (!(std::abs(over.value) > over.half_range)) return {value, -anywhere, anywhere};
+  if (over.half_range == 0 && number.half_range == 0) return {value, value, value};
   const double low = number.value - number.half_range, high = number.value + number.half_range;
   const double least = over.value - over.half_range, most = over.value + over.half_range;
   const auto [lower, upper] = std::minmax({low / least, low / most, high / least, high / most});

@@ -32,10 +32,6 @@ std::vector<WorkPoint> pareto_front(std::vector<WorkPoint> points);
 /// infinite where no point is.
 WorkPoint work_to_reach(double error, const std::vector<WorkPoint>& front);
 
-inline double cost_to_reach(double error, const std::vector<WorkPoint>& front) {
-  return work_to_reach(error, front).cost;
-}
-
 /// The quotient of two costs, over their rounds where these are paired, else of their ranges.
 Estimate quotient(const WorkPoint& cost, const WorkPoint& over);
 

@@ -107,6 +107,14 @@ TEST(CostCriterion, WhereTheDivisorMayBe0NothingIsDecided) {
   EXPECT_THAT(part.evidence, HasSubstr("= 2 (without bounds, not timed in the same rounds) (asked"));
 }
 
+TEST(CostCriterion, OverASlopeOf0NothingIsDecided) {
+  StudyResult result = two_lines(0);
+  for (Point& point : result.series[1].points) point.y["l2"] = 3;
+  Criterion c = slope(Criterion::Kind::slope_ratio, 100, 101);
+  c.norm = "l2", c.at_most.reset();
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::inconclusive) << "in which direction it is infinite is not known";
+}
+
 /// Two lines whose times rise and fall together, by a factor of ten, and `noise` of `slow` at x = 1 alone.
 StudyResult two_timed_lines(double noise, const std::string& session_of_steep = "one") {
   StudyResult result = two_lines(0.2);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "studies/claims/samples.hpp"
 
@@ -48,10 +49,10 @@ TEST(WorkPrecision, CostOfAPowerLawIsExactBetweenItsPoints) {
   for (const double cost : {1.0, 4.0, 16.0}) points.push_back({cost, std::pow(cost, -1.5)});
   const auto front = pareto_front(points);
   for (const double cost : {1.0, 1.7, 4.0, 9.0, 16.0})
-    EXPECT_NEAR(cost_to_reach(std::pow(cost, -1.5) * (1 + 1e-14), front), cost, 1e-12 * cost);
-  EXPECT_EQ(cost_to_reach(2, front), 1) << "the cheapest run does";
-  EXPECT_TRUE(std::isinf(cost_to_reach(0.01, front)));
-  EXPECT_TRUE(std::isinf(cost_to_reach(0.01, {})));
+    EXPECT_NEAR(work_to_reach(std::pow(cost, -1.5) * (1 + 1e-14), front).cost, cost, 1e-12 * cost);
+  EXPECT_EQ(work_to_reach(2, front).cost, 1) << "the cheapest run does";
+  EXPECT_TRUE(std::isinf(work_to_reach(0.01, front).cost));
+  EXPECT_TRUE(std::isinf(work_to_reach(0.01, {}).cost));
 }
 
 TEST(WorkPrecision, RangesAddInSquaresBetweenTwoPoints) {
@@ -70,6 +71,17 @@ TEST(WorkPrecision, RoundsFollowTheSamePowerLaw) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(between.costs[k], 10 * front[0].rounds.costs[k], 1e-12);
   EXPECT_EQ(work_to_reach(0.5, front).rounds, front[0].rounds);
   EXPECT_EQ(work_to_reach(0.01, {front[0], {100, 0.001, 0, {{100, 200, 50}, "another"}}}).rounds, Rounds{});
+}
+
+TEST(WorkPrecision, AQuotientBy0MayLieAnywhere) {
+  constexpr double anywhere = std::numeric_limits<double>::infinity();
+  for (const Ranged over : {Ranged{0}, Ranged{0, 1}, Ranged{1, 1}, Ranged{-1, 2}}) {
+    const Estimate estimate = quotient(Ranged{3}, over);
+    EXPECT_EQ(estimate.lower, -anywhere) << over.value;
+    EXPECT_EQ(estimate.upper, anywhere) << over.value;
+  }
+  EXPECT_EQ(quotient(Ranged{3}, Ranged{-2}).lower, -1.5);
+  EXPECT_EQ(quotient(Ranged{3}, Ranged{-2}).upper, -1.5);
 }
 
 TEST(WorkPrecision, Decades) {
