@@ -34,9 +34,9 @@ constexpr std::array<const char*, 5> words_of(Claim::Verdict) {
 }
 
 /// The claims that the studies name, in the order of the studies that state them (s-fig4 before s-fig10), judged from
-/// the parts that the studies hold: `confirmed` when all parts hold, `refuted` when none does, `partly` in between,
-/// `shown` when only figures are asked for, `open` without a part or while one is inconclusive and nothing else is
-/// known.
+/// the parts that the studies hold, figures aside: `confirmed` when all parts hold, `refuted` when some fail and none
+/// holds, `partly` when some hold and others do not, `shown` when only figures are asked for, `open` without a part or
+/// when all are inconclusive. A study that is not among `studies` has no part in this.
 std::vector<Claim> judge_claims(const std::vector<records::StudyResult>& studies);
 
 }  // namespace mpmvv::claims

@@ -40,7 +40,7 @@ void add_open(const std::string& label, double lower, double upper, const std::s
   out.add(label, end, Interval{lower, upper}, remark);
 }
 
-/// "that of 'b' not monotone"; empty where there is nothing to remark.
+/// "that of 'b' not monotone"; empty where there is nothing to remark. Without "; ", as every remark (records::Found).
 std::string remarks_on_both(const Series& series, const Series& over) {
   const std::string of_series = remarks_on(*series.limit), of_over = remarks_on(*over.limit);
   if (of_series == of_over && !of_over.empty())
@@ -48,7 +48,7 @@ std::string remarks_on_both(const Series& series, const Series& over) {
   std::vector<std::string> remarks;
   if (!of_series.empty()) remarks.push_back(fmt::format("that of '{}' {}", series.name, of_series));
   if (!of_over.empty()) remarks.push_back(fmt::format("that of '{}' {}", over.name, of_over));
-  return fmt::format("{}", fmt::join(remarks, "; "));
+  return fmt::format("{}", fmt::join(remarks, ", and "));
 }
 
 }  // namespace

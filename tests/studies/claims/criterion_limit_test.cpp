@@ -51,6 +51,12 @@ TEST(CriterionOfLimits, ARatioOfLimitsSaysWhichIsNotMonotone) {
   EXPECT_EQ(remark(), "that of 'bad' not monotone");
   result.series[0].limit->monotone = false;
   EXPECT_EQ(remark(), "that of 'good' and 'bad' not monotone");
+  result.series[1].limit->monotone = true;
+  result.series[1].limit->probes = {{0.99, true, "", 8}, {1.01, false, "", 8}};
+  EXPECT_EQ(remark(),
+            "that of 'good' not monotone, and that of 'bad' only 8 steps at 0.99, where growth that doubles "
+            "on each shows from 40 on")
+      << "\"; \" would part numbers";
 }
 
 TEST(CriterionOfLimits, ReplicatesThatShareOneEndOfALimitDecideByIt) {
