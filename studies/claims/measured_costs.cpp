@@ -13,6 +13,7 @@
 #include "studies/claims/found_text.hpp"
 #include "studies/claims/samples.hpp"
 #include "studies/claims/window_points.hpp"
+#include "studies/fits/replicates.hpp"
 #include "studies/fits/work_precision.hpp"
 
 namespace mpmvv::claims {
@@ -23,16 +24,27 @@ using records::StudyResult;
 
 namespace {
 
+bool is_time(const std::string& norm) {
+  return norm == "ns_per_particle_step";
+}
+
+/// Half the width of the interval of the mean of replicates; 0 without any.
+double half_width_of_replicates(const Point& point, const std::string& norm) {
+  const auto all = point.replicates.find(norm);
+  if (all == point.replicates.end() || all->second.size() < 2) return 0;
+  const fits::ReplicateMean mean = fits::mean_of_replicates(all->second);
+  return (mean.upper - mean.lower) / 2;
+}
+
 /// A weighted sum of what was measured at points of a series.
 struct Sum {
   std::vector<double> weights = {}, values = {}, half_ranges = {};
   std::vector<fits::Rounds> rounds = {};
 
   void add(const Point& point, const std::string& norm) {
-    const bool is_time = norm == "ns_per_particle_step";
     values.push_back(error_at(point, norm));
-    half_ranges.push_back(is_time ? values.back() * half_spread(point) : 0);
-    rounds.push_back(is_time ? point.rounds : fits::Rounds{});
+    half_ranges.push_back(is_time(norm) ? values.back() * half_spread(point) : half_width_of_replicates(point, norm));
+    rounds.push_back(is_time(norm) ? point.rounds : fits::Rounds{});
   }
   double of(std::span<const double> numbers) const {
     if (numbers.empty()) return support::not_measured;
@@ -87,11 +99,12 @@ fits::Estimate quotient(const Sum& a, const Sum& b) {
   });
 }
 
-/// Adds a quotient with its interval. One of ranges is wider than one of rounds, so the evidence says which it is.
-void add(const std::string& label, const fits::Estimate& quotient, bool is_paired, Measured& out) {
+/// Adds a quotient with its interval. One of ranges of times is wider than one of rounds, so the evidence says which it
+/// is.
+void add(const std::string& label, const fits::Estimate& quotient, bool is_of_ranges, Measured& out) {
   out.add(label, quotient.value, Interval{quotient.lower, quotient.upper});
   records::Found& found = out.numbers.back().found;
-  if (!is_paired && has_interval(found)) found.remark = "not timed in the same rounds";
+  if (is_of_ranges && has_interval(found)) found.remark = "not timed in the same rounds";
 }
 
 /// Says which of two series another code ran, whose time is not that of the steps alone.
@@ -132,7 +145,7 @@ void measure_slope(const Criterion& c, const StudyResult& result, const Series& 
   const std::string label = fmt::format("slope of '{}' in {} over {} of '{}', {}", series.name, c.norm,
                                         share ? "the value" : "that", over.name, over_window(c, result));
   const Sum slope = slope_of(c, series), divisor = share ? first_value(c, over) : slope_of(c, over);
-  add(label, quotient(slope, divisor), !paired(slope, divisor).empty(), out);
+  add(label, quotient(slope, divisor), is_time(c.norm) && paired(slope, divisor).empty(), out);
 }
 
 void measure_cost_ratios(const Criterion& c, const StudyResult& result, const Series& series, const Series& over,
@@ -149,7 +162,7 @@ void measure_cost_ratios(const Criterion& c, const StudyResult& result, const Se
     else if (std::isinf(other_work.cost))
       out.add(label, work.cost / other_work.cost, fmt::format("'{}' never reaches it", over.name));
     else
-      add(label, fits::quotient(work, other_work), fits::are_paired(std::array{work.rounds, other_work.rounds}), out);
+      add(label, fits::quotient(work, other_work), !fits::are_paired(std::array{work.rounds, other_work.rounds}), out);
     if (!std::isinf(work.cost) && !std::isinf(other_work.cost))
       remark_on_processes(series, over, out.numbers.back().found);
   }

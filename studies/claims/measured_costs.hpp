@@ -3,7 +3,8 @@
 
 /// Measures of what runs cost. What is computed from times that were measured in the same rounds has the interval of
 /// these rounds (paired_rounds.hpp). Else a time has the range of its repetitions (`step_seconds_spread`), and what is
-/// computed from it an interval, by half of these ranges. No other number has such an interval.
+/// computed from it an interval, by half of these ranges. A slope of replicated errors has one by the intervals of
+/// their means; no other number has any.
 namespace mpmvv::claims {
 
 /// The slope of a series over that of `over`, or over the first value of it.

@@ -29,11 +29,15 @@ std::vector<double> replicates_at(const Series& series, double x, const std::str
   return {};
 }
 
-/// Adds the mean of replicates with its interval, or the number alone where there are none.
-void add_mean(const std::string& label, double value, const std::vector<double>& replicates, Measured& out) {
-  if (replicates.size() < 2) return out.add(label, value);
+/// The interval of the mean of replicates, or the number alone where there are none.
+Interval interval_of(double value, const std::vector<double>& replicates) {
+  if (replicates.size() < 2) return {value, value};
   const fits::ReplicateMean mean = fits::mean_of_replicates(replicates);
-  out.add(label, value, Interval{mean.lower, mean.upper});
+  return {mean.lower, mean.upper};
+}
+
+void add_mean(const std::string& label, double value, const std::vector<double>& replicates, Measured& out) {
+  out.add(label, value, interval_of(value, replicates));
 }
 
 /// Adds a ratio with the interval of its replicates: runs with the same offset or order, one divided by the other.
@@ -85,7 +89,9 @@ void measure_ratios(const Criterion& c, const StudyResult& result, const Series&
 }
 
 void measure_spread(const Criterion& c, const StudyResult& result, const Series& series, Measured& out) {
-  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  constexpr double anywhere = std::numeric_limits<double>::infinity();
+  double least = anywhere, largest = 0;
+  Interval of_least{anywhere, anywhere}, of_largest{0, 0};
   for (const Point& point : series.points) {
     if (!c.window.holds(point.x)) continue;
     const double error = error_at(point, c.norm);
@@ -94,12 +100,18 @@ void measure_spread(const Criterion& c, const StudyResult& result, const Series&
                                       : no_ratio(c, result, series, point.x);
       return;
     }
+    const Interval interval = interval_of(error, replicates_at(series, point.x, c.norm));
     least = std::min(least, error), largest = std::max(largest, error);
+    of_least = {std::min(of_least.lower, interval.lower), std::min(of_least.upper, interval.upper)};
+    of_largest = {std::max(of_largest.lower, interval.lower), std::max(of_largest.upper, interval.upper)};
   }
   if (std::isinf(least) && !c.at_most)
     out.missing = fmt::format("no run of '{}' is stable {}", series.name, over_window(c, result));
-  out.add(fmt::format("largest over smallest {} of '{}' {}", c.norm, series.name, over_window(c, result)),
-          std::isinf(largest) ? largest : largest / least);
+  const std::string label =
+      fmt::format("largest over smallest {} of '{}' {}", c.norm, series.name, over_window(c, result));
+  if (std::isinf(largest)) return out.add(label, largest);
+  const double most = of_least.lower > 0 ? of_largest.upper / of_least.lower : anywhere;
+  out.add(label, largest / least, Interval{std::max(1.0, of_largest.lower / of_least.upper), most});
 }
 
 }  // namespace mpmvv::claims

@@ -12,8 +12,9 @@ void measure_errors(const Criterion& c, const records::StudyResult& result, cons
 void measure_ratios(const Criterion& c, const records::StudyResult& result, const records::Series& series,
                     const records::Series& over, Measured& out);
 
-/// Measures the largest over the smallest norm in the window. An unstable run makes the spread infinite. Where all are
-/// unstable, this does not show how far apart they lie, so a lower bound alone cannot be judged.
+/// Measures the largest over the smallest norm in the window; with replicates between the quotients of the ends of
+/// their intervals. An unstable run makes the spread infinite. Where all are unstable, this does not show how far apart
+/// they lie, so a lower bound alone cannot be judged.
 void measure_spread(const Criterion& c, const records::StudyResult& result, const records::Series& series,
                     Measured& out);
 

@@ -28,9 +28,21 @@ namespace {
 std::string why_missing(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm,
                         std::ptrdiff_t missing, std::ptrdiff_t all) {
   if (std::string failures = failures_of(series, c.window, result); !failures.empty()) return failures;
-  const std::string near_floor = left_out(series, norm);
+  const std::string near_floor = left_out(series, norm, c.window);
   return fmt::format("'{}': {} of {} stable points are no use{}", series.name, missing, all,
                      near_floor.empty() ? "" : ", left out: " + near_floor);
+}
+
+/// Says at which swept value in the window a replicate is not above 0, so that it has no logarithm and the scatter of
+/// the others says too little; empty where all are.
+std::string no_logarithm(const Criterion& c, const StudyResult& result, const Series& series, const std::string& norm) {
+  for (const Point& point : series.points) {
+    const auto all = point.replicates.find(norm);
+    if (!c.window.holds(point.x) || all == point.replicates.end()) continue;
+    if (std::ranges::any_of(all->second, [](double e) { return !(e > 0); }))
+      return fmt::format("'{}' has a replicate with {} not above 0 {}", series.name, norm, at_point(result, point.x));
+  }
+  return "";
 }
 
 /// The order over the stable points in the window. Sets `out.missing` when one of them failed or has no usable error.
@@ -42,6 +54,7 @@ ObservedOrder stable_order(const Criterion& c, const StudyResult& result, const 
   const auto stable = std::count_if(series.points.begin(), series.points.end(), [&](const Point& point) {
     return c.window.holds(point.x) && point.status != Status::unstable;
   });
+  if (const std::string why = no_logarithm(c, result, series, norm); !why.empty()) out.missing = why;
   if (fit.points < stable) out.missing = why_missing(c, result, series, norm, stable - fit.points, stable);
   return fit;
 }

@@ -7,8 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "studies/fits/window.hpp"
-
 namespace mpmvv::claims {
 
 using fits::ErrorSample;
@@ -76,12 +74,12 @@ bool is_near_floor(const records::Point& point, const std::string& norm) {
   return floor_near(point, norm) != nullptr;
 }
 
-std::string left_out(const records::Series& series, const std::string& norm) {
+std::string left_out(const records::Series& series, const std::string& norm, const fits::Window& window) {
   std::vector<std::string> all;
   for (const Floor& floor : floors) {
     std::vector<double> values;
     for (const records::Point& point : series.points)
-      if (floor_near(point, norm) == &floor) values.push_back(point.x);
+      if (window.holds(point.x) && floor_near(point, norm) == &floor) values.push_back(point.x);
     if (!values.empty())
       all.push_back(fmt::format("{} (within {} times {})", fmt::join(values, ", "), floor.least, floor.made_by));
   }

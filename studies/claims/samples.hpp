@@ -1,8 +1,10 @@
 #pragma once
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "studies/fits/observed_order.hpp"
+#include "studies/fits/window.hpp"
 #include "studies/fits/work_precision.hpp"
 #include "studies/records/result.hpp"
 
@@ -37,9 +39,10 @@ std::string points_text(const records::Series& series, const fits::ObservedOrder
 /// of a solution which is not exact for the body's law (`solution_floor`) may add in full: 10 times it is off by 11 %.
 bool is_near_floor(const records::Point& point, const std::string& norm);
 
-/// The swept values whose errors are that near to a floor, and to which: "32, 64 (within 3 times ...)"; empty without
-/// any. Only errors of displacements have floors.
-std::string left_out(const records::Series& series, const std::string& norm);
+/// The swept values in the window whose errors are that near to a floor, and to which: "32, 64 (within 3 times ...)";
+/// empty without any. Only errors of displacements have floors.
+std::string left_out(const records::Series& series, const std::string& norm,
+                     const fits::Window& window = {-INFINITY, INFINITY});
 
 /// The points of a series in one norm, with their step sizes. Points that are not sound, or near a floor, have a NaN
 /// for the error.

@@ -21,6 +21,16 @@ TEST(Criterion, OrderInsideAndOutsideItsBounds) {
   EXPECT_THAT(part.evidence, HasSubstr("= 2 "));
 }
 
+TEST(Criterion, ThatAPointIsLeftOutIsSaidOfThoseInTheWindow) {
+  StudyResult result = two_series();
+  result.series[0].points.push_back({128, Status::ok, "", {{"l2", 1e-5}, {"output_floor", 1e-5}}});
+  result.series[0].points[1].y["l2"] = 0;
+  Criterion c = criterion(Kind::order, "good", 1.9, {});
+  EXPECT_THAT(judge(c, result).evidence, HasSubstr("'good': 1 of 4 stable points are no use (asked"));
+  c.window = {32, 128};
+  EXPECT_THAT(judge(c, result).evidence, HasSubstr("1 of 3 stable points are no use, left out: 128 (within 3 times"));
+}
+
 TEST(Criterion, HowWellAnOrderIsKnownIsNoPartOfWhatWasFound) {
   StudyResult result = scattered(1);
   Criterion c = criterion(Kind::order, "good", 1.5, {});

@@ -68,4 +68,54 @@ TEST(Criterion, ARatioOfReplicatesIsTakenOneByOne) {
   EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("(without bounds)"));
 }
 
+TEST(Criterion, ASpreadOfReplicatesReachesFromTheEndsOfTheirIntervals) {  // 64, and 1.2832² to both sides
+  const StudyResult result = with_replicated_errors();
+  const auto verdict = [&](std::optional<double> at_least, std::optional<double> at_most) {
+    return judge(criterion(Kind::spread, "good", at_least, at_most), result).verdict;
+  };
+  EXPECT_EQ(verdict({}, 64 * 1.7), PartVerdict::holds);
+  EXPECT_EQ(verdict({}, 64 * 1.6), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(64 / 1.6, {}), PartVerdict::inconclusive);
+  EXPECT_EQ(verdict(64 / 1.7, {}), PartVerdict::holds);
+  EXPECT_EQ(verdict({}, 64 / 1.7), PartVerdict::fails);
+  EXPECT_EQ(judge(criterion(Kind::spread, "good", 63.99, 64.01), two_series()).verdict, PartVerdict::holds);
+}
+
+TEST(Criterion, ASpreadOfReplicatesOfEitherSignHasNoUpperEnd) {
+  StudyResult result = with_replicated_errors();
+  result.series[0].points[3].replicates["l2"] = {-1e-4, 1e-4, 3e-4};
+  EXPECT_EQ(judge(criterion(Kind::spread, "good", {}, 1e6), result).verdict, PartVerdict::inconclusive);
+}
+
+/// Times 0.99, 1 and 1.01 the values 5 and 9 are known to 2.5 %: the slope of 2 to 0.128.
+TEST(Criterion, ASlopeOfReplicatesHasTheirInterval) {
+  StudyResult result;
+  result.sweep = "order";
+  result.series = {Series{"slow", {}, {}, {}}, Series{"steep", {}, {}, {}}};
+  for (const double x : {1.0, 3.0}) {
+    result.series[0].points.push_back({x, Status::ok, "", {{"l2", 3 + 2 * x}}});
+    result.series[1].points.push_back({x, Status::ok, "", {{"l2", 3 + 4 * x}}});
+  }
+  Criterion c = criterion(Kind::slope_ratio, "slow", 0.48, 0.52);
+  c.over = "steep", c.window = {1, 3};
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::holds);
+  for (Point& point : result.series[0].points)
+    for (const double factor : {0.99, 1.0, 1.01}) point.replicates["l2"].push_back(factor * point.y["l2"]);
+  EXPECT_THAT(judge(c, result).evidence, HasSubstr("= 0.5 (0.468 to 0.532) (asked"));
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::inconclusive);
+  c.at_least = 0.46, c.at_most = 0.54;
+  EXPECT_EQ(judge(c, result).verdict, PartVerdict::holds);
+}
+
+/// The others lie on the line to the last digit.
+TEST(Criterion, AReplicateWithoutALogarithmLeavesTheOrderOpen) {
+  StudyResult result = scattered(0);
+  for (Point& point : result.series[0].points) point.replicates["l2"] = std::vector<double>(3, point.y["l2"]);
+  EXPECT_EQ(verdict_of_order(result, 1.9, {}), PartVerdict::holds);
+  result.series[0].points[0].replicates["l2"][2] = -0.1;
+  EXPECT_EQ(verdict_of_order(result, 1.9, {}), PartVerdict::inconclusive);
+  EXPECT_THAT(judge(criterion(Kind::order, "good", 1.9, {}), result).evidence,
+              HasSubstr("; 'good' has a replicate with l2 not above 0 at cells = 8 (asked"));
+}
+
 }  // namespace mpmvv::claims::criterion_replicates_test
