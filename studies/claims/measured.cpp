@@ -60,6 +60,12 @@ bool reads_points(Criterion::Kind kind) {
   }
 }
 
+/// Whether the measure leaves it to its caller to say that a run failed: its number at that point alone is not known.
+bool reads_single_points(Criterion::Kind kind) {
+  using enum Criterion::Kind;
+  return kind == error || kind == error_ratio || kind == spread || kind == slope_ratio || kind == slope_share;
+}
+
 /// `over` is not null where the measure divides by it.
 void measure_series(const Criterion& c, const StudyResult& result, const Series& series, const Series* over,
                     Measured& out) {
@@ -112,7 +118,12 @@ Measured measure(const Criterion& c, const StudyResult& result) {
     else
       measure_series(c, result, *series, over, own);
     out.append(own);
+    if (series && own.missing.empty() && reads_single_points(c.kind))
+      out.add_missing(failures_of(*series, c.window, result));
   }
+  // Of the divisor of `slope-share` one value alone is read.
+  if (over && reads_single_points(c.kind) && c.kind != Criterion::Kind::slope_share)
+    out.add_missing(failures_of(*over, c.window, result));
   return out;
 }
 

@@ -96,8 +96,11 @@ void measure_spread(const Criterion& c, const StudyResult& result, const Series&
     if (!c.window.holds(point.x)) continue;
     const double error = error_at(point, c.norm);
     if (!(error > 0)) {
-      out.missing = std::isnan(error) ? fmt::format("'{}' has no {} at {}", series.name, c.norm, point.x)
-                                      : no_ratio(c, result, series, point.x);
+      out.missing = failures_of(series, c.window, result);
+      if (out.missing.empty())
+        out.missing = std::isnan(error)
+                          ? fmt::format("'{}' has no {} {}", series.name, c.norm, at_point(result, point.x))
+                          : no_ratio(c, result, series, point.x);
       return;
     }
     const Interval interval = interval_of(error, replicates_at(series, point.x, c.norm));

@@ -73,6 +73,27 @@ TEST(Criterion, AFailedRunLeavesItOpen) {
   EXPECT_EQ(judge(criterion(Kind::error, "good", {}, 1), result).verdict, PartVerdict::inconclusive);
 }
 
+TEST(Criterion, EveryMeasureOfErrorsSaysThatARunFailed) {
+  StudyResult result = two_series();
+  result.series[0].points[1] = {16, Status::failed, "no memory", {}};
+  for (const Kind kind : {Kind::error, Kind::error_ratio, Kind::spread, Kind::slope_ratio, Kind::slope_share}) {
+    Criterion c = criterion(kind, "good", {}, 1e9);
+    c.over = "bad", c.window = {8, 32};
+    const records::ClaimPart part = judge(c, result);
+    EXPECT_EQ(part.verdict, PartVerdict::inconclusive) << support::to_string(kind);
+    EXPECT_THAT(part.evidence, HasSubstr("'good' failed at cells = 16 (asked")) << support::to_string(kind);
+  }
+  Criterion ratio = criterion(Kind::error_ratio, "bad", {}, 1e9);
+  ratio.over = "good", ratio.window = {8, 32};
+  EXPECT_THAT(judge(ratio, result).evidence, HasSubstr("; 'good' failed at cells = 16 (asked"));
+  Criterion of_both = criterion(Kind::error, "good", {}, 1);
+  of_both.series = {"good", "bad"};
+  const records::ClaimPart part = judge(of_both, result);
+  EXPECT_EQ(part.verdict, PartVerdict::fails) << "as 'bad' is unstable";
+  EXPECT_EQ(part.found.back().what, "'good' failed at cells = 16");
+  EXPECT_TRUE(std::isnan(part.found.back().value));
+}
+
 TEST(Criterion, ARunThatFailedIsNeitherStableNorUnstable) {
   StudyResult result = two_series();
   result.series[0].points[1].status = Status::failed;
