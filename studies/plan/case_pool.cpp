@@ -14,6 +14,7 @@
 #include "studies/runs/run_part.hpp"
 #include "studies/settings/part.hpp"
 #include "studies/support/memory.hpp"
+#include "studies/support/not_measured.hpp"
 #include "studies/support/parallel.hpp"
 
 namespace mpmvv::plan {
@@ -61,9 +62,13 @@ std::vector<Case> CasePool::missing(const std::vector<Case>& cases) {
     for (const Case& c : cases)
       if (!load_known(c)) missing.insert(c);
     for (const Case& c : timed_apart(cases, [this](const Case& one) { return known(one); })) missing.insert(c);
-    for (const Case& c : missing) remaining_.add(c, costs_.time(c).seconds);
-    progress_.total += missing.size();
-    if (!missing.empty()) report_to(options_.more_work);
+    const std::size_t before = progress_.total;
+    for (const Case& c : missing) {
+      if (!asked_for_.insert(c).second) continue;
+      remaining_.add(c, costs_.time(c).seconds);
+      ++progress_.total;
+    }
+    if (progress_.total > before) report_to(options_.more_work);
   });
   return {missing.begin(), missing.end()};
 }
@@ -152,14 +157,18 @@ void CasePool::time_all(const std::vector<Case>& cases) {
 }
 
 void CasePool::run(const Case& c, double seconds_of_all) {
-  if (!count_if_done(c)) keep({record_of(c, seconds_of_all)});
+  if (!is_done(c)) keep({record_of(c, seconds_of_all)});
 }
 
-/// Whether a thread has run the case since it was found missing.
-bool CasePool::count_if_done(const Case& c) {
+/// Whether the case has become known since it was found missing: a thread has run it, or another program has kept it.
+bool CasePool::is_done(const Case& c) {
   const std::lock_guard lock(mutex_);
   if (!records_.contains(c)) return false;
-  ++progress_.done;
+  if (asked_for_.erase(c) > 0) {
+    remaining_.finish(c, support::not_measured);
+    ++progress_.done;
+    report_to(options_.progress);
+  }
   return true;
 }
 
@@ -217,7 +226,7 @@ void CasePool::keep(std::vector<Record> records) {
       from_store_.erase(kept.the_case);
       counts_.reused = from_store_.size();
       ++counts_.ran;
-      ++progress_.done;
+      progress_.done += asked_for_.erase(kept.the_case);
       progress_.label = label(kept.the_case);
       report_to(options_.progress);
     }

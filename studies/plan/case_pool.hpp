@@ -61,7 +61,7 @@ class CasePool {
   bool load_known(const cases::Case& c);
   void run_all(std::vector<cases::Case> missing);
   std::vector<cases::Case> longest_first(const std::vector<cases::Case>& cases);
-  bool count_if_done(const cases::Case& c);
+  bool is_done(const cases::Case& c);
   records::Record record_of(const cases::Case& c, double seconds_of_all);
   records::Record external_record_of(const cases::Case& c);
   records::Record finish(records::Record record, int threads);
@@ -77,6 +77,7 @@ class CasePool {
   RunnerCounts counts_;
   Progress progress_;
   Remaining remaining_;
+  std::set<cases::Case> asked_for_;  ///< and not known yet; each counts once, whoever else asks for it
   std::map<cases::Case, records::Record> records_;
   std::set<cases::Case> from_store_;       ///< those of them that come from the store and were not run
   std::vector<records::Record> finished_;  ///< not kept yet

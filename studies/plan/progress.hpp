@@ -9,7 +9,7 @@ namespace mpmvv::plan {
 
 /// How far studies have come; or how far one case has, with its steps in the place of cases.
 struct Progress {
-  std::size_t done = 0, total = 0;  ///< cases that are asked for by now; searches of limits ask for more
+  std::size_t done = 0, total = 0;  ///< cases that are asked for by now, each once; searches of limits ask for more
   double seconds_left = 0;          ///< estimate
   std::string label;                ///< the case that has just finished
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <mutex>
 #include <stdexcept>
@@ -116,12 +117,17 @@ class Tasks {
   std::mutex mutex_;  ///< guards the inputs' troubles
 };
 
+/// Whether the store has the value as it was measured: an infinite one comes back as NaN.
+bool is_as_measured(const records::Value& value) {
+  return std::isfinite(value.value);
+}
+
 }  // namespace
 
 std::optional<checks::CheckResult> stored_check(const StudyPlan& plan,
                                                 const std::vector<records::StudyResult>& stored) {
   for (const records::StudyResult& s : stored)
-    if (s.name == plan.name && s.text == plan.text) {
+    if (s.name == plan.name && s.text == plan.text && std::ranges::all_of(s.values, is_as_measured)) {
       checks::CheckResult result{s.values, s.series};
       for (records::Series& series : result.series) series.orders.clear(), series.extrapolations.clear();
       return result;

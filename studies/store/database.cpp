@@ -199,6 +199,8 @@ void Database::fail(int code) const {
   const std::string cause = sqlite3_errmsg(connection_.get());
   if (code == SQLITE_READONLY_ROLLBACK)
     throw UsageError(fmt::format("{} holds a write that was interrupted (open it once where it can be written)", name));
+  if (code == SQLITE_READONLY_DBMOVED)
+    throw UsageError(fmt::format("{} was moved or removed while it was open (leave it in its place)", name));
   switch (code & 0xff) {
     case SQLITE_NOTADB:
       throw UsageError(fmt::format("'{}' is not a results store: no SQLite file (name another file)", file_.string()));

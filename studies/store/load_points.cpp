@@ -39,7 +39,12 @@ void load_own_numbers(const Database& database, const Value& series, const std::
                     add(points[places.at(row["point"].integer())].point, row["quantity"].text(), row["value"].real());
                   });
   };
-  each("point_values", "", [](records::Point& p, const std::string& quantity, double value) { p.y[quantity] = value; });
+  each("point_values", "", [](records::Point& p, const std::string& quantity, double value) {
+    p.y[quantity] = value;
+    // After a merge the run that is there may have been timed on another machine than the one that the study was made
+    // of.
+    if (quantity == "ns_per_particle_step") p.rounds = {};
+  });
   each("point_replicates", " ORDER BY point, quantity, ordinal",
        [](records::Point& p, const std::string& quantity, double value) { p.replicates[quantity].push_back(value); });
 }

@@ -29,7 +29,8 @@ void require_intact(const Database& database, Sealed kind, const Value& id);
 /// The same of a run whose row has been read already: all of its columns, and no others.
 void require_intact_run(const Database& database, const Row& run);
 
-/// The rows whose seal does not fit what they hold, in words for people.
-std::vector<std::string> broken_seals(const Database& database);
+/// The rows whose seal does not fit what they hold, in words for people. Other programs may write meanwhile: each row
+/// is read in a transaction of its own, so that they wait for none but the row that is read.
+std::vector<std::string> broken_seals(Database& database);
 
 }  // namespace mpmvv::store

@@ -48,8 +48,9 @@ class Store {
   StepCosts step_costs() const;
 
   /// Keeps finished records in one transaction: a killed run loses nothing that was kept. Keeping the same key again
-  /// (two processes) is no error; the first one stays, unless it has `failed`. A failed run gives way to one that was
-  /// carried out and to a later failure; only a failure of the case does not give way to one of the machine.
+  /// (two processes) is no error; the first one stays, unless it has `failed` or was timed. A failed run gives way to
+  /// one that was carried out and to a later failure; only a failure of the case does not give way to one of the
+  /// machine. A sound run gives way to one that was timed, and a timed one also to one that is not sound any more.
   void keep(std::span<const records::Record> records, const Provenance& p);
   void keep(const records::Record& r, const Provenance& p) { keep({&r, 1}, p); }
 

@@ -91,6 +91,8 @@ bool write_if_changed(const fs::path& file, const std::string& content) {
     return true;
   }
   const fs::path target = end_of_links(file), part = new_file_beside(target, file);
+  if (is_there)  // before anything is in it; ours to write in any case
+    fs::permissions(part, fs::status(target, failed).permissions() | fs::perms::owner_write, failed);
   write(part, content, file);
   fs::rename(part, target, failed);
   if (!failed) return true;

@@ -14,7 +14,8 @@ std::optional<std::string> read_file(const std::filesystem::path& file);
 std::string require_file(const std::filesystem::path& file, const std::string& wanted);
 
 /// Writes the file, or what a symbolic link points to, unless it already has this content; true when it was written.
-/// The file appears whole or not at all, and no other file changes. Throws WriteError when it cannot be written.
+/// The file appears whole or not at all, no other file changes, and who may read and write it stays so. Throws
+/// WriteError when it cannot be written.
 bool write_if_changed(const std::filesystem::path& file, const std::string& content);
 
 /// Renames a file or folder, replacing a file that has the new name. Throws WriteError when it cannot.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -27,26 +28,30 @@ double of_the_system(const fs::path& root) {
   return static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// The folder of the program's control group, whose line in /proc is "0::/its/path".
+/// The path of the program's control group, whose line in /proc is "0::/its/path", without the slash in front.
 fs::path control_group(const fs::path& root) {
   std::ifstream in(root / "proc/self/cgroup");
-  const fs::path all = root / "sys/fs/cgroup";
   for (std::string line; std::getline(in, line);)
-    if (line.starts_with("0::/") && std::ifstream(all / line.substr(4) / "memory.max")) return all / line.substr(4);
-  return all;
+    if (line.starts_with("0::/")) return line.substr(4);
+  return {};
+}
+
+/// What a control group leaves of its limit; infinity where it has none. What the system reads files into counts as
+/// used, but it is given back where a program asks for memory.
+double left_in(const fs::path& group) {
+  const auto limit = number_in(group / "memory.max");
+  if (!limit) return std::numeric_limits<double>::infinity();
+  return *limit - (number_in(group / "memory.current").value_or(0) -
+                   number_in(group / "memory.stat", "inactive_file").value_or(0));
 }
 
 }  // namespace
 
-/// What the system reads files into counts as used, but it is given back where a program asks for memory.
 double available_memory(const fs::path& root) {
-  const fs::path group = control_group(root);
-  const auto limit = number_in(group / "memory.max");
-  const double system = of_the_system(root);
-  if (!limit) return system;
-  const double used =
-      number_in(group / "memory.current").value_or(0) - number_in(group / "memory.stat", "inactive_file").value_or(0);
-  return std::clamp(*limit - used, 0.0, system);
+  fs::path group = root / "sys/fs/cgroup";
+  double left = std::min(of_the_system(root), left_in(group));
+  for (const fs::path& inner : control_group(root)) left = std::min(left, left_in(group /= inner));
+  return std::max(0.0, left);
 }
 
 }  // namespace mpmvv::support

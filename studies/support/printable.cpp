@@ -37,8 +37,8 @@ bool acts_on_a_terminal(std::uint32_t point) {
     std::uint32_t from, to;
   };
   // Controls; marks of direction; separators of lines and embeddings of direction; isolates of direction.
-  constexpr std::array<Range, 5> ranges{
-      {{0, 0x1f}, {0x7f, 0x9f}, {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x2069}}};
+  constexpr std::array<Range, 6> ranges{
+      {{0, 0x1f}, {0x7f, 0x9f}, {0x61c, 0x61c}, {0x200e, 0x200f}, {0x2028, 0x202e}, {0x2066, 0x2069}}};
   return std::any_of(ranges.begin(), ranges.end(), [point](Range r) { return r.from <= point && point <= r.to; });
 }
 

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 #include "studies/settings/part.hpp"
@@ -271,6 +272,15 @@ TEST_F(StudyRunner, ACheckRunsAgainWhenItsStudyHasChangedAndOnlyThen) {
     EXPECT_GT(changed.values.size(), 1U);
     EXPECT_NE(changed.values[0].name, "forged");
   }
+}
+
+TEST_F(StudyRunner, ACheckRunsAgainWhereTheStoreDoesNotHaveItsValues) {
+  const std::string study = "title = \"Jump\"\nclaims = []\ncheck = \"jump-errors\"\n";
+  StudyResult kept = store::store_samples::study("check", "Jump");
+  kept.kind = records::StudyKind::check, kept.text = study;
+  kept.values = {{"forged", std::numeric_limits<double>::infinity(), "seven"}};
+  Store(folder_ / "check.db", Store::Mode::create_or_write).keep_study(kept, {{}}, store::current_provenance());
+  EXPECT_NE(result_of(folder_, "check", study).values[0].name, "forged") << "infinity is NULL there";
 }
 
 }  // namespace mpmvv::plan::study_runner_test

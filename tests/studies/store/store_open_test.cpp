@@ -276,6 +276,12 @@ TEST(Schema, OfANumberOfOnesOwnIsTheNextOne) {
   EXPECT_THAT(walk("number-entry"), HasSubstr(fmt::format("({}, ", migrations().size() + 1)));
 }
 
+TEST_F(StoreOpen, AStoreThatIsMovedAwayWhileItIsOpenTakesNothingMore) {
+  Store store(file_, Mode::create_or_write);
+  std::filesystem::rename(file_, folder_ / "elsewhere.db");
+  EXPECT_THAT(complaint([&] { store.keep(record(8), provenance()); }), HasSubstr("was moved or removed"));
+}
+
 TEST_F(StoreOpen, ACreationThatFailsLeavesNoFile) {
   EXPECT_NE(complaint([&] { open_store(file_, Mode::create_or_write, broken_second_step); }), "");
   EXPECT_TRUE(std::filesystem::is_empty(folder_));

@@ -1,9 +1,12 @@
 #include <gmock/gmock.h>
 
+#include <atomic>
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <random>
 #include <regex>
+#include <thread>
 
 #include "studies/store/schema.hpp"
 #include "tests/studies/store/store_samples.hpp"
@@ -178,6 +181,31 @@ TEST_F(SealedStore, NoFlippedBitChangesWhatIsReadUnseen) {
     EXPECT_TRUE(now == told || unsound) << "byte " << at << "\n" << now;
   }
   EXPECT_GT(seen, 0);
+}
+
+/// Another program keeps the last of many studies and forgets it again, while the others are checked.
+TEST_F(SealedStore, IsSoundWhileAnotherProgramWrites) {
+  StudyResult one = full_study();
+  const auto keep = [&](Store& store, const std::string& name) {
+    one.name = name;
+    store.keep_study(one, {{bar(8), bar(16)}}, provenance());
+  };
+  Store store(file_, Store::Mode::write);
+  for (int k = 0; k < 20; ++k) keep(store, fmt::format("study-{}", k));
+  std::atomic<bool> is_checked = false;
+  std::thread writer([&] {
+    constexpr std::chrono::milliseconds so_that_others_read{20};
+    for (Store other(file_, Store::Mode::write); !is_checked; std::this_thread::sleep_for(so_that_others_read)) {
+      keep(other, "last");
+      std::this_thread::sleep_for(so_that_others_read);
+      other.forget("last");
+    }
+  });
+  std::vector<std::string> faults;
+  for (int k = 0; k < 5 && faults.empty(); ++k) faults = store.check();
+  is_checked = true;
+  writer.join();
+  EXPECT_THAT(faults, IsEmpty());
 }
 
 }  // namespace mpmvv::store::store_seal_test

@@ -38,4 +38,25 @@ TEST_F(TimedRuns, MadeAnewReplaceThoseBefore) {
             timed("second").cost.rounds);
 }
 
+/// The run of the first store stays, and the study of the second one: its cost is not what the run was timed at.
+TEST_F(TimedRuns, OfAMergeLendTheirRoundsToNoOtherCost) {
+  for (const double cost : {1, 2}) {
+    Record r = record(8);
+    r.ns_per_particle_step = cost;
+    r.cost.rounds = {{cost, cost}, fmt::format("session {}", cost)};
+    Provenance p = provenance();
+    p.time = fmt::format("2024-05-0{}T07:08:09Z", cost);
+    Store store(folder_ / fmt::format("{}.db", cost), Store::Mode::create_or_write);
+    store.keep(r, p);
+    store.keep_study(study("timed", "", {series("a", {point(8, {{"ns_per_particle_step", cost}})})}), {{bar(8)}}, p);
+    EXPECT_EQ(store.studies("d1")[0].series[0].points[0].rounds, r.cost.rounds);
+  }
+  Store::merge(folder_ / "1.db", folder_ / "2.db");
+  const Store merged(folder_ / "1.db", Store::Mode::read);
+  EXPECT_EQ(merged.find(bar(8), "d1")->cost.rounds.session, "session 1");
+  const records::Point timed = merged.studies("d1")[0].series[0].points[0];
+  EXPECT_EQ(timed.y.at("ns_per_particle_step"), 2);
+  EXPECT_THAT(timed.rounds.costs, testing::IsEmpty());
+}
+
 }  // namespace mpmvv::store::timed_runs_test

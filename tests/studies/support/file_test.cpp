@@ -91,6 +91,17 @@ TEST_F(File, IsAsOpenToOthersAsAnyNewOne) {
   EXPECT_EQ(fs::status(folder / "new").permissions(), perms::owner_read | perms::owner_write | perms::group_read);
 }
 
+TEST_F(File, ThatIsReplacedKeepsItsPermissions) {
+  const fs::path file = folder / "mine";
+  write_if_changed(file, "first");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink(file, folder / "link");
+  for (const char* name : {"mine", "link"}) {
+    EXPECT_TRUE(write_if_changed(folder / name, name));
+    EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  }
+}
+
 TEST_F(File, IsWrittenThroughSymbolicLinks) {
   fs::create_symlink("../target", folder / "folder/link");
   fs::create_symlink(folder / "folder/link", folder / "link");

@@ -48,6 +48,17 @@ TEST_F(Memory, IsWhatTheProgramsOwnGroupLeaves) {
   EXPECT_EQ(available_memory(folder_), 1000000);
 }
 
+TEST_F(Memory, IsWhatTheGroupsAroundTheProgramsOwnLeave) {
+  write("proc/meminfo", "MemAvailable:  3000 kB\n");
+  write("proc/self/cgroup", "0::/slurm/job_3/step_0/task_0\n");
+  write("sys/fs/cgroup/slurm/job_3/step_0/task_0/memory.max", "max\n");
+  write("sys/fs/cgroup/slurm/job_3/memory.max", "1000000\n");
+  write("sys/fs/cgroup/slurm/job_3/memory.current", "400000\n");
+  EXPECT_EQ(available_memory(folder_), 600000) << "the job's limit counts for its tasks";
+  write("sys/fs/cgroup/memory.max", "500000\n");
+  EXPECT_EQ(available_memory(folder_), 500000);
+}
+
 TEST_F(Memory, OfThisMachineIsSome) {
   EXPECT_GT(available_memory(), 0);
   EXPECT_GT(available_memory(folder_), 0) << "where there is no /proc";

@@ -19,6 +19,7 @@ TEST(Printable, WhatATerminalObeysIsShown) {
       {"\x7f", "\\x7f"},
       {"\xc2\x9b", "\\xc2\\x9b"},                    // CSI in one character
       {"\xe2\x80\xae", "\\xe2\\x80\\xae"},           // writes from right to left
+      {"\xd8\x9c", "\\xd8\\x9c"},                    // marks letters as Arabic
       {"\xe2\x80\xa8", "\\xe2\\x80\\xa8"},           // a separator of lines
       {"a\xff", "a\\xff"},                           // not UTF-8:
       {"\xc2", "\\xc2"},                             // cut off
